@@ -1,0 +1,291 @@
+//! Constraints `u = T q + g` from linear equations among the unknowns.
+//!
+//! Prescribed motion, ghosts, mirror images, symmetry and rigid links are all rows of `T` and `g`. `q` keeps the
+//! numbering of `u`: the entries of constrained unknowns are inert and zero.
+
+use std::collections::{HashMap, HashSet};
+use thiserror::Error;
+
+/// One scalar unknown of a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Unknown {
+    /// Component, `0..D`.
+    pub component: usize,
+    /// Point.
+    pub point: usize,
+}
+
+/// A linear equation `Σ coefficient · unknown = value`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equation {
+    /// Unknowns and their coefficients. The first one becomes the dependent one where that is possible.
+    pub terms: Vec<(Unknown, f64)>,
+    /// Right-hand side, in the unit of the terms.
+    pub value: f64,
+    /// Who asks for it, as messages name it.
+    pub origin: String,
+}
+
+/// Two equations that cannot both hold.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("{origin} contradicts {}", others.join(", "))]
+pub struct Contradiction {
+    /// The equation found to be impossible.
+    pub origin: String,
+    /// The equations it meets.
+    pub others: Vec<String>,
+}
+
+/// A constrained unknown, `u = Σ coefficient · q + value`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Number of the constrained unknown.
+    pub unknown: usize,
+    /// Numbers of independent unknowns and their coefficients; empty for a prescribed value.
+    pub masters: Vec<(usize, f64)>,
+    /// The prescribed part, for a load factor of one.
+    pub value: f64,
+}
+
+/// The rows of `T` and `g` that differ from `u = q`.
+#[derive(Clone, Debug, Default)]
+pub struct Constraints {
+    rows: Vec<Row>,
+    equations: Vec<Vec<(usize, f64)>>,
+    has_slaves: bool,
+}
+
+/// Row under construction, with the equations that went into it.
+struct Pending {
+    masters: Vec<(usize, f64)>,
+    value: f64,
+    origins: Vec<usize>,
+}
+
+impl Constraints {
+    /// Eliminates one unknown per equation. Unknown `(component, point)` has the number `component · points + point`.
+    ///
+    /// # Errors
+    /// [`Contradiction`] where an equation is violated by the ones before it; one that merely repeats them is dropped.
+    pub fn new(points: usize, equations: &[Equation]) -> Result<Self, Contradiction> {
+        let number = |u: &Unknown| u.component * points + u.point;
+        let numbered: Vec<Vec<(usize, f64)>> = equations
+            .iter()
+            .map(|e| e.terms.iter().map(|(u, c)| (number(u), *c)).collect())
+            .collect();
+        let mut rows: HashMap<usize, Pending> = HashMap::new();
+        let mut users: HashMap<usize, HashSet<usize>> = HashMap::new();
+        for (index, equation) in equations.iter().enumerate() {
+            let reduced = substitute(&rows, &numbered[index], equation.value, index);
+            let Some(pivot) = reduced.pivot(&numbered[index]) else {
+                if reduced.residual_is_rounding() {
+                    continue;
+                }
+                let others = reduced.origins.iter().filter(|&&o| o != index);
+                return Err(Contradiction {
+                    origin: equation.origin.clone(),
+                    others: others.map(|&o| equations[o].origin.clone()).collect(),
+                });
+            };
+            insert(&mut rows, &mut users, pivot, reduced);
+        }
+        let mut rows: Vec<Row> = rows
+            .into_iter()
+            .map(|(unknown, p)| Row {
+                unknown,
+                masters: p.masters,
+                value: p.value,
+            })
+            .collect();
+        rows.sort_by_key(|r| r.unknown);
+        let has_slaves = rows.iter().any(|r| !r.masters.is_empty());
+        Ok(Self {
+            rows,
+            equations: numbered,
+            has_slaves,
+        })
+    }
+
+    /// The constrained unknowns, in the order of their numbers.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// Left-hand sides of all equations, by numbers of unknowns.
+    pub fn equations(&self) -> &[Vec<(usize, f64)>] {
+        &self.equations
+    }
+
+    /// Whether some constrained unknown depends on others: then `T` is more than a projection.
+    pub fn has_slaves(&self) -> bool {
+        self.has_slaves
+    }
+
+    /// Whether some prescribed part is not zero.
+    pub fn moves(&self) -> bool {
+        self.rows.iter().any(|r| r.value != 0.0)
+    }
+
+    /// Turns `q` into `u = T q + factor · g` in place.
+    pub fn expand(&self, factor: f64, u: &mut [f64]) {
+        for row in &self.rows {
+            // Masters are independent, so the order of the rows does not matter.
+            let slaved: f64 = row.masters.iter().map(|&(m, c)| c * u[m]).sum();
+            u[row.unknown] = slaved + factor * row.value;
+        }
+    }
+
+    /// Turns a force on `u` into the force `Tᵀ f` on `q` in place.
+    pub fn restrict(&self, force: &mut [f64]) {
+        for row in &self.rows {
+            let held = std::mem::take(&mut force[row.unknown]);
+            row.masters.iter().for_each(|&(m, c)| force[m] += c * held);
+        }
+    }
+}
+
+/// An equation in terms of independent unknowns only.
+struct Reduced {
+    terms: Vec<(usize, f64)>,
+    value: f64,
+    /// Sum of the magnitudes that went into the right-hand side.
+    scale: f64,
+    origins: Vec<usize>,
+}
+
+fn substitute(rows: &HashMap<usize, Pending>, terms: &[(usize, f64)], value: f64, index: usize) -> Reduced {
+    let mut sum: Vec<(usize, f64, f64)> = Vec::new();
+    let mut add = |unknown: usize, c: f64| match sum.iter_mut().find(|t| t.0 == unknown) {
+        Some(t) => (t.1, t.2) = (t.1 + c, t.2 + c.abs()),
+        None => sum.push((unknown, c, c.abs())),
+    };
+    let (mut rest, mut scale, mut origins) = (value, value.abs(), vec![index]);
+    for &(unknown, c) in terms {
+        match rows.get(&unknown) {
+            Some(row) => {
+                rest -= c * row.value;
+                scale += (c * row.value).abs();
+                origins.extend(&row.origins);
+                row.masters.iter().for_each(|&(m, a)| add(m, c * a));
+            }
+            None => add(unknown, c),
+        }
+    }
+    // A coefficient that is the rounding of a cancellation is zero.
+    let terms = sum
+        .into_iter()
+        .filter(|t| t.1.abs() > 1e-12 * t.2)
+        .map(|t| (t.0, t.1))
+        .collect();
+    Reduced {
+        terms,
+        value: rest,
+        scale,
+        origins,
+    }
+}
+
+impl Reduced {
+    /// The unknown to eliminate: the first one of the equation if it is still there, else the largest coefficient.
+    fn pivot(&self, terms: &[(usize, f64)]) -> Option<usize> {
+        let declared = terms
+            .first()
+            .and_then(|&(u, _)| self.terms.iter().find(|t| t.0 == u));
+        let largest = self.terms.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+        declared.or(largest).map(|t| t.0)
+    }
+
+    fn residual_is_rounding(&self) -> bool {
+        self.value.abs() <= 1e-12 * self.scale
+    }
+}
+
+/// Solves the reduced equation for its pivot and removes the pivot from the rows that use it.
+fn insert(
+    rows: &mut HashMap<usize, Pending>,
+    users: &mut HashMap<usize, HashSet<usize>>,
+    pivot: usize,
+    reduced: Reduced,
+) {
+    let coefficient = reduced.terms.iter().find(|t| t.0 == pivot).map_or(1.0, |t| t.1);
+    let others = reduced.terms.iter().filter(|t| t.0 != pivot);
+    let row = Pending {
+        masters: others.map(|&(u, c)| (u, -c / coefficient)).collect(),
+        value: reduced.value / coefficient,
+        origins: reduced.origins,
+    };
+    for user in users.remove(&pivot).unwrap_or_default() {
+        let Some(old) = rows.get_mut(&user) else {
+            continue;
+        };
+        let Some(at) = old.masters.iter().position(|m| m.0 == pivot) else {
+            continue;
+        };
+        let (_, c) = old.masters.swap_remove(at);
+        old.value += c * row.value;
+        old.origins.extend(&row.origins);
+        for &(m, a) in &row.masters {
+            match old.masters.iter_mut().find(|t| t.0 == m) {
+                Some(t) => t.1 += c * a,
+                None => old.masters.push((m, c * a)),
+            }
+            users.entry(m).or_default().insert(user);
+        }
+    }
+    for &(m, _) in &row.masters {
+        users.entry(m).or_default().insert(pivot);
+    }
+    rows.insert(pivot, row);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn equation(terms: &[(usize, f64)], value: f64, origin: &str) -> Equation {
+        let unknown = |point| Unknown { component: 0, point };
+        let terms = terms.iter().map(|&(p, c)| (unknown(p), c)).collect();
+        Equation {
+            terms,
+            value,
+            origin: origin.into(),
+        }
+    }
+
+    #[test]
+    fn chains_of_slaves_end_at_independent_unknowns() {
+        // u2 = u1 + 1, u1 = 2 u0, so u2 = 2 u0 + 1, whatever the order.
+        let a = equation(&[(2, 1.0), (1, -1.0)], 1.0, "a");
+        let b = equation(&[(1, 1.0), (0, -2.0)], 0.0, "b");
+        for order in [[a.clone(), b.clone()], [b, a]] {
+            let c = Constraints::new(4, &order).unwrap();
+            let mut u = [3.0, 0.0, 0.0, 5.0];
+            c.expand(1.0, &mut u);
+            assert_eq!(u, [3.0, 6.0, 7.0, 5.0]);
+            let mut force = [1.0, 10.0, 100.0, 1000.0];
+            c.restrict(&mut force);
+            assert_eq!(force, [221.0, 0.0, 0.0, 1000.0]);
+        }
+    }
+
+    #[test]
+    fn a_slave_can_be_prescribed_through_its_master() {
+        // u1 = u0 + 0.5 u2 and u1 = 2: one of the masters gives way.
+        let tie = equation(&[(1, 1.0), (0, -1.0), (2, -0.5)], 0.0, "tie");
+        let set = equation(&[(1, 1.0)], 2.0, "set");
+        let c = Constraints::new(3, &[tie, set]).unwrap();
+        let mut u = [0.0, 0.0, 0.6];
+        c.expand(1.0, &mut u);
+        assert_eq!(u, [1.7, 2.0, 0.6]);
+    }
+
+    #[test]
+    fn repetition_is_dropped_and_contradiction_named() {
+        let one = equation(&[(0, 1.0)], 0.1 + 0.2, "first");
+        let same = equation(&[(0, 1.0)], 0.3, "second");
+        assert_eq!(Constraints::new(1, &[one.clone(), same]).unwrap().rows().len(), 1);
+        let other = equation(&[(0, 1.0)], 0.4, "third");
+        let error = Constraints::new(1, &[one, other]).unwrap_err();
+        assert_eq!(error.to_string(), "third contradicts first");
+    }
+}

@@ -1,0 +1,18 @@
+//! Mechanics of implicit peridynamics: bonds, measures, terms of the energy, constraints, assembly.
+//!
+//! **Every model is an energy that is a sum over bonds and families of a function of a few measures,
+//! `E = Σ_e ½ s_eᵀ C_e s_e` with `s_e = B_e u`; every tangent is `Σ B_eᵀ C_e B_e`.** A model says which measures a
+//! bond has and which moduli belong to them ([`bonds::BondModel`]); operator, assembly, constraints, reactions and free
+//! motions are written once, for all models. Nothing here opens a file, prints, or solves.
+//!
+//! Modules use only what stands to their left:
+//! `material → bonds → condition → stiffness → model → system`.
+#![cfg_attr(test, allow(clippy::float_cmp))]
+
+pub mod bonds;
+pub mod condition;
+pub mod material;
+pub mod model;
+mod register;
+pub mod stiffness;
+pub mod system;

@@ -1,0 +1,329 @@
+//! One straight chain of points: which bonds it has, with which weight.
+
+use super::end_treatment::{EndKind, EndSupport, EndTreatment};
+use super::weights::{VolumeFactor, bond_weights};
+use crate::condition::{Equation, Unknown};
+use crate::stiffness::Override;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Where the points of a line lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Grid {
+    /// `cells + 1` points with one on each end.
+    #[default]
+    Nodes,
+    /// One point in the middle of each cell.
+    Cells,
+}
+
+/// A straight line along x, as given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Position of its left end, m.
+    pub from: f64,
+    /// Length, m.
+    pub length: f64,
+    /// Number of cells.
+    pub cells: usize,
+    /// Where the points lie.
+    pub grid: Grid,
+    /// Points, counted from the left, that no bond may span.
+    pub splits: Vec<usize>,
+    /// What holds the two ends.
+    pub supports: [EndSupport; 2],
+}
+
+/// A chain that cannot be built.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum ChainError {
+    /// The correction would need a bond with a negative weight.
+    #[error(
+        "the bonds between neighbours would need the weight {weight:.4}, and a stiffness must not be negative"
+    )]
+    NegativeWeight {
+        /// The weight.
+        weight: f64,
+    },
+    /// Ghost points would mirror points that do not exist.
+    #[error(
+        "the beam has {points} points, fewer than the {needed} that the ghost points beyond its ends mirror"
+    )]
+    TooShort {
+        /// Points of the line.
+        points: usize,
+        /// Points needed.
+        needed: usize,
+    },
+}
+
+/// A line with its bonds: classes, exceptions and ghost points.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    /// Real points.
+    pub points: usize,
+    /// Ghost points beyond the left and the right end.
+    pub ghosts: [usize; 2],
+    /// Position of the first real point, m.
+    pub origin: f64,
+    /// Distance of neighbours, m.
+    pub spacing: f64,
+    /// Weight α of the bonds over 1, 2, … spacings.
+    pub weights: Vec<f64>,
+    /// Bonds with another weight; lower points are counted from the first ghost.
+    pub overrides: Vec<Override>,
+    line: Line,
+    kinds: [EndKind; 2],
+    splits: bool,
+}
+
+impl Line {
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        match self.grid {
+            Grid::Nodes => self.cells + 1,
+            Grid::Cells => self.cells,
+        }
+    }
+
+    /// Distance of neighbours, m.
+    pub fn spacing(&self) -> f64 {
+        self.length / self.cells as f64
+    }
+
+    /// Position of the first point, m.
+    pub fn origin(&self) -> f64 {
+        match self.grid {
+            Grid::Nodes => self.from,
+            Grid::Cells => self.from + 0.5 * self.spacing(),
+        }
+    }
+}
+
+impl Chain {
+    /// Bonds of a line for a horizon of `horizon_ratio` spacings.
+    ///
+    /// # Errors
+    /// [`ChainError`] where a weight would be negative or a line is too short to be mirrored.
+    pub fn new(
+        line: Line,
+        horizon_ratio: f64,
+        factor: VolumeFactor,
+        treatment: &EndTreatment,
+    ) -> Result<Self, ChainError> {
+        let points = line.points();
+        let mut weights = bond_weights(horizon_ratio, factor);
+        weights.truncate(points - 1);
+        let reach = weights.len();
+        let kinds = [0, 1].map(|side| (treatment.end)(&line.supports[side]));
+        let ghosts = kinds.map(|kind| match (kind, line.grid) {
+            (EndKind::Covered | EndKind::Truncated, _) => 0,
+            (_, Grid::Nodes) => reach - 1,
+            (_, Grid::Cells) => reach,
+        });
+        let needed = 1 + ghosts[0].max(ghosts[1]);
+        if points < needed {
+            return Err(ChainError::TooShort { points, needed });
+        }
+        let mut chain = Self {
+            points,
+            ghosts,
+            origin: line.origin(),
+            spacing: line.spacing(),
+            weights,
+            overrides: Vec::new(),
+            kinds,
+            splits: treatment.splits,
+            line,
+        };
+        chain.correct(&bond_weights(horizon_ratio, factor))?;
+        Ok(chain)
+    }
+
+    /// Points with ghosts.
+    pub fn extended(&self) -> usize {
+        self.ghosts[0] + self.points + self.ghosts[1]
+    }
+
+    /// Position of an extended point, m.
+    pub fn position(&self, point: usize) -> f64 {
+        self.origin + (point as f64 - self.ghosts[0] as f64) * self.spacing
+    }
+
+    /// The line as given.
+    pub fn line(&self) -> &Line {
+        &self.line
+    }
+
+    /// Sets class weights and overrides. `all` are the weights of an unbounded chain.
+    fn correct(&mut self, all: &[f64]) -> Result<(), ChainError> {
+        let sum: f64 = all.iter().enumerate().map(|(k, a)| (k + 1) as f64 * a).sum();
+        // What an interior cell lacks, for ratios that are not whole and for full volumes.
+        let lack = if self.splits && (1.0 - sum).abs() > 1e-14 {
+            1.0 - sum
+        } else {
+            0.0
+        };
+        let base = self.weights[0] + lack;
+        for lower in self.exceptional() {
+            for step in 1..=self.weights.len() {
+                let factor = self.factor(lower, step);
+                let own = self.weights[step - 1];
+                let (weight, usual) = if step == 1 && factor != 0.0 && self.is_real(lower, 1) {
+                    (own * factor + lack + self.missing(lower, all), base)
+                } else {
+                    (own * factor, if step == 1 { base } else { own })
+                };
+                if weight < 0.0 {
+                    return Err(ChainError::NegativeWeight { weight });
+                }
+                if weight != usual {
+                    let factor = weight / usual;
+                    self.overrides.push(Override {
+                        class: step - 1,
+                        lower,
+                        factor,
+                    });
+                }
+            }
+        }
+        if base <= 0.0 {
+            return Err(ChainError::NegativeWeight { weight: base });
+        }
+        self.weights[0] = base;
+        Ok(())
+    }
+
+    /// Lower points whose bonds may meet an end or a split, in order.
+    fn exceptional(&self) -> Vec<usize> {
+        let reach = self.weights.len();
+        let last = self.extended() - 1;
+        let ends = [self.ghosts[0], self.ghosts[0] + self.points - 1];
+        let splits = self
+            .line
+            .splits
+            .iter()
+            .filter(|_| self.splits)
+            .map(|s| s + self.ghosts[0]);
+        let around = |b: usize| b.saturating_sub(reach)..=(b + reach).min(last);
+        let mut all: Vec<usize> = ends.into_iter().chain(splits).flat_map(around).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
+
+    fn is_real(&self, lower: usize, step: usize) -> bool {
+        lower >= self.ghosts[0] && lower + step < self.ghosts[0] + self.points
+    }
+
+    fn spans_split(&self, i: isize, j: isize) -> bool {
+        // Splits are sorted, so a long beam with many of them stays cheap.
+        let splits = &self.line.splits;
+        let next = splits.partition_point(|&s| s as isize <= i);
+        self.splits && splits.get(next).is_some_and(|&s| (s as isize) < j)
+    }
+
+    /// Factor of a bond from the treatment of the ends, without top-up.
+    fn factor(&self, lower: usize, step: usize) -> f64 {
+        let n = self.points as isize;
+        let i = lower as isize - self.ghosts[0] as isize;
+        let j = i + step as isize;
+        if self.is_real(lower, step) {
+            if self.spans_split(i, j) {
+                return 0.0;
+            }
+            let half = |side: usize, touches: bool| {
+                let on_end = touches && self.line.grid == Grid::Nodes;
+                if on_end && self.kinds[side] == EndKind::Truncated {
+                    0.5
+                } else {
+                    1.0
+                }
+            };
+            return half(0, i == 0) * half(1, j == n - 1);
+        }
+        // A bond crosses an end if exactly one point is a ghost; bonds that touch a point on the end are ordinary.
+        let side = match (i < 0, j >= n) {
+            (true, false) if j > 0 || (j == 0 && self.line.grid == Grid::Cells) => 0,
+            (false, true) if i < n - 1 || (i == n - 1 && self.line.grid == Grid::Cells) => 1,
+            _ => return 0.0,
+        };
+        match self.kinds[side] {
+            EndKind::Mirrored => 0.5,
+            EndKind::Continued => 1.0,
+            EndKind::Covered | EndKind::Truncated => 0.0,
+        }
+    }
+
+    /// Weight that the cell above a point lacks because bonds end at a covered end or a split.
+    fn missing(&self, lower: usize, all: &[f64]) -> f64 {
+        let n = self.points as isize;
+        let cell = lower as isize - self.ghosts[0] as isize;
+        let mut missing = 0.0;
+        for (k, weight) in all.iter().enumerate() {
+            let step = k as isize + 1;
+            for i in cell + 1 - step..=cell {
+                let j = i + step;
+                let cut = (i < 0 && self.kinds[0] == EndKind::Covered)
+                    || (j >= n && self.kinds[1] == EndKind::Covered)
+                    || self.spans_split(i, j);
+                if cut {
+                    missing += weight;
+                }
+            }
+        }
+        missing
+    }
+
+    /// Relations of the ghost points, for a chain whose first extended point has the number `first`.
+    pub fn relations(&self, first: usize) -> Vec<Equation> {
+        let mut equations = Vec::new();
+        let (w, phi) = (0, 1);
+        for side in 0..2 {
+            let EndSupport { w: w0, phi: phi0 } = self.line.supports[side];
+            for a in 1..=self.ghosts[side] {
+                let inward = a - usize::from(self.line.grid == Grid::Cells);
+                let (ghost, mirror, sign) = match side {
+                    0 => (self.ghosts[0] - a, self.ghosts[0] + inward, -1.0),
+                    _ => {
+                        let last = self.ghosts[0] + self.points - 1;
+                        (last + a, last - inward, 1.0)
+                    }
+                };
+                // Signed distance of the ghost from the end.
+                let offset = sign * 0.5 * (a + inward) as f64 * self.spacing;
+                let unknown = |component, point| Unknown {
+                    component,
+                    point: first + point,
+                };
+                let mut relate = |component, parity: Option<f64>, value: f64| {
+                    let mut terms = vec![(unknown(component, ghost), 1.0)];
+                    terms.extend(parity.map(|p| (unknown(component, mirror), -p)));
+                    let origin = format!("the ghost points beyond x = {}", self.end_position(side));
+                    equations.push(Equation { terms, value, origin });
+                };
+                match (self.kinds[side], w0, phi0) {
+                    (EndKind::Continued, Some(w0), Some(phi0)) => {
+                        relate(w, None, w0 + offset * phi0);
+                        relate(phi, None, phi0);
+                    }
+                    (_, _, Some(phi0)) => {
+                        relate(w, Some(1.0), 2.0 * offset * phi0);
+                        relate(phi, Some(-1.0), 2.0 * phi0);
+                    }
+                    (_, w0, None) => {
+                        relate(w, Some(-1.0), 2.0 * w0.unwrap_or(0.0));
+                        relate(phi, Some(1.0), 0.0);
+                    }
+                }
+            }
+        }
+        equations
+    }
+
+    fn end_position(&self, side: usize) -> f64 {
+        self.line.from + if side == 0 { 0.0 } else { self.line.length }
+    }
+}

@@ -1,0 +1,96 @@
+//! Fields of a solved beam: section forces, stress, energy density.
+
+use super::load::BeamLoads;
+use super::{Grid, TimoshenkoBeam};
+use crate::model::Model;
+
+/// Moment and shear force at the two ends of every cell of a line, seen from inside the cell.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SectionForces {
+    /// Moments M at the left and right end of each cell, N m.
+    pub moment: Vec<[f64; 2]>,
+    /// Shear forces V at the left and right end of each cell, N.
+    pub shear: Vec<[f64; 2]>,
+}
+
+/// Recovered fields of one line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeamFields {
+    /// Section forces per cell between neighbouring points.
+    pub forces: SectionForces,
+    /// Strain energy density per point, J/m³ (Eqs. (11a,b)).
+    pub energy_density: Vec<f64>,
+}
+
+impl SectionForces {
+    /// Moment and shear at a point: the value to its right, at the last point the one to its left.
+    pub fn at(&self, point: usize) -> (f64, f64) {
+        let cells = self.moment.len();
+        let (cell, end) = if point < cells { (point, 0) } else { (cells - 1, 1) };
+        (self.moment[cell][end], self.shear[cell][end])
+    }
+}
+
+impl TimoshenkoBeam {
+    /// Fields of a line under unknowns `u` and the loads that caused them.
+    ///
+    /// Section forces are cut sums: every bond that crosses a section adds its constant shear force, its linear moment
+    /// and the fixed-end forces of the load it carries. That is exact, for every law, for the loads as given.
+    pub fn fields(&self, chain: usize, u: &[f64], loads: &BeamLoads) -> BeamFields {
+        let (c, bonds) = (&self.chains[chain], &self.bonds[chain]);
+        let cells = c.points - 1;
+        let mut forces = SectionForces {
+            moment: vec![[0.0; 2]; cells],
+            shear: vec![[0.0; 2]; cells],
+        };
+        let mut energy = vec![0.0; c.points];
+        let loaded = !loads.lumped
+            && (loads.distributed.iter().any(|l| l.chain == chain)
+                || loads.point.iter().any(|p| p.spread && p.chain == chain));
+        for class in 0..bonds.classes().len() {
+            let step = bonds.classes()[class].step;
+            let moduli = bonds.moduli(class);
+            for lower in 0..bonds.lattice().count.saturating_sub(step) {
+                let weight = bonds.weight(class, lower);
+                if weight == 0.0 {
+                    continue;
+                }
+                let s = bonds.measure(class, lower, u);
+                let (m, v) = (weight * moduli[0] * s[0], weight * moduli[1] * s[1]);
+                let real = |p: usize| p.checked_sub(c.ghosts[0]).filter(|&k| k < c.points);
+                for end in [lower, lower + step] {
+                    if let Some(k) = real(end) {
+                        energy[k] += 0.25 * (m * s[0] + v * s[1]);
+                    }
+                }
+                let span = self.span(chain, class, lower);
+                let ends = if loaded { loads.on(chain, &span) } else { [0.0; 4] };
+                for cell in lower..lower + step {
+                    let Some(k) = real(cell).filter(|&k| k < cells) else {
+                        continue;
+                    };
+                    for side in 0..2 {
+                        let s = (cell + side - lower) as f64 * c.spacing;
+                        let mut part = [m + v * (0.5 * span.length - s), v];
+                        if loaded {
+                            let [q, qx] = loads.resultant(chain, span.x, span.x + s);
+                            part[0] += weight * (ends[1] - ends[0] * s + qx);
+                            part[1] += weight * (ends[0] - q);
+                        }
+                        forces.moment[k][side] += part[0];
+                        forces.shear[k][side] += part[1];
+                    }
+                }
+            }
+        }
+        for (k, e) in energy.iter_mut().enumerate() {
+            let on_end = c.line().grid == Grid::Nodes && (k == 0 || k + 1 == c.points);
+            *e /= self.parameters.area * c.spacing * if on_end { 0.5 } else { 1.0 };
+        }
+        debug_assert_eq!(u.len(), 2 * self.points());
+        BeamFields {
+            forces,
+            energy_density: energy,
+        }
+    }
+}

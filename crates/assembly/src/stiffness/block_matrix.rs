@@ -1,0 +1,183 @@
+//! The assembled stiffness: blocks of coupled points, in one of two layouts.
+//!
+//! The assembled matrix is a preconditioner. Rounding its entries breaks `K · rigid = 0`, which alone costs a slender
+//! body all digits; answers are finished with the element-wise operator.
+
+use super::Term;
+use crate::bonds::Mat;
+use sprs::CsMat;
+use std::ops::Range;
+
+/// Upper triangle of a symmetric matrix of D × D blocks, one per coupled pair of points `i <= j`.
+#[derive(Clone, Debug)]
+pub struct BlockMatrix<const D: usize> {
+    points: usize,
+    layout: Layout,
+    values: Vec<f64>,
+}
+
+#[derive(Clone, Debug)]
+enum Layout {
+    /// All blocks with `j − i <= reach`. Scalars are kept as LAPACK keeps a lower band: column `D·i + r` of the
+    /// interleaved matrix is contiguous and starts with its diagonal.
+    Band { reach: usize },
+    /// Block rows; blocks are row-major.
+    Rows { start: Vec<usize>, column: Vec<u32> },
+}
+
+impl<const D: usize> BlockMatrix<D> {
+    /// A zero band matrix whose points couple over at most `reach` numbers.
+    pub fn band(points: usize, reach: usize) -> Self {
+        let values = vec![0.0; D * points * D * (reach + 1)];
+        Self {
+            points,
+            layout: Layout::Band { reach },
+            values,
+        }
+    }
+
+    /// A zero matrix with the pattern of `terms`.
+    pub fn sparse(points: usize, terms: &[Box<dyn Term<D>>]) -> Self {
+        let mut count = vec![1_usize; points + 1];
+        count[0] = 0;
+        for term in terms {
+            term.couplings(&mut |i, j| count[i.min(j) + 1] += 1);
+        }
+        for p in 0..points {
+            count[p + 1] += count[p];
+        }
+        let mut next = count.clone();
+        let mut raw = vec![0_u32; count[points]];
+        let mut push = |i: usize, j: usize| {
+            raw[next[i]] = j as u32;
+            next[i] += 1;
+        };
+        (0..points).for_each(|p| push(p, p));
+        for term in terms {
+            term.couplings(&mut |i, j| push(i.min(j), i.max(j)));
+        }
+        let (mut start, mut column) = (vec![0], Vec::with_capacity(raw.len()));
+        for p in 0..points {
+            let row = &mut raw[count[p]..count[p + 1]];
+            row.sort_unstable();
+            for (k, &c) in row.iter().enumerate() {
+                if k == 0 || row[k - 1] != c {
+                    column.push(c);
+                }
+            }
+            start.push(column.len());
+        }
+        let values = vec![0.0; column.len() * D * D];
+        Self {
+            points,
+            layout: Layout::Rows { start, column },
+            values,
+        }
+    }
+
+    /// Adds a block at points `i <= j`.
+    ///
+    /// # Panics
+    /// The pair is not in the pattern.
+    pub fn add(&mut self, i: usize, j: usize, block: &Mat<D, D>) {
+        match &self.layout {
+            Layout::Band { reach } => {
+                let width = D * (reach + 1);
+                assert!(i <= j && j - i <= *reach, "pair ({i}, {j}) is outside the band");
+                for r in 0..D {
+                    let column = (D * i + r) * width;
+                    // Only c >= r of a diagonal block belongs to the triangle.
+                    let begin = if i == j { r } else { 0 };
+                    for c in begin..D {
+                        self.values[column + D * (j - i) + c - r] += block[r][c];
+                    }
+                }
+            }
+            Layout::Rows { start, column } => {
+                let row = &column[start[i]..start[i + 1]];
+                let k = row
+                    .binary_search(&(j as u32))
+                    .expect("the pair is in the pattern");
+                let slot = (start[i] + k) * D * D;
+                for r in 0..D {
+                    for c in 0..D {
+                        self.values[slot + D * r + c] += block[r][c];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds the same blocks at every point `i` of a range: `blocks[k]` at the pair `(i, i + steps[k])`.
+    pub fn add_repeated(&mut self, range: Range<usize>, steps: &[usize], blocks: &[Mat<D, D>]) {
+        let Layout::Band { reach } = self.layout else {
+            for i in range {
+                steps.iter().zip(blocks).for_each(|(s, b)| self.add(i, i + s, b));
+            }
+            return;
+        };
+        // One point's columns are assembled once and then added as a whole.
+        let mut one = BlockMatrix::<D>::band(1, reach);
+        for (&step, block) in steps.iter().zip(blocks) {
+            one.add(0, step, block);
+        }
+        let width = one.values.len();
+        for columns in self.values[range.start * width..range.end * width].chunks_exact_mut(width) {
+            columns.iter_mut().zip(&one.values).for_each(|(a, b)| *a += b);
+        }
+    }
+
+    /// Scalar entries of the upper triangle as `(point i, component r, point j, component c, value)`.
+    fn entries(&self, mut visit: impl FnMut([usize; 2], [usize; 2], f64)) {
+        for i in 0..self.points {
+            match &self.layout {
+                Layout::Band { reach } => {
+                    let width = D * (reach + 1);
+                    for r in 0..D {
+                        for k in 0..width.min(D * (self.points - i) - r) {
+                            let value = self.values[(D * i + r) * width + k];
+                            if value != 0.0 {
+                                visit([i, r], [i + (r + k) / D, (r + k) % D], value);
+                            }
+                        }
+                    }
+                }
+                Layout::Rows { start, column } => {
+                    for slot in start[i]..start[i + 1] {
+                        let j = column[slot] as usize;
+                        for r in 0..D {
+                            for c in if i == j { r } else { 0 }..D {
+                                visit([i, r], [j, c], self.values[slot * D * D + D * r + c]);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The full symmetric matrix, `order = D · points`, with unknown `number(point, component)`.
+    pub fn to_csr(&self, number: impl Fn(usize, usize) -> usize) -> CsMat<f64> {
+        let order = D * self.points;
+        let mut triplets = sprs::TriMat::new((order, order));
+        self.entries(|[i, r], [j, c], value| {
+            let (a, b) = (number(i, r), number(j, c));
+            triplets.add_triplet(a, b, value);
+            if a != b {
+                triplets.add_triplet(b, a, value);
+            }
+        });
+        triplets.to_csr()
+    }
+
+    /// Half bandwidth and values of the lower band, `values[j·(b + 1) + k] = K[j + k, j]`, unknown `D·p + c`.
+    ///
+    /// # Panics
+    /// The layout is not a band.
+    pub fn into_band(self) -> (usize, Vec<f64>) {
+        match self.layout {
+            Layout::Band { reach } => (D * (reach + 1) - 1, self.values),
+            Layout::Rows { .. } => panic!("only a band layout has band values"),
+        }
+    }
+}

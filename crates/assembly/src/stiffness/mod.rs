@@ -1,0 +1,13 @@
+//! Terms of the energy and the matrix they are assembled into. Nothing here knows a model.
+
+mod block_matrix;
+mod lattice_bonds;
+mod parts;
+mod springs;
+mod term;
+
+pub use block_matrix::BlockMatrix;
+pub use lattice_bonds::{BondClass, Lattice, LatticeBonds, Override};
+pub use parts::Parts;
+pub use springs::{Spring, Springs};
+pub use term::Term;

@@ -1,0 +1,49 @@
+//! What assembly, operator, reactions and checks see of an energy.
+
+use super::BlockMatrix;
+use super::Parts;
+
+/// One part of the energy, `E = Σ_e ½ s_eᵀ C_e s_e` with measures `s_e = B_e u`: one object per shape and law, never
+/// one per bond.
+///
+/// Vectors hold `D` component planes, `u[c · points + p]`.
+pub trait Term<const D: usize>: Send + Sync {
+    /// Visits every pair of different points that an element couples, in any order.
+    fn couplings(&self, visit: &mut dyn FnMut(usize, usize));
+
+    /// Largest difference of the numbers of two coupled points.
+    fn reach(&self) -> usize {
+        let mut reach = 0;
+        self.couplings(&mut |i, j| reach = reach.max(i.abs_diff(j)));
+        reach
+    }
+
+    /// Joins the points that hang together.
+    fn join(&self, parts: &mut Parts) {
+        self.couplings(&mut |i, j| parts.join(i, j));
+    }
+
+    /// Visits the unknowns `(component, point)` that this term holds to the ground.
+    fn grounded(&self, _visit: &mut dyn FnMut(usize, usize)) {}
+
+    /// Stored energy, J.
+    fn energy(&self, u: &[f64]) -> f64;
+
+    /// Adds the internal force `Σ B_eᵀ C_e (B_e u)`, element by element. For a linear term this is also the product
+    /// of its tangent with `u`.
+    fn add_force(&self, u: &[f64], force: &mut [f64]);
+
+    /// Largest magnitude of an element's end action, per component: the scale that residuals are measured on.
+    fn largest_action(&self, u: &[f64]) -> [f64; D];
+
+    /// Adds the blocks `B_eᵀ C_e B_e`.
+    fn add_tangent(&self, tangent: &mut BlockMatrix<D>);
+
+    /// Number of elements (bonds, families, springs).
+    fn elements(&self) -> usize;
+
+    /// Numbers stored per element: zero where a lattice shares them all.
+    fn stored_factors(&self) -> usize {
+        0
+    }
+}

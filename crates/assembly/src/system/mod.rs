@@ -1,0 +1,214 @@
+//! A body ready to be solved: terms, constraints, operator, reactions.
+
+mod mobility;
+
+pub use mobility::{FreeMotion, free_motions};
+
+use crate::condition::{Constraints, Contradiction, Equation};
+use crate::model::Model;
+use crate::stiffness::{BlockMatrix, Term};
+use sprs::CsMat;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Terms and constraints of one body with `D` unknowns per point.
+///
+/// The stiffness on the independent unknowns is `Tᵀ (Σ BᵀCB) T`; vectors hold `D` component planes and keep inert,
+/// zero entries for constrained unknowns.
+pub struct System<const D: usize> {
+    points: usize,
+    terms: Vec<Box<dyn Term<D>>>,
+    constraints: Constraints,
+    /// Room to expand a vector in, used only where some unknown depends on others.
+    expanded: Mutex<Vec<f64>>,
+    elements: usize,
+    evaluations: AtomicU64,
+}
+
+/// The stiffness assembled for a factorisation.
+#[derive(Clone, Debug)]
+pub enum Assembled {
+    /// Lower band by columns, `values[j·(b + 1) + k] = K[j + k, j]`; unknown `D·point + component`.
+    Band {
+        /// Half bandwidth b.
+        half_bandwidth: usize,
+        /// Columns of b + 1 entries.
+        values: Vec<f64>,
+    },
+    /// Compressed rows of the full symmetric matrix; unknown `component · points + point`.
+    Sparse(CsMat<f64>),
+}
+
+impl<const D: usize> System<D> {
+    /// Joins a model's terms and relations with further terms (springs) and equations (supports, links).
+    ///
+    /// # Errors
+    /// [`Contradiction`] between equations.
+    pub fn new(
+        model: &impl Model<D>,
+        extra_terms: Vec<Box<dyn Term<D>>>,
+        mut equations: Vec<Equation>,
+    ) -> Result<Self, Contradiction> {
+        equations.extend(model.relations());
+        let constraints = Constraints::new(model.points(), &equations)?;
+        let mut terms = model.terms();
+        terms.extend(extra_terms);
+        let room = if constraints.has_slaves() {
+            D * model.points()
+        } else {
+            0
+        };
+        Ok(Self {
+            points: model.points(),
+            elements: terms.iter().map(|t| t.elements()).sum(),
+            terms,
+            constraints,
+            expanded: Mutex::new(vec![0.0; room]),
+            evaluations: AtomicU64::new(0),
+        })
+    }
+
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// Length of a vector of unknowns, `D · points`.
+    pub fn size(&self) -> usize {
+        D * self.points
+    }
+
+    /// Number of independent unknowns.
+    pub fn independent(&self) -> usize {
+        self.size() - self.constraints.rows().len()
+    }
+
+    /// The constraints.
+    pub fn constraints(&self) -> &Constraints {
+        &self.constraints
+    }
+
+    /// The terms.
+    pub fn terms(&self) -> &[Box<dyn Term<D>>] {
+        &self.terms
+    }
+
+    /// Number of elements of all terms.
+    pub fn elements(&self) -> usize {
+        self.elements
+    }
+
+    /// Element evaluations so far.
+    pub fn evaluations(&self) -> u64 {
+        self.evaluations.load(Ordering::Relaxed)
+    }
+
+    fn count(&self) {
+        self.evaluations
+            .fetch_add(self.elements as u64, Ordering::Relaxed);
+    }
+
+    /// Overwrites `force` with the internal force `Σ BᵀCB u`.
+    pub fn force(&self, u: &[f64], force: &mut [f64]) {
+        force.fill(0.0);
+        self.terms.iter().for_each(|t| t.add_force(u, force));
+        self.count();
+    }
+
+    /// Overwrites `y` with `Tᵀ (Σ BᵀCB) T q`.
+    pub fn product(&self, q: &[f64], y: &mut [f64]) {
+        if self.constraints.has_slaves() {
+            let mut u = self.expanded.lock().expect("no holder of the lock panics");
+            u.copy_from_slice(q);
+            self.constraints.expand(0.0, &mut u);
+            self.force(&u, y);
+        } else {
+            self.force(q, y);
+        }
+        self.constraints.restrict(y);
+    }
+
+    /// Stored energy, J.
+    pub fn energy(&self, u: &[f64]) -> f64 {
+        self.count();
+        self.terms.iter().map(|t| t.energy(u)).sum()
+    }
+
+    /// Largest end action of an element, per component.
+    pub fn largest_action(&self, u: &[f64]) -> [f64; D] {
+        let mut largest = [0.0; D];
+        for term in &self.terms {
+            let action = term.largest_action(u);
+            (0..D).for_each(|c| largest[c] = f64::max(largest[c], action[c]));
+        }
+        self.count();
+        largest
+    }
+
+    /// Largest difference of the numbers of two coupled points.
+    pub fn reach(&self) -> usize {
+        self.terms.iter().map(|t| t.reach()).max().unwrap_or(0)
+    }
+
+    /// The stiffness without constraints.
+    pub fn stiffness(&self) -> BlockMatrix<D> {
+        let mut k = BlockMatrix::sparse(self.points, &self.terms);
+        self.terms.iter().for_each(|t| t.add_tangent(&mut k));
+        k
+    }
+
+    /// The constrained stiffness as a lower band; constrained unknowns keep a positive diagonal and couple to nothing.
+    ///
+    /// # Panics
+    /// Some unknown depends on others: their products belong into [`System::assemble_sparse`].
+    pub fn assemble_band(&self) -> Assembled {
+        assert!(
+            !self.constraints.has_slaves(),
+            "a band is assembled without slaves only"
+        );
+        let mut k = BlockMatrix::band(self.points, self.reach());
+        self.terms.iter().for_each(|t| t.add_tangent(&mut k));
+        let (half_bandwidth, mut values) = k.into_band();
+        let width = half_bandwidth + 1;
+        for row in self.constraints.rows() {
+            let j = D * (row.unknown % self.points) + row.unknown / self.points;
+            let diagonal = values[j * width];
+            values[j * width..(j + 1) * width].fill(0.0);
+            values[j * width] = if diagonal > 0.0 { diagonal } else { 1.0 };
+            for back in 1..=half_bandwidth.min(j) {
+                values[(j - back) * width + back] = 0.0;
+            }
+        }
+        Assembled::Band {
+            half_bandwidth,
+            values,
+        }
+    }
+
+    /// The constrained stiffness `TᵀKT` in compressed rows, with unit diagonal for constrained unknowns.
+    pub fn assemble_sparse(&self) -> Assembled {
+        let k = self
+            .stiffness()
+            .to_csr(|point, component| component * self.points + point);
+        let size = self.size();
+        let mut t = sprs::TriMat::new((size, size));
+        let mut held = sprs::TriMat::new((size, size));
+        let mut rows = self.constraints.rows().iter().peekable();
+        for unknown in 0..size {
+            match rows.next_if(|r| r.unknown == unknown) {
+                Some(row) => {
+                    row.masters
+                        .iter()
+                        .for_each(|&(m, c)| t.add_triplet(unknown, m, c));
+                    let diagonal = k.get(unknown, unknown).copied().filter(|&d| d > 0.0);
+                    held.add_triplet(unknown, unknown, diagonal.unwrap_or(1.0));
+                }
+                None => t.add_triplet(unknown, unknown, 1.0),
+            }
+        }
+        let t: CsMat<f64> = t.to_csr();
+        let held: CsMat<f64> = held.to_csr();
+        let folded = &(&t.transpose_view().to_csr() * &k) * &t;
+        Assembled::Sparse(&folded + &held)
+    }
+}
