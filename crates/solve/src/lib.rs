@@ -1,0 +1,32 @@
+//! Linear algebra of an implicit solver: direct factors of symmetric positive
+//! definite matrices and conjugate gradients preconditioned with them.
+//!
+//! Everything here is about vectors, symmetric matrices and linear maps; what the
+//! numbers mean is the caller's business.
+//!
+//! * [`BandCholesky`] factors a band matrix in place, in time proportional to the
+//!   order, for unknowns that form a chain;
+//! * [`SparseCholesky`] factors any other sparse matrix and keeps the symbolic
+//!   analysis for the next matrix of the same pattern;
+//! * [`choose`] says which of the two suits a matrix, and why;
+//! * [`Pcg`] finishes a direct solve whose matrix was rounded: the factor is the
+//!   preconditioner and a [`LinearOperator`] that evaluates the products more
+//!   accurately than the assembled matrix could is the truth.
+//!
+//! All results are the same on every machine: sums have a fixed order and no
+//! multiplication is fused with an addition.
+
+mod band;
+mod choice;
+mod error;
+mod operator;
+mod pcg;
+mod sparse;
+mod sums;
+
+pub use band::{BandCholesky, BandMatrix};
+pub use choice::{Method, Profile, choose};
+pub use error::FactorError;
+pub use operator::{LinearOperator, Preconditioner};
+pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
+pub use sparse::SparseCholesky;

@@ -1,0 +1,249 @@
+//! When the iteration ends, and what is said about it.
+
+/// `r . z` relative to its first value below which the iteration has reached
+/// rounding: the energy error is then 1e-12 of the solution's or less, and what
+/// looks like stagnation is the floor.
+pub(super) const SETTLED: f64 = 1.0e-24;
+/// Iterations without a new smallest `r . z` after which a settled iteration ends.
+const SETTLED_WINDOW: usize = 5;
+
+/// When to stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PcgOptions {
+    /// Products with the operator before the iteration is given up.
+    pub max_iterations: usize,
+    /// Stop when `r . z` has fallen to this fraction of its first value. It
+    /// estimates the square of the relative error in the energy norm.
+    pub energy_drop: f64,
+    /// Iterations without a new smallest `r . z` that count as stagnation.
+    ///
+    /// `r . z` need not fall in every step (only the energy of the error does).
+    /// With a preconditioner that has no correct digit it may stay above its
+    /// first value for dozens of steps before it falls to rounding level, so the
+    /// window must not be short.
+    pub stagnation_window: usize,
+}
+
+impl Default for PcgOptions {
+    fn default() -> Self {
+        Self {
+            max_iterations: 200,
+            energy_drop: 1.0e-30,
+            stagnation_window: 60,
+        }
+    }
+}
+
+/// Why the iteration ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PcgStatus {
+    /// `r . z` fell far enough, or reached its rounding floor below 1e-24.
+    Converged,
+    /// `r . z` found no new minimum for a whole window, above 1e-24.
+    Stagnated,
+    /// The iterations ran out.
+    IterationLimit,
+    /// A direction with `p . A p <= 0`, or `r . M^-1 r <= 0` for the right-hand
+    /// side: the operator or the preconditioner is not positive definite.
+    IndefiniteOperator,
+    /// A scalar product is infinite or not a number.
+    NotFinite,
+}
+
+/// How the iteration went.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PcgReport {
+    /// Why it ended.
+    pub status: PcgStatus,
+    /// Steps taken; each is one product and one application of `M^-1`.
+    pub iterations: usize,
+    /// The last `r . z` over the first; 0 for a zero right-hand side.
+    pub energy_ratio: f64,
+    /// Energy norm of all steps after the first relative to that of the solution:
+    /// how wrong the answer of the preconditioner alone was, up to its length.
+    pub first_correction: f64,
+}
+
+/// Follows `r . z` and the energy of the steps.
+pub(super) struct Watch<'a> {
+    options: &'a PcgOptions,
+    iterations: usize,
+    first: f64,
+    last: f64,
+    smallest: f64,
+    since_smallest: usize,
+    first_energy: f64,
+    later_energy: f64,
+}
+
+impl<'a> Watch<'a> {
+    pub(super) fn new(options: &'a PcgOptions) -> Self {
+        Self {
+            options,
+            iterations: 0,
+            first: 0.0,
+            last: 0.0,
+            smallest: f64::INFINITY,
+            since_smallest: 0,
+            first_energy: 0.0,
+            later_energy: 0.0,
+        }
+    }
+
+    /// The first `r . z`, of a right-hand side that is not zero.
+    pub(super) fn start(&mut self, rz: f64) -> Option<PcgStatus> {
+        (self.first, self.last, self.smallest) = (rz, rz, rz);
+        if !rz.is_finite() {
+            Some(PcgStatus::NotFinite)
+        } else if rz <= 0.0 {
+            Some(PcgStatus::IndefiniteOperator)
+        } else if self.options.max_iterations == 0 {
+            Some(PcgStatus::IterationLimit)
+        } else {
+            None
+        }
+    }
+
+    /// `p . A p` of a direction.
+    pub(super) fn curvature(&self, curvature: f64) -> Option<PcgStatus> {
+        if !curvature.is_finite() {
+            Some(PcgStatus::NotFinite)
+        } else if curvature > 0.0 {
+            None
+        } else if self.settled() {
+            Some(PcgStatus::Converged)
+        } else {
+            Some(PcgStatus::IndefiniteOperator)
+        }
+    }
+
+    /// A step of length `step` was taken and `r . z` went from `rz` to `next`.
+    pub(super) fn step(&mut self, step: f64, rz: f64, next: f64) -> Option<PcgStatus> {
+        let energy = step * rz;
+        if self.iterations == 0 {
+            self.first_energy = energy;
+        } else {
+            self.later_energy += energy;
+        }
+        self.iterations += 1;
+        self.last = next;
+        if !next.is_finite() || !energy.is_finite() {
+            return Some(PcgStatus::NotFinite);
+        }
+        if next.abs() <= self.options.energy_drop * self.first {
+            return Some(PcgStatus::Converged);
+        }
+        if next < self.smallest {
+            self.smallest = next.max(0.0);
+            self.since_smallest = 0;
+        } else {
+            self.since_smallest += 1;
+        }
+        // A negative value says that r . z is all rounding: nothing more to gain.
+        if next <= 0.0 {
+            let floor = next.abs() <= SETTLED * self.first;
+            return Some(if floor {
+                PcgStatus::Converged
+            } else {
+                PcgStatus::Stagnated
+            });
+        }
+        if self.settled() && self.since_smallest >= SETTLED_WINDOW {
+            return Some(PcgStatus::Converged);
+        }
+        if self.since_smallest >= self.options.stagnation_window {
+            return Some(PcgStatus::Stagnated);
+        }
+        if self.iterations >= self.options.max_iterations {
+            return Some(if self.settled() {
+                PcgStatus::Converged
+            } else {
+                PcgStatus::IterationLimit
+            });
+        }
+        None
+    }
+
+    fn settled(&self) -> bool {
+        self.smallest <= SETTLED * self.first
+    }
+
+    pub(super) fn report(&self, status: PcgStatus) -> PcgReport {
+        let all = self.first_energy + self.later_energy;
+        let share = if all > 0.0 {
+            self.later_energy.max(0.0) / all
+        } else {
+            0.0
+        };
+        PcgReport {
+            status,
+            iterations: self.iterations,
+            energy_ratio: if self.first == 0.0 {
+                0.0
+            } else {
+                self.last / self.first
+            },
+            first_correction: share.sqrt(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Status and iterations after `r . z` has gone through these values.
+    fn follow(values: &[f64], options: &PcgOptions) -> (Option<PcgStatus>, usize) {
+        let mut watch = Watch::new(options);
+        assert_eq!(watch.start(values[0]), None);
+        for pair in values.windows(2) {
+            if let Some(status) = watch.step(1.0, pair[0], pair[1]) {
+                return (Some(status), watch.iterations);
+            }
+        }
+        (None, watch.iterations)
+    }
+
+    fn window(stagnation_window: usize) -> PcgOptions {
+        PcgOptions {
+            stagnation_window,
+            ..PcgOptions::default()
+        }
+    }
+
+    #[test]
+    fn a_window_without_a_new_minimum_is_stagnation() {
+        let rising = [1.0, 0.1, 0.2, 0.3, 0.2, 0.09];
+        assert_eq!(follow(&rising, &window(3)), (Some(PcgStatus::Stagnated), 4));
+        assert_eq!(follow(&rising, &window(4)), (None, 5));
+    }
+
+    #[test]
+    fn at_the_rounding_floor_it_is_convergence() {
+        let floor = [1.0, 1.0e-25, 2e-25, 2e-25, 2e-25, 2e-25, 2e-25, 2e-25];
+        assert_eq!(follow(&floor, &window(60)), (Some(PcgStatus::Converged), 6));
+        let deep = [1.0, 1.0e-12, 1.0e-31];
+        assert_eq!(follow(&deep, &window(60)), (Some(PcgStatus::Converged), 2));
+    }
+
+    #[test]
+    fn a_negative_value_ends_the_iteration() {
+        let small = follow(&[1.0, 1.0e-9, -1.0e-26], &window(60));
+        assert_eq!(small, (Some(PcgStatus::Converged), 2));
+        let large = follow(&[1.0, 1.0e-9, -1.0e-9], &window(60));
+        assert_eq!(large, (Some(PcgStatus::Stagnated), 2));
+    }
+
+    #[test]
+    fn the_first_correction_is_an_energy_norm() {
+        let options = PcgOptions::default();
+        let mut watch = Watch::new(&options);
+        watch.start(4.0);
+        watch.step(1.0, 4.0, 1.0); // energy 4
+        watch.step(0.5, 1.0, 0.5); // energy 1/2
+        watch.step(1.0, 0.5, 0.0); // energy 1/2
+        let report = watch.report(PcgStatus::Converged);
+        assert_eq!(report.first_correction, 0.2_f64.sqrt()); // 1 of 5
+        assert_eq!((report.energy_ratio, report.iterations), (0.0, 3));
+    }
+}
