@@ -1,0 +1,95 @@
+//! Tables as comma-separated values (RFC 4180, with line feeds).
+
+use std::io;
+use std::path::Path;
+
+use super::atomic::replace;
+
+/// Writes columns of equal length below their headers.
+///
+/// Numbers are the shortest that read back to the same bits: `0.1`, `1e-7`, `NaN`, `inf`.
+///
+/// # Errors
+/// What the file system reports.
+///
+/// # Panics
+/// If the columns differ in length.
+pub fn write(path: &Path, columns: &[(&str, &[f64])]) -> io::Result<()> {
+    let rows = columns.first().map_or(0, |(_, values)| values.len());
+    for (header, values) in columns {
+        assert_eq!(
+            values.len(),
+            rows,
+            "column {header} has another length than the first"
+        );
+    }
+    replace(path, |file| {
+        let headers: Vec<_> = columns.iter().map(|(header, _)| quoted(header)).collect();
+        writeln!(file, "{}", headers.join(","))?;
+        for row in 0..rows {
+            for (position, (_, values)) in columns.iter().enumerate() {
+                let comma = if position == 0 { "" } else { "," };
+                write!(file, "{comma}{:?}", values[row])?;
+            }
+            writeln!(file)?;
+        }
+        Ok(())
+    })
+}
+
+fn quoted(header: &str) -> String {
+    if header.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", header.replace('"', "\"\""))
+    } else {
+        header.to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(columns: &[(&str, &[f64])]) -> String {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.csv");
+        write(&path, columns).unwrap();
+        std::fs::read_to_string(path).unwrap()
+    }
+
+    #[test]
+    fn every_number_reads_back_to_the_same_bits() {
+        let values = [
+            0.1,
+            -0.0,
+            1.0 / 3.0,
+            5e-324,
+            f64::MAX,
+            1e-7,
+            123456789.0,
+            f64::NAN,
+            -f64::INFINITY,
+        ];
+        let text = written(&[("x", &values)]);
+        let found: Vec<f64> = text.lines().skip(1).map(|line| line.parse().unwrap()).collect();
+        assert_eq!(found.len(), values.len());
+        for (found, expected) in found.iter().zip(values) {
+            assert_eq!(found.to_bits(), expected.to_bits(), "{expected:?}");
+        }
+        assert!(
+            text.lines().all(|line| line.len() < 25),
+            "no number is written out in zeros\n{text}"
+        );
+    }
+
+    #[test]
+    fn headers_are_quoted_where_they_must_be() {
+        let text = written(&[("x", &[1.0]), ("w, tip", &[2.0]), ("a \"b\"", &[3.0])]);
+        assert_eq!(text, "x,\"w, tip\",\"a \"\"b\"\"\"\n1.0,2.0,3.0\n");
+    }
+
+    #[test]
+    #[should_panic(expected = "column b has another length")]
+    fn columns_of_different_length_are_a_broken_contract() {
+        written(&[("a", &[1.0]), ("b", &[])]);
+    }
+}
