@@ -7,12 +7,13 @@
 
 pub mod atomic;
 pub mod csv;
+pub mod matrix_market;
 pub mod plot;
 pub mod pvd;
 pub mod vtu;
 
 /// Text as the content of an XML attribute.
-fn xml(text: &str) -> String {
+pub(crate) fn xml(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

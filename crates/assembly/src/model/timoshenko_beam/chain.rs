@@ -5,6 +5,7 @@ use super::weights::{VolumeFactor, bond_weights};
 use crate::condition::{Equation, Unknown};
 use crate::stiffness::Override;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use thiserror::Error;
 
 /// Where the points of a line lie.
@@ -30,6 +31,8 @@ pub struct Line {
     pub cells: usize,
     /// Where the points lie.
     pub grid: Grid,
+    /// Horizon over spacing, δ/h, >= 1.
+    pub horizon_ratio: f64,
     /// Points, counted from the left, that no bond may span.
     pub splits: Vec<usize>,
     /// What holds the two ends.
@@ -103,19 +106,14 @@ impl Line {
 }
 
 impl Chain {
-    /// Bonds of a line for a horizon of `horizon_ratio` spacings.
+    /// Bonds of a line.
     ///
     /// # Errors
     /// [`ChainError`] where a weight would be negative or a line is too short to be mirrored.
-    pub fn new(
-        line: Line,
-        horizon_ratio: f64,
-        factor: VolumeFactor,
-        treatment: &EndTreatment,
-    ) -> Result<Self, ChainError> {
+    pub fn new(line: Line, factor: VolumeFactor, treatment: &EndTreatment) -> Result<Self, ChainError> {
         let points = line.points();
-        let mut weights = bond_weights(horizon_ratio, factor);
-        weights.truncate(points - 1);
+        let all = bond_weights(line.horizon_ratio, factor);
+        let weights = all[..all.len().min(points - 1)].to_vec();
         let reach = weights.len();
         let kinds = [0, 1].map(|side| (treatment.end)(&line.supports[side]));
         let ghosts = kinds.map(|kind| match (kind, line.grid) {
@@ -138,8 +136,13 @@ impl Chain {
             splits: treatment.splits,
             line,
         };
-        chain.correct(&bond_weights(horizon_ratio, factor))?;
+        chain.correct(&all)?;
         Ok(chain)
+    }
+
+    /// How the two ends are treated.
+    pub fn ends(&self) -> [EndKind; 2] {
+        self.kinds
     }
 
     /// Points with ghosts.
@@ -167,12 +170,14 @@ impl Chain {
             0.0
         };
         let base = self.weights[0] + lack;
+        let lost = self.lost(all);
         for lower in self.exceptional() {
             for step in 1..=self.weights.len() {
                 let factor = self.factor(lower, step);
                 let own = self.weights[step - 1];
                 let (weight, usual) = if step == 1 && factor != 0.0 && self.is_real(lower, 1) {
-                    (own * factor + lack + self.missing(lower, all), base)
+                    let lost = lost.get(&(lower as isize)).copied().unwrap_or(0.0);
+                    (own * factor + lack + lost, base)
                 } else {
                     (own * factor, if step == 1 { base } else { own })
                 };
@@ -257,24 +262,52 @@ impl Chain {
         }
     }
 
-    /// Weight that the cell above a point lacks because bonds end at a covered end or a split.
-    fn missing(&self, lower: usize, all: &[f64]) -> f64 {
+    /// Weight that cells lack because bonds stop at a covered end or a split, by the extended point below the cell.
+    fn lost(&self, all: &[f64]) -> BTreeMap<isize, f64> {
         let n = self.points as isize;
-        let cell = lower as isize - self.ghosts[0] as isize;
-        let mut missing = 0.0;
-        for (k, weight) in all.iter().enumerate() {
-            let step = k as isize + 1;
-            for i in cell + 1 - step..=cell {
-                let j = i + step;
-                let cut = (i < 0 && self.kinds[0] == EndKind::Covered)
+        let reach = all.len() as isize;
+        let splits = self
+            .line
+            .splits
+            .iter()
+            .filter(|_| self.splits)
+            .map(|&s| s as isize);
+        // Bonds that an unbounded chain would have and this one has not, by difference at the cells they cross.
+        let mut difference: BTreeMap<isize, f64> = BTreeMap::new();
+        let mut lowers: Vec<isize> = [0, n - 1]
+            .into_iter()
+            .chain(splits)
+            .flat_map(|b| b - reach..=b)
+            .collect();
+        lowers.sort_unstable();
+        lowers.dedup();
+        for i in lowers {
+            for (k, weight) in all.iter().enumerate() {
+                let j = i + k as isize + 1;
+                let gone = (i < 0 && self.kinds[0] == EndKind::Covered)
                     || (j >= n && self.kinds[1] == EndKind::Covered)
                     || self.spans_split(i, j);
-                if cut {
-                    missing += weight;
+                if gone {
+                    *difference.entry(i).or_default() += weight;
+                    *difference.entry(j).or_default() -= weight;
                 }
             }
         }
-        missing
+        let mut lost = 0.0;
+        let mut cells = BTreeMap::new();
+        let mut previous = None;
+        for (cell, change) in difference {
+            if let Some(previous) = previous {
+                (previous..cell).for_each(|c| _ = cells.insert(c + self.ghosts[0] as isize, lost));
+            }
+            lost += change;
+            // What is left of a cancelled sum is no loss.
+            if lost.abs() < 1e-14 {
+                lost = 0.0;
+            }
+            previous = Some(cell).filter(|_| lost != 0.0);
+        }
+        cells
     }
 
     /// Relations of the ghost points, for a chain whose first extended point has the number `first`.

@@ -197,6 +197,28 @@ impl Distributed {
 }
 
 impl BeamLoads {
+    /// The loads times a factor.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let mut loads = self.clone();
+        for load in &mut loads.distributed {
+            match &mut load.intensity {
+                Intensity::Linear { start, end } => (*start, *end) = (factor * *start, factor * *end),
+                Intensity::Sine { amplitude, .. } => *amplitude *= factor,
+            }
+        }
+        for action in &mut loads.point {
+            action.force *= factor;
+            action.moment *= factor;
+        }
+        loads
+    }
+
+    /// Adds other loads to these.
+    pub fn extend(&mut self, other: Self) {
+        self.distributed.extend(other.distributed);
+        self.point.extend(other.point);
+    }
+
     /// Adds the nodal forces to `force`, two planes of `beam.points()` entries.
     pub fn add_to(&self, beam: &TimoshenkoBeam, force: &mut [f64]) {
         for load in &self.distributed {

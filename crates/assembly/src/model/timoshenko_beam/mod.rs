@@ -44,8 +44,6 @@ pub struct BeamParameters {
     pub shear_stiffness: f64,
     /// Area A, m², > 0; only energy densities depend on it.
     pub area: f64,
-    /// Horizon over spacing, δ/h, >= 1.
-    pub horizon_ratio: f64,
     /// Part of the volume of a point at the edge of the horizon.
     pub volume_factor: VolumeFactor,
     /// Shear stiffness of a bond.
@@ -107,14 +105,13 @@ impl TimoshenkoBeam {
     /// [`ChainError`] as [`Chain::new`].
     pub fn new(parameters: BeamParameters, lines: Vec<Line>) -> Result<Self, ChainError> {
         let BeamParameters {
-            horizon_ratio,
             volume_factor,
             end_treatment,
             ..
         } = parameters;
         let chains: Vec<Chain> = lines
             .into_iter()
-            .map(|line| Chain::new(line, horizon_ratio, volume_factor, end_treatment))
+            .map(|line| Chain::new(line, volume_factor, end_treatment))
             .collect::<Result<_, _>>()?;
         let points = chains.iter().map(Chain::extended).sum();
         let mut first = 0;
@@ -172,7 +169,7 @@ fn lattice_bonds(
 ) -> LatticeBonds<2, 2, BeamBond> {
     let h = chain.spacing;
     // ⟨ξ²⟩ belongs to a full family, also where the beam is shorter than the horizon.
-    let weights = bond_weights(parameters.horizon_ratio, parameters.volume_factor);
+    let weights = bond_weights(chain.line().horizon_ratio, parameters.volume_factor);
     let moment = |power: i32| -> f64 {
         weights
             .iter()

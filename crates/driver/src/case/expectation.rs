@@ -1,0 +1,149 @@
+//! Probes and checks of a case.
+
+use super::At;
+use crate::reference::Field;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A field that can be probed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum FieldName {
+    /// Deflection.
+    #[serde(rename = "w")]
+    W,
+    /// Rotation, rad.
+    #[serde(rename = "phi")]
+    Phi,
+    /// Bending moment.
+    M,
+    /// Shear force.
+    V,
+    /// Bending stress at the extreme fibre on the side of +w.
+    #[serde(rename = "stress_top")]
+    StressTop,
+    /// Bending stress at the extreme fibre on the side of −w.
+    #[serde(rename = "stress_bottom")]
+    StressBottom,
+    /// Strain energy density.
+    #[serde(rename = "energy_density")]
+    EnergyDensity,
+    /// Force of the support at the point on the beam, along w.
+    #[serde(rename = "reaction_force")]
+    ReactionForce,
+    /// Moment of the support at the point on the beam, along phi.
+    #[serde(rename = "reaction_moment")]
+    ReactionMoment,
+}
+
+impl FieldName {
+    /// The name in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::W => "w",
+            Self::Phi => "phi",
+            Self::M => "M",
+            Self::V => "V",
+            Self::StressTop => "stress_top",
+            Self::StressBottom => "stress_bottom",
+            Self::EnergyDensity => "energy_density",
+            Self::ReactionForce => "reaction_force",
+            Self::ReactionMoment => "reaction_moment",
+        }
+    }
+
+    /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
+    pub fn is_recovered(self) -> bool {
+        !matches!(
+            self,
+            Self::W | Self::Phi | Self::ReactionForce | Self::ReactionMoment
+        )
+    }
+}
+
+/// A value to report.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Probe {
+    /// Name, unique.
+    pub name: String,
+    /// Where. The nearest point answers; M and V are those to its right, at the right end those to its left.
+    pub at: At,
+    /// What.
+    pub field: FieldName,
+}
+
+/// What a result must be. A check is made on the last load step, on `load_case` if that is given.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Check {
+    /// Agreement with a closed form at all points.
+    ClosedForm(ClosedForm),
+    /// Agreement of a probe with a number.
+    Value(Value),
+    /// A bound on a probe.
+    Limit(Limit),
+    /// Agreement of all points with a stored file.
+    Baseline(Baseline),
+}
+
+/// Agreement with a closed form.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ClosedForm {
+    /// Name of the reference; `peristat list` has them all.
+    pub name: String,
+    /// Field that is compared.
+    pub field: Field,
+    /// Largest difference at any point, relative to the largest value of the reference.
+    pub tolerance: f64,
+    /// Load case or combination; the last step if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_case: Option<String>,
+}
+
+/// Agreement with a number.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Value {
+    /// Name of the probe.
+    pub probe: String,
+    /// Expected value.
+    pub expected: f64,
+    /// Largest difference relative to the expected value; absolute if that is zero.
+    pub tolerance: f64,
+    /// Where the number comes from.
+    pub source: String,
+    /// Load case or combination; the last step if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_case: Option<String>,
+}
+
+/// A bound on the magnitude of a probe.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Limit {
+    /// Name of the probe.
+    pub probe: String,
+    /// Largest magnitude allowed.
+    pub at_most: f64,
+    /// Why, such as `L/250`.
+    pub why: String,
+    /// Load case or combination; the last step if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_case: Option<String>,
+}
+
+/// Agreement with a stored file.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Baseline {
+    /// CSV file with columns `x` and the field, relative to the case: a `points.csv` of an earlier run will do.
+    pub file: String,
+    /// Field that is compared.
+    pub field: FieldName,
+    /// Largest difference at any point, relative to the largest stored value.
+    pub tolerance: f64,
+    /// Load case or combination; the last step if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_case: Option<String>,
+}

@@ -1,0 +1,125 @@
+//! A case as its author wrote it: the JSON types, nothing resolved, nothing checked beyond their shape.
+
+mod condition;
+mod expectation;
+mod model;
+mod read;
+
+pub use condition::{
+    At, Combination, Distributed, DistributedForce, Link, Load, LoadCase, PointLoad, RigidLink, Sine, Steps,
+    Support,
+};
+pub use expectation::{Baseline, Check, ClosedForm, FieldName, Limit, Probe, Value};
+pub use model::{Beam, Body, Line, LoadSharing, Model};
+pub use read::{Source, from_text, read};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A problem for peristat. Lengths, forces and stresses are in the units that `units` names.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Case {
+    /// Location of the JSON Schema, for editors; ignored.
+    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
+    /// What the case is, in a few words.
+    pub title: String,
+    /// One or two sentences on what it shows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub about: Option<String>,
+    /// The consistent units of all numbers. They label axes and feed plausibility warnings; nothing is converted.
+    #[serde(default)]
+    pub units: Units,
+    /// Material, section and bond law.
+    pub model: Model,
+    /// Geometry and discretisation.
+    pub body: Body,
+    /// Horizon over spacing, δ/h, >= 1. Give this or `horizon`; without both it is 3.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub horizon_ratio: Option<f64>,
+    /// Horizon δ, a length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub horizon: Option<f64>,
+    /// What holds the body.
+    #[serde(default)]
+    pub supports: Vec<Support>,
+    /// What joins points of the body.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub links: Vec<Link>,
+    /// The loads, where there is one load case.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub loads: Vec<Load>,
+    /// Several load cases, solved with one factorisation.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub load_cases: Vec<LoadCase>,
+    /// Sums of load cases with factors; prescribed motions of supports count once.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub combinations: Vec<Combination>,
+    /// Load steps, where `loads` and prescribed motions grow together.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub steps: Option<Steps>,
+    /// How to solve; `auto` says what it took and why.
+    #[serde(default)]
+    pub solver: Solver,
+    /// Values to report.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub probes: Vec<Probe>,
+    /// What the results must be.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub checks: Vec<Check>,
+    /// Left out by `peristat verify` unless it is asked for all.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub slow: bool,
+}
+
+/// A label for consistent units.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum Units {
+    /// Metre, newton, pascal.
+    #[default]
+    #[serde(rename = "m-N-Pa")]
+    MetreNewtonPascal,
+    /// Millimetre, newton, megapascal.
+    #[serde(rename = "mm-N-MPa")]
+    MillimetreNewtonMegapascal,
+}
+
+impl Units {
+    /// Unit of length.
+    pub fn length(self) -> &'static str {
+        match self {
+            Self::MetreNewtonPascal => "m",
+            Self::MillimetreNewtonMegapascal => "mm",
+        }
+    }
+
+    /// Unit of stress.
+    pub fn stress(self) -> &'static str {
+        match self {
+            Self::MetreNewtonPascal => "Pa",
+            Self::MillimetreNewtonMegapascal => "MPa",
+        }
+    }
+
+    /// Unit of moment and of energy.
+    pub fn moment(self) -> &'static str {
+        match self {
+            Self::MetreNewtonPascal => "N m",
+            Self::MillimetreNewtonMegapascal => "N mm",
+        }
+    }
+}
+
+/// The linear solver.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Solver {
+    /// Chosen from the pattern of the stiffness.
+    #[default]
+    Auto,
+    /// Band Cholesky factor and conjugate gradients on the bonds.
+    Band,
+    /// Sparse Cholesky factor and conjugate gradients on the bonds.
+    Sparse,
+}

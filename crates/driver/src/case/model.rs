@@ -1,0 +1,110 @@
+//! Model and body of a case.
+
+use peristat_assembly::material::{Section, ShearCorrection};
+use peristat_assembly::model::timoshenko_beam::{Grid, VolumeFactor, bond_law, end_treatment};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Serialize};
+
+/// What the body is made of.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Model {
+    /// Peridynamic Timoshenko beam with unknowns w and phi.
+    TimoshenkoBeam(Beam),
+}
+
+/// A Timoshenko beam.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Beam {
+    /// Young's modulus E, > 0.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio ν, between −1 and 1/2; G = E/(2(1 + ν)). Give this or `shear_modulus`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub poisson_ratio: Option<f64>,
+    /// Shear modulus G, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_modulus: Option<f64>,
+    /// Cross-section.
+    pub section: Section,
+    /// Where the shear correction factor κ comes from.
+    #[serde(default)]
+    pub shear_correction: ShearCorrection,
+    /// Shear stiffness of a bond, by name.
+    #[serde(default = "default_bond_law")]
+    #[schemars(schema_with = "bond_laws")]
+    pub bond_law: String,
+    /// Volume of points at the edge of the horizon.
+    #[serde(default)]
+    pub volume_factor: VolumeFactor,
+    /// What happens to the bonds that an end cuts off, by name; `cover` on nodes, `ghost` on cells if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "end_treatments")]
+    pub end_treatment: Option<String>,
+    /// How distributed loads reach the points; `consistent` with the end treatment `cover`, else `lumped`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub distributed_loads: Option<LoadSharing>,
+}
+
+fn default_bond_law() -> String {
+    "corrected".into()
+}
+
+fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> Schema {
+    let names: Vec<&str> = names.collect();
+    json_schema!({ "type": "string", "enum": names })
+}
+
+fn bond_laws(_: &mut SchemaGenerator) -> Schema {
+    one_of(bond_law::TABLE.iter().map(|l| l.name))
+}
+
+fn end_treatments(_: &mut SchemaGenerator) -> Schema {
+    one_of(end_treatment::TABLE.iter().map(|t| t.name))
+}
+
+/// How a distributed load becomes forces on points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum LoadSharing {
+    /// Every bond carries its share to its points with exact fixed-end forces.
+    Consistent,
+    /// Every point takes its value times its tributary length.
+    Lumped,
+}
+
+/// The region that points fill.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Body {
+    /// One straight line along x.
+    Line(Line),
+    /// Several straight lines along x that do not overlap; only links join them.
+    Lines(Vec<Line>),
+}
+
+/// A straight line along x with a uniform grid.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Line {
+    /// Position of the left end.
+    #[serde(default)]
+    pub from: f64,
+    /// Length, > 0.
+    pub length: f64,
+    /// Number of cells, >= 1.
+    pub cells: usize,
+    /// `nodes`: points on the ends and between cells; `cells`: points in the middle of cells.
+    #[serde(default)]
+    pub grid: Grid,
+}
+
+impl Body {
+    /// The lines, and how their paths go on from `body`.
+    pub fn lines(&self) -> &[Line] {
+        match self {
+            Self::Line(line) => std::slice::from_ref(line),
+            Self::Lines(lines) => lines,
+        }
+    }
+}

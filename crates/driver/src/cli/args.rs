@@ -1,0 +1,180 @@
+//! The command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// Implicit static and quasi-static peridynamics.
+///
+/// Exit codes: 0 done and all checks passed; 1 ran, but did not converge or a check failed; 2 bad input or usage; 130
+/// interrupted.
+#[derive(Debug, Parser)]
+#[command(version, propagate_version = true)]
+pub(super) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub(super) command: Command,
+    /// Options of all commands.
+    #[command(flatten)]
+    pub(super) global: Global,
+}
+
+/// Options of all commands.
+#[derive(Clone, Debug, Args)]
+pub(super) struct Global {
+    /// Say more: what was skipped, counters, times.
+    #[arg(short, long, global = true)]
+    pub(super) verbose: bool,
+    /// Say nothing but errors.
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    pub(super) quiet: bool,
+    /// Print JSON for machines instead of text.
+    #[arg(long, global = true)]
+    pub(super) json: bool,
+    /// When to colour messages.
+    #[arg(long, global = true, value_enum, default_value = "auto")]
+    pub(super) color: Color,
+    /// Threads that solve cases side by side in `verify`; all cores if not given.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub(super) threads: Option<u16>,
+    /// Memory that a case may need, such as `2GB`; it is estimated before anything is allocated.
+    #[arg(long, global = true, value_name = "SIZE", value_parser = size)]
+    pub(super) max_memory: Option<u64>,
+}
+
+/// When to colour messages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Color {
+    /// On a terminal.
+    Auto,
+    /// Always.
+    Always,
+    /// Never.
+    Never,
+}
+
+/// Commands.
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Solve a case, write its results, and make its checks.
+    Run(Run),
+    /// Build cases and estimate their size without solving them.
+    Check {
+        /// Case files.
+        #[arg(required = true, value_name = "CASE")]
+        cases: Vec<PathBuf>,
+        /// Replace a value of the cases, such as `body.line.cells=200`.
+        #[arg(long = "set", value_name = "PATH=VALUE")]
+        overrides: Vec<String>,
+    },
+    /// Solve cases and make their checks; writes no results.
+    Verify {
+        /// Case files and folders of them; `cases` if none is given.
+        #[arg(value_name = "PATH")]
+        paths: Vec<PathBuf>,
+        /// Also the cases that are marked slow and those of `bench` folders.
+        #[arg(long)]
+        all: bool,
+        /// Write a JUnit report.
+        #[arg(long, value_name = "FILE")]
+        junit: Option<PathBuf>,
+        /// Write the results of every case into a folder below this one.
+        #[arg(short, long, value_name = "DIR")]
+        output: Option<PathBuf>,
+    },
+    /// Print a case to begin with.
+    New {
+        /// Model; `peristat list models` names them.
+        model: String,
+    },
+    /// List models, loads, references and solvers.
+    List {
+        /// One kind only.
+        #[arg(value_enum)]
+        kind: Option<Kind>,
+    },
+    /// Print the JSON Schema of case files, for editors.
+    Schema,
+    /// Print a completion script.
+    Completions {
+        /// Shell.
+        shell: clap_complete::Shell,
+    },
+}
+
+/// Options of `run`.
+#[derive(Debug, Args)]
+pub(super) struct Run {
+    /// Case file.
+    pub(super) case: PathBuf,
+    /// Results folder; `results/<name of the case>` if not given.
+    #[arg(short, long, value_name = "DIR")]
+    pub(super) output: Option<PathBuf>,
+    /// Replace a value of the case, such as `body.line.cells=200`.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub(super) overrides: Vec<String>,
+    /// Write into a folder that holds other files.
+    #[arg(long)]
+    pub(super) force: bool,
+    /// Write the assembled stiffness, before supports, as a Matrix Market file.
+    #[arg(long, value_name = "FILE")]
+    pub(super) write_matrix: Option<PathBuf>,
+}
+
+/// What can be listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Kind {
+    /// Models with their sections, bond laws and end treatments.
+    Models,
+    /// Loads and supports.
+    Loads,
+    /// Closed forms for checks.
+    References,
+    /// Solvers.
+    Solvers,
+}
+
+/// A size in bytes, with an optional unit.
+fn size(text: &str) -> Result<u64, String> {
+    let text = text.trim();
+    let end = text
+        .find(|c: char| !c.is_ascii_digit() && c != '.')
+        .unwrap_or(text.len());
+    let number: f64 = text[..end]
+        .parse()
+        .map_err(|_| "a size is a number with a unit, such as 500MB".to_string())?;
+    let factor = match text[end..].trim().to_ascii_lowercase().as_str() {
+        "" | "b" => 1.0,
+        "k" | "kb" => 1e3,
+        "m" | "mb" => 1e6,
+        "g" | "gb" => 1e9,
+        "kib" => 1024.0,
+        "mib" => 1024.0 * 1024.0,
+        "gib" => 1024.0 * 1024.0 * 1024.0,
+        other => {
+            return Err(format!(
+                "`{other}` is no unit of memory: use B, kB, MB, GB, kiB, MiB or GiB"
+            ));
+        }
+    };
+    Ok((number * factor) as u64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_have_decimal_and_binary_units() {
+        assert_eq!(size("1.5 GB"), Ok(1_500_000_000));
+        assert_eq!(size("2kiB"), Ok(2048));
+        assert_eq!(size("300"), Ok(300));
+        assert!(size("3 apples").unwrap_err().contains("apples"));
+        assert!(size("GB").is_err());
+    }
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        use clap::CommandFactory;
+        Arguments::command().debug_assert();
+    }
+}

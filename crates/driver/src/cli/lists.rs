@@ -1,0 +1,132 @@
+//! `new`, `list` and `schema`.
+
+use super::args::{Global, Kind};
+use super::{DONE, USAGE, note, say};
+use crate::Error;
+use crate::case::Case;
+use crate::reference;
+use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};
+use serde_json::json;
+
+/// Models and the case that `new` prints for each.
+const MODELS: [(&str, &str, &str); 1] = [(
+    "timoshenko_beam",
+    "peridynamic Timoshenko beam: unknowns w and phi, sections rectangle, circle, tube, i, general",
+    include_str!("new_timoshenko_beam.json"),
+)];
+
+const LOADS: [(&str, &str); 6] = [
+    ("point", "a force and a moment at a position"),
+    (
+        "distributed",
+        "a force or a moment per length: uniform, linear or sine, over a part of a line",
+    ),
+    (
+        "w, phi",
+        "prescribed deflection and rotation of a support, zero or not",
+    ),
+    ("w_spring, phi_spring", "springs from a point to the ground"),
+    ("rigid", "a rigid link between two points"),
+    (
+        "load_cases, combinations, steps",
+        "several right-hand sides on one factorisation",
+    ),
+];
+
+const SOLVERS: [(&str, &str); 3] = [
+    (
+        "auto",
+        "chosen from the pattern of the stiffness; the summary says why (default)",
+    ),
+    (
+        "band",
+        "band Cholesky factor, finished by conjugate gradients on the bonds",
+    ),
+    (
+        "sparse",
+        "sparse Cholesky factor with AMD ordering, finished by conjugate gradients on the bonds",
+    ),
+];
+
+/// Prints a starting case.
+pub(super) fn new(model: &str) -> Result<u8, Error> {
+    match MODELS.iter().find(|m| m.0 == model) {
+        Some((_, _, case)) => {
+            say(case)?;
+            Ok(DONE)
+        }
+        None => {
+            let known: Vec<&str> = MODELS.iter().map(|m| m.0).collect();
+            note(&format!(
+                "error: there is no model `{model}`\nhint: known are {}\n",
+                known.join(", ")
+            ));
+            Ok(USAGE)
+        }
+    }
+}
+
+/// All entries of a kind: name and what it is.
+fn entries(kind: Kind) -> Vec<(String, String)> {
+    let own = |pairs: &[(&str, &str)]| pairs.iter().map(|(a, b)| ((*a).into(), (*b).into())).collect();
+    match kind {
+        Kind::Models => {
+            let models = MODELS
+                .iter()
+                .map(|(name, about, _)| ((*name).into(), (*about).into()));
+            let laws = bond_law::TABLE
+                .iter()
+                .map(|l| (format!("  bond_law {}", l.name), l.about.into()));
+            let ends = end_treatment::TABLE
+                .iter()
+                .map(|t| (format!("  end_treatment {}", t.name), t.about.into()));
+            models.chain(laws).chain(ends).collect()
+        }
+        Kind::Loads => own(&LOADS),
+        Kind::References => reference::TABLE
+            .iter()
+            .map(|r| (r.name.into(), r.about.into()))
+            .collect(),
+        Kind::Solvers => own(&SOLVERS),
+    }
+}
+
+/// Prints what there is.
+pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
+    let all = [
+        (Kind::Models, "models"),
+        (Kind::Loads, "loads"),
+        (Kind::References, "references"),
+        (Kind::Solvers, "solvers"),
+    ];
+    let chosen = all.iter().filter(|(k, _)| kind.is_none_or(|kind| kind == *k));
+    if global.json {
+        let lists = chosen.map(|(k, name)| {
+            let list = entries(*k)
+                .into_iter()
+                .map(|(name, about)| json!({ "name": name.trim(), "about": about }));
+            ((*name).to_string(), list.collect::<Vec<_>>().into())
+        });
+        say(&format!("{:#}\n", serde_json::Value::Object(lists.collect())))?;
+        return Ok(DONE);
+    }
+    let mut text = String::new();
+    for (k, name) in chosen {
+        let list = entries(*k);
+        let width = list.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
+        text += &format!("{name}\n");
+        for (name, about) in list {
+            text += &format!("  {name:<width$}  {about}\n");
+        }
+        text.push('\n');
+    }
+    say(text.trim_start())?;
+    Ok(DONE)
+}
+
+/// Prints the JSON Schema of cases.
+pub(super) fn schema() -> Result<u8, Error> {
+    let schema = schemars::schema_for!(Case);
+    say(&format!("{:#}\n", schema.to_value()))?;
+    Ok(DONE)
+}

@@ -1,0 +1,88 @@
+//! The command line: parse, dispatch, print, exit code.
+
+mod args;
+mod lists;
+mod print;
+mod solve;
+mod verify;
+
+use crate::Error;
+use args::{Arguments, Color, Command, Global};
+use clap::{CommandFactory, Parser};
+use std::io::{self, IsTerminal, Write};
+use std::process::ExitCode;
+
+/// Done, and all checks passed.
+const DONE: u8 = 0;
+/// Ran, but did not converge or a check failed.
+const FAILED: u8 = 1;
+/// Bad input or usage.
+const USAGE: u8 = 2;
+
+/// Parses the arguments of the process and does what they say.
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let global = arguments.global.clone();
+    let outcome = match arguments.command {
+        Command::Run(run) => solve::run(&run, &global),
+        Command::Check { cases, overrides } => solve::check(&cases, &overrides, &global),
+        Command::Verify {
+            paths,
+            all,
+            junit,
+            output,
+        } => {
+            let request = verify::Request {
+                paths,
+                all,
+                junit,
+                output,
+            };
+            verify::verify(&request, &global)
+        }
+        Command::New { model } => lists::new(&model),
+        Command::List { kind } => lists::list(kind, &global),
+        Command::Schema => lists::schema(),
+        Command::Completions { shell } => completions(shell),
+    };
+    ExitCode::from(outcome.unwrap_or_else(|error| {
+        complain(&error, &global);
+        USAGE
+    }))
+}
+
+fn completions(shell: clap_complete::Shell) -> Result<u8, Error> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "peristat", &mut script);
+    say(&String::from_utf8_lossy(&script))?;
+    Ok(DONE)
+}
+
+/// Writes to stdout; a reader that went away is no error.
+fn say(text: &str) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}
+
+/// Writes to stderr, where a failure has nowhere to be told.
+fn note(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+fn colored(global: &Global) -> bool {
+    match global.color {
+        Color::Always => true,
+        Color::Never => false,
+        Color::Auto => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+    }
+}
+
+fn complain(error: &Error, global: &Global) {
+    match error {
+        Error::Case(report) => note(&format!("{}\n", report.render(colored(global)).trim_end())),
+        other => note(&format!("error: {other}\n")),
+    }
+}

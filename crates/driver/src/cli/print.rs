@@ -1,0 +1,282 @@
+//! Results as text.
+
+use crate::run::{CheckResult, Sizes};
+use crate::summary::{StateSummary, Status, Summary};
+use comfy_table::{CellAlignment, Table, presets};
+use std::fmt::Write;
+
+/// A table that pastes as Markdown, numbers to the right.
+pub(super) fn table(header: &[&str], rows: &[Vec<String>]) -> String {
+    let mut table = Table::new();
+    table
+        .load_style(presets::ASCII_MARKDOWN)
+        .set_header(header.to_vec());
+    rows.iter().for_each(|row| _ = table.add_row(row));
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    format!("{table}\n")
+}
+
+/// A number with six digits, the way engineers write it.
+pub(super) fn number(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".into(),
+        size if (1e-3..1e6).contains(&size) => {
+            let digits = (5 - size.log10().floor() as i32).max(0) as usize;
+            let text = format!("{value:.digits$}");
+            if text.contains('.') {
+                text.trim_end_matches('0').trim_end_matches('.').into()
+            } else {
+                text
+            }
+        }
+        _ => {
+            let text = format!("{value:.5e}");
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+            format!("{mantissa}e{exponent}")
+        }
+    }
+}
+
+/// The summary as JSON.
+pub(super) fn json(summary: &Summary) -> String {
+    let text = serde_json::to_string_pretty(summary).expect("a summary has only text keys");
+    format!("{text}\n")
+}
+
+/// The summary as text.
+pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
+    let mut out = format!("{}\n\n", summary.title);
+    model(&mut out, summary);
+    for state in &summary.states {
+        if summary.states.len() > 1 {
+            let _ = writeln!(out, "\n{}", state.name);
+        }
+        out.push('\n');
+        extremes(&mut out, state);
+        reactions(&mut out, state);
+        certificate(&mut out, state);
+    }
+    if !summary.envelope.is_empty() {
+        envelope(&mut out, summary);
+    }
+    if !summary.probes.is_empty() {
+        probes(&mut out, summary);
+    }
+    if !summary.checks.is_empty() {
+        let _ = write!(out, "\n{}", checks(&summary.checks));
+    }
+    if verbose {
+        details(&mut out, summary);
+    }
+    if summary.status == Status::NotConverged {
+        out.push_str("\nNOT CONVERGED: the certificate shows how far it is; do not use these numbers\n");
+    }
+    out.push('\n');
+    out
+}
+
+fn model(out: &mut String, summary: &Summary) {
+    let (m, units) = (&summary.model, summary.units);
+    let (length, stress) = (units.length(), units.stress());
+    let ratios: Vec<String> = m
+        .horizon_ratio
+        .iter()
+        .zip(&m.spacing)
+        .map(|(r, h)| format!("{} spacings = {} {length}", number(*r), number(r * h)))
+        .collect();
+    let mut line = |key: &str, text: String| _ = writeln!(out, "  {key:<8} {text}");
+    line(
+        "model",
+        format!("{}, bond law {}, ends {}", m.name, m.bond_law, m.end_treatment),
+    );
+    line("horizon", ratios.join("; "));
+    line(
+        "section",
+        format!(
+            "A = {} {length}², I = {} {length}⁴, κ = {}, EI = {} {stress} {length}⁴, κGA = {} N",
+            number(m.area),
+            number(m.second_moment),
+            number(m.kappa),
+            number(m.bending_stiffness),
+            number(m.shear_stiffness)
+        ),
+    );
+    let sizes = &summary.sizes;
+    line(
+        "size",
+        format!(
+            "{} points, {} bonds, {} unknowns",
+            sizes.points, sizes.bonds, sizes.unknowns
+        ),
+    );
+    let iterations: Vec<String> = summary
+        .solver
+        .iterations
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    line(
+        "solver",
+        format!(
+            "{} finished by {} PCG iterations on the bonds",
+            summary.solver.method,
+            iterations.join(", ")
+        ),
+    );
+    line("why", summary.solver.reason.clone());
+}
+
+fn extremes(out: &mut String, state: &StateSummary) {
+    let rows: Vec<Vec<String>> = state
+        .extremes
+        .iter()
+        .map(|(field, e)| {
+            let cells = [e.smallest.value, e.smallest.x, e.largest.value, e.largest.x].map(number);
+            std::iter::once((*field).to_string()).chain(cells).collect()
+        })
+        .collect();
+    out.push_str(&table(&["field", "smallest", "at x", "largest", "at x"], &rows));
+}
+
+fn reactions(out: &mut String, state: &StateSummary) {
+    let rows: Vec<Vec<String>> = state
+        .reactions
+        .iter()
+        .map(|r| vec![format!("x = {}", number(r.x)), number(r.force), number(r.moment)])
+        .collect();
+    if !rows.is_empty() {
+        let _ = write!(out, "\n{}", table(&["support", "force", "moment"], &rows));
+    }
+}
+
+fn certificate(out: &mut String, state: &StateSummary) {
+    let c = &state.certificate;
+    let balance: Vec<String> = c
+        .balance
+        .iter()
+        .map(|b| format!("{} {:.1e}", b.motion, b.relative))
+        .collect();
+    let _ = writeln!(
+        out,
+        "\n  certificate: {}, next correction {:.1e}, residual {:.1e}, balance of {}, energy {:.1e}",
+        if c.converged { "converged" } else { "NOT CONVERGED" },
+        c.next_correction,
+        c.residual,
+        balance.join(" and "),
+        c.energy_balance
+    );
+}
+
+fn envelope(out: &mut String, summary: &Summary) {
+    let rows: Vec<Vec<String>> = summary
+        .envelope
+        .iter()
+        .map(|(field, [low, high])| {
+            let place = |e: &(String, crate::summary::Located)| format!("{} at {}", e.0, number(e.1.x));
+            vec![
+                (*field).into(),
+                number(low.1.value),
+                place(low),
+                number(high.1.value),
+                place(high),
+            ]
+        })
+        .collect();
+    let _ = write!(
+        out,
+        "\nenvelope\n\n{}",
+        table(&["field", "smallest", "in", "largest", "in"], &rows)
+    );
+}
+
+fn probes(out: &mut String, summary: &Summary) {
+    let rows: Vec<Vec<String>> = summary
+        .probes
+        .iter()
+        .map(|p| {
+            vec![
+                p.name.clone(),
+                p.state.clone(),
+                p.field.name().into(),
+                number(p.x),
+                format!("{}", p.value),
+            ]
+        })
+        .collect();
+    let _ = write!(
+        out,
+        "\n{}",
+        table(&["probe", "state", "field", "x", "value"], &rows)
+    );
+}
+
+/// The checks of a case.
+pub(super) fn checks(checks: &[CheckResult]) -> String {
+    let rows: Vec<Vec<String>> = checks
+        .iter()
+        .map(|c| {
+            vec![
+                c.name.clone(),
+                number(c.expected),
+                number(c.found),
+                format!("{:.2e}", c.error),
+                format!("{:.0e}", c.tolerance),
+                if c.passed {
+                    "passed".into()
+                } else {
+                    "FAILED".into()
+                },
+            ]
+        })
+        .collect();
+    table(&["check", "expected", "found", "error", "tolerance", ""], &rows)
+}
+
+fn details(out: &mut String, summary: &Summary) {
+    out.push_str("\nskipped\n");
+    summary.skipped.iter().for_each(|s| _ = writeln!(out, "  {s}"));
+    let c = &summary.counters;
+    let _ = writeln!(
+        out,
+        "\ncounters\n  {} factorisations, {} analyses, {} right-hand sides, {} PCG iterations, {} bond evaluations",
+        c.factorisations, c.analyses, c.right_hand_sides, c.pcg_iterations, c.bond_evaluations
+    );
+    let t = &summary.timing_s;
+    let _ = writeln!(
+        out,
+        "\ntime, s\n  assemble {:.4}, factor {:.4}, solve {:.4}, certify {:.4}, recover {:.4}",
+        t.assemble, t.factor, t.solve, t.certify, t.recover
+    );
+}
+
+/// Sizes of cases.
+pub(super) fn sizes(all: &[(String, Sizes)]) -> String {
+    let rows: Vec<Vec<String>> = all
+        .iter()
+        .map(|(case, s)| {
+            let megabytes = format!("{:.1}", s.estimated_bytes as f64 / 1e6);
+            vec![
+                case.clone(),
+                s.points.to_string(),
+                s.bonds.to_string(),
+                s.unknowns.to_string(),
+                megabytes,
+            ]
+        })
+        .collect();
+    table(&["case", "points", "bonds", "unknowns", "memory, MB"], &rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn numbers_have_six_digits() {
+        let text = [0.0, 1.0, -0.003_206_24, 123_456.7, 2e11, 5.208_333_333e-7].map(number);
+        assert_eq!(text, ["0", "1", "-0.00320624", "123457", "2e11", "5.20833e-7"]);
+    }
+}

@@ -1,0 +1,130 @@
+//! `run` and `check`.
+
+use super::args::{Global, Run};
+use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
+use crate::output::matrix_market;
+use crate::results::{Results, admit};
+use crate::run::{RunOptions, sizes, system};
+use crate::summary::{Status, Summary};
+use crate::{Error, Loaded};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Solves a case into its results folder.
+pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
+    let loaded = Loaded::read(&arguments.case, &arguments.overrides)?;
+    warn(&loaded, global);
+    let folder = match &arguments.output {
+        Some(folder) => folder.clone(),
+        None => Path::new("results").join(arguments.case.file_stem().unwrap_or_default()),
+    };
+    admit(&folder, arguments.force).map_err(|error| {
+        io::Error::new(
+            error.kind(),
+            format!("{error}\nhint: choose another folder with `-o`, or add `--force`"),
+        )
+    })?;
+    // Faults of the case come before the first file.
+    system(&loaded.scene).map_err(|e| loaded.explain(e))?;
+    if let Some(file) = &arguments.write_matrix {
+        write_matrix(&loaded, file)?;
+    }
+    let summary = solve_into(&loaded, &folder, global)?;
+    if global.json {
+        say(&print::json(&summary))?;
+    } else if !global.quiet {
+        say(&print::summary(&summary, global.verbose))?;
+        say(&format!("results in {}\n", folder.display()))?;
+    }
+    Ok(exit_code(&summary))
+}
+
+/// Solves a scene and writes its folder.
+pub(super) fn solve_into(loaded: &Loaded, folder: &Path, global: &Global) -> Result<Summary, Error> {
+    let at = |error: io::Error| {
+        io::Error::new(
+            error.kind(),
+            format!("cannot write {}: {error}", folder.display()),
+        )
+    };
+    let mut results: Option<Results> = None;
+    let options = RunOptions {
+        recover: true,
+        max_memory: global.max_memory,
+    };
+    let summary = loaded.run(&options, &mut |scene, result| {
+        let results = match &mut results {
+            Some(results) => results,
+            None => results.insert(Results::begin(folder, scene).map_err(at)?),
+        };
+        results.take(scene, &result).map_err(at)
+    })?;
+    if let Some(results) = results {
+        results.finish(&summary).map_err(at)?;
+    }
+    Ok(summary)
+}
+
+/// Exit code of a finished run.
+pub(super) fn exit_code(summary: &Summary) -> u8 {
+    match summary.status {
+        Status::Passed => DONE,
+        Status::CheckFailed | Status::NotConverged => FAILED,
+    }
+}
+
+/// Shows the warnings of a case.
+pub(super) fn warn(loaded: &Loaded, global: &Global) {
+    if let Some(report) = loaded.warnings().filter(|_| !global.quiet) {
+        note(&format!("{}\n\n", report.render(colored(global)).trim_end()));
+    }
+}
+
+/// Builds cases and says how large they are.
+pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) -> Result<u8, Error> {
+    let mut code = DONE;
+    let mut all = Vec::new();
+    for path in cases {
+        let estimated = Loaded::read(path, overrides).and_then(|loaded| {
+            warn(&loaded, global);
+            let system = system(&loaded.scene).map_err(|e| loaded.explain(e))?;
+            Ok(sizes(&system))
+        });
+        match estimated {
+            Ok(sizes) => all.push((path.display().to_string(), sizes)),
+            Err(error) => {
+                complain(&error, global);
+                code = USAGE;
+            }
+        }
+    }
+    if global.json {
+        let list: Vec<_> = all
+            .iter()
+            .map(|(case, sizes)| serde_json::json!({ "case": case, "sizes": sizes }))
+            .collect();
+        say(&format!("{:#}\n", serde_json::Value::from(list)))?;
+    } else if !global.quiet && !all.is_empty() {
+        say(&print::sizes(&all))?;
+    }
+    Ok(code)
+}
+
+/// Writes the stiffness before supports.
+fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
+    let system = system(&loaded.scene).map_err(|e| loaded.explain(e))?;
+    let matrix = system
+        .stiffness()
+        .to_csr(|point, component| 2 * point + component);
+    let entries: Vec<(usize, usize, f64)> = matrix.iter().map(|(&v, (i, j))| (i, j, v)).collect();
+    let comments = [
+        format!(
+            "stiffness of `{}` before supports, links and springs are applied",
+            loaded.scene.case.title
+        ),
+        "unknowns in the order w_0, phi_0, w_1, phi_1, ... of the points from left to right".into(),
+    ];
+    matrix_market::write(file, system.size(), &entries, &comments)
+        .map_err(|error| io::Error::new(error.kind(), format!("cannot write {}: {error}", file.display())))?;
+    Ok(())
+}

@@ -1,0 +1,259 @@
+//! `verify`: the checks of many cases.
+
+use super::args::Global;
+use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
+use crate::run::RunOptions;
+use crate::summary::{Status, Summary};
+use crate::{Error, Loaded};
+use std::fmt::Write;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+/// What to verify.
+pub(super) struct Request {
+    pub(super) paths: Vec<PathBuf>,
+    pub(super) all: bool,
+    pub(super) junit: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
+}
+
+/// The outcome of one case.
+struct Outcome {
+    case: PathBuf,
+    seconds: f64,
+    result: Result<Summary, Error>,
+}
+
+/// Makes the checks of all cases.
+pub(super) fn verify(request: &Request, global: &Global) -> Result<u8, Error> {
+    let mut cases = Vec::new();
+    let default = [PathBuf::from("cases")];
+    let paths = if request.paths.is_empty() {
+        &default[..]
+    } else {
+        &request.paths
+    };
+    for path in paths {
+        collect(path, request.all, &mut cases)?;
+    }
+    let outcomes = solve_all(&cases, request, global);
+    if outcomes.is_empty() {
+        note("error: there are no cases to verify\nhint: name case files or folders that hold some\n");
+        return Ok(USAGE);
+    }
+    for outcome in &outcomes {
+        if let Err(error) = &outcome.result {
+            complain(error, global);
+            note("\n");
+        }
+    }
+    if let Some(file) = &request.junit {
+        crate::output::atomic::write_atomically(file, junit(&outcomes).as_bytes())?;
+    }
+    if global.json {
+        say(&json(&outcomes))?;
+    } else if !global.quiet {
+        say(&report(&outcomes))?;
+    }
+    let bad_input = outcomes.iter().any(|o| o.result.is_err());
+    let passed = outcomes
+        .iter()
+        .all(|o| o.result.as_ref().is_ok_and(|s| s.status == Status::Passed));
+    Ok(if bad_input {
+        USAGE
+    } else if passed {
+        DONE
+    } else {
+        FAILED
+    })
+}
+
+/// Case files at a path, sorted; folders of benchmarks and of invalid cases are entered only if they are named.
+fn collect(path: &Path, all: bool, cases: &mut Vec<PathBuf>) -> io::Result<()> {
+    let describe = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
+    if !path.is_dir() {
+        fs::metadata(path).map_err(describe)?;
+        cases.push(path.into());
+        return Ok(());
+    }
+    let entries = fs::read_dir(path).map_err(describe)?;
+    let mut entries: Vec<PathBuf> = entries.map(|e| e.map(|e| e.path())).collect::<Result<_, _>>()?;
+    entries.sort();
+    for entry in entries {
+        let name = entry
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        if entry.is_dir() {
+            if name != "invalid" && (all || name != "bench") {
+                collect(&entry, all, cases)?;
+            }
+        } else if name.ends_with(".json") {
+            cases.push(entry);
+        }
+    }
+    Ok(())
+}
+
+fn solve_all(cases: &[PathBuf], request: &Request, global: &Global) -> Vec<Outcome> {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = global.threads.map_or(cores, usize::from).min(cases.len()).max(1);
+    let next = AtomicUsize::new(0);
+    let outcomes = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    if let Some(outcome) = solve_one(case, request, global) {
+                        outcomes
+                            .lock()
+                            .expect("no holder of the lock panics")
+                            .push(outcome);
+                    }
+                }
+            });
+        }
+    });
+    let mut outcomes = outcomes.into_inner().expect("no holder of the lock panics");
+    outcomes.sort_by(|a: &Outcome, b| a.case.cmp(&b.case));
+    outcomes
+}
+
+/// `None` for a slow case that nobody asked for.
+fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome> {
+    let begin = Instant::now();
+    let loaded = Loaded::read(case, &[]);
+    let named = request.paths.iter().any(|p| p == case);
+    if let Ok(loaded) = &loaded
+        && loaded.scene.case.slow
+        && !request.all
+        && !named
+    {
+        return None;
+    }
+    let result = loaded.and_then(|loaded| match &request.output {
+        Some(folder) => solve::solve_into(&loaded, &folder.join(case.with_extension("")), global),
+        None => {
+            let options = RunOptions {
+                recover: false,
+                max_memory: global.max_memory,
+            };
+            loaded.run(&options, &mut |_, _| Ok(()))
+        }
+    });
+    Some(Outcome {
+        case: case.into(),
+        seconds: begin.elapsed().as_secs_f64(),
+        result,
+    })
+}
+
+/// Worst check of a summary: the largest error over tolerance.
+fn worst(summary: &Summary) -> Option<&crate::run::CheckResult> {
+    summary
+        .checks
+        .iter()
+        .max_by(|a, b| (a.error / a.tolerance).total_cmp(&(b.error / b.tolerance)))
+}
+
+fn verdict(outcome: &Outcome) -> &'static str {
+    match &outcome.result {
+        Err(_) => "ERROR",
+        Ok(s) if s.status == Status::Passed && s.checks.is_empty() => "no checks",
+        Ok(s) => match s.status {
+            Status::Passed => "passed",
+            Status::CheckFailed => "FAILED",
+            Status::NotConverged => "NOT CONVERGED",
+        },
+    }
+}
+
+fn report(outcomes: &[Outcome]) -> String {
+    let row = |o: &Outcome| {
+        let summary = o.result.as_ref().ok();
+        let worst = summary.and_then(worst);
+        vec![
+            o.case.display().to_string(),
+            summary.map_or(String::new(), |s| s.checks.len().to_string()),
+            worst.map_or(String::new(), |c| format!("{:.1e}", c.error)),
+            worst.map_or(String::new(), |c| format!("{:.0e}", c.tolerance)),
+            format!("{:.3}", o.seconds),
+            verdict(o).into(),
+        ]
+    };
+    let rows: Vec<Vec<String>> = outcomes.iter().map(row).collect();
+    let mut text = print::table(
+        &["case", "checks", "worst error", "tolerance", "time, s", ""],
+        &rows,
+    );
+    for outcome in outcomes {
+        if let Ok(summary) = &outcome.result
+            && summary.status != Status::Passed
+        {
+            let _ = write!(
+                text,
+                "\n{}\n\n{}",
+                outcome.case.display(),
+                print::checks(&summary.checks)
+            );
+        }
+    }
+    let passed = outcomes
+        .iter()
+        .filter(|o| matches!(verdict(o), "passed" | "no checks"))
+        .count();
+    let _ = writeln!(text, "\n{passed} passed, {} failed", outcomes.len() - passed);
+    text
+}
+
+fn json(outcomes: &[Outcome]) -> String {
+    let list = outcomes.iter().map(|o| {
+        let checks = o.result.as_ref().map(|s| &s.checks).ok();
+        let error = o.result.as_ref().err().map(ToString::to_string);
+        serde_json::json!({
+            "case": o.case, "verdict": verdict(o).to_lowercase(), "time_s": o.seconds, "checks": checks, "error": error
+        })
+    });
+    format!("{:#}\n", serde_json::Value::from(list.collect::<Vec<_>>()))
+}
+
+/// The outcomes in the form that CI servers read.
+fn junit(outcomes: &[Outcome]) -> String {
+    let xml = crate::output::xml;
+    let failed = outcomes
+        .iter()
+        .filter(|o| !matches!(verdict(o), "passed" | "no checks"))
+        .count();
+    let mut text = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"peristat\" tests=\"{}\" failures=\"{failed}\">\n",
+        outcomes.len()
+    );
+    for o in outcomes {
+        let name = xml(&o.case.display().to_string());
+        let _ = write!(
+            text,
+            "  <testcase name=\"{name}\" classname=\"peristat\" time=\"{:.3}\"",
+            o.seconds
+        );
+        let details = match &o.result {
+            Err(error) => error.to_string(),
+            Ok(s) if s.status == Status::Passed => {
+                text.push_str("/>\n");
+                continue;
+            }
+            Ok(s) => print::checks(&s.checks),
+        };
+        let _ = write!(
+            text,
+            ">\n    <failure message=\"{}\">{}</failure>\n  </testcase>\n",
+            verdict(o),
+            xml(&details)
+        );
+    }
+    text + "</testsuite>\n"
+}

@@ -1,0 +1,157 @@
+//! Peridynamic Timoshenko beams from a JSON case to a certified answer.
+//!
+//! A [`case::Case`] is what a file says; a [`scene::Scene`] is the same with every default resolved and every fault
+//! reported; [`run::run`] assembles, factors and solves it and certifies each result. The command line in [`cli`] and the
+//! results folder in [`results`] are built on these three.
+//!
+//! ```
+//! let case = r#"{
+//!     "title": "Cantilever under a tip load",
+//!     "model": { "timoshenko_beam": { "youngs_modulus": 2e11, "poisson_ratio": 0.3,
+//!         "section": { "rectangle": { "width": 0.05, "height": 0.05 } }, "bond_law": "exact" } },
+//!     "body": { "line": { "length": 1.0, "cells": 96 } },
+//!     "supports": [ { "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0 } ],
+//!     "loads": [ { "point": { "at": { "x": 1.0 }, "force": 1000.0 } } ],
+//!     "probes": [ { "name": "tip", "at": { "x": 1.0 }, "field": "w" } ]
+//! }"#;
+//! let solved = peristat::solve_text(case)?;
+//! let tip = solved.summary.probes[0].value;
+//! // F L³/(3 EI) + F L/(κGA) for this section.
+//! assert!((tip - 0.00320624).abs() < 1e-13 * 0.00320624);
+//! assert!(solved.summary.states[0].certificate.converged);
+//! # Ok::<(), peristat::Error>(())
+//! ```
+
+pub mod case;
+pub mod cli;
+pub mod diagnostic;
+pub mod output;
+pub mod reference;
+pub mod results;
+pub mod run;
+pub mod scene;
+pub mod summary;
+
+use diagnostic::{Faults, Report, Severity};
+use run::{RunError, RunOptions, StateResult};
+use scene::Scene;
+use std::io;
+use std::path::Path;
+use summary::{Collector, Summary};
+use thiserror::Error;
+
+/// Why a case has no result.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// The case is at fault.
+    #[error("{0}")]
+    Case(Report),
+    /// The case needs more memory than is allowed, or has no factor.
+    #[error("{0}")]
+    Run(RunError),
+    /// A file cannot be written.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+}
+
+/// A solved scene.
+#[derive(Debug)]
+pub struct Solved {
+    /// The record of the run.
+    pub summary: Summary,
+    /// Unknowns and fields of every state.
+    pub states: Vec<StateResult>,
+}
+
+/// Reads a case from a text and solves it, with all fields recovered.
+///
+/// # Errors
+/// [`Error`] with the place of the fault.
+pub fn solve_text(text: &str) -> Result<Solved, Error> {
+    let loaded = Loaded::from_source(
+        case::from_text("case", text.into(), &[]).map_err(Error::Case)?,
+        Path::new("."),
+    )?;
+    let mut states = Vec::new();
+    let options = RunOptions {
+        recover: true,
+        max_memory: None,
+    };
+    let summary = loaded.run(&options, &mut |_, result| {
+        states.push(result);
+        Ok(())
+    })?;
+    Ok(Solved { summary, states })
+}
+
+/// A scene with the text it came from.
+#[derive(Debug)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    file: String,
+    text: String,
+}
+
+impl Loaded {
+    /// Reads a case file, applies overrides `path=value`, and resolves it.
+    ///
+    /// # Errors
+    /// [`Error::Case`] with all faults.
+    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, Error> {
+        let source = case::read(path, overrides).map_err(Error::Case)?;
+        Self::from_source(source, path.parent().unwrap_or(Path::new("")))
+    }
+
+    fn from_source(source: case::Source, folder: &Path) -> Result<Self, Error> {
+        let case::Source { case, file, text } = source;
+        let scene = Scene::new(case, folder, &file, &text).map_err(Error::Case)?;
+        Ok(Self { scene, file, text })
+    }
+
+    /// The error of a run with the place in the case, where it is the case's fault.
+    pub fn explain(&self, error: RunError) -> Error {
+        match error {
+            RunError::Case(faults) => Error::Case(faults.into_report(&self.file, &self.text)),
+            RunError::Sink(error) => Error::Io(error),
+            other => Error::Run(other),
+        }
+    }
+
+    /// Warnings on the case, ready to be shown; `None` if there are none.
+    pub fn warnings(&self) -> Option<Report> {
+        let report = self.scene.warnings.clone().into_report(&self.file, &self.text);
+        (!report.diagnostics.is_empty()).then_some(report)
+    }
+
+    /// Solves every state; `sink` gets each result as it comes.
+    ///
+    /// # Errors
+    /// [`Error`]; a failed check or a state that did not converge is an outcome, not an error.
+    pub fn run(
+        &self,
+        options: &RunOptions,
+        sink: &mut dyn FnMut(&Scene, StateResult) -> io::Result<()>,
+    ) -> Result<Summary, Error> {
+        let mut collector = Collector::default();
+        let mut take = |result: StateResult| {
+            collector.take(&self.scene, &result);
+            sink(&self.scene, result)
+        };
+        let report = run::run(&self.scene, options, &mut take).map_err(|e| self.explain(e))?;
+        Ok(collector.finish(
+            &self.scene,
+            report,
+            warning_texts(&self.scene.warnings, &self.file),
+        ))
+    }
+}
+
+fn warning_texts(faults: &Faults, file: &str) -> Vec<String> {
+    let report = faults.clone().into_report(file, "");
+    let warnings = report
+        .diagnostics
+        .iter()
+        .filter(|d| d.severity == Severity::Warning);
+    warnings.map(|d| format!("{}: {}", d.path, d.message)).collect()
+}

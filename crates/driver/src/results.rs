@@ -1,0 +1,354 @@
+//! The folder of a run, written state by state; `summary.json` comes last and means that the run is finished.
+
+use crate::case::FieldName;
+use crate::output::plot::{Diagram, Series, Style};
+use crate::output::vtu::{CellType, Cells, DataArray, Grid};
+use crate::output::{atomic, csv, plot, pvd, vtu};
+use crate::reference::{Field, Solution};
+use crate::run::StateResult;
+use crate::scene::{ExpectationKind, Scene};
+use crate::summary::Summary;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What peristat writes into a folder.
+const OWN: [&str; 7] = [
+    "case.json",
+    "fields",
+    "fields.pvd",
+    "history.csv",
+    "envelope.csv",
+    "plots",
+    "summary.json",
+];
+
+/// Fields of points that are written, where they were recovered.
+const FIELDS: [FieldName; 7] = [
+    FieldName::W,
+    FieldName::Phi,
+    FieldName::M,
+    FieldName::V,
+    FieldName::StressTop,
+    FieldName::StressBottom,
+    FieldName::EnergyDensity,
+];
+
+/// Fields whose smallest and largest values over all states are written.
+const ENVELOPE: [FieldName; 4] = [FieldName::W, FieldName::Phi, FieldName::M, FieldName::V];
+
+/// A results folder being written.
+#[derive(Debug)]
+pub struct Results {
+    folder: PathBuf,
+    steps: Vec<(f64, String)>,
+    history: Vec<Vec<f64>>,
+    envelope: Vec<Vec<[f64; 2]>>,
+}
+
+/// Whether a run may write into a folder.
+///
+/// # Errors
+/// The folder holds something that peristat did not write, and `force` is not given.
+pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
+    let foreign = |message: String| Err(io::Error::new(io::ErrorKind::AlreadyExists, message));
+    if folder.exists() && !folder.is_dir() {
+        return foreign(format!("{} is a file, not a folder", folder.display()));
+    }
+    if !folder.exists() || force {
+        return Ok(());
+    }
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        names.push(entry?.file_name().to_string_lossy().into_owned());
+    }
+    match names.iter().find(|n| !OWN.contains(&n.as_str())) {
+        Some(name) => foreign(format!(
+            "{} holds `{name}`, which peristat did not write",
+            folder.display()
+        )),
+        None => Ok(()),
+    }
+}
+
+impl Results {
+    /// Makes the folder, removes an earlier run from it and writes `case.json`.
+    ///
+    /// # Errors
+    /// The folder cannot be written.
+    pub fn begin(folder: &Path, scene: &Scene) -> io::Result<Self> {
+        fs::create_dir_all(folder)?;
+        // The mark of a finished run goes first, so that an interrupted replacement cannot look finished.
+        for name in OWN.iter().rev() {
+            let path = folder.join(name);
+            match path.symlink_metadata() {
+                Ok(data) if data.is_dir() => fs::remove_dir_all(&path)?,
+                Ok(_) => fs::remove_file(&path)?,
+                Err(_) => {}
+            }
+        }
+        let case = serde_json::to_string_pretty(&scene.case)?;
+        atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())?;
+        fs::create_dir(folder.join("fields"))?;
+        fs::create_dir(folder.join("plots"))?;
+        Ok(Self {
+            folder: folder.into(),
+            steps: Vec::new(),
+            history: Vec::new(),
+            envelope: Vec::new(),
+        })
+    }
+
+    /// Writes one state.
+    ///
+    /// # Errors
+    /// The folder cannot be written.
+    pub fn take(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
+        let name = format!("step_{:03}", result.index);
+        let fields: Vec<(FieldName, Vec<f64>)> = FIELDS
+            .iter()
+            .filter_map(|&f| Some((f, all(result, f)?)))
+            .collect();
+        let x: Vec<f64> = result.lines.iter().flat_map(|l| l.x.iter().copied()).collect();
+        let mut columns: Vec<(&str, &[f64])> = vec![("x", &x)];
+        columns.extend(fields.iter().map(|(f, v)| (f.name(), v.as_slice())));
+        csv::write(&self.folder.join("fields").join(format!("{name}.csv")), &columns)?;
+        self.write_grid(&name, &x, &fields, result)?;
+        self.steps
+            .push((step_time(scene, result), format!("fields/{name}.vtu")));
+        let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();
+        pvd::write(&self.folder.join("fields.pvd"), &steps)?;
+        self.write_history(scene, result)?;
+        if scene.has_envelope {
+            self.widen(result);
+        }
+        if result.index + 1 == scene.states.len() {
+            self.write_plots(scene, result)?;
+            if scene.has_envelope {
+                self.write_envelope(&x)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes `summary.json`.
+    ///
+    /// # Errors
+    /// The folder cannot be written.
+    pub fn finish(self, summary: &Summary) -> io::Result<()> {
+        let text = serde_json::to_string_pretty(summary)?;
+        atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())
+    }
+
+    fn write_grid(
+        &self,
+        name: &str,
+        x: &[f64],
+        fields: &[(FieldName, Vec<f64>)],
+        result: &StateResult,
+    ) -> io::Result<()> {
+        let points: Vec<[f64; 3]> = x.iter().map(|&x| [x, 0.0, 0.0]).collect();
+        let mut connectivity: Vec<u32> = Vec::new();
+        let mut first = 0;
+        for line in &result.lines {
+            let count = line.x.len() as u32;
+            connectivity.extend((first..first + count - 1).flat_map(|p| [p, p + 1]));
+            first += count;
+        }
+        // The deflection as a vector, so that viewers can warp the line by it.
+        let w = all(result, FieldName::W).unwrap_or_default();
+        let displacement: Vec<f64> = w.iter().flat_map(|&w| [0.0, w, 0.0]).collect();
+        let mut data = vec![DataArray {
+            name: "displacement",
+            components: 3,
+            values: &displacement,
+        }];
+        data.extend(fields.iter().map(|(f, values)| DataArray {
+            name: f.name(),
+            components: 1,
+            values,
+        }));
+        let grid = Grid {
+            points: &points,
+            cells: &[Cells {
+                cell_type: CellType::Line,
+                connectivity: &connectivity,
+            }],
+            point_data: &data,
+            cell_data: &[],
+        };
+        vtu::write(&self.folder.join("fields").join(format!("{name}.vtu")), &grid)
+    }
+
+    fn write_history(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
+        let probes = crate::run::probes(scene, result);
+        let mut row = vec![result.index as f64, result.load_factor];
+        row.extend(probes.iter().map(|p| p.value));
+        self.history.push(row);
+        let mut names = vec!["step", "load_factor"];
+        names.extend(probes.iter().map(|p| p.name.as_str()));
+        let columns: Vec<Vec<f64>> = (0..names.len())
+            .map(|c| self.history.iter().map(|row| row[c]).collect())
+            .collect();
+        let columns: Vec<(&str, &[f64])> = names
+            .into_iter()
+            .zip(&columns)
+            .map(|(name, values)| (name, values.as_slice()))
+            .collect();
+        csv::write(&self.folder.join("history.csv"), &columns)
+    }
+
+    fn widen(&mut self, result: &StateResult) {
+        let values = ENVELOPE.iter().map(|&f| all(result, f).unwrap_or_default());
+        if self.envelope.is_empty() {
+            self.envelope = values.map(|v| v.into_iter().map(|v| [v, v]).collect()).collect();
+            return;
+        }
+        for (bounds, values) in self.envelope.iter_mut().zip(values) {
+            for (bound, value) in bounds.iter_mut().zip(values) {
+                *bound = [bound[0].min(value), bound[1].max(value)];
+            }
+        }
+    }
+
+    fn write_envelope(&self, x: &[f64]) -> io::Result<()> {
+        let side = |k: usize| {
+            self.envelope
+                .iter()
+                .map(move |b| b.iter().map(|b| b[k]).collect::<Vec<f64>>())
+        };
+        let (low, high): (Vec<_>, Vec<_>) = (side(0).collect(), side(1).collect());
+        let names: Vec<[String; 2]> = ENVELOPE
+            .iter()
+            .map(|f| [format!("{}_smallest", f.name()), format!("{}_largest", f.name())])
+            .collect();
+        let mut columns: Vec<(&str, &[f64])> = vec![("x", x)];
+        for (k, [smallest, largest]) in names.iter().enumerate() {
+            columns.push((smallest, &low[k]));
+            columns.push((largest, &high[k]));
+        }
+        csv::write(&self.folder.join("envelope.csv"), &columns)
+    }
+
+    fn write_plots(&self, scene: &Scene, result: &StateResult) -> io::Result<()> {
+        let (length, moment) = (scene.units.length(), scene.units.moment());
+        let diagrams = [
+            ("deflection", Field::W, format!("deflection w [{length}]")),
+            ("rotation", Field::Phi, "rotation φ [rad]".into()),
+            ("moment", Field::M, format!("bending moment M [{moment}]")),
+            ("shear", Field::V, "shear force V [N]".into()),
+        ];
+        for (file, field, y_label) in diagrams {
+            let mut series = Vec::new();
+            if let Some(points) = closed_form(scene, result, field) {
+                series.push(Series {
+                    label: "closed form".into(),
+                    style: Style::Line,
+                    points,
+                });
+            }
+            let style = if series.is_empty() {
+                Style::Line
+            } else {
+                Style::Dots
+            };
+            let Some(points) = curve(result, field) else {
+                continue;
+            };
+            series.push(Series {
+                label: "peristat".into(),
+                style,
+                points,
+            });
+            let title = match scene.states.len() {
+                1 => scene.case.title.clone(),
+                _ => format!("{} - {}", scene.case.title, result.name),
+            };
+            let diagram = Diagram {
+                title,
+                x_label: format!("x [{length}]"),
+                y_label,
+                series,
+            };
+            plot::write(&self.folder.join("plots").join(format!("{file}.svg")), &diagram)?;
+        }
+        Ok(())
+    }
+}
+
+/// Time of a state in the collection: the load factor of a step, the number of a load case.
+fn step_time(scene: &Scene, result: &StateResult) -> f64 {
+    if scene.case.steps.is_some() {
+        result.load_factor
+    } else {
+        result.index as f64
+    }
+}
+
+/// Values of a field at all real points, line by line.
+fn all(result: &StateResult, field: FieldName) -> Option<Vec<f64>> {
+    let lines: Option<Vec<Vec<f64>>> = (0..result.lines.len()).map(|l| result.values(field, l)).collect();
+    Some(lines?.concat())
+}
+
+/// A field along the beam; section forces take both values of a point where they jump.
+fn curve(result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
+    let mut points = Vec::new();
+    for (line, fields) in result.lines.iter().enumerate() {
+        match field {
+            Field::W | Field::Phi => {
+                let name = if field == Field::W {
+                    FieldName::W
+                } else {
+                    FieldName::Phi
+                };
+                points.extend(fields.x.iter().copied().zip(result.values(name, line)?));
+            }
+            Field::M | Field::V | Field::Energy => {
+                let forces = &fields.recovered.as_ref()?.forces;
+                let cells = if field == Field::M {
+                    &forces.moment
+                } else {
+                    &forces.shear
+                };
+                for (cell, x) in cells.iter().zip(fields.x.windows(2)) {
+                    points.extend([(x[0], cell[0]), (x[1], cell[1])]);
+                }
+            }
+        }
+    }
+    Some(points)
+}
+
+/// The closed form of a check on this state, for the same field.
+fn closed_form(scene: &Scene, result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
+    let solution = scene
+        .expectations
+        .iter()
+        .filter(|e| e.state == result.index)
+        .find_map(|e| match &e.kind {
+            ExpectationKind::ClosedForm { solution, .. } => Some(solution),
+            _ => None,
+        })?;
+    sampled(
+        solution,
+        field,
+        &result.lines[0].x,
+        scene.beam.chains()[0].line().from,
+    )
+}
+
+/// A solution at no more than a few hundred positions, with both sides of every point so that jumps show.
+fn sampled(solution: &Solution, field: Field, x: &[f64], from: f64) -> Option<Vec<(f64, f64)>> {
+    let (first, last) = (x.first()?, x.last()?);
+    let nudge = 1e-9 * (last - first);
+    let mut points = Vec::new();
+    for k in 0..=200 {
+        let middle = first + (last - first) * f64::from(k) / 200.0;
+        for x in [middle - nudge, middle + nudge] {
+            let x = x.clamp(*first, *last);
+            points.push((x, solution.value(field, x - from)?));
+        }
+    }
+    Some(points)
+}

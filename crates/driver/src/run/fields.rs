@@ -1,0 +1,169 @@
+//! Results of one state.
+
+use super::certificate::Certificate;
+use super::linear::StateSolution;
+use crate::case::FieldName;
+use crate::scene::Scene;
+use peristat_assembly::model::Model;
+use peristat_assembly::model::timoshenko_beam::BeamFields;
+use serde::Serialize;
+
+/// What a support does to the beam.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Reaction {
+    /// Position.
+    pub x: f64,
+    /// Force along w.
+    pub force: f64,
+    /// Moment along φ.
+    pub moment: f64,
+}
+
+/// Fields of one line.
+#[derive(Clone, Debug)]
+pub struct LineFields {
+    /// Positions of the real points.
+    pub x: Vec<f64>,
+    /// Number of the first of them.
+    pub first: usize,
+    /// Section forces and energy density, where they were asked for.
+    pub recovered: Option<BeamFields>,
+}
+
+/// The result of one state.
+#[derive(Clone, Debug)]
+pub struct StateResult {
+    /// Index among the states of the scene.
+    pub index: usize,
+    /// Name.
+    pub name: String,
+    /// Load factor.
+    pub load_factor: f64,
+    /// Unknowns, two planes over all points, ghosts included.
+    pub u: Vec<f64>,
+    /// Fields per line.
+    pub lines: Vec<LineFields>,
+    /// Reactions of the supports on points, in the order of the case.
+    pub reactions: Vec<Reaction>,
+    /// Numbers of the points of the reactions.
+    held: Vec<usize>,
+    /// Certificate.
+    pub certificate: Certificate,
+    /// Height over second moment of area / 2: stress per moment at the extreme fibre on the side of −w.
+    stress_per_moment: Option<f64>,
+}
+
+/// Collects the result of a state.
+pub(super) fn result(
+    scene: &Scene,
+    index: usize,
+    load: &[f64],
+    solution: StateSolution,
+    certificate: Certificate,
+    recover: bool,
+) -> StateResult {
+    let state = &scene.states[index];
+    let (beam, n) = (&scene.beam, scene.beam.points());
+    let u = solution.u;
+    let line = |c: usize| {
+        let chain = &beam.chains()[c];
+        LineFields {
+            x: (0..chain.points)
+                .map(|k| chain.position(chain.ghosts[0] + k))
+                .collect(),
+            first: beam.first_real(c),
+            recovered: recover.then(|| beam.fields(c, &u, &state.loads)),
+        }
+    };
+    let lines = (0..beam.chains().len()).map(line).collect();
+    let points = scene.held.iter().filter_map(|h| h.point.map(|point| (h, point)));
+    let (held, reactions) = points
+        .map(|(h, point)| {
+            let of = |component: usize| {
+                let k = component * n + point;
+                match (h.prescribed[component], h.springs[component]) {
+                    (Some(_), _) => solution.imbalance[k],
+                    (None, Some(stiffness)) => -stiffness * u[k],
+                    (None, None) => 0.0,
+                }
+            };
+            (
+                point,
+                Reaction {
+                    x: h.x,
+                    force: of(0),
+                    moment: of(1),
+                },
+            )
+        })
+        .unzip();
+    debug_assert_eq!(load.len(), u.len());
+    StateResult {
+        index,
+        name: state.name.clone(),
+        load_factor: state.load_factor,
+        u,
+        lines,
+        reactions,
+        held,
+        certificate,
+        stress_per_moment: scene
+            .section
+            .height
+            .map(|h| 0.5 * h / scene.section.second_moment),
+    }
+}
+
+impl StateResult {
+    /// Value of a field at a real point of a line; `None` where it was not recovered or does not exist.
+    pub fn value(&self, field: FieldName, line: usize, point: usize) -> Option<f64> {
+        let fields = &self.lines[line];
+        let (n, number) = (self.u.len() / 2, fields.first + point);
+        let forces = || fields.recovered.as_ref().map(|r| r.forces.at(point));
+        let stress = |sign: f64| Some(sign * self.stress_per_moment? * forces()?.0);
+        let reaction = || {
+            self.held
+                .iter()
+                .zip(&self.reactions)
+                .filter(move |held| *held.0 == number)
+                .map(|held| held.1)
+        };
+        match field {
+            FieldName::W => Some(self.u[number]),
+            FieldName::Phi => Some(self.u[n + number]),
+            FieldName::M => forces().map(|f| f.0),
+            FieldName::V => forces().map(|f| f.1),
+            // A positive moment bends the ends towards +w and shortens the fibres on that side.
+            FieldName::StressTop => stress(-1.0),
+            FieldName::StressBottom => stress(1.0),
+            FieldName::EnergyDensity => fields.recovered.as_ref().map(|r| r.energy_density[point]),
+            FieldName::ReactionForce => Some(reaction().map(|r| r.force).sum()),
+            FieldName::ReactionMoment => Some(reaction().map(|r| r.moment).sum()),
+        }
+    }
+
+    /// All values of a field along a line.
+    pub fn values(&self, field: FieldName, line: usize) -> Option<Vec<f64>> {
+        (0..self.lines[line].x.len())
+            .map(|point| self.value(field, line, point))
+            .collect()
+    }
+
+    /// Smallest and largest value of a field and their positions.
+    pub fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
+        let mut extremes: Option<[(f64, f64); 2]> = None;
+        for (line, fields) in self.lines.iter().enumerate() {
+            for (point, &x) in fields.x.iter().enumerate() {
+                let value = self.value(field, line, point)?;
+                let [low, high] = extremes.get_or_insert([(value, x); 2]);
+                if value < low.0 {
+                    *low = (value, x);
+                }
+                if value > high.0 {
+                    *high = (value, x);
+                }
+            }
+        }
+        extremes
+    }
+}

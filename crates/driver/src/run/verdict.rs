@@ -1,0 +1,247 @@
+//! Probes and checks on results.
+
+use super::fields::StateResult;
+use crate::case::FieldName;
+use crate::reference::{Field, Solution};
+use crate::scene::{Expectation, ExpectationKind, Scene};
+use serde::Serialize;
+
+/// A probed value.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProbeResult {
+    /// Name of the probe.
+    pub name: String,
+    /// Name of the state.
+    pub state: String,
+    /// Position of the point that answered.
+    pub x: f64,
+    /// Field.
+    pub field: FieldName,
+    /// Value.
+    pub value: f64,
+}
+
+/// The outcome of one check.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CheckResult {
+    /// Name.
+    pub name: String,
+    /// What was expected: a number, or the largest magnitude of a reference.
+    pub expected: f64,
+    /// What was found, at the worst point where several are compared.
+    pub found: f64,
+    /// Error, relative to `expected` unless that is zero; for a limit the magnitude over the limit.
+    pub error: f64,
+    /// Largest error that passes.
+    pub tolerance: f64,
+    /// Whether it passes.
+    pub passed: bool,
+    /// Where the expectation comes from.
+    pub source: String,
+}
+
+/// Values of all probes on one state.
+pub(crate) fn probes(scene: &Scene, result: &StateResult) -> Vec<ProbeResult> {
+    let probe = |p: &crate::scene::ProbePoint| {
+        let value = result.value(p.field, p.local.0, p.local.1)?;
+        Some(ProbeResult {
+            name: p.name.clone(),
+            state: result.name.clone(),
+            x: p.x,
+            field: p.field,
+            value,
+        })
+    };
+    scene.probes.iter().filter_map(probe).collect()
+}
+
+/// Outcomes of the checks that are made on this state.
+pub(crate) fn checks(scene: &Scene, result: &StateResult) -> Vec<CheckResult> {
+    let mine = scene.expectations.iter().filter(|e| e.state == result.index);
+    mine.map(|e| check(scene, e, result)).collect()
+}
+
+fn check(scene: &Scene, expectation: &Expectation, result: &StateResult) -> CheckResult {
+    let name = expectation.name.clone();
+    let probed = |probe: usize| {
+        let p = &scene.probes[probe];
+        result.value(p.field, p.local.0, p.local.1).unwrap_or(f64::NAN)
+    };
+    match &expectation.kind {
+        ExpectationKind::ClosedForm {
+            solution,
+            field,
+            tolerance,
+        } => {
+            let worst = closed_form(scene, solution, *field, result);
+            verdict(name, worst, *tolerance, "closed form".into())
+        }
+        ExpectationKind::Value {
+            probe,
+            expected,
+            tolerance,
+            source,
+        } => {
+            let found = probed(*probe);
+            let worst = Worst {
+                expected: *expected,
+                found,
+                difference: (found - expected).abs(),
+                scale: expected.abs(),
+            };
+            verdict(name, worst, *tolerance, source.clone())
+        }
+        ExpectationKind::Limit { probe, at_most, why } => {
+            let found = probed(*probe);
+            let error = found.abs() / at_most;
+            CheckResult {
+                name,
+                expected: *at_most,
+                found,
+                error,
+                tolerance: 1.0,
+                passed: error <= 1.0,
+                source: why.clone(),
+            }
+        }
+        ExpectationKind::Baseline {
+            field,
+            stored,
+            tolerance,
+        } => {
+            let worst = baseline(stored, *field, result);
+            verdict(name, worst, *tolerance, "stored baseline".into())
+        }
+    }
+}
+
+/// The worst of several comparisons.
+#[derive(Clone, Copy, Debug, Default)]
+struct Worst {
+    expected: f64,
+    found: f64,
+    difference: f64,
+    scale: f64,
+}
+
+fn verdict(name: String, worst: Worst, tolerance: f64, source: String) -> CheckResult {
+    let error = if worst.scale > 0.0 {
+        worst.difference / worst.scale
+    } else {
+        worst.difference
+    };
+    // A missing value is not a number and must not pass.
+    let passed = error <= tolerance;
+    CheckResult {
+        name,
+        expected: worst.expected,
+        found: worst.found,
+        error,
+        tolerance,
+        passed,
+        source,
+    }
+}
+
+/// Compares `(expected, found)` pairs relative to the largest expected magnitude.
+fn worst(pairs: impl Iterator<Item = (f64, f64)>) -> Worst {
+    let mut worst = Worst {
+        difference: -1.0,
+        ..Default::default()
+    };
+    let mut scale = 0.0_f64;
+    for (expected, found) in pairs {
+        let difference = (found - expected).abs();
+        scale = scale.max(expected.abs());
+        if difference > worst.difference || difference.is_nan() {
+            worst = Worst {
+                expected,
+                found,
+                difference,
+                scale: 0.0,
+            };
+        }
+        if difference.is_nan() {
+            break;
+        }
+    }
+    Worst { scale, ..worst }
+}
+
+fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateResult) -> Worst {
+    if field == Field::Energy {
+        let expected = solution.energy.unwrap_or(f64::NAN);
+        return worst([(expected, result.certificate.energy)].into_iter());
+    }
+    let from = scene.beam.chains()[0].line().from;
+    let at = |x: f64| solution.value(field, x - from).unwrap_or(f64::NAN);
+    let line = &result.lines[0];
+    let mut compared = match field {
+        Field::W | Field::Phi => {
+            let name = if field == Field::W {
+                FieldName::W
+            } else {
+                FieldName::Phi
+            };
+            let values = result.values(name, 0).unwrap_or_default();
+            worst(line.x.iter().zip(values).map(|(&x, v)| (at(x), v)))
+        }
+        Field::M | Field::V | Field::Energy => {
+            // Section forces may jump at a point; a reference answers for its left.
+            let forces = line.recovered.as_ref().map(|r| &r.forces);
+            let cells = forces.map(|f| if field == Field::M { &f.moment } else { &f.shear });
+            worst(
+                cells
+                    .into_iter()
+                    .flatten()
+                    .zip(&line.x[1..])
+                    .map(|(cell, &x)| (at(x), cell[1])),
+            )
+        }
+    };
+    if compared.scale == 0.0 {
+        compared.scale = fallback_scale(scene, result, field);
+    }
+    compared
+}
+
+/// Scale for a field whose reference vanishes: what the other fields make of it over the length of the beam.
+fn fallback_scale(scene: &Scene, result: &StateResult, field: Field) -> f64 {
+    let length = scene.beam.chains()[0].line().length;
+    let largest = |field: FieldName| {
+        result
+            .extremes(field)
+            .map_or(0.0, |[low, high]| low.0.abs().max(high.0.abs()))
+    };
+    match field {
+        Field::W => largest(FieldName::Phi) * length,
+        Field::Phi => largest(FieldName::W) / length,
+        Field::M => largest(FieldName::V) * length,
+        Field::V => largest(FieldName::M) / length,
+        Field::Energy => 0.0,
+    }
+}
+
+fn baseline(stored: &[(f64, f64)], field: FieldName, result: &StateResult) -> Worst {
+    let points: Vec<(f64, f64)> = (0..result.lines.len())
+        .flat_map(|line| {
+            let values = result.values(field, line).unwrap_or_default();
+            result.lines[line]
+                .x
+                .iter()
+                .copied()
+                .zip(values)
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    if points.len() != stored.len() {
+        let (expected, found) = (stored.len() as f64, points.len() as f64);
+        return Worst {
+            expected,
+            found,
+            difference: f64::NAN,
+            scale: 1.0,
+        };
+    }
+    worst(stored.iter().zip(&points).map(|(s, p)| (s.1, p.1)))
+}

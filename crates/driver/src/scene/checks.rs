@@ -1,0 +1,377 @@
+//! Probes and checks of a scene.
+
+use super::facts::facts;
+use super::place::Frame;
+use super::{HeldPoint, State, root};
+use crate::case::{Case, Check, FieldName};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::reference::{self, Field, Solution};
+use peristat_assembly::material::SectionProperties;
+use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
+use std::collections::HashSet;
+use std::path::Path;
+
+/// A probe on a point.
+#[derive(Clone, Debug)]
+pub struct ProbePoint {
+    /// Name.
+    pub name: String,
+    /// Field.
+    pub field: FieldName,
+    /// Line and real point on it.
+    pub local: (usize, usize),
+    /// Number of the point.
+    pub point: usize,
+    /// Position of the point.
+    pub x: f64,
+}
+
+/// A check, resolved.
+#[derive(Debug)]
+pub struct Expectation {
+    /// Name in results.
+    pub name: String,
+    /// Index of the state it is made on.
+    pub state: usize,
+    /// What is compared.
+    pub kind: ExpectationKind,
+}
+
+/// Kinds of checks.
+#[derive(Debug)]
+pub enum ExpectationKind {
+    /// All points against a closed form.
+    ClosedForm {
+        /// The solution.
+        solution: Solution,
+        /// Field that is compared.
+        field: Field,
+        /// Relative tolerance.
+        tolerance: f64,
+    },
+    /// A probe against a number.
+    Value {
+        /// Index of the probe.
+        probe: usize,
+        /// Expected value.
+        expected: f64,
+        /// Relative tolerance.
+        tolerance: f64,
+        /// Where the number comes from.
+        source: String,
+    },
+    /// A bound on the magnitude of a probe.
+    Limit {
+        /// Index of the probe.
+        probe: usize,
+        /// Largest magnitude.
+        at_most: f64,
+        /// Why.
+        why: String,
+    },
+    /// All points against stored values.
+    Baseline {
+        /// Field that is compared.
+        field: FieldName,
+        /// Positions and values.
+        stored: Vec<(f64, f64)>,
+        /// Relative tolerance.
+        tolerance: f64,
+    },
+}
+
+impl Expectation {
+    /// Whether it needs fields recovered from the bonds.
+    pub fn is_recovered(&self, probes: &[ProbePoint]) -> bool {
+        match &self.kind {
+            ExpectationKind::ClosedForm { field, .. } => matches!(field, Field::M | Field::V),
+            ExpectationKind::Value { probe, .. } | ExpectationKind::Limit { probe, .. } => {
+                probes[*probe].field.is_recovered()
+            }
+            ExpectationKind::Baseline { field, .. } => field.is_recovered(),
+        }
+    }
+}
+
+/// Probes of the case.
+pub(super) fn probes(
+    case: &Case,
+    frame: &Frame,
+    first: &[usize],
+    held: &[HeldPoint],
+    section: &SectionProperties,
+    faults: &mut Faults,
+) -> Vec<ProbePoint> {
+    let mut probes = Vec::new();
+    let mut names = HashSet::new();
+    for (k, probe) in case.probes.iter().enumerate() {
+        let path = root("probes").index(k);
+        if !names.insert(&probe.name) {
+            faults.error(path.key("name"), format!("there are two probes `{}`", probe.name));
+        }
+        let place = frame.place(probe.at.x, &path.key("at").key("x"), "the probe", faults);
+        let Some(place) = place else { continue };
+        let chain = place.chain();
+        let k = frame.lines[chain].nearest(probe.at.x);
+        let (point, x) = (first[chain] + k, frame.lines[chain].position(k));
+        stress_needs_height(probe.field, section, &path, faults);
+        let is_reaction = matches!(probe.field, FieldName::ReactionForce | FieldName::ReactionMoment);
+        if is_reaction && !held.iter().any(|h| h.point == Some(point)) {
+            let where_held: Vec<String> = held
+                .iter()
+                .filter(|h| h.point.is_some())
+                .map(|h| format!("x = {}", h.x))
+                .collect();
+            faults
+                .error(
+                    path.key("at"),
+                    format!("there is no support on a point at x = {x}, so there is no reaction"),
+                )
+                .hint(format!("supports on points are at {}", where_held.join(", ")));
+        }
+        probes.push(ProbePoint {
+            name: probe.name.clone(),
+            field: probe.field,
+            local: (chain, k),
+            point,
+            x,
+        });
+    }
+    probes
+}
+
+fn stress_needs_height(field: FieldName, section: &SectionProperties, path: &JsonPath, faults: &mut Faults) {
+    if matches!(field, FieldName::StressTop | FieldName::StressBottom) && section.height.is_none() {
+        faults
+            .error(
+                path.key("field"),
+                format!("`{}` needs the height of the section", field.name()),
+            )
+            .hint("give `height` with the general section");
+    }
+}
+
+/// What the resolution of checks looks at.
+pub(super) struct Context<'a> {
+    pub(super) case: &'a Case,
+    pub(super) beam: &'a TimoshenkoBeam,
+    pub(super) held: &'a [HeldPoint],
+    pub(super) states: &'a [State],
+    pub(super) probes: &'a [ProbePoint],
+    pub(super) folder: &'a Path,
+}
+
+/// Checks of the case.
+pub(super) fn expectations(context: &Context, faults: &mut Faults) -> Vec<Expectation> {
+    let each = context.case.checks.iter().enumerate();
+    each.filter_map(|(k, check)| expectation(context, check, root("checks").index(k), faults))
+        .collect()
+}
+
+fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Faults) -> Option<Expectation> {
+    let (key, load_case, tolerance) = match check {
+        Check::ClosedForm(c) => ("closed_form", &c.load_case, Some(c.tolerance)),
+        Check::Value(c) => ("value", &c.load_case, Some(c.tolerance)),
+        Check::Limit(c) => ("limit", &c.load_case, None),
+        Check::Baseline(c) => ("baseline", &c.load_case, Some(c.tolerance)),
+    };
+    let path = path.key(key);
+    if let Some(tolerance) = tolerance {
+        super::body::positive(tolerance, "tolerance", path.key("tolerance"), faults);
+    }
+    let state = match load_case {
+        None => context.states.len().checked_sub(1),
+        Some(name) => {
+            let found = context.states.iter().position(|s| s.name == *name);
+            if found.is_none() {
+                faults
+                    .error(
+                        path.key("load_case"),
+                        format!("there is no load case or combination `{name}`"),
+                    )
+                    .hint(super::body::suggest(
+                        name,
+                        context.states.iter().map(|s| s.name.as_str()),
+                    ));
+            }
+            found
+        }
+    }?;
+    let (name, kind) = match check {
+        Check::ClosedForm(c) => {
+            let solution = closed_form(context, c, &path, state, faults)?;
+            let kind = ExpectationKind::ClosedForm {
+                solution,
+                field: c.field,
+                tolerance: c.tolerance,
+            };
+            (format!("{} {}", c.field.name(), c.name), kind)
+        }
+        Check::Value(c) => {
+            let probe = probe(context, &c.probe, &path, faults)?;
+            let (expected, tolerance, source) = (c.expected, c.tolerance, c.source.clone());
+            (
+                c.probe.clone(),
+                ExpectationKind::Value {
+                    probe,
+                    expected,
+                    tolerance,
+                    source,
+                },
+            )
+        }
+        Check::Limit(c) => {
+            super::body::positive(c.at_most, "at_most", path.key("at_most"), faults);
+            let probe = probe(context, &c.probe, &path, faults)?;
+            (
+                format!("{} <= {}", c.probe, c.why),
+                ExpectationKind::Limit {
+                    probe,
+                    at_most: c.at_most,
+                    why: c.why.clone(),
+                },
+            )
+        }
+        Check::Baseline(c) => {
+            let stored = stored(context, c, &path, faults)?;
+            let kind = ExpectationKind::Baseline {
+                field: c.field,
+                stored,
+                tolerance: c.tolerance,
+            };
+            (format!("{} {}", c.field.name(), c.file), kind)
+        }
+    };
+    let name = match load_case {
+        Some(load_case) => format!("{name} [{load_case}]"),
+        None => name,
+    };
+    Some(Expectation { name, state, kind })
+}
+
+fn closed_form(
+    context: &Context,
+    check: &crate::case::ClosedForm,
+    path: &JsonPath,
+    state: usize,
+    faults: &mut Faults,
+) -> Option<Solution> {
+    let Some(reference) = reference::find(&check.name) else {
+        faults
+            .error(
+                path.key("name"),
+                format!("there is no closed form `{}`", check.name),
+            )
+            .hint(super::body::suggest(
+                &check.name,
+                reference::TABLE.iter().map(|r| r.name),
+            ));
+        return None;
+    };
+    let Some(facts) = facts(context.beam, context.held, &context.states[state]) else {
+        faults.error(path.key("name"), "closed forms are for a body of one line");
+        return None;
+    };
+    match (reference.build)(&facts) {
+        Ok(solution)
+            if check.field == Field::Energy && solution.energy.is_none()
+                || check.field != Field::Energy && !solution.fields.contains(&check.field) =>
+        {
+            let known: Vec<&str> = solution.fields.iter().map(|f| f.name()).collect();
+            faults
+                .error(
+                    path.key("field"),
+                    format!("`{}` does not give `{}`", check.name, check.field.name()),
+                )
+                .hint(format!("it gives {}", known.join(", ")));
+            None
+        }
+        Ok(solution) => Some(solution),
+        Err(mismatch) => {
+            faults.error(
+                path.key("name"),
+                format!("`{}` does not fit this case: {mismatch}", check.name),
+            );
+            None
+        }
+    }
+}
+
+fn probe(context: &Context, name: &str, path: &JsonPath, faults: &mut Faults) -> Option<usize> {
+    let found = context.probes.iter().position(|p| p.name == name);
+    // A probe with a fault of its own is not missing.
+    if found.is_none() && !context.case.probes.iter().any(|p| p.name == name) {
+        faults
+            .error(path.key("probe"), format!("there is no probe `{name}`"))
+            .hint(super::body::suggest(
+                name,
+                context.probes.iter().map(|p| p.name.as_str()),
+            ));
+    }
+    found
+}
+
+fn stored(
+    context: &Context,
+    check: &crate::case::Baseline,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Vec<(f64, f64)>> {
+    let file = context.folder.join(&check.file);
+    let text = match std::fs::read_to_string(&file) {
+        Ok(text) => text,
+        Err(error) => {
+            faults
+                .error(
+                    path.key("file"),
+                    format!("the baseline {} cannot be read: {error}", check.file),
+                )
+                .hint("the path is relative to the case; `points.csv` of an earlier run is a baseline");
+            return None;
+        }
+    };
+    match columns(&text, check.field.name()) {
+        Ok(stored) => Some(stored),
+        Err(reason) => {
+            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file));
+            None
+        }
+    }
+}
+
+/// The columns `x` and `field` of a CSV text.
+fn columns(text: &str, field: &str) -> Result<Vec<(f64, f64)>, String> {
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines
+        .next()
+        .unwrap_or_default()
+        .split(',')
+        .map(str::trim)
+        .collect();
+    let column = |name: &str| {
+        header
+            .iter()
+            .position(|h| *h == name)
+            .ok_or_else(|| format!("has no column `{name}`"))
+    };
+    let (x, value) = (column("x")?, column(field)?);
+    let mut stored = Vec::new();
+    for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number = |c: usize| {
+            cells
+                .get(c)
+                .and_then(|t| t.trim().parse::<f64>().ok())
+                .filter(|v| v.is_finite())
+        };
+        match (number(x), number(value)) {
+            (Some(x), Some(value)) => stored.push((x, value)),
+            _ => return Err(format!("has no number where one belongs in line {}", k + 2)),
+        }
+    }
+    if stored.is_empty() {
+        Err("has no rows".into())
+    } else {
+        Ok(stored)
+    }
+}

@@ -1,0 +1,94 @@
+//! What a closed form may know about a state of a scene.
+
+use super::{HeldPoint, State};
+use crate::reference::{BondClass, End, Facts, Load};
+use peristat_assembly::model::timoshenko_beam::end_treatment::EndKind;
+use peristat_assembly::model::timoshenko_beam::{Intensity, TimoshenkoBeam};
+
+/// Facts on a beam of one line, x from its left end; `None` for several lines.
+pub(super) fn facts(beam: &TimoshenkoBeam, held: &[HeldPoint], state: &State) -> Option<Facts> {
+    let [chain] = beam.chains() else { return None };
+    let line = chain.line();
+    let parameters = beam.parameters();
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * chain.spacing;
+    let kinds = |x: f64| {
+        let mut kinds = held.iter().filter(|h| close(h.x, x)).map(end);
+        match (kinds.next(), kinds.next()) {
+            (None, _) => End::Free,
+            (Some(kind), None) => kind,
+            _ => End::Other,
+        }
+    };
+    let (left, right) = (line.from, line.from + line.length);
+    let mut ends = [kinds(left), kinds(right)];
+    let inside: Vec<&HeldPoint> = held
+        .iter()
+        .filter(|h| !close(h.x, left) && !close(h.x, right))
+        .collect();
+    if inside.iter().any(|h| end(h) != End::Simple) {
+        // Only simple supports between the ends can be told; anything else fits no reference.
+        ends = [End::Other; 2];
+    }
+    let bonds = beam.bonds()[0]
+        .classes()
+        .iter()
+        .enumerate()
+        .map(|(class, c)| BondClass {
+            weight: c.weight,
+            shear_stiffness: beam.bonds()[0].moduli(class)[1] * c.geometry.length(),
+        });
+    Some(Facts {
+        length: line.length,
+        bending_stiffness: parameters.bending_stiffness,
+        shear_stiffness: parameters.shear_stiffness,
+        ends,
+        interior_supports: inside.iter().map(|h| h.x - left).collect(),
+        loads: loads(state, left, right, close),
+        spacing: chain.spacing,
+        horizon: line.horizon_ratio * chain.spacing,
+        bonds: bonds.collect(),
+        image_ends: chain.ends() == [EndKind::Mirrored; 2],
+        lumped_loads: state.loads.lumped,
+        published_law: parameters.bond_law.name == "published",
+    })
+}
+
+fn end(held: &HeldPoint) -> End {
+    match (held.prescribed, held.springs) {
+        ([Some(0.0), Some(0.0)], [None, None]) => End::Clamped,
+        ([Some(0.0), None], [None, None]) => End::Simple,
+        ([None, Some(0.0)], [None, None]) => End::Guided,
+        _ => End::Other,
+    }
+}
+
+fn loads(state: &State, left: f64, right: f64, close: impl Fn(f64, f64) -> bool) -> Vec<Load> {
+    let mut loads = Vec::new();
+    for p in &state.loads.point {
+        let x = p.x - left;
+        if p.force != 0.0 {
+            loads.push(Load::Force { x, value: p.force });
+        }
+        if p.moment != 0.0 {
+            loads.push(Load::Moment { x, value: p.moment });
+        }
+    }
+    for d in &state.loads.distributed {
+        let whole = close(d.from, left) && close(d.to, right);
+        loads.push(match d.intensity {
+            Intensity::Linear { start, end } if whole && start == end && d.is_moment => {
+                Load::UniformMoment { value: start }
+            }
+            Intensity::Linear { start, end } if whole && start == end => Load::Uniform { value: start },
+            Intensity::Sine {
+                amplitude,
+                half_waves,
+            } if whole && !d.is_moment => Load::Sine {
+                amplitude,
+                half_waves,
+            },
+            _ => Load::Other,
+        });
+    }
+    loads
+}

@@ -1,0 +1,244 @@
+//! The record of a run: what `summary.json` holds and `--json` prints.
+
+use crate::case::{FieldName, Model, Units};
+use crate::run::{
+    Certificate, CheckResult, Counters, ProbeResult, Reaction, RunReport, Sizes, SolverReport, StateResult,
+    Timing,
+};
+use crate::scene::Scene;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// Everything converged and every check passed.
+    Passed,
+    /// Everything converged, a check failed.
+    CheckFailed,
+    /// A state did not converge.
+    NotConverged,
+}
+
+/// A value and where it is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Located {
+    /// Value.
+    pub value: f64,
+    /// Position.
+    pub x: f64,
+}
+
+/// Smallest and largest value of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Extremes {
+    /// Smallest.
+    pub smallest: Located,
+    /// Largest.
+    pub largest: Located,
+}
+
+/// One state without its fields.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StateSummary {
+    /// Name.
+    pub name: String,
+    /// Load factor.
+    pub load_factor: f64,
+    /// Extreme values by field.
+    pub extremes: BTreeMap<&'static str, Extremes>,
+    /// Reactions of the supports, in the order of the case.
+    pub reactions: Vec<Reaction>,
+    /// Certificate.
+    pub certificate: Certificate,
+}
+
+/// The beam that was solved.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BeamSummary {
+    /// Name of the model.
+    pub name: &'static str,
+    /// Bond law.
+    pub bond_law: &'static str,
+    /// End treatment.
+    pub end_treatment: &'static str,
+    /// Horizon over spacing, per line.
+    pub horizon_ratio: Vec<f64>,
+    /// Spacing, per line.
+    pub spacing: Vec<f64>,
+    /// Area A.
+    pub area: f64,
+    /// Second moment of area I.
+    pub second_moment: f64,
+    /// Shear correction factor κ.
+    pub kappa: f64,
+    /// Bending stiffness EI.
+    pub bending_stiffness: f64,
+    /// Shear stiffness κGA.
+    pub shear_stiffness: f64,
+}
+
+/// Everything about a finished run but the fields.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// How it ended.
+    pub status: Status,
+    /// Title of the case.
+    pub title: String,
+    /// Units of all numbers.
+    pub units: Units,
+    /// Model and its derived numbers.
+    pub model: BeamSummary,
+    /// Sizes.
+    #[serde(flatten)]
+    pub sizes: Sizes,
+    /// Checks.
+    pub checks: Vec<CheckResult>,
+    /// Probes.
+    pub probes: Vec<ProbeResult>,
+    /// States: load steps, or load cases and combinations.
+    pub states: Vec<StateSummary>,
+    /// Extreme values over all load cases and combinations, with the name of the state.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub envelope: BTreeMap<&'static str, [(String, Located); 2]>,
+    /// What the scene was spared, and why.
+    pub skipped: Vec<String>,
+    /// Counters.
+    pub counters: Counters,
+    /// Warnings on the case.
+    pub warnings: Vec<String>,
+    /// Method and why it was chosen.
+    pub solver: SolverReport,
+    /// Wall time per stage, s.
+    pub timing_s: Timing,
+    /// Largest resident memory of the process, bytes, where the system tells.
+    pub peak_memory_bytes: Option<u64>,
+    /// Version of peristat.
+    pub version: &'static str,
+}
+
+/// Fields whose extreme values are reported.
+const REPORTED: [FieldName; 6] = [
+    FieldName::W,
+    FieldName::Phi,
+    FieldName::M,
+    FieldName::V,
+    FieldName::StressTop,
+    FieldName::EnergyDensity,
+];
+
+/// Collects the results of states as they come.
+#[derive(Debug, Default)]
+pub struct Collector {
+    states: Vec<StateSummary>,
+    probes: Vec<ProbeResult>,
+    checks: Vec<CheckResult>,
+}
+
+impl Collector {
+    /// Takes what the summary needs of a state.
+    pub fn take(&mut self, scene: &Scene, result: &StateResult) {
+        let located = |(value, x): (f64, f64)| Located { value, x };
+        let extremes = REPORTED.iter().filter_map(|&field| {
+            let [smallest, largest] = result.extremes(field)?;
+            Some((
+                field.name(),
+                Extremes {
+                    smallest: located(smallest),
+                    largest: located(largest),
+                },
+            ))
+        });
+        self.states.push(StateSummary {
+            name: result.name.clone(),
+            load_factor: result.load_factor,
+            extremes: extremes.collect(),
+            reactions: result.reactions.clone(),
+            certificate: result.certificate.clone(),
+        });
+        self.probes.extend(crate::run::probes(scene, result));
+        self.checks.extend(crate::run::checks(scene, result));
+    }
+
+    /// The summary of the run.
+    pub fn finish(self, scene: &Scene, report: RunReport, warnings: Vec<String>) -> Summary {
+        let status = match (report.converged, self.checks.iter().all(|c| c.passed)) {
+            (false, _) => Status::NotConverged,
+            (true, false) => Status::CheckFailed,
+            (true, true) => Status::Passed,
+        };
+        let envelope = if scene.has_envelope {
+            envelope(&self.states)
+        } else {
+            BTreeMap::new()
+        };
+        Summary {
+            status,
+            title: scene.case.title.clone(),
+            units: scene.units,
+            model: beam(scene),
+            sizes: report.sizes,
+            checks: self.checks,
+            probes: self.probes,
+            states: self.states,
+            envelope,
+            skipped: report.skipped,
+            counters: report.counters,
+            warnings,
+            solver: report.solver,
+            timing_s: report.timing,
+            peak_memory_bytes: peak_memory(),
+            version: env!("CARGO_PKG_VERSION"),
+        }
+    }
+}
+
+fn beam(scene: &Scene) -> BeamSummary {
+    let Model::TimoshenkoBeam(_) = &scene.case.model;
+    let p = scene.beam.parameters();
+    BeamSummary {
+        name: "timoshenko_beam",
+        bond_law: p.bond_law.name,
+        end_treatment: p.end_treatment.name,
+        horizon_ratio: scene
+            .beam
+            .chains()
+            .iter()
+            .map(|c| c.line().horizon_ratio)
+            .collect(),
+        spacing: scene.beam.chains().iter().map(|c| c.spacing).collect(),
+        area: scene.section.area,
+        second_moment: scene.section.second_moment,
+        kappa: scene.section.kappa,
+        bending_stiffness: p.bending_stiffness,
+        shear_stiffness: p.shear_stiffness,
+    }
+}
+
+/// Extreme values over all states.
+fn envelope(states: &[StateSummary]) -> BTreeMap<&'static str, [(String, Located); 2]> {
+    let mut envelope: BTreeMap<&'static str, [(String, Located); 2]> = BTreeMap::new();
+    for state in states {
+        for (&field, extremes) in &state.extremes {
+            let Extremes { smallest, largest } = *extremes;
+            let start = || [(state.name.clone(), smallest), (state.name.clone(), largest)];
+            let [low, high] = envelope.entry(field).or_insert_with(start);
+            if smallest.value < low.1.value {
+                *low = (state.name.clone(), smallest);
+            }
+            if largest.value > high.1.value {
+                *high = (state.name.clone(), largest);
+            }
+        }
+    }
+    envelope
+}
+
+/// Largest resident memory of this process, bytes, on systems that have `/proc`.
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
+    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(1024 * kilobytes)
+}
