@@ -137,11 +137,12 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
     /// Lower points of one class in one chunk, and their factors if the chunk has any.
     #[inline(always)]
     fn bonds_of(&self, class: usize, chunk: usize) -> (Range<usize>, Option<&[f64]>) {
-        let begin = chunk * CHUNK;
-        let end = (begin + CHUNK).min(self.lattice.count.saturating_sub(self.classes[class].step));
+        let last = self.lattice.count.saturating_sub(self.classes[class].step);
+        let begin = (chunk * CHUNK).min(last);
+        let end = (begin + CHUNK).min(last);
         let factors = (self.chunks[chunk] != PLAIN)
             .then(|| &self.factors[self.chunks[chunk] as usize + class * CHUNK..][..CHUNK]);
-        (begin..end.max(begin), factors)
+        (begin..end, factors)
     }
 
     /// Measures of the bonds with the given lower points, at most one chunk of them.
