@@ -6,19 +6,13 @@ use crate::bonds::Point;
 use crate::condition::Equation;
 use crate::stiffness::Term;
 
-/// A way a body moves without straining.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RigidMotion<const D: usize> {
-    /// What it is, such as `translation along w`.
-    pub name: &'static str,
-    /// Unknowns of the point under the unit motion.
-    pub values: [f64; D],
-}
-
 /// A model with its body: terms of the energy and what belongs to every unknown.
 pub trait Model<const D: usize> {
     /// Names of the unknowns of a point.
     const UNKNOWNS: [&'static str; D];
+
+    /// Names of the motions that cost no energy, such as `translation along w`.
+    const RIGID_MOTIONS: &'static [&'static str];
 
     /// Number of points, ghosts included.
     fn points(&self) -> usize;
@@ -32,6 +26,7 @@ pub trait Model<const D: usize> {
     /// Relations among the unknowns that the discretisation brings with it (images, ghosts).
     fn relations(&self) -> Vec<Equation>;
 
-    /// The motions that cost no energy, at a position.
-    fn rigid_motions(&self, position: Point) -> Vec<RigidMotion<D>>;
+    /// Unknowns of a point at a position under the unit rigid motion of a kind, an index into
+    /// [`RIGID_MOTIONS`](Self::RIGID_MOTIONS).
+    fn rigid_motion(&self, kind: usize, position: Point) -> [f64; D];
 }

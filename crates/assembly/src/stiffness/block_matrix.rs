@@ -28,7 +28,8 @@ enum Layout {
 impl<const D: usize> BlockMatrix<D> {
     /// A zero band matrix whose points couple over at most `reach` numbers.
     pub fn band(points: usize, reach: usize) -> Self {
-        let values = vec![0.0; D * points * D * (reach + 1)];
+        // Columns come into being as they are added to: memory that is written first is faulted in once, not twice.
+        let values = Vec::with_capacity(D * points * D * (reach + 1));
         Self {
             points,
             layout: Layout::Band { reach },
@@ -84,6 +85,9 @@ impl<const D: usize> BlockMatrix<D> {
             Layout::Band { reach } => {
                 let width = D * (reach + 1);
                 assert!(i <= j && j - i <= *reach, "pair ({i}, {j}) is outside the band");
+                if self.values.len() < D * (i + 1) * width {
+                    self.values.resize(D * (i + 1) * width, 0.0);
+                }
                 for r in 0..D {
                     let column = (D * i + r) * width;
                     // Only c >= r of a diagonal block belongs to the triangle.
@@ -122,6 +126,14 @@ impl<const D: usize> BlockMatrix<D> {
             one.add(0, step, block);
         }
         let width = one.values.len();
+        if self.values.len() <= range.start * width {
+            self.values.resize(range.start * width, 0.0);
+            range.for_each(|_| self.values.extend_from_slice(&one.values));
+            return;
+        }
+        if self.values.len() < range.end * width {
+            self.values.resize(range.end * width, 0.0);
+        }
         for columns in self.values[range.start * width..range.end * width].chunks_exact_mut(width) {
             columns.iter_mut().zip(&one.values).for_each(|(a, b)| *a += b);
         }
@@ -135,7 +147,7 @@ impl<const D: usize> BlockMatrix<D> {
                     let width = D * (reach + 1);
                     for r in 0..D {
                         for k in 0..width.min(D * (self.points - i) - r) {
-                            let value = self.values[(D * i + r) * width + k];
+                            let value = self.values.get((D * i + r) * width + k).copied().unwrap_or(0.0);
                             if value != 0.0 {
                                 visit([i, r], [i + (r + k) / D, (r + k) % D], value);
                             }
@@ -176,7 +188,11 @@ impl<const D: usize> BlockMatrix<D> {
     /// The layout is not a band.
     pub fn into_band(self) -> (usize, Vec<f64>) {
         match self.layout {
-            Layout::Band { reach } => (D * (reach + 1) - 1, self.values),
+            Layout::Band { reach } => {
+                let mut values = self.values;
+                values.resize(D * self.points * D * (reach + 1), 0.0);
+                (D * (reach + 1) - 1, values)
+            }
             Layout::Rows { .. } => panic!("only a band layout has band values"),
         }
     }

@@ -225,6 +225,42 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
         });
     }
 
+    #[inline(always)]
+    fn energy_plain(&self, u: &[f64]) -> f64 {
+        let mut total = 0.0;
+        self.sweep(u, |_, lower, s, sigma| {
+            // Summed lane by lane and chunk by chunk: the error of a long sum grows with its number of terms.
+            let mut part = [0.0; CHUNK];
+            for m in 0..M {
+                (0..CHUNK).for_each(|k| part[k] += s[m][k] * sigma[m][k]);
+            }
+            total += 0.5 * part[..lower.len()].iter().sum::<f64>();
+        });
+        total
+    }
+
+    #[inline(always)]
+    fn largest_action_plain(&self, u: &[f64]) -> [f64; D] {
+        let mut largest = [[0.0; CHUNK]; D];
+        self.sweep(u, |class, lower, _, sigma| {
+            for b in [class.rows.first(), class.rows.second()] {
+                for (c, largest) in largest.iter_mut().enumerate() {
+                    let mut action = [0.0; CHUNK];
+                    for m in 0..M {
+                        if B::DIFFERENCE[m][c] || B::MEAN[m][c] {
+                            (0..CHUNK).for_each(|k| action[k] += b[m][c] * sigma[m][k]);
+                        }
+                    }
+                    for k in 0..lower.len() {
+                        let size = f64::abs(action[k]);
+                        largest[k] = if size > largest[k] { size } else { largest[k] };
+                    }
+                }
+            }
+        });
+        largest.map(|lanes| lanes.into_iter().fold(0.0, f64::max))
+    }
+
     /// Ranges of points all of whose bonds, as lower and as upper point, exist with factor one.
     fn is_plain(&self, point: usize) -> bool {
         self.classes.iter().enumerate().all(|(index, class)| {
@@ -326,16 +362,10 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
     }
 
     fn energy(&self, u: &[f64]) -> f64 {
-        let mut total = 0.0;
-        self.sweep(u, |_, lower, s, sigma| {
-            // Summed by chunk first: the error of a long sum grows with its number of terms.
-            let mut part = 0.0;
-            for m in 0..M {
-                part += (0..lower.len()).map(|k| s[m][k] * sigma[m][k]).sum::<f64>();
-            }
-            total += 0.5 * part;
-        });
-        total
+        pulp::Arch::new().dispatch(
+            #[inline(always)]
+            || self.energy_plain(u),
+        )
     }
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
@@ -346,19 +376,10 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
     }
 
     fn largest_action(&self, u: &[f64]) -> [f64; D] {
-        let mut largest = [0.0; D];
-        self.sweep(u, |class, lower, _, sigma| {
-            let ends = [class.rows.first(), class.rows.second()];
-            for (c, largest) in largest.iter_mut().enumerate() {
-                for b in &ends {
-                    for k in 0..lower.len() {
-                        let action: f64 = (0..M).map(|m| b[m][c] * sigma[m][k]).sum();
-                        *largest = f64::max(*largest, action.abs());
-                    }
-                }
-            }
-        });
-        largest
+        pulp::Arch::new().dispatch(
+            #[inline(always)]
+            || self.largest_action_plain(u),
+        )
     }
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {

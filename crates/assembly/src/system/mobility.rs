@@ -22,7 +22,7 @@ pub struct FreeMotion {
 const NULL: f64 = 1e-9;
 
 /// All independent free motions of a system.
-pub fn free_motions<const D: usize>(model: &impl Model<D>, system: &System<D>) -> Vec<FreeMotion> {
+pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) -> Vec<FreeMotion> {
     let mut parts = Parts::new(system.points());
     system.terms().iter().for_each(|t| t.join(&mut parts));
     let (labels, count) = parts.labels();
@@ -34,18 +34,13 @@ pub fn free_motions<const D: usize>(model: &impl Model<D>, system: &System<D>) -
             std::array::from_fn(|k| 0.5 * (a[k] + b[k]))
         })
         .collect();
-    let about = |unknown: usize| {
+    let kinds = T::RIGID_MOTIONS.len();
+    let about = |unknown: usize, kind: usize| {
         let (component, point) = (unknown / system.points(), unknown % system.points());
         let part = labels[point] as usize;
         let (x, c) = (model.position(point), centres[part]);
-        let motions = model.rigid_motions(std::array::from_fn(|k| x[k] - c[k]));
-        (
-            part,
-            motions
-                .into_iter()
-                .map(move |m| m.values[component])
-                .collect::<Vec<f64>>(),
-        )
+        let motion = model.rigid_motion(kind, std::array::from_fn(|k| x[k] - c[k]));
+        (part * kinds + kind, motion[component])
     };
     let mut held: Vec<Vec<(usize, f64)>> = system.constraints().equations().to_vec();
     for term in system.terms() {
@@ -53,19 +48,18 @@ pub fn free_motions<const D: usize>(model: &impl Model<D>, system: &System<D>) -
             held.push(vec![(component * system.points() + point, 1.0)]);
         });
     }
-    let kinds = model.rigid_motions([0.0; 3]).len();
     let mut matrix = DMatrix::<f64>::zeros(held.len().max(count * kinds), count * kinds);
     for (row, equation) in held.iter().enumerate() {
         for &(unknown, coefficient) in equation {
-            let (part, values) = about(unknown);
-            for (kind, value) in values.iter().enumerate() {
-                matrix[(row, part * kinds + kind)] += coefficient * value;
+            for kind in 0..kinds {
+                let (column, value) = about(unknown, kind);
+                matrix[(row, column)] += coefficient * value;
             }
         }
     }
     null_space(matrix)
         .into_iter()
-        .map(|vector| describe(model, &vector, kinds, &spans, &centres))
+        .map(|vector| describe(model, &vector, &spans, &centres))
         .collect()
 }
 
@@ -99,30 +93,27 @@ fn null_space(mut matrix: DMatrix<f64>) -> Vec<Vec<f64>> {
         .collect()
 }
 
-fn describe<const D: usize>(
-    model: &impl Model<D>,
+fn describe<const D: usize, T: Model<D>>(
+    model: &T,
     vector: &[f64],
-    kinds: usize,
     spans: &[[usize; 2]],
     centres: &[Point],
 ) -> FreeMotion {
+    let kinds = T::RIGID_MOTIONS.len();
     // Motions of different units are compared by how far they move the ends of a part.
     let reach = |part: usize, kind: usize| {
         let (x, c) = (model.position(spans[part][1]), centres[part]);
-        let motion = &model.rigid_motions(std::array::from_fn(|k| x[k] - c[k]))[kind];
-        motion.values.iter().fold(0.0, |a: f64, v| a.max(v.abs())) * vector[part * kinds + kind].abs()
+        let motion = model.rigid_motion(kind, std::array::from_fn(|k| x[k] - c[k]));
+        motion.iter().fold(0.0, |a: f64, v| a.max(v.abs())) * vector[part * kinds + kind].abs()
     };
     let sizes: Vec<f64> = (0..vector.len()).map(|k| reach(k / kinds, k % kinds)).collect();
     let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let moves = |part: usize| (0..kinds).any(|k| sizes[part * kinds + k] > 1e-6 * largest);
     let moving: Vec<usize> = (0..spans.len()).filter(|&part| moves(part)).collect();
     let first = moving.first().copied().unwrap_or(0);
-    let motions = model
-        .rigid_motions(centres[first])
-        .iter()
-        .enumerate()
-        .filter(|(k, _)| sizes[first * kinds + k] > 1e-6 * largest)
-        .map(|(k, m)| (m.name, vector[first * kinds + k]))
+    let motions = (0..kinds)
+        .filter(|k| sizes[first * kinds + k] > 1e-6 * largest)
+        .map(|k| (T::RIGID_MOTIONS[k], vector[first * kinds + k]))
         .collect();
     FreeMotion {
         parts: moving.iter().map(|&p| spans[p]).collect(),

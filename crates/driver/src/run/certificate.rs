@@ -39,68 +39,37 @@ pub struct Certificate {
 const CONVERGED: f64 = 1e-8;
 
 /// Certifies a solution.
-pub(super) fn certify<const D: usize>(
-    model: &impl Model<D>,
+pub(super) fn certify<const D: usize, T: Model<D>>(
+    model: &T,
     system: &System<D>,
     load: &[f64],
     solution: &StateSolution,
 ) -> Certificate {
-    let n = system.points();
-    let (u, imbalance) = (&solution.u, &solution.imbalance);
-    let mut free = imbalance.clone();
-    system.constraints().restrict(&mut free);
+    let u = &solution.u;
     let actions = system.largest_action(u);
-    let residual = (0..D)
-        .map(|c| {
-            let largest = free[c * n..(c + 1) * n]
-                .iter()
-                .fold(0.0_f64, |a, r| a.max(r.abs()));
-            if largest == 0.0 { 0.0 } else { largest / actions[c] }
-        })
-        .fold(0.0, f64::max);
+    let relative = |(&r, a): (&f64, f64)| if r == 0.0 { 0.0 } else { r / a };
+    let residual = solution.residual.iter().zip(actions).map(relative).fold(0.0, f64::max);
     let energy = system.energy(u);
-    let reactions = reactions(system, u, imbalance);
     let mut work = Sum::default();
     u.iter().zip(load).for_each(|(u, f)| work.add(0.5 * u * f));
-    reactions
-        .constraint
-        .iter()
-        .for_each(|&(k, r)| work.add(0.5 * u[k] * r));
+    solution.held.iter().for_each(|&(k, r)| work.add(0.5 * u[k] * r));
     let scale = energy.abs().max(work.total().abs());
-    let energy_balance = if scale == 0.0 {
-        0.0
-    } else {
-        (energy - work.total()).abs() / scale
-    };
-    let settled = !matches!(
-        solution.status,
-        PcgStatus::NotFinite | PcgStatus::IndefiniteOperator
-    );
+    let energy_balance = if scale == 0.0 { 0.0 } else { (energy - work.total()).abs() / scale };
+    let settled = !matches!(solution.status, PcgStatus::NotFinite | PcgStatus::IndefiniteOperator);
     Certificate {
         converged: settled && solution.next_correction <= CONVERGED && energy.is_finite(),
         residual,
         next_correction: solution.next_correction,
         first_correction: solution.first_correction,
-        balance: balance(model, load, &reactions),
+        balance: balance(model, load, solution.held.iter().copied().chain(ground(system, u))),
         energy_balance,
         energy,
     }
 }
 
-/// Forces on the body other than loads, by unknown.
-struct Reactions {
-    constraint: Vec<(usize, f64)>,
-    ground: Vec<(usize, f64)>,
-}
-
-/// Forces of constraints on the unknowns they hold and on their masters, and of terms that are tied to the ground.
-fn reactions<const D: usize>(system: &System<D>, u: &[f64], imbalance: &[f64]) -> Reactions {
-    let rows = system.constraints().rows();
-    let mut held: Vec<usize> = rows.iter().map(|r| r.unknown).collect();
-    held.extend(rows.iter().flat_map(|r| r.masters.iter().map(|m| m.0)));
-    held.sort_unstable();
-    held.dedup();
-    let mut ground = Vec::new();
+/// Forces on the body of the terms that are tied to the ground, by unknown.
+fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usize, f64)> {
+    let mut forces = Vec::new();
     for term in system.terms() {
         let mut unknowns = Vec::new();
         term.grounded(&mut |component, point| unknowns.push(component * system.points() + point));
@@ -109,55 +78,37 @@ fn reactions<const D: usize>(system: &System<D>, u: &[f64], imbalance: &[f64]) -
             unknowns.dedup();
             let mut force = vec![0.0; system.size()];
             term.add_force(u, &mut force);
-            ground.extend(unknowns.into_iter().map(|k| (k, -force[k])));
+            forces.extend(unknowns.into_iter().map(|k| (k, -force[k])));
         }
     }
-    Reactions {
-        constraint: held.into_iter().map(|k| (k, imbalance[k])).collect(),
-        ground,
-    }
+    forces
 }
 
-fn balance<const D: usize>(model: &impl Model<D>, load: &[f64], reactions: &Reactions) -> Vec<Balance> {
+/// Work of all forces on the body in every rigid motion, over the sum of the magnitudes.
+fn balance<const D: usize, T: Model<D>>(
+    model: &T,
+    load: &[f64],
+    reactions: impl Iterator<Item = (usize, f64)>,
+) -> Vec<Balance> {
     let n = model.points();
     // Rotations about the first point: a far origin would hide an imbalance behind large arms.
     let origin = model.position(0);
-    let values = |point: usize| {
-        let x = model.position(point);
-        model.rigid_motions(std::array::from_fn(|k| x[k] - origin[k]))
-    };
-    let names: Vec<&'static str> = values(0).iter().map(|m| m.name).collect();
-    let mut sums = vec![(Sum::default(), 0.0_f64); names.len()];
+    let mut sums = vec![(Sum::default(), 0.0_f64); T::RIGID_MOTIONS.len()];
     let mut add = |unknown: usize, force: f64| {
         if force != 0.0 {
-            for (sum, motion) in sums.iter_mut().zip(values(unknown % n)) {
-                let work = motion.values[unknown / n] * force;
+            let x = model.position(unknown % n);
+            let arm = std::array::from_fn(|k| x[k] - origin[k]);
+            for (kind, sum) in sums.iter_mut().enumerate() {
+                let work = model.rigid_motion(kind, arm)[unknown / n] * force;
                 sum.0.add(work);
                 sum.1 += work.abs();
             }
         }
     };
     load.iter().enumerate().for_each(|(k, &f)| add(k, f));
-    reactions
-        .constraint
-        .iter()
-        .chain(&reactions.ground)
-        .for_each(|&(k, f)| add(k, f));
-    let relative = |(sum, scale): (Sum, f64)| {
-        if scale == 0.0 {
-            0.0
-        } else {
-            sum.total().abs() / scale
-        }
-    };
-    names
-        .into_iter()
-        .zip(sums)
-        .map(|(motion, sum)| Balance {
-            motion,
-            relative: relative(sum),
-        })
-        .collect()
+    reactions.for_each(|(k, f)| add(k, f));
+    let relative = |(sum, scale): (Sum, f64)| if scale == 0.0 { 0.0 } else { sum.total().abs() / scale };
+    T::RIGID_MOTIONS.iter().zip(sums).map(|(&motion, sum)| Balance { motion, relative: relative(sum) }).collect()
 }
 
 /// Compensated sum (Neumaier): the imbalance of a million terms is far below their rounding otherwise.

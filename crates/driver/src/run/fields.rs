@@ -7,6 +7,7 @@ use crate::scene::Scene;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::BeamFields;
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// What a support does to the beam.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -57,7 +58,6 @@ pub struct StateResult {
 pub(super) fn result(
     scene: &Scene,
     index: usize,
-    load: &[f64],
     solution: StateSolution,
     certificate: Certificate,
     recover: bool,
@@ -65,6 +65,7 @@ pub(super) fn result(
     let state = &scene.states[index];
     let (beam, n) = (&scene.beam, scene.beam.points());
     let u = solution.u;
+    let forces: HashMap<usize, f64> = solution.held.into_iter().collect();
     let line = |c: usize| {
         let chain = &beam.chains()[c];
         LineFields {
@@ -82,7 +83,7 @@ pub(super) fn result(
             let of = |component: usize| {
                 let k = component * n + point;
                 match (h.prescribed[component], h.springs[component]) {
-                    (Some(_), _) => solution.imbalance[k],
+                    (Some(_), _) => forces.get(&k).copied().unwrap_or(0.0),
                     (None, Some(stiffness)) => -stiffness * u[k],
                     (None, None) => 0.0,
                 }
@@ -97,7 +98,6 @@ pub(super) fn result(
             )
         })
         .unzip();
-    debug_assert_eq!(load.len(), u.len());
     StateResult {
         index,
         name: state.name.clone(),

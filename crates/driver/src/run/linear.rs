@@ -4,7 +4,7 @@ use super::{Counters, Timing};
 use crate::case::Solver;
 use peristat_assembly::system::{Assembled, System};
 use peristat_solve::{
-    BandCholesky, BandMatrix, FactorError, LinearOperator, Method, Pcg, PcgOptions, PcgReport, PcgStatus,
+    BandCholesky, BandMatrix, FactorError, LinearOperator, Method, Pcg, PcgOptions, PcgStatus,
     Preconditioner, Profile, SparseCholesky, choose,
 };
 use sprs::CsMat;
@@ -62,8 +62,10 @@ pub struct SolverReport {
 pub(super) struct StateSolution {
     /// `D` component planes.
     pub(super) u: Vec<f64>,
-    /// `F(u) − load`, not restricted: forces of constraints, and the residual elsewhere.
-    pub(super) imbalance: Vec<f64>,
+    /// Forces of the constraints on the unknowns they hold and on their masters, by number of the unknown.
+    pub(super) held: Vec<(usize, f64)>,
+    /// Largest element-wise residual per component, constrained unknowns left out.
+    pub(super) residual: Vec<f64>,
     /// The correction that one more solve with the factor would make, relative to the unknowns, per component.
     pub(super) next_correction: f64,
     /// Size of all corrections after the first solve with the factor, relative to the solution, in energy norm.
@@ -79,6 +81,8 @@ pub struct LinearSolver<'a, const D: usize> {
     system: &'a System<D>,
     factor: Box<dyn Preconditioner>,
     pcg: Pcg,
+    residual: Vec<f64>,
+    correction: Vec<f64>,
     report: SolverReport,
     counters: Counters,
 }
@@ -142,6 +146,8 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             system,
             factor,
             pcg: Pcg::new(system.size()),
+            residual: vec![0.0; system.size()],
+            correction: vec![0.0; system.size()],
             report,
             counters,
         })
@@ -163,43 +169,39 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     /// pass is nearly always the last; with them the first residual is that of a sudden jump and carries its rounding,
     /// so a second pass starts from the smooth solution.
     pub(super) fn solve(&mut self, load: &[f64], motion_factor: f64) -> StateSolution {
-        let system = self.system;
-        let constraints = system.constraints();
-        let size = system.size();
-        let mut u = vec![0.0; size];
-        let mut residual = load.to_vec();
-        let mut correction = vec![0.0; size];
-        if constraints.moves() {
-            constraints.expand(motion_factor, &mut u);
-            system.force(&u, &mut residual);
-            residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
-        }
+        let constraints = self.system.constraints();
         let mut solution = StateSolution {
-            u: Vec::new(),
-            imbalance: Vec::new(),
+            u: vec![0.0; self.system.size()],
+            held: Vec::new(),
+            residual: Vec::new(),
             next_correction: f64::INFINITY,
             first_correction: 0.0,
             iterations: 0,
             status: PcgStatus::Converged,
         };
+        let operator = Elementwise(self.system);
+        if constraints.moves() {
+            constraints.expand(motion_factor, &mut solution.u);
+            self.refresh_residual(load, &solution.u);
+        } else {
+            self.residual.copy_from_slice(load);
+        }
+        constraints.restrict(&mut self.residual);
         for pass in 0..PASSES {
-            constraints.restrict(&mut residual);
-            let report = self.pass(&residual, &mut correction);
+            let (factor, options) = (&mut *self.factor, PcgOptions::default());
+            let report = self.pcg.solve(&operator, factor, &self.residual, &mut self.correction, &options);
             if pass == 0 {
                 solution.first_correction = report.first_correction;
             }
             solution.iterations += report.iterations;
             solution.status = report.status;
-            constraints.expand(0.0, &mut correction);
-            u.iter_mut().zip(&correction).for_each(|(u, d)| *u += d);
-            // The imbalance of the sum, kept whole for reactions; its free part is the next right-hand side.
-            system.force(&u, &mut residual);
-            residual.iter_mut().zip(load).for_each(|(r, f)| *r -= f);
-            solution.imbalance.clone_from(&residual);
-            residual.iter_mut().for_each(|r| *r = -*r);
-            constraints.restrict(&mut residual);
-            self.factor.apply(&residual, &mut correction);
-            let next = relative_size::<D>(&correction, &u);
+            constraints.expand(0.0, &mut self.correction);
+            solution.u.iter_mut().zip(&self.correction).for_each(|(u, d)| *u += d);
+            self.refresh_residual(load, &solution.u);
+            solution.held = self.constraint_forces();
+            constraints.restrict(&mut self.residual);
+            self.factor.apply(&self.residual, &mut self.correction);
+            let next = relative_size::<D>(&self.correction, &solution.u);
             let settled = next <= CONVERGED && !(pass == 0 && constraints.moves());
             let stalled = next >= 0.1 * solution.next_correction;
             solution.next_correction = next;
@@ -207,22 +209,28 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
                 break;
             }
         }
+        let n = self.system.points();
+        solution.residual = (0..D).map(|c| largest(&self.residual[c * n..][..n])).collect();
         self.counters.right_hand_sides += 1;
         self.counters.pcg_iterations += solution.iterations;
         self.report.iterations.push(solution.iterations);
-        solution.u = u;
         solution
     }
 
-    fn pass(&mut self, residual: &[f64], correction: &mut [f64]) -> PcgReport {
-        let operator = Elementwise(self.system);
-        self.pcg.solve(
-            &operator,
-            &mut *self.factor,
-            residual,
-            correction,
-            &PcgOptions::default(),
-        )
+    /// The residual `load − F(u)`, whole: forces of constraints, negative, on what they hold.
+    fn refresh_residual(&mut self, load: &[f64], u: &[f64]) {
+        self.system.force(u, &mut self.residual);
+        self.residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
+    }
+
+    /// Forces of constraints from a whole residual, on the unknowns they hold and on their masters.
+    fn constraint_forces(&self) -> Vec<(usize, f64)> {
+        let rows = self.system.constraints().rows();
+        let mut held: Vec<usize> = rows.iter().map(|r| r.unknown).collect();
+        held.extend(rows.iter().flat_map(|r| r.masters.iter().map(|m| m.0)));
+        held.sort_unstable();
+        held.dedup();
+        held.into_iter().map(|k| (k, -self.residual[k])).collect()
     }
 }
 
@@ -248,18 +256,16 @@ fn lifted<const D: usize>(system: &System<D>, solver: Solver) -> Result<BandChol
     BandCholesky::factor(matrix, D)
 }
 
+/// Largest magnitude; infinite if an entry is not a number.
+fn largest(v: &[f64]) -> f64 {
+    v.iter().fold(0.0, |a, x| if x.abs() <= a { a } else if x.is_nan() { f64::INFINITY } else { x.abs() })
+}
+
 /// Largest entry of `part` over the largest of `whole`, the worst of the components; 0 where both vanish.
 fn relative_size<const D: usize>(part: &[f64], whole: &[f64]) -> f64 {
     let n = whole.len() / D;
-    let largest = |v: &[f64]| {
-        v.iter().fold(
-            0.0_f64,
-            |a, x| if x.is_nan() { f64::INFINITY } else { a.max(x.abs()) },
-        )
-    };
-    (0..D)
-        .map(|c| (largest(&part[c * n..][..n]), largest(&whole[c * n..][..n])))
-        .fold(0.0, |worst, (p, w)| worst.max(if p == 0.0 { 0.0 } else { p / w }))
+    let component = |c: usize| (largest(&part[c * n..][..n]), largest(&whole[c * n..][..n]));
+    (0..D).map(component).fold(0.0, |worst, (p, w)| worst.max(if p == 0.0 { 0.0 } else { p / w }))
 }
 
 /// The constrained stiffness in the layout of the method that suits it.

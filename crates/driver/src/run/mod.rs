@@ -236,7 +236,7 @@ pub fn run(
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();
-        let result = fields::result(scene, index, &load, solution, certificate, recover);
+        let result = fields::result(scene, index, solution, certificate, recover);
         timing.recover += begin.elapsed().as_secs_f64();
         sink(result)?;
     }

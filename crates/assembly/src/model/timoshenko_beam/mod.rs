@@ -30,7 +30,7 @@ pub use weights::{VolumeFactor, bond_weights};
 
 use self::bond_law::{BondLaw, BondShear};
 use self::end_treatment::EndTreatment;
-use super::{Model, RigidMotion};
+use super::Model;
 use crate::bonds::{BondGeometry, BondModel, Point, Rows};
 use crate::condition::Equation;
 use crate::stiffness::{Lattice, LatticeBonds, Term};
@@ -203,6 +203,7 @@ fn lattice_bonds(
 
 impl Model<2> for TimoshenkoBeam {
     const UNKNOWNS: [&'static str; 2] = ["w", "phi"];
+    const RIGID_MOTIONS: &'static [&'static str] = &["translation along w", "rotation"];
 
     fn points(&self) -> usize {
         self.points
@@ -230,16 +231,7 @@ impl Model<2> for TimoshenkoBeam {
         self.chains.iter().zip(&self.bonds).flat_map(of).collect()
     }
 
-    fn rigid_motions(&self, position: Point) -> Vec<RigidMotion<2>> {
-        vec![
-            RigidMotion {
-                name: "translation along w",
-                values: [1.0, 0.0],
-            },
-            RigidMotion {
-                name: "rotation",
-                values: [position[0], 1.0],
-            },
-        ]
+    fn rigid_motion(&self, kind: usize, position: Point) -> [f64; 2] {
+        if kind == 0 { [1.0, 0.0] } else { [position[0], 1.0] }
     }
 }
