@@ -71,6 +71,12 @@ pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
     }
 }
 
+/// Whether every value of a state that a folder would hold is a number.
+pub fn finite(result: &StateResult) -> bool {
+    let values = FIELDS.iter().filter_map(|&f| all(result, f));
+    result.u.iter().all(|u| u.is_finite()) && values.flatten().all(|v| v.is_finite())
+}
+
 impl Results {
     /// Makes the folder, removes an earlier run from it and writes `case.json`.
     ///
@@ -99,7 +105,7 @@ impl Results {
         })
     }
 
-    /// Writes one state.
+    /// Writes one state, the values of which must be [`finite`].
     ///
     /// # Errors
     /// The folder cannot be written.

@@ -27,29 +27,34 @@ pub use report::{PcgOptions, PcgReport, PcgStatus};
 /// The vectors of the iteration, kept from one right-hand side to the next.
 #[derive(Debug, Clone)]
 pub struct Pcg {
-    residual: Vec<f64>,
     preconditioned: Vec<f64>,
     direction: Vec<f64>,
     image: Vec<f64>,
 }
 
 impl Pcg {
-    /// Vectors of length `size`, four of them.
+    /// Vectors of length `size`, three of them.
     #[must_use]
     pub fn new(size: usize) -> Self {
         Self {
-            residual: vec![0.0; size],
             preconditioned: vec![0.0; size],
             direction: vec![0.0; size],
             image: vec![0.0; size],
         }
     }
 
-    /// Solves `A x = b` from `x = 0`; `x` is overwritten.
+    /// `M^-1 r` in a vector of the iteration, valid until the next call: the correction that the preconditioner alone
+    /// would make.
+    pub fn precondition(&mut self, m: &mut dyn Preconditioner, r: &[f64]) -> &[f64] {
+        m.apply(r, &mut self.preconditioned);
+        &self.preconditioned
+    }
+
+    /// Adds to `x` the solution `d` of `A d = residual` and leaves the residual of the sum in `residual`.
     ///
-    /// The last iterate is returned whatever the status: every step lowers the
-    /// energy `x . A x / 2 - b . x`, so no earlier one is better. A zero
-    /// right-hand side gives `x = 0` after no iterations.
+    /// With `x = 0` and the right-hand side as `residual` this solves `A x = b`. The last iterate is returned whatever
+    /// the status: every step lowers the energy `d . A d / 2 - residual . d`, so no earlier one is better. A zero
+    /// residual adds nothing after no iterations.
     ///
     /// # Panics
     ///
@@ -58,21 +63,19 @@ impl Pcg {
         &mut self,
         op: &dyn LinearOperator,
         m: &mut dyn Preconditioner,
-        b: &[f64],
+        residual: &mut [f64],
         x: &mut [f64],
         options: &PcgOptions,
     ) -> PcgReport {
-        let size = self.residual.len();
-        let lengths = [op.size(), m.size(), b.len(), x.len()];
+        let size = self.direction.len();
+        let lengths = [op.size(), m.size(), residual.len(), x.len()];
         assert!(lengths.iter().all(|l| *l == size), "vectors of one length");
-        x.fill(0.0);
         let mut watch = Watch::new(options);
-        if b.iter().all(|v| *v == 0.0) {
+        if residual.iter().all(|v| *v == 0.0) {
             return watch.report(PcgStatus::Converged);
         }
-        self.residual.copy_from_slice(b);
-        m.apply(&self.residual, &mut self.preconditioned);
-        let mut rz = dot(&self.residual, &self.preconditioned);
+        m.apply(residual, &mut self.preconditioned);
+        let mut rz = dot(residual, &self.preconditioned);
         if let Some(status) = watch.start(rz) {
             return watch.report(status);
         }
@@ -84,9 +87,9 @@ impl Pcg {
                 return watch.report(status);
             }
             let step = rz / curvature;
-            subtract(&mut self.residual, step, &self.image);
-            m.apply(&self.residual, &mut self.preconditioned);
-            let (next, overlap) = dot_pair(&self.preconditioned, &self.residual, &self.image);
+            subtract(residual, step, &self.image);
+            m.apply(residual, &mut self.preconditioned);
+            let (next, overlap) = dot_pair(&self.preconditioned, residual, &self.image);
             if let Some(status) = watch.step(step, rz, next) {
                 add(x, step, &self.direction);
                 return watch.report(status);

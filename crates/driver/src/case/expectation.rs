@@ -137,7 +137,7 @@ pub struct Limit {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Baseline {
-    /// CSV file with columns `x` and the field, relative to the case: a `points.csv` of an earlier run will do.
+    /// CSV file with columns `x` and the field, relative to the case: a file of the folder `fields` of an earlier run will do.
     pub file: String,
     /// Field that is compared.
     pub field: FieldName,

@@ -202,7 +202,7 @@ fn probes(out: &mut String, summary: &Summary) {
                 p.state.clone(),
                 p.field.name().into(),
                 number(p.x),
-                format!("{}", p.value),
+                format!("{:?}", p.value),
             ]
         })
         .collect();

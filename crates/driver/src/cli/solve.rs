@@ -3,7 +3,7 @@
 use super::args::{Global, Run};
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use crate::output::matrix_market;
-use crate::results::{Results, admit};
+use crate::results::{Results, admit, finite};
 use crate::run::{RunOptions, sizes, system};
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
@@ -53,6 +53,12 @@ pub(super) fn solve_into(loaded: &Loaded, folder: &Path, global: &Global) -> Res
         max_memory: global.max_memory,
     };
     let summary = loaded.run(&options, &mut |scene, result| {
+        if !finite(&result) {
+            return Err(io::Error::new(
+                io::ErrorKind::InvalidData,
+                "the results do not fit into double precision\nhint: choose units in which all numbers are moderate",
+            ));
+        }
         let results = match &mut results {
             Some(results) => results,
             None => results.insert(Results::begin(folder, scene).map_err(at)?),

@@ -118,6 +118,7 @@ fn misfit(text: &str, path: JsonPath, raw: &str) -> Diagnostic {
     {
         return Diagnostic::error(path, list_length(length, expected));
     }
+    let is_position = expected == "struct At";
     let expected = expectation(expected);
     let message = match value {
         Some(value) if value.bytes().all(|b| b.is_ascii_digit()) && expected.contains("whole") => {
@@ -127,7 +128,9 @@ fn misfit(text: &str, path: JsonPath, raw: &str) -> Diagnostic {
         None => format!("expected {expected}"),
     };
     let mut diagnostic = Diagnostic::error(path, message);
-    if expected == NO_VALUES {
+    if let Some(x) = value.filter(|v| is_position && v.parse::<f64>().is_ok()) {
+        diagnostic.hint(format!("a position is written {{ \"x\": {} }}", clip(x, FOUND)));
+    } else if expected == NO_VALUES {
         diagnostic.hint("write the name alone, as a string");
     } else if expected.contains("whole") && value.is_some_and(|v| v.contains(['.', 'e', 'E'])) {
         diagnostic.hint("write it without a point or exponent");

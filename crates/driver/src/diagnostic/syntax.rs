@@ -68,6 +68,9 @@ fn words(raw: &str, found: &str) -> (&'static str, &'static str) {
         "expected `:`" => ("expected `:` after a key, found {}", ""),
         "expected `,` or `}`" => ("expected `,` or `}`, found {}", COMMA),
         "expected `,` or `]`" => ("expected `,` or `]`, found {}", COMMA),
+        "key must be a string" if ["/", "#"].contains(&found) => {
+            ("expected a key, found {}", "JSON has no comments")
+        }
         "key must be a string" => ("a key must stand in double quotes", ""),
         "trailing characters" => ("text after the end of the case", "a bracket too many?"),
         "invalid escape" => ("invalid escape in a string", "a backslash is written `\\\\`"),

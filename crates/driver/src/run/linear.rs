@@ -82,7 +82,6 @@ pub struct LinearSolver<'a, const D: usize> {
     factor: Box<dyn Preconditioner>,
     pcg: Pcg,
     residual: Vec<f64>,
-    correction: Vec<f64>,
     report: SolverReport,
     counters: Counters,
 }
@@ -147,7 +146,6 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             factor,
             pcg: Pcg::new(system.size()),
             residual: vec![0.0; system.size()],
-            correction: vec![0.0; system.size()],
             report,
             counters,
         })
@@ -189,19 +187,18 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         constraints.restrict(&mut self.residual);
         for pass in 0..PASSES {
             let (factor, options) = (&mut *self.factor, PcgOptions::default());
-            let report = self.pcg.solve(&operator, factor, &self.residual, &mut self.correction, &options);
+            let report = self.pcg.solve(&operator, factor, &mut self.residual, &mut solution.u, &options);
             if pass == 0 {
                 solution.first_correction = report.first_correction;
             }
             solution.iterations += report.iterations;
             solution.status = report.status;
-            constraints.expand(0.0, &mut self.correction);
-            solution.u.iter_mut().zip(&self.correction).for_each(|(u, d)| *u += d);
+            constraints.expand(motion_factor, &mut solution.u);
             self.refresh_residual(load, &solution.u);
             solution.held = self.constraint_forces();
             constraints.restrict(&mut self.residual);
-            self.factor.apply(&self.residual, &mut self.correction);
-            let next = relative_size::<D>(&self.correction, &solution.u);
+            let correction = self.pcg.precondition(&mut *self.factor, &self.residual);
+            let next = relative_size::<D>(correction, &solution.u);
             let settled = next <= CONVERGED && !(pass == 0 && constraints.moves());
             let stalled = next >= 0.1 * solution.next_correction;
             solution.next_correction = next;

@@ -82,7 +82,7 @@ pub(super) fn material(case: &mut Case, faults: &mut Faults) -> Option<(BeamPara
         end_treatment,
     };
     let product = parameters.bending_stiffness * parameters.shear_stiffness;
-    if fine && !(product.is_normal() && parameters.bending_stiffness.is_normal()) {
+    if fine && !faults.has_errors() && !(product.is_normal() && parameters.bending_stiffness.is_normal()) {
         faults
             .error(
                 path.clone(),
@@ -143,7 +143,10 @@ fn section_fault(beam: &Beam, error: &SectionError, path: &JsonPath, faults: &mu
             path.key("section").key(shape).key(*name)
         }
     };
-    faults.error(place, error.to_string());
+    let fault = faults.error(place, error.to_string());
+    if *error == SectionError::NoCowper {
+        fault.hint("leave `shear_correction` out: the section gives its own `kappa`");
+    }
 }
 
 fn treatment(

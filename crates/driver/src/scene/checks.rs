@@ -1,7 +1,7 @@
 //! Probes and checks of a scene.
 
 use super::facts::facts;
-use super::place::Frame;
+use super::place::{Frame, tidy};
 use super::{HeldPoint, State, root};
 use crate::case::{Case, Check, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
@@ -269,7 +269,9 @@ fn closed_form(
         return None;
     };
     let Some(facts) = facts(context.beam, context.held, &context.states[state]) else {
-        faults.error(path.key("name"), "closed forms are for a body of one line");
+        faults
+            .error(path.key("name"), "closed forms are for a body of one line")
+            .hint("compare a probe with a number by a `value` check");
         return None;
     };
     match (reference.build)(&facts) {
@@ -288,10 +290,12 @@ fn closed_form(
         }
         Ok(solution) => Some(solution),
         Err(mismatch) => {
-            faults.error(
-                path.key("name"),
-                format!("`{}` does not fit this case: {mismatch}", check.name),
-            );
+            faults
+                .error(
+                    path.key("name"),
+                    format!("`{}` does not fit this case: {mismatch}", check.name),
+                )
+                .hint("`peristat list references` says what each is for");
             None
         }
     }
@@ -303,10 +307,10 @@ fn probe(context: &Context, name: &str, path: &JsonPath, faults: &mut Faults) ->
     if found.is_none() && !context.case.probes.iter().any(|p| p.name == name) {
         faults
             .error(path.key("probe"), format!("there is no probe `{name}`"))
-            .hint(super::body::suggest(
-                name,
-                context.probes.iter().map(|p| p.name.as_str()),
-            ));
+            .hint(match context.case.probes.as_slice() {
+                [] => "the case has no `probes`: add one of this name".into(),
+                probes => super::body::suggest(name, probes.iter().map(|p| p.name.as_str())),
+            });
     }
     found
 }
@@ -321,21 +325,47 @@ fn stored(
     let text = match std::fs::read_to_string(&file) {
         Ok(text) => text,
         Err(error) => {
+            let reason = match error.kind() {
+                std::io::ErrorKind::NotFound => "does not exist".into(),
+                _ => format!("cannot be read: {error}"),
+            };
             faults
                 .error(
                     path.key("file"),
-                    format!("the baseline {} cannot be read: {error}", check.file),
+                    format!("the baseline {} {reason}", check.file),
                 )
-                .hint("the path is relative to the case; `points.csv` of an earlier run is a baseline");
+                .hint("the path is relative to the case; `fields/step_000.csv` of an earlier run is a baseline");
             return None;
         }
     };
-    match columns(&text, check.field.name()) {
+    let fitting = |stored| fits(stored, context.beam);
+    match columns(&text, check.field.name()).and_then(fitting) {
         Ok(stored) => Some(stored),
         Err(reason) => {
             faults.error(path.key("file"), format!("the baseline {} {reason}", check.file));
             None
         }
+    }
+}
+
+/// Stored values, if they are at the points of the beam.
+fn fits(stored: Vec<(f64, f64)>, beam: &TimoshenkoBeam) -> Result<Vec<(f64, f64)>, String> {
+    let chains = beam.chains().iter();
+    let points: Vec<(f64, f64)> = chains
+        .flat_map(|c| (0..c.points).map(|k| (c.position(c.ghosts[0] + k), c.spacing)))
+        .collect();
+    if stored.len() != points.len() {
+        let (rows, points) = (stored.len(), points.len());
+        return Err(format!("has {rows} rows, and the beam has {points} points"));
+    }
+    let apart = |(s, p): &(&(f64, f64), &(f64, f64))| (s.0 - p.0).abs() > 1e-6 * p.1;
+    match stored.iter().zip(&points).find(apart) {
+        Some((s, p)) => Err(format!(
+            "has a row at x = {}, where the beam has its point at {}",
+            tidy(s.0),
+            tidy(p.0)
+        )),
+        None => Ok(stored),
     }
 }
 

@@ -150,10 +150,12 @@ fn add_distributed(
     let places: Vec<Option<Place>> = places.collect();
     let [Some(a), Some(b)] = places[..] else { return };
     if a.chain() != b.chain() {
-        faults.error(
-            path.clone(),
-            format!("a load from x = {from} to {end} spans a gap between lines"),
-        );
+        faults
+            .error(
+                path.clone(),
+                format!("a load from x = {from} to {end} spans a gap between lines"),
+            )
+            .hint("give one load per line");
         return;
     }
     if from >= end {
@@ -204,7 +206,9 @@ pub(super) fn states(case: &Case, cases: Vec<ResolvedLoads>, faults: &mut Faults
                 .hint("steps apply to plain `loads`; give a load case per step instead");
         }
         if steps.load_factors.is_empty() {
-            faults.error(path, "`load_factors` is empty");
+            faults
+                .error(path, "`load_factors` is empty")
+                .hint("for example [0.5, 1.0]; without `steps` the loads act at once");
         }
         let loads = cases.into_iter().next().unwrap_or_default().loads;
         let step = |(k, &factor): (usize, &f64)| State {
@@ -214,6 +218,12 @@ pub(super) fn states(case: &Case, cases: Vec<ResolvedLoads>, faults: &mut Faults
             loads: loads.scaled(factor),
         };
         return steps.load_factors.iter().enumerate().map(step).collect();
+    }
+    if case.load_cases.is_empty() && !case.combinations.is_empty() {
+        faults
+            .error(root("combinations"), "`combinations` need `load_cases`")
+            .hint("a combination is a sum of named load cases: move the loads into some");
+        return Vec::new();
     }
     let combined: Vec<State> = case
         .combinations
@@ -237,7 +247,9 @@ fn combination(case: &Case, index: usize, cases: &[ResolvedLoads], faults: &mut 
     let taken =
         cases.iter().any(|c| c.name == name) || case.combinations[..index].iter().any(|c| c.name == name);
     if taken {
-        faults.error(path.key("name"), format!("the name `{name}` is taken"));
+        faults
+            .error(path.key("name"), format!("the name `{name}` is taken"))
+            .hint("load cases and combinations must differ in their names");
     }
     if combination.factors.is_empty() {
         faults.error(

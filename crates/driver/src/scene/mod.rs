@@ -4,6 +4,7 @@ mod body;
 mod checks;
 mod facts;
 mod loads;
+mod numbers;
 mod place;
 mod supports;
 mod warnings;
@@ -91,6 +92,7 @@ impl Scene {
 
     /// The scene without the faults; `None` if they leave nothing to build on.
     fn resolve(case: &mut Case, folder: &Path, faults: &mut Faults) -> Option<Self> {
+        numbers::check(case, faults);
         let material = body::material(case, faults);
         let frame = body::frame(case, faults)?;
         let (held, springs, ends) = supports::held(case, &frame, faults);

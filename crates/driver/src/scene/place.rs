@@ -112,10 +112,10 @@ impl Frame {
             let extent: Vec<String> = self
                 .lines
                 .iter()
-                .map(|l| format!("x = {} to {}", l.from, l.to()))
+                .map(|l| format!("x = {} to {}", tidy(l.from), tidy(l.to())))
                 .collect();
             faults
-                .error(path.clone(), format!("{what} at x = {x} is off the beam"))
+                .error(path.clone(), format!("{what} at x = {} is off the beam", tidy(x)))
                 .hint(format!("the beam is at {}", extent.join(" and at ")));
             return None;
         };
@@ -137,7 +137,7 @@ impl Frame {
         let line = &self.lines[chain];
         let below = (line.coordinate(x).floor().max(0.0) as usize).min(line.points() - 1);
         let above = (below + 1).min(line.points() - 1);
-        let near = [below, above].map(|p| line.position(p).to_string());
+        let near = [below, above].map(|p| tidy(line.position(p)));
         let mut hint = format!("the nearest points are at x = {} and {}", near[0], near[1]);
         if let Some(cells) = cells_with_point(line, x) {
             hint += &format!("; with {cells} cells there is one at {x}");
@@ -145,6 +145,17 @@ impl Frame {
         faults
             .error(path.clone(), format!("{what} at x = {x} is between two points"))
             .hint(hint);
+    }
+}
+
+/// A number for a message: without the last digits, which rounding left, and not longer than it must be.
+pub(super) fn tidy(value: f64) -> String {
+    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
+    let (plain, scientific) = (rounded.to_string(), format!("{rounded:e}"));
+    if plain.len() <= scientific.len() + 6 {
+        plain
+    } else {
+        scientific
     }
 }
 
@@ -157,4 +168,18 @@ fn cells_with_point(line: &FrameLine, x: f64) -> Option<usize> {
                 .find(|&n| ((z * n as f64).round() - z * n as f64).abs() < 1e-9)
         })
         .flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::tidy;
+
+    #[test]
+    fn a_number_in_a_message_has_no_rounding_digits_and_no_row_of_zeros() {
+        assert_eq!(tidy(0.1 + 0.2), "0.3");
+        assert_eq!(tidy(20.0 * 0.05 - 0.05), "0.95");
+        assert_eq!(tidy(1e100), "1e100");
+        assert_eq!(tidy(-1e-100), "-1e-100");
+        assert_eq!(tidy(12_345.678_9), "12345.6789");
+    }
 }

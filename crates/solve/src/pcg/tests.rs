@@ -65,8 +65,8 @@ fn wavy(n: usize) -> Vec<f64> {
 }
 
 fn run(op: &Chain, m: &mut dyn Preconditioner, b: &[f64]) -> (PcgReport, Vec<f64>) {
-    let mut x = vec![f64::NAN; b.len()];
-    let report = Pcg::new(b.len()).solve(op, m, b, &mut x, &PcgOptions::default());
+    let mut x = vec![0.0; b.len()];
+    let report = Pcg::new(b.len()).solve(op, m, &mut b.to_vec(), &mut x, &PcgOptions::default());
     (report, x)
 }
 
@@ -118,7 +118,7 @@ fn plain_gradients_solve_a_laplacian_in_its_order_of_steps() {
         ..PcgOptions::default()
     };
     let mut x = vec![0.0; 60];
-    let report = Pcg::new(60).solve(&op, &mut Identity(60), &b, &mut x, &options);
+    let report = Pcg::new(60).solve(&op, &mut Identity(60), &mut b, &mut x, &options);
     assert_eq!((report.status, report.iterations), (PcgStatus::Converged, 60));
     for (i, x) in x.iter().enumerate() {
         // Linear from the load to the fixed end beyond the last entry.
@@ -142,7 +142,7 @@ fn the_limit_of_iterations_is_kept() {
     };
     let mut x = vec![0.0; 400];
     let mut factor = op.factor(0.5);
-    let report = Pcg::new(400).solve(&op, &mut factor, &wavy(400), &mut x, &options);
+    let report = Pcg::new(400).solve(&op, &mut factor, &mut wavy(400), &mut x, &options);
     assert_eq!((report.status, report.iterations), (PcgStatus::IterationLimit, 4));
 }
 
@@ -160,7 +160,7 @@ fn noise_in_the_operator_ends_as_stagnation() {
     };
     let mut x = vec![0.0; 400];
     let mut factor = op.factor(0.5);
-    let report = Pcg::new(400).solve(&op, &mut factor, &wavy(400), &mut x, &options);
+    let report = Pcg::new(400).solve(&op, &mut factor, &mut wavy(400), &mut x, &options);
     assert_eq!(report.status, PcgStatus::Stagnated);
     assert!(report.energy_ratio > 1.0e-24);
 }
@@ -195,7 +195,23 @@ fn the_work_space_carries_nothing_over() {
     let mut x = vec![0.0; 777];
     let mut factor = op.factor(0.1);
     let options = PcgOptions::default();
-    pcg.solve(&op, &mut factor, &vec![1.0; 777], &mut x, &options);
-    let again = pcg.solve(&op, &mut factor, &wavy(777), &mut x, &options);
+    pcg.solve(&op, &mut factor, &mut vec![1.0; 777], &mut x, &options);
+    x.fill(0.0);
+    let again = pcg.solve(&op, &mut factor, &mut wavy(777), &mut x, &options);
     assert_eq!((again, x), (first, expected)); // to the last bit
+}
+
+#[test]
+fn a_solution_is_added_to_what_is_there() {
+    let op = Chain::new(50, 2.3);
+    let (b, mut factor) = (wavy(50), op.factor(0.0));
+    let (_, expected) = run(&op, &mut factor, &b);
+    let mut x = vec![1.0; 50];
+    let mut image = vec![0.0; 50];
+    op.apply(&x, &mut image);
+    let mut residual: Vec<f64> = b.iter().zip(&image).map(|(b, y)| b - y).collect();
+    Pcg::new(50).solve(&op, &mut factor, &mut residual, &mut x, &PcgOptions::default());
+    for (x, expected) in x.iter().zip(&expected) {
+        assert!((x - expected).abs() < 1.0e-14);
+    }
 }
