@@ -88,8 +88,13 @@ impl Pcg {
             }
             let step = rz / curvature;
             subtract(residual, step, &self.image);
-            m.apply(residual, &mut self.preconditioned);
-            let (next, overlap) = dot_pair(&self.preconditioned, residual, &self.image);
+            let (next, overlap) = match watch.foretell() {
+                Some(next) => (next, 0.0),
+                None => {
+                    m.apply(residual, &mut self.preconditioned);
+                    dot_pair(&self.preconditioned, residual, &self.image)
+                }
+            };
             if let Some(status) = watch.step(step, rz, next) {
                 add(x, step, &self.direction);
                 return watch.report(status);

@@ -57,7 +57,8 @@ pub struct PcgReport {
     pub status: PcgStatus,
     /// Steps taken; each is one product and one application of `M^-1`.
     pub iterations: usize,
-    /// The last `r . z` over the first; 0 for a zero right-hand side.
+    /// The last `r . z` over the first, foretold for the last step where that ended the iteration; 0 for a zero
+    /// right-hand side.
     pub energy_ratio: f64,
     /// Energy norm of all steps after the first relative to that of the solution:
     /// how wrong the answer of the preconditioner alone was, up to its length.
@@ -69,6 +70,7 @@ pub(super) struct Watch<'a> {
     options: &'a PcgOptions,
     iterations: usize,
     first: f64,
+    previous: f64,
     last: f64,
     smallest: f64,
     since_smallest: usize,
@@ -82,6 +84,7 @@ impl<'a> Watch<'a> {
             options,
             iterations: 0,
             first: 0.0,
+            previous: 0.0,
             last: 0.0,
             smallest: f64::INFINITY,
             since_smallest: 0,
@@ -93,6 +96,7 @@ impl<'a> Watch<'a> {
     /// The first `r . z`, of a right-hand side that is not zero.
     pub(super) fn start(&mut self, rz: f64) -> Option<PcgStatus> {
         (self.first, self.last, self.smallest) = (rz, rz, rz);
+        self.previous = 0.0;
         if !rz.is_finite() {
             Some(PcgStatus::NotFinite)
         } else if rz <= 0.0 {
@@ -117,6 +121,14 @@ impl<'a> Watch<'a> {
         }
     }
 
+    /// The `r . z` after the next step, if the last fall, repeated, ends the iteration. Falls get steeper with a factor
+    /// as preconditioner, so this is no promise that is broken; and it spares the application of `M^-1` whose only use
+    /// would be to see it kept.
+    pub(super) fn foretell(&self) -> Option<f64> {
+        let next = self.last * (self.last / self.previous);
+        (self.last < self.previous && next <= self.options.energy_drop * self.first).then_some(next)
+    }
+
     /// A step of length `step` was taken and `r . z` went from `rz` to `next`.
     pub(super) fn step(&mut self, step: f64, rz: f64, next: f64) -> Option<PcgStatus> {
         let energy = step * rz;
@@ -126,7 +138,7 @@ impl<'a> Watch<'a> {
             self.later_energy += energy;
         }
         self.iterations += 1;
-        self.last = next;
+        (self.previous, self.last) = (rz, next);
         if !next.is_finite() || !energy.is_finite() {
             return Some(PcgStatus::NotFinite);
         }
