@@ -121,6 +121,21 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
         }
     }
 
+    /// Visits the bonds of a class that exist: lower point counted from the first lattice point, and weight.
+    #[inline]
+    pub fn for_each(&self, class: usize, mut visit: impl FnMut(usize, f64)) {
+        let weight = self.classes[class].weight;
+        for chunk in 0..self.chunks.len() {
+            match self.bonds_of(class, chunk) {
+                (bonds, None) => bonds.for_each(|lower| visit(lower, weight)),
+                (bonds, Some(factors)) => {
+                    let weighted = bonds.zip(factors).filter(|(_, g)| **g != 0.0);
+                    weighted.for_each(|(lower, g)| visit(lower, weight * g));
+                }
+            }
+        }
+    }
+
     /// Measures of one bond of a class.
     pub fn measure(&self, class: usize, lower: usize, u: &[f64]) -> [f64; M] {
         let mut s = [[0.0; CHUNK]; M];

@@ -134,6 +134,7 @@ impl Distributed {
     fn value(&self, x: f64) -> f64 {
         let z = (x - self.from) / (self.to - self.from);
         match self.intensity {
+            Intensity::Linear { start, end } if start == end => start,
             Intensity::Linear { start, end } => start + (end - start) * z,
             Intensity::Sine {
                 amplitude,
@@ -321,18 +322,18 @@ fn add_consistent(load: &Distributed, beam: &TimoshenkoBeam, force: &mut [f64]) 
             })
         };
         let (at_start, at_end) = (unit(1.0, 0.0), unit(0.0, 1.0));
-        for lower in 0..lattice.count.saturating_sub(c.step) {
+        bonds.for_each(class, |lower, weight| {
             let (a, b) = (chain.position(lower), chain.position(lower + c.step));
             if b <= load.from || a >= load.to {
-                continue;
+                return;
             }
             let ends = match load.is_linear_over(a, b) {
                 Some([qa, qb]) => from_fn(|k| qa * at_start[k] + qb * at_end[k]),
                 None => load.on(&beam.span(load.chain, class, lower)),
             };
             let i = lattice.first + lower;
-            scatter(force, n, i, i + c.step, bonds.weight(class, lower), &ends);
-        }
+            scatter(force, n, i, i + c.step, weight, &ends);
+        });
     }
 }
 

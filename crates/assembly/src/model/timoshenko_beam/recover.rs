@@ -50,11 +50,7 @@ impl TimoshenkoBeam {
         for class in 0..bonds.classes().len() {
             let step = bonds.classes()[class].step;
             let moduli = bonds.moduli(class);
-            for lower in 0..bonds.lattice().count.saturating_sub(step) {
-                let weight = bonds.weight(class, lower);
-                if weight == 0.0 {
-                    continue;
-                }
+            bonds.for_each(class, |lower, weight| {
                 let s = bonds.measure(class, lower, u);
                 let (m, v) = (weight * moduli[0] * s[0], weight * moduli[1] * s[1]);
                 let real = |p: usize| p.checked_sub(c.ghosts[0]).filter(|&k| k < c.points);
@@ -81,7 +77,7 @@ impl TimoshenkoBeam {
                         forces.shear[k][side] += part[1];
                     }
                 }
-            }
+            });
         }
         for (k, e) in energy.iter_mut().enumerate() {
             let on_end = c.line().grid == Grid::Nodes && (k == 0 || k + 1 == c.points);
