@@ -247,8 +247,8 @@ fn details(out: &mut String, summary: &Summary) {
     let t = &summary.timing_s;
     let _ = writeln!(
         out,
-        "\ntime, s\n  assemble {:.4}, factor {:.4}, solve {:.4}, certify {:.4}, recover {:.4}",
-        t.assemble, t.factor, t.solve, t.certify, t.recover
+        "\ntime, s\n  assemble {:.4}, factor {:.4}, solve {:.4}, certify {:.4}, record {:.4}",
+        t.assemble, t.factor, t.solve, t.certify, t.record
     );
 }
 

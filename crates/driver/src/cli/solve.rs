@@ -4,7 +4,7 @@ use super::args::{Global, Run};
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use crate::output::matrix_market;
 use crate::results::{Results, admit, finite};
-use crate::run::{RunOptions, sizes, system};
+use crate::run::{RunOptions, prepare};
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
 use std::io;
@@ -25,7 +25,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         )
     })?;
     // Faults of the case come before the first file.
-    system(&loaded.scene).map_err(|e| loaded.explain(e))?;
+    prepare(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))?;
     if let Some(file) = &arguments.write_matrix {
         write_matrix(&loaded, file)?;
     }
@@ -93,8 +93,8 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     for path in cases {
         let estimated = Loaded::read(path, overrides).and_then(|loaded| {
             warn(&loaded, global);
-            let system = system(&loaded.scene).map_err(|e| loaded.explain(e))?;
-            Ok(sizes(&system))
+            let (_, sizes) = prepare(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))?;
+            Ok(sizes)
         });
         match estimated {
             Ok(sizes) => all.push((path.display().to_string(), sizes)),
@@ -118,7 +118,7 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
 
 /// Writes the stiffness before supports.
 fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
-    let system = system(&loaded.scene).map_err(|e| loaded.explain(e))?;
+    let (system, _) = prepare(&loaded.scene, None).map_err(|e| loaded.explain(e))?;
     let matrix = system
         .stiffness()
         .to_csr(|point, component| 2 * point + component);

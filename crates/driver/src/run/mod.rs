@@ -3,20 +3,20 @@
 mod certificate;
 mod fields;
 mod linear;
+mod problem;
 mod verdict;
 
 pub use certificate::{Balance, Certificate};
 pub use fields::{LineFields, Reaction, StateResult};
 pub use linear::{LinearSolver, SolveFailure, SolverReport};
+pub use problem::{Problem, Sizes, prepare};
 pub use verdict::{CheckResult, ProbeResult};
 pub(crate) use verdict::{checks, probes};
 
-use crate::diagnostic::{Faults, JsonPath};
+use crate::case::Solver;
+use crate::diagnostic::Faults;
 use crate::scene::Scene;
-use peristat_assembly::model::Model;
-use peristat_assembly::stiffness::{Springs, Term};
-use peristat_assembly::system::{FreeMotion, System, free_motions};
-use std::str::FromStr;
+use linear::StateSolution;
 use std::time::Instant;
 use thiserror::Error;
 
@@ -27,19 +27,6 @@ pub struct RunOptions {
     pub recover: bool,
     /// Memory that must not be exceeded, bytes.
     pub max_memory: Option<u64>,
-}
-
-/// Sizes of a scene, known before it is solved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-pub struct Sizes {
-    /// Points, ghosts included.
-    pub points: usize,
-    /// Bonds and springs.
-    pub bonds: usize,
-    /// Independent unknowns.
-    pub unknowns: usize,
-    /// Memory that solving will take, estimated, bytes.
-    pub estimated_bytes: u64,
 }
 
 /// How often expensive things were done.
@@ -74,8 +61,8 @@ pub struct Timing {
     pub solve: f64,
     /// Certificates of all states.
     pub certify: f64,
-    /// Recovery of fields.
-    pub recover: f64,
+    /// Recovery of fields, checks, and writing.
+    pub record: f64,
 }
 
 /// Everything about a run but the fields.
@@ -117,89 +104,7 @@ pub enum RunError {
     Sink(#[from] std::io::Error),
 }
 
-/// The system of a scene, checked for contradictions and free motions.
-///
-/// # Errors
-/// [`RunError::Case`] names contradicting supports or every motion that nothing holds.
-pub fn system(scene: &Scene) -> Result<System<2>, RunError> {
-    let mut faults = Faults::default();
-    let points = scene.beam.points();
-    let springs: Vec<Box<dyn Term<2>>> = match scene.springs.is_empty() {
-        true => Vec::new(),
-        false => vec![Box::new(Springs::new(points, scene.springs.clone()))],
-    };
-    let system = match System::new(&scene.beam, springs, scene.equations.clone()) {
-        Ok(system) => system,
-        Err(contradiction) => {
-            // Origins of equations from the case are paths into it.
-            let path = JsonPath::from_str(&contradiction.origin).unwrap_or_default();
-            let others: Vec<String> = contradiction.others.iter().map(|o| format!("`{o}`")).collect();
-            faults
-                .error(
-                    path,
-                    format!("`{}` contradicts {}", contradiction.origin, others.join(", ")),
-                )
-                .hint("prescribe each motion of a point once");
-            return Err(RunError::Case(faults));
-        }
-    };
-    for motion in free_motions(&scene.beam, &system) {
-        faults
-            .error(JsonPath::default().key("supports"), mechanism(scene, &motion))
-            .hint("a beam needs at least a deflection and a rotation, or two deflections, held by supports or links");
-    }
-    if faults.has_errors() {
-        Err(RunError::Case(faults))
-    } else {
-        Ok(system)
-    }
-}
-
-/// A free motion in words.
-fn mechanism(scene: &Scene, motion: &FreeMotion) -> String {
-    let position = |point: usize| scene.beam.position(point)[0];
-    let parts: Vec<String> = motion
-        .parts
-        .iter()
-        .map(|&[a, b]| format!("x = {} to {}", position(a), position(b)))
-        .collect();
-    let amount = |name: &str| motion.motions.iter().find(|m| m.0 == name).map_or(0.0, |m| m.1);
-    let (shift, turn) = (amount("translation along w"), amount("rotation"));
-    let how = if turn == 0.0 {
-        "move along w".into()
-    } else {
-        format!("rotate about x = {:.6}", motion.centre[0] - shift / turn)
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .into()
-    };
-    let how: String = how;
-    format!(
-        "the beam from {} is free to {how}: no support or link prevents it",
-        parts.join(" and from ")
-    )
-}
-
-/// Sizes and the memory that solving will take.
-pub fn sizes(system: &System<2>) -> Sizes {
-    let unknowns = system.size() as u64;
-    // Factor, seven vectors of the solve, recovered fields.
-    let width = 2 * (system.reach() as u64 + 1);
-    let factor = if system.constraints().has_slaves() {
-        40 * unknowns * width
-    } else {
-        8 * unknowns * width
-    };
-    let estimated_bytes = factor + 8 * 7 * unknowns + 40 * system.points() as u64;
-    Sizes {
-        points: system.points(),
-        bonds: system.elements(),
-        unknowns: system.independent(),
-        estimated_bytes,
-    }
-}
-
-/// Solves every state and hands its result to `sink` as it comes.
+/// Solves every state of a beam and hands its result to `sink` as it comes.
 ///
 /// # Errors
 /// [`RunError`]; a state that did not converge is no error but an outcome in the report.
@@ -208,50 +113,46 @@ pub fn run(
     options: &RunOptions,
     sink: &mut dyn FnMut(StateResult) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
-    let system = system(scene)?;
-    let sizes = sizes(&system);
-    if let Some(allowed) = options.max_memory
-        && sizes.estimated_bytes > allowed
-    {
-        return Err(RunError::Memory {
-            needed: sizes.estimated_bytes,
-            allowed,
-        });
-    }
-    let mut timing = Timing::default();
-    let mut solver = LinearSolver::new(&system, scene.solver, &mut timing)?;
     let recover = options.recover
         || scene.probes.iter().any(|p| p.field.is_recovered())
         || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
+    let mut report = solve_states(scene, scene.solver, options, &mut |index, solution, certificate| {
+        sink(fields::result(scene, index, solution, certificate, recover))
+    })?;
+    report.skipped = skipped(scene, &report.counters, recover);
+    Ok(report)
+}
+
+/// Solves every state of a problem, whatever its model, and hands solution and certificate to `take`.
+fn solve_states<const D: usize, P: Problem<D>>(
+    problem: &P,
+    solver: Solver,
+    options: &RunOptions,
+    take: &mut dyn FnMut(usize, StateSolution, Certificate) -> std::io::Result<()>,
+) -> Result<RunReport, RunError> {
+    let (system, sizes) = prepare(problem, options.max_memory)?;
+    let mut timing = Timing::default();
+    let mut solver = LinearSolver::new(&system, solver, &mut timing)?;
     let mut load = vec![0.0; system.size()];
     let mut converged = true;
-    for (index, state) in scene.states.iter().enumerate() {
+    for state in 0..problem.states() {
         load.fill(0.0);
-        state.loads.add_to(&scene.beam, &mut load);
+        let motion_factor = problem.add_load(state, &mut load);
         let begin = Instant::now();
-        let solution = solver.solve(&load, state.motion_factor);
+        let solution = solver.solve(&load, motion_factor);
         timing.solve += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let certificate = certificate::certify(&scene.beam, &system, &load, &solution);
+        let certificate = certificate::certify(problem.model(), &system, &load, &solution);
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();
-        let result = fields::result(scene, index, solution, certificate, recover);
-        timing.recover += begin.elapsed().as_secs_f64();
-        sink(result)?;
+        take(state, solution, certificate)?;
+        timing.record += begin.elapsed().as_secs_f64();
     }
     let mut counters = solver.counters().clone();
     counters.bond_evaluations = system.evaluations();
     counters.stored_bond_factors = system.terms().iter().map(|t| t.stored_factors()).sum();
-    let skipped = skipped(scene, &counters, recover);
-    Ok(RunReport {
-        sizes,
-        solver: solver.report().clone(),
-        counters,
-        timing,
-        skipped,
-        converged,
-    })
+    Ok(RunReport { sizes, solver: solver.report().clone(), counters, timing, skipped: Vec::new(), converged })
 }
 
 /// What the scene was spared.
@@ -265,10 +166,9 @@ fn skipped(scene: &Scene, counters: &Counters, recover: bool) -> Vec<String> {
         skipped.push("factors of interior bonds: the lattice is uniform".into());
     }
     if counters.right_hand_sides > counters.factorisations {
-        skipped.push(format!(
-            "{} factorisations: the stiffness does not depend on the load",
-            counters.right_hand_sides - counters.factorisations
-        ));
+        let spared = counters.right_hand_sides - counters.factorisations;
+        let s = if spared == 1 { "" } else { "s" };
+        skipped.push(format!("{spared} factorisation{s}: the stiffness does not depend on the load"));
     }
     if counters.analyses == 0 {
         skipped.push("symbolic analysis: the stiffness is a band".into());

@@ -6,6 +6,7 @@ mod facts;
 mod loads;
 mod numbers;
 mod place;
+mod problem;
 mod supports;
 mod warnings;
 

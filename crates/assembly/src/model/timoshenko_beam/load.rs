@@ -253,8 +253,9 @@ impl BeamLoads {
         sum
     }
 
-    /// `(∫ q, ∫ (b − x) q − ∫ c)` of all loads inside `[a, b]` that bonds carry.
-    pub(super) fn resultant(&self, chain: usize, a: f64, b: f64) -> [f64; 2] {
+    /// `(∫ q, ∫ (b − x) q − ∫ c)` of all loads inside `[a, b]` that bonds carry; a concentrated one at `b` only if
+    /// `with_end`.
+    pub(super) fn resultant(&self, chain: usize, a: f64, b: f64, with_end: bool) -> [f64; 2] {
         let mut sum = [0.0; 2];
         if self.lumped {
             return sum;
@@ -265,7 +266,7 @@ impl BeamLoads {
         }
         let slack = 1e-9 * (b - a);
         for p in self.point.iter().filter(|p| p.spread && p.chain == chain) {
-            if p.x > a + slack && p.x < b - slack {
+            if p.x > a + slack && p.x < if with_end { b + slack } else { b - slack } {
                 sum[0] += p.force;
                 sum[1] += p.force * (b - p.x) - p.moment;
             }

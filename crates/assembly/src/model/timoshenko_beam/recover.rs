@@ -69,7 +69,7 @@ impl TimoshenkoBeam {
                         let s = (cell + side - lower) as f64 * c.spacing;
                         let mut part = [m + v * (0.5 * span.length - s), v];
                         if loaded {
-                            let [q, qx] = loads.resultant(chain, span.x, span.x + s);
+                            let [q, qx] = loads.resultant(chain, span.x, span.x + s, side == 0);
                             part[0] += weight * (ends[1] - ends[0] * s + qx);
                             part[1] += weight * (ends[0] - q);
                         }
