@@ -174,7 +174,7 @@ fn substitute(rows: &HashMap<usize, Pending>, terms: &[(usize, f64)], value: f64
     // A coefficient that is the rounding of a cancellation is zero.
     let terms = sum
         .into_iter()
-        .filter(|t| t.1.abs() > 1e-12 * t.2)
+        .filter(|t| !is_rounding(t.1, t.2))
         .map(|t| (t.0, t.1))
         .collect();
     Reduced {
@@ -183,6 +183,11 @@ fn substitute(rows: &HashMap<usize, Pending>, terms: &[(usize, f64)], value: f64
         scale,
         origins,
     }
+}
+
+/// Whether a sum is what rounding left of terms of some size.
+fn is_rounding(sum: f64, size: f64) -> bool {
+    sum.abs() <= 1e-12 * size.abs()
 }
 
 impl Reduced {
@@ -196,7 +201,7 @@ impl Reduced {
     }
 
     fn residual_is_rounding(&self) -> bool {
-        self.value.abs() <= 1e-12 * self.scale
+        is_rounding(self.value, self.scale)
     }
 }
 
@@ -225,8 +230,10 @@ fn insert(
         old.value += c * row.value;
         old.origins.extend(&row.origins);
         for &(m, a) in &row.masters {
-            match old.masters.iter_mut().find(|t| t.0 == m) {
-                Some(t) => t.1 += c * a,
+            match old.masters.iter().position(|t| t.0 == m) {
+                // What is left of a cancellation must not become a pivot later.
+                Some(at) if is_rounding(old.masters[at].1 + c * a, c * a) => _ = old.masters.swap_remove(at),
+                Some(at) => old.masters[at].1 += c * a,
                 None => old.masters.push((m, c * a)),
             }
             users.entry(m).or_default().insert(user);

@@ -62,11 +62,13 @@ pub struct SolverReport {
 pub(super) struct StateSolution {
     /// `D` component planes.
     pub(super) u: Vec<f64>,
+    /// Energy of the prescribed motions as a sudden jump of the constrained unknowns alone; 0 without such motions.
+    pub(super) jump_energy: f64,
     /// Forces of the constraints on the unknowns they hold and on their masters, by number of the unknown.
     pub(super) held: Vec<(usize, f64)>,
     /// Largest element-wise residual per component, constrained unknowns left out.
     pub(super) residual: Vec<f64>,
-    /// The correction that one more solve with the factor would make, relative to the unknowns, per component.
+    /// The correction that one more solve with the factor would make, relative to the unknowns.
     pub(super) next_correction: f64,
     /// Size of all corrections after the first solve with the factor, relative to the solution, in energy norm.
     pub(super) first_correction: f64,
@@ -82,6 +84,7 @@ pub struct LinearSolver<'a, const D: usize> {
     factor: Box<dyn Preconditioner>,
     pcg: Pcg,
     residual: Vec<f64>,
+    scales: [f64; D],
     report: SolverReport,
     counters: Counters,
 }
@@ -92,11 +95,16 @@ const PASSES: usize = 4;
 const CONVERGED: f64 = 1e-13;
 
 impl<'a, const D: usize> LinearSolver<'a, D> {
-    /// Assembles and factors.
+    /// Assembles and factors. `scales` are displacements of each component that count as equally large.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
-    pub fn new(system: &'a System<D>, solver: Solver, timing: &mut Timing) -> Result<Self, SolveFailure> {
+    pub fn new(
+        system: &'a System<D>,
+        scales: [f64; D],
+        solver: Solver,
+        timing: &mut Timing,
+    ) -> Result<Self, SolveFailure> {
         let begin = Instant::now();
         let (assembled, method, reason) = assemble(system, solver);
         timing.assemble = begin.elapsed().as_secs_f64();
@@ -146,6 +154,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             factor,
             pcg: Pcg::new(system.size()),
             residual: vec![0.0; system.size()],
+            scales,
             report,
             counters,
         })
@@ -170,6 +179,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         let constraints = self.system.constraints();
         let mut solution = StateSolution {
             u: vec![0.0; self.system.size()],
+            jump_energy: 0.0,
             held: Vec::new(),
             residual: Vec::new(),
             next_correction: f64::INFINITY,
@@ -180,6 +190,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         let operator = Elementwise(self.system);
         if constraints.moves() {
             constraints.expand(motion_factor, &mut solution.u);
+            solution.jump_energy = self.system.energy(&solution.u);
             self.refresh_residual(load, &solution.u);
         } else {
             self.residual.copy_from_slice(load);
@@ -198,7 +209,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             solution.held = self.constraint_forces();
             constraints.restrict(&mut self.residual);
             let correction = self.pcg.precondition(&mut *self.factor, &self.residual);
-            let next = relative_size::<D>(correction, &solution.u);
+            let next = size(correction, &self.scales) / size(&solution.u, &self.scales).max(f64::MIN_POSITIVE);
             let settled = next <= CONVERGED && !(pass == 0 && constraints.moves());
             let stalled = next >= 0.1 * solution.next_correction;
             solution.next_correction = next;
@@ -258,11 +269,10 @@ fn largest(v: &[f64]) -> f64 {
     v.iter().fold(0.0, |a, x| if x.abs() <= a { a } else if x.is_nan() { f64::INFINITY } else { x.abs() })
 }
 
-/// Largest entry of `part` over the largest of `whole`, the worst of the components; 0 where both vanish.
-fn relative_size<const D: usize>(part: &[f64], whole: &[f64]) -> f64 {
-    let n = whole.len() / D;
-    let component = |c: usize| (largest(&part[c * n..][..n]), largest(&whole[c * n..][..n]));
-    (0..D).map(component).fold(0.0, |worst, (p, w)| worst.max(if p == 0.0 { 0.0 } else { p / w }))
+/// Largest entry of a vector of unknowns with every component in units of its scale.
+fn size<const D: usize>(v: &[f64], scales: &[f64; D]) -> f64 {
+    let n = v.len() / D;
+    (0..D).map(|c| largest(&v[c * n..][..n]) / scales[c]).fold(0.0, f64::max)
 }
 
 /// The constrained stiffness in the layout of the method that suits it.

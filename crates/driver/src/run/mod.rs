@@ -17,6 +17,7 @@ use crate::case::Solver;
 use crate::diagnostic::Faults;
 use crate::scene::Scene;
 use linear::StateSolution;
+use peristat_assembly::model::Model;
 use std::time::Instant;
 use thiserror::Error;
 
@@ -132,7 +133,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
 ) -> Result<RunReport, RunError> {
     let (system, sizes) = prepare(problem, options.max_memory)?;
     let mut timing = Timing::default();
-    let mut solver = LinearSolver::new(&system, solver, &mut timing)?;
+    let mut solver = LinearSolver::new(&system, scales(problem.model()), solver, &mut timing)?;
     let mut load = vec![0.0; system.size()];
     let mut converged = true;
     for state in 0..problem.states() {
@@ -153,6 +154,21 @@ fn solve_states<const D: usize, P: Problem<D>>(
     counters.bond_evaluations = system.evaluations();
     counters.stored_bond_factors = system.terms().iter().map(|t| t.stored_factors()).sum();
     Ok(RunReport { sizes, solver: solver.report().clone(), counters, timing, skipped: Vec::new(), converged })
+}
+
+/// Displacements of each component that count as equally large: those of rigid motions about the middle of the body.
+fn scales<const D: usize, T: Model<D>>(model: &T) -> [f64; D] {
+    let (first, last) = (model.position(0), model.position(model.points() - 1));
+    let arm = std::array::from_fn(|k| 0.5 * (last[k] - first[k]));
+    let mut scales = [0.0; D];
+    for kind in 0..T::RIGID_MOTIONS.len() {
+        let motion = model.rigid_motion(kind, arm);
+        // A motion that moves several components relates their units.
+        if motion.iter().filter(|v| **v != 0.0).count() > 1 {
+            (0..D).for_each(|c| scales[c] = f64::max(scales[c], motion[c].abs()));
+        }
+    }
+    scales.map(|s| if s > 0.0 { s } else { 1.0 })
 }
 
 /// What the scene was spared.

@@ -234,13 +234,20 @@ impl BeamLoads {
         }
     }
 
+    /// Distributed loads that bonds carry.
+    fn shared(&self) -> impl Iterator<Item = &Distributed> {
+        self.distributed.iter().filter(|_| !self.lumped)
+    }
+
+    /// Whether bonds of a line carry loads.
+    pub(super) fn loads_bonds(&self, chain: usize) -> bool {
+        self.shared().any(|l| l.chain == chain) || self.point.iter().any(|p| p.spread && p.chain == chain)
+    }
+
     /// End forces of all loads inside one bond, weight not included.
     pub(super) fn on(&self, chain: usize, span: &Span) -> EndForces {
         let mut sum = [0.0; 4];
-        if self.lumped {
-            return sum;
-        }
-        for load in self.distributed.iter().filter(|l| l.chain == chain) {
+        for load in self.shared().filter(|l| l.chain == chain) {
             let part = load.on(span);
             (0..4).for_each(|k| sum[k] += part[k]);
         }
@@ -257,10 +264,7 @@ impl BeamLoads {
     /// `with_end`.
     pub(super) fn resultant(&self, chain: usize, a: f64, b: f64, with_end: bool) -> [f64; 2] {
         let mut sum = [0.0; 2];
-        if self.lumped {
-            return sum;
-        }
-        for load in self.distributed.iter().filter(|l| l.chain == chain) {
+        for load in self.shared().filter(|l| l.chain == chain) {
             let part = load.resultant(a, b);
             (0..2).for_each(|k| sum[k] += part[k]);
         }

@@ -44,9 +44,7 @@ impl TimoshenkoBeam {
             shear: vec![[0.0; 2]; cells],
         };
         let mut energy = vec![0.0; c.points];
-        let loaded = !loads.lumped
-            && (loads.distributed.iter().any(|l| l.chain == chain)
-                || loads.point.iter().any(|p| p.spread && p.chain == chain));
+        let loaded = loads.loads_bonds(chain);
         for class in 0..bonds.classes().len() {
             let step = bonds.classes()[class].step;
             let moduli = bonds.moduli(class);
