@@ -144,6 +144,15 @@ impl StateResult {
 
     /// All values of a field along a line.
     pub fn values(&self, field: FieldName, line: usize) -> Option<Vec<f64>> {
+        let fields = &self.lines[line];
+        let plane = match field {
+            FieldName::W => Some(0),
+            FieldName::Phi => Some(self.u.len() / 2),
+            _ => None,
+        };
+        if let Some(plane) = plane {
+            return Some(self.u[plane + fields.first..][..fields.x.len()].to_vec());
+        }
         (0..self.lines[line].x.len())
             .map(|point| self.value(field, line, point))
             .collect()
@@ -153,8 +162,7 @@ impl StateResult {
     pub fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
         let mut extremes: Option<[(f64, f64); 2]> = None;
         for (line, fields) in self.lines.iter().enumerate() {
-            for (point, &x) in fields.x.iter().enumerate() {
-                let value = self.value(field, line, point)?;
+            for (value, &x) in self.values(field, line)?.into_iter().zip(&fields.x) {
                 let [low, high] = extremes.get_or_insert([(value, x); 2]);
                 if value < low.0 {
                     *low = (value, x);

@@ -123,13 +123,9 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
                     half_bandwidth,
                     values,
                 };
-                let factor = match BandCholesky::factor(matrix, D) {
-                    Err(FactorError::NonPositivePivot { .. }) => {
-                        counters.factorisations += 1;
-                        lifted(system, solver).map_err(|e| failure(system, e))?
-                    }
-                    other => other.map_err(|e| failure(system, e))?,
-                };
+                let factor = BandCholesky::factor(matrix, D)
+                    .or_else(|error| lifted(system, solver, error, &mut counters))
+                    .map_err(|e| failure(system, e))?;
                 let bytes = factor.bytes();
                 (Box::new(factor), bytes)
             }
@@ -242,31 +238,52 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     }
 }
 
-/// The band factor with its diagonal lifted by a few units in the last place.
+/// Relative lifts of the diagonal, tried in this order: the smallest that makes the factor exist costs the fewest
+/// iterations.
+const LIFTS: [f64; 4] = [f64::EPSILON, 2.0 * f64::EPSILON, 4.0 * f64::EPSILON, 8.0 * f64::EPSILON];
+
+/// The band factor with its diagonal lifted by a few units in the last place, after a first try ended with `error`.
 ///
 /// On a long uniform beam the rounding of equal rows adds up instead of averaging out, and the rounded matrix can have
 /// negative eigenvalues although the stiffness has none. The lift is of the size of that rounding; conjugate gradients
 /// on the bonds take it out again. A matrix that fails all the same is not positive definite.
-fn lifted<const D: usize>(system: &System<D>, solver: Solver) -> Result<BandCholesky, FactorError> {
-    let Assembled::Band {
-        half_bandwidth,
-        values,
-    } = assemble(system, solver).0
-    else {
-        unreachable!("the same system has the same layout");
-    };
-    let mut matrix = BandMatrix {
-        order: system.size(),
-        half_bandwidth,
-        values,
-    };
-    matrix.lift_diagonal(4.0 * f64::EPSILON);
-    BandCholesky::factor(matrix, D)
+fn lifted<const D: usize>(
+    system: &System<D>,
+    solver: Solver,
+    mut error: FactorError,
+    counters: &mut Counters,
+) -> Result<BandCholesky, FactorError> {
+    for lift in LIFTS {
+        let FactorError::NonPositivePivot { .. } = error else { break };
+        let Assembled::Band { half_bandwidth, values } = assemble(system, solver).0 else {
+            unreachable!("the same system has the same layout");
+        };
+        let mut matrix = BandMatrix { order: system.size(), half_bandwidth, values };
+        matrix.lift_diagonal(lift);
+        counters.factorisations += 1;
+        match BandCholesky::factor(matrix, D) {
+            Ok(factor) => return Ok(factor),
+            Err(again) => error = again,
+        }
+    }
+    Err(error)
 }
 
 /// Largest magnitude; infinite if an entry is not a number.
 fn largest(v: &[f64]) -> f64 {
-    v.iter().fold(0.0, |a, x| if x.abs() <= a { a } else if x.is_nan() { f64::INFINITY } else { x.abs() })
+    const LANES: usize = 8;
+    // Comparisons pass over what is not a number; the sum of products with zero does not.
+    let (mut most, mut odd) = ([0.0_f64; LANES], [0.0_f64; LANES]);
+    let mut take = |chunk: &[f64]| {
+        for ((most, odd), x) in most.iter_mut().zip(&mut odd).zip(chunk) {
+            *most = if x.abs() > *most { x.abs() } else { *most };
+            *odd += 0.0 * x;
+        }
+    };
+    let (chunks, rest) = v.as_chunks::<LANES>();
+    chunks.iter().for_each(|c| take(c));
+    take(rest);
+    if odd.iter().sum::<f64>() == 0.0 { most.into_iter().fold(0.0, f64::max) } else { f64::INFINITY }
 }
 
 /// Largest entry of a vector of unknowns with every component in units of its scale.

@@ -1,6 +1,6 @@
 //! When the iteration ends, and what is said about it.
 
-/// `r . z` relative to its first value below which the iteration has reached
+/// `r . z` relative to the energy of the solution below which the iteration has reached
 /// rounding: the energy error is then 1e-12 of the solution's or less, and what
 /// looks like stagnation is the floor.
 pub(super) const SETTLED: f64 = 1.0e-24;
@@ -12,8 +12,9 @@ const SETTLED_WINDOW: usize = 5;
 pub struct PcgOptions {
     /// Products with the operator before the iteration is given up.
     pub max_iterations: usize,
-    /// Stop when `r . z` has fallen to this fraction of its first value. It
-    /// estimates the square of the relative error in the energy norm.
+    /// Stop when `r . z` has fallen to this fraction of the energy of all steps so far (or of its first value, if that is
+    /// larger). It estimates the square of the relative error in the energy norm. A preconditioner that is much too
+    /// stiff starts with an `r . z` far below the energy of the solution, so the first value alone would ask too much.
     pub energy_drop: f64,
     /// Iterations without a new smallest `r . z` that count as stagnation.
     ///
@@ -28,7 +29,7 @@ impl Default for PcgOptions {
     fn default() -> Self {
         Self {
             max_iterations: 200,
-            energy_drop: 1.0e-30,
+            energy_drop: 1.0e-32,
             stagnation_window: 60,
         }
     }
@@ -126,7 +127,7 @@ impl<'a> Watch<'a> {
     /// would be to see it kept.
     pub(super) fn foretell(&self) -> Option<f64> {
         let next = self.last * (self.last / self.previous);
-        (self.last < self.previous && next <= self.options.energy_drop * self.first).then_some(next)
+        (self.last < self.previous && next <= self.options.energy_drop * self.scale()).then_some(next)
     }
 
     /// A step of length `step` was taken and `r . z` went from `rz` to `next`.
@@ -142,7 +143,7 @@ impl<'a> Watch<'a> {
         if !next.is_finite() || !energy.is_finite() {
             return Some(PcgStatus::NotFinite);
         }
-        if next.abs() <= self.options.energy_drop * self.first {
+        if next.abs() <= self.options.energy_drop * self.scale() {
             return Some(PcgStatus::Converged);
         }
         if next < self.smallest {
@@ -153,7 +154,7 @@ impl<'a> Watch<'a> {
         }
         // A negative value says that r . z is all rounding: nothing more to gain.
         if next <= 0.0 {
-            let floor = next.abs() <= SETTLED * self.first;
+            let floor = next.abs() <= SETTLED * self.scale();
             return Some(if floor {
                 PcgStatus::Converged
             } else {
@@ -177,7 +178,12 @@ impl<'a> Watch<'a> {
     }
 
     fn settled(&self) -> bool {
-        self.smallest <= SETTLED * self.first
+        self.smallest <= SETTLED * self.scale()
+    }
+
+    /// Energy of the steps so far, not less than the first `r . z`.
+    fn scale(&self) -> f64 {
+        self.first.max(self.first_energy + self.later_energy)
     }
 
     pub(super) fn report(&self, status: PcgStatus) -> PcgReport {

@@ -171,8 +171,10 @@ impl Distributed {
 
     /// End forces of the part of the load inside a bond.
     fn on(&self, span: &Span) -> EndForces {
-        self.integrate(span.x, span.x + span.length, |x| {
-            let z = (x - span.x) / span.length;
+        // Counted from the bond: far from the origin, positions have lost digits of its length.
+        let (from, to) = (self.from - span.x, self.to - span.x);
+        Self { from, to, ..*self }.integrate(0.0, span.length, |s| {
+            let z = s / span.length;
             if self.is_moment {
                 span.of_moment(z)
             } else {
