@@ -240,7 +240,7 @@ mod tests {
     fn at_the_rounding_floor_it_is_convergence() {
         let floor = [1.0, 1.0e-25, 2e-25, 2e-25, 2e-25, 2e-25, 2e-25, 2e-25];
         assert_eq!(follow(&floor, &window(60)), (Some(PcgStatus::Converged), 6));
-        let deep = [1.0, 1.0e-12, 1.0e-31];
+        let deep = [1.0, 1.0e-12, 1.0e-33];
         assert_eq!(follow(&deep, &window(60)), (Some(PcgStatus::Converged), 2));
     }
 
