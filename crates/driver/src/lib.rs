@@ -68,15 +68,10 @@ pub struct Solved {
 /// # Errors
 /// [`Error`] with the place of the fault.
 pub fn solve_text(text: &str) -> Result<Solved, Error> {
-    let loaded = Loaded::from_source(
-        case::from_text("case", text.into(), &[]).map_err(Error::Case)?,
-        Path::new("."),
-    )?;
+    let loaded =
+        Loaded::from_source(case::from_text("case", text.into(), &[]).map_err(Error::Case)?, Path::new("."))?;
     let mut states = Vec::new();
-    let options = RunOptions {
-        recover: true,
-        max_memory: None,
-    };
+    let options = RunOptions { recover: true, max_memory: None };
     let summary = loaded.run(&options, &mut |_, result| {
         states.push(result);
         Ok(())
@@ -139,19 +134,12 @@ impl Loaded {
             sink(&self.scene, result)
         };
         let report = run::run(&self.scene, options, &mut take).map_err(|e| self.explain(e))?;
-        Ok(collector.finish(
-            &self.scene,
-            report,
-            warning_texts(&self.scene.warnings, &self.file),
-        ))
+        Ok(collector.finish(&self.scene, report, warning_texts(&self.scene.warnings, &self.file)))
     }
 }
 
 fn warning_texts(faults: &Faults, file: &str) -> Vec<String> {
     let report = faults.clone().into_report(file, "");
-    let warnings = report
-        .diagnostics
-        .iter()
-        .filter(|d| d.severity == Severity::Warning);
+    let warnings = report.diagnostics.iter().filter(|d| d.severity == Severity::Warning);
     warnings.map(|d| format!("{}: {}", d.path, d.message)).collect()
 }

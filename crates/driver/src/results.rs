@@ -13,15 +13,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// What peristat writes into a folder.
-const OWN: [&str; 7] = [
-    "case.json",
-    "fields",
-    "fields.pvd",
-    "history.csv",
-    "envelope.csv",
-    "plots",
-    "summary.json",
-];
+const OWN: [&str; 7] =
+    ["case.json", "fields", "fields.pvd", "history.csv", "envelope.csv", "plots", "summary.json"];
 
 /// Fields of points that are written, where they were recovered.
 const FIELDS: [FieldName; 7] = [
@@ -63,10 +56,7 @@ pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
         names.push(entry?.file_name().to_string_lossy().into_owned());
     }
     match names.iter().find(|n| !OWN.contains(&n.as_str())) {
-        Some(name) => foreign(format!(
-            "{} holds `{name}`, which peristat did not write",
-            folder.display()
-        )),
+        Some(name) => foreign(format!("{} holds `{name}`, which peristat did not write", folder.display())),
         None => Ok(()),
     }
 }
@@ -97,12 +87,7 @@ impl Results {
         atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())?;
         fs::create_dir(folder.join("fields"))?;
         fs::create_dir(folder.join("plots"))?;
-        Ok(Self {
-            folder: folder.into(),
-            steps: Vec::new(),
-            history: Vec::new(),
-            envelope: Vec::new(),
-        })
+        Ok(Self { folder: folder.into(), steps: Vec::new(), history: Vec::new(), envelope: Vec::new() })
     }
 
     /// Writes one state, the values of which must be [`finite`].
@@ -111,17 +96,14 @@ impl Results {
     /// The folder cannot be written.
     pub fn take(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
         let name = format!("step_{:03}", result.index);
-        let fields: Vec<(FieldName, Vec<f64>)> = FIELDS
-            .iter()
-            .filter_map(|&f| Some((f, all(result, f)?)))
-            .collect();
+        let fields: Vec<(FieldName, Vec<f64>)> =
+            FIELDS.iter().filter_map(|&f| Some((f, all(result, f)?))).collect();
         let x: Vec<f64> = result.lines.iter().flat_map(|l| l.x.iter().copied()).collect();
         let mut columns: Vec<(&str, &[f64])> = vec![("x", &x)];
         columns.extend(fields.iter().map(|(f, v)| (f.name(), v.as_slice())));
         csv::write(&self.folder.join("fields").join(format!("{name}.csv")), &columns)?;
         self.write_grid(&name, &x, &fields, result)?;
-        self.steps
-            .push((step_time(scene, result), format!("fields/{name}.vtu")));
+        self.steps.push((step_time(scene, result), format!("fields/{name}.vtu")));
         let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();
         pvd::write(&self.folder.join("fields.pvd"), &steps)?;
         self.write_history(scene, result)?;
@@ -164,22 +146,11 @@ impl Results {
         // The deflection as a vector, so that viewers can warp the line by it.
         let w = all(result, FieldName::W).unwrap_or_default();
         let displacement: Vec<f64> = w.iter().flat_map(|&w| [0.0, w, 0.0]).collect();
-        let mut data = vec![DataArray {
-            name: "displacement",
-            components: 3,
-            values: &displacement,
-        }];
-        data.extend(fields.iter().map(|(f, values)| DataArray {
-            name: f.name(),
-            components: 1,
-            values,
-        }));
+        let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
+        data.extend(fields.iter().map(|(f, values)| DataArray { name: f.name(), components: 1, values }));
         let grid = Grid {
             points: &points,
-            cells: &[Cells {
-                cell_type: CellType::Line,
-                connectivity: &connectivity,
-            }],
+            cells: &[Cells { cell_type: CellType::Line, connectivity: &connectivity }],
             point_data: &data,
             cell_data: &[],
         };
@@ -193,14 +164,10 @@ impl Results {
         self.history.push(row);
         let mut names = vec!["step", "load_factor"];
         names.extend(probes.iter().map(|p| p.name.as_str()));
-        let columns: Vec<Vec<f64>> = (0..names.len())
-            .map(|c| self.history.iter().map(|row| row[c]).collect())
-            .collect();
-        let columns: Vec<(&str, &[f64])> = names
-            .into_iter()
-            .zip(&columns)
-            .map(|(name, values)| (name, values.as_slice()))
-            .collect();
+        let columns: Vec<Vec<f64>> =
+            (0..names.len()).map(|c| self.history.iter().map(|row| row[c]).collect()).collect();
+        let columns: Vec<(&str, &[f64])> =
+            names.into_iter().zip(&columns).map(|(name, values)| (name, values.as_slice())).collect();
         csv::write(&self.folder.join("history.csv"), &columns)
     }
 
@@ -218,11 +185,7 @@ impl Results {
     }
 
     fn write_envelope(&self, x: &[f64]) -> io::Result<()> {
-        let side = |k: usize| {
-            self.envelope
-                .iter()
-                .map(move |b| b.iter().map(|b| b[k]).collect::<Vec<f64>>())
-        };
+        let side = |k: usize| self.envelope.iter().map(move |b| b.iter().map(|b| b[k]).collect::<Vec<f64>>());
         let (low, high): (Vec<_>, Vec<_>) = (side(0).collect(), side(1).collect());
         let names: Vec<[String; 2]> = ENVELOPE
             .iter()
@@ -247,35 +210,18 @@ impl Results {
         for (file, field, y_label) in diagrams {
             let mut series = Vec::new();
             if let Some(points) = closed_form(scene, result, field) {
-                series.push(Series {
-                    label: "closed form".into(),
-                    style: Style::Line,
-                    points,
-                });
+                series.push(Series { label: "closed form".into(), style: Style::Line, points });
             }
-            let style = if series.is_empty() {
-                Style::Line
-            } else {
-                Style::Dots
-            };
+            let style = if series.is_empty() { Style::Line } else { Style::Dots };
             let Some(points) = curve(result, field) else {
                 continue;
             };
-            series.push(Series {
-                label: "peristat".into(),
-                style,
-                points,
-            });
+            series.push(Series { label: "peristat".into(), style, points });
             let title = match scene.states.len() {
                 1 => scene.case.title.clone(),
                 _ => format!("{} - {}", scene.case.title, result.name),
             };
-            let diagram = Diagram {
-                title,
-                x_label: format!("x [{length}]"),
-                y_label,
-                series,
-            };
+            let diagram = Diagram { title, x_label: format!("x [{length}]"), y_label, series };
             plot::write(&self.folder.join("plots").join(format!("{file}.svg")), &diagram)?;
         }
         Ok(())
@@ -284,11 +230,7 @@ impl Results {
 
 /// Time of a state in the collection: the load factor of a step, the number of a load case.
 fn step_time(scene: &Scene, result: &StateResult) -> f64 {
-    if scene.case.steps.is_some() {
-        result.load_factor
-    } else {
-        result.index as f64
-    }
+    if scene.case.steps.is_some() { result.load_factor } else { result.index as f64 }
 }
 
 /// Values of a field at all real points, line by line.
@@ -303,20 +245,12 @@ fn curve(result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
     for (line, fields) in result.lines.iter().enumerate() {
         match field {
             Field::W | Field::Phi => {
-                let name = if field == Field::W {
-                    FieldName::W
-                } else {
-                    FieldName::Phi
-                };
+                let name = if field == Field::W { FieldName::W } else { FieldName::Phi };
                 points.extend(fields.x.iter().copied().zip(result.values(name, line)?));
             }
             Field::M | Field::V | Field::Energy => {
                 let forces = &fields.recovered.as_ref()?.forces;
-                let cells = if field == Field::M {
-                    &forces.moment
-                } else {
-                    &forces.shear
-                };
+                let cells = if field == Field::M { &forces.moment } else { &forces.shear };
                 for (cell, x) in cells.iter().zip(fields.x.windows(2)) {
                     points.extend([(x[0], cell[0]), (x[1], cell[1])]);
                 }
@@ -328,20 +262,12 @@ fn curve(result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
 
 /// The closed form of a check on this state, for the same field.
 fn closed_form(scene: &Scene, result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
-    let solution = scene
-        .expectations
-        .iter()
-        .filter(|e| e.state == result.index)
-        .find_map(|e| match &e.kind {
+    let solution =
+        scene.expectations.iter().filter(|e| e.state == result.index).find_map(|e| match &e.kind {
             ExpectationKind::ClosedForm { solution, .. } => Some(solution),
             _ => None,
         })?;
-    sampled(
-        solution,
-        field,
-        &result.lines[0].x,
-        scene.beam.chains()[0].line().from,
-    )
+    sampled(solution, field, &result.lines[0].x, scene.beam.chains()[0].line().from)
 }
 
 /// A solution at no more than a few hundred positions, with both sides of every point so that jumps show.

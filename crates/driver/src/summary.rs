@@ -142,13 +142,7 @@ impl Collector {
         let located = |(value, x): (f64, f64)| Located { value, x };
         let extremes = REPORTED.iter().filter_map(|&field| {
             let [smallest, largest] = result.extremes(field)?;
-            Some((
-                field.name(),
-                Extremes {
-                    smallest: located(smallest),
-                    largest: located(largest),
-                },
-            ))
+            Some((field.name(), Extremes { smallest: located(smallest), largest: located(largest) }))
         });
         self.states.push(StateSummary {
             name: result.name.clone(),
@@ -168,11 +162,7 @@ impl Collector {
             (true, false) => Status::CheckFailed,
             (true, true) => Status::Passed,
         };
-        let envelope = if scene.has_envelope {
-            envelope(&self.states)
-        } else {
-            BTreeMap::new()
-        };
+        let envelope = if scene.has_envelope { envelope(&self.states) } else { BTreeMap::new() };
         Summary {
             status,
             title: scene.case.title.clone(),
@@ -201,12 +191,7 @@ fn beam(scene: &Scene) -> BeamSummary {
         name: "timoshenko_beam",
         bond_law: p.bond_law.name,
         end_treatment: p.end_treatment.name,
-        horizon_ratio: scene
-            .beam
-            .chains()
-            .iter()
-            .map(|c| c.line().horizon_ratio)
-            .collect(),
+        horizon_ratio: scene.beam.chains().iter().map(|c| c.line().horizon_ratio).collect(),
         spacing: scene.beam.chains().iter().map(|c| c.spacing).collect(),
         area: scene.section.area,
         second_moment: scene.section.second_moment,

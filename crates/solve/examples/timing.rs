@@ -8,20 +8,14 @@ use peristat_solve::{BandCholesky, BandMatrix, Preconditioner};
 use std::time::Instant;
 
 fn main() {
-    let points = std::env::args()
-        .nth(1)
-        .and_then(|a| a.parse().ok())
-        .unwrap_or(1_000_000);
+    let points = std::env::args().nth(1).and_then(|a| a.parse().ok()).unwrap_or(1_000_000);
     for half_bandwidth in [1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21] {
         let matrix = diagonally_dominant(2 * points, half_bandwidth);
         let mut spare = matrix.values.clone();
         let (mut factoring, mut solving) = (Vec::new(), Vec::new());
         for _ in 0..7 {
             spare.copy_from_slice(&matrix.values);
-            let band = BandMatrix {
-                values: spare,
-                ..matrix
-            };
+            let band = BandMatrix { values: spare, ..matrix };
             let start = Instant::now();
             let Ok(mut factor) = BandCholesky::factor(band, 2) else {
                 println!("half bandwidth {half_bandwidth}: no factor");
@@ -53,11 +47,7 @@ fn diagonally_dominant(order: usize, half_bandwidth: usize) -> BandMatrix {
         }
         column[0] = 2.0 * width as f64;
     }
-    BandMatrix {
-        order,
-        half_bandwidth,
-        values,
-    }
+    BandMatrix { order, half_bandwidth, values }
 }
 
 fn median(mut times: Vec<f64>) -> f64 {

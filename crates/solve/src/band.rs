@@ -64,13 +64,8 @@ impl BandCholesky {
     /// [`FactorError::NotFinite`], or [`FactorError::Shape`] if the length of the
     /// values does not fit or `planes` does not divide the order.
     pub fn factor(matrix: BandMatrix, planes: usize) -> Result<Self, FactorError> {
-        let mut factor = Self {
-            order: 0,
-            half_bandwidth: 0,
-            planes,
-            values: Vec::new(),
-            scratch: Vec::new(),
-        };
+        let mut factor =
+            Self { order: 0, half_bandwidth: 0, planes, values: Vec::new(), scratch: Vec::new() };
         factor.refactor(matrix)?;
         Ok(factor)
     }
@@ -84,23 +79,14 @@ impl BandCholesky {
         self.order = 0;
         self.values = Vec::new();
         check_shape(&matrix, self.planes)?;
-        let BandMatrix {
-            order,
-            half_bandwidth,
-            mut values,
-        } = matrix;
+        let BandMatrix { order, half_bandwidth, mut values } = matrix;
         let pivots = factor::factor(&mut values, half_bandwidth);
         let vector_entry = |k: usize| (k % self.planes) * (order / self.planes) + k / self.planes;
         if let Some(index) = pivots.not_finite {
-            return Err(FactorError::NotFinite {
-                index: vector_entry(index),
-            });
+            return Err(FactorError::NotFinite { index: vector_entry(index) });
         }
         if let Some(index) = pivots.first_bad {
-            return Err(FactorError::NonPositivePivot {
-                index: vector_entry(index),
-                count: pivots.bad,
-            });
+            return Err(FactorError::NonPositivePivot { index: vector_entry(index), count: pivots.bad });
         }
         self.order = order;
         self.half_bandwidth = half_bandwidth;
@@ -134,22 +120,12 @@ impl Preconditioner for BandCholesky {
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         assert_eq!(r.len(), self.order, "one entry per unknown");
         assert_eq!(z.len(), self.order, "one entry per unknown");
-        substitute::solve(
-            &self.values,
-            self.half_bandwidth,
-            self.planes,
-            &mut self.scratch,
-            r,
-            z,
-        );
+        substitute::solve(&self.values, self.half_bandwidth, self.planes, &mut self.scratch, r, z);
     }
 }
 
 fn check_shape(matrix: &BandMatrix, planes: usize) -> Result<(), FactorError> {
-    let needed = matrix
-        .half_bandwidth
-        .checked_add(1)
-        .and_then(|width| width.checked_mul(matrix.order));
+    let needed = matrix.half_bandwidth.checked_add(1).and_then(|width| width.checked_mul(matrix.order));
     if needed != Some(matrix.values.len()) {
         return Err(FactorError::Shape {
             reason: format!(
@@ -161,9 +137,7 @@ fn check_shape(matrix: &BandMatrix, planes: usize) -> Result<(), FactorError> {
         });
     }
     if planes == 0 || !matrix.order.is_multiple_of(planes) {
-        return Err(FactorError::Shape {
-            reason: format!("order {} in {planes} planes", matrix.order),
-        });
+        return Err(FactorError::Shape { reason: format!("order {} in {planes} planes", matrix.order) });
     }
     Ok(())
 }

@@ -34,11 +34,7 @@ const FILL: f64 = 6.0;
 /// The method for a matrix, and the reason in one sentence.
 #[must_use]
 pub fn choose(profile: &Profile) -> (Method, String) {
-    let Profile {
-        unknowns,
-        half_bandwidth,
-        entries,
-    } = *profile;
+    let Profile { unknowns, half_bandwidth, entries } = *profile;
     let width = half_bandwidth.saturating_add(1).min(unknowns);
     // The last columns are cut short by the end of the matrix.
     let band = unknowns as f64 * width as f64 - 0.5 * width as f64 * (width as f64 - 1.0);
@@ -66,11 +62,7 @@ mod tests {
     use super::*;
 
     fn method(unknowns: usize, half_bandwidth: usize, entries: usize) -> Method {
-        let profile = Profile {
-            unknowns,
-            half_bandwidth,
-            entries,
-        };
+        let profile = Profile { unknowns, half_bandwidth, entries };
         choose(&profile).0
     }
 
@@ -83,10 +75,7 @@ mod tests {
         };
         let (method, reason) = choose(&profile);
         assert_eq!(method, Method::Band);
-        assert_eq!(
-            reason,
-            "half bandwidth 7 of 2000002 unknowns: the band factor has no fill"
-        );
+        assert_eq!(reason, "half bandwidth 7 of 2000002 unknowns: the band factor has no fill");
     }
 
     #[test]
@@ -104,11 +93,7 @@ mod tests {
     #[test]
     fn every_method_has_its_reason() {
         let reason = |unknowns, half_bandwidth, entries| {
-            let profile = Profile {
-                unknowns,
-                half_bandwidth,
-                entries,
-            };
+            let profile = Profile { unknowns, half_bandwidth, entries };
             choose(&profile).1
         };
         // Expected fills by hand: (1000 * 41 - 820) / 20000, (1000 * 401 - 80200) / 20000.

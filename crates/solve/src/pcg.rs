@@ -36,11 +36,7 @@ impl Pcg {
     /// Vectors of length `size`, three of them.
     #[must_use]
     pub fn new(size: usize) -> Self {
-        Self {
-            preconditioned: vec![0.0; size],
-            direction: vec![0.0; size],
-            image: vec![0.0; size],
-        }
+        Self { preconditioned: vec![0.0; size], direction: vec![0.0; size], image: vec![0.0; size] }
     }
 
     /// `M^-1 r` in a vector of the iteration, valid until the next call: the correction that the preconditioner alone

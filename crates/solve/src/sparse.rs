@@ -53,16 +53,12 @@ impl SparseCholesky {
         let fill = symbolic.len_val();
         let bytes = fill.saturating_mul(size_of::<f64>());
         let mut values = Vec::new();
-        values
-            .try_reserve_exact(fill)
-            .map_err(|_| FactorError::OutOfMemory { bytes })?;
+        values.try_reserve_exact(fill).map_err(|_| FactorError::OutOfMemory { bytes })?;
         values.resize(fill, 0.0);
         let factor_need = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
         let solve_need = symbolic.solve_in_place_scratch::<f64>(1, Par::Seq);
         let buffer = |need: faer::dyn_stack::StackReq| {
-            MemBuffer::try_new(need).map_err(|_| FactorError::OutOfMemory {
-                bytes: need.size_bytes(),
-            })
+            MemBuffer::try_new(need).map_err(|_| FactorError::OutOfMemory { bytes: need.size_bytes() })
         };
         Ok(Self {
             fingerprint: fingerprint(pattern),
@@ -87,11 +83,7 @@ impl SparseCholesky {
     ///
     /// If the pattern is another one.
     pub fn refactor(&mut self, values: &CsMat<f64>) -> Result<(), FactorError> {
-        assert_eq!(
-            fingerprint(values),
-            self.fingerprint,
-            "the matrix has the analysed pattern"
-        );
+        assert_eq!(fingerprint(values), self.fingerprint, "the matrix has the analysed pattern");
         self.ready = false;
         check_finite(values)?;
         let (symbolic, factor) = (&self.symbolic, &mut self.values);
@@ -134,11 +126,8 @@ impl SparseCholesky {
             SymbolicCholeskyRaw::Simplicial(_) => position.saturating_sub(1),
             SymbolicCholeskyRaw::Supernodal(_) => position,
         };
-        let index = self
-            .symbolic
-            .perm()
-            .and_then(|perm| perm.arrays().0.get(position).copied())
-            .unwrap_or(position);
+        let index =
+            self.symbolic.perm().and_then(|perm| perm.arrays().0.get(position).copied()).unwrap_or(position);
         FactorError::NonPositivePivot { index, count: 1 }
     }
 }
@@ -195,11 +184,8 @@ fn check_finite(matrix: &CsMat<f64>) -> Result<(), FactorError> {
 /// A number that tells patterns apart, cheaper to keep than the pattern.
 fn fingerprint(matrix: &CsMat<f64>) -> u64 {
     // Multiplication by an odd number and a rotation: no entry is lost.
-    let mix = |sum: u64, value: usize| {
-        (sum ^ value as u64)
-            .wrapping_mul(0x9e37_79b9_7f4a_7c15)
-            .rotate_left(29)
-    };
+    let mix =
+        |sum: u64, value: usize| (sum ^ value as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
     let starts = matrix.proper_indptr();
     let sum = starts.iter().fold(starts.len() as u64, |s, v| mix(s, *v));
     matrix.indices().iter().fold(sum, |s, v| mix(s, *v))
@@ -208,9 +194,7 @@ fn fingerprint(matrix: &CsMat<f64>) -> u64 {
 fn out_of_memory(error: &FaerError, bytes: usize) -> FactorError {
     match error {
         FaerError::OutOfMemory => FactorError::OutOfMemory { bytes },
-        other => FactorError::Shape {
-            reason: format!("{other:?}"),
-        },
+        other => FactorError::Shape { reason: format!("{other:?}") },
     }
 }
 

@@ -69,12 +69,7 @@ fn block(x: &[f64], y: &[f64]) -> f64 {
             lanes[lane] += x[lane] * y[lane];
         }
     }
-    let four = [
-        lanes[0] + lanes[4],
-        lanes[1] + lanes[5],
-        lanes[2] + lanes[6],
-        lanes[3] + lanes[7],
-    ];
+    let four = [lanes[0] + lanes[4], lanes[1] + lanes[5], lanes[2] + lanes[6], lanes[3] + lanes[7]];
     let mut sum = (four[0] + four[2]) + (four[1] + four[3]);
     for (x, y) in x_rest.iter().zip(y_rest) {
         sum += x * y;

@@ -69,10 +69,8 @@ impl Constraints {
     /// [`Contradiction`] where an equation is violated by the ones before it; one that merely repeats them is dropped.
     pub fn new(points: usize, equations: &[Equation]) -> Result<Self, Contradiction> {
         let number = |u: &Unknown| u.component * points + u.point;
-        let numbered: Vec<Vec<(usize, f64)>> = equations
-            .iter()
-            .map(|e| e.terms.iter().map(|(u, c)| (number(u), *c)).collect())
-            .collect();
+        let numbered: Vec<Vec<(usize, f64)>> =
+            equations.iter().map(|e| e.terms.iter().map(|(u, c)| (number(u), *c)).collect()).collect();
         let mut rows: HashMap<usize, Pending> = HashMap::new();
         let mut users: HashMap<usize, HashSet<usize>> = HashMap::new();
         for (index, equation) in equations.iter().enumerate() {
@@ -91,19 +89,11 @@ impl Constraints {
         }
         let mut rows: Vec<Row> = rows
             .into_iter()
-            .map(|(unknown, p)| Row {
-                unknown,
-                masters: p.masters,
-                value: p.value,
-            })
+            .map(|(unknown, p)| Row { unknown, masters: p.masters, value: p.value })
             .collect();
         rows.sort_by_key(|r| r.unknown);
         let has_slaves = rows.iter().any(|r| !r.masters.is_empty());
-        Ok(Self {
-            rows,
-            equations: numbered,
-            has_slaves,
-        })
+        Ok(Self { rows, equations: numbered, has_slaves })
     }
 
     /// The constrained unknowns, in the order of their numbers.
@@ -172,17 +162,8 @@ fn substitute(rows: &HashMap<usize, Pending>, terms: &[(usize, f64)], value: f64
         }
     }
     // A coefficient that is the rounding of a cancellation is zero.
-    let terms = sum
-        .into_iter()
-        .filter(|t| !is_rounding(t.1, t.2))
-        .map(|t| (t.0, t.1))
-        .collect();
-    Reduced {
-        terms,
-        value: rest,
-        scale,
-        origins,
-    }
+    let terms = sum.into_iter().filter(|t| !is_rounding(t.1, t.2)).map(|t| (t.0, t.1)).collect();
+    Reduced { terms, value: rest, scale, origins }
 }
 
 /// Whether a sum is what rounding left of terms of some size.
@@ -193,9 +174,7 @@ fn is_rounding(sum: f64, size: f64) -> bool {
 impl Reduced {
     /// The unknown to eliminate: the first one of the equation if it is still there, else the largest coefficient.
     fn pivot(&self, terms: &[(usize, f64)]) -> Option<usize> {
-        let declared = terms
-            .first()
-            .and_then(|&(u, _)| self.terms.iter().find(|t| t.0 == u));
+        let declared = terms.first().and_then(|&(u, _)| self.terms.iter().find(|t| t.0 == u));
         let largest = self.terms.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
         declared.or(largest).map(|t| t.0)
     }
@@ -252,11 +231,7 @@ mod tests {
     fn equation(terms: &[(usize, f64)], value: f64, origin: &str) -> Equation {
         let unknown = |point| Unknown { component: 0, point };
         let terms = terms.iter().map(|&(p, c)| (unknown(p), c)).collect();
-        Equation {
-            terms,
-            value,
-            origin: origin.into(),
-        }
+        Equation { terms, value, origin: origin.into() }
     }
 
     #[test]

@@ -132,18 +132,10 @@ impl Section {
             ShearCorrection::Cowper => self.cowper(poisson_ratio)?,
             ShearCorrection::Value(value) if value > 0.0 && value.is_finite() => value,
             ShearCorrection::Value(value) => {
-                return Err(SectionError::NotPositive {
-                    name: "shear_correction",
-                    value,
-                });
+                return Err(SectionError::NotPositive { name: "shear_correction", value });
             }
         };
-        Ok(SectionProperties {
-            area,
-            second_moment,
-            kappa,
-            height,
-        })
+        Ok(SectionProperties { area, second_moment, kappa, height })
     }
 
     fn dimensions(&self) -> Vec<(&'static str, f64)> {
@@ -151,25 +143,10 @@ impl Section {
             Self::Rectangle { width, height } => vec![("width", width), ("height", height)],
             Self::Circle { diameter } => vec![("diameter", diameter)],
             Self::Tube { diameter, wall } => vec![("diameter", diameter), ("wall", wall)],
-            Self::I {
-                width,
-                height,
-                web,
-                flange,
-            } => {
-                vec![
-                    ("width", width),
-                    ("height", height),
-                    ("web", web),
-                    ("flange", flange),
-                ]
+            Self::I { width, height, web, flange } => {
+                vec![("width", width), ("height", height), ("web", web), ("flange", flange)]
             }
-            Self::General {
-                area,
-                second_moment,
-                kappa,
-                height,
-            } => {
+            Self::General { area, second_moment, kappa, height } => {
                 let mut all = vec![("area", area), ("second_moment", second_moment), ("kappa", kappa)];
                 all.extend(height.map(|h| ("height", h)));
                 all
@@ -180,12 +157,7 @@ impl Section {
     fn limits(&self) -> Vec<(&'static str, f64, f64)> {
         match *self {
             Self::Tube { diameter, wall } => vec![("wall", wall, diameter / 2.0)],
-            Self::I {
-                width,
-                height,
-                web,
-                flange,
-            } => {
+            Self::I { width, height, web, flange } => {
                 vec![("web", web, width), ("flange", flange, height / 2.0)]
             }
             _ => Vec::new(),
@@ -203,27 +175,13 @@ impl Section {
                 let (sum, difference) = (d * d + inner * inner, 4.0 * wall * (d - wall));
                 (PI * difference / 4.0, PI * difference * sum / 64.0, Some(d))
             }
-            Self::I {
-                width: b,
-                height: h,
-                web,
-                flange,
-            } => {
+            Self::I { width: b, height: h, web, flange } => {
                 let clear = h - 2.0 * flange;
                 let arm = h / 2.0 - flange / 2.0;
                 let flanges = 2.0 * (b * flange.powi(3) / 12.0 + b * flange * arm * arm);
-                (
-                    2.0 * b * flange + clear * web,
-                    flanges + web * clear.powi(3) / 12.0,
-                    Some(h),
-                )
+                (2.0 * b * flange + clear * web, flanges + web * clear.powi(3) / 12.0, Some(h))
             }
-            Self::General {
-                area,
-                second_moment,
-                height,
-                ..
-            } => (area, second_moment, height),
+            Self::General { area, second_moment, height, .. } => (area, second_moment, height),
         }
     }
 
@@ -247,12 +205,7 @@ impl Section {
                 let (s, q) = ((1.0 + m * m).powi(2), m * m);
                 6.0 * (1.0 + nu) * s / ((7.0 + 6.0 * nu) * s + (20.0 + 12.0 * nu) * q)
             }
-            Self::I {
-                width,
-                height,
-                web,
-                flange,
-            } => {
+            Self::I { width, height, web, flange } => {
                 // Thin-walled I: h between the flange centres, m = 2 b t_f / (h t_w), n = b / h.
                 let h = height - flange;
                 let (m, n) = (2.0 * width * flange / (h * web), width / h);
@@ -277,10 +230,7 @@ mod tests {
 
     #[test]
     fn rectangle_and_circle_have_textbook_properties() {
-        let r = properties(Section::Rectangle {
-            width: 0.05,
-            height: 0.2,
-        });
+        let r = properties(Section::Rectangle { width: 0.05, height: 0.2 });
         // b h³/12 with b = 0.05, h = 0.2.
         assert!((r.second_moment - 3.333_333_333_333_333e-5).abs() < 1e-19 && r.kappa == 5.0 / 6.0);
         let c = properties(Section::Circle { diameter: 2.0 });
@@ -289,10 +239,7 @@ mod tests {
 
     #[test]
     fn a_tube_whose_wall_fills_it_is_a_circle() {
-        let tube = Section::Tube {
-            diameter: 0.3,
-            wall: 0.15,
-        };
+        let tube = Section::Tube { diameter: 0.3, wall: 0.15 };
         let (t, c) = (properties(tube), properties(Section::Circle { diameter: 0.3 }));
         assert!((t.area / c.area - 1.0).abs() < 1e-15);
         assert!((t.second_moment / c.second_moment - 1.0).abs() < 1e-15);
@@ -302,24 +249,11 @@ mod tests {
 
     #[test]
     fn an_i_without_recess_is_a_rectangle() {
-        let i = Section::I {
-            width: 0.1,
-            height: 0.3,
-            web: 0.1,
-            flange: 0.02,
-        };
-        let r = properties(Section::Rectangle {
-            width: 0.1,
-            height: 0.3,
-        });
+        let i = Section::I { width: 0.1, height: 0.3, web: 0.1, flange: 0.02 };
+        let r = properties(Section::Rectangle { width: 0.1, height: 0.3 });
         assert!((properties(i).second_moment / r.second_moment - 1.0).abs() < 1e-14);
         // IPE 200 without its root fillets: I = 1846 cm⁴ (1943 cm⁴ with them), web h t_w / A = 0.4088.
-        let ipe = Section::I {
-            width: 0.1,
-            height: 0.2,
-            web: 0.0056,
-            flange: 0.0085,
-        };
+        let ipe = Section::I { width: 0.1, height: 0.2, web: 0.0056, flange: 0.0085 };
         let p = properties(ipe);
         assert!((p.second_moment - 1.8456e-5).abs() < 1e-8, "{}", p.second_moment);
         assert!((p.kappa - 0.2 * 0.0056 / p.area).abs() < 1e-15);
@@ -327,10 +261,7 @@ mod tests {
 
     #[test]
     fn cowper_rectangle_at_zero_poisson_is_five_sixths() {
-        let r = Section::Rectangle {
-            width: 1.0,
-            height: 1.0,
-        };
+        let r = Section::Rectangle { width: 1.0, height: 1.0 };
         let kappa = |nu| r.properties(ShearCorrection::Cowper, nu).unwrap().kappa;
         // 10 (1 + ν)/(12 + 11 ν): 13/15.3 at ν = 0.3.
         assert!((kappa(0.0) - 5.0 / 6.0).abs() < 1e-15 && (kappa(0.3) - 13.0 / 15.3).abs() < 1e-15);
@@ -339,28 +270,9 @@ mod tests {
     #[test]
     fn impossible_sections_name_the_key() {
         let error = |s: Section| s.properties(ShearCorrection::Classical, 0.3).unwrap_err();
-        let negative = error(Section::Rectangle {
-            width: -1.0,
-            height: 0.2,
-        });
-        assert_eq!(
-            negative,
-            SectionError::NotPositive {
-                name: "width",
-                value: -1.0
-            }
-        );
-        let thick = error(Section::Tube {
-            diameter: 0.1,
-            wall: 0.06,
-        });
-        assert_eq!(
-            thick,
-            SectionError::DoesNotFit {
-                name: "wall",
-                value: 0.06,
-                limit: 0.05
-            }
-        );
+        let negative = error(Section::Rectangle { width: -1.0, height: 0.2 });
+        assert_eq!(negative, SectionError::NotPositive { name: "width", value: -1.0 });
+        let thick = error(Section::Tube { diameter: 0.1, wall: 0.06 });
+        assert_eq!(thick, SectionError::DoesNotFit { name: "wall", value: 0.06, limit: 0.05 });
     }
 }

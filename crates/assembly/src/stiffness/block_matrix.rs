@@ -30,11 +30,7 @@ impl<const D: usize> BlockMatrix<D> {
     pub fn band(points: usize, reach: usize) -> Self {
         // Columns come into being as they are added to: memory that is written first is faulted in once, not twice.
         let values = Vec::with_capacity(D * points * D * (reach + 1));
-        Self {
-            points,
-            layout: Layout::Band { reach },
-            values,
-        }
+        Self { points, layout: Layout::Band { reach }, values }
     }
 
     /// A zero matrix with the pattern of `terms`.
@@ -69,11 +65,7 @@ impl<const D: usize> BlockMatrix<D> {
             start.push(column.len());
         }
         let values = vec![0.0; column.len() * D * D];
-        Self {
-            points,
-            layout: Layout::Rows { start, column },
-            values,
-        }
+        Self { points, layout: Layout::Rows { start, column }, values }
     }
 
     /// Adds a block at points `i <= j`.
@@ -99,9 +91,7 @@ impl<const D: usize> BlockMatrix<D> {
             }
             Layout::Rows { start, column } => {
                 let row = &column[start[i]..start[i + 1]];
-                let k = row
-                    .binary_search(&(j as u32))
-                    .expect("the pair is in the pattern");
+                let k = row.binary_search(&(j as u32)).expect("the pair is in the pattern");
                 let slot = (start[i] + k) * D * D;
                 for r in 0..D {
                     for c in 0..D {

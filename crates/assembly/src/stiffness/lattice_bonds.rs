@@ -89,13 +89,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
             }
             factors[*chunk as usize + o.class * CHUNK + o.lower % CHUNK] = o.factor;
         }
-        Self {
-            lattice,
-            classes,
-            chunks,
-            factors,
-            model: PhantomData,
-        }
+        Self { lattice, classes, chunks, factors, model: PhantomData }
     }
 
     /// The points the bonds connect.
@@ -206,6 +200,9 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
         for chunk in 0..self.chunks.len() {
             for (index, class) in self.classes.iter().enumerate() {
                 let (lower, factors) = self.bonds_of(index, chunk);
+                if lower.is_empty() {
+                    continue;
+                }
                 self.measures(class, lower.clone(), u, &mut s);
                 let mut sigma = s;
                 Self::stress(class, factors, &mut sigma);
@@ -291,7 +288,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
         let mut end = begin;
         while end < self.lattice.count {
             let chunk = end / CHUNK;
-            let whole = end % CHUNK == 0
+            let whole = end.is_multiple_of(CHUNK)
                 && end >= longest.max(CHUNK)
                 && end + CHUNK + longest <= self.lattice.count
                 && longest <= CHUNK
@@ -312,11 +309,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
     fn blocks(&self) -> Vec<[Mat<D, D>; 3]> {
         let of = |c: &BondClass<D, M>| {
             let (i, j) = (c.rows.first(), c.rows.second());
-            [
-                block(&i, &c.modulus, &i),
-                block(&i, &c.modulus, &j),
-                block(&j, &c.modulus, &j),
-            ]
+            [block(&i, &c.modulus, &i), block(&i, &c.modulus, &j), block(&j, &c.modulus, &j)]
         };
         self.classes.iter().map(of).collect()
     }
@@ -399,9 +392,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
         let blocks = self.blocks();
-        let steps: Vec<usize> = std::iter::once(0)
-            .chain(self.classes.iter().map(|c| c.step))
-            .collect();
+        let steps: Vec<usize> = std::iter::once(0).chain(self.classes.iter().map(|c| c.step)).collect();
         let first = self.lattice.first;
         let mut point = 0;
         while point < self.lattice.count {
@@ -422,11 +413,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
     }
 
     fn elements(&self) -> usize {
-        let inside: usize = self
-            .classes
-            .iter()
-            .map(|c| self.lattice.count.saturating_sub(c.step))
-            .sum();
+        let inside: usize = self.classes.iter().map(|c| self.lattice.count.saturating_sub(c.step)).sum();
         let absent = (0..self.chunks.len())
             .filter(|&chunk| self.chunks[chunk] != PLAIN)
             .flat_map(|chunk| (0..self.classes.len()).map(move |index| (chunk, index)))

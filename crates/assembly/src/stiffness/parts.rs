@@ -13,9 +13,7 @@ impl Parts {
     /// More than `u32::MAX` points.
     pub fn new(points: usize) -> Self {
         let end = u32::try_from(points).expect("points are numbered by u32");
-        Self {
-            parent: (0..end).collect(),
-        }
+        Self { parent: (0..end).collect() }
     }
 
     fn root(&mut self, point: usize) -> usize {

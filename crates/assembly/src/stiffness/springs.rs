@@ -39,10 +39,7 @@ impl<const D: usize> Term<D> for Springs {
     }
 
     fn energy(&self, u: &[f64]) -> f64 {
-        self.springs
-            .iter()
-            .map(|s| 0.5 * s.stiffness * u[self.unknown(s)].powi(2))
-            .sum()
+        self.springs.iter().map(|s| 0.5 * s.stiffness * u[self.unknown(s)].powi(2)).sum()
     }
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {

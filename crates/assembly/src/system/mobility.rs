@@ -57,10 +57,7 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
             }
         }
     }
-    null_space(matrix)
-        .into_iter()
-        .map(|vector| describe(model, &vector, &spans, &centres))
-        .collect()
+    null_space(matrix).into_iter().map(|vector| describe(model, &vector, &spans, &centres)).collect()
 }
 
 /// First and last point of every part.
@@ -115,9 +112,5 @@ fn describe<const D: usize, T: Model<D>>(
         .filter(|k| sizes[first * kinds + k] > 1e-6 * largest)
         .map(|k| (T::RIGID_MOTIONS[k], vector[first * kinds + k]))
         .collect();
-    FreeMotion {
-        parts: moving.iter().map(|&p| spans[p]).collect(),
-        motions,
-        centre: centres[first],
-    }
+    FreeMotion { parts: moving.iter().map(|&p| spans[p]).collect(), motions, centre: centres[first] }
 }

@@ -53,11 +53,7 @@ impl<const D: usize> System<D> {
         let constraints = Constraints::new(model.points(), &equations)?;
         let mut terms = model.terms();
         terms.extend(extra_terms);
-        let room = if constraints.has_slaves() {
-            D * model.points()
-        } else {
-            0
-        };
+        let room = if constraints.has_slaves() { D * model.points() } else { 0 };
         Ok(Self {
             points: model.points(),
             elements: terms.iter().map(|t| t.elements()).sum(),
@@ -104,8 +100,7 @@ impl<const D: usize> System<D> {
     }
 
     fn count(&self) {
-        self.evaluations
-            .fetch_add(self.elements as u64, Ordering::Relaxed);
+        self.evaluations.fetch_add(self.elements as u64, Ordering::Relaxed);
     }
 
     /// Overwrites `force` with the internal force `Σ BᵀCB u`.
@@ -162,10 +157,7 @@ impl<const D: usize> System<D> {
     /// # Panics
     /// Some unknown depends on others: their products belong into [`System::assemble_sparse`].
     pub fn assemble_band(&self) -> Assembled {
-        assert!(
-            !self.constraints.has_slaves(),
-            "a band is assembled without slaves only"
-        );
+        assert!(!self.constraints.has_slaves(), "a band is assembled without slaves only");
         let mut k = BlockMatrix::band(self.points, self.reach());
         self.terms.iter().for_each(|t| t.add_tangent(&mut k));
         let (half_bandwidth, mut values) = k.into_band();
@@ -179,17 +171,12 @@ impl<const D: usize> System<D> {
                 values[(j - back) * width + back] = 0.0;
             }
         }
-        Assembled::Band {
-            half_bandwidth,
-            values,
-        }
+        Assembled::Band { half_bandwidth, values }
     }
 
     /// The constrained stiffness `TᵀKT` in compressed rows, with unit diagonal for constrained unknowns.
     pub fn assemble_sparse(&self) -> Assembled {
-        let k = self
-            .stiffness()
-            .to_csr(|point, component| component * self.points + point);
+        let k = self.stiffness().to_csr(|point, component| component * self.points + point);
         let size = self.size();
         let mut t = sprs::TriMat::new((size, size));
         let mut held = sprs::TriMat::new((size, size));
@@ -197,9 +184,7 @@ impl<const D: usize> System<D> {
         for unknown in 0..size {
             match rows.next_if(|r| r.unknown == unknown) {
                 Some(row) => {
-                    row.masters
-                        .iter()
-                        .for_each(|&(m, c)| t.add_triplet(unknown, m, c));
+                    row.masters.iter().for_each(|&(m, c)| t.add_triplet(unknown, m, c));
                     let diagonal = k.get(unknown, unknown).copied().filter(|&d| d > 0.0);
                     held.add_triplet(unknown, unknown, diagonal.unwrap_or(1.0));
                 }

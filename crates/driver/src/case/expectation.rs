@@ -53,10 +53,7 @@ impl FieldName {
 
     /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
     pub fn is_recovered(self) -> bool {
-        !matches!(
-            self,
-            Self::W | Self::Phi | Self::ReactionForce | Self::ReactionMoment
-        )
+        !matches!(self, Self::W | Self::Phi | Self::ReactionForce | Self::ReactionMoment)
     }
 }
 

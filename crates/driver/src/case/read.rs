@@ -27,10 +27,9 @@ pub fn read(path: &Path, overrides: &[String]) -> Result<Source, Report> {
     let file = path.display().to_string();
     let bytes = fs::read(path).map_err(|error| {
         let (message, hint) = match error.kind() {
-            _ if path.is_dir() => (
-                "this is a folder, not a case".into(),
-                Some("`peristat verify` runs all cases of a folder"),
-            ),
+            _ if path.is_dir() => {
+                ("this is a folder, not a case".into(), Some("`peristat verify` runs all cases of a folder"))
+            }
             ErrorKind::NotFound => (
                 "there is no such file".into(),
                 Some("`peristat new timoshenko_beam` prints a case to begin with"),
@@ -39,11 +38,7 @@ pub fn read(path: &Path, overrides: &[String]) -> Result<Source, Report> {
         };
         let mut diagnostic = Diagnostic::error(JsonPath::default(), message);
         diagnostic.hint = hint.map(Into::into);
-        Report {
-            file: file.clone(),
-            text: String::new(),
-            diagnostics: vec![diagnostic],
-        }
+        Report { file: file.clone(), text: String::new(), diagnostics: vec![diagnostic] }
     })?;
     from_text(&file, decode(&file, bytes)?, overrides)
 }
@@ -55,22 +50,14 @@ pub fn read(path: &Path, overrides: &[String]) -> Result<Source, Report> {
 pub fn from_text(file: &str, text: String, overrides: &[String]) -> Result<Source, Report> {
     if overrides.is_empty() {
         let case = diagnostic::parse(file, &text)?;
-        return Ok(Source {
-            case,
-            file: file.into(),
-            text,
-        });
+        return Ok(Source { case, file: file.into(), text });
     }
     let mut value: Value = diagnostic::parse(file, &text)?;
     for assignment in overrides {
         set(&mut value, assignment).map_err(|message| {
             let mut diagnostic = Diagnostic::error(JsonPath::default(), message);
             diagnostic.hint("for example `--set body.line.cells=200`");
-            Report {
-                file: format!("--set {assignment}"),
-                text: String::new(),
-                diagnostics: vec![diagnostic],
-            }
+            Report { file: format!("--set {assignment}"), text: String::new(), diagnostics: vec![diagnostic] }
         })?;
     }
     let text = format!("{value:#}");
@@ -81,9 +68,7 @@ pub fn from_text(file: &str, text: String, overrides: &[String]) -> Result<Sourc
 
 /// Sets one value; missing keys are made, elements of lists must exist.
 fn set(root: &mut Value, assignment: &str) -> Result<(), String> {
-    let (path, value) = assignment
-        .split_once('=')
-        .ok_or("an override has the form path=value")?;
+    let (path, value) = assignment.split_once('=').ok_or("an override has the form path=value")?;
     let path = JsonPath::from_str(path.trim()).map_err(|e| e.to_string())?;
     // What is no JSON is meant as a text.
     let value = serde_json::from_str(value).unwrap_or_else(|_| Value::from(value));
@@ -95,13 +80,10 @@ fn set(root: &mut Value, assignment: &str) -> Result<(), String> {
             }
             (Segment::Index(index), Value::Array(list)) => {
                 let length = list.len();
-                list.get_mut(*index)
-                    .ok_or(format!("`{path}` names element {index} of a list of {length}"))?
+                list.get_mut(*index).ok_or(format!("`{path}` names element {index} of a list of {length}"))?
             }
             _ => {
-                return Err(format!(
-                    "`{path}` goes through a value that is neither an object nor a list"
-                ));
+                return Err(format!("`{path}` goes through a value that is neither an object nor a list"));
             }
         };
     }

@@ -136,12 +136,9 @@ pub(super) enum Kind {
 /// A size in bytes, with an optional unit.
 fn size(text: &str) -> Result<u64, String> {
     let text = text.trim();
-    let end = text
-        .find(|c: char| !c.is_ascii_digit() && c != '.')
-        .unwrap_or(text.len());
-    let number: f64 = text[..end]
-        .parse()
-        .map_err(|_| "a size is a number with a unit, such as 500MB".to_string())?;
+    let end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+    let number: f64 =
+        text[..end].parse().map_err(|_| "a size is a number with a unit, such as 500MB".to_string())?;
     let factor = match text[end..].trim().to_ascii_lowercase().as_str() {
         "" | "b" => 1.0,
         "k" | "kb" => 1e3,
@@ -151,9 +148,7 @@ fn size(text: &str) -> Result<u64, String> {
         "mib" => 1024.0 * 1024.0,
         "gib" => 1024.0 * 1024.0 * 1024.0,
         other => {
-            return Err(format!(
-                "`{other}` is no unit of memory: use B, kB, MB, GB, kiB, MiB or GiB"
-            ));
+            return Err(format!("`{other}` is no unit of memory: use B, kB, MB, GB, kiB, MiB or GiB"));
         }
     };
     Ok((number * factor) as u64)

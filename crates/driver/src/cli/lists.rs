@@ -17,35 +17,17 @@ const MODELS: [(&str, &str, &str); 1] = [(
 
 const LOADS: [(&str, &str); 6] = [
     ("point", "a force and a moment at a position"),
-    (
-        "distributed",
-        "a force or a moment per length: uniform, linear or sine, over a part of a line",
-    ),
-    (
-        "w, phi",
-        "prescribed deflection and rotation of a support, zero or not",
-    ),
+    ("distributed", "a force or a moment per length: uniform, linear or sine, over a part of a line"),
+    ("w, phi", "prescribed deflection and rotation of a support, zero or not"),
     ("w_spring, phi_spring", "springs from a point to the ground"),
     ("rigid", "a rigid link between two points"),
-    (
-        "load_cases, combinations, steps",
-        "several right-hand sides on one factorisation",
-    ),
+    ("load_cases, combinations, steps", "several right-hand sides on one factorisation"),
 ];
 
 const SOLVERS: [(&str, &str); 3] = [
-    (
-        "auto",
-        "chosen from the pattern of the stiffness; the summary says why (default)",
-    ),
-    (
-        "band",
-        "band Cholesky factor, finished by conjugate gradients on the bonds",
-    ),
-    (
-        "sparse",
-        "sparse Cholesky factor with AMD ordering, finished by conjugate gradients on the bonds",
-    ),
+    ("auto", "chosen from the pattern of the stiffness; the summary says why (default)"),
+    ("band", "band Cholesky factor, finished by conjugate gradients on the bonds"),
+    ("sparse", "sparse Cholesky factor with AMD ordering, finished by conjugate gradients on the bonds"),
 ];
 
 /// Prints a starting case.
@@ -57,10 +39,7 @@ pub(super) fn new(model: &str) -> Result<u8, Error> {
         }
         None => {
             let known: Vec<&str> = MODELS.iter().map(|m| m.0).collect();
-            note(&format!(
-                "error: there is no model `{model}`\nhint: known are {}\n",
-                known.join(", ")
-            ));
+            note(&format!("error: there is no model `{model}`\nhint: known are {}\n", known.join(", ")));
             Ok(USAGE)
         }
     }
@@ -71,22 +50,14 @@ fn entries(kind: Kind) -> Vec<(String, String)> {
     let own = |pairs: &[(&str, &str)]| pairs.iter().map(|(a, b)| ((*a).into(), (*b).into())).collect();
     match kind {
         Kind::Models => {
-            let models = MODELS
-                .iter()
-                .map(|(name, about, _)| ((*name).into(), (*about).into()));
-            let laws = bond_law::TABLE
-                .iter()
-                .map(|l| (format!("  bond_law {}", l.name), l.about.into()));
-            let ends = end_treatment::TABLE
-                .iter()
-                .map(|t| (format!("  end_treatment {}", t.name), t.about.into()));
+            let models = MODELS.iter().map(|(name, about, _)| ((*name).into(), (*about).into()));
+            let laws = bond_law::TABLE.iter().map(|l| (format!("  bond_law {}", l.name), l.about.into()));
+            let ends =
+                end_treatment::TABLE.iter().map(|t| (format!("  end_treatment {}", t.name), t.about.into()));
             models.chain(laws).chain(ends).collect()
         }
         Kind::Loads => own(&LOADS),
-        Kind::References => reference::TABLE
-            .iter()
-            .map(|r| (r.name.into(), r.about.into()))
-            .collect(),
+        Kind::References => reference::TABLE.iter().map(|r| (r.name.into(), r.about.into())).collect(),
         Kind::Solvers => own(&SOLVERS),
     }
 }
@@ -102,9 +73,8 @@ pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
     let chosen = all.iter().filter(|(k, _)| kind.is_none_or(|kind| kind == *k));
     if global.json {
         let lists = chosen.map(|(k, name)| {
-            let list = entries(*k)
-                .into_iter()
-                .map(|(name, about)| json!({ "name": name.trim(), "about": about }));
+            let list =
+                entries(*k).into_iter().map(|(name, about)| json!({ "name": name.trim(), "about": about }));
             ((*name).to_string(), list.collect::<Vec<_>>().into())
         });
         say(&format!("{:#}\n", serde_json::Value::Object(lists.collect())))?;

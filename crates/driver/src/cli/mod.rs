@@ -7,6 +7,7 @@ mod solve;
 mod verify;
 
 use crate::Error;
+use crate::run::RunError;
 use args::{Arguments, Color, Command, Global};
 use clap::{CommandFactory, Parser};
 use std::io::{self, IsTerminal, Write};
@@ -26,18 +27,8 @@ pub fn main() -> ExitCode {
     let outcome = match arguments.command {
         Command::Run(run) => solve::run(&run, &global),
         Command::Check { cases, overrides } => solve::check(&cases, &overrides, &global),
-        Command::Verify {
-            paths,
-            all,
-            junit,
-            output,
-        } => {
-            let request = verify::Request {
-                paths,
-                all,
-                junit,
-                output,
-            };
+        Command::Verify { paths, all, junit, output } => {
+            let request = verify::Request { paths, all, junit, output };
             verify::verify(&request, &global)
         }
         Command::New { model } => lists::new(&model),
@@ -83,6 +74,11 @@ fn colored(global: &Global) -> bool {
 fn complain(error: &Error, global: &Global) {
     match error {
         Error::Case(report) => note(&format!("{}\n", report.render(colored(global)).trim_end())),
+        Error::Run(error @ RunError::Memory { .. }) => {
+            note(&format!(
+                "error: {error}\nhint: use fewer cells or a shorter horizon, or raise `--max-memory`\n"
+            ));
+        }
         other => note(&format!("error: {other}\n")),
     }
 }

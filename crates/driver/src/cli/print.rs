@@ -8,9 +8,7 @@ use std::fmt::Write;
 /// A table that pastes as Markdown, numbers to the right.
 pub(super) fn table(header: &[&str], rows: &[Vec<String>]) -> String {
     let mut table = Table::new();
-    table
-        .load_style(presets::ASCII_MARKDOWN)
-        .set_header(header.to_vec());
+    table.load_style(presets::ASCII_MARKDOWN).set_header(header.to_vec());
     rows.iter().for_each(|row| _ = table.add_row(row));
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
@@ -25,11 +23,7 @@ pub(super) fn number(value: f64) -> String {
         size if (1e-3..1e6).contains(&size) => {
             let digits = (5 - size.log10().floor() as i32).max(0) as usize;
             let text = format!("{value:.digits$}");
-            if text.contains('.') {
-                text.trim_end_matches('0').trim_end_matches('.').into()
-            } else {
-                text
-            }
+            if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
         }
         _ => {
             let text = format!("{value:.5e}");
@@ -88,10 +82,7 @@ fn model(out: &mut String, summary: &Summary) {
         .map(|(r, h)| format!("{} spacings = {} {length}", number(*r), number(r * h)))
         .collect();
     let mut line = |key: &str, text: String| _ = writeln!(out, "  {key:<8} {text}");
-    line(
-        "model",
-        format!("{}, bond law {}, ends {}", m.name, m.bond_law, m.end_treatment),
-    );
+    line("model", format!("{}, bond law {}, ends {}", m.name, m.bond_law, m.end_treatment));
     line("horizon", ratios.join("; "));
     line(
         "section",
@@ -105,19 +96,8 @@ fn model(out: &mut String, summary: &Summary) {
         ),
     );
     let sizes = &summary.sizes;
-    line(
-        "size",
-        format!(
-            "{} points, {} bonds, {} unknowns",
-            sizes.points, sizes.bonds, sizes.unknowns
-        ),
-    );
-    let iterations: Vec<String> = summary
-        .solver
-        .iterations
-        .iter()
-        .map(ToString::to_string)
-        .collect();
+    line("size", format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns));
+    let iterations: Vec<String> = summary.solver.iterations.iter().map(ToString::to_string).collect();
     line(
         "solver",
         format!(
@@ -154,11 +134,7 @@ fn reactions(out: &mut String, state: &StateSummary) {
 
 fn certificate(out: &mut String, state: &StateSummary) {
     let c = &state.certificate;
-    let balance: Vec<String> = c
-        .balance
-        .iter()
-        .map(|b| format!("{} {:.1e}", b.motion, b.relative))
-        .collect();
+    let balance: Vec<String> = c.balance.iter().map(|b| format!("{} {:.1e}", b.motion, b.relative)).collect();
     let _ = writeln!(
         out,
         "\n  certificate: {}, next correction {:.1e}, residual {:.1e}, balance of {}, energy {:.1e}",
@@ -176,20 +152,10 @@ fn envelope(out: &mut String, summary: &Summary) {
         .iter()
         .map(|(field, [low, high])| {
             let place = |e: &(String, crate::summary::Located)| format!("{} at {}", e.0, number(e.1.x));
-            vec![
-                (*field).into(),
-                number(low.1.value),
-                place(low),
-                number(high.1.value),
-                place(high),
-            ]
+            vec![(*field).into(), number(low.1.value), place(low), number(high.1.value), place(high)]
         })
         .collect();
-    let _ = write!(
-        out,
-        "\nenvelope\n\n{}",
-        table(&["field", "smallest", "in", "largest", "in"], &rows)
-    );
+    let _ = write!(out, "\nenvelope\n\n{}", table(&["field", "smallest", "in", "largest", "in"], &rows));
 }
 
 fn probes(out: &mut String, summary: &Summary) {
@@ -206,11 +172,7 @@ fn probes(out: &mut String, summary: &Summary) {
             ]
         })
         .collect();
-    let _ = write!(
-        out,
-        "\n{}",
-        table(&["probe", "state", "field", "x", "value"], &rows)
-    );
+    let _ = write!(out, "\n{}", table(&["probe", "state", "field", "x", "value"], &rows));
 }
 
 /// The checks of a case.
@@ -224,11 +186,7 @@ pub(super) fn checks(checks: &[CheckResult]) -> String {
                 number(c.found),
                 format!("{:.2e}", c.error),
                 format!("{:.0e}", c.tolerance),
-                if c.passed {
-                    "passed".into()
-                } else {
-                    "FAILED".into()
-                },
+                if c.passed { "passed".into() } else { "FAILED".into() },
             ]
         })
         .collect();
@@ -258,13 +216,7 @@ pub(super) fn sizes(all: &[(String, Sizes)]) -> String {
         .iter()
         .map(|(case, s)| {
             let megabytes = format!("{:.1}", s.estimated_bytes as f64 / 1e6);
-            vec![
-                case.clone(),
-                s.points.to_string(),
-                s.bonds.to_string(),
-                s.unknowns.to_string(),
-                megabytes,
-            ]
+            vec![case.clone(), s.points.to_string(), s.bonds.to_string(), s.unknowns.to_string(), megabytes]
         })
         .collect();
     table(&["case", "points", "bonds", "unknowns", "memory, MB"], &rows)

@@ -42,16 +42,10 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
 /// Solves a scene and writes its folder.
 pub(super) fn solve_into(loaded: &Loaded, folder: &Path, global: &Global) -> Result<Summary, Error> {
     let at = |error: io::Error| {
-        io::Error::new(
-            error.kind(),
-            format!("cannot write {}: {error}", folder.display()),
-        )
+        io::Error::new(error.kind(), format!("cannot write {}: {error}", folder.display()))
     };
     let mut results: Option<Results> = None;
-    let options = RunOptions {
-        recover: true,
-        max_memory: global.max_memory,
-    };
+    let options = RunOptions { recover: true, max_memory: global.max_memory };
     let summary = loaded.run(&options, &mut |scene, result| {
         if !finite(&result) {
             return Err(io::Error::new(
@@ -105,10 +99,8 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
         }
     }
     if global.json {
-        let list: Vec<_> = all
-            .iter()
-            .map(|(case, sizes)| serde_json::json!({ "case": case, "sizes": sizes }))
-            .collect();
+        let list: Vec<_> =
+            all.iter().map(|(case, sizes)| serde_json::json!({ "case": case, "sizes": sizes })).collect();
         say(&format!("{:#}\n", serde_json::Value::from(list)))?;
     } else if !global.quiet && !all.is_empty() {
         say(&print::sizes(&all))?;
@@ -119,15 +111,10 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
 /// Writes the stiffness before supports.
 fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
     let (system, _) = prepare(&loaded.scene, None).map_err(|e| loaded.explain(e))?;
-    let matrix = system
-        .stiffness()
-        .to_csr(|point, component| 2 * point + component);
+    let matrix = system.stiffness().to_csr(|point, component| 2 * point + component);
     let entries: Vec<(usize, usize, f64)> = matrix.iter().map(|(&v, (i, j))| (i, j, v)).collect();
     let comments = [
-        format!(
-            "stiffness of `{}` before supports, links and springs are applied",
-            loaded.scene.case.title
-        ),
+        format!("stiffness of `{}` before supports, links and springs are applied", loaded.scene.case.title),
         "unknowns in the order w_0, phi_0, w_1, phi_1, ... of the points from left to right".into(),
     ];
     matrix_market::write(file, system.size(), &entries, &comments)

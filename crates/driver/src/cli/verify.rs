@@ -32,11 +32,7 @@ struct Outcome {
 pub(super) fn verify(request: &Request, global: &Global) -> Result<u8, Error> {
     let mut cases = Vec::new();
     let default = [PathBuf::from("cases")];
-    let paths = if request.paths.is_empty() {
-        &default[..]
-    } else {
-        &request.paths
-    };
+    let paths = if request.paths.is_empty() { &default[..] } else { &request.paths };
     for path in paths {
         collect(path, request.all, &mut cases)?;
     }
@@ -60,9 +56,7 @@ pub(super) fn verify(request: &Request, global: &Global) -> Result<u8, Error> {
         say(&report(&outcomes))?;
     }
     let bad_input = outcomes.iter().any(|o| o.result.is_err());
-    let passed = outcomes
-        .iter()
-        .all(|o| o.result.as_ref().is_ok_and(|s| s.status == Status::Passed));
+    let passed = outcomes.iter().all(|o| o.result.as_ref().is_ok_and(|s| s.status == Status::Passed));
     Ok(if bad_input {
         USAGE
     } else if passed {
@@ -84,11 +78,7 @@ fn collect(path: &Path, all: bool, cases: &mut Vec<PathBuf>) -> io::Result<()> {
     let mut entries: Vec<PathBuf> = entries.map(|e| e.map(|e| e.path())).collect::<Result<_, _>>()?;
     entries.sort();
     for entry in entries {
-        let name = entry
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+        let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
         if entry.is_dir() {
             if name != "invalid" && (all || name != "bench") {
                 collect(&entry, all, cases)?;
@@ -110,10 +100,7 @@ fn solve_all(cases: &[PathBuf], request: &Request, global: &Global) -> Vec<Outco
             scope.spawn(|| {
                 while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
                     if let Some(outcome) = solve_one(case, request, global) {
-                        outcomes
-                            .lock()
-                            .expect("no holder of the lock panics")
-                            .push(outcome);
+                        outcomes.lock().expect("no holder of the lock panics").push(outcome);
                     }
                 }
             });
@@ -139,26 +126,20 @@ fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome>
     let result = loaded.and_then(|loaded| match &request.output {
         Some(folder) => solve::solve_into(&loaded, &folder.join(case.with_extension("")), global),
         None => {
-            let options = RunOptions {
-                recover: false,
-                max_memory: global.max_memory,
-            };
+            let options = RunOptions { recover: false, max_memory: global.max_memory };
             loaded.run(&options, &mut |_, _| Ok(()))
         }
     });
-    Some(Outcome {
-        case: case.into(),
-        seconds: begin.elapsed().as_secs_f64(),
-        result,
-    })
+    Some(Outcome { case: case.into(), seconds: begin.elapsed().as_secs_f64(), result })
 }
 
-/// Worst check of a summary: the largest error over tolerance.
+/// Worst check of a summary: the largest error over tolerance. A limit is no error, so it comes last.
 fn worst(summary: &Summary) -> Option<&crate::run::CheckResult> {
-    summary
-        .checks
-        .iter()
-        .max_by(|a, b| (a.error / a.tolerance).total_cmp(&(b.error / b.tolerance)))
+    let rank = |c: &crate::run::CheckResult| (c.kind != "limit", c.error / c.tolerance);
+    summary.checks.iter().max_by(|a, b| {
+        let (a, b) = (rank(a), rank(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    })
 }
 
 fn verdict(outcome: &Outcome) -> &'static str {
@@ -187,26 +168,15 @@ fn report(outcomes: &[Outcome]) -> String {
         ]
     };
     let rows: Vec<Vec<String>> = outcomes.iter().map(row).collect();
-    let mut text = print::table(
-        &["case", "checks", "worst error", "tolerance", "time, s", ""],
-        &rows,
-    );
+    let mut text = print::table(&["case", "checks", "worst error", "tolerance", "time, s", ""], &rows);
     for outcome in outcomes {
         if let Ok(summary) = &outcome.result
             && summary.status != Status::Passed
         {
-            let _ = write!(
-                text,
-                "\n{}\n\n{}",
-                outcome.case.display(),
-                print::checks(&summary.checks)
-            );
+            let _ = write!(text, "\n{}\n\n{}", outcome.case.display(), print::checks(&summary.checks));
         }
     }
-    let passed = outcomes
-        .iter()
-        .filter(|o| matches!(verdict(o), "passed" | "no checks"))
-        .count();
+    let passed = outcomes.iter().filter(|o| matches!(verdict(o), "passed" | "no checks")).count();
     let _ = writeln!(text, "\n{passed} passed, {} failed", outcomes.len() - passed);
     text
 }
@@ -225,21 +195,14 @@ fn json(outcomes: &[Outcome]) -> String {
 /// The outcomes in the form that CI servers read.
 fn junit(outcomes: &[Outcome]) -> String {
     let xml = crate::output::xml;
-    let failed = outcomes
-        .iter()
-        .filter(|o| !matches!(verdict(o), "passed" | "no checks"))
-        .count();
+    let failed = outcomes.iter().filter(|o| !matches!(verdict(o), "passed" | "no checks")).count();
     let mut text = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"peristat\" tests=\"{}\" failures=\"{failed}\">\n",
         outcomes.len()
     );
     for o in outcomes {
         let name = xml(&o.case.display().to_string());
-        let _ = write!(
-            text,
-            "  <testcase name=\"{name}\" classname=\"peristat\" time=\"{:.3}\"",
-            o.seconds
-        );
+        let _ = write!(text, "  <testcase name=\"{name}\" classname=\"peristat\" time=\"{:.3}\"", o.seconds);
         let details = match &o.result {
             Err(error) => error.to_string(),
             Ok(s) if s.status == Status::Passed => {

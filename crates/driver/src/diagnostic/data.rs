@@ -28,10 +28,7 @@ pub(super) fn diagnose(text: &str, path: JsonPath, error: &serde_json::Error) ->
         let child = path.key(name);
         return match locate(text, &child).filter(|place| place.exact) {
             Some(_) => at_key(text, child, misspelt("key", name, &allowed)),
-            None => Diagnostic {
-                path,
-                ..misspelt("value", name, &allowed)
-            },
+            None => Diagnostic { path, ..misspelt("value", name, &allowed) },
         };
     }
     if let Some(name) = named("missing field `") {
@@ -42,9 +39,7 @@ pub(super) fn diagnose(text: &str, path: JsonPath, error: &serde_json::Error) ->
         // The path leads to the first of the two; the parser stopped at the closing quote of the second.
         let quote = offset(text, error.line(), error.column());
         let start = text.get(..quote).and_then(|before| before.rfind('"'));
-        diagnostic.span = start
-            .map(|start| start..quote + 1)
-            .filter(|span| text.get(span.clone()).is_some());
+        diagnostic.span = start.map(|start| start..quote + 1).filter(|span| text.get(span.clone()).is_some());
         return diagnostic;
     }
     misfit(text, path, raw)
@@ -53,9 +48,7 @@ pub(super) fn diagnose(text: &str, path: JsonPath, error: &serde_json::Error) ->
 /// The name before its closing backtick, and the names that were expected instead.
 fn unknown(rest: &str) -> (&str, Vec<&str>) {
     // The user's name may hold anything; what `serde` adds holds only names of our own.
-    let end = rest
-        .rfind("`, expected ")
-        .or_else(|| rest.rfind("`, there are no "));
+    let end = rest.rfind("`, expected ").or_else(|| rest.rfind("`, there are no "));
     let (name, allowed) = rest.split_at(end.unwrap_or(rest.len()));
     (name, allowed.split('`').skip(2).step_by(2).collect())
 }
@@ -63,10 +56,7 @@ fn unknown(rest: &str) -> (&str, Vec<&str>) {
 fn misspelt(noun: &str, name: &str, allowed: &[&str]) -> Diagnostic {
     let plain = name.to_lowercase().replace([' ', '-'], "_");
     let likeness = |known: &&str| strsim::jaro_winkler(&plain, &known.to_lowercase());
-    let nearest = allowed
-        .iter()
-        .copied()
-        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+    let nearest = allowed.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
     let mut diagnostic = Diagnostic::error(JsonPath::default(), format!("unknown {noun} {}", quote(name)));
     diagnostic.hint(match nearest {
         None => "nothing is allowed here".to_string(),
@@ -78,44 +68,29 @@ fn misspelt(noun: &str, name: &str, allowed: &[&str]) -> Diagnostic {
 
 /// Underlines the key at `path` and not its value.
 fn at_key(text: &str, path: JsonPath, diagnostic: Diagnostic) -> Diagnostic {
-    let span = locate(text, &path)
-        .filter(|place| place.exact)
-        .and_then(|place| place.key);
-    Diagnostic {
-        path,
-        span,
-        ..diagnostic
-    }
+    let span = locate(text, &path).filter(|place| place.exact).and_then(|place| place.key);
+    Diagnostic { path, span, ..diagnostic }
 }
 
 /// `invalid type: string "a", expected f64` and its kin.
 fn misfit(text: &str, path: JsonPath, raw: &str) -> Diagnostic {
-    let Some((found, expected)) = raw
-        .strip_prefix("invalid ")
-        .and_then(|rest| rest.rsplit_once(", expected "))
+    let Some((found, expected)) =
+        raw.strip_prefix("invalid ").and_then(|rest| rest.rsplit_once(", expected "))
     else {
         // A message of our own types.
         return Diagnostic::error(path, raw);
     };
     let place = locate(text, &path);
-    let value = place
-        .as_ref()
-        .filter(|place| place.exact)
-        .map(|place| &text[place.value.clone()]);
+    let value = place.as_ref().filter(|place| place.exact).map(|place| &text[place.value.clone()]);
     if found == "type: unit variant" {
         // The name alone stands where an object with that key is expected; its path ends with the name.
         let name = string_at(text, place.as_ref());
-        let mut diagnostic = Diagnostic::error(
-            path,
-            format!("{} needs its values, found only the name", quote(name)),
-        );
+        let mut diagnostic =
+            Diagnostic::error(path, format!("{} needs its values, found only the name", quote(name)));
         diagnostic.hint(format!("write {{\"{}\": {{...}}}}", clip(name, FOUND)));
         return diagnostic;
     }
-    if let Some(length) = found
-        .strip_prefix("length ")
-        .filter(|_| !expected.contains("struct"))
-    {
+    if let Some(length) = found.strip_prefix("length ").filter(|_| !expected.contains("struct")) {
         return Diagnostic::error(path, list_length(length, expected));
     }
     let is_position = expected == "struct At";

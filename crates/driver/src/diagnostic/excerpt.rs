@@ -24,10 +24,7 @@ impl Excerpt {
         // Of a line of 100 MB only as many characters are read as can be shown.
         let before = before.chars().rev().take(WINDOW + 1).take_while(|c| *c != '\n');
         let mut before: Vec<_> = before.collect();
-        let after = after
-            .char_indices()
-            .take(WINDOW + 1)
-            .take_while(|(_, c)| !"\r\n".contains(*c));
+        let after = after.char_indices().take(WINDOW + 1).take_while(|(_, c)| !"\r\n".contains(*c));
         let after: Vec<_> = after.collect();
         // What the one side does not need is left to the other.
         let kept = before.len().min(BEFORE.max(WINDOW.saturating_sub(after.len())));
@@ -47,11 +44,7 @@ impl Excerpt {
         if after.len() > WINDOW - kept {
             line.push_str("...");
         }
-        Excerpt {
-            line,
-            indent,
-            carets: carets.max(1),
-        }
+        Excerpt { line, indent, carets: carets.max(1) }
     }
 }
 
@@ -75,11 +68,7 @@ pub(super) fn escape(text: &str) -> String {
 
 /// A character as it may reach a terminal: nothing that moves the cursor, colours or reverses text.
 fn visible(c: char) -> String {
-    let unseen = [
-        '\u{200B}'..='\u{200F}',
-        '\u{202A}'..='\u{202E}',
-        '\u{2060}'..='\u{2069}',
-    ];
+    let unseen = ['\u{200B}'..='\u{200F}', '\u{202A}'..='\u{202E}', '\u{2060}'..='\u{2069}'];
     match c {
         '\t' => "    ".to_string(),
         '\u{FEFF}' => c.escape_unicode().to_string(),
@@ -97,12 +86,7 @@ mod tests {
     fn excerpt(text: &str, word: &str) -> (Excerpt, String) {
         let start = text.find(word).unwrap();
         let excerpt = Excerpt::new(text, start..start + word.len());
-        let marked = excerpt
-            .line
-            .chars()
-            .skip(excerpt.indent)
-            .take(excerpt.carets)
-            .collect();
+        let marked = excerpt.line.chars().skip(excerpt.indent).take(excerpt.carets).collect();
         (excerpt, marked)
     }
 
@@ -111,11 +95,7 @@ mod tests {
         let filler = "1, ".repeat(400_000);
         let (cut, marked) = excerpt(&format!("[{filler}\"bad\", {filler}]"), "\"bad\"");
         assert_eq!((marked.as_str(), cut.indent), ("\"bad\"", BEFORE + 3));
-        assert_eq!(
-            cut.line.chars().count(),
-            WINDOW + 6,
-            "both ends carry three points"
-        );
+        assert_eq!(cut.line.chars().count(), WINDOW + 6, "both ends carry three points");
         assert!(cut.line.starts_with("...") && cut.line.ends_with("..."));
         let long = "é".repeat(100_000);
         let (cut, _) = excerpt(&long, &long);
@@ -132,22 +112,12 @@ mod tests {
         // 4 columns for the tab, 8 for the key with its colon; the bell is shown in 5.
         assert_eq!((shown.indent, marked.as_str()), (12, "\"é\\u{7}\""));
         let end = Excerpt::new("ab\n", 2..2);
-        assert_eq!(
-            end,
-            Excerpt {
-                line: "ab".to_string(),
-                indent: 2,
-                carets: 1
-            }
-        );
+        assert_eq!(end, Excerpt { line: "ab".to_string(), indent: 2, carets: 1 });
     }
 
     #[test]
     fn user_text_cannot_drive_the_terminal() {
-        assert_eq!(
-            quote("x\u{1b}[31m\u{202e}\n\ty"),
-            "`x\\u{1b}[31m\\u{202e}\\n\\ty`"
-        );
+        assert_eq!(quote("x\u{1b}[31m\u{202e}\n\ty"), "`x\\u{1b}[31m\\u{202e}\\n\\ty`");
         assert_eq!(clip(&"y".repeat(99), 3), "yyy...");
         assert_eq!(clip("yyy", 3), "yyy");
     }

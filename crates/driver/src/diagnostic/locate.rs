@@ -53,26 +53,16 @@ pub fn locate(text: &str, path: &JsonPath) -> Option<Place> {
             }
         }
     }
-    Some(Place {
-        key,
-        value: start..end_of_value(bytes, start),
-        exact,
-    })
+    Some(Place { key, value: start..end_of_value(bytes, start), exact })
 }
 
 /// Line and column of a byte, both from 1; a column is a character.
 pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
     let before = &text.as_bytes()[..offset.min(text.len())];
-    let start = before
-        .iter()
-        .rposition(|&b| b == b'\n')
-        .map_or(0, |newline| newline + 1);
+    let start = before.iter().rposition(|&b| b == b'\n').map_or(0, |newline| newline + 1);
     let line = 1 + before[..start].iter().filter(|&&b| b == b'\n').count();
     // Continuation bytes of UTF-8 begin with the bits 10.
-    (
-        line,
-        1 + before[start..].iter().filter(|&&b| b & 0xC0 != 0x80).count(),
-    )
+    (line, 1 + before[start..].iter().filter(|&&b| b & 0xC0 != 0x80).count())
 }
 
 /// The key with its quotes and the start of the value of `name` in the object that begins at `start`.
@@ -90,10 +80,7 @@ fn member(text: &str, start: usize, name: &str) -> Option<(Range<usize>, usize)>
         {
             return Some((key, value));
         }
-        at = skip_space(
-            bytes,
-            opening(bytes, skip_space(bytes, end_of_value(bytes, value)), b',')?,
-        );
+        at = skip_space(bytes, opening(bytes, skip_space(bytes, end_of_value(bytes, value)), b',')?);
     }
 }
 
@@ -101,10 +88,7 @@ fn member(text: &str, start: usize, name: &str) -> Option<(Range<usize>, usize)>
 fn element(bytes: &[u8], start: usize, index: usize) -> Option<usize> {
     let mut at = skip_space(bytes, opening(bytes, start, b'[')?);
     for _ in 0..index {
-        at = skip_space(
-            bytes,
-            opening(bytes, skip_space(bytes, end_of_value(bytes, at)), b',')?,
-        );
+        at = skip_space(bytes, opening(bytes, skip_space(bytes, end_of_value(bytes, at)), b',')?);
     }
     (at < bytes.len() && bytes[at] != b']').then_some(at)
 }
@@ -115,9 +99,7 @@ fn opening(bytes: &[u8], at: usize, sign: u8) -> Option<usize> {
 }
 
 fn skip_space(bytes: &[u8], at: usize) -> usize {
-    (at..bytes.len())
-        .find(|&i| !b" \t\r\n".contains(&bytes[i]))
-        .unwrap_or(bytes.len())
+    (at..bytes.len()).find(|&i| !b" \t\r\n".contains(&bytes[i])).unwrap_or(bytes.len())
 }
 
 /// The end of the string that opens at `at`.
@@ -193,19 +175,12 @@ mod tests {
 
     #[test]
     fn deep_nesting_and_broken_text_do_no_harm() {
-        let deep = format!(
-            "{{\"a\": {}{}, \"b\": 1}}",
-            "[".repeat(300_000),
-            "]".repeat(300_000)
-        );
+        let deep = format!("{{\"a\": {}{}, \"b\": 1}}", "[".repeat(300_000), "]".repeat(300_000));
         let place = locate(&deep, &"b".into()).unwrap();
         assert_eq!((&deep[place.value], place.exact), ("1", true));
         for text in ["{\"a", "{\"", "{\"a\\", "{\"a\":", "[1,", "[", "}", "{\"é"] {
             for path in ["a", "[1]", "a.b"] {
-                assert!(
-                    !locate(text, &path.into()).unwrap().exact || text == "{\"a\":",
-                    "{text} {path}"
-                );
+                assert!(!locate(text, &path.into()).unwrap().exact || text == "{\"a\":", "{text} {path}");
             }
         }
         assert_eq!(locate(" \n", &"a".into()), None);
@@ -214,11 +189,7 @@ mod tests {
     #[test]
     fn columns_count_characters() {
         assert_eq!(line_and_column("ab\nñ\tx", 0), (1, 1));
-        assert_eq!(
-            line_and_column("ab\nñ\tx", 6),
-            (2, 3),
-            "ñ is two bytes and one character"
-        );
+        assert_eq!(line_and_column("ab\nñ\tx", 6), (2, 3), "ñ is two bytes and one character");
         assert_eq!(line_and_column("ab\n", 3), (2, 1));
     }
 }

@@ -95,17 +95,12 @@ impl Faults {
 
     /// Adds a warning; the answer takes a hint.
     pub fn warning(&mut self, path: impl Into<JsonPath>, message: impl Into<String>) -> &mut Diagnostic {
-        self.add(Diagnostic {
-            severity: Severity::Warning,
-            ..Diagnostic::error(path, message)
-        })
+        self.add(Diagnostic { severity: Severity::Warning, ..Diagnostic::error(path, message) })
     }
 
     fn add(&mut self, diagnostic: Diagnostic) -> &mut Diagnostic {
         self.diagnostics.push(diagnostic);
-        self.diagnostics
-            .last_mut()
-            .expect("one was pushed in the line above")
+        self.diagnostics.last_mut().expect("one was pushed in the line above")
     }
 
     /// Whether the case cannot be run.
@@ -120,11 +115,7 @@ impl Faults {
 
     /// The report on `file`, whose source is `text` (empty if it has none).
     pub fn into_report(self, file: impl Into<String>, text: impl Into<String>) -> Report {
-        Report {
-            file: file.into(),
-            text: text.into(),
-            diagnostics: self.diagnostics,
-        }
+        Report { file: file.into(), text: text.into(), diagnostics: self.diagnostics }
     }
 }
 
@@ -142,11 +133,7 @@ pub struct Report {
 impl Report {
     /// The report of a single fault.
     pub(crate) fn of(file: &str, text: impl Into<String>, diagnostic: Diagnostic) -> Self {
-        Report {
-            file: file.to_string(),
-            text: text.into(),
-            diagnostics: vec![diagnostic],
-        }
+        Report { file: file.to_string(), text: text.into(), diagnostics: vec![diagnostic] }
     }
 }
 

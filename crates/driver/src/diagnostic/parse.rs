@@ -20,11 +20,7 @@ pub fn decode(file: &str, mut bytes: Vec<u8>) -> Result<String, Report> {
         let utf16 = matches!(error.as_bytes(), [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..]);
         let message = format!("the file is not UTF-8 text: byte 0x{:02X}", error.as_bytes()[at]);
         let mut diagnostic = Diagnostic::error(JsonPath::default(), message);
-        diagnostic.hint(if utf16 {
-            "this is UTF-16: save it as UTF-8"
-        } else {
-            "save it as UTF-8"
-        });
+        diagnostic.hint(if utf16 { "this is UTF-16: save it as UTF-8" } else { "save it as UTF-8" });
         // Up to the fault nothing is replaced, so its offset holds in the lossy text too.
         diagnostic.span = Some(at..at + char::REPLACEMENT_CHARACTER.len_utf8());
         Report::of(file, String::from_utf8_lossy(error.as_bytes()), diagnostic)
@@ -111,11 +107,7 @@ pub(super) mod tests {
     #[serde(rename_all = "snake_case", deny_unknown_fields)]
     #[allow(dead_code, reason = "read by serde only")]
     enum Model {
-        TimoshenkoBeam {
-            section: Section,
-            length: f64,
-            bond_law: Option<BondLaw>,
-        },
+        TimoshenkoBeam { section: Section, length: f64, bond_law: Option<BondLaw> },
         Membrane(Membrane),
     }
 
@@ -161,19 +153,9 @@ pub(super) mod tests {
         let shown = report.to_string();
         let lines: Vec<_> = shown.lines().collect();
         let from = lines[4].find('^').expect(&shown);
-        let marked: String = lines[3]
-            .chars()
-            .skip(from)
-            .take(lines[4].matches('^').count())
-            .collect();
-        let [diagnostic] = &report.diagnostics[..] else {
-            panic!("{shown}")
-        };
-        (
-            diagnostic.message.clone(),
-            marked,
-            diagnostic.hint.clone().unwrap_or_default(),
-        )
+        let marked: String = lines[3].chars().skip(from).take(lines[4].matches('^').count()).collect();
+        let [diagnostic] = &report.diagnostics[..] else { panic!("{shown}") };
+        (diagnostic.message.clone(), marked, diagnostic.hint.clone().unwrap_or_default())
     }
 
     /// Checks lines `old => new | message | underlined | hint`, an empty hint being none given.
@@ -192,34 +174,23 @@ pub(super) mod tests {
     #[test]
     fn a_good_case_is_read() {
         let case = parse::<Case>("x.json", GOOD).unwrap();
-        assert_eq!(
-            (case.horizon_ratio, case.cells, case.direction),
-            (3.0, Some(8), [0.0, 0.0, 1.0])
-        );
+        assert_eq!((case.horizon_ratio, case.cells, case.direction), (3.0, Some(8), [0.0, 0.0, 1.0]));
     }
 
     #[test]
     fn syntax_comes_before_data_even_when_it_stands_later() {
         let (message, marked, _) = fault("\"width\": 1, \"height\": 2", "\"wdth\": 1, \"height\" 2");
-        assert_eq!(
-            (message.as_str(), marked.as_str()),
-            ("expected `:` after a key, found `2`", "2")
-        );
+        assert_eq!((message.as_str(), marked.as_str()), ("expected `:` after a key, found `2`", "2"));
     }
 
     #[test]
     fn one_wrong_character_anywhere_is_reported_and_never_a_panic() {
         for (at, old) in GOOD.char_indices() {
-            for new in [
-                "", "é", "\"", "{", "]", ",", "\\", "-", ".", "\n", "x", "1e999", "\u{0}",
-            ] {
+            for new in ["", "é", "\"", "{", "]", ",", "\\", "-", ".", "\n", "x", "1e999", "\u{0}"] {
                 let text = format!("{}{new}{}", &GOOD[..at], &GOOD[at + old.len_utf8()..]);
                 if let Err(report) = parse::<Case>("x.json", &text) {
                     let shown = report.to_string();
-                    assert!(
-                        shown.contains("--> x.json:") && shown.contains('^'),
-                        "{text}\n{shown}"
-                    );
+                    assert!(shown.contains("--> x.json:") && shown.contains('^'), "{text}\n{shown}");
                 }
             }
         }
@@ -230,15 +201,7 @@ pub(super) mod tests {
         assert_eq!(decode("x", b"\xEF\xBB\xBF{}".to_vec()), Ok("{}".to_string()));
         let report = decode("x", b"{\n \"t\": \"B\xF6gen\" }".to_vec()).unwrap_err();
         assert_eq!(report.line_and_column(&report.diagnostics[0]), Some((2, 9)));
-        assert!(
-            report.to_string().contains("not UTF-8 text: byte 0xF6"),
-            "{report}"
-        );
-        assert!(
-            decode("x", b"\xFF\xFE{\0".to_vec())
-                .unwrap_err()
-                .to_string()
-                .contains("UTF-16")
-        );
+        assert!(report.to_string().contains("not UTF-8 text: byte 0xF6"), "{report}");
+        assert!(decode("x", b"\xFF\xFE{\0".to_vec()).unwrap_err().to_string().contains("UTF-16"));
     }
 }

@@ -74,28 +74,21 @@ impl FromStr for JsonPath {
     type Err = PathError;
 
     fn from_str(text: &str) -> Result<Self, PathError> {
-        let fail = |reason| PathError {
-            text: text.to_string(),
-            reason,
-        };
+        let fail = |reason| PathError { text: text.to_string(), reason };
         let mut path = JsonPath::default();
         let mut rest = text;
         while !rest.is_empty() {
             if rest.starts_with("[\"") {
                 let mut strings = serde_json::Deserializer::from_str(&rest[1..]).into_iter::<String>();
-                let key = strings
-                    .next()
-                    .and_then(Result::ok)
-                    .ok_or_else(|| fail("a quoted key does not end"))?;
+                let key =
+                    strings.next().and_then(Result::ok).ok_or_else(|| fail("a quoted key does not end"))?;
                 path.0.push(Segment::Key(key));
                 rest = rest[1 + strings.byte_offset()..]
                     .strip_prefix(']')
                     .ok_or_else(|| fail("a `]` is missing"))?;
             } else if let Some(after) = rest.strip_prefix('[') {
                 let (index, after) = after.split_once(']').ok_or_else(|| fail("a `]` is missing"))?;
-                let index = index
-                    .parse()
-                    .map_err(|_| fail("an index is a whole number, from 0"))?;
+                let index = index.parse().map_err(|_| fail("an index is a whole number, from 0"))?;
                 path.0.push(Segment::Index(index));
                 rest = after;
             } else {
@@ -129,8 +122,7 @@ impl From<&JsonPath> for JsonPath {
 /// If the text is not a path; use [`str::parse`] for what a user wrote.
 impl From<&'static str> for JsonPath {
     fn from(text: &'static str) -> Self {
-        text.parse()
-            .expect("a path written in the program is well formed")
+        text.parse().expect("a path written in the program is well formed")
     }
 }
 
@@ -159,15 +151,10 @@ mod tests {
 
     #[test]
     fn malformed_paths_are_refused() {
-        for text in [
-            "a..b", ".a", "a.", "a[", "a[x]", "a[-1]", "a[0]b", "a]b", "a[\"b\"", "a[\"b",
-        ] {
+        for text in ["a..b", ".a", "a.", "a[", "a[x]", "a[-1]", "a[0]b", "a]b", "a[\"b\"", "a[\"b"] {
             assert!(text.parse::<JsonPath>().is_err(), "{text} was accepted");
         }
         let error = "a[x]".parse::<JsonPath>().unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "`a[x]` is not a path: an index is a whole number, from 0"
-        );
+        assert_eq!(error.to_string(), "`a[x]` is not a path: an index is a whole number, from 0");
     }
 }

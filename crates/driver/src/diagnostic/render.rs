@@ -41,15 +41,9 @@ impl Report {
     }
 
     fn count(&self) -> String {
-        let errors = self
-            .diagnostics
-            .iter()
-            .filter(|d| d.severity == Severity::Error)
-            .count();
+        let errors = self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count();
         let warnings = self.diagnostics.len() - errors;
-        let words = [(errors, "error"), (warnings, "warning")]
-            .into_iter()
-            .filter(|(n, _)| *n > 0);
+        let words = [(errors, "error"), (warnings, "warning")].into_iter().filter(|(n, _)| *n > 0);
         let words = words.map(|(n, word)| format!("{n} {word}{}", if n == 1 { "" } else { "s" }));
         words.collect::<Vec<_>>().join(" and ")
     }
@@ -65,10 +59,7 @@ impl Report {
             Severity::Warning => YELLOW,
         };
         let severity = paint(alarm, &diagnostic.severity.to_string());
-        let mut lines = vec![format!(
-            "{severity}: {}",
-            paint(BOLD, &escape(&diagnostic.message))
-        )];
+        let mut lines = vec![format!("{severity}: {}", paint(BOLD, &escape(&diagnostic.message)))];
 
         let place = span.map(|span| (line_and_column(&self.text, span.start), span));
         let gutter = " ".repeat(1 + place.as_ref().map_or(1, |((n, _), _)| n.to_string().len()));
@@ -85,11 +76,7 @@ impl Report {
             let bar = paint(CYAN, "|");
             let indent = " ".repeat(excerpt.indent);
             lines.push(format!("{gutter} {bar}"));
-            lines.push(format!(
-                " {} {bar} {}",
-                paint(CYAN, &line.to_string()),
-                excerpt.line
-            ));
+            lines.push(format!(" {} {bar} {}", paint(CYAN, &line.to_string()), excerpt.line));
             let carets = paint(alarm, &"^".repeat(excerpt.carets));
             lines.push(format!("{gutter} {bar} {indent}{carets}"));
         }
@@ -136,9 +123,7 @@ mod tests {
     fn one_error_has_reason_place_caret_and_hint() {
         let mut faults = Faults::default();
         let message = "`horizon_ratio` must be at least 1, found 0.5";
-        faults
-            .error("horizon_ratio", message)
-            .hint("use 3, the usual choice");
+        faults.error("horizon_ratio", message).hint("use 3, the usual choice");
         let expected = "\
 error: `horizon_ratio` must be at least 1, found 0.5
   --> cases/x.json:7:20, at `horizon_ratio`
@@ -159,21 +144,12 @@ hint: use 3, the usual choice
         faults.error("cells", "second");
         faults.error("horizon_ratio", "first");
         let text = faults.into_report("x.json", TEXT).to_string();
-        let order: Vec<_> = [
-            "first",
-            "second",
-            "warning: third",
-            "2 errors and 1 warning in x.json",
-        ]
-        .iter()
-        .map(|word| text.find(word).unwrap())
-        .collect();
+        let order: Vec<_> = ["first", "second", "warning: third", "2 errors and 1 warning in x.json"]
+            .iter()
+            .map(|word| text.find(word).unwrap())
+            .collect();
         assert!(order.is_sorted(), "{text}");
-        assert_eq!(
-            text.matches("\n\n").count(),
-            3,
-            "an empty line between them\n{text}"
-        );
+        assert_eq!(text.matches("\n\n").count(), 3, "an empty line between them\n{text}");
     }
 
     #[test]
@@ -198,9 +174,6 @@ hint: use 3, the usual choice
     fn long_hints_are_wrapped() {
         let names: Vec<_> = (0..40).map(|i| format!("`name_{i}`")).collect();
         let wrapped = wrap(&names.join(", "));
-        assert!(
-            wrapped.lines().count() > 3 && wrapped.lines().all(|line| line.len() <= WIDTH),
-            "{wrapped}"
-        );
+        assert!(wrapped.lines().count() > 3 && wrapped.lines().all(|line| line.len() <= WIDTH), "{wrapped}");
     }
 }

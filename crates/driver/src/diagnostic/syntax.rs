@@ -24,20 +24,14 @@ pub(super) fn diagnose(text: &str, error: &serde_json::Error) -> Diagnostic {
     let trailing = before.ends_with(',') && ["}", "]"].contains(&&text[span.clone()]);
     let (message, hint) = if end == 0 {
         span = 0..0;
-        (
-            "the file is empty",
-            "`peristat new MODEL` prints a case to begin with",
-        )
+        ("the file is empty", "`peristat new MODEL` prints a case to begin with")
     } else if error.is_eof() || raw == "invalid number" && span.end == end {
         span = end..end;
         (cut_off(raw), "is it cut off, or is a closing bracket missing?")
     } else if trailing && ["trailing comma", "expected value", "key must be a string"].contains(&raw) {
         // The parser stops at the bracket; the fault is the comma before it.
         span = before.len() - 1..before.len();
-        (
-            "a comma before a closing bracket",
-            "remove it: JSON has no trailing comma",
-        )
+        ("a comma before a closing bracket", "remove it: JSON has no trailing comma")
     } else {
         words(raw, &text[span.clone()])
     };
@@ -75,10 +69,9 @@ fn words(raw: &str, found: &str) -> (&'static str, &'static str) {
         "trailing characters" => ("text after the end of the case", "a bracket too many?"),
         "invalid escape" => ("invalid escape in a string", "a backslash is written `\\\\`"),
         "recursion limit exceeded" => ("nested too deeply", "the limit is 127 levels"),
-        _ if raw.starts_with("control character") => (
-            "a line break or control character inside a string",
-            "is the closing `\"` missing?",
-        ),
+        _ if raw.starts_with("control character") => {
+            ("a line break or control character inside a string", "is the closing `\"` missing?")
+        }
         _ => ("", ""),
     }
 }
@@ -101,15 +94,8 @@ fn value_words(found: &str) -> (&'static str, &'static str) {
 
 /// The byte of a position of `serde_json`: columns are bytes from 1, and 0 is the line break before the line.
 pub(super) fn offset(text: &str, line: usize, column: usize) -> usize {
-    let breaks = text
-        .bytes()
-        .enumerate()
-        .filter(|(_, b)| *b == b'\n')
-        .map(|(at, _)| at + 1);
-    let start = std::iter::once(0)
-        .chain(breaks)
-        .nth(line.saturating_sub(1))
-        .unwrap_or(text.len());
+    let breaks = text.bytes().enumerate().filter(|(_, b)| *b == b'\n').map(|(at, _)| at + 1);
+    let start = std::iter::once(0).chain(breaks).nth(line.saturating_sub(1)).unwrap_or(text.len());
     let at = (start + column).saturating_sub(1).min(text.len());
     (0..=at).rfind(|&i| text.is_char_boundary(i)).unwrap_or(0)
 }
@@ -163,27 +149,16 @@ mod tests {
 
     #[test]
     fn an_empty_or_truncated_file_is_named_so() {
-        let message = |text: &str| {
-            parse::<Case>("x.json", text).unwrap_err().diagnostics[0]
-                .message
-                .clone()
-        };
+        let message = |text: &str| parse::<Case>("x.json", text).unwrap_err().diagnostics[0].message.clone();
         assert_eq!(message(" \n "), "the file is empty");
         assert_eq!(message(""), "the file is empty");
         assert_eq!(message("{"), "the file ends too early, inside an object");
         assert_eq!(message("{\"model\":"), "the file ends too early, before a value");
-        assert_eq!(
-            message("{\"title\": \"ab"),
-            "the file ends too early, inside a string"
-        );
+        assert_eq!(message("{\"title\": \"ab"), "the file ends too early, inside a string");
         assert_eq!(message("[1, "), "the file ends too early, before a value");
         // Every proper prefix of a good case is a fault and never a panic.
         for end in 1..GOOD.len() - 1 {
-            assert!(
-                message(&GOOD[..end]).starts_with("the file ends too early"),
-                "{end}: {}",
-                &GOOD[..end]
-            );
+            assert!(message(&GOOD[..end]).starts_with("the file ends too early"), "{end}: {}", &GOOD[..end]);
         }
     }
 
@@ -196,11 +171,8 @@ mod tests {
     #[test]
     fn nesting_beyond_the_limit_is_no_overflow() {
         for depth in [200, 200_000] {
-            let deep = format!(
-                "{}{}, \"more\": {{ \"timoshenko_beam\"",
-                "[".repeat(depth),
-                "]".repeat(depth)
-            );
+            let deep =
+                format!("{}{}, \"more\": {{ \"timoshenko_beam\"", "[".repeat(depth), "]".repeat(depth));
             let (message, ..) = fault("{ \"timoshenko_beam\"", &deep);
             assert_eq!(message, "nested too deeply");
         }

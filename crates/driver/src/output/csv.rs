@@ -17,11 +17,7 @@ use super::atomic::replace;
 pub fn write(path: &Path, columns: &[(&str, &[f64])]) -> io::Result<()> {
     let rows = columns.first().map_or(0, |(_, values)| values.len());
     for (header, values) in columns {
-        assert_eq!(
-            values.len(),
-            rows,
-            "column {header} has another length than the first"
-        );
+        assert_eq!(values.len(), rows, "column {header} has another length than the first");
     }
     replace(path, |file| {
         let headers: Vec<_> = columns.iter().map(|(header, _)| quoted(header)).collect();
@@ -58,27 +54,14 @@ mod tests {
 
     #[test]
     fn every_number_reads_back_to_the_same_bits() {
-        let values = [
-            0.1,
-            -0.0,
-            1.0 / 3.0,
-            5e-324,
-            f64::MAX,
-            1e-7,
-            123456789.0,
-            f64::NAN,
-            -f64::INFINITY,
-        ];
+        let values = [0.1, -0.0, 1.0 / 3.0, 5e-324, f64::MAX, 1e-7, 123456789.0, f64::NAN, -f64::INFINITY];
         let text = written(&[("x", &values)]);
         let found: Vec<f64> = text.lines().skip(1).map(|line| line.parse().unwrap()).collect();
         assert_eq!(found.len(), values.len());
         for (found, expected) in found.iter().zip(values) {
             assert_eq!(found.to_bits(), expected.to_bits(), "{expected:?}");
         }
-        assert!(
-            text.lines().all(|line| line.len() < 25),
-            "no number is written out in zeros\n{text}"
-        );
+        assert!(text.lines().all(|line| line.len() < 25), "no number is written out in zeros\n{text}");
     }
 
     #[test]

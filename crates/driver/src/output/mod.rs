@@ -33,9 +33,6 @@ pub(crate) fn xml(text: &str) -> String {
 mod tests {
     #[test]
     fn names_are_escaped_for_xml() {
-        assert_eq!(
-            super::xml("a<b & \"c\">\u{0}ñ"),
-            "a&lt;b &amp; &quot;c&quot;&gt;\u{FFFD}ñ"
-        );
+        assert_eq!(super::xml("a<b & \"c\">\u{0}ñ"), "a&lt;b &amp; &quot;c&quot;&gt;\u{FFFD}ñ");
     }
 }

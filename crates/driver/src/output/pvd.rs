@@ -12,18 +12,12 @@ use super::{atomic, xml};
 pub fn write(path: &Path, steps: &[(f64, &str)]) -> io::Result<()> {
     atomic::replace(path, |out| {
         writeln!(out, "<?xml version=\"1.0\"?>")?;
-        writeln!(
-            out,
-            "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">"
-        )?;
+        writeln!(out, "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">")?;
         writeln!(out, "  <Collection>")?;
         for (time, file) in steps {
             // A collection is read on other systems than the one that wrote it.
             let file = xml(&file.replace('\\', "/"));
-            writeln!(
-                out,
-                "    <DataSet timestep=\"{time:?}\" part=\"0\" file=\"{file}\"/>"
-            )?;
+            writeln!(out, "    <DataSet timestep=\"{time:?}\" part=\"0\" file=\"{file}\"/>")?;
         }
         writeln!(out, "  </Collection>\n</VTKFile>")
     })
@@ -39,11 +33,7 @@ mod tests {
         let path = folder.path().join("fields.pvd");
         write(&path, &[(0.0, "fields/step_0.vtu"), (1e-7, "a&b\\1.vtu")]).unwrap();
         let text = std::fs::read_to_string(path).unwrap();
-        let steps: Vec<_> = text
-            .lines()
-            .filter(|line| line.contains("DataSet"))
-            .map(str::trim)
-            .collect();
+        let steps: Vec<_> = text.lines().filter(|line| line.contains("DataSet")).map(str::trim).collect();
         assert_eq!(
             steps,
             [

@@ -17,11 +17,6 @@ fn build(facts: &Facts) -> Result<Solution, String> {
     facts.ends_are(End::Clamped, End::Free)?;
     let (l, b, _) = facts.symbols();
     let moment = facts.only_moment_at(l)?;
-    let at = move |x: f64| State {
-        w: moment * x * x / (2.0 * b),
-        phi: moment * x / b,
-        moment,
-        shear: 0.0,
-    };
+    let at = move |x: f64| State { w: moment * x * x / (2.0 * b), phi: moment * x / b, moment, shear: 0.0 };
     Ok(Solution::local(moment * at(l).phi / 2.0, at))
 }

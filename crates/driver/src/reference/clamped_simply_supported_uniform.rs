@@ -38,12 +38,7 @@ pub(super) struct Propped {
 
 impl Propped {
     pub(super) fn new(q: f64, l: f64, b: f64, s: f64) -> Self {
-        Self {
-            q,
-            l,
-            b,
-            softness: b / (s * l * l),
-        }
+        Self { q, l, b, softness: b / (s * l * l) }
     }
 
     /// Coefficients of L² and of L x in the bracket of w.

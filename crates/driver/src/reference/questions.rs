@@ -36,10 +36,7 @@ impl Facts {
             return mismatch(format_args!("a simple support at x = {x}"), "none there");
         }
         match self.interior_supports.iter().find(|&&x| missing(between, x)) {
-            Some(x) => mismatch(
-                "no other support between the ends",
-                format_args!("one at x = {x}"),
-            ),
+            Some(x) => mismatch("no other support between the ends", format_args!("one at x = {x}")),
             None => Ok(()),
         }
     }
@@ -54,13 +51,10 @@ impl Facts {
 
     /// The moment at x, if it is the only load.
     pub(super) fn only_moment_at(&self, x: f64) -> Result<f64, String> {
-        self.only(
-            format_args!("one load, a moment at x = {x}"),
-            |load| match *load {
-                Load::Moment { x: at, value } if self.same(at, x) => Some(value),
-                _ => None,
-            },
-        )
+        self.only(format_args!("one load, a moment at x = {x}"), |load| match *load {
+            Load::Moment { x: at, value } if self.same(at, x) => Some(value),
+            _ => None,
+        })
     }
 
     /// The force per length, if a uniform one is the only load.
@@ -82,39 +76,24 @@ impl Facts {
     /// Amplitude and number of half waves, if a sine is the only load.
     pub(super) fn only_sine(&self) -> Result<(f64, u32), String> {
         self.only("one load, a sine of at least one half wave", |load| match *load {
-            Load::Sine {
-                amplitude,
-                half_waves,
-            } if half_waves > 0 => Some((amplitude, half_waves)),
+            Load::Sine { amplitude, half_waves } if half_waves > 0 => Some((amplitude, half_waves)),
             _ => None,
         })
     }
 
     /// Image ends: the beam goes on behind each end.
     pub(super) fn has_image_ends(&self) -> Result<(), String> {
-        if self.image_ends {
-            Ok(())
-        } else {
-            mismatch("image ends", "another end treatment")
-        }
+        if self.image_ends { Ok(()) } else { mismatch("image ends", "another end treatment") }
     }
 
     /// Lumped loads: load times spacing on each point.
     pub(super) fn has_lumped_loads(&self) -> Result<(), String> {
-        if self.lumped_loads {
-            Ok(())
-        } else {
-            mismatch("lumped loads", "consistent ones")
-        }
+        if self.lumped_loads { Ok(()) } else { mismatch("lumped loads", "consistent ones") }
     }
 
     /// The published bond law.
     pub(super) fn has_published_law(&self) -> Result<(), String> {
-        if self.published_law {
-            Ok(())
-        } else {
-            mismatch("the published bond law", "another one")
-        }
+        if self.published_law { Ok(()) } else { mismatch("the published bond law", "another one") }
     }
 
     fn same(&self, x: f64, y: f64) -> bool {
@@ -163,10 +142,7 @@ mod tests {
         let mut facts = cantilever();
         facts.ends[0] = End::Simple;
         let message = facts.ends_are(End::Clamped, End::Free).unwrap_err();
-        assert_eq!(
-            message,
-            "it needs a clamped end at x = 0, the scene has a simple support"
-        );
+        assert_eq!(message, "it needs a clamped end at x = 0, the scene has a simple support");
         facts.ends = [End::Clamped, End::Other];
         let message = facts.ends_are(End::Clamped, End::Free).unwrap_err();
         assert_eq!(
@@ -179,60 +155,36 @@ mod tests {
     fn supports_between_the_ends_are_compared_both_ways() {
         let mut facts = cantilever();
         let message = facts.supports_are(End::Clamped, &[1.0], End::Free).unwrap_err();
-        assert_eq!(
-            message,
-            "it needs a simple support at x = 1, the scene has none there"
-        );
+        assert_eq!(message, "it needs a simple support at x = 1, the scene has none there");
         facts.interior_supports = vec![1.0];
         assert_eq!(facts.supports_are(End::Clamped, &[1.0], End::Free), Ok(()));
         let message = facts.ends_are(End::Clamped, End::Free).unwrap_err();
-        assert_eq!(
-            message,
-            "it needs no other support between the ends, the scene has one at x = 1"
-        );
+        assert_eq!(message, "it needs no other support between the ends, the scene has one at x = 1");
     }
 
     #[test]
     fn a_wrong_load_is_named() {
         let mut facts = cantilever();
         let message = facts.only_uniform().unwrap_err();
-        assert_eq!(
-            message,
-            "it needs one load, a uniform one, the scene has a force at x = 2"
-        );
+        assert_eq!(message, "it needs one load, a uniform one, the scene has a force at x = 2");
         let message = facts.only_force_at(1.0).unwrap_err();
-        assert_eq!(
-            message,
-            "it needs one load, a force at x = 1, the scene has a force at x = 2"
-        );
+        assert_eq!(message, "it needs one load, a force at x = 1, the scene has a force at x = 2");
         facts.loads.push(Load::Other);
         let message = facts.only_force_at(2.0).unwrap_err();
-        assert_eq!(
-            message,
-            "it needs one load, a force at x = 2, the scene has 2 loads"
-        );
+        assert_eq!(message, "it needs one load, a force at x = 2, the scene has 2 loads");
         facts.loads.clear();
         let message = facts.only_moment_at(2.0).unwrap_err();
-        assert_eq!(
-            message,
-            "it needs one load, a moment at x = 2, the scene has no load"
-        );
+        assert_eq!(message, "it needs one load, a moment at x = 2, the scene has no load");
     }
 
     #[test]
     fn treatments_are_asked_for_by_name() {
         let facts = cantilever();
         let message = facts.has_image_ends().unwrap_err();
-        assert_eq!(
-            message,
-            "it needs image ends, the scene has another end treatment"
-        );
+        assert_eq!(message, "it needs image ends, the scene has another end treatment");
         let message = facts.has_lumped_loads().unwrap_err();
         assert_eq!(message, "it needs lumped loads, the scene has consistent ones");
         let message = facts.has_published_law().unwrap_err();
-        assert_eq!(
-            message,
-            "it needs the published bond law, the scene has another one"
-        );
+        assert_eq!(message, "it needs the published bond law, the scene has another one");
     }
 }

@@ -46,11 +46,7 @@ pub(super) fn sine_cosine(half_waves: u32, x: f64, length: f64) -> (f64, f64) {
     let rounded = n * x;
     let lost = n.mul_add(x, -rounded);
     let turned = (rounded.rem_euclid(2.0 * length) + lost) / length;
-    let (sign, t) = if turned > 1.0 {
-        (-1.0, turned - 1.0)
-    } else {
-        (1.0, turned)
-    };
+    let (sign, t) = if turned > 1.0 { (-1.0, turned - 1.0) } else { (1.0, turned) };
     let (sine, cosine) = if t < 0.25 {
         (PI * t).sin_cos()
     } else if t <= 0.75 {
@@ -75,10 +71,7 @@ mod tests {
                 let (sine, cosine) = sine_cosine(half_waves, x, 2.5);
                 let (s, c) = (wave_number(half_waves, 2.5) * x).sin_cos();
                 // Measured 1.4e-15, nearly all of it the rounding of k x on the right.
-                assert!(
-                    (sine - s).abs() < 4e-15 && (cosine - c).abs() < 4e-15,
-                    "n = {half_waves}, x = {x}"
-                );
+                assert!((sine - s).abs() < 4e-15 && (cosine - c).abs() < 4e-15, "n = {half_waves}, x = {x}");
             }
             assert_eq!(sine_cosine(half_waves, 2.5, 2.5).0.abs(), 0.0);
         }

@@ -40,12 +40,7 @@ fn build(facts: &Facts) -> Result<Solution, String> {
             "it needs fewer half waves than cells, the scene has {half_waves} half waves over cells of {h}"
         ));
     }
-    let symbol = Symbol::new(
-        &facts.bonds,
-        facts.bending_stiffness,
-        h,
-        wave_number(half_waves, l),
-    );
+    let symbol = Symbol::new(&facts.bonds, facts.bending_stiffness, h, wave_number(half_waves, l));
     let deflection = h * q * symbol.c() / symbol.determinant();
     let rotation = h * q * symbol.b / symbol.determinant();
     Ok(Solution::nonlocal(q * deflection * l / 4.0, move |x| {
@@ -129,24 +124,9 @@ mod tests {
     // EI = 1, L = 1, q0 = 1, spacing 1/32, three spacings per horizon, k = pi; evaluated with 50 digits
     // (mpmath). Columns a, b, c for S = 4, then W, P for S = 4, then W, P for S = 4e8.
     const SYMBOLS: [(Law, f64, f64, f64); 3] = [
-        (
-            Law::Published,
-            1.2287569827547826,
-            0.3895553786425956,
-            0.4306915483425425,
-        ),
-        (
-            Law::Mean,
-            1.2267603025748106,
-            0.388922366977593,
-            0.43049086211788556,
-        ),
-        (
-            Law::Corrected,
-            1.2267645013767299,
-            0.38892465034699775,
-            0.4304918877275677,
-        ),
+        (Law::Published, 1.2287569827547826, 0.3895553786425956, 0.4306915483425425),
+        (Law::Mean, 1.2267603025748106, 0.388922366977593, 0.43049086211788556),
+        (Law::Corrected, 1.2267645013767299, 0.38892465034699775, 0.4304918877275677),
     ];
     const AMPLITUDES: [(Law, f64, f64); 3] = [
         (Law::Published, 0.03565687692268214, 0.03225122072695158),
@@ -160,10 +140,7 @@ mod tests {
     ];
 
     fn close(found: f64, expected: f64) {
-        assert!(
-            (found - expected).abs() <= 1e-14 * expected.abs(),
-            "{found} is not {expected}"
-        );
+        assert!((found - expected).abs() <= 1e-14 * expected.abs(), "{found} is not {expected}");
     }
 
     #[test]
@@ -202,10 +179,7 @@ mod tests {
     #[test]
     fn a_wave_shorter_than_two_cells_is_refused() {
         let mut facts = sine_facts(Law::Published, 3, 1.0 / 32.0);
-        facts.loads = vec![crate::reference::Load::Sine {
-            amplitude: 1.0,
-            half_waves: 32,
-        }];
+        facts.loads = vec![crate::reference::Load::Sine { amplitude: 1.0, half_waves: 32 }];
         let message = build(&facts).unwrap_err();
         assert_eq!(
             message,

@@ -72,12 +72,7 @@ impl Integrals {
             linear -= (p - 1.0) * (p - 4.0) / p * term;
             p += 2.0;
         }
-        Self {
-            a: 1.0 - a,
-            r: 1.0 - r,
-            g: 1.0 - g,
-            shear: linear + a * g - r * r,
-        }
+        Self { a: 1.0 - a, r: 1.0 - r, g: 1.0 - g, shear: linear + a * g - r * r }
     }
 }
 
@@ -116,10 +111,7 @@ mod tests {
             let solution = nonlocal(horizon, shear_stiffness);
             let (w_error, p_error) = ((solution.at)(0.5).w / w - 1.0, (solution.at)(0.0).phi / p - 1.0);
             // Measured 8e-15 where z is nearly 4 and the beam slender, at most 3e-15 in the others.
-            assert!(
-                w_error.abs() < 2e-14 && p_error.abs() < 2e-14,
-                "{horizon}: {w_error:e}, {p_error:e}"
-            );
+            assert!(w_error.abs() < 2e-14 && p_error.abs() < 2e-14, "{horizon}: {w_error:e}, {p_error:e}");
         }
     }
 
@@ -148,9 +140,6 @@ mod tests {
     #[test]
     fn a_horizon_beyond_the_series_is_refused() {
         let message = build(&sine_facts(Law::Published, 1, 1.5)).unwrap_err();
-        assert_eq!(
-            message,
-            "it needs a horizon of at most 1.2732395447351628, the scene has 1.5"
-        );
+        assert_eq!(message, "it needs a horizon of at most 1.2732395447351628, the scene has 1.5");
     }
 }

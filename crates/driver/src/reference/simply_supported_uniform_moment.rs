@@ -21,11 +21,6 @@ fn build(facts: &Facts) -> Result<Solution, String> {
     facts.ends_are(End::Simple, End::Simple)?;
     let (l, _, s) = facts.symbols();
     let c = facts.only_uniform_moment()?;
-    let state = State {
-        w: 0.0,
-        phi: c / s,
-        moment: 0.0,
-        shear: -c,
-    };
+    let state = State { w: 0.0, phi: c / s, moment: 0.0, shear: -c };
     Ok(Solution::local(c * state.phi * l / 2.0, move |_| state))
 }

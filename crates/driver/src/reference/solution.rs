@@ -120,11 +120,7 @@ impl Solution {
 
     /// A local solution: all four fields and the energy.
     pub(super) fn local(energy: f64, at: impl Fn(f64) -> State + Send + Sync + 'static) -> Self {
-        Self {
-            at: Box::new(at),
-            energy: Some(energy),
-            fields: &[Field::W, Field::Phi, Field::M, Field::V],
-        }
+        Self { at: Box::new(at), energy: Some(energy), fields: &[Field::W, Field::Phi, Field::M, Field::V] }
     }
 
     /// A nonlocal solution: deflection, rotation and energy. Its section forces are sums over the bonds of a
@@ -132,18 +128,9 @@ impl Solution {
     pub(super) fn nonlocal(energy: f64, at: impl Fn(f64) -> (f64, f64) + Send + Sync + 'static) -> Self {
         let at = move |x| {
             let (w, phi) = at(x);
-            State {
-                w,
-                phi,
-                moment: f64::NAN,
-                shear: f64::NAN,
-            }
+            State { w, phi, moment: f64::NAN, shear: f64::NAN }
         };
-        Self {
-            at: Box::new(at),
-            energy: Some(energy),
-            fields: &[Field::W, Field::Phi],
-        }
+        Self { at: Box::new(at), energy: Some(energy), fields: &[Field::W, Field::Phi] }
     }
 }
 

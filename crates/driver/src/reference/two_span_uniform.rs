@@ -24,11 +24,7 @@ fn build(facts: &Facts) -> Result<Solution, String> {
             return span.at(x - middle);
         }
         let mirrored = span.at(middle - x);
-        State {
-            phi: -mirrored.phi,
-            shear: -mirrored.shear,
-            ..mirrored
-        }
+        State { phi: -mirrored.phi, shear: -mirrored.shear, ..mirrored }
     };
     Ok(Solution::local(2.0 * span.energy(), at))
 }

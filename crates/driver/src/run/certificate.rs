@@ -118,7 +118,11 @@ fn balance<const D: usize, T: Model<D>>(
     load.iter().enumerate().for_each(|(k, &f)| add(k, f));
     reactions.for_each(|(k, f)| add(k, f));
     let relative = |(sum, scale): (Sum, f64)| if scale == 0.0 { 0.0 } else { sum.total().abs() / scale };
-    T::RIGID_MOTIONS.iter().zip(sums).map(|(&motion, sum)| Balance { motion, relative: relative(sum) }).collect()
+    T::RIGID_MOTIONS
+        .iter()
+        .zip(sums)
+        .map(|(&motion, sum)| Balance { motion, relative: relative(sum) })
+        .collect()
 }
 
 /// Compensated sum (Neumaier): the imbalance of a million terms is far below their rounding otherwise.
@@ -131,11 +135,7 @@ struct Sum {
 impl Sum {
     fn add(&mut self, x: f64) {
         let sum = self.high + x;
-        self.low += if self.high.abs() >= x.abs() {
-            (self.high - sum) + x
-        } else {
-            (x - sum) + self.high
-        };
+        self.low += if self.high.abs() >= x.abs() { (self.high - sum) + x } else { (x - sum) + self.high };
         self.high = sum;
     }
 

@@ -69,9 +69,7 @@ pub(super) fn result(
     let line = |c: usize| {
         let chain = &beam.chains()[c];
         LineFields {
-            x: (0..chain.points)
-                .map(|k| chain.position(chain.ghosts[0] + k))
-                .collect(),
+            x: (0..chain.points).map(|k| chain.position(chain.ghosts[0] + k)).collect(),
             first: beam.first_real(c),
             recovered: recover.then(|| beam.fields(c, &u, &state.loads)),
         }
@@ -88,14 +86,7 @@ pub(super) fn result(
                     (None, None) => 0.0,
                 }
             };
-            (
-                point,
-                Reaction {
-                    x: h.x,
-                    force: of(0),
-                    moment: of(1),
-                },
-            )
+            (point, Reaction { x: h.x, force: of(0), moment: of(1) })
         })
         .unzip();
     StateResult {
@@ -107,10 +98,7 @@ pub(super) fn result(
         reactions,
         held,
         certificate,
-        stress_per_moment: scene
-            .section
-            .height
-            .map(|h| 0.5 * h / scene.section.second_moment),
+        stress_per_moment: scene.section.height.map(|h| 0.5 * h / scene.section.second_moment),
     }
 }
 
@@ -121,13 +109,8 @@ impl StateResult {
         let (n, number) = (self.u.len() / 2, fields.first + point);
         let forces = || fields.recovered.as_ref().map(|r| r.forces.at(point));
         let stress = |sign: f64| Some(sign * self.stress_per_moment? * forces()?.0);
-        let reaction = || {
-            self.held
-                .iter()
-                .zip(&self.reactions)
-                .filter(move |held| *held.0 == number)
-                .map(|held| held.1)
-        };
+        let reaction =
+            || self.held.iter().zip(&self.reactions).filter(move |held| *held.0 == number).map(|held| held.1);
         match field {
             FieldName::W => Some(self.u[number]),
             FieldName::Phi => Some(self.u[n + number]),
@@ -153,9 +136,7 @@ impl StateResult {
         if let Some(plane) = plane {
             return Some(self.u[plane + fields.first..][..fields.x.len()].to_vec());
         }
-        (0..self.lines[line].x.len())
-            .map(|point| self.value(field, line, point))
-            .collect()
+        (0..self.lines[line].x.len()).map(|point| self.value(field, line, point)).collect()
     }
 
     /// Smallest and largest value of a field and their positions.

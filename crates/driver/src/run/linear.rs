@@ -109,20 +109,10 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         let (assembled, method, reason) = assemble(system, solver);
         timing.assemble = begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let mut counters = Counters {
-            factorisations: 1,
-            ..Default::default()
-        };
+        let mut counters = Counters { factorisations: 1, ..Default::default() };
         let (factor, bytes): (Box<dyn Preconditioner>, usize) = match assembled {
-            Assembled::Band {
-                half_bandwidth,
-                values,
-            } => {
-                let matrix = BandMatrix {
-                    order: system.size(),
-                    half_bandwidth,
-                    values,
-                };
+            Assembled::Band { half_bandwidth, values } => {
+                let matrix = BandMatrix { order: system.size(), half_bandwidth, values };
                 let factor = BandCholesky::factor(matrix, D)
                     .or_else(|error| lifted(system, solver, error, &mut counters))
                     .map_err(|e| failure(system, e))?;
@@ -139,12 +129,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         };
         timing.factor = begin.elapsed().as_secs_f64();
         counters.factor_bytes = bytes;
-        let report = SolverReport {
-            method,
-            reason,
-            factor_entries: bytes / 8,
-            iterations: Vec::new(),
-        };
+        let report = SolverReport { method, reason, factor_entries: bytes / 8, iterations: Vec::new() };
         Ok(Self {
             system,
             factor,
@@ -205,7 +190,8 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             solution.held = self.constraint_forces();
             constraints.restrict(&mut self.residual);
             let correction = self.pcg.precondition(&mut *self.factor, &self.residual);
-            let next = size(correction, &self.scales) / size(&solution.u, &self.scales).max(f64::MIN_POSITIVE);
+            let next =
+                size(correction, &self.scales) / size(&solution.u, &self.scales).max(f64::MIN_POSITIVE);
             let settled = next <= CONVERGED && !(pass == 0 && constraints.moves());
             let stalled = next >= 0.1 * solution.next_correction;
             solution.next_correction = next;
@@ -294,11 +280,7 @@ fn size<const D: usize>(v: &[f64], scales: &[f64; D]) -> f64 {
 
 /// The constrained stiffness in the layout of the method that suits it.
 fn assemble<const D: usize>(system: &System<D>, solver: Solver) -> (Assembled, String, String) {
-    let sparse = if system.constraints().has_slaves() {
-        Some(system.assemble_sparse())
-    } else {
-        None
-    };
+    let sparse = if system.constraints().has_slaves() { Some(system.assemble_sparse()) } else { None };
     let profile = match &sparse {
         Some(Assembled::Sparse(k)) => profile::<D>(k),
         _ => Profile {
@@ -336,11 +318,7 @@ fn profile<const D: usize>(k: &CsMat<f64>) -> Profile {
     let distance =
         |(_, (i, j)): (&f64, (usize, usize))| interleaved::<D>(i, size).abs_diff(interleaved::<D>(j, size));
     let half_bandwidth = k.iter().map(distance).max().unwrap_or(0);
-    Profile {
-        unknowns: size,
-        half_bandwidth,
-        entries: (k.nnz() + size) / 2,
-    }
+    Profile { unknowns: size, half_bandwidth, entries: (k.nnz() + size) / 2 }
 }
 
 /// A matrix in compressed rows as a lower band.
@@ -354,10 +332,7 @@ fn band<const D: usize>(k: &CsMat<f64>, half_bandwidth: usize) -> Assembled {
             values[j * width + i - j] = value;
         }
     }
-    Assembled::Band {
-        half_bandwidth,
-        values,
-    }
+    Assembled::Band { half_bandwidth, values }
 }
 
 fn failure<const D: usize>(system: &System<D>, error: FactorError) -> SolveFailure {

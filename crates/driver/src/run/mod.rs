@@ -83,6 +83,13 @@ pub struct RunReport {
     pub converged: bool,
 }
 
+/// A number of bytes in the unit that suits it.
+fn bytes(count: u64) -> String {
+    let units = [(1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    let unit = units.iter().find(|(size, _)| count as f64 >= *size);
+    unit.map_or(format!("{count} B"), |(size, name)| format!("{:.1} {name}", count as f64 / size))
+}
+
 /// Why a run has no result.
 #[derive(Debug, Error)]
 pub enum RunError {
@@ -90,7 +97,7 @@ pub enum RunError {
     #[error("the case cannot be solved")]
     Case(Faults),
     /// More memory would be needed than is allowed.
-    #[error("about {} MB of memory would be needed, {} MB are allowed", needed / 1_000_000, allowed / 1_000_000)]
+    #[error("about {} of memory would be needed, {} may be used", bytes(*needed), bytes(*allowed))]
     Memory {
         /// Estimated need, bytes.
         needed: u64,

@@ -70,7 +70,7 @@ pub fn prepare<const D: usize, P: Problem<D>>(
             let others: Vec<String> = contradiction.others.iter().map(|o| format!("`{o}`")).collect();
             faults
                 .error(path, format!("`{}` contradicts {}", contradiction.origin, others.join(", ")))
-                .hint("prescribe each motion of a point once");
+                .hint("prescribe each motion once; points that a link joins move together");
             return Err(RunError::Case(faults));
         }
     };

@@ -26,6 +26,8 @@ pub struct ProbeResult {
 pub struct CheckResult {
     /// Name.
     pub name: String,
+    /// `closed_form`, `value`, `limit` or `baseline`.
+    pub kind: &'static str,
     /// What was expected: a number, or the largest magnitude of a reference.
     pub expected: f64,
     /// What was found, at the worst point where several are compared.
@@ -44,13 +46,7 @@ pub struct CheckResult {
 pub(crate) fn probes(scene: &Scene, result: &StateResult) -> Vec<ProbeResult> {
     let probe = |p: &crate::scene::ProbePoint| {
         let value = result.value(p.field, p.local.0, p.local.1)?;
-        Some(ProbeResult {
-            name: p.name.clone(),
-            state: result.name.clone(),
-            x: p.x,
-            field: p.field,
-            value,
-        })
+        Some(ProbeResult { name: p.name.clone(), state: result.name.clone(), x: p.x, field: p.field, value })
     };
     scene.probes.iter().filter_map(probe).collect()
 }
@@ -68,20 +64,11 @@ fn check(scene: &Scene, expectation: &Expectation, result: &StateResult) -> Chec
         result.value(p.field, p.local.0, p.local.1).unwrap_or(f64::NAN)
     };
     match &expectation.kind {
-        ExpectationKind::ClosedForm {
-            solution,
-            field,
-            tolerance,
-        } => {
+        ExpectationKind::ClosedForm { solution, field, tolerance } => {
             let worst = closed_form(scene, solution, *field, result);
-            verdict(name, worst, *tolerance, "closed form".into())
+            verdict(name, "closed_form", worst, *tolerance, "closed form".into())
         }
-        ExpectationKind::Value {
-            probe,
-            expected,
-            tolerance,
-            source,
-        } => {
+        ExpectationKind::Value { probe, expected, tolerance, source } => {
             let found = probed(*probe);
             let worst = Worst {
                 expected: *expected,
@@ -89,13 +76,14 @@ fn check(scene: &Scene, expectation: &Expectation, result: &StateResult) -> Chec
                 difference: (found - expected).abs(),
                 scale: expected.abs(),
             };
-            verdict(name, worst, *tolerance, source.clone())
+            verdict(name, "value", worst, *tolerance, source.clone())
         }
         ExpectationKind::Limit { probe, at_most, why } => {
             let found = probed(*probe);
             let error = found.abs() / at_most;
             CheckResult {
                 name,
+                kind: "limit",
                 expected: *at_most,
                 found,
                 error,
@@ -104,13 +92,9 @@ fn check(scene: &Scene, expectation: &Expectation, result: &StateResult) -> Chec
                 source: why.clone(),
             }
         }
-        ExpectationKind::Baseline {
-            field,
-            stored,
-            tolerance,
-        } => {
+        ExpectationKind::Baseline { field, stored, tolerance } => {
             let worst = baseline(stored, *field, result);
-            verdict(name, worst, *tolerance, "stored baseline".into())
+            verdict(name, "baseline", worst, *tolerance, "stored baseline".into())
         }
     }
 }
@@ -124,42 +108,22 @@ struct Worst {
     scale: f64,
 }
 
-fn verdict(name: String, worst: Worst, tolerance: f64, source: String) -> CheckResult {
-    let error = if worst.scale > 0.0 {
-        worst.difference / worst.scale
-    } else {
-        worst.difference
-    };
+fn verdict(name: String, kind: &'static str, worst: Worst, tolerance: f64, source: String) -> CheckResult {
+    let error = if worst.scale > 0.0 { worst.difference / worst.scale } else { worst.difference };
     // A missing value is not a number and must not pass.
     let passed = error <= tolerance;
-    CheckResult {
-        name,
-        expected: worst.expected,
-        found: worst.found,
-        error,
-        tolerance,
-        passed,
-        source,
-    }
+    CheckResult { name, kind, expected: worst.expected, found: worst.found, error, tolerance, passed, source }
 }
 
 /// Compares `(expected, found)` pairs relative to the largest expected magnitude.
 fn worst(pairs: impl Iterator<Item = (f64, f64)>) -> Worst {
-    let mut worst = Worst {
-        difference: -1.0,
-        ..Default::default()
-    };
+    let mut worst = Worst { difference: -1.0, ..Default::default() };
     let mut scale = 0.0_f64;
     for (expected, found) in pairs {
         let difference = (found - expected).abs();
         scale = scale.max(expected.abs());
         if difference > worst.difference || difference.is_nan() {
-            worst = Worst {
-                expected,
-                found,
-                difference,
-                scale: 0.0,
-            };
+            worst = Worst { expected, found, difference, scale: 0.0 };
         }
         if difference.is_nan() {
             break;
@@ -178,11 +142,7 @@ fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateR
     let line = &result.lines[0];
     let mut compared = match field {
         Field::W | Field::Phi => {
-            let name = if field == Field::W {
-                FieldName::W
-            } else {
-                FieldName::Phi
-            };
+            let name = if field == Field::W { FieldName::W } else { FieldName::Phi };
             let values = result.values(name, 0).unwrap_or_default();
             worst(line.x.iter().zip(values).map(|(&x, v)| (at(x), v)))
         }
@@ -190,13 +150,7 @@ fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateR
             // Section forces may jump at a point; a reference answers for its left.
             let forces = line.recovered.as_ref().map(|r| &r.forces);
             let cells = forces.map(|f| if field == Field::M { &f.moment } else { &f.shear });
-            worst(
-                cells
-                    .into_iter()
-                    .flatten()
-                    .zip(&line.x[1..])
-                    .map(|(cell, &x)| (at(x), cell[1])),
-            )
+            worst(cells.into_iter().flatten().zip(&line.x[1..]).map(|(cell, &x)| (at(x), cell[1])))
         }
     };
     if compared.scale == 0.0 {
@@ -208,11 +162,8 @@ fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateR
 /// Scale for a field whose reference vanishes: what the other fields make of it over the length of the beam.
 fn fallback_scale(scene: &Scene, result: &StateResult, field: Field) -> f64 {
     let length = scene.beam.chains()[0].line().length;
-    let largest = |field: FieldName| {
-        result
-            .extremes(field)
-            .map_or(0.0, |[low, high]| low.0.abs().max(high.0.abs()))
-    };
+    let largest =
+        |field: FieldName| result.extremes(field).map_or(0.0, |[low, high]| low.0.abs().max(high.0.abs()));
     match field {
         Field::W => largest(FieldName::Phi) * length,
         Field::Phi => largest(FieldName::W) / length,
@@ -226,22 +177,12 @@ fn baseline(stored: &[(f64, f64)], field: FieldName, result: &StateResult) -> Wo
     let points: Vec<(f64, f64)> = (0..result.lines.len())
         .flat_map(|line| {
             let values = result.values(field, line).unwrap_or_default();
-            result.lines[line]
-                .x
-                .iter()
-                .copied()
-                .zip(values)
-                .collect::<Vec<_>>()
+            result.lines[line].x.iter().copied().zip(values).collect::<Vec<_>>()
         })
         .collect();
     if points.len() != stored.len() {
         let (expected, found) = (stored.len() as f64, points.len() as f64);
-        return Worst {
-            expected,
-            found,
-            difference: f64::NAN,
-            scale: 1.0,
-        };
+        return Worst { expected, found, difference: f64::NAN, scale: 1.0 };
     }
     worst(stored.iter().zip(&points).map(|(s, p)| (s.1, p.1)))
 }

@@ -31,10 +31,7 @@ pub(super) fn positive(value: f64, name: &str, path: JsonPath, faults: &mut Faul
 /// The name nearest to `name`, for a hint.
 pub(super) fn suggest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.collect();
-    let nearest = known
-        .iter()
-        .map(|k| (strsim::jaro_winkler(name, k), k))
-        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let nearest = known.iter().map(|k| (strsim::jaro_winkler(name, k), k)).max_by(|a, b| a.0.total_cmp(&b.0));
     match nearest {
         Some((likeness, nearest)) if likeness > 0.75 => format!("did you mean `{nearest}`?"),
         Some(_) => format!("known are {}", known.join(", ")),
@@ -53,17 +50,11 @@ pub(super) fn material(case: &mut Case, faults: &mut Faults) -> Option<(BeamPara
     let law = bond_law::find(&beam.bond_law);
     if law.is_none() {
         faults
-            .error(
-                path.key("bond_law"),
-                format!("there is no bond law `{}`", beam.bond_law),
-            )
+            .error(path.key("bond_law"), format!("there is no bond law `{}`", beam.bond_law))
             .hint(suggest(&beam.bond_law, bond_law::TABLE.iter().map(|l| l.name)));
     }
     let treatment = treatment(beam, &grids, &path, faults);
-    let nu = beam
-        .poisson_ratio
-        .or(shear.map(|g| e / (2.0 * g) - 1.0))
-        .unwrap_or(0.0);
+    let nu = beam.poisson_ratio.or(shear.map(|g| e / (2.0 * g) - 1.0)).unwrap_or(0.0);
     let section = match beam.section.properties(beam.shear_correction, nu) {
         Ok(section) => Some(section),
         Err(error) => {
@@ -83,15 +74,12 @@ pub(super) fn material(case: &mut Case, faults: &mut Faults) -> Option<(BeamPara
     };
     let product = parameters.bending_stiffness * parameters.shear_stiffness;
     if fine && !faults.has_errors() && !(product.is_normal() && parameters.bending_stiffness.is_normal()) {
-        faults
-            .error(
-                path.clone(),
-                "the stiffnesses EI and κGA do not fit into double precision",
-            )
-            .hint(format!(
+        faults.error(path.clone(), "the stiffnesses EI and κGA do not fit into double precision").hint(
+            format!(
                 "EI = {:e}, κGA = {:e}; choose units in which they are moderate",
                 parameters.bending_stiffness, parameters.shear_stiffness
-            ));
+            ),
+        );
     }
     fine.then_some((parameters, section))
 }
@@ -100,10 +88,7 @@ fn shear_modulus(beam: &Beam, path: &JsonPath, faults: &mut Faults) -> Option<f6
     match (beam.poisson_ratio, beam.shear_modulus) {
         (Some(_), Some(_)) => {
             faults
-                .error(
-                    path.key("shear_modulus"),
-                    "`poisson_ratio` and `shear_modulus` are both given",
-                )
+                .error(path.key("shear_modulus"), "`poisson_ratio` and `shear_modulus` are both given")
                 .hint("for an isotropic material one follows from the other: remove one");
             None
         }
@@ -129,16 +114,11 @@ fn shear_modulus(beam: &Beam, path: &JsonPath, faults: &mut Faults) -> Option<f6
 
 fn section_fault(beam: &Beam, error: &SectionError, path: &JsonPath, faults: &mut Faults) {
     let shape = serde_json::to_value(beam.section).ok();
-    let shape = shape
-        .as_ref()
-        .and_then(|v| v.as_object()?.keys().next().cloned())
-        .unwrap_or_default();
+    let shape = shape.as_ref().and_then(|v| v.as_object()?.keys().next().cloned()).unwrap_or_default();
     let place = match error {
-        SectionError::NotPositive {
-            name: "shear_correction",
-            ..
+        SectionError::NotPositive { name: "shear_correction", .. } | SectionError::NoCowper => {
+            path.key("shear_correction")
         }
-        | SectionError::NoCowper => path.key("shear_correction"),
         SectionError::NotPositive { name, .. } | SectionError::DoesNotFit { name, .. } => {
             path.key("section").key(shape).key(*name)
         }
@@ -160,10 +140,7 @@ fn treatment(
     let name = beam.end_treatment.get_or_insert_with(|| default.into());
     let Some(treatment) = end_treatment::find(name) else {
         faults
-            .error(
-                path.key("end_treatment"),
-                format!("there is no end treatment `{name}`"),
-            )
+            .error(path.key("end_treatment"), format!("there is no end treatment `{name}`"))
             .hint(suggest(name, end_treatment::TABLE.iter().map(|t| t.name)));
         return None;
     };
@@ -197,21 +174,11 @@ pub(super) fn frame(case: &Case, faults: &mut Faults) -> Option<Frame> {
     for (k, line) in lines.iter().enumerate() {
         fine &= positive(line.length, "length", path(k).key("length"), faults);
         if line.cells == 0 || line.cells > MOST_POINTS {
-            let limit = if line.cells == 0 {
-                "at least 1".into()
-            } else {
-                format!("at most {MOST_POINTS}")
-            };
-            faults.error(
-                path(k).key("cells"),
-                format!("`cells` must be {limit}, found {}", line.cells),
-            );
+            let limit = if line.cells == 0 { "at least 1".into() } else { format!("at most {MOST_POINTS}") };
+            faults.error(path(k).key("cells"), format!("`cells` must be {limit}, found {}", line.cells));
             fine = false;
         } else if line.grid == Grid::Cells && line.cells < 2 {
-            faults.error(
-                path(k).key("cells"),
-                "a grid of cells needs at least 2 of them to have a bond",
-            );
+            faults.error(path(k).key("cells"), "a grid of cells needs at least 2 of them to have a bond");
             fine = false;
         } else if fine && line.from + line.length / line.cells as f64 == line.from {
             faults.error(
@@ -229,13 +196,7 @@ pub(super) fn frame(case: &Case, faults: &mut Faults) -> Option<Frame> {
         let spacing = line.length / line.cells as f64;
         let horizon_ratio = horizon_ratio(case, spacing, faults)?;
         let (from, length, cells, grid) = (line.from, line.length, line.cells, line.grid);
-        Some(FrameLine {
-            from,
-            length,
-            cells,
-            grid,
-            horizon_ratio,
-        })
+        Some(FrameLine { from, length, cells, grid, horizon_ratio })
     });
     let lines: Vec<FrameLine> = lines.collect::<Option<_>>()?;
     Some(Frame { lines, treatment })
@@ -280,11 +241,7 @@ fn horizon_ratio(case: &Case, spacing: f64, faults: &mut Faults) -> Option<f64> 
         ),
         (ratio, None) => {
             let ratio = ratio.unwrap_or(3.0);
-            (
-                ratio,
-                "horizon_ratio",
-                format!("`horizon_ratio` must be at least 1, found {ratio}"),
-            )
+            (ratio, "horizon_ratio", format!("`horizon_ratio` must be at least 1, found {ratio}"))
         }
     };
     if !ratio.is_finite() || ratio < 1.0 - 1e-9 {
@@ -295,10 +252,7 @@ fn horizon_ratio(case: &Case, spacing: f64, faults: &mut Faults) -> Option<f64> 
     }
     if ratio > 2e3 {
         faults
-            .error(
-                root(key),
-                format!("a horizon of {ratio} spacings has too many bonds per point"),
-            )
+            .error(root(key), format!("a horizon of {ratio} spacings has too many bonds per point"))
             .hint("the largest horizon ratio is 2000; more than 12 never pays");
         return None;
     }
@@ -337,20 +291,15 @@ pub(super) fn build(
     ends: Vec<[EndSupport; 2]>,
     faults: &mut Faults,
 ) -> Option<TimoshenkoBeam> {
-    let lines = frame
-        .lines
-        .iter()
-        .zip(splits)
-        .zip(ends)
-        .map(|((l, splits), supports)| Line {
-            from: l.from,
-            length: l.length,
-            cells: l.cells,
-            grid: l.grid,
-            horizon_ratio: l.horizon_ratio,
-            splits,
-            supports,
-        });
+    let lines = frame.lines.iter().zip(splits).zip(ends).map(|((l, splits), supports)| Line {
+        from: l.from,
+        length: l.length,
+        cells: l.cells,
+        grid: l.grid,
+        horizon_ratio: l.horizon_ratio,
+        splits,
+        supports,
+    });
     let Model::TimoshenkoBeam(beam) = &case.model;
     match TimoshenkoBeam::new(parameters, lines.collect()) {
         Ok(beam) => Some(beam),
@@ -361,15 +310,7 @@ pub(super) fn build(
                 }
                 VolumeFactor::HalfEdge => "use a whole `horizon_ratio`",
             };
-            faults
-                .error(beam_path().key("volume_factor"), error.to_string())
-                .hint(hint);
-            None
-        }
-        Err(error @ ChainError::TooShort { .. }) => {
-            faults
-                .error(beam_path().key("end_treatment"), error.to_string())
-                .hint("use more cells, a shorter horizon, or the end treatment `cover`");
+            faults.error(beam_path().key("volume_factor"), error.to_string()).hint(hint);
             None
         }
     }

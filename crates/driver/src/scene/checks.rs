@@ -117,11 +117,8 @@ pub(super) fn probes(
         stress_needs_height(probe.field, section, &path, faults);
         let is_reaction = matches!(probe.field, FieldName::ReactionForce | FieldName::ReactionMoment);
         if is_reaction && !held.iter().any(|h| h.point == Some(point)) {
-            let where_held: Vec<String> = held
-                .iter()
-                .filter(|h| h.point.is_some())
-                .map(|h| format!("x = {}", h.x))
-                .collect();
+            let where_held: Vec<String> =
+                held.iter().filter(|h| h.point.is_some()).map(|h| format!("x = {}", h.x)).collect();
             faults
                 .error(
                     path.key("at"),
@@ -129,13 +126,7 @@ pub(super) fn probes(
                 )
                 .hint(format!("supports on points are at {}", where_held.join(", ")));
         }
-        probes.push(ProbePoint {
-            name: probe.name.clone(),
-            field: probe.field,
-            local: (chain, k),
-            point,
-            x,
-        });
+        probes.push(ProbePoint { name: probe.name.clone(), field: probe.field, local: (chain, k), point, x });
     }
     probes
 }
@@ -143,10 +134,7 @@ pub(super) fn probes(
 fn stress_needs_height(field: FieldName, section: &SectionProperties, path: &JsonPath, faults: &mut Faults) {
     if matches!(field, FieldName::StressTop | FieldName::StressBottom) && section.height.is_none() {
         faults
-            .error(
-                path.key("field"),
-                format!("`{}` needs the height of the section", field.name()),
-            )
+            .error(path.key("field"), format!("`{}` needs the height of the section", field.name()))
             .hint("give `height` with the general section");
     }
 }
@@ -164,8 +152,7 @@ pub(super) struct Context<'a> {
 /// Checks of the case.
 pub(super) fn expectations(context: &Context, faults: &mut Faults) -> Vec<Expectation> {
     let each = context.case.checks.iter().enumerate();
-    each.filter_map(|(k, check)| expectation(context, check, root("checks").index(k), faults))
-        .collect()
+    each.filter_map(|(k, check)| expectation(context, check, root("checks").index(k), faults)).collect()
 }
 
 fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Faults) -> Option<Expectation> {
@@ -185,14 +172,8 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
             let found = context.states.iter().position(|s| s.name == *name);
             if found.is_none() {
                 faults
-                    .error(
-                        path.key("load_case"),
-                        format!("there is no load case or combination `{name}`"),
-                    )
-                    .hint(super::body::suggest(
-                        name,
-                        context.states.iter().map(|s| s.name.as_str()),
-                    ));
+                    .error(path.key("load_case"), format!("there is no load case or combination `{name}`"))
+                    .hint(super::body::suggest(name, context.states.iter().map(|s| s.name.as_str())));
             }
             found
         }
@@ -200,45 +181,25 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
     let (name, kind) = match check {
         Check::ClosedForm(c) => {
             let solution = closed_form(context, c, &path, state, faults)?;
-            let kind = ExpectationKind::ClosedForm {
-                solution,
-                field: c.field,
-                tolerance: c.tolerance,
-            };
+            let kind = ExpectationKind::ClosedForm { solution, field: c.field, tolerance: c.tolerance };
             (format!("{} {}", c.field.name(), c.name), kind)
         }
         Check::Value(c) => {
             let probe = probe(context, &c.probe, &path, faults)?;
             let (expected, tolerance, source) = (c.expected, c.tolerance, c.source.clone());
-            (
-                c.probe.clone(),
-                ExpectationKind::Value {
-                    probe,
-                    expected,
-                    tolerance,
-                    source,
-                },
-            )
+            (c.probe.clone(), ExpectationKind::Value { probe, expected, tolerance, source })
         }
         Check::Limit(c) => {
             super::body::positive(c.at_most, "at_most", path.key("at_most"), faults);
             let probe = probe(context, &c.probe, &path, faults)?;
             (
                 format!("{} <= {}", c.probe, c.why),
-                ExpectationKind::Limit {
-                    probe,
-                    at_most: c.at_most,
-                    why: c.why.clone(),
-                },
+                ExpectationKind::Limit { probe, at_most: c.at_most, why: c.why.clone() },
             )
         }
         Check::Baseline(c) => {
             let stored = stored(context, c, &path, faults)?;
-            let kind = ExpectationKind::Baseline {
-                field: c.field,
-                stored,
-                tolerance: c.tolerance,
-            };
+            let kind = ExpectationKind::Baseline { field: c.field, stored, tolerance: c.tolerance };
             (format!("{} {}", c.field.name(), c.file), kind)
         }
     };
@@ -258,14 +219,8 @@ fn closed_form(
 ) -> Option<Solution> {
     let Some(reference) = reference::find(&check.name) else {
         faults
-            .error(
-                path.key("name"),
-                format!("there is no closed form `{}`", check.name),
-            )
-            .hint(super::body::suggest(
-                &check.name,
-                reference::TABLE.iter().map(|r| r.name),
-            ));
+            .error(path.key("name"), format!("there is no closed form `{}`", check.name))
+            .hint(super::body::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
         return None;
     };
     let Some(facts) = facts(context.beam, context.held, &context.states[state]) else {
@@ -281,20 +236,14 @@ fn closed_form(
         {
             let known: Vec<&str> = solution.fields.iter().map(|f| f.name()).collect();
             faults
-                .error(
-                    path.key("field"),
-                    format!("`{}` does not give `{}`", check.name, check.field.name()),
-                )
+                .error(path.key("field"), format!("`{}` does not give `{}`", check.name, check.field.name()))
                 .hint(format!("it gives {}", known.join(", ")));
             None
         }
         Ok(solution) => Some(solution),
         Err(mismatch) => {
             faults
-                .error(
-                    path.key("name"),
-                    format!("`{}` does not fit this case: {mismatch}", check.name),
-                )
+                .error(path.key("name"), format!("`{}` does not fit this case: {mismatch}", check.name))
                 .hint("`peristat list references` says what each is for");
             None
         }
@@ -305,12 +254,12 @@ fn probe(context: &Context, name: &str, path: &JsonPath, faults: &mut Faults) ->
     let found = context.probes.iter().position(|p| p.name == name);
     // A probe with a fault of its own is not missing.
     if found.is_none() && !context.case.probes.iter().any(|p| p.name == name) {
-        faults
-            .error(path.key("probe"), format!("there is no probe `{name}`"))
-            .hint(match context.case.probes.as_slice() {
+        faults.error(path.key("probe"), format!("there is no probe `{name}`")).hint(
+            match context.case.probes.as_slice() {
                 [] => "the case has no `probes`: add one of this name".into(),
                 probes => super::body::suggest(name, probes.iter().map(|p| p.name.as_str())),
-            });
+            },
+        );
     }
     found
 }
@@ -329,12 +278,9 @@ fn stored(
                 std::io::ErrorKind::NotFound => "does not exist".into(),
                 _ => format!("cannot be read: {error}"),
             };
-            faults
-                .error(
-                    path.key("file"),
-                    format!("the baseline {} {reason}", check.file),
-                )
-                .hint("the path is relative to the case; `fields/step_000.csv` of an earlier run is a baseline");
+            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file)).hint(
+                "the path is relative to the case; `fields/step_000.csv` of an earlier run is a baseline",
+            );
             return None;
         }
     };
@@ -351,20 +297,17 @@ fn stored(
 /// Stored values, if they are at the points of the beam.
 fn fits(stored: Vec<(f64, f64)>, beam: &TimoshenkoBeam) -> Result<Vec<(f64, f64)>, String> {
     let chains = beam.chains().iter();
-    let points: Vec<(f64, f64)> = chains
-        .flat_map(|c| (0..c.points).map(|k| (c.position(c.ghosts[0] + k), c.spacing)))
-        .collect();
+    let points: Vec<(f64, f64)> =
+        chains.flat_map(|c| (0..c.points).map(|k| (c.position(c.ghosts[0] + k), c.spacing))).collect();
     if stored.len() != points.len() {
         let (rows, points) = (stored.len(), points.len());
         return Err(format!("has {rows} rows, and the beam has {points} points"));
     }
     let apart = |(s, p): &(&(f64, f64), &(f64, f64))| (s.0 - p.0).abs() > 1e-6 * p.1;
     match stored.iter().zip(&points).find(apart) {
-        Some((s, p)) => Err(format!(
-            "has a row at x = {}, where the beam has its point at {}",
-            tidy(s.0),
-            tidy(p.0)
-        )),
+        Some((s, p)) => {
+            Err(format!("has a row at x = {}, where the beam has its point at {}", tidy(s.0), tidy(p.0)))
+        }
         None => Ok(stored),
     }
 }
@@ -372,36 +315,19 @@ fn fits(stored: Vec<(f64, f64)>, beam: &TimoshenkoBeam) -> Result<Vec<(f64, f64)
 /// The columns `x` and `field` of a CSV text.
 fn columns(text: &str, field: &str) -> Result<Vec<(f64, f64)>, String> {
     let mut lines = text.lines();
-    let header: Vec<&str> = lines
-        .next()
-        .unwrap_or_default()
-        .split(',')
-        .map(str::trim)
-        .collect();
-    let column = |name: &str| {
-        header
-            .iter()
-            .position(|h| *h == name)
-            .ok_or_else(|| format!("has no column `{name}`"))
-    };
+    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
+    let column =
+        |name: &str| header.iter().position(|h| *h == name).ok_or_else(|| format!("has no column `{name}`"));
     let (x, value) = (column("x")?, column(field)?);
     let mut stored = Vec::new();
     for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let cells: Vec<&str> = line.split(',').collect();
-        let number = |c: usize| {
-            cells
-                .get(c)
-                .and_then(|t| t.trim().parse::<f64>().ok())
-                .filter(|v| v.is_finite())
-        };
+        let number =
+            |c: usize| cells.get(c).and_then(|t| t.trim().parse::<f64>().ok()).filter(|v| v.is_finite());
         match (number(x), number(value)) {
             (Some(x), Some(value)) => stored.push((x, value)),
             _ => return Err(format!("has no number where one belongs in line {}", k + 2)),
         }
     }
-    if stored.is_empty() {
-        Err("has no rows".into())
-    } else {
-        Ok(stored)
-    }
+    if stored.is_empty() { Err("has no rows".into()) } else { Ok(stored) }
 }

@@ -21,22 +21,15 @@ pub(super) fn facts(beam: &TimoshenkoBeam, held: &[HeldPoint], state: &State) ->
     };
     let (left, right) = (line.from, line.from + line.length);
     let mut ends = [kinds(left), kinds(right)];
-    let inside: Vec<&HeldPoint> = held
-        .iter()
-        .filter(|h| !close(h.x, left) && !close(h.x, right))
-        .collect();
+    let inside: Vec<&HeldPoint> = held.iter().filter(|h| !close(h.x, left) && !close(h.x, right)).collect();
     if inside.iter().any(|h| end(h) != End::Simple) {
         // Only simple supports between the ends can be told; anything else fits no reference.
         ends = [End::Other; 2];
     }
-    let bonds = beam.bonds()[0]
-        .classes()
-        .iter()
-        .enumerate()
-        .map(|(class, c)| BondClass {
-            weight: c.weight,
-            shear_stiffness: beam.bonds()[0].moduli(class)[1] * c.geometry.length(),
-        });
+    let bonds = beam.bonds()[0].classes().iter().enumerate().map(|(class, c)| BondClass {
+        weight: c.weight,
+        shear_stiffness: beam.bonds()[0].moduli(class)[1] * c.geometry.length(),
+    });
     Some(Facts {
         length: line.length,
         bending_stiffness: parameters.bending_stiffness,
@@ -80,13 +73,9 @@ fn loads(state: &State, left: f64, right: f64, close: impl Fn(f64, f64) -> bool)
                 Load::UniformMoment { value: start }
             }
             Intensity::Linear { start, end } if whole && start == end => Load::Uniform { value: start },
-            Intensity::Sine {
-                amplitude,
-                half_waves,
-            } if whole && !d.is_moment => Load::Sine {
-                amplitude,
-                half_waves,
-            },
+            Intensity::Sine { amplitude, half_waves } if whole && !d.is_moment => {
+                Load::Sine { amplitude, half_waves }
+            }
             _ => Load::Other,
         });
     }

@@ -26,11 +26,7 @@ pub(super) fn load_cases(case: &mut Case, frame: &Frame, faults: &mut Faults) ->
             .hint("move the loads into a load case");
     }
     let Model::TimoshenkoBeam(beam) = &mut case.model;
-    let default = if frame.treatment.covers() {
-        LoadSharing::Consistent
-    } else {
-        LoadSharing::Lumped
-    };
+    let default = if frame.treatment.covers() { LoadSharing::Consistent } else { LoadSharing::Lumped };
     let sharing = *beam.distributed_loads.get_or_insert(default);
     if sharing == LoadSharing::Consistent && !frame.treatment.covers() {
         faults
@@ -42,10 +38,7 @@ pub(super) fn load_cases(case: &mut Case, frame: &Frame, faults: &mut Faults) ->
     }
     let lumped = sharing == LoadSharing::Lumped;
     let resolve = |name: &str, loads: &[Load], path: &JsonPath, faults: &mut Faults| {
-        let mut resolved = ResolvedLoads {
-            name: name.into(),
-            ..Default::default()
-        };
+        let mut resolved = ResolvedLoads { name: name.into(), ..Default::default() };
         resolved.loads.lumped = lumped;
         for (k, load) in loads.iter().enumerate() {
             match load {
@@ -53,13 +46,7 @@ pub(super) fn load_cases(case: &mut Case, frame: &Frame, faults: &mut Faults) ->
                     add_point(load, frame, &path.index(k).key("point"), &mut resolved, faults)
                 }
                 Load::Distributed(load) => {
-                    add_distributed(
-                        load,
-                        frame,
-                        &path.index(k).key("distributed"),
-                        &mut resolved,
-                        faults,
-                    );
+                    add_distributed(load, frame, &path.index(k).key("distributed"), &mut resolved, faults);
                 }
             }
         }
@@ -81,9 +68,7 @@ pub(super) fn load_cases(case: &mut Case, frame: &Frame, faults: &mut Faults) ->
 
 fn add_point(load: &PointLoad, frame: &Frame, path: &JsonPath, to: &mut ResolvedLoads, faults: &mut Faults) {
     if load.force == 0.0 && load.moment == 0.0 {
-        faults
-            .error(path.clone(), "this load is zero")
-            .hint("give `force`, `moment`, or both");
+        faults.error(path.clone(), "this load is zero").hint("give `force`, `moment`, or both");
     }
     let at = path.key("at").key("x");
     let Some(place) = frame.place(load.at.x, &at, "the load", faults) else {
@@ -114,13 +99,7 @@ fn add_point(load: &PointLoad, frame: &Frame, path: &JsonPath, to: &mut Resolved
             return;
         }
     };
-    to.loads.point.push(PointAction {
-        chain,
-        x,
-        force: load.force,
-        moment: load.moment,
-        spread,
-    });
+    to.loads.point.push(PointAction { chain, x, force: load.force, moment: load.moment, spread });
 }
 
 fn add_distributed(
@@ -133,36 +112,25 @@ fn add_distributed(
     let single = frame.lines.len() == 1;
     if !single && (load.from.is_none() || load.to.is_none()) {
         faults
-            .error(
-                path.clone(),
-                "`from` and `to` are needed where the body has several lines",
-            )
+            .error(path.clone(), "`from` and `to` are needed where the body has several lines")
             .hint("a distributed load acts on one line");
         return;
     }
     let from = load.from.unwrap_or(frame.lines[0].from);
     let end = load.to.unwrap_or(frame.lines[0].to());
     let keys = ["from", "to"].map(|k| path.key(k));
-    let places = [from, end]
-        .into_iter()
-        .zip(&keys)
-        .map(|(x, key)| frame.place(x, key, "the end of the load", faults));
+    let places =
+        [from, end].into_iter().zip(&keys).map(|(x, key)| frame.place(x, key, "the end of the load", faults));
     let places: Vec<Option<Place>> = places.collect();
     let [Some(a), Some(b)] = places[..] else { return };
     if a.chain() != b.chain() {
         faults
-            .error(
-                path.clone(),
-                format!("a load from x = {from} to {end} spans a gap between lines"),
-            )
+            .error(path.clone(), format!("a load from x = {from} to {end} spans a gap between lines"))
             .hint("give one load per line");
         return;
     }
     if from >= end {
-        faults.error(
-            keys[1].clone(),
-            format!("`to` must be greater than `from`, found {from} to {end}"),
-        );
+        faults.error(keys[1].clone(), format!("`to` must be greater than `from`, found {from} to {end}"));
         return;
     }
     if load.force.is_none() && load.moment.is_none() {
@@ -174,25 +142,15 @@ fn add_distributed(
             Some(DistributedForce::Uniform(q)) => Intensity::Linear { start: q, end: q },
             Some(DistributedForce::Linear([start, end])) => Intensity::Linear { start, end },
             Some(DistributedForce::Sine(sine)) if sine.half_waves == 0 => {
-                let key = path
-                    .key(if is_moment { "moment" } else { "force" })
-                    .key("sine")
-                    .key("half_waves");
+                let key = path.key(if is_moment { "moment" } else { "force" }).key("sine").key("half_waves");
                 faults.error(key, "`half_waves` must be at least 1, found 0");
                 continue;
             }
-            Some(DistributedForce::Sine(sine)) => Intensity::Sine {
-                amplitude: sine.amplitude,
-                half_waves: sine.half_waves,
-            },
+            Some(DistributedForce::Sine(sine)) => {
+                Intensity::Sine { amplitude: sine.amplitude, half_waves: sine.half_waves }
+            }
         };
-        to.loads.distributed.push(Distributed {
-            chain: a.chain(),
-            from,
-            to: end,
-            intensity,
-            is_moment,
-        });
+        to.loads.distributed.push(Distributed { chain: a.chain(), from, to: end, intensity, is_moment });
     }
 }
 
@@ -225,18 +183,10 @@ pub(super) fn states(case: &Case, cases: Vec<ResolvedLoads>, faults: &mut Faults
             .hint("a combination is a sum of named load cases: move the loads into some");
         return Vec::new();
     }
-    let combined: Vec<State> = case
-        .combinations
-        .iter()
-        .enumerate()
-        .map(|(k, _)| combination(case, k, &cases, faults))
-        .collect();
-    let single = |c: ResolvedLoads| State {
-        name: c.name,
-        load_factor: 1.0,
-        motion_factor: 1.0,
-        loads: c.loads,
-    };
+    let combined: Vec<State> =
+        case.combinations.iter().enumerate().map(|(k, _)| combination(case, k, &cases, faults)).collect();
+    let single =
+        |c: ResolvedLoads| State { name: c.name, load_factor: 1.0, motion_factor: 1.0, loads: c.loads };
     cases.into_iter().map(single).chain(combined).collect()
 }
 
@@ -252,33 +202,19 @@ fn combination(case: &Case, index: usize, cases: &[ResolvedLoads], faults: &mut 
             .hint("load cases and combinations must differ in their names");
     }
     if combination.factors.is_empty() {
-        faults.error(
-            path.key("factors"),
-            "a combination needs the factor of at least one load case",
-        );
+        faults.error(path.key("factors"), "a combination needs the factor of at least one load case");
     }
     let lumped = cases.first().is_some_and(|c| c.loads.lumped);
-    let mut loads = BeamLoads {
-        lumped,
-        ..Default::default()
-    };
+    let mut loads = BeamLoads { lumped, ..Default::default() };
     for (key, &factor) in &combination.factors {
         match cases.iter().find(|c| c.name == *key) {
             Some(found) => loads.extend(found.loads.scaled(factor)),
             None => {
                 faults
-                    .error(
-                        path.key("factors").key(key),
-                        format!("there is no load case `{key}`"),
-                    )
+                    .error(path.key("factors").key(key), format!("there is no load case `{key}`"))
                     .hint(super::body::suggest(key, cases.iter().map(|c| c.name.as_str())));
             }
         }
     }
-    State {
-        name,
-        load_factor: 1.0,
-        motion_factor: 1.0,
-        loads,
-    }
+    State { name, load_factor: 1.0, motion_factor: 1.0, loads }
 }

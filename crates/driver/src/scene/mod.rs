@@ -82,11 +82,7 @@ impl Scene {
         let mut faults = Faults::default();
         let resolved = Self::resolve(&mut case, folder, &mut faults);
         match resolved {
-            Some(scene) if !faults.has_errors() => Ok(Self {
-                warnings: faults,
-                case,
-                ..scene
-            }),
+            Some(scene) if !faults.has_errors() => Ok(Self { warnings: faults, case, ..scene }),
             _ => Err(faults.into_report(file, text)),
         }
     }
@@ -112,14 +108,7 @@ impl Scene {
         warnings::collect(case, &frame, &beam, &section, faults);
         let probes = checks::probes(case, &frame, &numbers, &held, &section, faults);
         let expectations = checks::expectations(
-            &checks::Context {
-                case,
-                beam: &beam,
-                held: &held,
-                states: &states,
-                probes: &probes,
-                folder,
-            },
+            &checks::Context { case, beam: &beam, held: &held, states: &states, probes: &probes, folder },
             faults,
         );
         Some(Self {

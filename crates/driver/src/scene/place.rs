@@ -109,11 +109,8 @@ impl Frame {
     /// The place of a position, with a fault at `path` if it is off the body.
     pub(super) fn place(&self, x: f64, path: &JsonPath, what: &str, faults: &mut Faults) -> Option<Place> {
         let Some(chain) = self.lines.iter().position(|l| l.holds(x)) else {
-            let extent: Vec<String> = self
-                .lines
-                .iter()
-                .map(|l| format!("x = {} to {}", tidy(l.from), tidy(l.to())))
-                .collect();
+            let extent: Vec<String> =
+                self.lines.iter().map(|l| format!("x = {} to {}", tidy(l.from), tidy(l.to()))).collect();
             faults
                 .error(path.clone(), format!("{what} at x = {} is off the beam", tidy(x)))
                 .hint(format!("the beam is at {}", extent.join(" and at ")));
@@ -142,9 +139,7 @@ impl Frame {
         if let Some(cells) = cells_with_point(line, x) {
             hint += &format!("; with {cells} cells there is one at {x}");
         }
-        faults
-            .error(path.clone(), format!("{what} at x = {x} is between two points"))
-            .hint(hint);
+        faults.error(path.clone(), format!("{what} at x = {x} is between two points")).hint(hint);
     }
 }
 
@@ -152,11 +147,7 @@ impl Frame {
 pub(super) fn tidy(value: f64) -> String {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     let (plain, scientific) = (rounded.to_string(), format!("{rounded:e}"));
-    if plain.len() <= scientific.len() + 6 {
-        plain
-    } else {
-        scientific
-    }
+    if plain.len() <= scientific.len() + 6 { plain } else { scientific }
 }
 
 /// The smallest number of cells, not below the present one, that puts a point at `x`.

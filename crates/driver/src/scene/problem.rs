@@ -1,6 +1,7 @@
 //! A beam scene as a problem to be solved.
 
 use super::Scene;
+use super::place::tidy;
 use crate::run::Problem;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
@@ -34,9 +35,19 @@ impl Problem<2> for Scene {
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {
-        let position = |point: usize| self.beam.position(point)[0];
-        let parts: Vec<String> =
-            motion.parts.iter().map(|&[a, b]| format!("x = {} to {}", position(a), position(b))).collect();
+        // A part is a line, with the ghost points beyond its ends.
+        let line = |point: usize| {
+            let chain = self.beam.bonds().partition_point(|b| b.lattice().first <= point) - 1;
+            self.beam.chains()[chain].line()
+        };
+        let parts: Vec<String> = motion
+            .parts
+            .iter()
+            .map(|&[first, last]| {
+                let (first, last) = (line(first), line(last));
+                format!("x = {} to {}", tidy(first.from), tidy(last.from + last.length))
+            })
+            .collect();
         let amount = |kind: usize| {
             let name = TimoshenkoBeam::RIGID_MOTIONS[kind];
             motion.motions.iter().find(|m| m.0 == name).map_or(0.0, |m| m.1)
@@ -45,8 +56,7 @@ impl Problem<2> for Scene {
         let how = if turn == 0.0 {
             "move along w".to_string()
         } else {
-            let centre = format!("{:.6}", motion.centre[0] - shift / turn);
-            format!("rotate about x = {}", centre.trim_end_matches('0').trim_end_matches('.'))
+            format!("rotate about x = {}", tidy(motion.centre[0] - shift / turn))
         };
         format!("the beam from {} is free to {how}", parts.join(" and from "))
     }

@@ -45,20 +45,14 @@ const KEYS: [[&str; 2]; 2] = [["w", "phi"], ["w_spring", "phi_spring"]];
 impl HeldPoint {
     /// The same with the number of its point; `first` are the numbers of the first real points of the lines.
     pub(super) fn numbered(self, first: &[usize]) -> Self {
-        Self {
-            point: self.local.map(|(chain, k)| first[chain] + k),
-            ..self
-        }
+        Self { point: self.local.map(|(chain, k)| first[chain] + k), ..self }
     }
 }
 
 impl RigidBar {
     /// The same with the numbers of its points.
     pub(super) fn numbered(self, first: &[usize]) -> Self {
-        Self {
-            points: [first[self.from.0] + self.from.1, first[self.to.0] + self.to.1],
-            ..self
-        }
+        Self { points: [first[self.from.0] + self.from.1, first[self.to.0] + self.to.1], ..self }
     }
 }
 
@@ -103,20 +97,10 @@ pub(super) fn held(
                 }
                 for (component, stiffness) in point.springs.iter().enumerate() {
                     if let &Some(stiffness) = stiffness {
-                        springs.push((
-                            (chain, p),
-                            Spring {
-                                component,
-                                point: 0,
-                                stiffness,
-                            },
-                        ));
+                        springs.push(((chain, p), Spring { component, point: 0, stiffness }));
                     }
                 }
-                held.push(HeldPoint {
-                    local: Some((chain, p)),
-                    ..point
-                });
+                held.push(HeldPoint { local: Some((chain, p)), ..point });
             }
             Place::End { chain, side } if frame.treatment.name != "truncated" => {
                 hold(&mut ends[chain][side], support);
@@ -191,26 +175,14 @@ pub(super) fn bars(case: &Case, frame: &Frame, faults: &mut Faults) -> Vec<Rigid
             continue;
         }
         let x = |(chain, point): (usize, usize)| frame.lines[chain].position(point);
-        bars.push(RigidBar {
-            from,
-            to,
-            points: [0; 2],
-            length: x(to) - x(from),
-            path,
-        });
+        bars.push(RigidBar { from, to, points: [0; 2], length: x(to) - x(from), path });
     }
     bars
 }
 
 /// Springs on numbered points.
 pub(super) fn numbered_springs(springs: Vec<LocalSpring>, first: &[usize]) -> Vec<Spring> {
-    springs
-        .into_iter()
-        .map(|((chain, k), s)| Spring {
-            point: first[chain] + k,
-            ..s
-        })
-        .collect()
+    springs.into_iter().map(|((chain, k), s)| Spring { point: first[chain] + k, ..s }).collect()
 }
 
 /// Equations of supports on points and of rigid bars, `w₂ = w₁ + length φ₁` and `φ₂ = φ₁`.
@@ -226,22 +198,11 @@ pub(super) fn equations(held: &[HeldPoint], bars: &[RigidBar]) -> Vec<Equation> 
         }
     }
     for bar in bars {
-        let unknown = |component, end: usize| Unknown {
-            component,
-            point: bar.points[end],
-        };
+        let unknown = |component, end: usize| Unknown { component, point: bar.points[end] };
         let origin = bar.path.to_string();
-        let w = vec![
-            (unknown(0, 1), 1.0),
-            (unknown(0, 0), -1.0),
-            (unknown(1, 0), -bar.length),
-        ];
+        let w = vec![(unknown(0, 1), 1.0), (unknown(0, 0), -1.0), (unknown(1, 0), -bar.length)];
         let phi = vec![(unknown(1, 1), 1.0), (unknown(1, 0), -1.0)];
-        equations.extend([w, phi].map(|terms| Equation {
-            terms,
-            value: 0.0,
-            origin: origin.clone(),
-        }));
+        equations.extend([w, phi].map(|terms| Equation { terms, value: 0.0, origin: origin.clone() }));
     }
     equations
 }

@@ -17,11 +17,7 @@ pub(super) fn collect(
     faults: &mut Faults,
 ) {
     let Model::TimoshenkoBeam(model) = &case.model;
-    let horizon_key = if case.horizon.is_some() {
-        "horizon"
-    } else {
-        "horizon_ratio"
-    };
+    let horizon_key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
     for (line, chain) in frame.lines.iter().zip(beam.chains()) {
         let horizon = line.horizon_ratio * line.spacing();
         if horizon > line.length * (1.0 + 1e-9) {

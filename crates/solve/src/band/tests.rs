@@ -5,10 +5,7 @@ pub(crate) struct Noise(pub(crate) u64);
 
 impl Noise {
     pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }
@@ -24,22 +21,14 @@ fn random_band(order: usize, half_bandwidth: usize, seed: u64) -> BandMatrix {
         }
         values[j * width] = 2.0 * half_bandwidth as f64 + 1.5 + noise.next();
     }
-    BandMatrix {
-        order,
-        half_bandwidth,
-        values,
-    }
+    BandMatrix { order, half_bandwidth, values }
 }
 
 fn dense(matrix: &BandMatrix) -> Vec<Vec<f64>> {
     let (n, b) = (matrix.order, matrix.half_bandwidth);
     let entry = |i: usize, j: usize| {
         let (low, high) = (i.min(j), i.max(j));
-        if high - low > b {
-            0.0
-        } else {
-            matrix.values[low * (b + 1) + high - low]
-        }
+        if high - low > b { 0.0 } else { matrix.values[low * (b + 1) + high - low] }
     };
     (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect()
 }
@@ -48,9 +37,7 @@ fn dense(matrix: &BandMatrix) -> Vec<Vec<f64>> {
 fn solve_dense(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     for j in 0..n {
-        let best = (j..n)
-            .max_by(|p, q| a[*p][j].abs().total_cmp(&a[*q][j].abs()))
-            .unwrap();
+        let best = (j..n).max_by(|p, q| a[*p][j].abs().total_cmp(&a[*q][j].abs())).unwrap();
         a.swap(j, best);
         b.swap(j, best);
         let pivot_row = a[j].clone();
@@ -140,19 +127,11 @@ fn all_bad_pivots_are_counted() {
 #[test]
 fn a_zero_pivot_does_not_end_the_count() {
     // [[0, 1], [1, 0]] has the eigenvalues 1 and -1, so one bad pivot.
-    let matrix = BandMatrix {
-        order: 2,
-        half_bandwidth: 1,
-        values: vec![0.0, 1.0, 0.0, 0.0],
-    };
+    let matrix = BandMatrix { order: 2, half_bandwidth: 1, values: vec![0.0, 1.0, 0.0, 0.0] };
     let expected = FactorError::NonPositivePivot { index: 0, count: 1 };
     assert_eq!(BandCholesky::factor(matrix, 1).unwrap_err(), expected);
     // All zero: every pivot is.
-    let nothing = BandMatrix {
-        order: 3,
-        half_bandwidth: 1,
-        values: vec![0.0; 6],
-    };
+    let nothing = BandMatrix { order: 3, half_bandwidth: 1, values: vec![0.0; 6] };
     let expected = FactorError::NonPositivePivot { index: 0, count: 3 };
     assert_eq!(BandCholesky::factor(nothing, 1).unwrap_err(), expected);
 }
@@ -192,29 +171,16 @@ fn a_failed_refactor_leaves_no_factor() {
 fn shapes_that_do_not_fit_are_errors() {
     let mut short = random_band(10, 3, 1);
     short.values.pop();
-    assert!(matches!(
-        BandCholesky::factor(short, 1),
-        Err(FactorError::Shape { .. })
-    ));
+    assert!(matches!(BandCholesky::factor(short, 1), Err(FactorError::Shape { .. })));
     let odd = random_band(9, 3, 1);
-    assert!(matches!(
-        BandCholesky::factor(odd.clone(), 2),
-        Err(FactorError::Shape { .. })
-    ));
-    assert!(matches!(
-        BandCholesky::factor(odd, 0),
-        Err(FactorError::Shape { .. })
-    ));
+    assert!(matches!(BandCholesky::factor(odd.clone(), 2), Err(FactorError::Shape { .. })));
+    assert!(matches!(BandCholesky::factor(odd, 0), Err(FactorError::Shape { .. })));
 }
 
 #[test]
 fn a_lift_restores_a_matrix_that_rounding_made_singular() {
     // [[1, 1], [1, 1]] is singular; a lift by 1/4 has the determinant 9/16.
-    let mut matrix = BandMatrix {
-        order: 2,
-        half_bandwidth: 1,
-        values: vec![1.0, 1.0, 1.0, 0.0],
-    };
+    let mut matrix = BandMatrix { order: 2, half_bandwidth: 1, values: vec![1.0, 1.0, 1.0, 0.0] };
     assert!(BandCholesky::factor(matrix.clone(), 1).is_err());
     matrix.lift_diagonal(0.25);
     let mut factor = BandCholesky::factor(matrix, 1).unwrap();

@@ -27,11 +27,7 @@ pub struct PcgOptions {
 
 impl Default for PcgOptions {
     fn default() -> Self {
-        Self {
-            max_iterations: 200,
-            energy_drop: 1.0e-32,
-            stagnation_window: 60,
-        }
+        Self { max_iterations: 200, energy_drop: 1.0e-32, stagnation_window: 60 }
     }
 }
 
@@ -155,11 +151,7 @@ impl<'a> Watch<'a> {
         // A negative value says that r . z is all rounding: nothing more to gain.
         if next <= 0.0 {
             let floor = next.abs() <= SETTLED * self.scale();
-            return Some(if floor {
-                PcgStatus::Converged
-            } else {
-                PcgStatus::Stagnated
-            });
+            return Some(if floor { PcgStatus::Converged } else { PcgStatus::Stagnated });
         }
         if self.settled() && self.since_smallest >= SETTLED_WINDOW {
             return Some(PcgStatus::Converged);
@@ -168,11 +160,7 @@ impl<'a> Watch<'a> {
             return Some(PcgStatus::Stagnated);
         }
         if self.iterations >= self.options.max_iterations {
-            return Some(if self.settled() {
-                PcgStatus::Converged
-            } else {
-                PcgStatus::IterationLimit
-            });
+            return Some(if self.settled() { PcgStatus::Converged } else { PcgStatus::IterationLimit });
         }
         None
     }
@@ -188,19 +176,11 @@ impl<'a> Watch<'a> {
 
     pub(super) fn report(&self, status: PcgStatus) -> PcgReport {
         let all = self.first_energy + self.later_energy;
-        let share = if all > 0.0 {
-            self.later_energy.max(0.0) / all
-        } else {
-            0.0
-        };
+        let share = if all > 0.0 { self.later_energy.max(0.0) / all } else { 0.0 };
         PcgReport {
             status,
             iterations: self.iterations,
-            energy_ratio: if self.first == 0.0 {
-                0.0
-            } else {
-                self.last / self.first
-            },
+            energy_ratio: if self.first == 0.0 { 0.0 } else { self.last / self.first },
             first_correction: share.sqrt(),
         }
     }
@@ -223,10 +203,7 @@ mod tests {
     }
 
     fn window(stagnation_window: usize) -> PcgOptions {
-        PcgOptions {
-            stagnation_window,
-            ..PcgOptions::default()
-        }
+        PcgOptions { stagnation_window, ..PcgOptions::default() }
     }
 
     #[test]

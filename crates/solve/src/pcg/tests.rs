@@ -13,22 +13,13 @@ struct Chain {
 
 impl Chain {
     fn new(size: usize, diagonal: f64) -> Self {
-        Self {
-            size,
-            diagonal,
-            noise: 0.0,
-            calls: Cell::new(0),
-        }
+        Self { size, diagonal, noise: 0.0, calls: Cell::new(0) }
     }
 
     fn factor(&self, error: f64) -> BandCholesky {
         let mut values = [self.diagonal * (1.0 + error), -1.0].repeat(self.size);
         *values.last_mut().unwrap() = 0.0;
-        let matrix = BandMatrix {
-            order: self.size,
-            half_bandwidth: 1,
-            values,
-        };
+        let matrix = BandMatrix { order: self.size, half_bandwidth: 1, values };
         BandCholesky::factor(matrix, 1).unwrap()
     }
 }
@@ -138,10 +129,7 @@ fn an_indefinite_operator_is_reported() {
 #[test]
 fn the_limit_of_iterations_is_kept() {
     let op = Chain::new(400, 2.01);
-    let options = PcgOptions {
-        max_iterations: 4,
-        ..PcgOptions::default()
-    };
+    let options = PcgOptions { max_iterations: 4, ..PcgOptions::default() };
     let mut x = vec![0.0; 400];
     let mut factor = op.factor(0.5);
     let report = Pcg::new(400).solve(&op, &mut factor, &mut wavy(400), &mut x, &options);
@@ -152,14 +140,8 @@ fn the_limit_of_iterations_is_kept() {
 fn noise_in_the_operator_ends_as_stagnation() {
     // Every product is off by up to 90 % and differently each time: no direction
     // is conjugate to another and r . z wanders.
-    let op = Chain {
-        noise: 0.9,
-        ..Chain::new(400, 2.01)
-    };
-    let options = PcgOptions {
-        stagnation_window: 5,
-        ..PcgOptions::default()
-    };
+    let op = Chain { noise: 0.9, ..Chain::new(400, 2.01) };
+    let options = PcgOptions { stagnation_window: 5, ..PcgOptions::default() };
     let mut x = vec![0.0; 400];
     let mut factor = op.factor(0.5);
     let report = Pcg::new(400).solve(&op, &mut factor, &mut wavy(400), &mut x, &options);
@@ -183,10 +165,7 @@ fn numbers_that_are_not_finite_are_reported() {
     b[3] = f64::NAN;
     assert_eq!(run(&op, &mut op.factor(0.0), &b).0.status, PcgStatus::NotFinite);
     let broken = Chain::new(10, f64::INFINITY);
-    assert_eq!(
-        run(&broken, &mut op.factor(0.0), &wavy(10)).0.status,
-        PcgStatus::NotFinite
-    );
+    assert_eq!(run(&broken, &mut op.factor(0.0), &wavy(10)).0.status, PcgStatus::NotFinite);
 }
 
 #[test]

@@ -55,11 +55,7 @@ fn band_and_sparse_agree_for_whole_and_half_matrices() {
     for (value, (row, column)) in grid(side, false, |_| 5.0).iter() {
         values[column * (side + 1) + row - column] = *value;
     }
-    let band = BandMatrix {
-        order: n,
-        half_bandwidth: side,
-        values,
-    };
+    let band = BandMatrix { order: n, half_bandwidth: side, values };
     let expected = solve(&mut BandCholesky::factor(band, 1).unwrap(), &wavy(n));
     for whole in [false, true] {
         let z = solve(&mut factored(&grid(side, whole, |_| 5.0)), &wavy(n));
@@ -84,11 +80,7 @@ fn the_bad_pivot_is_named_in_the_callers_numbering() {
     for (n, supernodal) in [(25, false), (400, true)] {
         for bad in [0, n / 3, n - 1] {
             let diagonal = |i| if i == bad { -50.0 } else { 5.0 };
-            let matrix = if supernodal {
-                full(n, diagonal)
-            } else {
-                grid(5, false, diagonal)
-            };
+            let matrix = if supernodal { full(n, diagonal) } else { grid(5, false, diagonal) };
             let mut factor = SparseCholesky::analyse(&matrix).unwrap();
             let kind = matches!(factor.symbolic.raw(), SymbolicCholeskyRaw::Supernodal(_));
             assert_eq!(kind, supernodal);
@@ -104,10 +96,7 @@ fn entries_that_are_not_finite_are_reported_by_row() {
     let pattern = matrix.clone();
     *matrix.get_mut(20, 14).unwrap() = f64::NAN;
     let mut factor = factored(&pattern);
-    assert_eq!(
-        factor.refactor(&matrix),
-        Err(FactorError::NotFinite { index: 20 })
-    );
+    assert_eq!(factor.refactor(&matrix), Err(FactorError::NotFinite { index: 20 }));
     // The upper triangle is not read.
     let mut matrix = pattern.clone();
     *matrix.get_mut(14, 20).unwrap() = f64::NAN;
@@ -124,10 +113,7 @@ fn another_pattern_is_a_mistake() {
 #[test]
 fn shape_and_size() {
     let oblong = CsMat::<f64>::zero((2, 3));
-    assert!(matches!(
-        SparseCholesky::analyse(&oblong),
-        Err(FactorError::Shape { .. })
-    ));
+    assert!(matches!(SparseCholesky::analyse(&oblong), Err(FactorError::Shape { .. })));
     // A diagonal matrix has no fill.
     let diagonal = CsMat::<f64>::eye(7);
     let mut factor = factored(&diagonal);

@@ -50,16 +50,6 @@ pub enum ChainError {
         /// The weight.
         weight: f64,
     },
-    /// Ghost points would mirror points that do not exist.
-    #[error(
-        "the beam has {points} points, fewer than the {needed} that the ghost points beyond its ends mirror"
-    )]
-    TooShort {
-        /// Points of the line.
-        points: usize,
-        /// Points needed.
-        needed: usize,
-    },
 }
 
 /// A line with its bonds: classes, exceptions and ghost points.
@@ -109,7 +99,7 @@ impl Chain {
     /// Bonds of a line.
     ///
     /// # Errors
-    /// [`ChainError`] where a weight would be negative or a line is too short to be mirrored.
+    /// [`ChainError`] where a weight would be negative.
     pub fn new(line: Line, factor: VolumeFactor, treatment: &EndTreatment) -> Result<Self, ChainError> {
         let points = line.points();
         let all = bond_weights(line.horizon_ratio, factor);
@@ -121,10 +111,6 @@ impl Chain {
             (_, Grid::Nodes) => reach - 1,
             (_, Grid::Cells) => reach,
         });
-        let needed = 1 + ghosts[0].max(ghosts[1]);
-        if points < needed {
-            return Err(ChainError::TooShort { points, needed });
-        }
         let mut chain = Self {
             points,
             ghosts,
@@ -164,11 +150,7 @@ impl Chain {
     fn correct(&mut self, all: &[f64]) -> Result<(), ChainError> {
         let sum: f64 = all.iter().enumerate().map(|(k, a)| (k + 1) as f64 * a).sum();
         // What an interior cell lacks, for ratios that are not whole and for full volumes.
-        let lack = if self.splits && (1.0 - sum).abs() > 1e-14 {
-            1.0 - sum
-        } else {
-            0.0
-        };
+        let lack = if self.splits && (1.0 - sum).abs() > 1e-14 { 1.0 - sum } else { 0.0 };
         let base = self.weights[0] + lack;
         let lost = self.lost(all);
         for lower in self.exceptional() {
@@ -186,11 +168,7 @@ impl Chain {
                 }
                 if weight != usual {
                     let factor = weight / usual;
-                    self.overrides.push(Override {
-                        class: step - 1,
-                        lower,
-                        factor,
-                    });
+                    self.overrides.push(Override { class: step - 1, lower, factor });
                 }
             }
         }
@@ -206,12 +184,7 @@ impl Chain {
         let reach = self.weights.len();
         let last = self.extended() - 1;
         let ends = [self.ghosts[0], self.ghosts[0] + self.points - 1];
-        let splits = self
-            .line
-            .splits
-            .iter()
-            .filter(|_| self.splits)
-            .map(|s| s + self.ghosts[0]);
+        let splits = self.line.splits.iter().filter(|_| self.splits).map(|s| s + self.ghosts[0]);
         let around = |b: usize| b.saturating_sub(reach)..=(b + reach).min(last);
         let mut all: Vec<usize> = ends.into_iter().chain(splits).flat_map(around).collect();
         all.sort_unstable();
@@ -241,11 +214,7 @@ impl Chain {
             }
             let half = |side: usize, touches: bool| {
                 let on_end = touches && self.line.grid == Grid::Nodes;
-                if on_end && self.kinds[side] == EndKind::Truncated {
-                    0.5
-                } else {
-                    1.0
-                }
+                if on_end && self.kinds[side] == EndKind::Truncated { 0.5 } else { 1.0 }
             };
             return half(0, i == 0) * half(1, j == n - 1);
         }
@@ -266,19 +235,11 @@ impl Chain {
     fn lost(&self, all: &[f64]) -> BTreeMap<isize, f64> {
         let n = self.points as isize;
         let reach = all.len() as isize;
-        let splits = self
-            .line
-            .splits
-            .iter()
-            .filter(|_| self.splits)
-            .map(|&s| s as isize);
+        let splits = self.line.splits.iter().filter(|_| self.splits).map(|&s| s as isize);
         // Bonds that an unbounded chain would have and this one has not, by difference at the cells they cross.
         let mut difference: BTreeMap<isize, f64> = BTreeMap::new();
-        let mut lowers: Vec<isize> = [0, n - 1]
-            .into_iter()
-            .chain(splits)
-            .flat_map(|b| b - reach..=b)
-            .collect();
+        let mut lowers: Vec<isize> =
+            [0, n - 1].into_iter().chain(splits).flat_map(|b| b - reach..=b).collect();
         lowers.sort_unstable();
         lowers.dedup();
         for i in lowers {
@@ -327,10 +288,7 @@ impl Chain {
                 };
                 // Signed distance of the ghost from the end.
                 let offset = sign * 0.5 * (a + inward) as f64 * self.spacing;
-                let unknown = |component, point| Unknown {
-                    component,
-                    point: first + point,
-                };
+                let unknown = |component, point| Unknown { component, point: first + point };
                 let mut relate = |component, parity: Option<f64>, value: f64| {
                     let mut terms = vec![(unknown(component, ghost), 1.0)];
                     terms.extend(parity.map(|p| (unknown(component, mirror), -p)));

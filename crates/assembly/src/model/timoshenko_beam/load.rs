@@ -71,18 +71,10 @@ pub struct BeamLoads {
 
 /// Gauss-Legendre rule with 8 points on (0, 1), exact to degree 15: `(position, weight)`.
 const GAUSS: [(f64, f64); 8] = {
-    const X: [f64; 4] = [
-        0.183_434_642_495_649_8,
-        0.525_532_409_916_329,
-        0.796_666_477_413_626_7,
-        0.960_289_856_497_536_3,
-    ];
-    const W: [f64; 4] = [
-        0.362_683_783_378_362,
-        0.313_706_645_877_887_27,
-        0.222_381_034_453_374_48,
-        0.101_228_536_290_376_26,
-    ];
+    const X: [f64; 4] =
+        [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_3];
+    const W: [f64; 4] =
+        [0.362_683_783_378_362, 0.313_706_645_877_887_27, 0.222_381_034_453_374_48, 0.101_228_536_290_376_26];
     let mut rule = [(0.0, 0.0); 8];
     let mut k = 0;
     while k < 4 {
@@ -136,10 +128,7 @@ impl Distributed {
         match self.intensity {
             Intensity::Linear { start, end } if start == end => start,
             Intensity::Linear { start, end } => start + (end - start) * z,
-            Intensity::Sine {
-                amplitude,
-                half_waves,
-            } => amplitude * (f64::from(half_waves) * PI * z).sin(),
+            Intensity::Sine { amplitude, half_waves } => amplitude * (f64::from(half_waves) * PI * z).sin(),
         }
     }
 
@@ -175,11 +164,7 @@ impl Distributed {
         let (from, to) = (self.from - span.x, self.to - span.x);
         Self { from, to, ..*self }.integrate(0.0, span.length, |s| {
             let z = s / span.length;
-            if self.is_moment {
-                span.of_moment(z)
-            } else {
-                span.of_force(z)
-            }
+            if self.is_moment { span.of_moment(z) } else { span.of_force(z) }
         })
     }
 
@@ -301,11 +286,7 @@ impl TimoshenkoBeam {
         let length = self.bonds[chain].classes()[class].geometry.length();
         let p = &self.parameters;
         let phi = 12.0 * p.bending_stiffness / (p.shear_stiffness * length * length);
-        Span {
-            x: self.chains[chain].position(lower),
-            length,
-            phi,
-        }
+        Span { x: self.chains[chain].position(lower), length, phi }
     }
 }
 
@@ -317,16 +298,8 @@ fn add_consistent(load: &Distributed, beam: &TimoshenkoBeam, force: &mut [f64]) 
         let unit = |start: f64, end: f64| {
             let length = c.geometry.length();
             let intensity = Intensity::Linear { start, end };
-            let load = Distributed {
-                from: 0.0,
-                to: length,
-                intensity,
-                ..*load
-            };
-            load.on(&Span {
-                x: 0.0,
-                ..beam.span(load.chain, class, 0)
-            })
+            let load = Distributed { from: 0.0, to: length, intensity, ..*load };
+            load.on(&Span { x: 0.0, ..beam.span(load.chain, class, 0) })
         };
         let (at_start, at_end) = (unit(1.0, 0.0), unit(0.0, 1.0));
         bonds.for_each(class, |lower, weight| {
@@ -419,11 +392,7 @@ mod tests {
 
     #[test]
     fn shape_functions_carry_force_and_moment() {
-        let span = Span {
-            x: 0.0,
-            length: 0.7,
-            phi: 0.4,
-        };
+        let span = Span { x: 0.0, length: 0.7, phi: 0.4 };
         for z in [0.0, 0.3, 0.8, 1.0] {
             let f = span.of_force(z);
             assert!((f[0] + f[2] - 1.0).abs() < 1e-15);

@@ -71,10 +71,7 @@ impl BondModel<2, 2> for BeamBond {
 
     fn rows(&self, bond: &BondGeometry) -> Rows<2, 2> {
         let xi = bond.xi[0];
-        Rows {
-            difference: [[0.0, 1.0], [1.0, 0.0]],
-            mean: [[0.0, 0.0], [0.0, -xi]],
-        }
+        Rows { difference: [[0.0, 1.0], [1.0, 0.0]], mean: [[0.0, 0.0], [0.0, -xi]] }
     }
 
     fn moduli(&self, bond: &BondGeometry) -> [f64; 2] {
@@ -104,11 +101,7 @@ impl TimoshenkoBeam {
     /// # Errors
     /// [`ChainError`] as [`Chain::new`].
     pub fn new(parameters: BeamParameters, lines: Vec<Line>) -> Result<Self, ChainError> {
-        let BeamParameters {
-            volume_factor,
-            end_treatment,
-            ..
-        } = parameters;
+        let BeamParameters { volume_factor, end_treatment, .. } = parameters;
         let chains: Vec<Chain> = lines
             .into_iter()
             .map(|line| Chain::new(line, volume_factor, end_treatment))
@@ -117,20 +110,11 @@ impl TimoshenkoBeam {
         let mut first = 0;
         let mut bonds = Vec::new();
         for chain in &chains {
-            let lattice = Lattice {
-                points,
-                first,
-                count: chain.extended(),
-            };
+            let lattice = Lattice { points, first, count: chain.extended() };
             bonds.push(lattice_bonds(&parameters, chain, lattice));
             first += chain.extended();
         }
-        Ok(Self {
-            parameters,
-            chains,
-            bonds,
-            points,
-        })
+        Ok(Self { parameters, chains, bonds, points })
     }
 
     /// The parameters.
@@ -171,11 +155,7 @@ fn lattice_bonds(
     // ⟨ξ²⟩ belongs to a full family, also where the beam is shorter than the horizon.
     let weights = bond_weights(chain.line().horizon_ratio, parameters.volume_factor);
     let moment = |power: i32| -> f64 {
-        weights
-            .iter()
-            .enumerate()
-            .map(|(k, a)| ((k + 1) as f64).powi(power) * a)
-            .sum()
+        weights.iter().enumerate().map(|(k, a)| ((k + 1) as f64).powi(power) * a).sum()
     };
     let model = BeamBond {
         bending_stiffness: parameters.bending_stiffness,
@@ -189,13 +169,7 @@ fn lattice_bonds(
         .enumerate()
         .map(|(k, &weight)| {
             let step = k + 1;
-            (
-                step,
-                BondGeometry {
-                    xi: [step as f64 * h, 0.0, 0.0],
-                },
-                weight,
-            )
+            (step, BondGeometry { xi: [step as f64 * h, 0.0, 0.0] }, weight)
         })
         .collect();
     LatticeBonds::new(lattice, &model, &offsets, &chain.overrides)
@@ -211,18 +185,11 @@ impl Model<2> for TimoshenkoBeam {
 
     fn position(&self, point: usize) -> Point {
         let chain = self.bonds.partition_point(|b| b.lattice().first <= point) - 1;
-        [
-            self.chains[chain].position(point - self.bonds[chain].lattice().first),
-            0.0,
-            0.0,
-        ]
+        [self.chains[chain].position(point - self.bonds[chain].lattice().first), 0.0, 0.0]
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
-        self.bonds
-            .iter()
-            .map(|b| Box::new(b.clone()) as Box<dyn Term<2>>)
-            .collect()
+        self.bonds.iter().map(|b| Box::new(b.clone()) as Box<dyn Term<2>>).collect()
     }
 
     fn relations(&self) -> Vec<Equation> {

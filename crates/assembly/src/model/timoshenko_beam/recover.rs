@@ -1,8 +1,7 @@
 //! Fields of a solved beam: section forces, stress, energy density.
 
+use super::TimoshenkoBeam;
 use super::load::BeamLoads;
-use super::{Grid, TimoshenkoBeam};
-use crate::model::Model;
 
 /// Moment and shear force at the two ends of every cell of a line, seen from inside the cell.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,7 +17,8 @@ pub struct SectionForces {
 pub struct BeamFields {
     /// Section forces per cell between neighbouring points.
     pub forces: SectionForces,
-    /// Strain energy density per point, J/m³ (Eqs. (11a,b)).
+    /// Strain energy density per point, J/m³: the mean of its cells, over which every bond spreads its energy. Inside, that
+    /// is Eqs. (11a,b) up to δ²; at an end the halves of those equations pile up where bonds make up for missing ones.
     pub energy_density: Vec<f64>,
 }
 
@@ -39,11 +39,8 @@ impl TimoshenkoBeam {
     pub fn fields(&self, chain: usize, u: &[f64], loads: &BeamLoads) -> BeamFields {
         let (c, bonds) = (&self.chains[chain], &self.bonds[chain]);
         let cells = c.points - 1;
-        let mut forces = SectionForces {
-            moment: vec![[0.0; 2]; cells],
-            shear: vec![[0.0; 2]; cells],
-        };
-        let mut energy = vec![0.0; c.points];
+        let mut forces = SectionForces { moment: vec![[0.0; 2]; cells], shear: vec![[0.0; 2]; cells] };
+        let mut energy = vec![0.0; cells];
         let loaded = loads.loads_bonds(chain);
         for class in 0..bonds.classes().len() {
             let step = bonds.classes()[class].step;
@@ -52,17 +49,12 @@ impl TimoshenkoBeam {
                 let s = bonds.measure(class, lower, u);
                 let (m, v) = (weight * moduli[0] * s[0], weight * moduli[1] * s[1]);
                 let real = |p: usize| p.checked_sub(c.ghosts[0]).filter(|&k| k < c.points);
-                for end in [lower, lower + step] {
-                    if let Some(k) = real(end) {
-                        energy[k] += 0.25 * (m * s[0] + v * s[1]);
-                    }
-                }
                 let span = self.span(chain, class, lower);
+                let density = 0.5 * (m * s[0] + v * s[1]) / (self.parameters.area * span.length);
                 let ends = if loaded { loads.on(chain, &span) } else { [0.0; 4] };
                 for cell in lower..lower + step {
-                    let Some(k) = real(cell).filter(|&k| k < cells) else {
-                        continue;
-                    };
+                    let Some(k) = real(cell).filter(|&k| k < cells) else { continue };
+                    energy[k] += density;
                     for side in 0..2 {
                         let s = (cell + side - lower) as f64 * c.spacing;
                         let mut part = [m + v * (0.5 * span.length - s), v];
@@ -77,14 +69,14 @@ impl TimoshenkoBeam {
                 }
             });
         }
-        for (k, e) in energy.iter_mut().enumerate() {
-            let on_end = c.line().grid == Grid::Nodes && (k == 0 || k + 1 == c.points);
-            *e /= self.parameters.area * c.spacing * if on_end { 0.5 } else { 1.0 };
-        }
-        debug_assert_eq!(u.len(), 2 * self.points());
-        BeamFields {
-            forces,
-            energy_density: energy,
-        }
+        let energy_density = (0..c.points)
+            .map(|k| {
+                let sides = [k.checked_sub(1), Some(k).filter(|&k| k < cells)];
+                let (sum, count) =
+                    sides.iter().flatten().fold((0.0, 0.0), |(sum, n), &c| (sum + energy[c], n + 1.0));
+                sum / count
+            })
+            .collect();
+        BeamFields { forces, energy_density }
     }
 }

@@ -21,21 +21,13 @@ pub enum VolumeFactor {
 pub fn bond_weights(horizon_ratio: f64, factor: VolumeFactor) -> Vec<f64> {
     // A ratio computed from lengths is whole up to rounding.
     let whole = horizon_ratio.round();
-    let ratio = if (horizon_ratio - whole).abs() < 1e-9 * whole {
-        whole
-    } else {
-        horizon_ratio
-    };
+    let ratio = if (horizon_ratio - whole).abs() < 1e-9 * whole { whole } else { horizon_ratio };
     let part = |n: usize| match factor {
         VolumeFactor::HalfEdge => (ratio + 0.5 - n as f64).clamp(0.0, 1.0),
         VolumeFactor::Full => f64::from(n as f64 <= ratio),
     };
     // Written so that whole ratios give Σ n α_n = 1 to rounding.
-    (1..)
-        .map(part)
-        .take_while(|&part| part > 0.0)
-        .map(|part| 2.0 * part / (ratio * ratio))
-        .collect()
+    (1..).map(part).take_while(|&part| part > 0.0).map(|part| 2.0 * part / (ratio * ratio)).collect()
 }
 
 #[cfg(test)]
@@ -55,11 +47,7 @@ mod tests {
         }
         // δ = 3.015 h with the usual edge factor: 2·(1 + 2 + 3·0.515)/3.015².
         let weights = bond_weights(3.015, VolumeFactor::HalfEdge);
-        assert!(
-            (moment(&weights) - 0.999_975).abs() < 1e-6,
-            "{}",
-            moment(&weights)
-        );
+        assert!((moment(&weights) - 0.999_975).abs() < 1e-6, "{}", moment(&weights));
     }
 
     #[test]

@@ -50,19 +50,11 @@ type Drawn<T = ()> = Result<T, Box<dyn Error + Send + Sync>>;
 pub(super) fn svg(diagram: &Diagram, x: &Scale, y: &Scale) -> Drawn<String> {
     let mut svg = String::new();
     let size = ((SIZE.0 * FINE) as u32, (SIZE.1 * FINE) as u32);
-    draw(
-        &SVGBackend::with_string(&mut svg, size).into_drawing_area(),
-        diagram,
-        x,
-        y,
-    )?;
+    draw(&SVGBackend::with_string(&mut svg, size).into_drawing_area(), diagram, x, y)?;
     // The fine raster is scaled down to pixels here, and the marked strokes become dashes: as the many
     // elements that plotters makes of them, a noisy line would need megabytes.
     let raster = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
-    let pixels = format!(
-        "width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"",
-        SIZE.0, SIZE.1
-    );
+    let pixels = format!("width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"", SIZE.0, SIZE.1);
     let marked = format!("stroke-width=\"{DASHED_STROKE}\"");
     let dashed = format!("{marked} stroke-dasharray=\"70 45\"");
     Ok(svg.replacen(&raster, &pixels, 1).replace(&marked, &dashed))
@@ -113,20 +105,8 @@ fn names(canvas: &Canvas<'_>, diagram: &Diagram, x: &Scale, y: &Scale, top: i32)
     let upwards = font(13).transform(FontTransform::Rotate270).color(&INK);
     let factor = || font(12).color(&INK);
     let (x_factor, y_factor) = (x.factor().unwrap_or_default(), y.factor().unwrap_or_default());
-    text(
-        canvas,
-        &diagram.x_label,
-        at((LEFT + RIGHT) / 2, BOTTOM + 40),
-        name(),
-        HPos::Center,
-    )?;
-    text(
-        canvas,
-        &diagram.y_label,
-        at(18, (top + BOTTOM) / 2),
-        upwards,
-        HPos::Center,
-    )?;
+    text(canvas, &diagram.x_label, at((LEFT + RIGHT) / 2, BOTTOM + 40), name(), HPos::Center)?;
+    text(canvas, &diagram.y_label, at(18, (top + BOTTOM) / 2), upwards, HPos::Center)?;
     text(canvas, &x_factor, at(RIGHT, BOTTOM + 40), factor(), HPos::Right)?;
     text(canvas, &y_factor, at(LEFT - 8, top - 11), factor(), HPos::Right)
 }
@@ -150,13 +130,7 @@ fn legend(canvas: &Canvas<'_>, diagram: &Diagram) -> Drawn<i32> {
             let line = [at(left, row), at(left + 26, row)];
             canvas.draw(&PathElement::new(line, stroke(series.style, color)))?;
         }
-        text(
-            canvas,
-            &series.label,
-            at(left + 33, row),
-            font(13).color(&INK),
-            HPos::Left,
-        )?;
+        text(canvas, &series.label, at(left + 33, row), font(13).color(&INK), HPos::Left)?;
         left += width;
     }
     Ok(if left > LEFT { row + 28 } else { 52 })
@@ -178,13 +152,7 @@ fn extremes(canvas: &Canvas<'_>, points: &[(f64, f64)], place: impl Fn((f64, f64
             _ => (HPos::Center, 0),
         };
         let value = font(12).style(FontStyle::Bold).color(&COLORS[0]);
-        text(
-            canvas,
-            &short(point.1),
-            (x + shift * FINE, y + side * 13 * FINE),
-            value,
-            anchor,
-        )?;
+        text(canvas, &short(point.1), (x + shift * FINE, y + side * 13 * FINE), value, anchor)?;
     }
     Ok(())
 }
@@ -194,11 +162,7 @@ fn text(canvas: &Canvas<'_>, text: &str, at: (i32, i32), style: TextStyle<'_>, s
 }
 
 fn stroke(style: Style, color: &RGBColor) -> ShapeStyle {
-    color.stroke_width(if style == Style::Dashed {
-        DASHED_STROKE
-    } else {
-        STROKE
-    })
+    color.stroke_width(if style == Style::Dashed { DASHED_STROKE } else { STROKE })
 }
 
 fn at(x: i32, y: i32) -> (i32, i32) {

@@ -60,10 +60,7 @@ pub fn render(diagram: &Diagram) -> io::Result<String> {
     let x = Scale::new(points().map(|p| p.0), 0.0, 8.0);
     let y = Scale::new(points().map(|p| p.1), 0.09, 6.0);
     let (Some(x), Some(y)) = (x, y) else {
-        let message = format!(
-            "diagram `{}` has no points, or one that is not finite",
-            diagram.title
-        );
+        let message = format!("diagram `{}` has no points, or one that is not finite", diagram.title);
         return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
     };
     draw::svg(diagram, &x, &y).map_err(io::Error::other)
@@ -74,24 +71,13 @@ mod tests {
     use super::*;
 
     fn diagram(points: Vec<(f64, f64)>, style: Style) -> Diagram {
-        let series = vec![Series {
-            label: "a & b".to_string(),
-            style,
-            points,
-        }];
-        Diagram {
-            title: "<t>".to_string(),
-            x_label: "x".to_string(),
-            y_label: "y".to_string(),
-            series,
-        }
+        let series = vec![Series { label: "a & b".to_string(), style, points }];
+        Diagram { title: "<t>".to_string(), x_label: "x".to_string(), y_label: "y".to_string(), series }
     }
 
     #[test]
     fn a_million_points_stay_small() {
-        let points: Vec<_> = (0..1_000_000)
-            .map(|i| (f64::from(i), f64::from(i % 977).sin()))
-            .collect();
+        let points: Vec<_> = (0..1_000_000).map(|i| (f64::from(i), f64::from(i % 977).sin())).collect();
         for style in [Style::Line, Style::Dots, Style::Dashed] {
             let svg = render(&diagram(points.clone(), style)).unwrap();
             assert!(svg.len() < 200_000, "{style:?}: {} bytes", svg.len());
@@ -101,11 +87,7 @@ mod tests {
     #[test]
     fn the_picture_has_its_size_and_escaped_texts() {
         let svg = render(&diagram(vec![(0.0, 0.0), (1.0, -2.5e-6)], Style::Dashed)).unwrap();
-        assert!(
-            svg.starts_with("<svg width=\"860\" height=\"420\""),
-            "{}",
-            &svg[..80]
-        );
+        assert!(svg.starts_with("<svg width=\"860\" height=\"420\""), "{}", &svg[..80]);
         assert!(svg.contains("viewBox=\"0 0 8600 4200\"") && svg.trim_end().ends_with("</svg>"));
         assert!(svg.contains("&lt;t&gt;") && svg.contains("a &amp; b"));
         assert!(svg.contains("×10⁻⁶") && svg.contains("−2.5×10⁻⁶"));

@@ -55,19 +55,9 @@ impl Scale {
         let last = (high / step + 1e-9).floor() as i64;
         // Multiples, not sums: so that zero is zero.
         let ticks: Vec<f64> = (first..=last).map(|i| i as f64 * step).collect();
-        let exponent = exponent_of(
-            ticks
-                .iter()
-                .fold(0.0, |largest: f64, tick| largest.max(tick.abs())),
-        );
+        let exponent = exponent_of(ticks.iter().fold(0.0, |largest: f64, tick| largest.max(tick.abs())));
         let decimals = -(step.log10() + 1e-9).floor() as i32 + exponent;
-        Some(Scale {
-            low,
-            high,
-            ticks,
-            exponent,
-            decimals: decimals.max(0) as usize,
-        })
+        Some(Scale { low, high, ticks, exponent, decimals: decimals.max(0) as usize })
     }
 
     /// The label of a tick.
@@ -92,11 +82,7 @@ impl Ranged for Scale {
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
         // Light points are lines between the ticks: none.
-        if hint.weight().allow_light_points() {
-            Vec::new()
-        } else {
-            self.ticks.clone()
-        }
+        if hint.weight().allow_light_points() { Vec::new() } else { self.ticks.clone() }
     }
 
     fn range(&self) -> std::ops::Range<f64> {
@@ -119,11 +105,7 @@ pub(super) fn short(value: f64) -> String {
         true => text.trim_end_matches('0').trim_end_matches('.'),
         false => &text,
     };
-    if exponent == 0 {
-        text.to_string()
-    } else {
-        format!("{text}{}", factor(exponent))
-    }
+    if exponent == 0 { text.to_string() } else { format!("{text}{}", factor(exponent)) }
 }
 
 fn fixed(value: f64, exponent: i32, decimals: usize) -> String {
@@ -153,18 +135,13 @@ fn factor(exponent: i32) -> String {
         '3' => '³',
         digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
     };
-    format!(
-        "×10{}",
-        exponent.to_string().chars().map(raised).collect::<String>()
-    )
+    format!("×10{}", exponent.to_string().chars().map(raised).collect::<String>())
 }
 
 /// The largest of 1, 2, 5 times a power of ten that is not much above `step`.
 fn nice(step: f64) -> f64 {
     let power = 10_f64.powf(step.log10().floor());
-    let lead = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .find(|lead| lead * power >= 0.99 * step);
+    let lead = [1.0, 2.0, 5.0, 10.0].into_iter().find(|lead| lead * power >= 0.99 * step);
     lead.unwrap_or(10.0) * power
 }
 
@@ -174,10 +151,7 @@ mod tests {
 
     fn labels(values: &[f64]) -> (Vec<String>, Option<String>) {
         let scale = Scale::new(values.iter().copied(), 0.0, 5.0).unwrap();
-        (
-            scale.ticks.iter().map(|&tick| scale.label(tick)).collect(),
-            scale.factor(),
-        )
+        (scale.ticks.iter().map(|&tick| scale.label(tick)).collect(), scale.factor())
     }
 
     #[test]
@@ -188,12 +162,7 @@ mod tests {
         let (ticks, factor) = labels(&[0.0, -2.5e-6]);
         assert_eq!(
             (ticks, factor.as_deref()),
-            (
-                ["−2.5", "−2.0", "−1.5", "−1.0", "−0.5", "0.0"]
-                    .map(String::from)
-                    .to_vec(),
-                Some("×10⁻⁶")
-            )
+            (["−2.5", "−2.0", "−1.5", "−1.0", "−0.5", "0.0"].map(String::from).to_vec(), Some("×10⁻⁶"))
         );
         assert_eq!(labels(&[0.0, 1e9]).1.as_deref(), Some("×10⁹"));
         assert_eq!(labels(&[0.0, 1e-245]).1.as_deref(), Some("×10⁻²⁴⁶"));
@@ -211,16 +180,9 @@ mod tests {
         ] {
             let scale = Scale::new(values.iter().copied(), 0.08, 6.0).unwrap();
             assert!(scale.low < scale.high, "{values:?}");
-            assert!(
-                (3..=12).contains(&scale.ticks.len()),
-                "{values:?}: {:?}",
-                scale.ticks
-            );
+            assert!((3..=12).contains(&scale.ticks.len()), "{values:?}: {:?}", scale.ticks);
             let mut labels: Vec<_> = scale.ticks.iter().map(|&tick| scale.label(tick)).collect();
-            assert!(
-                labels.iter().all(|label| label.chars().count() <= 12),
-                "{labels:?}"
-            );
+            assert!(labels.iter().all(|label| label.chars().count() <= 12), "{labels:?}");
             labels.dedup();
             assert_eq!(labels.len(), scale.ticks.len(), "{labels:?}");
         }
@@ -229,10 +191,7 @@ mod tests {
     #[test]
     fn what_cannot_be_drawn_is_refused() {
         for values in [vec![], vec![f64::NAN, 1.0], vec![1.0, f64::INFINITY], vec![1e300]] {
-            assert!(
-                Scale::new(values.iter().copied(), 0.0, 5.0).is_none(),
-                "{values:?}"
-            );
+            assert!(Scale::new(values.iter().copied(), 0.0, 5.0).is_none(), "{values:?}");
         }
     }
 

@@ -28,9 +28,7 @@ mod tests {
 
     #[test]
     fn extremes_ends_and_order_are_kept() {
-        let mut points: Vec<_> = (0..100_000)
-            .map(|i| (f64::from(i), f64::from(i % 977).sin()))
-            .collect();
+        let mut points: Vec<_> = (0..100_000).map(|i| (f64::from(i), f64::from(i % 977).sin())).collect();
         points[12_345].1 = 7.0;
         points[65_432].1 = -9.0;
         let kept = thin(&points, 2000);

@@ -14,9 +14,7 @@ const BLOCK: usize = 1 << 20;
 const LEVEL: u8 = 3;
 
 pub(super) fn encode(bytes: &[u8]) -> String {
-    let blocks = bytes
-        .chunks(BLOCK)
-        .map(|block| compress_to_vec_zlib(block, LEVEL));
+    let blocks = bytes.chunks(BLOCK).map(|block| compress_to_vec_zlib(block, LEVEL));
     let blocks: Vec<_> = blocks.collect();
     let counts = [blocks.len(), BLOCK, bytes.len() % BLOCK];
     let sizes = counts.into_iter().chain(blocks.iter().map(Vec::len));
@@ -48,9 +46,7 @@ pub(super) fn decode(text: &str) -> Vec<u8> {
 #[cfg(test)]
 fn numbers(text: &str) -> Vec<usize> {
     let bytes = BASE64.decode(text).unwrap();
-    let numbers = bytes
-        .chunks(8)
-        .map(|number| u64::from_le_bytes(number.try_into().unwrap()));
+    let numbers = bytes.chunks(8).map(|number| u64::from_le_bytes(number.try_into().unwrap()));
     numbers.map(|number| number as usize).collect()
 }
 

@@ -79,29 +79,12 @@ pub fn write(path: &Path, grid: &Grid<'_>) -> io::Result<()> {
     let cells: usize = grid.cells.iter().map(Cells::len).sum();
     atomic::replace(path, |out| {
         writeln!(out, "<?xml version=\"1.0\"?>")?;
-        write!(
-            out,
-            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        )?;
-        writeln!(
-            out,
-            "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">"
-        )?;
+        write!(out, "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" ")?;
+        writeln!(out, "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">")?;
         writeln!(out, "<UnstructuredGrid>")?;
-        writeln!(
-            out,
-            "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{cells}\">",
-            grid.points.len()
-        )?;
+        writeln!(out, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{cells}\">", grid.points.len())?;
         writeln!(out, "<Points>")?;
-        floats(
-            out,
-            &DataArray {
-                name: "Points",
-                components: 3,
-                values: grid.points.as_flattened(),
-            },
-        )?;
+        floats(out, &DataArray { name: "Points", components: 3, values: grid.points.as_flattened() })?;
         writeln!(out, "</Points>\n<Cells>")?;
         topology(out, grid.cells)?;
         writeln!(out, "</Cells>")?;
@@ -122,41 +105,23 @@ impl Cells<'_> {
 
 fn check(grid: &Grid<'_>) {
     for cells in grid.cells {
-        assert_eq!(
-            cells.connectivity.len() % cells.cell_type.points(),
-            0,
-            "a cell is cut off"
-        );
+        assert_eq!(cells.connectivity.len() % cells.cell_type.points(), 0, "a cell is cut off");
         assert!(
-            cells
-                .connectivity
-                .iter()
-                .all(|&p| (p as usize) < grid.points.len()),
+            cells.connectivity.iter().all(|&p| (p as usize) < grid.points.len()),
             "a cell names no point"
         );
     }
     let cells = grid.cells.iter().map(Cells::len).sum();
     for (fields, count) in [(grid.point_data, grid.points.len()), (grid.cell_data, cells)] {
         for field in fields {
-            assert_eq!(
-                field.values.len(),
-                field.components * count,
-                "length of field {}",
-                field.name
-            );
+            assert_eq!(field.values.len(), field.components * count, "length of field {}", field.name);
         }
     }
 }
 
 fn topology(out: &mut dyn Write, cells: &[Cells<'_>]) -> io::Result<()> {
     let connectivity = cells.iter().flat_map(|block| block.connectivity);
-    array(
-        out,
-        "Int64",
-        "connectivity",
-        1,
-        connectivity.flat_map(|&p| i64::from(p).to_le_bytes()).collect(),
-    )?;
+    array(out, "Int64", "connectivity", 1, connectivity.flat_map(|&p| i64::from(p).to_le_bytes()).collect())?;
     let mut end = 0;
     let mut offsets = Vec::new();
     let mut types = Vec::new();
@@ -172,11 +137,7 @@ fn topology(out: &mut dyn Write, cells: &[Cells<'_>]) -> io::Result<()> {
 }
 
 fn floats(out: &mut dyn Write, field: &DataArray<'_>) -> io::Result<()> {
-    let bytes = field
-        .values
-        .iter()
-        .flat_map(|value| value.to_le_bytes())
-        .collect();
+    let bytes = field.values.iter().flat_map(|value| value.to_le_bytes()).collect();
     array(out, "Float64", field.name, field.components, bytes)
 }
 
@@ -213,73 +174,34 @@ mod tests {
     fn values_and_topology_come_back_bit_for_bit() {
         let points = [[0.0, 0.1, -0.0], [1.0, 1e-300, 2.0], [f64::MAX, 3.0, f64::NAN]];
         let cells = [
-            Cells {
-                cell_type: CellType::Line,
-                connectivity: &[0, 1, 1, 2],
-            },
-            Cells {
-                cell_type: CellType::Triangle,
-                connectivity: &[0, 1, 2],
-            },
+            Cells { cell_type: CellType::Line, connectivity: &[0, 1, 1, 2] },
+            Cells { cell_type: CellType::Triangle, connectivity: &[0, 1, 2] },
         ];
-        let w = DataArray {
-            name: "w <m>",
-            components: 1,
-            values: &[1.0, 2.0, 1.0 / 3.0],
-        };
-        let force = DataArray {
-            name: "force",
-            components: 2,
-            values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0],
-        };
-        let text = write_and_read(&Grid {
-            points: &points,
-            cells: &cells,
-            point_data: &[w],
-            cell_data: &[force],
-        });
+        let w = DataArray { name: "w <m>", components: 1, values: &[1.0, 2.0, 1.0 / 3.0] };
+        let force = DataArray { name: "force", components: 2, values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0] };
+        let text =
+            write_and_read(&Grid { points: &points, cells: &cells, point_data: &[w], cell_data: &[force] });
         assert!(text.contains("NumberOfPoints=\"3\" NumberOfCells=\"3\""));
         assert_eq!(read(&text, "Points"), bytes(points.as_flattened()));
         assert_eq!(read(&text, "w &lt;m&gt;"), bytes(w.values));
         assert_eq!(read(&text, "force"), bytes(force.values));
         // Lines end at 2 and 4, the triangle at 7; 3 and 5 are their numbers in vtkCellType.h.
-        assert_eq!(
-            read(&text, "offsets"),
-            [2_i64, 4, 7].map(i64::to_le_bytes).concat()
-        );
+        assert_eq!(read(&text, "offsets"), [2_i64, 4, 7].map(i64::to_le_bytes).concat());
         assert_eq!(read(&text, "types"), [3, 3, 5]);
-        assert_eq!(
-            read(&text, "connectivity"),
-            [0_i64, 1, 1, 2, 0, 1, 2].map(i64::to_le_bytes).concat()
-        );
+        assert_eq!(read(&text, "connectivity"), [0_i64, 1, 1, 2, 0, 1, 2].map(i64::to_le_bytes).concat());
     }
 
     #[test]
     #[should_panic(expected = "length of field w")]
     fn a_field_of_the_wrong_length_is_a_broken_contract() {
-        let field = DataArray {
-            name: "w",
-            components: 3,
-            values: &[1.0],
-        };
-        write_and_read(&Grid {
-            points: &[[0.0; 3]],
-            point_data: &[field],
-            ..Grid::default()
-        });
+        let field = DataArray { name: "w", components: 3, values: &[1.0] };
+        write_and_read(&Grid { points: &[[0.0; 3]], point_data: &[field], ..Grid::default() });
     }
 
     #[test]
     #[should_panic(expected = "a cell names no point")]
     fn a_cell_of_an_absent_point_is_a_broken_contract() {
-        let cells = [Cells {
-            cell_type: CellType::Vertex,
-            connectivity: &[1],
-        }];
-        write_and_read(&Grid {
-            points: &[[0.0; 3]],
-            cells: &cells,
-            ..Grid::default()
-        });
+        let cells = [Cells { cell_type: CellType::Vertex, connectivity: &[1] }];
+        write_and_read(&Grid { points: &[[0.0; 3]], cells: &cells, ..Grid::default() });
     }
 }

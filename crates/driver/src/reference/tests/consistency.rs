@@ -8,10 +8,7 @@ fn load_at(facts: &Facts, x: f64) -> (f64, f64) {
     facts.loads.iter().fold((0.0, 0.0), |(q, c), load| match *load {
         Load::Uniform { value } => (q + value, c),
         Load::UniformMoment { value } => (q, c + value),
-        Load::Sine {
-            amplitude,
-            half_waves,
-        } => {
+        Load::Sine { amplitude, half_waves } => {
             let angle = f64::from(half_waves) * std::f64::consts::PI * x / facts.length;
             (q + amplitude * angle.sin(), c)
         }
@@ -34,9 +31,7 @@ fn scenes() -> impl Iterator<Item = (&'static str, Facts, Solution)> {
 }
 
 fn gives_all(solution: &Solution) -> bool {
-    [Field::W, Field::Phi, Field::M, Field::V]
-        .iter()
-        .all(|field| solution.fields.contains(field))
+    [Field::W, Field::Phi, Field::M, Field::V].iter().all(|field| solution.fields.contains(field))
 }
 
 #[test]
@@ -44,11 +39,7 @@ fn every_local_reference_satisfies_the_beam_equations() {
     let mut tested = 0;
     for (name, facts, solution) in scenes().filter(|(_, _, solution)| gives_all(solution)) {
         tested += 1;
-        let (bending, shear, step) = (
-            facts.bending_stiffness,
-            facts.shear_stiffness,
-            3e-4 * facts.length,
-        );
+        let (bending, shear, step) = (facts.bending_stiffness, facts.shear_stiffness, 3e-4 * facts.length);
         for i in 0..11 {
             let x = facts.length * (f64::from(i) + 0.37) / 11.0;
             let state = (solution.at)(x);
@@ -62,10 +53,7 @@ fn every_local_reference_satisfies_the_beam_equations() {
                 slope(|state| state.shear) + q,
             ];
             // Measured at most 1.3e-11, in the sine; loads and stiffnesses are of order one.
-            assert!(
-                residuals.iter().all(|residual| residual.abs() < 1e-10),
-                "{name} at {x}: {residuals:?}"
-            );
+            assert!(residuals.iter().all(|residual| residual.abs() < 1e-10), "{name} at {x}: {residuals:?}");
         }
     }
     assert!(tested >= 12, "only {tested} references give all fields");
@@ -74,18 +62,14 @@ fn every_local_reference_satisfies_the_beam_equations() {
 #[test]
 fn every_reference_meets_its_supports() {
     for (name, facts, solution) in scenes() {
-        let end_loads = facts
-            .loads
-            .iter()
-            .fold((0.0, 0.0), |(force, moment), load| match *load {
-                Load::Force { x, value } if x == facts.length => (force + value, moment),
-                Load::Moment { x, value } if x == facts.length => (force, moment + value),
-                _ => (force, moment),
-            });
-        for (end, x, (force, moment)) in [
-            (facts.ends[0], 0.0, (0.0, 0.0)),
-            (facts.ends[1], facts.length, end_loads),
-        ] {
+        let end_loads = facts.loads.iter().fold((0.0, 0.0), |(force, moment), load| match *load {
+            Load::Force { x, value } if x == facts.length => (force + value, moment),
+            Load::Moment { x, value } if x == facts.length => (force, moment + value),
+            _ => (force, moment),
+        });
+        for (end, x, (force, moment)) in
+            [(facts.ends[0], 0.0, (0.0, 0.0)), (facts.ends[1], facts.length, end_loads)]
+        {
             let state = (solution.at)(x);
             let mut zeros = match end {
                 End::Clamped => vec![state.w, state.phi],
@@ -97,10 +81,7 @@ fn every_reference_meets_its_supports() {
             if !gives_all(&solution) {
                 zeros.truncate(1); // the fields it gives come first
             }
-            assert!(
-                zeros.iter().all(|zero| zero.abs() < 1e-14),
-                "{name} at {x}: {zeros:?}"
-            );
+            assert!(zeros.iter().all(|zero| zero.abs() < 1e-14), "{name} at {x}: {zeros:?}");
         }
         for &x in &facts.interior_supports {
             assert!((solution.at)(x).w.abs() < 1e-14, "{name} at {x}");
@@ -115,10 +96,7 @@ fn at_mid_span_only_a_force_makes_a_jump_and_the_value_is_the_left_one() {
         let [left, at, right] = [middle - 1e-13, middle, middle + 1e-13].map(|x| (solution.at)(x));
         let close = |a: f64, b: f64| (a - b).abs() < 1e-11;
         assert!(close(left.w, right.w) && close(left.phi, right.phi), "{name}");
-        assert!(
-            close(left.moment, right.moment) && close(left.shear, at.shear),
-            "{name}"
-        );
+        assert!(close(left.moment, right.moment) && close(left.shear, at.shear), "{name}");
         let force: f64 = facts
             .loads
             .iter()
@@ -137,9 +115,7 @@ fn at_mid_span_only_a_force_makes_a_jump_and_the_value_is_the_left_one() {
 #[test]
 fn every_energy_is_half_the_work_of_the_loads() {
     for (name, facts, solution) in scenes() {
-        let energy = solution
-            .value(Field::Energy, 0.0)
-            .expect("every reference so far has an energy");
+        let energy = solution.value(Field::Energy, 0.0).expect("every reference so far has an energy");
         let panels = 1000;
         let weight = |i| {
             if i == 0 || i == panels {

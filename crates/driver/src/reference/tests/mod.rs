@@ -38,10 +38,7 @@ impl Law {
 
 /// Unit length, EI = 1, S = 4, image ends, lumped sine load of one half wave.
 pub(super) fn sine_facts(law: Law, m: u32, spacing: f64) -> Facts {
-    let sine = Load::Sine {
-        amplitude: 1.0,
-        half_waves: 1,
-    };
+    let sine = Load::Sine { amplitude: 1.0, half_waves: 1 };
     Facts {
         length: 1.0,
         bending_stiffness: 1.0,
@@ -78,24 +75,12 @@ fn facts(left: End, right: End, load: Load) -> Facts {
 fn facts_for(name: &str) -> Facts {
     use End::{Clamped, Free, Guided, Simple};
     const LENGTH: f64 = 1.7;
-    let tip = Load::Force {
-        x: LENGTH,
-        value: 2.3,
-    };
-    let middle = Load::Force {
-        x: LENGTH / 2.0,
-        value: -2.3,
-    };
-    let moment = Load::Moment {
-        x: LENGTH,
-        value: 1.9,
-    };
+    let tip = Load::Force { x: LENGTH, value: 2.3 };
+    let middle = Load::Force { x: LENGTH / 2.0, value: -2.3 };
+    let moment = Load::Moment { x: LENGTH, value: 1.9 };
     let uniform = Load::Uniform { value: 5.9 };
     let moments = Load::UniformMoment { value: -4.7 };
-    let sine = Load::Sine {
-        amplitude: 6.1,
-        half_waves: 3,
-    };
+    let sine = Load::Sine { amplitude: 6.1, half_waves: 3 };
     match name {
         "cantilever_tip_force" => facts(Clamped, Free, tip),
         "cantilever_end_moment" => facts(Clamped, Free, moment),
@@ -112,10 +97,9 @@ fn facts_for(name: &str) -> Facts {
         "clamped_simply_supported_uniform" => facts(Clamped, Simple, uniform),
         "clamped_guided_uniform" => facts(Clamped, Guided, uniform),
         "clamped_guided_tip_force" => facts(Clamped, Guided, tip),
-        "two_span_uniform" => Facts {
-            interior_supports: vec![LENGTH / 2.0],
-            ..facts(Simple, Simple, uniform)
-        },
+        "two_span_uniform" => {
+            Facts { interior_supports: vec![LENGTH / 2.0], ..facts(Simple, Simple, uniform) }
+        }
         other => panic!("`{other}` has no scene to be tested with: add one in reference/tests"),
     }
 }
@@ -125,18 +109,10 @@ fn every_reference_is_found_under_the_name_of_its_file() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/src/reference/");
     for reference in TABLE {
         let found = find(reference.name).expect("a reference is found by its name");
-        assert_eq!(
-            found.about, reference.about,
-            "two references are named {}",
-            reference.name
-        );
+        assert_eq!(found.about, reference.about, "two references are named {}", reference.name);
         let file = format!("{folder}{}.rs", reference.name);
         assert!(std::path::Path::new(&file).exists(), "{file}");
-        assert!(
-            !reference.about.contains('\n') && !reference.source.is_empty(),
-            "{}",
-            reference.name
-        );
+        assert!(!reference.about.contains('\n') && !reference.source.is_empty(), "{}", reference.name);
     }
     assert!(find("cantilever").is_none());
 }
@@ -147,37 +123,16 @@ fn every_reference_accepts_its_scene_and_no_other_ends_or_loads() {
         let scene = facts_for(reference.name);
         assert!((reference.build)(&scene).is_ok(), "{}", reference.name);
         let wrong = [
-            Facts {
-                ends: [End::Other, scene.ends[1]],
-                ..scene.clone()
-            },
-            Facts {
-                ends: [scene.ends[0], End::Other],
-                ..scene.clone()
-            },
-            Facts {
-                interior_supports: vec![0.3 * scene.length],
-                ..scene.clone()
-            },
-            Facts {
-                loads: vec![Load::Other],
-                ..scene.clone()
-            },
-            Facts {
-                loads: vec![],
-                ..scene.clone()
-            },
-            Facts {
-                loads: vec![scene.loads[0]; 2],
-                ..scene.clone()
-            },
+            Facts { ends: [End::Other, scene.ends[1]], ..scene.clone() },
+            Facts { ends: [scene.ends[0], End::Other], ..scene.clone() },
+            Facts { interior_supports: vec![0.3 * scene.length], ..scene.clone() },
+            Facts { loads: vec![Load::Other], ..scene.clone() },
+            Facts { loads: vec![], ..scene.clone() },
+            Facts { loads: vec![scene.loads[0]; 2], ..scene.clone() },
         ];
         for facts in &wrong {
             let message = (reference.build)(facts).expect_err(reference.name);
-            assert!(
-                message.starts_with("it needs ") && message.contains(", the scene has "),
-                "{message}"
-            );
+            assert!(message.starts_with("it needs ") && message.contains(", the scene has "), "{message}");
         }
     }
 }

@@ -7,12 +7,8 @@ use super::super::{Facts, Field, Load, find};
 use super::facts_for;
 
 /// Height, m; point force, N, or point moment, N m; uniform load, N/m.
-const SECTIONS: [(f64, f64, f64); 4] = [
-    (0.2, 1e6, 1e7),
-    (0.05, 1e3, 1e4),
-    (0.01, 10.0, 100.0),
-    (1e-4, 1e-5, 1e-4),
-];
+const SECTIONS: [(f64, f64, f64); 4] =
+    [(0.2, 1e6, 1e7), (0.05, 1e3, 1e4), (0.01, 10.0, 100.0), (1e-4, 1e-5, 1e-4)];
 
 /// Reference, field, x, and the value for each section.
 #[rustfmt::skip]
@@ -44,14 +40,8 @@ fn scene(name: &str, (height, point, uniform): (f64, f64, f64)) -> Facts {
     let template = facts_for(name);
     let place = |x: f64| x / template.length;
     let loads = template.loads.iter().map(|load| match *load {
-        Load::Force { x, .. } => Load::Force {
-            x: place(x),
-            value: point,
-        },
-        Load::Moment { x, .. } => Load::Moment {
-            x: place(x),
-            value: point,
-        },
+        Load::Force { x, .. } => Load::Force { x: place(x), value: point },
+        Load::Moment { x, .. } => Load::Moment { x: place(x), value: point },
         Load::Uniform { .. } => Load::Uniform { value: uniform },
         other => panic!("{name}: {other} has no target"),
     });
@@ -74,11 +64,7 @@ fn targets_are_met_for_thick_and_slender_beams() {
             let found = solution.value(field, x).unwrap();
             let error = (found / expected - 1.0).abs();
             // Measured at most 6e-16.
-            assert!(
-                error < 3e-15,
-                "{name}, {field} at {x}, height {}: {error:e}",
-                section.0
-            );
+            assert!(error < 3e-15, "{name}, {field} at {x}, height {}: {error:e}", section.0);
         }
     }
 }

@@ -1,0 +1,263 @@
+"""The beam of a million points against LAPACK's band Cholesky on the same matrix, in one run.
+
+Side by side: a whole run of `peristat verify` (read, assemble, factor, finish, certify, check) and `dpbtrf` + `dpbtrs`
+in place; the factor kernels alone; memory per point and growth with the number of points. Competitors alternate and
+medians are compared, so that what else the machine does hits both. `bench/run.sh` prepares everything and runs this.
+"""
+
+import argparse
+import json
+import os
+import platform
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+from statistics import median
+
+os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy is loaded: peristat uses one thread, too
+
+import numpy as np
+import scipy
+from scipy.io import mmread
+from scipy.linalg.lapack import dpbtrf, dpbtrs
+
+ROOT = Path(__file__).resolve().parent.parent
+WORK = ROOT / "target" / "bench"
+PERISTAT = ROOT / "target" / "release" / "peristat"
+KERNEL = ROOT / "target" / "release" / "examples" / "timing"
+MILLION = 1_000_000
+SIZES = [10_000, 31_623, 100_000, 316_228, MILLION]
+
+
+class Beam:
+    """A steel cantilever of 1 m under a uniform load; slenderness is length over section height."""
+
+    width, youngs_modulus, poisson_ratio = 0.05, 2.0e11, 0.3
+
+    def __init__(self, slenderness, load, cells=MILLION, ratio=3):
+        self.slenderness, self.load, self.cells, self.ratio = slenderness, load, cells, ratio
+        self.bending = self.youngs_modulus * self.width / slenderness**3 / 12
+        self.shear = 5 / 6 * self.youngs_modulus / 2 / (1 + self.poisson_ratio) * self.width / slenderness
+
+    def case(self):
+        """Writes the case file: what `peristat new` prints, edited."""
+        case = json.loads(subprocess.check_output([PERISTAT, "new", "timoshenko_beam"]))
+        model = case["model"]["timoshenko_beam"]
+        model |= {"youngs_modulus": self.youngs_modulus, "poisson_ratio": self.poisson_ratio, "bond_law": "exact"}
+        model["section"] = {"rectangle": {"width": self.width, "height": 1 / self.slenderness}}
+        case |= {"title": "Cantilever under a uniform load", "probes": [], "horizon_ratio": self.ratio}
+        case["body"] = {"line": {"length": 1.0, "cells": self.cells}}
+        case["loads"] = [{"distributed": {"force": {"uniform": self.load}}}]
+        form = {"name": "cantilever_uniform", "tolerance": 1e-11}
+        case["checks"] = [{"closed_form": form | {"field": field}} for field in ("w", "phi")]
+        path = WORK / f"beam_{self.slenderness:g}_{self.cells}_{self.ratio}.json"
+        path.write_text(json.dumps(case, indent=2))
+        return path
+
+    def bonds(self):
+        """Per offset: its length and the weights of its bonds, half-edge and cover-corrected."""
+        weights = [np.full(self.cells + 1 - n, 2 / self.ratio**2) for n in range(1, self.ratio + 1)]
+        weights[-1] *= 0.5
+        cover = np.zeros(self.cells)
+        for n, alpha in enumerate(weights, 1):
+            steps = np.zeros(self.cells + 1)
+            steps[: len(alpha)] += alpha
+            steps[n:] -= alpha
+            cover += np.cumsum(steps)[:-1]
+        lack = 1 - cover
+        weights[0] += np.where(abs(lack) > 1e-8, lack, 0.0)
+        return [(n / self.cells, alpha) for n, alpha in enumerate(weights, 1)]
+
+    def stiffness(self):
+        """LAPACK's lower band of K, unknowns (w_0, phi_0, w_1, ...), before supports; Fortran order."""
+        band = np.zeros((2 * self.ratio + 2, 2 * (self.cells + 1)), order="F")
+        for n, (xi, alpha) in enumerate(self.bonds(), 1):
+            points = len(alpha)
+            b = self.bending / xi
+            g = 1 / (1 / self.shear + xi**2 / (12 * self.bending)) / xi
+            lower = np.array([[g, g * xi / 2], [g * xi / 2, b + g * xi**2 / 4]])
+            upper = np.array([[g, -g * xi / 2], [-g * xi / 2, b + g * xi**2 / 4]])
+            across = np.array([[-g, g * xi / 2], [-g * xi / 2, g * xi**2 / 4 - b]])
+            for r in range(2):
+                for c in range(r, 2):
+                    band[c - r, r : 2 * points : 2] += alpha * lower[r, c]
+                    band[c - r, 2 * n + r :: 2] += alpha * upper[r, c]
+                for c in range(2):
+                    band[2 * n + c - r, r : 2 * points : 2] += alpha * across[r, c]
+        return band
+
+    def system(self):
+        """Matrix with the clamped unknowns decoupled, and load."""
+        band, load = self.stiffness(), np.zeros(2 * (self.cells + 1))
+        for n, (xi, alpha) in enumerate(self.bonds(), 1):
+            force = alpha * self.load * xi / 2
+            load[: 2 * len(alpha) : 2] += force
+            load[2 * n :: 2] += force
+            load[1 : 2 * len(alpha) : 2] += force * xi / 6
+            load[2 * n + 1 :: 2] -= force * xi / 6
+        band[1:, :2] = load[:2] = 0.0
+        return band, load
+
+    def error(self, u):
+        """Largest error of w against the closed form, relative."""
+        x = np.linspace(0, 1, self.cells + 1)
+        w = self.load * (x**2 * (6 - 4 * x + x**2) / (24 * self.bending) + (2 - x) * x / (2 * self.shear))
+        return abs(u[::2] - w).max() / w[-1]
+
+
+def run(*command):
+    """Runs a process to its end: output, CPU and wall seconds, peak memory in bytes."""
+    begin = time.perf_counter()
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    output = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)  # this child's usage alone
+    wall = time.perf_counter() - begin
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))} ended with {process.returncode}:\n{output}")
+    return output, (usage.ru_utime + usage.ru_stime, wall), usage.ru_maxrss * 1024
+
+
+def lapack(band, load, work):
+    """Factors and solves in place, on memory already mapped: solution, info, CPU and wall, wall of the factor."""
+    np.copyto(work, band)
+    u = load.copy()
+    cpu, wall = time.process_time(), time.perf_counter()
+    factor, info = dpbtrf(work, lower=1, overwrite_ab=1)
+    factored = time.perf_counter() - wall
+    x, _ = dpbtrs(factor, u, lower=1, overwrite_b=1)
+    cpu, wall = time.process_time() - cpu, time.perf_counter() - wall
+    if not (np.shares_memory(factor, work) and np.shares_memory(x, u)):
+        sys.exit("SciPy copied the matrix: LAPACK was not timed in place")
+    return x, info, (cpu, wall), factored
+
+
+class Report:
+    """Rows of the table, notes below it, and how many targets were missed."""
+
+    def __init__(self):
+        self.rows, self.notes, self.missed = [], [], 0
+
+    def row(self, what, ours="", theirs="", value="", measured=None, target=None):
+        verdict = ""
+        if target is not None:
+            met = measured <= target
+            self.missed += not met
+            verdict = f"<= {target:g}: {'met' if met else '**missed**'}"
+        self.rows.append([what, ours, theirs, value, verdict])
+        print(f"{what}: {' | '.join(filter(None, (ours, theirs, value, verdict)))}", file=sys.stderr)
+
+    def markdown(self):
+        head = ["", "peristat", "LAPACK", "ratio or value", "target"]
+        table = [head, ["---"] * len(head), *self.rows]
+        return "".join(f"| {' | '.join(row)} |\n" for row in table) + "".join(f"\n{note}\n" for note in self.notes)
+
+
+def same_matrix(report, beams):
+    """Proves on small beams that the matrix LAPACK gets is the one peristat assembles, entry by entry."""
+    worst, file = 0.0, WORK / "matrix.mtx"
+    for beam in beams:
+        for ratio in range(1, 6):
+            small = Beam(beam.slenderness, beam.load, 200, ratio)
+            run(PERISTAT, "run", small.case(), "-q", "-o", WORK / "small", "--write-matrix", file)
+            theirs, band = mmread(file).toarray(), small.stiffness()
+            ours = sum(np.diag(row[: row.size - k], -k) for k, row in enumerate(band))
+            ours += np.tril(ours, -1).T
+            scale = np.sqrt(np.outer(ours.diagonal(), ours.diagonal()))
+            worst = max(worst, (abs(ours - theirs) / scale).max())
+    report.row("same matrix: `max abs(dK_ij) / sqrt(K_ii K_jj)`, m = 1..5, 200 cells",
+               value=f"{worst:.1e}", measured=worst, target=1e-15)  # fmt: skip
+
+
+def memory(report, beam):
+    """Comes before the large arrays: a child's peak counts what its parent held when it was started."""
+    peak = run(PERISTAT, "verify", beam.case())[2] / (beam.cells + 1)
+    report.row("peak memory of a run without output, bytes per point", f"{peak:.0f}", measured=peak, target=400)
+
+
+def growth(report, beam, rounds):
+    beams = [Beam(beam.slenderness, beam.load, cells) for cells in [4, *SIZES]]
+    cases = [b.case() for b in beams]
+    cpu = np.median([[run(PERISTAT, "verify", case)[1][0] for case in cases] for _ in range(rounds)], axis=0)
+    seconds = cpu[1:] - cpu[0]  # four cells are the start of the process
+    exponent = np.polyfit(np.log(SIZES), np.log(seconds), 1)[0]
+    listed = ", ".join(f"{ns:.0f}" for ns in 1e9 * seconds / SIZES)
+    report.row(f"growth exponent from 1e4 to 1e6 points ({listed} ns per point)",
+               value=f"{exponent:.3f}", measured=exponent, target=1.15)  # fmt: skip
+
+
+def whole(report, beam, target, rounds):
+    (band, load), case, name = beam.system(), beam.case(), f"slenderness {beam.slenderness:g}"
+    work, ours, theirs, stages, peaks = np.empty_like(band), [], [], [], []
+    row = lapack(band, load, work)[1]
+    if row > 0:
+        # Rounding made the matrix indefinite; a lift of the size of that rounding mends it.
+        band[0] *= 1 + 4 * np.finfo(float).eps
+        report.notes.append(f"At {name} `dpbtrf` stops at row {row}: timed with the diagonal lifted by 4 eps.")
+    for _ in range(rounds):
+        u, _, times, _ = lapack(band, load, work)
+        theirs.append(times)
+        text, times, _ = run(PERISTAT, "verify", case, "--json")
+        ours.append(times)
+        summary = json.loads(run(PERISTAT, "run", case, "--json", "-o", WORK / "out")[0])
+        stages.append(sum(summary["timing_s"][s] for s in ("assemble", "factor", "solve", "certify")))
+        peaks.append(summary["peak_memory_bytes"] / (beam.cells + 1))
+    ours, theirs, stage = np.median(ours, axis=0), np.median(theirs, axis=0), median(stages)
+    ratio, seconds = ours / theirs, "{:.3f} s ({:.3f} s)".format
+    report.row(f"whole run, {name}: CPU (wall)", seconds(*ours), seconds(*theirs),
+               "{:.2f} ({:.2f})".format(*ratio), ratio[0], target)  # fmt: skip
+    stages = f"{stage:.3f} s", f"{theirs[1]:.3f} s", f"{stage / theirs[1]:.2f}"
+    report.row(f"its stages assemble to certify, {name}: wall", *stages)
+    found = next(c["error"] for c in json.loads(text)[0]["checks"] if "w" in c["name"].split())
+    report.row(f"error of w against the closed form, {name}", f"{found:.1e}", f"{beam.error(u):.1e}")
+    report.row(f"peak memory of a run with output, {name}, bytes per point", f"{median(peaks):.0f}")
+
+
+def kernels(report, rounds):
+    """Factor kernels on the matrix of crates/solve/examples/timing.rs: nanoseconds per point."""
+    ours, theirs, order = [], [], 2 * MILLION
+    for _ in range(rounds):
+        printed = dict(re.findall(r"half bandwidth +(\d+): factor +([\d.]+) ns", run(KERNEL, str(MILLION))[0]))
+        ours.append([float(printed[str(2 * m + 1)]) for m in range(1, 6)])
+        theirs.append([])
+        for width in range(4, 13, 2):
+            k, j = np.ogrid[:width, :order]
+            band = np.asfortranarray(np.where(k == 0, 2.0 * width, -1 + 0.01 * ((j + k) % 7)))
+            load, work = np.ones(order), np.empty_like(band)
+            theirs[-1].append(median(1e9 / MILLION * lapack(band, load, work)[3] for _ in range(5)))
+    for m, a, b in zip(range(1, 6), np.median(ours, axis=0), np.median(theirs, axis=0)):
+        report.row(f"factor kernel, m = {m}: ns per point", f"{a:.1f}", f"{b:.1f}", f"{a / b:.2f}", a / b, 1)
+
+
+def machine():
+    info = Path("/proc/cpuinfo")
+    names = re.findall(r"model name\s*: (.*)", info.read_text()) if info.exists() else []
+    lib = scipy.show_config(mode="dicts")["Build Dependencies"]["lapack"]
+    cpu = f"{names[0] if names else platform.processor()}, {os.cpu_count()} cores, {platform.system()}"
+    return f"{cpu}; SciPy {scipy.__version__} with {lib['name']} {lib['version']}, one thread"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--strict", action="store_true", help="exit 1 if a target is missed")
+    parser.add_argument("--rounds", type=int, default=9, help="repeats that medians are taken of")
+    options = parser.parse_args()
+    WORK.mkdir(parents=True, exist_ok=True)
+    stocky, slender = Beam(20, 1e4), Beam(1e4, 1e-4)
+    report = Report()
+    memory(report, stocky)
+    same_matrix(report, [stocky, slender])
+    whole(report, stocky, 3, options.rounds)
+    whole(report, slender, 20, options.rounds)
+    kernels(report, 3)
+    growth(report, stocky, options.rounds)
+    text = f"{machine()}\n\n{report.markdown()}"
+    (WORK / "beam.md").write_text(text)
+    print(text, end="")
+    return 1 if options.strict and report.missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

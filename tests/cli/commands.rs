@@ -1,0 +1,179 @@
+//! `run`, `check`, `new`, `list` and `completions`.
+
+use crate::support::{Outcome, gallery, json, names, root, run};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+/// A run of the cantilever with overrides, into `out`.
+fn cantilever(folder: &Path, overrides: &[&str]) -> Outcome {
+    let case = gallery("cantilever.json");
+    let mut arguments = vec!["run", &case, "-o", "out"];
+    arguments.extend(overrides.iter().flat_map(|o| ["--set", o]));
+    run(folder, &arguments)
+}
+
+#[test]
+fn exit_codes_tell_passed_failed_and_bad_input_apart() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(cantilever(folder.path(), &[]).code, 0);
+    let failed = cantilever(folder.path(), &["loads[0].point.force=2000"]);
+    assert_eq!(failed.code, 1, "the deflection is above L/250 then");
+    assert!(failed.stdout.contains("FAILED"));
+    assert_eq!(cantilever(folder.path(), &["loads[0].point.force=no"]).code, 2);
+    assert_eq!(run(folder.path(), &["run"]).code, 2);
+    assert_eq!(run(folder.path(), &["walk", "case.json"]).code, 2);
+    assert_eq!(run(folder.path(), &["--version"]).code, 0);
+}
+
+#[test]
+fn a_failed_check_leaves_a_complete_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    cantilever(folder.path(), &["loads[0].point.force=2000"]);
+    let summary = json(&folder.path().join("out/summary.json"));
+    assert_eq!(summary["status"], "check_failed");
+    assert_eq!(summary["checks"][1]["passed"], false);
+}
+
+#[test]
+fn overrides_change_the_case_that_is_run_and_recorded() {
+    let folder = tempfile::tempdir().unwrap();
+    cantilever(folder.path(), &["body.line.cells=24", "loads[0].point.force=500"]);
+    let out = folder.path().join("out");
+    assert_eq!(json(&out.join("summary.json"))["points"], 25);
+    assert_eq!(json(&out.join("case.json"))["loads"][0]["point"]["force"], 500.0);
+}
+
+#[test]
+fn a_bad_override_says_how_to_write_one() {
+    let folder = tempfile::tempdir().unwrap();
+    for (overriding, reason) in [
+        ("body.line.cells", "an override has the form path=value"),
+        ("loads[3].point.force=1", "names element 3 of a list of 1"),
+        ("title.more=1", "goes through a value that is neither an object nor a list"),
+        ("body.line.cels=24", "unknown key `cels`"),
+    ] {
+        let outcome = cantilever(folder.path(), &[overriding]);
+        assert_eq!(outcome.code, 2, "{overriding}");
+        assert!(outcome.stderr.contains(reason), "{overriding}: {}", outcome.stderr);
+    }
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
+fn json_on_stdout_is_the_summary_of_the_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = gallery("load_cases.json");
+    let outcome = run(folder.path(), &["run", &case, "--json", "-o", "out"]);
+    let printed: Value = serde_json::from_str(&outcome.stdout).unwrap();
+    assert_eq!(printed, json(&folder.path().join("out/summary.json")));
+    assert_eq!(printed["states"].as_array().unwrap().len(), 5);
+}
+
+#[test]
+fn lists_sizes_and_verdicts_are_json_for_machines() {
+    let folder = root();
+    let parse = |arguments: &[&str]| -> Value {
+        let outcome = run(&folder, arguments);
+        assert_eq!(outcome.code, 0, "{arguments:?}: {}", outcome.stderr);
+        serde_json::from_str(&outcome.stdout).unwrap()
+    };
+    let list = parse(&["list", "--json"]);
+    assert_eq!(list.as_object().unwrap().len(), 4);
+    assert_eq!(parse(&["list", "references", "--json"])["references"], list["references"]);
+    let sizes = parse(&["check", "cases/beam/cantilever.json", "--json"]);
+    assert_eq!(sizes[0]["sizes"]["points"], 97);
+    let verdicts = parse(&["verify", "cases/beam/cantilever.json", "--json"]);
+    assert_eq!(verdicts[0]["verdict"], "passed");
+    assert_eq!(verdicts[0]["checks"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn check_solves_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let outcome = run(folder.path(), &["check", &gallery("cantilever.json"), &gallery("tube.json")]);
+    assert_eq!(outcome.code, 0);
+    assert!(outcome.stdout.contains("cantilever.json") && outcome.stdout.contains("tube.json"));
+    assert_eq!(names(folder.path()), Vec::<String>::new());
+}
+
+#[test]
+fn a_new_case_runs_as_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let new = run(folder.path(), &["new", "timoshenko_beam"]);
+    assert_eq!(new.code, 0);
+    fs::write(folder.path().join("mine.json"), &new.stdout).unwrap();
+    let outcome = run(folder.path(), &["run", "mine.json"]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert!(folder.path().join("results/mine/summary.json").exists(), "the folder is named after the case");
+    let unknown = run(folder.path(), &["new", "shell"]);
+    assert_eq!(unknown.code, 2);
+    assert!(unknown.stderr.contains("known are timoshenko_beam"), "{}", unknown.stderr);
+}
+
+#[test]
+fn the_first_case_of_a_newcomer_is_the_one_of_the_gallery() {
+    let new = run(&root(), &["new", "timoshenko_beam"]).stdout;
+    assert_eq!(new, fs::read_to_string(gallery("cantilever.json")).unwrap());
+}
+
+#[test]
+fn every_list_is_printed_alone_and_with_the_others() {
+    let folder = root();
+    let all = run(&folder, &["list"]).stdout;
+    for kind in ["models", "loads", "references", "solvers"] {
+        let alone = run(&folder, &["list", kind]).stdout;
+        assert!(alone.starts_with(kind) && all.contains(&alone), "{kind}");
+    }
+    assert!(all.contains("cantilever_tip_force") && all.contains("bond_law corrected"));
+}
+
+#[test]
+fn completions_know_the_commands() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let outcome = run(&root(), &["completions", shell]);
+        assert_eq!(outcome.code, 0, "{shell}");
+        assert!(outcome.stdout.contains("verify") && outcome.stdout.contains("write-matrix"), "{shell}");
+    }
+    assert_eq!(run(&root(), &["completions", "cmd"]).code, 2);
+}
+
+#[test]
+fn the_written_matrix_has_the_order_of_all_unknowns_and_is_symmetric() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = gallery("cantilever.json");
+    let arguments = [
+        "run",
+        &case,
+        "--set",
+        "body.line.cells=12",
+        "--set",
+        "checks=[]",
+        "-o",
+        "out",
+        "--write-matrix",
+        "k.mtx",
+    ];
+    assert_eq!(run(folder.path(), &arguments).code, 0);
+    let text = fs::read_to_string(folder.path().join("k.mtx")).unwrap();
+    assert!(text.starts_with("%%MatrixMarket matrix coordinate real symmetric\n"), "{}", &text[..80]);
+    let mut lines = text.lines().filter(|l| !l.starts_with('%'));
+    let size: Vec<usize> = lines.next().unwrap().split(' ').map(|n| n.parse().unwrap()).collect();
+    // 13 points of two unknowns; one triangle of the blocks of 13 points and of 12 + 11 + 10 bonds.
+    assert_eq!(size[..2], [26, 26]);
+    assert!(size[2] <= 13 * 3 + 33 * 4, "{} entries", size[2]);
+    let entries: Vec<Vec<f64>> =
+        lines.map(|l| l.split_whitespace().map(|n| n.parse().unwrap()).collect()).collect();
+    assert_eq!(entries.len(), size[2]);
+    assert!(entries.iter().all(|e| e[0] >= e[1] && e[2].is_finite()), "the lower triangle only");
+}
+
+#[test]
+fn a_matrix_that_cannot_be_written_stops_the_run_before_its_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = gallery("cantilever.json");
+    let outcome = run(folder.path(), &["run", &case, "-o", "out", "--write-matrix", "no/such/folder/k.mtx"]);
+    assert_eq!(outcome.code, 2);
+    assert!(outcome.stderr.contains("cannot write no/such/folder/k.mtx"), "{}", outcome.stderr);
+    assert_eq!(names(folder.path()), Vec::<String>::new());
+}

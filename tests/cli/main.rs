@@ -1,0 +1,12 @@
+//! The command `peristat` as a user meets it: exit codes, messages, files.
+#![allow(clippy::unwrap_used, reason = "helpers of tests are tests")]
+
+mod commands;
+mod hostile_input;
+mod meshio;
+mod messages;
+mod numbers;
+mod results_folder;
+mod schema;
+mod support;
+mod verify;

@@ -1,0 +1,107 @@
+//! Numbers in result files.
+
+use crate::support::{files, gallery, json, names, root, run};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+/// Paths of the values of a tree that are not there.
+fn nulls(value: &Value, path: &str, found: &mut Vec<String>) {
+    match value {
+        Value::Null => found.push(path.into()),
+        Value::Array(list) => list.iter().for_each(|v| nulls(v, path, found)),
+        Value::Object(keys) => keys.iter().for_each(|(k, v)| nulls(v, &format!("{path}.{k}"), found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn no_file_of_the_gallery_holds_a_value_that_is_not_a_number() {
+    let folder = tempfile::tempdir().unwrap();
+    for case in files(&root().join("cases/beam"), ".json") {
+        let name = case.file_stem().unwrap().to_string_lossy().into_owned();
+        run(folder.path(), &["run", &case.display().to_string(), "-q"]);
+        assert!(folder.path().join("results").join(name).join("summary.json").exists(), "{}", case.display());
+    }
+    for file in files(folder.path(), ".csv") {
+        for line in fs::read_to_string(&file).unwrap().lines().skip(1) {
+            let mut values = line.split(',').map(|cell| cell.parse::<f64>().unwrap());
+            assert!(values.all(f64::is_finite), "{}: {line}", file.display());
+        }
+    }
+    for file in files(folder.path(), ".json") {
+        let mut missing = Vec::new();
+        nulls(&json(&file), "", &mut missing);
+        // Not every system tells the memory of a process.
+        missing.retain(|path| path != ".peak_memory_bytes");
+        assert!(missing.is_empty(), "{}: {missing:?}", file.display());
+    }
+    for file in files(folder.path(), ".svg") {
+        let text = fs::read_to_string(&file).unwrap().to_lowercase();
+        let mut words = text.split(|c: char| !c.is_alphanumeric());
+        assert!(!words.any(|w| ["nan", "inf", "infinity"].contains(&w)), "{}", file.display());
+    }
+}
+
+#[test]
+fn results_beyond_double_precision_are_an_error_and_no_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = gallery("cantilever.json");
+    // Every number alone is admissible; the energy density is not.
+    let sets = [
+        "model.timoshenko_beam.section.rectangle.height=1e-40",
+        "model.timoshenko_beam.section.rectangle.width=1e-40",
+        "loads[0].point.force=1e60",
+        "checks=[]",
+    ];
+    let mut arguments = vec!["run", &case, "-o", "out"];
+    arguments.extend(sets.iter().flat_map(|s| ["--set", s]));
+    let outcome = run(folder.path(), &arguments);
+    assert_eq!(outcome.code, 2, "{}{}", outcome.stdout, outcome.stderr);
+    assert!(
+        outcome.stderr.starts_with("error: the results do not fit into double precision"),
+        "{}",
+        outcome.stderr
+    );
+    assert_eq!(names(folder.path()), Vec::<String>::new());
+}
+
+/// Everything a run wrote, but times.
+fn numbers(folder: &Path) -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = Vec::new();
+    for file in files(folder, "") {
+        let name = file.strip_prefix(folder).unwrap().display().to_string();
+        let text = if name == "summary.json" {
+            let mut summary = json(&file);
+            let keys = summary.as_object_mut().unwrap();
+            keys.remove("timing_s");
+            keys.remove("peak_memory_bytes");
+            summary.to_string()
+        } else {
+            String::from_utf8_lossy(&fs::read(&file).unwrap()).into_owned()
+        };
+        all.push((name, text));
+    }
+    all
+}
+
+#[test]
+fn the_case_of_a_run_runs_again_to_the_same_bytes() {
+    for case in [
+        "cantilever.json",
+        "load_cases.json",
+        "load_steps.json",
+        "published_cells_ghost.json",
+        "rigid_link.json",
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        run(folder.path(), &["run", &gallery(case), "-q", "-o", "first"]);
+        run(folder.path(), &["run", "first/case.json", "-q", "-o", "second"]);
+        let (first, second) = (numbers(&folder.path().join("first")), numbers(&folder.path().join("second")));
+        assert!(first.len() >= 8, "{case} wrote only {} files", first.len());
+        assert_eq!(first.len(), second.len(), "{case}");
+        for (a, b) in first.iter().zip(&second) {
+            assert!(a == b, "{case}: {} and {} differ", a.0, b.0);
+        }
+    }
+}

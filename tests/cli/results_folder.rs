@@ -1,0 +1,152 @@
+//! The folder of a run.
+
+use crate::support::{files, gallery, json, names, run};
+use std::fs;
+use std::path::Path;
+
+fn solve(folder: &Path, case: &str, more: &[&str]) -> crate::support::Outcome {
+    let case = gallery(case);
+    let mut arguments = vec!["run", &case, "-o", "out"];
+    arguments.extend(more);
+    run(folder, &arguments)
+}
+
+#[test]
+fn a_run_leaves_its_case_fields_history_plots_and_summary() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(solve(folder.path(), "load_steps.json", &[]).code, 0);
+    let out = folder.path().join("out");
+    assert_eq!(names(&out), ["case.json", "fields", "fields.pvd", "history.csv", "plots", "summary.json"]);
+    assert_eq!(names(&out.join("plots")), ["deflection.svg", "moment.svg", "rotation.svg", "shear.svg"]);
+    let steps = (0..4).flat_map(|k| [format!("step_00{k}.csv"), format!("step_00{k}.vtu")]);
+    assert_eq!(names(&out.join("fields")), steps.collect::<Vec<_>>());
+    let collection = fs::read_to_string(out.join("fields.pvd")).unwrap();
+    assert_eq!(collection.matches("<DataSet").count(), 4);
+    let history = fs::read_to_string(out.join("history.csv")).unwrap();
+    let mut lines = history.lines();
+    assert_eq!(lines.next(), Some("step,load_factor,tip,stress"));
+    assert_eq!(lines.count(), 4);
+    let header = fs::read_to_string(out.join("fields/step_000.csv")).unwrap();
+    assert!(header.starts_with("x,w,phi,M,V,stress_top,stress_bottom,energy_density\n"), "{header}");
+}
+
+#[test]
+fn load_cases_leave_their_envelope() {
+    let folder = tempfile::tempdir().unwrap();
+    solve(folder.path(), "load_cases.json", &[]);
+    let envelope = fs::read_to_string(folder.path().join("out/envelope.csv")).unwrap();
+    let header = "x,w_smallest,w_largest,phi_smallest,phi_largest,M_smallest,M_largest,V_smallest,V_largest";
+    assert_eq!(envelope.lines().next(), Some(header));
+    // At mid-span the lowest deflection is that of the combination `ultimate`, the highest that of `dead`.
+    let middle: Vec<f64> = envelope.lines().nth(41).unwrap().split(',').map(|c| c.parse().unwrap()).collect();
+    let summary = json(&folder.path().join("out/summary.json"));
+    let probe = |state: &str| {
+        let probes = summary["probes"].as_array().unwrap();
+        let found = probes.iter().find(|p| p["state"] == state && p["name"] == "middle").unwrap();
+        found["value"].as_f64().unwrap()
+    };
+    assert_eq!(middle[..3], [2000.0, probe("ultimate"), probe("dead")]);
+}
+
+#[test]
+fn a_summary_holds_what_it_promises() {
+    let folder = tempfile::tempdir().unwrap();
+    solve(folder.path(), "cantilever.json", &[]);
+    let summary = json(&folder.path().join("out/summary.json"));
+    for key in [
+        "status",
+        "model",
+        "points",
+        "bonds",
+        "unknowns",
+        "checks",
+        "probes",
+        "states",
+        "skipped",
+        "counters",
+        "warnings",
+        "solver",
+        "timing_s",
+        "peak_memory_bytes",
+        "version",
+    ] {
+        assert!(summary.get(key).is_some(), "`{key}` is missing");
+    }
+    for key in ["name", "expected", "found", "error", "tolerance", "passed", "source"] {
+        assert!(summary["checks"][0].get(key).is_some(), "`{key}` of a check is missing");
+    }
+    assert_eq!(summary["states"][0]["certificate"]["converged"], true);
+}
+
+#[test]
+fn a_folder_of_peristat_is_replaced_as_a_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    solve(folder.path(), "load_steps.json", &[]);
+    assert_eq!(solve(folder.path(), "cantilever.json", &[]).code, 0);
+    let out = folder.path().join("out");
+    assert_eq!(
+        names(&out.join("fields")),
+        ["step_000.csv", "step_000.vtu"],
+        "no step of the earlier run is left"
+    );
+    assert_eq!(json(&out.join("summary.json"))["title"], "Cantilever under a tip load");
+}
+
+#[test]
+fn a_folder_with_other_files_is_left_alone_unless_forced() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    fs::create_dir(&out).unwrap();
+    fs::write(out.join("thesis.tex"), "years of work").unwrap();
+    let refused = solve(folder.path(), "cantilever.json", &[]);
+    assert_eq!(refused.code, 2);
+    let message = "error: out holds `thesis.tex`, which peristat did not write\n\
+                   hint: choose another folder with `-o`, or add `--force`\n";
+    assert_eq!(refused.stderr, message);
+    assert_eq!(names(&out), ["thesis.tex"]);
+    assert_eq!(solve(folder.path(), "cantilever.json", &["--force"]).code, 0);
+    assert!(out.join("summary.json").exists());
+    assert_eq!(fs::read_to_string(out.join("thesis.tex")).unwrap(), "years of work");
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_an_error_that_names_it() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("file"), "").unwrap();
+    let case = gallery("cantilever.json");
+    // A file stands where a folder should be: no user can write there, not even root.
+    for output in ["file", "file/below"] {
+        let outcome = run(folder.path(), &["run", &case, "-o", output]);
+        assert_eq!(outcome.code, 2, "{output}");
+        assert!(
+            outcome.stderr.starts_with("error: ") && outcome.stderr.contains(output),
+            "{}",
+            outcome.stderr
+        );
+        assert_eq!(outcome.stdout, "");
+    }
+    assert_eq!(names(folder.path()), ["file"]);
+}
+
+#[test]
+fn an_input_fault_keeps_the_results_of_the_earlier_run() {
+    let folder = tempfile::tempdir().unwrap();
+    solve(folder.path(), "cantilever.json", &[]);
+    let summary = folder.path().join("out/summary.json");
+    let before = fs::read_to_string(&summary).unwrap();
+    for fault in ["body.line.cells=0", "supports[0].phi=null", "loads[0].point.force=1e300"] {
+        assert_eq!(solve(folder.path(), "cantilever.json", &["--set", fault]).code, 2, "{fault}");
+        assert_eq!(fs::read_to_string(&summary).unwrap(), before, "{fault}");
+    }
+}
+
+#[test]
+fn no_temporary_file_is_left() {
+    let folder = tempfile::tempdir().unwrap();
+    solve(folder.path(), "load_cases.json", &["--write-matrix", "k.mtx"]);
+    let known = ["json", "csv", "svg", "vtu", "pvd", "mtx"];
+    for file in files(folder.path(), "") {
+        let extension = file.extension().unwrap_or_default().to_string_lossy().into_owned();
+        assert!(known.contains(&extension.as_str()), "{}", file.display());
+    }
+}

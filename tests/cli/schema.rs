@@ -1,0 +1,172 @@
+//! The JSON Schema of cases, by a checker of the keywords that it uses.
+
+use crate::support::{files, json, root, run};
+use serde_json::{Map, Value};
+
+fn schema() -> Value {
+    let outcome = run(&root(), &["schema"]);
+    assert_eq!(outcome.code, 0);
+    serde_json::from_str(&outcome.stdout).unwrap()
+}
+
+/// Keywords that only describe.
+const SILENT: [&str; 8] =
+    ["$schema", "$defs", "title", "description", "default", "format", "examples", "deprecated"];
+
+/// Faults of a value against a schema; a keyword that this does not know is a fault too.
+fn faults(root: &Value, schema: &Value, value: &Value, path: &str) -> Vec<String> {
+    let Some(schema) = schema.as_object() else {
+        return if schema == &Value::Bool(false) {
+            vec![format!("{path} is not allowed")]
+        } else {
+            Vec::new()
+        };
+    };
+    let keywords = schema.iter().filter(|(k, _)| !SILENT.contains(&k.as_str()));
+    keywords.flat_map(|(keyword, rule)| keyword_faults(root, schema, keyword, rule, value, path)).collect()
+}
+
+fn keyword_faults(
+    root: &Value,
+    schema: &Map<String, Value>,
+    keyword: &str,
+    rule: &Value,
+    value: &Value,
+    path: &str,
+) -> Vec<String> {
+    let none = Vec::new();
+    let fault = |bad: bool, what: String| if bad { vec![format!("{path} {what}")] } else { Vec::new() };
+    let matching = || {
+        let options = rule.as_array().unwrap_or(&none);
+        options.iter().filter(|s| faults(root, s, value, path).is_empty()).count()
+    };
+    match keyword {
+        "$ref" => {
+            let pointer = rule.as_str().unwrap().trim_start_matches('#');
+            faults(root, root.pointer(pointer).expect("a reference points into the schema"), value, path)
+        }
+        "type" => {
+            let single = std::slice::from_ref(rule);
+            let types = rule.as_array().map_or(single, Vec::as_slice);
+            fault(!types.iter().any(|t| is(value, t.as_str().unwrap())), format!("is not {rule}"))
+        }
+        "enum" => fault(!rule.as_array().unwrap().contains(value), format!("is none of {rule}")),
+        "const" => fault(rule != value, format!("is not {rule}")),
+        "oneOf" => fault(matching() != 1, format!("fits {} alternatives", matching())),
+        "anyOf" => fault(matching() == 0, "fits no alternative".into()),
+        "required" => {
+            let missing = |k: &&Value| value.is_object() && value.get(k.as_str().unwrap()).is_none();
+            rule.as_array().unwrap().iter().filter(missing).map(|k| format!("{path} misses {k}")).collect()
+        }
+        "properties" | "additionalProperties" => {
+            let empty = Map::new();
+            let known = schema.get("properties").and_then(Value::as_object).unwrap_or(&empty);
+            let mut all = Vec::new();
+            for (key, value) in value.as_object().unwrap_or(&empty) {
+                let at = format!("{path}.{key}");
+                match (keyword, known.get(key)) {
+                    ("properties", Some(inner)) => all.extend(faults(root, inner, value, &at)),
+                    ("additionalProperties", None) => all.extend(faults(root, rule, value, &at)),
+                    _ => {}
+                }
+            }
+            all
+        }
+        "items" => {
+            let values = value.as_array().unwrap_or(&none);
+            values
+                .iter()
+                .enumerate()
+                .flat_map(|(k, v)| faults(root, rule, v, &format!("{path}[{k}]")))
+                .collect()
+        }
+        "minItems" => fault(
+            value.as_array().is_some_and(|v| (v.len() as u64) < rule.as_u64().unwrap()),
+            "is too short".into(),
+        ),
+        "maxItems" => fault(
+            value.as_array().is_some_and(|v| v.len() as u64 > rule.as_u64().unwrap()),
+            "is too long".into(),
+        ),
+        "minimum" => {
+            fault(value.as_f64().is_some_and(|v| v < rule.as_f64().unwrap()), format!("is below {rule}"))
+        }
+        "maximum" => {
+            fault(value.as_f64().is_some_and(|v| v > rule.as_f64().unwrap()), format!("is above {rule}"))
+        }
+        other => vec![format!("{path}: the keyword `{other}` is not known to this test")],
+    }
+}
+
+fn is(value: &Value, name: &str) -> bool {
+    match name {
+        "object" => value.is_object(),
+        "array" => value.is_array(),
+        "string" => value.is_string(),
+        "boolean" => value.is_boolean(),
+        "null" => value.is_null(),
+        "integer" => value.is_u64() || value.is_i64(),
+        "number" => value.is_number(),
+        _ => false,
+    }
+}
+
+#[test]
+fn every_case_of_the_gallery_fits_the_schema() {
+    let schema = schema();
+    let mut cases = files(&root().join("cases/beam"), ".json");
+    cases.extend(files(&root().join("cases/bench"), ".json"));
+    assert!(cases.len() >= 16);
+    for case in cases {
+        let found = faults(&schema, &schema, &json(&case), "case");
+        assert!(found.is_empty(), "{}: {found:#?}", case.display());
+    }
+}
+
+#[test]
+fn a_case_of_the_wrong_shape_does_not_fit_the_schema() {
+    let schema = schema();
+    let names = [
+        "unknown_key",
+        "unknown_section",
+        "unknown_bond_law",
+        "unknown_units",
+        "wrong_type",
+        "missing_field",
+        "two_sections",
+        "fractional_cells",
+        "position_is_no_object",
+        "not_an_object",
+        "probe_of_unknown_field",
+    ];
+    for name in names {
+        let case = json(&root().join(format!("cases/invalid/{name}.json")));
+        assert!(!faults(&schema, &schema, &case, "case").is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn every_key_of_the_schema_is_described() {
+    fn walk(value: &Value, path: &str, bare: &mut Vec<String>) {
+        let Some(keys) = value.as_object() else { return };
+        if let Some(properties) = keys.get("properties").and_then(Value::as_object) {
+            for (key, schema) in properties {
+                let described = schema.get("description").is_some() || schema.get("$ref").is_some();
+                let is_variant =
+                    value.get("additionalProperties") == Some(&Value::Bool(false)) && properties.len() == 1;
+                if !described && !is_variant {
+                    bare.push(format!("{path}.{key}"));
+                }
+            }
+        }
+        for (key, inner) in keys {
+            walk(inner, &format!("{path}.{key}"), bare);
+            for (k, inner) in inner.as_array().into_iter().flatten().enumerate() {
+                walk(inner, &format!("{path}.{key}[{k}]"), bare);
+            }
+        }
+    }
+    let mut bare = Vec::new();
+    walk(&schema(), "", &mut bare);
+    assert!(bare.is_empty(), "without a description: {bare:#?}");
+}

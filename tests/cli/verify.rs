@@ -1,0 +1,111 @@
+//! `verify`: the checks of many cases.
+
+use crate::support::{gallery, names, run};
+use std::fs;
+use std::path::Path;
+
+/// A folder with a passing, a failing and a faulty case.
+fn mixed(folder: &Path) {
+    let text = fs::read_to_string(gallery("cantilever.json")).unwrap();
+    fs::write(folder.join("good.json"), &text).unwrap();
+    fs::write(folder.join("weak & soft.json"), text.replace("1000.0", "2000.0")).unwrap();
+}
+
+#[test]
+fn a_failing_case_is_named_with_its_checks_and_gives_exit_code_1() {
+    let folder = tempfile::tempdir().unwrap();
+    mixed(folder.path());
+    let outcome = run(folder.path(), &["verify", "."]);
+    assert_eq!(outcome.code, 1);
+    assert!(outcome.stdout.contains("1 passed, 1 failed"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("tip <= L/250"), "{}", outcome.stdout);
+    assert_eq!(names(folder.path()).len(), 2, "nothing is written");
+    assert_eq!(run(folder.path(), &["verify", "good.json"]).code, 0);
+}
+
+#[test]
+fn a_faulty_case_does_not_keep_the_others_from_running() {
+    let folder = tempfile::tempdir().unwrap();
+    mixed(folder.path());
+    fs::write(folder.path().join("bad.json"), "{}").unwrap();
+    let outcome = run(folder.path(), &["verify", "."]);
+    assert_eq!(outcome.code, 2);
+    assert!(outcome.stderr.contains("`title` is missing"), "{}", outcome.stderr);
+    assert!(
+        outcome.stdout.contains("ERROR") && outcome.stdout.contains("1 passed, 2 failed"),
+        "{}",
+        outcome.stdout
+    );
+}
+
+#[test]
+fn nothing_to_verify_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(run(folder.path(), &["verify", "."]).code, 2);
+    let missing = run(folder.path(), &["verify"]);
+    assert_eq!(missing.code, 2);
+    assert!(missing.stderr.contains("cases"), "{}", missing.stderr);
+}
+
+#[test]
+fn slow_benchmark_and_invalid_cases_run_only_when_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string(gallery("cantilever.json")).unwrap();
+    let slow = text.replacen('{', "{ \"slow\": true,", 1);
+    for (name, text) in [("quick.json", &text), ("slow.json", &slow)] {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    for name in ["bench", "invalid"] {
+        fs::create_dir(folder.path().join(name)).unwrap();
+        fs::write(folder.path().join(name).join("case.json"), if name == "bench" { &text } else { "" })
+            .unwrap();
+    }
+    let passed = |arguments: &[&str]| {
+        let outcome = run(folder.path(), arguments);
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        outcome.stdout.lines().last().unwrap().to_string()
+    };
+    assert_eq!(passed(&["verify", "."]), "1 passed, 0 failed");
+    assert_eq!(passed(&["verify", ".", "--all"]), "3 passed, 0 failed");
+    assert_eq!(passed(&["verify", "slow.json"]), "1 passed, 0 failed");
+    assert_eq!(passed(&["verify", "bench"]), "1 passed, 0 failed");
+}
+
+#[test]
+fn the_junit_report_counts_and_escapes() {
+    let folder = tempfile::tempdir().unwrap();
+    mixed(folder.path());
+    run(folder.path(), &["verify", ".", "--junit", "report.xml", "-q"]);
+    let report = fs::read_to_string(folder.path().join("report.xml")).unwrap();
+    assert!(report.starts_with("<?xml version=\"1.0\""));
+    assert!(report.contains("<testsuite name=\"peristat\" tests=\"2\" failures=\"1\">"), "{report}");
+    assert_eq!(report.matches("<testcase ").count(), 2);
+    assert!(report.contains("weak &amp; soft.json") && report.contains("tip &lt;= L/250"), "{report}");
+    assert!(report.trim_end().ends_with("</testsuite>"));
+}
+
+#[test]
+fn results_of_every_case_are_written_where_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    mixed(folder.path());
+    run(folder.path(), &["verify", "good.json", "weak & soft.json", "-o", "out"]);
+    assert_eq!(names(&folder.path().join("out")), ["good", "weak & soft"]);
+    assert!(folder.path().join("out/good/summary.json").exists());
+}
+
+#[test]
+fn threads_do_not_change_the_table() {
+    let folder = Path::new(&gallery("")).to_path_buf();
+    let cases = |threads: &str| {
+        let outcome = run(&folder, &["verify", ".", "--threads", threads, "--json"]);
+        let mut list: serde_json::Value = serde_json::from_str(&outcome.stdout).unwrap();
+        for case in list.as_array_mut().unwrap() {
+            case.as_object_mut().unwrap().remove("time_s");
+        }
+        list
+    };
+    let one = cases("1");
+    assert!(one.as_array().unwrap().len() >= 14);
+    assert_eq!(one, cases("7"));
+    assert_eq!(run(&folder, &["verify", ".", "--threads", "0"]).code, 2);
+}

@@ -1,0 +1,128 @@
+//! Rules of the repository that no compiler checks.
+
+use crate::support::{files, root, short};
+use std::fs;
+use std::path::Path;
+
+/// Modules of `peristat-assembly`: each uses only what stands before it.
+const LAYERS: [&str; 6] = ["material", "bonds", "condition", "stiffness", "model", "system"];
+
+/// Lines of code of a file up to its tests.
+fn code(file: &Path) -> Vec<String> {
+    let text = fs::read_to_string(file).unwrap();
+    let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    lines.map(ToString::to_string).collect()
+}
+
+/// Modules of the own crate that a line names.
+fn modules(line: &str) -> Vec<&str> {
+    let word = |rest: &'_ str| rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+    line.split("crate::").skip(1).map(|rest| &rest[..word(rest)]).collect()
+}
+
+#[test]
+fn modules_of_a_line_are_found() {
+    assert_eq!(modules("use crate::bonds::{Mat, Rows};"), ["bonds"]);
+    assert_eq!(modules("    let x: crate::model::A = crate::system::b(1);"), ["model", "system"]);
+    assert_eq!(modules("use std::fmt;"), Vec::<&str>::new());
+}
+
+#[test]
+fn a_module_of_the_mechanics_uses_only_what_stands_to_its_left() {
+    let source = root().join("crates/assembly/src");
+    let files = files(&source, ".rs");
+    assert!(files.len() > 20, "found only {} files", files.len());
+    let place = |name: &str| LAYERS.iter().position(|l| *l == name);
+    for file in files {
+        let first = file.strip_prefix(&source).unwrap().components().next().unwrap();
+        let own = first.as_os_str().to_string_lossy().trim_end_matches(".rs").to_string();
+        let Some(own_place) = place(&own) else {
+            assert!(["lib", "register"].contains(&own.as_str()), "{own} is in no layer");
+            continue;
+        };
+        for line in code(&file) {
+            for used in modules(&line) {
+                let right = place(used).is_some_and(|used| used > own_place);
+                assert!(
+                    !right,
+                    "{} uses `{used}`, which stands to the right of `{own}`: {line}",
+                    short(&file)
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn mechanics_and_algebra_know_neither_each_other_nor_the_driver() {
+    for name in ["assembly", "solve"] {
+        let manifest = root().join("crates").join(name).join("Cargo.toml");
+        let text = fs::read_to_string(&manifest).unwrap();
+        let own: Vec<&str> = text.lines().filter(|line| line.trim_start().starts_with("peristat")).collect();
+        assert!(own.is_empty(), "{}: {own:?}", short(&manifest));
+    }
+}
+
+#[test]
+fn the_algebra_has_never_heard_of_a_bond() {
+    for file in files(&root().join("crates/solve/src"), ".rs") {
+        let text = fs::read_to_string(&file).unwrap().to_lowercase();
+        for word in ["bond", "peridynamic", "horizon"] {
+            assert!(!text.contains(word), "{} speaks of `{word}`", short(&file));
+        }
+    }
+}
+
+#[test]
+fn only_the_driver_prints_reads_the_clock_and_touches_files() {
+    for name in ["assembly", "solve"] {
+        for file in files(&root().join("crates").join(name).join("src"), ".rs") {
+            for line in code(&file) {
+                for word in [
+                    "println!",
+                    "eprintln!",
+                    "print!(",
+                    "eprint!(",
+                    "dbg!(",
+                    "std::fs",
+                    "std::time",
+                    "std::io",
+                ] {
+                    assert!(!line.contains(word), "{} has `{word}`: {line}", short(&file));
+                }
+            }
+        }
+    }
+}
+
+/// Words of a text that are paths into the repository.
+fn paths(text: &str) -> Vec<&str> {
+    let separator = |c: char| c.is_whitespace() || "`()[]<>\"',;|".contains(c);
+    let folders = ["crates/", "cases/", "tests/", "bench/", "docs/", ".ci/"];
+    let words = text.split(separator).map(|word| word.trim_start_matches("./").trim_end_matches(['.', ':']));
+    words
+        .filter(|word| folders.iter().any(|f| word.starts_with(f)) && !word.contains(['*', '{', '…', '$']))
+        .collect()
+}
+
+#[test]
+fn paths_of_a_text_are_found() {
+    let text = "Run `peristat run cases/a.json`, see [bonds](crates/assembly/src/bonds.rs). Not results/x or crates/*/src.";
+    assert_eq!(paths(text), ["cases/a.json", "crates/assembly/src/bonds.rs"]);
+}
+
+#[test]
+fn every_path_that_a_document_names_exists() {
+    let mut documents = files(&root().join("docs"), ".md");
+    documents.extend(
+        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "cases/README.md"].map(|name| root().join(name)),
+    );
+    documents.retain(|document| document.exists());
+    for document in documents {
+        let text = fs::read_to_string(&document).unwrap();
+        for path in paths(&text) {
+            assert!(root().join(path).exists(), "{} names {path}, which does not exist", short(&document));
+        }
+    }
+}

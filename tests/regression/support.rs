@@ -1,0 +1,53 @@
+//! Files of the repository.
+
+use peristat::Loaded;
+use peristat::run::RunOptions;
+use peristat::summary::Summary;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Root of the repository.
+pub(crate) fn root() -> PathBuf {
+    let driver = Path::new(env!("CARGO_MANIFEST_DIR"));
+    driver.ancestors().nth(2).expect("the driver is in crates/driver").to_path_buf()
+}
+
+/// All files below a folder whose names end like this, sorted; none where the folder is missing.
+pub(crate) fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).into_iter().flatten() {
+        let path = entry.expect("the entry can be read").path();
+        if path.is_dir() {
+            found.extend(files(&path, ending));
+        } else if path.to_string_lossy().ends_with(ending) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// Path of a file from the root of the repository.
+pub(crate) fn short(path: &Path) -> String {
+    let path = path.strip_prefix(root()).unwrap_or(path);
+    path.display().to_string()
+}
+
+/// Cases that are to run: all but the invalid ones.
+pub(crate) fn gallery() -> Vec<PathBuf> {
+    let mut cases = files(&root().join("cases"), ".json");
+    cases.retain(|case| !case.starts_with(root().join("cases/invalid")));
+    cases
+}
+
+/// A case of the gallery.
+pub(crate) fn load(case: &Path) -> Loaded {
+    Loaded::read(case, &[]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The record of a run of a case.
+pub(crate) fn solve(case: &Path) -> Summary {
+    let options = RunOptions { recover: false, max_memory: None };
+    let summary = load(case).run(&options, &mut |_, _| Ok(()));
+    summary.unwrap_or_else(|error| panic!("{}: {error}", short(case)))
+}
