@@ -1,6 +1,7 @@
 //! What every result is certified with.
 
 use super::linear::StateSolution;
+use peristat_assembly::bonds::Point;
 use peristat_assembly::model::Model;
 use peristat_assembly::system::System;
 use peristat_solve::PcgStatus;
@@ -42,23 +43,24 @@ const CONVERGED: f64 = 1e-8;
 /// slenderest beam of the finest grid 1e-15.
 const STRAIN_FREE: f64 = 1e-24;
 
-/// Certifies a solution.
+/// Certifies a solution; `scales` are displacements of each component that count as equally large, so that forces and
+/// moments can be compared by their works.
 pub(super) fn certify<const D: usize, T: Model<D>>(
     model: &T,
     system: &System<D>,
     load: &[f64],
     solution: &StateSolution,
+    scales: &[f64; D],
 ) -> Certificate {
     let u = &solution.u;
     let actions = system.largest_action(u);
-    let relative = |(&r, a): (&f64, f64)| if r == 0.0 { 0.0 } else { r / a };
-    let residual = solution.residual.iter().zip(actions).map(relative).fold(0.0, f64::max);
+    let work = |forces: &[f64]| forces.iter().zip(scales).map(|(f, s)| f * s).fold(0.0, f64::max);
+    let residual = ratio(work(&solution.residual), work(&actions));
     let energy = system.energy(u);
     let mut work = Sum::default();
     u.iter().zip(load).for_each(|(u, f)| work.add(0.5 * u * f));
     solution.held.iter().for_each(|&(k, r)| work.add(0.5 * u[k] * r));
-    let scale = energy.abs().max(work.total().abs());
-    let energy_balance = if scale == 0.0 { 0.0 } else { (energy - work.total()).abs() / scale };
+    let energy_balance = ratio((energy - work.total()).abs(), energy.abs().max(work.total().abs()));
     // Motions that strain nothing leave only the rounding of a sudden jump, which has no balance.
     let strains = energy > STRAIN_FREE * solution.jump_energy;
     let or_zero = |value: f64| if strains { value } else { 0.0 };
@@ -68,13 +70,18 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
         residual: or_zero(residual),
         next_correction: solution.next_correction,
         first_correction: solution.first_correction,
-        balance: balance(model, load, solution.held.iter().copied().chain(ground(system, u)))
+        balance: balance(model, load, scales, solution.held.iter().copied().chain(ground(system, u)))
             .into_iter()
             .map(|b| Balance { relative: or_zero(b.relative), ..b })
             .collect(),
         energy_balance: or_zero(energy_balance),
         energy,
     }
+}
+
+/// `a / b`, zero where `a` is.
+fn ratio(a: f64, b: f64) -> f64 {
+    if a == 0.0 { 0.0 } else { a / b }
 }
 
 /// Forces on the body of the terms that are tied to the ground, by unknown.
@@ -94,10 +101,12 @@ fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usize, f64)> {
     forces
 }
 
-/// Work of all forces on the body in every rigid motion, over the sum of the magnitudes.
+/// Work of all forces on the body in every rigid motion, over the sum of the magnitudes. The sum is at least what the works
+/// in the other motions make of it: where only moments act, forces are rounding and no measure of themselves.
 fn balance<const D: usize, T: Model<D>>(
     model: &T,
     load: &[f64],
+    scales: &[f64; D],
     reactions: impl Iterator<Item = (usize, f64)>,
 ) -> Vec<Balance> {
     let n = model.points();
@@ -117,12 +126,17 @@ fn balance<const D: usize, T: Model<D>>(
     };
     load.iter().enumerate().for_each(|(k, &f)| add(k, f));
     reactions.for_each(|(k, f)| add(k, f));
-    let relative = |(sum, scale): (Sum, f64)| if scale == 0.0 { 0.0 } else { sum.total().abs() / scale };
-    T::RIGID_MOTIONS
-        .iter()
-        .zip(sums)
-        .map(|(&motion, sum)| Balance { motion, relative: relative(sum) })
-        .collect()
+    let far = model.position(n - 1);
+    let arm: Point = std::array::from_fn(|k| far[k] - origin[k]);
+    // Size of every motion in units of the scales.
+    let size = |kind: usize| {
+        let motion = model.rigid_motion(kind, arm);
+        motion.iter().zip(scales).map(|(v, s)| v.abs() / s).fold(0.0, f64::max)
+    };
+    let least = sums.iter().enumerate().map(|(kind, sum)| sum.1 / size(kind)).fold(0.0, f64::max);
+    let relative = |kind: usize, (sum, scale): (Sum, f64)| ratio(sum.total().abs(), scale.max(least * size(kind)));
+    let balance = |(kind, sum)| Balance { motion: T::RIGID_MOTIONS[kind], relative: relative(kind, sum) };
+    sums.iter().copied().enumerate().map(balance).collect()
 }
 
 /// Compensated sum (Neumaier): the imbalance of a million terms is far below their rounding otherwise.

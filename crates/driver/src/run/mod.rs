@@ -140,7 +140,8 @@ fn solve_states<const D: usize, P: Problem<D>>(
 ) -> Result<RunReport, RunError> {
     let (system, sizes) = prepare(problem, options.max_memory)?;
     let mut timing = Timing::default();
-    let mut solver = LinearSolver::new(&system, scales(problem.model()), solver, &mut timing)?;
+    let scales = scales(problem.model());
+    let mut solver = LinearSolver::new(&system, scales, solver, &mut timing)?;
     let mut load = vec![0.0; system.size()];
     let mut converged = true;
     for state in 0..problem.states() {
@@ -150,7 +151,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
         let solution = solver.solve(&load, motion_factor);
         timing.solve += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let certificate = certificate::certify(problem.model(), &system, &load, &solution);
+        let certificate = certificate::certify(problem.model(), &system, &load, &solution, &scales);
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();
