@@ -235,7 +235,7 @@ fn step_time(scene: &Scene, result: &StateResult) -> f64 {
 
 /// Values of a field at all real points, line by line.
 fn all(result: &StateResult, field: FieldName) -> Option<Vec<f64>> {
-    let lines: Option<Vec<Vec<f64>>> = (0..result.lines.len()).map(|l| result.values(field, l)).collect();
+    let lines: Option<Vec<_>> = (0..result.lines.len()).map(|l| result.values(field, l)).collect();
     Some(lines?.concat())
 }
 
@@ -246,7 +246,7 @@ fn curve(result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
         match field {
             Field::W | Field::Phi => {
                 let name = if field == Field::W { FieldName::W } else { FieldName::Phi };
-                points.extend(fields.x.iter().copied().zip(result.values(name, line)?));
+                points.extend(fields.x.iter().copied().zip(result.values(name, line)?.iter().copied()));
             }
             Field::M | Field::V | Field::Energy => {
                 let forces = &fields.recovered.as_ref()?.forces;

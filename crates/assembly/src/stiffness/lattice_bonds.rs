@@ -1,6 +1,6 @@
 //! Bonds of a uniform lattice: one class per offset, so that geometry and moduli are stored once.
 
-use super::{BlockMatrix, Parts, Term};
+use super::{BlockMatrix, Parts, Survey, Term};
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows, block};
 use std::array::from_fn;
 use std::marker::PhantomData;
@@ -238,23 +238,16 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
     }
 
     #[inline(always)]
-    fn energy_plain(&self, u: &[f64]) -> f64 {
-        let mut total = 0.0;
-        self.sweep(u, |_, lower, s, sigma| {
+    fn survey_plain(&self, u: &[f64]) -> Survey<D> {
+        let mut energy = 0.0;
+        let mut largest = [[0.0; CHUNK]; D];
+        self.sweep(u, |class, lower, s, sigma| {
             // Summed lane by lane and chunk by chunk: the error of a long sum grows with its number of terms.
             let mut part = [0.0; CHUNK];
             for m in 0..M {
                 (0..CHUNK).for_each(|k| part[k] += s[m][k] * sigma[m][k]);
             }
-            total += 0.5 * part[..lower.len()].iter().sum::<f64>();
-        });
-        total
-    }
-
-    #[inline(always)]
-    fn largest_action_plain(&self, u: &[f64]) -> [f64; D] {
-        let mut largest = [[0.0; CHUNK]; D];
-        self.sweep(u, |class, lower, _, sigma| {
+            energy += 0.5 * part[..lower.len()].iter().sum::<f64>();
             for b in [class.rows.first(), class.rows.second()] {
                 for (c, largest) in largest.iter_mut().enumerate() {
                     let mut action = [0.0; CHUNK];
@@ -270,7 +263,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
                 }
             }
         });
-        largest.map(|lanes| lanes.into_iter().fold(0.0, f64::max))
+        Survey { energy, largest_action: largest.map(|lanes| lanes.into_iter().fold(0.0, f64::max)) }
     }
 
     /// Ranges of points all of whose bonds, as lower and as upper point, exist with factor one.
@@ -369,13 +362,6 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
         }
     }
 
-    fn energy(&self, u: &[f64]) -> f64 {
-        pulp::Arch::new().dispatch(
-            #[inline(always)]
-            || self.energy_plain(u),
-        )
-    }
-
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
         pulp::Arch::new().dispatch(
             #[inline(always)]
@@ -383,10 +369,10 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
         );
     }
 
-    fn largest_action(&self, u: &[f64]) -> [f64; D] {
+    fn survey(&self, u: &[f64]) -> Survey<D> {
         pulp::Arch::new().dispatch(
             #[inline(always)]
-            || self.largest_action_plain(u),
+            || self.survey_plain(u),
         )
     }
 

@@ -10,4 +10,4 @@ pub use block_matrix::BlockMatrix;
 pub use lattice_bonds::{BondClass, Lattice, LatticeBonds, Override};
 pub use parts::Parts;
 pub use springs::{Spring, Springs};
-pub use term::Term;
+pub use term::{Survey, Term};

@@ -36,17 +36,20 @@ impl Parts {
     }
 
     /// Part number of every point, parts numbered in the order of their first point, and their count.
-    pub fn labels(mut self) -> (Vec<u32>, usize) {
-        let mut label = vec![0; self.parent.len()];
+    pub fn labels(self) -> (Vec<u32>, usize) {
+        let mut label = self.parent;
+        // A parent has a lower number, so one pass in order makes every parent a root.
+        for p in 0..label.len() {
+            label[p] = label[label[p] as usize];
+        }
         let mut count = 0;
-        for p in 0..self.parent.len() {
-            // A root is the lowest number of its part, so its label is known before its members ask.
-            let root = self.root(p);
-            label[p] = if root == p {
+        for p in 0..label.len() {
+            // The entry of a root below is its label already.
+            label[p] = if label[p] as usize == p {
                 count += 1;
                 count as u32 - 1
             } else {
-                label[root]
+                label[label[p] as usize]
             };
         }
         (label, count)

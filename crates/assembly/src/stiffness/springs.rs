@@ -1,6 +1,6 @@
 //! Springs from a point to the ground.
 
-use super::{BlockMatrix, Term};
+use super::{BlockMatrix, Survey, Term};
 
 /// A linear spring on one unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,23 +38,19 @@ impl<const D: usize> Term<D> for Springs {
         self.springs.iter().for_each(|s| visit(s.component, s.point));
     }
 
-    fn energy(&self, u: &[f64]) -> f64 {
-        self.springs.iter().map(|s| 0.5 * s.stiffness * u[self.unknown(s)].powi(2)).sum()
-    }
-
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
         for s in &self.springs {
             force[self.unknown(s)] += s.stiffness * u[self.unknown(s)];
         }
     }
 
-    fn largest_action(&self, u: &[f64]) -> [f64; D] {
-        let mut largest = [0.0; D];
-        for s in &self.springs {
-            let action = (s.stiffness * u[self.unknown(s)]).abs();
-            largest[s.component] = f64::max(largest[s.component], action);
-        }
-        largest
+    fn survey(&self, u: &[f64]) -> Survey<D> {
+        self.springs.iter().fold(Survey::EMPTY, |survey, s| {
+            let u = u[self.unknown(s)];
+            let mut largest_action = [0.0; D];
+            largest_action[s.component] = (s.stiffness * u).abs();
+            survey.join(Survey { energy: 0.5 * s.stiffness * u * u, largest_action })
+        })
     }
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {

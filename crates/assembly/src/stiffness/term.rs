@@ -2,6 +2,27 @@
 
 use super::BlockMatrix;
 use super::Parts;
+use std::array::from_fn;
+
+/// What one sweep over the elements tells of a state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Survey<const D: usize> {
+    /// Stored energy, J.
+    pub energy: f64,
+    /// Largest magnitude of an element's end action, per component: the scale that residuals are measured on.
+    pub largest_action: [f64; D],
+}
+
+impl<const D: usize> Survey<D> {
+    /// Of no elements.
+    pub const EMPTY: Self = Self { energy: 0.0, largest_action: [0.0; D] };
+
+    /// Of the elements of both.
+    pub fn join(self, other: Self) -> Self {
+        let largest = |c: usize| self.largest_action[c].max(other.largest_action[c]);
+        Self { energy: self.energy + other.energy, largest_action: from_fn(largest) }
+    }
+}
 
 /// One part of the energy, `E = Σ_e ½ s_eᵀ C_e s_e` with measures `s_e = B_e u`: one object per shape and law, never
 /// one per bond.
@@ -26,15 +47,12 @@ pub trait Term<const D: usize>: Send + Sync {
     /// Visits the unknowns `(component, point)` that this term holds to the ground.
     fn grounded(&self, _visit: &mut dyn FnMut(usize, usize)) {}
 
-    /// Stored energy, J.
-    fn energy(&self, u: &[f64]) -> f64;
-
     /// Adds the internal force `Σ B_eᵀ C_e (B_e u)`, element by element. For a linear term this is also the product
     /// of its tangent with `u`.
     fn add_force(&self, u: &[f64], force: &mut [f64]);
 
-    /// Largest magnitude of an element's end action, per component: the scale that residuals are measured on.
-    fn largest_action(&self, u: &[f64]) -> [f64; D];
+    /// Energy and largest end action of the elements.
+    fn survey(&self, u: &[f64]) -> Survey<D>;
 
     /// Adds the blocks `B_eᵀ C_e B_e`.
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>);

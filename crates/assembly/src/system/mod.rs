@@ -6,7 +6,7 @@ pub use mobility::{FreeMotion, free_motions};
 
 use crate::condition::{Constraints, Contradiction, Equation};
 use crate::model::Model;
-use crate::stiffness::{BlockMatrix, Term};
+use crate::stiffness::{BlockMatrix, Survey, Term};
 use sprs::CsMat;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -123,21 +123,10 @@ impl<const D: usize> System<D> {
         self.constraints.restrict(y);
     }
 
-    /// Stored energy, J.
-    pub fn energy(&self, u: &[f64]) -> f64 {
+    /// Stored energy and largest end action of an element.
+    pub fn survey(&self, u: &[f64]) -> Survey<D> {
         self.count();
-        self.terms.iter().map(|t| t.energy(u)).sum()
-    }
-
-    /// Largest end action of an element, per component.
-    pub fn largest_action(&self, u: &[f64]) -> [f64; D] {
-        let mut largest = [0.0; D];
-        for term in &self.terms {
-            let action = term.largest_action(u);
-            (0..D).for_each(|c| largest[c] = f64::max(largest[c], action[c]));
-        }
-        self.count();
-        largest
+        self.terms.iter().map(|t| t.survey(u)).fold(Survey::EMPTY, Survey::join)
     }
 
     /// Largest difference of the numbers of two coupled points.

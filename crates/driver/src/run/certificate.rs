@@ -3,6 +3,7 @@
 use super::linear::StateSolution;
 use peristat_assembly::bonds::Point;
 use peristat_assembly::model::Model;
+use peristat_assembly::stiffness::Survey;
 use peristat_assembly::system::System;
 use peristat_solve::PcgStatus;
 use serde::Serialize;
@@ -53,10 +54,9 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
     scales: &[f64; D],
 ) -> Certificate {
     let u = &solution.u;
-    let actions = system.largest_action(u);
+    let Survey { energy, largest_action } = system.survey(u);
     let work = |forces: &[f64]| forces.iter().zip(scales).map(|(f, s)| f * s).fold(0.0, f64::max);
-    let residual = ratio(work(&solution.residual), work(&actions));
-    let energy = system.energy(u);
+    let residual = ratio(work(&solution.residual), work(&largest_action));
     let mut work = Sum::default();
     u.iter().zip(load).for_each(|(u, f)| work.add(0.5 * u * f));
     solution.held.iter().for_each(|&(k, r)| work.add(0.5 * u[k] * r));
@@ -113,19 +113,21 @@ fn balance<const D: usize, T: Model<D>>(
     // Rotations about the first point: a far origin would hide an imbalance behind large arms.
     let origin = model.position(0);
     let mut sums = vec![(Sum::default(), 0.0_f64); T::RIGID_MOTIONS.len()];
-    let mut add = |unknown: usize, force: f64| {
+    let mut add = |component: usize, point: usize, force: f64| {
         if force != 0.0 {
-            let x = model.position(unknown % n);
+            let x = model.position(point);
             let arm = std::array::from_fn(|k| x[k] - origin[k]);
             for (kind, sum) in sums.iter_mut().enumerate() {
-                let work = model.rigid_motion(kind, arm)[unknown / n] * force;
+                let work = model.rigid_motion(kind, arm)[component] * force;
                 sum.0.add(work);
                 sum.1 += work.abs();
             }
         }
     };
-    load.iter().enumerate().for_each(|(k, &f)| add(k, f));
-    reactions.for_each(|(k, f)| add(k, f));
+    for (component, plane) in load.chunks_exact(n).enumerate() {
+        plane.iter().enumerate().for_each(|(point, &f)| add(component, point, f));
+    }
+    reactions.for_each(|(k, f)| add(k / n, k % n, f));
     let far = model.position(n - 1);
     let arm: Point = std::array::from_fn(|k| far[k] - origin[k]);
     // Size of every motion in units of the scales.

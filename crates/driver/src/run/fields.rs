@@ -7,6 +7,7 @@ use crate::scene::Scene;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::BeamFields;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 /// What a support does to the beam.
@@ -125,25 +126,30 @@ impl StateResult {
         }
     }
 
-    /// All values of a field along a line.
-    pub fn values(&self, field: FieldName, line: usize) -> Option<Vec<f64>> {
+    /// The values of an unknown along a line, as they lie in `u`.
+    fn unknown(&self, field: FieldName, line: usize) -> Option<&[f64]> {
         let fields = &self.lines[line];
         let plane = match field {
-            FieldName::W => Some(0),
-            FieldName::Phi => Some(self.u.len() / 2),
-            _ => None,
+            FieldName::W => 0,
+            FieldName::Phi => self.u.len() / 2,
+            _ => return None,
         };
-        if let Some(plane) = plane {
-            return Some(self.u[plane + fields.first..][..fields.x.len()].to_vec());
+        Some(&self.u[plane + fields.first..][..fields.x.len()])
+    }
+
+    /// All values of a field along a line.
+    pub fn values(&self, field: FieldName, line: usize) -> Option<Cow<'_, [f64]>> {
+        match self.unknown(field, line) {
+            Some(values) => Some(values.into()),
+            None => (0..self.lines[line].x.len()).map(|point| self.value(field, line, point)).collect(),
         }
-        (0..self.lines[line].x.len()).map(|point| self.value(field, line, point)).collect()
     }
 
     /// Smallest and largest value of a field and their positions.
     pub fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
         let mut extremes: Option<[(f64, f64); 2]> = None;
         for (line, fields) in self.lines.iter().enumerate() {
-            for (value, &x) in self.values(field, line)?.into_iter().zip(&fields.x) {
+            for (&value, &x) in self.values(field, line)?.iter().zip(&fields.x) {
                 let [low, high] = extremes.get_or_insert([(value, x); 2]);
                 if value < low.0 {
                     *low = (value, x);

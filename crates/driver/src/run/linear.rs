@@ -171,7 +171,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         let operator = Elementwise(self.system);
         if constraints.moves() {
             constraints.expand(motion_factor, &mut solution.u);
-            solution.jump_energy = self.system.energy(&solution.u);
+            solution.jump_energy = self.system.survey(&solution.u).energy;
             self.refresh_residual(load, &solution.u);
         } else {
             self.residual.copy_from_slice(load);

@@ -144,7 +144,7 @@ fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateR
         Field::W | Field::Phi => {
             let name = if field == Field::W { FieldName::W } else { FieldName::Phi };
             let values = result.values(name, 0).unwrap_or_default();
-            worst(line.x.iter().zip(values).map(|(&x, v)| (at(x), v)))
+            worst(line.x.iter().zip(values.iter()).map(|(&x, &v)| (at(x), v)))
         }
         Field::M | Field::V | Field::Energy => {
             // Section forces may jump at a point; a reference answers for its left.
@@ -177,7 +177,7 @@ fn baseline(stored: &[(f64, f64)], field: FieldName, result: &StateResult) -> Wo
     let points: Vec<(f64, f64)> = (0..result.lines.len())
         .flat_map(|line| {
             let values = result.values(field, line).unwrap_or_default();
-            result.lines[line].x.iter().copied().zip(values).collect::<Vec<_>>()
+            result.lines[line].x.iter().copied().zip(values.iter().copied()).collect::<Vec<_>>()
         })
         .collect();
     if points.len() != stored.len() {

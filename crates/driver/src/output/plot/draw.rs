@@ -17,7 +17,7 @@ const FINE: i32 = 10;
 /// Points of a series that are drawn, at most: more than the width has pixels are not seen.
 const MOST_POINTS: usize = 2000;
 /// Dots of a series, at most: more would lie on each other.
-const MOST_DOTS: usize = 200;
+const MOST_DOTS: usize = 48;
 /// Widths of strokes in fine units. A dashed line is told from others by its width, see [`svg`].
 const STROKE: u32 = 20;
 const DASHED_STROKE: u32 = 19;
