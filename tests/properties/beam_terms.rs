@@ -1,0 +1,142 @@
+//! The beam passes the checks of every model: all laws, end treatments and grids, intact and with random factors.
+
+use crate::consistency::{Noise, check};
+use peristat_assembly::bonds::{BondGeometry, Point};
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::Model;
+use peristat_assembly::model::timoshenko_beam::end_treatment::EndSupport;
+use peristat_assembly::model::timoshenko_beam::{
+    BeamBond, BeamParameters, Grid, Line, TimoshenkoBeam, VolumeFactor, bond_law, end_treatment,
+};
+use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Spring, Springs, Term};
+use proptest::prelude::*;
+
+fn parameters(law: usize, treatment: usize) -> BeamParameters {
+    BeamParameters {
+        bending_stiffness: 2.0,
+        shear_stiffness: 300.0,
+        area: 1.0,
+        volume_factor: VolumeFactor::HalfEdge,
+        bond_law: &bond_law::TABLE[law % bond_law::TABLE.len()],
+        end_treatment: &end_treatment::TABLE[treatment % end_treatment::TABLE.len()],
+    }
+}
+
+/// Lattices of beam bonds on the same points, whose factors a test chooses.
+struct Damaged(Vec<LatticeBonds<2, 2, BeamBond>>);
+
+impl Model<2> for Damaged {
+    const UNKNOWNS: [&'static str; 2] = TimoshenkoBeam::UNKNOWNS;
+    const RIGID_MOTIONS: &'static [&'static str] = TimoshenkoBeam::RIGID_MOTIONS;
+
+    fn points(&self) -> usize {
+        self.0[0].lattice().points
+    }
+
+    fn position(&self, point: usize) -> Point {
+        [0.1 * point as f64, 0.0, 0.0]
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<2>>> {
+        self.0.iter().map(|bonds| Box::new(bonds.clone()) as Box<dyn Term<2>>).collect()
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        Vec::new()
+    }
+
+    fn rigid_motion(&self, kind: usize, position: Point) -> [f64; 2] {
+        [[1.0, 0.0], [position[0], 1.0]][kind]
+    }
+}
+
+/// A lattice that starts at point `first` of a larger body.
+fn damaged(law: usize, first: usize, count: usize, weights: &[f64], factors: &[Override]) -> Damaged {
+    let model = BeamBond {
+        bending_stiffness: 2.0,
+        shear_stiffness: 300.0,
+        mean_square_length: 0.03,
+        law: &bond_law::TABLE[law % bond_law::TABLE.len()],
+    };
+    let offset = |(k, &weight): (usize, &f64)| {
+        let xi = [0.1 * (k + 1) as f64, 0.0, 0.0];
+        (k + 1, BondGeometry { xi }, weight)
+    };
+    let offsets: Vec<_> = weights.iter().enumerate().map(offset).collect();
+    let lattice = Lattice { points: first + count + 2, first, count };
+    Damaged(vec![LatticeBonds::new(lattice, &model, &offsets, factors)])
+}
+
+proptest! {
+    #![proptest_config(crate::cases(100))]
+
+    #[test]
+    fn a_beam_is_consistent_for_every_law_and_treatment(
+        law in 0_usize..3, treatment in 0_usize..4, cells in 8_usize..140, ratio in 1.0..6.0_f64,
+        on_cells in any::<bool>(), held in prop::array::uniform2(0_usize..4), split in 1_usize..139,
+        spring in any::<bool>(), seed in any::<u64>()
+    ) {
+        let parameters = parameters(law, treatment);
+        let splits = if parameters.end_treatment.splits { vec![split.min(cells - 1)] } else { Vec::new() };
+        let on_cells = on_cells && !parameters.end_treatment.covers();
+        let supports = held.map(|h| EndSupport {
+            w: (h % 2 == 1).then_some(0.0),
+            phi: (h / 2 == 1).then_some(0.0),
+        });
+        let ratio = if seed % 2 == 0 { ratio.round() } else { ratio };
+        let line = |from: f64| Line {
+            from,
+            length: 0.1 * cells as f64,
+            cells,
+            grid: if on_cells { Grid::Cells } else { Grid::Nodes },
+            horizon_ratio: ratio,
+            splits: splits.clone(),
+            supports,
+        };
+        // A second, shorter line makes the lattice of the first one a part of the body.
+        let second = Line { cells: 8, length: 0.8, splits: Vec::new(), ..line(100.0) };
+        let beam = TimoshenkoBeam::new(parameters, vec![line(0.0), second]);
+        prop_assume!(beam.is_ok());
+        let beam = beam.expect("assumed");
+        let extra = || -> Vec<Box<dyn Term<2>>> {
+            let at = |component, point, stiffness| Spring { component, point, stiffness };
+            let springs = vec![at(0, 3, 20.0), at(1, cells / 2, 5.0), at(0, 3, 1.0)];
+            if spring { vec![Box::new(Springs::new(beam.points(), springs))] } else { Vec::new() }
+        };
+        check(&beam, &extra, seed);
+    }
+
+    #[test]
+    fn random_factors_keep_a_lattice_consistent(
+        law in 0_usize..3, first in 0_usize..5, count in 1_usize..200, reach in 1_usize..7,
+        changed in 0_usize..60, twice in any::<bool>(), seed in any::<u64>()
+    ) {
+        let mut noise = Noise(seed);
+        let weights: Vec<f64> = (0..reach).map(|_| 0.1 + noise.next().abs()).collect();
+        let factors: Vec<Override> = (0..changed)
+            .map(|_| Override {
+                class: noise.index(reach),
+                lower: noise.index(count),
+                factor: 2.0 * noise.next().max(0.0),
+            })
+            .collect();
+        let mut body = damaged(law, first, count, &weights, &factors);
+        if twice {
+            body.0.extend(damaged(law + 1, first, count, &weights[..1], &[]).0);
+        }
+        check(&body, &Vec::new, seed);
+    }
+}
+
+#[test]
+fn factors_are_stored_for_the_chunks_that_need_them_only() {
+    let weights = [0.4, 0.3, 0.2];
+    let stored = |factors: &[Override]| {
+        let terms = damaged(0, 0, 10_000, &weights, factors).terms();
+        terms.iter().map(|t| t.stored_factors()).sum::<usize>()
+    };
+    let broken = |lower| Override { class: 1, lower, factor: 0.0 };
+    assert_eq!(stored(&[]), 0);
+    // Two chunks of 64 points and three classes.
+    assert_eq!(stored(&[broken(5), broken(7), broken(5_000)]), 2 * 64 * 3);
+}

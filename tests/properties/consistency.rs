@@ -1,0 +1,233 @@
+//! Checks that every model must pass: written once, for any number of unknowns per point.
+//!
+//! Energy, force and tangent belong together, the tangent is symmetric and not negative, rigid motions cost nothing,
+//! and both layouts of the assembled matrix hold the same numbers, with constraints and without.
+
+use nalgebra::DMatrix;
+use peristat_assembly::condition::{Equation, Unknown};
+use peristat_assembly::model::Model;
+use peristat_assembly::stiffness::{Parts, Term};
+use peristat_assembly::system::{Assembled, System};
+use sprs::CsMat;
+
+/// Numbers between −1 and 1 from a seed (SplitMix64).
+pub(crate) struct Noise(pub(crate) u64);
+
+impl Noise {
+    pub(crate) fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    pub(crate) fn vector(&mut self, length: usize) -> Vec<f64> {
+        (0..length).map(|_| self.next()).collect()
+    }
+
+    pub(crate) fn index(&mut self, below: usize) -> usize {
+        ((self.next() + 1.0) * 0.5 * below as f64) as usize % below
+    }
+}
+
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn combine(u: &[f64], factor: f64, v: &[f64]) -> Vec<f64> {
+    u.iter().zip(v).map(|(u, v)| u + factor * v).collect()
+}
+
+fn force<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<f64> {
+    let mut force = vec![f64::NAN; system.size()];
+    system.force(u, &mut force);
+    force
+}
+
+fn largest(v: &[f64]) -> f64 {
+    v.iter().fold(0.0, |a, x| if x.is_nan() { f64::INFINITY } else { a.max(x.abs()) })
+}
+
+fn assert_close(found: &[f64], expected: &[f64], scale: f64, tolerance: f64, what: &str) {
+    let difference = largest(&combine(found, -1.0, expected));
+    assert!(difference <= tolerance * scale, "{what}: {difference:e} of {scale:e}");
+}
+
+/// All checks on a model with further terms.
+pub(crate) fn check<const D: usize, M: Model<D>>(
+    model: &M,
+    extra: &dyn Fn() -> Vec<Box<dyn Term<D>>>,
+    seed: u64,
+) {
+    let mut noise = Noise(seed);
+    let free = System::new(model, extra(), Vec::new()).expect("no contradiction");
+    force_is_the_gradient_of_the_energy(&free, &mut noise);
+    tangent_is_the_derivative_of_the_force(&free, &mut noise);
+    if extra().is_empty() {
+        rigid_motions_cost_nothing(model, &free, &mut noise);
+    }
+    no_motion_gives_energy_away(&free);
+    elements_are_the_couplings(&free);
+    layouts_agree(model, extra(), &mut noise);
+    constrained_operator_is_the_folded_matrix(model, extra(), &mut noise);
+}
+
+fn force_is_the_gradient_of_the_energy<const D: usize>(system: &System<D>, noise: &mut Noise) {
+    let u = noise.vector(system.size());
+    let f = force(system, &u);
+    let mut directions = vec![noise.vector(system.size())];
+    for _ in 0..8 {
+        let mut unit = vec![0.0; system.size()];
+        unit[noise.index(system.size())] = 1.0;
+        directions.push(unit);
+    }
+    for v in directions {
+        // The energy is quadratic: a central difference of any width is exact.
+        let [above, below] = [1.0, -1.0].map(|t| system.survey(&combine(&u, t, &v)).energy);
+        let (slope, work) = (0.5 * (above - below), dot(&f, &v));
+        // Measured 1e-15.
+        assert!((slope - work).abs() <= 1e-13 * (above + below), "dE = {slope}, F·v = {work}");
+        let second = above + below - 2.0 * system.survey(&u).energy;
+        let curvature = dot(&force(system, &v), &v);
+        assert!((second - curvature).abs() <= 1e-13 * (above + below), "{second} for {curvature}");
+    }
+}
+
+fn tangent_is_the_derivative_of_the_force<const D: usize>(system: &System<D>, noise: &mut Noise) {
+    let n = system.points();
+    let k = system.stiffness().to_csr(|point, component| component * n + point);
+    assert_eq!((k.rows(), k.cols()), (D * n, D * n));
+    for (&value, (i, j)) in &k {
+        assert_eq!(k.get(j, i), Some(&value), "symmetric exactly");
+    }
+    let (v, w) = (noise.vector(D * n), noise.vector(D * n));
+    let (fv, fw) = (force(system, &v), force(system, &w));
+    let scale = row_scale(&k);
+    // Measured 4e-16 of the largest sum of a row.
+    assert_close(&product(&k, &v), &fv, scale, 1e-14, "K v and F(v)");
+    let (a, b) = (dot(&w, &fv), dot(&v, &fw));
+    assert!((a - b).abs() <= 1e-13 * scale * D as f64 * n as f64, "w·F(v) = {a}, v·F(w) = {b}");
+}
+
+fn rigid_motions_cost_nothing<const D: usize, M: Model<D>>(model: &M, system: &System<D>, noise: &mut Noise) {
+    let n = system.points();
+    let k = system.stiffness().to_csr(|point, component| component * n + point);
+    let (scale, u) = (row_scale(&k), noise.vector(D * n));
+    for kind in 0..M::RIGID_MOTIONS.len() {
+        let amount = noise.next();
+        let motion: Vec<f64> =
+            (0..D * n).map(|i| amount * model.rigid_motion(kind, model.position(i % n))[i / n]).collect();
+        let size = scale * largest(&motion);
+        assert_close(&force(system, &motion), &vec![0.0; D * n], size, 1e-14, M::RIGID_MOTIONS[kind]);
+        let energy = system.survey(&motion).energy;
+        assert!(energy >= 0.0 && energy <= 1e-26 * size * largest(&motion) * n as f64, "{energy:e}");
+        let moved = force(system, &combine(&u, 1.0, &motion));
+        assert_close(&moved, &force(system, &u), scale + size, 1e-14, M::RIGID_MOTIONS[kind]);
+    }
+}
+
+fn no_motion_gives_energy_away<const D: usize>(system: &System<D>) {
+    let n = system.points();
+    // All eigenvalues of a dense matrix: small bodies only.
+    if D * n > 160 {
+        return;
+    }
+    let k = dense(&system.stiffness().to_csr(|point, component| component * n + point));
+    let values = k.symmetric_eigenvalues();
+    // Measured −3e-16 of the largest.
+    assert!(values.min() >= -1e-13 * values.max(), "{} of {}", values.min(), values.max());
+}
+
+fn elements_are_the_couplings<const D: usize>(system: &System<D>) {
+    for term in system.terms() {
+        let (mut pairs, mut grounded) = (Vec::new(), 0);
+        term.couplings(&mut |i, j| pairs.push((i, j)));
+        term.grounded(&mut |_, _| grounded += 1);
+        assert_eq!(term.elements(), pairs.len() + grounded);
+        assert!(pairs.iter().all(|(i, j)| i.abs_diff(*j) <= term.reach()));
+        let (mut joined, mut expected) = (Parts::new(system.points()), Parts::new(system.points()));
+        term.join(&mut joined);
+        pairs.iter().for_each(|&(i, j)| expected.join(i, j));
+        assert_eq!(joined.labels(), expected.labels(), "the same parts");
+    }
+}
+
+/// A few unknowns held at some values.
+fn held<const D: usize>(points: usize, noise: &mut Noise) -> Vec<Equation> {
+    let one = |noise: &mut Noise| Equation {
+        terms: vec![(Unknown { component: noise.index(D), point: noise.index(points) }, 1.0)],
+        value: 0.0,
+        origin: "held".into(),
+    };
+    (0..3).map(|_| one(noise)).collect()
+}
+
+fn layouts_agree<const D: usize, M: Model<D>>(model: &M, extra: Vec<Box<dyn Term<D>>>, noise: &mut Noise) {
+    let n = model.points();
+    let system = System::new(model, extra, held::<D>(n, noise)).expect("no contradiction");
+    if system.constraints().has_slaves() {
+        return;
+    }
+    let (Assembled::Band { half_bandwidth, values }, Assembled::Sparse(sparse)) =
+        (system.assemble_band(), system.assemble_sparse())
+    else {
+        panic!("one of each layout");
+    };
+    let sparse = dense(&sparse);
+    let number = |unknown: usize| (unknown % D) * n + unknown / D;
+    let scale = largest(sparse.as_slice());
+    for j in 0..D * n {
+        for i in j..D * n {
+            let in_band =
+                if i - j <= half_bandwidth { values[j * (half_bandwidth + 1) + i - j] } else { 0.0 };
+            let expected = sparse[(number(i), number(j))];
+            assert!((in_band - expected).abs() <= 1e-14 * scale, "({i}, {j}): {in_band} for {expected}");
+        }
+    }
+}
+
+fn constrained_operator_is_the_folded_matrix<const D: usize, M: Model<D>>(
+    model: &M,
+    extra: Vec<Box<dyn Term<D>>>,
+    noise: &mut Noise,
+) {
+    let n = model.points();
+    let mut equations = held::<D>(n, noise);
+    // One unknown follows two others.
+    let terms = [1.0, -0.7, 0.4].map(|c| {
+        let (component, point) = (noise.index(D), noise.index(n));
+        (Unknown { component, point }, c)
+    });
+    equations.push(Equation { terms: terms.to_vec(), value: 0.0, origin: "tie".into() });
+    let system = System::new(model, extra, equations).expect("homogeneous equations never contradict");
+    let Assembled::Sparse(k) = system.assemble_sparse() else {
+        panic!("sparse was asked for");
+    };
+    let mut q = noise.vector(D * n);
+    let rows = system.constraints().rows();
+    rows.iter().for_each(|r| q[r.unknown] = 0.0);
+    let mut y = vec![f64::NAN; D * n];
+    system.product(&q, &mut y);
+    assert_close(&product(&k, &q), &y, row_scale(&k), 1e-14, "TᵀKT q");
+    let mut u = q.clone();
+    system.constraints().expand(0.0, &mut u);
+    let energy = system.survey(&u).energy;
+    assert!((0.5 * dot(&q, &y) - energy).abs() <= 1e-13 * energy, "q·TᵀKT q = 2 E(T q)");
+}
+
+fn product(k: &CsMat<f64>, v: &[f64]) -> Vec<f64> {
+    k.outer_iterator().map(|row| row.iter().map(|(j, a)| a * v[j]).sum()).collect()
+}
+
+/// Largest sum of magnitudes of a row.
+fn row_scale(k: &CsMat<f64>) -> f64 {
+    let sum = |row: sprs::CsVecView<f64>| row.data().iter().map(|a| a.abs()).sum::<f64>();
+    k.outer_iterator().map(sum).fold(0.0, f64::max)
+}
+
+fn dense(k: &CsMat<f64>) -> DMatrix<f64> {
+    let mut dense = DMatrix::zeros(k.rows(), k.cols());
+    k.iter().for_each(|(&value, (i, j))| dense[(i, j)] += value);
+    dense
+}

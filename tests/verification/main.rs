@@ -1,0 +1,21 @@
+//! The acceptance tests of the beam: closed forms, observed orders, the discrete equations of the literature.
+//!
+//! A tolerance stands beside the measured value. Numbers that no formula gives carry their source.
+#![allow(clippy::float_cmp)]
+
+mod support;
+
+mod balance;
+mod closed_forms;
+mod convergence;
+mod definiteness;
+mod equation_12;
+mod exact_law;
+mod literature;
+mod plain_factor;
+mod section_forces;
+mod short_beams;
+mod skipping;
+mod supports;
+mod symbol;
+mod written_matrix;

@@ -1,0 +1,90 @@
+//! Beam bonds on a bare lattice, with relations of the test's own.
+
+use peristat_assembly::bonds::{BondGeometry, Point};
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::Model;
+use peristat_assembly::model::timoshenko_beam::{BeamBond, VolumeFactor, bond_law, bond_weights};
+use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Term};
+
+/// Weights and stiffnesses of a lattice of beam bonds.
+pub(crate) struct Calibration {
+    pub(crate) bending: f64,
+    pub(crate) shear: f64,
+    pub(crate) spacing: f64,
+    pub(crate) law: &'static str,
+    /// Weight of the bonds over 1, 2, … spacings.
+    pub(crate) weights: Vec<f64>,
+}
+
+impl Calibration {
+    /// Half-edge weights of a whole horizon ratio.
+    pub(crate) fn half_edge(law: &'static str, m: u32, spacing: f64, [bending, shear]: [f64; 2]) -> Self {
+        Self { bending, shear, spacing, law, weights: bond_weights(f64::from(m), VolumeFactor::HalfEdge) }
+    }
+
+    /// Shear stiffness of the bond over `n` spacings, written from the definition of the laws.
+    pub(crate) fn shear_of(&self, n: usize) -> f64 {
+        let power = |p: i32| -> f64 { self.numbered().map(|(n, a)| a * n.powi(p)).sum() };
+        let square = match self.law {
+            "published" => return self.shear,
+            "corrected" => power(3) / power(1) * self.spacing.powi(2),
+            _ => (n as f64 * self.spacing).powi(2),
+        };
+        1.0 / (1.0 / self.shear + square / (12.0 * self.bending))
+    }
+
+    /// Number of spacings and weight of every class.
+    pub(crate) fn numbered(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        (1_u32..).map(f64::from).zip(self.weights.iter().copied())
+    }
+
+    /// The bonds on `points` points.
+    pub(crate) fn bonds(&self, points: usize, overrides: &[Override]) -> LatticeBonds<2, 2, BeamBond> {
+        let power = |p: i32| -> f64 { self.numbered().map(|(n, a)| a * n.powi(p)).sum() };
+        let bond = BeamBond {
+            bending_stiffness: self.bending,
+            shear_stiffness: self.shear,
+            mean_square_length: self.spacing.powi(2) * power(3) / power(1),
+            law: bond_law::find(self.law).expect("the law exists"),
+        };
+        let offset = |(k, &weight): (usize, &f64)| {
+            let xi = [(k + 1) as f64 * self.spacing, 0.0, 0.0];
+            (k + 1, BondGeometry { xi }, weight)
+        };
+        let offsets: Vec<_> = self.weights.iter().enumerate().map(offset).collect();
+        let lattice = Lattice { points, first: 0, count: points };
+        LatticeBonds::new(lattice, &bond, &offsets, overrides)
+    }
+}
+
+/// A body of lattice bonds.
+pub(crate) struct Body {
+    pub(crate) bonds: LatticeBonds<2, 2, BeamBond>,
+    pub(crate) spacing: f64,
+    pub(crate) relations: Vec<Equation>,
+}
+
+impl Model<2> for Body {
+    const UNKNOWNS: [&'static str; 2] = ["w", "phi"];
+    const RIGID_MOTIONS: &'static [&'static str] = &["translation along w", "rotation"];
+
+    fn points(&self) -> usize {
+        self.bonds.lattice().points
+    }
+
+    fn position(&self, point: usize) -> Point {
+        [point as f64 * self.spacing, 0.0, 0.0]
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<2>>> {
+        vec![Box::new(self.bonds.clone())]
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        self.relations.clone()
+    }
+
+    fn rigid_motion(&self, kind: usize, position: Point) -> [f64; 2] {
+        [[1.0, 0.0], [position[0], 1.0]][kind]
+    }
+}

@@ -1,0 +1,115 @@
+//! What the tests share: building a case, running it, measuring an error.
+
+pub(crate) mod chain;
+pub(crate) mod standard;
+
+use peristat::case::from_text;
+use peristat::run::{self, RunOptions, RunReport, StateResult};
+use peristat::scene::Scene;
+use serde_json::Value;
+use std::path::Path;
+
+/// A scene with its results.
+pub(crate) struct Run {
+    pub(crate) scene: Scene,
+    pub(crate) states: Vec<StateResult>,
+    pub(crate) report: RunReport,
+}
+
+/// Resolves a case, or returns the report of its faults as text.
+pub(crate) fn try_scene(case: &Value) -> Result<Scene, String> {
+    let text = format!("{case:#}");
+    let source = from_text("case", text, &[]).map_err(|e| e.to_string())?;
+    Scene::new(source.case, Path::new("."), "case", &source.text).map_err(|e| e.to_string())
+}
+
+/// Resolves a case that has no faults.
+pub(crate) fn scene(case: &Value) -> Scene {
+    try_scene(case).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+fn run_with(case: &Value, recover: bool) -> Run {
+    let scene = scene(case);
+    let mut states = Vec::new();
+    let options = RunOptions { recover, max_memory: None };
+    let report = run::run(&scene, &options, &mut |state| {
+        states.push(state);
+        Ok(())
+    });
+    let report = report.unwrap_or_else(|error| panic!("{error}: {case}"));
+    assert!(report.converged, "not converged: {case}");
+    Run { scene, states, report }
+}
+
+/// Unknowns and reactions of a case.
+pub(crate) fn run(case: &Value) -> Run {
+    run_with(case, false)
+}
+
+/// The same with section forces.
+pub(crate) fn run_recovered(case: &Value) -> Run {
+    run_with(case, true)
+}
+
+/// Faults of a case that must have some.
+pub(crate) fn refusal(case: &Value) -> String {
+    match try_scene(case) {
+        Ok(_) => panic!("the case should be refused: {case}"),
+        Err(faults) => faults,
+    }
+}
+
+impl Run {
+    /// Deflections and rotations of the real points of all lines.
+    pub(crate) fn unknowns(&self, state: usize) -> [Vec<f64>; 2] {
+        let (u, beam) = (&self.states[state].u, &self.scene.beam);
+        let n = u.len() / 2;
+        [0, n].map(|plane| beam.real_points().map(|p| u[plane + p]).collect())
+    }
+
+    /// Deflection at a real point of the only line.
+    pub(crate) fn w(&self, point: usize) -> f64 {
+        self.unknowns(0)[0][point]
+    }
+
+    /// Positions of the real points.
+    pub(crate) fn x(&self) -> Vec<f64> {
+        let lines = self.states[0].lines.iter();
+        lines.flat_map(|l| l.x.iter().copied()).collect()
+    }
+
+    /// Applied nodal forces of the first state, two planes.
+    pub(crate) fn load(&self) -> Vec<f64> {
+        let mut load = vec![0.0; self.states[0].u.len()];
+        self.scene.states[0].loads.add_to(&self.scene.beam, &mut load);
+        load
+    }
+
+    /// Largest difference of w and of φ from `exact(x)`, each relative to its largest value.
+    pub(crate) fn errors(&self, exact: impl Fn(f64) -> (f64, f64)) -> [f64; 2] {
+        let expected: Vec<(f64, f64)> = self.x().into_iter().map(exact).collect();
+        let [w, phi] = self.unknowns(0);
+        [
+            error(&w, &expected.iter().map(|e| e.0).collect::<Vec<_>>()),
+            error(&phi, &expected.iter().map(|e| e.1).collect::<Vec<_>>()),
+        ]
+    }
+}
+
+/// Largest magnitude; infinite where there is something that is not a number.
+pub(crate) fn largest(values: &[f64]) -> f64 {
+    let magnitude = |v: &f64| if v.is_nan() { f64::INFINITY } else { v.abs() };
+    values.iter().map(magnitude).fold(0.0, f64::max)
+}
+
+/// Largest difference relative to the largest expected magnitude.
+pub(crate) fn error(found: &[f64], expected: &[f64]) -> f64 {
+    assert_eq!(found.len(), expected.len(), "one value per place");
+    let difference: Vec<f64> = found.iter().zip(expected).map(|(f, e)| f - e).collect();
+    largest(&difference) / largest(expected)
+}
+
+/// Relative difference of two numbers.
+pub(crate) fn relative(found: f64, expected: f64) -> f64 {
+    error(&[found], &[expected])
+}
