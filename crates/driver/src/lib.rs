@@ -66,7 +66,7 @@ pub struct Solved {
 /// Reads a case from a text and solves it, with all fields recovered.
 ///
 /// # Errors
-/// [`Error`] with the place of the fault.
+/// [`enum@Error`] with the place of the fault.
 pub fn solve_text(text: &str) -> Result<Solved, Error> {
     let loaded =
         Loaded::from_source(case::from_text("case", text.into(), &[]).map_err(Error::Case)?, Path::new("."))?;
@@ -122,7 +122,7 @@ impl Loaded {
     /// Solves every state; `sink` gets each result as it comes.
     ///
     /// # Errors
-    /// [`Error`]; a failed check or a state that did not converge is an outcome, not an error.
+    /// [`enum@Error`]; a failed check or a state that did not converge is an outcome, not an error.
     pub fn run(
         &self,
         options: &RunOptions,
