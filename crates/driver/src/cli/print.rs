@@ -117,7 +117,8 @@ fn extremes(out: &mut String, state: &StateSummary) {
             // What is rounding beside the other extreme reads as zero.
             let size = e.smallest.value.abs().max(e.largest.value.abs());
             let clean = |value: f64| if value.abs() < 1e-11 * size { 0.0 } else { value };
-            let cells = [clean(e.smallest.value), e.smallest.x, clean(e.largest.value), e.largest.x].map(number);
+            let cells =
+                [clean(e.smallest.value), e.smallest.x, clean(e.largest.value), e.largest.x].map(number);
             std::iter::once((*field).to_string()).chain(cells).collect()
         })
         .collect();

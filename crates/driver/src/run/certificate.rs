@@ -136,7 +136,8 @@ fn balance<const D: usize, T: Model<D>>(
         motion.iter().zip(scales).map(|(v, s)| v.abs() / s).fold(0.0, f64::max)
     };
     let least = sums.iter().enumerate().map(|(kind, sum)| sum.1 / size(kind)).fold(0.0, f64::max);
-    let relative = |kind: usize, (sum, scale): (Sum, f64)| ratio(sum.total().abs(), scale.max(least * size(kind)));
+    let relative =
+        |kind: usize, (sum, scale): (Sum, f64)| ratio(sum.total().abs(), scale.max(least * size(kind)));
     let balance = |(kind, sum)| Balance { motion: T::RIGID_MOTIONS[kind], relative: relative(kind, sum) };
     sums.iter().copied().enumerate().map(balance).collect()
 }

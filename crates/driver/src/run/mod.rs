@@ -1,14 +1,16 @@
 //! Running a scene: assemble, factor, solve every state, certify, recover.
 
 mod certificate;
+mod factor;
 mod fields;
 mod linear;
 mod problem;
 mod verdict;
 
 pub use certificate::{Balance, Certificate};
+pub use factor::{SolveFailure, SolverReport};
 pub use fields::{LineFields, Reaction, StateResult};
-pub use linear::{LinearSolver, SolveFailure, SolverReport};
+pub use linear::LinearSolver;
 pub use problem::{Problem, Sizes, prepare};
 pub use verdict::{CheckResult, ProbeResult};
 pub(crate) use verdict::{checks, probes};

@@ -1,7 +1,7 @@
 //! Probes and checks of a scene.
 
 use super::facts::facts;
-use super::place::{Frame, tidy};
+use super::place::Frame;
 use super::{HeldPoint, State, root};
 use crate::case::{Case, Check, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
@@ -164,7 +164,7 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
     };
     let path = path.key(key);
     if let Some(tolerance) = tolerance {
-        super::body::positive(tolerance, "tolerance", path.key("tolerance"), faults);
+        super::material::positive(tolerance, "tolerance", path.key("tolerance"), faults);
     }
     let state = match load_case {
         None => context.states.len().checked_sub(1),
@@ -173,7 +173,7 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
             if found.is_none() {
                 faults
                     .error(path.key("load_case"), format!("there is no load case or combination `{name}`"))
-                    .hint(super::body::suggest(name, context.states.iter().map(|s| s.name.as_str())));
+                    .hint(super::material::suggest(name, context.states.iter().map(|s| s.name.as_str())));
             }
             found
         }
@@ -190,7 +190,7 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
             (c.probe.clone(), ExpectationKind::Value { probe, expected, tolerance, source })
         }
         Check::Limit(c) => {
-            super::body::positive(c.at_most, "at_most", path.key("at_most"), faults);
+            super::material::positive(c.at_most, "at_most", path.key("at_most"), faults);
             let probe = probe(context, &c.probe, &path, faults)?;
             (
                 format!("{} <= {}", c.probe, c.why),
@@ -198,7 +198,7 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
             )
         }
         Check::Baseline(c) => {
-            let stored = stored(context, c, &path, faults)?;
+            let stored = super::baseline::stored(context, c, &path, faults)?;
             let kind = ExpectationKind::Baseline { field: c.field, stored, tolerance: c.tolerance };
             (format!("{} {}", c.field.name(), c.file), kind)
         }
@@ -220,7 +220,7 @@ fn closed_form(
     let Some(reference) = reference::find(&check.name) else {
         faults
             .error(path.key("name"), format!("there is no closed form `{}`", check.name))
-            .hint(super::body::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
+            .hint(super::material::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
         return None;
     };
     let Some(facts) = facts(context.beam, context.held, &context.states[state]) else {
@@ -257,77 +257,9 @@ fn probe(context: &Context, name: &str, path: &JsonPath, faults: &mut Faults) ->
         faults.error(path.key("probe"), format!("there is no probe `{name}`")).hint(
             match context.case.probes.as_slice() {
                 [] => "the case has no `probes`: add one of this name".into(),
-                probes => super::body::suggest(name, probes.iter().map(|p| p.name.as_str())),
+                probes => super::material::suggest(name, probes.iter().map(|p| p.name.as_str())),
             },
         );
     }
     found
-}
-
-fn stored(
-    context: &Context,
-    check: &crate::case::Baseline,
-    path: &JsonPath,
-    faults: &mut Faults,
-) -> Option<Vec<(f64, f64)>> {
-    let file = context.folder.join(&check.file);
-    let text = match std::fs::read_to_string(&file) {
-        Ok(text) => text,
-        Err(error) => {
-            let reason = match error.kind() {
-                std::io::ErrorKind::NotFound => "does not exist".into(),
-                _ => format!("cannot be read: {error}"),
-            };
-            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file)).hint(
-                "the path is relative to the case; `fields/step_000.csv` of an earlier run is a baseline",
-            );
-            return None;
-        }
-    };
-    let fitting = |stored| fits(stored, context.beam);
-    match columns(&text, check.field.name()).and_then(fitting) {
-        Ok(stored) => Some(stored),
-        Err(reason) => {
-            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file));
-            None
-        }
-    }
-}
-
-/// Stored values, if they are at the points of the beam.
-fn fits(stored: Vec<(f64, f64)>, beam: &TimoshenkoBeam) -> Result<Vec<(f64, f64)>, String> {
-    let chains = beam.chains().iter();
-    let points: Vec<(f64, f64)> =
-        chains.flat_map(|c| (0..c.points).map(|k| (c.position(c.ghosts[0] + k), c.spacing))).collect();
-    if stored.len() != points.len() {
-        let (rows, points) = (stored.len(), points.len());
-        return Err(format!("has {rows} rows, and the beam has {points} points"));
-    }
-    let apart = |(s, p): &(&(f64, f64), &(f64, f64))| (s.0 - p.0).abs() > 1e-6 * p.1;
-    match stored.iter().zip(&points).find(apart) {
-        Some((s, p)) => {
-            Err(format!("has a row at x = {}, where the beam has its point at {}", tidy(s.0), tidy(p.0)))
-        }
-        None => Ok(stored),
-    }
-}
-
-/// The columns `x` and `field` of a CSV text.
-fn columns(text: &str, field: &str) -> Result<Vec<(f64, f64)>, String> {
-    let mut lines = text.lines();
-    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
-    let column =
-        |name: &str| header.iter().position(|h| *h == name).ok_or_else(|| format!("has no column `{name}`"));
-    let (x, value) = (column("x")?, column(field)?);
-    let mut stored = Vec::new();
-    for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
-        let cells: Vec<&str> = line.split(',').collect();
-        let number =
-            |c: usize| cells.get(c).and_then(|t| t.trim().parse::<f64>().ok()).filter(|v| v.is_finite());
-        match (number(x), number(value)) {
-            (Some(x), Some(value)) => stored.push((x, value)),
-            _ => return Err(format!("has no number where one belongs in line {}", k + 2)),
-        }
-    }
-    if stored.is_empty() { Err("has no rows".into()) } else { Ok(stored) }
 }

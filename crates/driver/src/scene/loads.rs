@@ -31,7 +31,7 @@ pub(super) fn load_cases(case: &mut Case, frame: &Frame, faults: &mut Faults) ->
     if sharing == LoadSharing::Consistent && !frame.treatment.covers() {
         faults
             .error(
-                super::body::beam_path().key("distributed_loads"),
+                super::material::beam_path().key("distributed_loads"),
                 "`consistent` loads need bonds whose weights sum to one across every cell",
             )
             .hint("use `lumped`, or the end treatment `cover`");
@@ -212,7 +212,7 @@ fn combination(case: &Case, index: usize, cases: &[ResolvedLoads], faults: &mut 
             None => {
                 faults
                     .error(path.key("factors").key(key), format!("there is no load case `{key}`"))
-                    .hint(super::body::suggest(key, cases.iter().map(|c| c.name.as_str())));
+                    .hint(super::material::suggest(key, cases.iter().map(|c| c.name.as_str())));
             }
         }
     }

@@ -1,9 +1,11 @@
 //! A scene: a case with every default resolved and every fault found. The rest of the program sees only this.
 
+mod baseline;
 mod body;
 mod checks;
 mod facts;
 mod loads;
+mod material;
 mod numbers;
 mod place;
 mod problem;
@@ -90,7 +92,7 @@ impl Scene {
     /// The scene without the faults; `None` if they leave nothing to build on.
     fn resolve(case: &mut Case, folder: &Path, faults: &mut Faults) -> Option<Self> {
         numbers::check(case, faults);
-        let material = body::material(case, faults);
+        let material = material::material(case, faults);
         let frame = body::frame(case, faults)?;
         let (held, springs, ends) = supports::held(case, &frame, faults);
         let bars = supports::bars(case, &frame, faults);

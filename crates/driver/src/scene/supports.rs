@@ -138,7 +138,7 @@ fn check(support: &Support, path: &JsonPath, faults: &mut Faults) {
     for c in 0..2 {
         let (held, spring) = (KEYS[0][c], KEYS[1][c]);
         if let Some(stiffness) = springs[c] {
-            super::body::positive(stiffness, spring, path.key(spring), faults);
+            super::material::positive(stiffness, spring, path.key(spring), faults);
             if prescribed[c].is_some() {
                 faults
                     .error(

@@ -1,6 +1,6 @@
 //! Doubts about a case that can be run.
 
-use super::body::beam_path;
+use super::material::beam_path;
 use super::place::Frame;
 use super::root;
 use crate::case::{Case, Model, Units};

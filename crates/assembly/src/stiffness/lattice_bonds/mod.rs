@@ -1,7 +1,10 @@
 //! Bonds of a uniform lattice: one class per offset, so that geometry and moduli are stored once.
 
+mod assemble;
+mod sweep;
+
 use super::{BlockMatrix, Parts, Survey, Term};
-use crate::bonds::{BondGeometry, BondModel, Mat, Rows, block};
+use crate::bonds::{BondGeometry, BondModel, Rows};
 use std::array::from_fn;
 use std::marker::PhantomData;
 use std::ops::Range;
@@ -153,178 +156,6 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
             .then(|| &self.factors[self.chunks[chunk] as usize + class * CHUNK..][..CHUNK]);
         (begin..end, factors)
     }
-
-    /// Measures of the bonds with the given lower points, at most one chunk of them.
-    #[inline(always)]
-    fn measures(&self, class: &BondClass<D, M>, lower: Range<usize>, u: &[f64], s: &mut [[f64; CHUNK]; M]) {
-        let (n, width) = (self.lattice.points, lower.len());
-        let base = self.lattice.first + lower.start;
-        let lo: [&[f64]; D] = from_fn(|c| &u[c * n + base..][..width]);
-        let hi: [&[f64]; D] = from_fn(|c| &u[c * n + base + class.step..][..width]);
-        for m in 0..M {
-            let out = &mut s[m][..width];
-            out.fill(0.0);
-            for c in 0..D {
-                let (lo, hi) = (lo[c], hi[c]);
-                if B::DIFFERENCE[m][c] {
-                    let b = class.rows.difference[m][c];
-                    (0..width).for_each(|k| out[k] += b * (hi[k] - lo[k]));
-                }
-                if B::MEAN[m][c] {
-                    let b = class.rows.mean[m][c];
-                    (0..width).for_each(|k| out[k] += b * (0.5 * (lo[k] + hi[k])));
-                }
-            }
-        }
-    }
-
-    /// Measures turned into conjugate forces `σ = α factor C s`.
-    #[inline(always)]
-    fn stress(class: &BondClass<D, M>, factors: Option<&[f64]>, s: &mut [[f64; CHUNK]; M]) {
-        for m in 0..M {
-            s[m].iter_mut().for_each(|v| *v *= class.modulus[m]);
-            if let Some(factors) = factors {
-                s[m].iter_mut().zip(factors).for_each(|(v, g)| *v *= g);
-            }
-        }
-    }
-
-    /// Visits every class of every chunk with its measures and its conjugate forces.
-    #[inline(always)]
-    fn sweep(
-        &self,
-        u: &[f64],
-        mut visit: impl FnMut(&BondClass<D, M>, Range<usize>, &[[f64; CHUNK]; M], &[[f64; CHUNK]; M]),
-    ) {
-        let mut s = [[0.0; CHUNK]; M];
-        for chunk in 0..self.chunks.len() {
-            for (index, class) in self.classes.iter().enumerate() {
-                let (lower, factors) = self.bonds_of(index, chunk);
-                if lower.is_empty() {
-                    continue;
-                }
-                self.measures(class, lower.clone(), u, &mut s);
-                let mut sigma = s;
-                Self::stress(class, factors, &mut sigma);
-                visit(class, lower, &s, &sigma);
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn add_force_plain(&self, u: &[f64], force: &mut [f64]) {
-        let (n, first) = (self.lattice.points, self.lattice.first);
-        self.sweep(u, |class, lower, _, sigma| {
-            let (base, width) = (first + lower.start, lower.len());
-            for c in 0..D {
-                let mut difference = [0.0; CHUNK];
-                let mut mean = [0.0; CHUNK];
-                for m in 0..M {
-                    if B::DIFFERENCE[m][c] {
-                        let b = class.rows.difference[m][c];
-                        (0..CHUNK).for_each(|k| difference[k] += b * sigma[m][k]);
-                    }
-                    if B::MEAN[m][c] {
-                        let b = 0.5 * class.rows.mean[m][c];
-                        (0..CHUNK).for_each(|k| mean[k] += b * sigma[m][k]);
-                    }
-                }
-                let lo = &mut force[c * n + base..][..width];
-                (0..width).for_each(|k| lo[k] += mean[k] - difference[k]);
-                let hi = &mut force[c * n + base + class.step..][..width];
-                (0..width).for_each(|k| hi[k] += mean[k] + difference[k]);
-            }
-        });
-    }
-
-    #[inline(always)]
-    fn survey_plain(&self, u: &[f64]) -> Survey<D> {
-        let mut energy = 0.0;
-        let mut largest = [[0.0; CHUNK]; D];
-        self.sweep(u, |class, lower, s, sigma| {
-            // Summed lane by lane and chunk by chunk: the error of a long sum grows with its number of terms.
-            let mut part = [0.0; CHUNK];
-            for m in 0..M {
-                (0..CHUNK).for_each(|k| part[k] += s[m][k] * sigma[m][k]);
-            }
-            energy += 0.5 * part[..lower.len()].iter().sum::<f64>();
-            for b in [class.rows.first(), class.rows.second()] {
-                for (c, largest) in largest.iter_mut().enumerate() {
-                    let mut action = [0.0; CHUNK];
-                    for m in 0..M {
-                        if B::DIFFERENCE[m][c] || B::MEAN[m][c] {
-                            (0..CHUNK).for_each(|k| action[k] += b[m][c] * sigma[m][k]);
-                        }
-                    }
-                    for k in 0..lower.len() {
-                        let size = f64::abs(action[k]);
-                        largest[k] = if size > largest[k] { size } else { largest[k] };
-                    }
-                }
-            }
-        });
-        Survey { energy, largest_action: largest.map(|lanes| lanes.into_iter().fold(0.0, f64::max)) }
-    }
-
-    /// Ranges of points all of whose bonds, as lower and as upper point, exist with factor one.
-    fn is_plain(&self, point: usize) -> bool {
-        self.classes.iter().enumerate().all(|(index, class)| {
-            point >= class.step
-                && self.weight(index, point) == class.weight
-                && self.weight(index, point - class.step) == class.weight
-        })
-    }
-
-    /// Points `begin..` that are all plain, tested by chunks where that is enough.
-    fn plain_run(&self, begin: usize) -> Range<usize> {
-        let longest = self.classes.iter().map(|c| c.step).max().unwrap_or(0);
-        let mut end = begin;
-        while end < self.lattice.count {
-            let chunk = end / CHUNK;
-            let whole = end.is_multiple_of(CHUNK)
-                && end >= longest.max(CHUNK)
-                && end + CHUNK + longest <= self.lattice.count
-                && longest <= CHUNK
-                && self.chunks[chunk] == PLAIN
-                && self.chunks[chunk - 1] == PLAIN;
-            if whole {
-                end += CHUNK;
-            } else if self.is_plain(end) {
-                end += 1;
-            } else {
-                break;
-            }
-        }
-        begin..end
-    }
-
-    /// Blocks `B_iᵀCB_i`, `B_iᵀCB_j`, `B_jᵀCB_j` of every class.
-    fn blocks(&self) -> Vec<[Mat<D, D>; 3]> {
-        let of = |c: &BondClass<D, M>| {
-            let (i, j) = (c.rows.first(), c.rows.second());
-            [block(&i, &c.modulus, &i), block(&i, &c.modulus, &j), block(&j, &c.modulus, &j)]
-        };
-        self.classes.iter().map(of).collect()
-    }
-
-    /// Diagonal block of a point and the blocks to its upper neighbours, one per class.
-    fn row(&self, point: usize, blocks: &[[Mat<D, D>; 3]]) -> Vec<Mat<D, D>> {
-        let mut row = vec![[[0.0; D]; D]; 1 + blocks.len()];
-        for (index, class) in self.classes.iter().enumerate() {
-            let above = self.weight(index, point) / class.weight;
-            let below = match point.checked_sub(class.step) {
-                Some(lower) => self.weight(index, lower) / class.weight,
-                None => 0.0,
-            };
-            for r in 0..D {
-                for c in 0..D {
-                    row[0][r][c] += above * blocks[index][0][r][c] + below * blocks[index][2][r][c];
-                    row[1 + index][r][c] = above * blocks[index][1][r][c];
-                }
-            }
-        }
-        row
-    }
 }
 
 impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBonds<D, M, B> {
@@ -377,25 +208,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
     }
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
-        let blocks = self.blocks();
-        let steps: Vec<usize> = std::iter::once(0).chain(self.classes.iter().map(|c| c.step)).collect();
-        let first = self.lattice.first;
-        let mut point = 0;
-        while point < self.lattice.count {
-            let run = self.plain_run(point);
-            let row = self.row(point, &blocks);
-            if run.len() > 1 {
-                tangent.add_repeated(first + run.start..first + run.end, &steps, &row);
-                point = run.end;
-            } else {
-                for (index, (&step, block)) in steps.iter().zip(&row).enumerate() {
-                    if index == 0 || self.weight(index - 1, point) != 0.0 {
-                        tangent.add(first + point, first + point + step, block);
-                    }
-                }
-                point += 1;
-            }
-        }
+        self.assemble(tangent);
     }
 
     fn elements(&self) -> usize {

@@ -1,0 +1,31 @@
+//! Gauss' rule for loads over a bond.
+
+/// Gauss-Legendre rule with 8 points on (0, 1), exact to degree 15: `(position, weight)`.
+pub(super) const GAUSS: [(f64, f64); 8] = {
+    const X: [f64; 4] =
+        [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_3];
+    const W: [f64; 4] =
+        [0.362_683_783_378_362, 0.313_706_645_877_887_27, 0.222_381_034_453_374_48, 0.101_228_536_290_376_26];
+    let mut rule = [(0.0, 0.0); 8];
+    let mut k = 0;
+    while k < 4 {
+        rule[2 * k] = (0.5 - 0.5 * X[k], 0.5 * W[k]);
+        rule[2 * k + 1] = (0.5 + 0.5 * X[k], 0.5 * W[k]);
+        k += 1;
+    }
+    rule
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gauss_rule_is_exact_for_degree_fifteen() {
+        for degree in 0..16 {
+            let sum: f64 = GAUSS.iter().map(|(x, w)| w * x.powi(degree)).sum();
+            let exact = 1.0 / f64::from(degree + 1);
+            assert!((sum - exact).abs() < 4e-16, "degree {degree}: {sum}");
+        }
+    }
+}

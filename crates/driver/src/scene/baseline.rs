@@ -1,0 +1,75 @@
+//! Stored values that results are compared with.
+
+use super::checks::Context;
+use super::place::tidy;
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
+
+/// The stored values of a baseline check, positions and values, if they belong to the points of the scene.
+pub(super) fn stored(
+    context: &Context,
+    check: &crate::case::Baseline,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Vec<(f64, f64)>> {
+    let file = context.folder.join(&check.file);
+    let text = match std::fs::read_to_string(&file) {
+        Ok(text) => text,
+        Err(error) => {
+            let reason = match error.kind() {
+                std::io::ErrorKind::NotFound => "does not exist".into(),
+                _ => format!("cannot be read: {error}"),
+            };
+            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file)).hint(
+                "the path is relative to the case; `fields/step_000.csv` of an earlier run is a baseline",
+            );
+            return None;
+        }
+    };
+    let fitting = |stored| fits(stored, context.beam);
+    match columns(&text, check.field.name()).and_then(fitting) {
+        Ok(stored) => Some(stored),
+        Err(reason) => {
+            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file));
+            None
+        }
+    }
+}
+
+/// Stored values, if they are at the points of the beam.
+fn fits(stored: Vec<(f64, f64)>, beam: &TimoshenkoBeam) -> Result<Vec<(f64, f64)>, String> {
+    let chains = beam.chains().iter();
+    let points: Vec<(f64, f64)> =
+        chains.flat_map(|c| (0..c.points).map(|k| (c.position(c.ghosts[0] + k), c.spacing))).collect();
+    if stored.len() != points.len() {
+        let (rows, points) = (stored.len(), points.len());
+        return Err(format!("has {rows} rows, and the beam has {points} points"));
+    }
+    let apart = |(s, p): &(&(f64, f64), &(f64, f64))| (s.0 - p.0).abs() > 1e-6 * p.1;
+    match stored.iter().zip(&points).find(apart) {
+        Some((s, p)) => {
+            Err(format!("has a row at x = {}, where the beam has its point at {}", tidy(s.0), tidy(p.0)))
+        }
+        None => Ok(stored),
+    }
+}
+
+/// The columns `x` and `field` of a CSV text.
+fn columns(text: &str, field: &str) -> Result<Vec<(f64, f64)>, String> {
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
+    let column =
+        |name: &str| header.iter().position(|h| *h == name).ok_or_else(|| format!("has no column `{name}`"));
+    let (x, value) = (column("x")?, column(field)?);
+    let mut stored = Vec::new();
+    for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number =
+            |c: usize| cells.get(c).and_then(|t| t.trim().parse::<f64>().ok()).filter(|v| v.is_finite());
+        match (number(x), number(value)) {
+            (Some(x), Some(value)) => stored.push((x, value)),
+            _ => return Err(format!("has no number where one belongs in line {}", k + 2)),
+        }
+    }
+    if stored.is_empty() { Err("has no rows".into()) } else { Ok(stored) }
+}
