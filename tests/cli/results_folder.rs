@@ -16,7 +16,10 @@ fn a_run_leaves_its_case_fields_history_plots_and_summary() {
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(solve(folder.path(), "load_steps.json", &[]).code, 0);
     let out = folder.path().join("out");
-    assert_eq!(names(&out), ["case.json", "fields", "fields.pvd", "history.csv", "plots", "summary.json"]);
+    assert_eq!(
+        names(&out),
+        [".peristat", "case.json", "fields", "fields.pvd", "history.csv", "plots", "summary.json"]
+    );
     assert_eq!(names(&out.join("plots")), ["deflection.svg", "moment.svg", "rotation.svg", "shear.svg"]);
     let steps = (0..4).flat_map(|k| [format!("step_00{k}.csv"), format!("step_00{k}.vtu")]);
     assert_eq!(names(&out.join("fields")), steps.collect::<Vec<_>>());
@@ -27,7 +30,10 @@ fn a_run_leaves_its_case_fields_history_plots_and_summary() {
     assert_eq!(lines.next(), Some("step,load_factor,tip,stress"));
     assert_eq!(lines.count(), 4);
     let header = fs::read_to_string(out.join("fields/step_000.csv")).unwrap();
-    assert!(header.starts_with("x,w,phi,M,V,stress_top,stress_bottom,energy_density\n"), "{header}");
+    assert!(
+        header.starts_with("x,w,phi,M,V,stress_top,stress_bottom,energy_density,M_left,V_left\n"),
+        "{header}"
+    );
 }
 
 #[test]
@@ -144,9 +150,53 @@ fn an_input_fault_keeps_the_results_of_the_earlier_run() {
 fn no_temporary_file_is_left() {
     let folder = tempfile::tempdir().unwrap();
     solve(folder.path(), "load_cases.json", &["--write-matrix", "k.mtx"]);
-    let known = ["json", "csv", "svg", "vtu", "pvd", "mtx"];
+    let known = ["", "json", "csv", "svg", "vtu", "pvd", "mtx"];
     for file in files(folder.path(), "") {
         let extension = file.extension().unwrap_or_default().to_string_lossy().into_owned();
         assert!(known.contains(&extension.as_str()), "{}", file.display());
     }
+}
+
+#[test]
+fn a_case_beside_its_results_is_not_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy(gallery("cantilever.json"), folder.path().join("case.json")).unwrap();
+    let before = fs::read(folder.path().join("case.json")).unwrap();
+    let refused = run(folder.path(), &["run", "case.json", "-o", "."]);
+    assert_eq!(refused.code, 2, "{}", refused.stderr);
+    assert_eq!(fs::read(folder.path().join("case.json")).unwrap(), before);
+    assert_eq!(names(folder.path()), ["case.json"]);
+}
+
+#[test]
+fn a_file_of_the_user_among_the_fields_is_not_deleted() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(solve(folder.path(), "cantilever.json", &[]).code, 0);
+    fs::write(folder.path().join("out/fields/notes.txt"), "mine").unwrap();
+    let refused = solve(folder.path(), "cantilever.json", &[]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.stderr.contains("out holds `fields/notes.txt`"), "{}", refused.stderr);
+    assert!(folder.path().join("out/fields/notes.txt").exists());
+}
+
+#[test]
+fn verify_writes_below_the_folder_it_was_given_and_nowhere_else() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("cases")).unwrap();
+    fs::create_dir(folder.path().join("here")).unwrap();
+    fs::copy(gallery("cantilever.json"), folder.path().join("cases/one.json")).unwrap();
+    let absolute = folder.path().join("cases/one.json").display().to_string();
+    for case in [absolute.as_str(), "../cases/one.json"] {
+        let out = run(&folder.path().join("here"), &["verify", case, "-o", "out"]);
+        assert_eq!(out.code, 0, "{}", out.stderr);
+    }
+    assert_eq!(names(&folder.path().join("cases")), ["one.json"]);
+    assert_eq!(files(&folder.path().join("here/out"), "summary.json").len(), 2);
+}
+
+#[test]
+fn a_case_with_a_baseline_runs_again_from_its_results() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(solve(folder.path(), "baseline.json", &[]).code, 0);
+    assert_eq!(run(folder.path(), &["run", "out/case.json", "-o", "again"]).code, 0);
 }

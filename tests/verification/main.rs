@@ -13,6 +13,7 @@ mod equation_12;
 mod exact_law;
 mod literature;
 mod plain_factor;
+mod reactions;
 mod section_forces;
 mod short_beams;
 mod skipping;

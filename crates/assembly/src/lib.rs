@@ -6,7 +6,7 @@
 //! motions are written once, for all models. Nothing here opens a file, prints, or solves.
 //!
 //! Modules use only what stands to their left:
-//! `material → bonds → condition → stiffness → model → system`.
+//! `sum → material → bonds → condition → stiffness → model → system`.
 #![cfg_attr(test, allow(clippy::float_cmp))]
 
 pub mod bonds;
@@ -15,4 +15,5 @@ pub mod material;
 pub mod model;
 mod register;
 pub mod stiffness;
+pub mod sum;
 pub mod system;

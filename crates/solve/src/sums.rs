@@ -20,40 +20,18 @@ pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
     )
 }
 
-/// `(z . r, z . q)` in one pass over `z`.
-pub(crate) fn dot_pair(z: &[f64], r: &[f64], q: &[f64]) -> (f64, f64) {
-    assert_eq!(z.len(), r.len(), "vectors of one length");
-    assert_eq!(z.len(), q.len(), "vectors of one length");
-    let [a, b] = Arch::new().dispatch(
-        #[inline(always)]
-        || {
-            pairwise_two(z.len(), &|from, to| {
-                let z = &z[from..to];
-                [block(z, &r[from..to]), block(z, &q[from..to])]
-            })
-        },
-    );
-    (a, b)
-}
-
 /// Where to cut a range of more than one block: in the middle, at a block border.
 fn middle(from: usize, to: usize) -> usize {
     from + ((to - from) / BLOCK).div_ceil(2) * BLOCK
 }
 
 fn pairwise(length: usize, sum: &impl Fn(usize, usize) -> f64) -> f64 {
-    pairwise_two(length, &|from, to| [sum(from, to), 0.0])[0]
-}
-
-fn pairwise_two(length: usize, sum: &impl Fn(usize, usize) -> [f64; 2]) -> [f64; 2] {
-    fn range(from: usize, to: usize, sum: &impl Fn(usize, usize) -> [f64; 2]) -> [f64; 2] {
+    fn range(from: usize, to: usize, sum: &impl Fn(usize, usize) -> f64) -> f64 {
         if to - from <= BLOCK {
             return sum(from, to);
         }
         let cut = middle(from, to);
-        let low = range(from, cut, sum);
-        let high = range(cut, to, sum);
-        [low[0] + high[0], low[1] + high[1]]
+        range(from, cut, sum) + range(cut, to, sum)
     }
     range(0, length, sum)
 }
@@ -88,8 +66,6 @@ mod tests {
             let ones = vec![1.0; length];
             let expected = (length * length.saturating_sub(1) / 2) as f64; // Gauss
             assert_eq!(dot(&x, &ones), expected);
-            let twos = vec![2.0; length];
-            assert_eq!(dot_pair(&x, &ones, &twos), (expected, 2.0 * expected));
         }
     }
 

@@ -3,7 +3,7 @@
 //! Prescribed motion, ghosts, mirror images, symmetry and rigid links are all rows of `T` and `g`. `q` keeps the
 //! numbering of `u`: the entries of constrained unknowns are inert and zero.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use thiserror::Error;
 
 /// One scalar unknown of a body.
@@ -45,6 +45,8 @@ pub struct Row {
     pub masters: Vec<(usize, f64)>,
     /// The prescribed part, for a load factor of one.
     pub value: f64,
+    /// How the prescribed part depends on the right-hand sides: index of an equation and ∂value/∂right-hand side.
+    pub sources: Vec<(usize, f64)>,
 }
 
 /// The rows of `T` and `g` that differ from `u = q`.
@@ -59,7 +61,7 @@ pub struct Constraints {
 struct Pending {
     masters: Vec<(usize, f64)>,
     value: f64,
-    origins: Vec<usize>,
+    sources: BTreeMap<usize, f64>,
 }
 
 impl Constraints {
@@ -79,7 +81,7 @@ impl Constraints {
                 if reduced.residual_is_rounding() {
                     continue;
                 }
-                let others = reduced.origins.iter().filter(|&&o| o != index);
+                let others = reduced.sources.keys().filter(|&&o| o != index);
                 return Err(Contradiction {
                     origin: equation.origin.clone(),
                     others: others.map(|&o| equations[o].origin.clone()).collect(),
@@ -89,7 +91,10 @@ impl Constraints {
         }
         let mut rows: Vec<Row> = rows
             .into_iter()
-            .map(|(unknown, p)| Row { unknown, masters: p.masters, value: p.value })
+            .map(|(unknown, p)| {
+                let Pending { masters, value, sources } = p;
+                Row { unknown, masters, value, sources: sources.into_iter().collect() }
+            })
             .collect();
         rows.sort_by_key(|r| r.unknown);
         let has_slaves = rows.iter().any(|r| !r.masters.is_empty());
@@ -125,6 +130,17 @@ impl Constraints {
         }
     }
 
+    /// Forces that hold the equations, one per equation, from the forces that act on the constrained unknowns: the
+    /// derivative of the energy with respect to each right-hand side. An equation that only repeats others gets none.
+    pub fn multipliers(&self, force: impl Fn(usize) -> f64) -> Vec<f64> {
+        let mut multipliers = vec![0.0; self.equations.len()];
+        for row in &self.rows {
+            let force = force(row.unknown);
+            row.sources.iter().for_each(|&(equation, c)| multipliers[equation] += c * force);
+        }
+        multipliers
+    }
+
     /// Turns a force on `u` into the force `Tᵀ f` on `q` in place.
     pub fn restrict(&self, force: &mut [f64]) {
         for row in &self.rows {
@@ -140,7 +156,8 @@ struct Reduced {
     value: f64,
     /// Sum of the magnitudes that went into the right-hand side.
     scale: f64,
-    origins: Vec<usize>,
+    /// Equations that went into it, and how the right-hand side depends on theirs.
+    sources: BTreeMap<usize, f64>,
 }
 
 fn substitute(rows: &HashMap<usize, Pending>, terms: &[(usize, f64)], value: f64, index: usize) -> Reduced {
@@ -149,13 +166,14 @@ fn substitute(rows: &HashMap<usize, Pending>, terms: &[(usize, f64)], value: f64
         Some(t) => (t.1, t.2) = (t.1 + c, t.2 + c.abs()),
         None => sum.push((unknown, c, c.abs())),
     };
-    let (mut rest, mut scale, mut origins) = (value, value.abs(), vec![index]);
+    let (mut rest, mut scale) = (value, value.abs());
+    let mut sources = BTreeMap::from([(index, 1.0)]);
     for &(unknown, c) in terms {
         match rows.get(&unknown) {
             Some(row) => {
                 rest -= c * row.value;
                 scale += (c * row.value).abs();
-                origins.extend(&row.origins);
+                row.sources.iter().for_each(|(&e, s)| *sources.entry(e).or_default() -= c * s);
                 row.masters.iter().for_each(|&(m, a)| add(m, c * a));
             }
             None => add(unknown, c),
@@ -163,7 +181,7 @@ fn substitute(rows: &HashMap<usize, Pending>, terms: &[(usize, f64)], value: f64
     }
     // A coefficient that is the rounding of a cancellation is zero.
     let terms = sum.into_iter().filter(|t| !is_rounding(t.1, t.2)).map(|t| (t.0, t.1)).collect();
-    Reduced { terms, value: rest, scale, origins }
+    Reduced { terms, value: rest, scale, sources }
 }
 
 /// Whether a sum is what rounding left of terms of some size.
@@ -196,7 +214,7 @@ fn insert(
     let row = Pending {
         masters: others.map(|&(u, c)| (u, -c / coefficient)).collect(),
         value: reduced.value / coefficient,
-        origins: reduced.origins,
+        sources: reduced.sources.into_iter().map(|(e, s)| (e, s / coefficient)).collect(),
     };
     for user in users.remove(&pivot).unwrap_or_default() {
         let Some(old) = rows.get_mut(&user) else {
@@ -207,7 +225,7 @@ fn insert(
         };
         let (_, c) = old.masters.swap_remove(at);
         old.value += c * row.value;
-        old.origins.extend(&row.origins);
+        row.sources.iter().for_each(|(&e, s)| *old.sources.entry(e).or_default() += c * s);
         for &(m, a) in &row.masters {
             match old.masters.iter().position(|t| t.0 == m) {
                 // What is left of a cancellation must not become a pivot later.

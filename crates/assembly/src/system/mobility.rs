@@ -72,13 +72,19 @@ fn spans(labels: &[u32], count: usize) -> Vec<[usize; 2]> {
 
 /// Vectors that the matrix maps to zero, in the units of its columns.
 fn null_space(mut matrix: DMatrix<f64>) -> Vec<Vec<f64>> {
-    // Columns have different units; scaled to one they can be compared, and so can the rows of equations.
+    // Columns and rows have different units; scaled to one they can be compared.
     let mut scale = vec![1.0; matrix.ncols()];
     for (k, mut column) in matrix.column_iter_mut().enumerate() {
         let largest = column.amax();
         if largest > 0.0 {
             scale[k] = largest;
             column /= largest;
+        }
+    }
+    for mut row in matrix.row_iter_mut() {
+        let largest = row.amax();
+        if largest > 0.0 {
+            row /= largest;
         }
     }
     let svd = matrix.svd(false, true);

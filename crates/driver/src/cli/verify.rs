@@ -2,13 +2,14 @@
 
 use super::args::Global;
 use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
+use crate::results::admit;
 use crate::run::RunOptions;
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
 use std::fmt::Write;
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -111,6 +112,12 @@ fn solve_all(cases: &[PathBuf], request: &Request, global: &Global) -> Vec<Outco
     outcomes
 }
 
+/// The path of a case without its root and its steps upwards, so that results stay in the folder that was asked for.
+fn inside(case: &Path) -> PathBuf {
+    let case = case.with_extension("");
+    case.components().filter(|c| matches!(c, Component::Normal(_))).collect()
+}
+
 /// `None` for a slow case that nobody asked for.
 fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome> {
     let begin = Instant::now();
@@ -124,7 +131,11 @@ fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome>
         return None;
     }
     let result = loaded.and_then(|loaded| match &request.output {
-        Some(folder) => solve::solve_into(&loaded, &folder.join(case.with_extension("")), global),
+        Some(folder) => {
+            let folder = folder.join(inside(case));
+            admit(&folder, false)?;
+            solve::solve_into(&loaded, &folder, global)
+        }
         None => {
             let options = RunOptions { recover: false, max_memory: global.max_memory };
             loaded.run(&options, &mut |_, _| Ok(()))

@@ -27,6 +27,9 @@ const FIELDS: [FieldName; 7] = [
     FieldName::EnergyDensity,
 ];
 
+/// Section forces to the left of the points, where they may jump, and their columns.
+const LEFT: [(FieldName, &str); 2] = [(FieldName::M, "M_left"), (FieldName::V, "V_left")];
+
 /// Fields whose smallest and largest values over all states are written.
 const ENVELOPE: [FieldName; 4] = [FieldName::W, FieldName::Phi, FieldName::M, FieldName::V];
 
@@ -39,7 +42,10 @@ pub struct Results {
     envelope: Vec<Vec<[f64; 2]>>,
 }
 
-/// Whether a run may write into a folder.
+/// Name of the file that marks a folder as written by peristat.
+const MARK: &str = ".peristat";
+
+/// Whether a run may write into a folder: it is new, empty, or holds nothing but an earlier run.
 ///
 /// # Errors
 /// The folder holds something that peristat did not write, and `force` is not given.
@@ -51,11 +57,19 @@ pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
     if !folder.exists() || force {
         return Ok(());
     }
-    let mut names = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        names.push(entry?.file_name().to_string_lossy().into_owned());
-    }
-    match names.iter().find(|n| !OWN.contains(&n.as_str())) {
+    let names = names_in(folder)?;
+    let marked = names.iter().any(|n| n == MARK);
+    let other = names.iter().find(|n| *n != MARK && !(marked && OWN.contains(&n.as_str())));
+    let inside = |part: &str, own: &dyn Fn(&str) -> bool| -> io::Result<Option<String>> {
+        let path = folder.join(part);
+        let found = if path.is_dir() { names_in(&path)?.into_iter().find(|n| !own(n)) } else { None };
+        Ok(found.map(|n| format!("{part}/{n}")))
+    };
+    let found = match other {
+        Some(name) => Some(name.clone()),
+        None => inside("fields", &|n| n.starts_with("step_"))?.or(inside("plots", &|n| n.ends_with(".svg"))?),
+    };
+    match found {
         Some(name) => foreign(format!("{} holds `{name}`, which peristat did not write", folder.display())),
         None => Ok(()),
     }
@@ -65,6 +79,11 @@ pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
 pub fn finite(result: &StateResult) -> bool {
     let values = FIELDS.iter().filter_map(|&f| all(result, f));
     result.u.iter().all(|u| u.is_finite()) && values.flatten().all(|v| v.is_finite())
+}
+
+/// Names of what a folder holds.
+fn names_in(folder: &Path) -> io::Result<Vec<String>> {
+    fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect()
 }
 
 impl Results {
@@ -83,6 +102,7 @@ impl Results {
                 Err(_) => {}
             }
         }
+        fs::write(folder.join(MARK), "results of peristat\n")?;
         let case = serde_json::to_string_pretty(&scene.case)?;
         atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())?;
         fs::create_dir(folder.join("fields"))?;
@@ -101,6 +121,9 @@ impl Results {
         let x: Vec<f64> = result.lines.iter().flat_map(|l| l.x.iter().copied()).collect();
         let mut columns: Vec<(&str, &[f64])> = vec![("x", &x)];
         columns.extend(fields.iter().map(|(f, v)| (f.name(), v.as_slice())));
+        let left: Vec<(&str, Vec<f64>)> =
+            LEFT.iter().filter_map(|&(f, name)| Some((name, all_left(result, f)?))).collect();
+        columns.extend(left.iter().map(|(name, v)| (*name, v.as_slice())));
         csv::write(&self.folder.join("fields").join(format!("{name}.csv")), &columns)?;
         self.write_grid(&name, &x, &fields, result)?;
         self.steps.push((step_time(scene, result), format!("fields/{name}.vtu")));
@@ -172,14 +195,13 @@ impl Results {
     }
 
     fn widen(&mut self, result: &StateResult) {
-        let values = ENVELOPE.iter().map(|&f| all(result, f).unwrap_or_default());
-        if self.envelope.is_empty() {
-            self.envelope = values.map(|v| v.into_iter().map(|v| [v, v]).collect()).collect();
-            return;
-        }
-        for (bounds, values) in self.envelope.iter_mut().zip(values) {
-            for (bound, value) in bounds.iter_mut().zip(values) {
-                *bound = [bound[0].min(value), bound[1].max(value)];
+        let count: usize = result.lines.iter().map(|l| l.x.len()).sum();
+        self.envelope.resize(ENVELOPE.len(), vec![[f64::INFINITY, f64::NEG_INFINITY]; count]);
+        for (bounds, &field) in self.envelope.iter_mut().zip(&ENVELOPE) {
+            for values in [all(result, field), all_left(result, field)].into_iter().flatten() {
+                for (bound, value) in bounds.iter_mut().zip(values) {
+                    *bound = [bound[0].min(value), bound[1].max(value)];
+                }
             }
         }
     }
@@ -203,6 +225,12 @@ impl Results {
 /// Time of a state in the collection: the load factor of a step, the number of a load case.
 fn step_time(scene: &Scene, result: &StateResult) -> f64 {
     if scene.case.steps.is_some() { result.load_factor } else { result.index as f64 }
+}
+
+/// Values of a field to the left of all real points, where it may jump.
+fn all_left(result: &StateResult, field: FieldName) -> Option<Vec<f64>> {
+    let lines: Option<Vec<_>> = (0..result.lines.len()).map(|l| result.left_values(field, l)).collect();
+    Some(lines?.concat())
 }
 
 /// Values of a field at all real points, line by line.

@@ -4,6 +4,7 @@ use super::linear::StateSolution;
 use peristat_assembly::bonds::Point;
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Survey;
+use peristat_assembly::sum::Sum;
 use peristat_assembly::system::System;
 use peristat_solve::PcgStatus;
 use serde::Serialize;
@@ -40,6 +41,9 @@ pub struct Certificate {
 /// A next correction above this is no converged solution.
 const CONVERGED: f64 = 1e-8;
 
+/// An energy that differs by more from the work that was done belongs to another problem.
+const UNBALANCED: f64 = 1e-6;
+
 /// Stored energy over that of the sudden jump below which a solution is free of strain: rounding leaves 1e-32, the
 /// slenderest beam of the finest grid 1e-15.
 const STRAIN_FREE: f64 = 1e-24;
@@ -66,7 +70,10 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
     let or_zero = |value: f64| if strains { value } else { 0.0 };
     let settled = !matches!(solution.status, PcgStatus::NotFinite | PcgStatus::IndefiniteOperator);
     Certificate {
-        converged: settled && solution.next_correction <= CONVERGED && energy.is_finite(),
+        converged: settled
+            && energy.is_finite()
+            && solution.next_correction <= CONVERGED
+            && or_zero(energy_balance) <= UNBALANCED,
         residual: or_zero(residual),
         next_correction: solution.next_correction,
         first_correction: solution.first_correction,
@@ -140,23 +147,4 @@ fn balance<const D: usize, T: Model<D>>(
         |kind: usize, (sum, scale): (Sum, f64)| ratio(sum.total().abs(), scale.max(least * size(kind)));
     let balance = |(kind, sum)| Balance { motion: T::RIGID_MOTIONS[kind], relative: relative(kind, sum) };
     sums.iter().copied().enumerate().map(balance).collect()
-}
-
-/// Compensated sum (Neumaier): the imbalance of a million terms is far below their rounding otherwise.
-#[derive(Clone, Copy, Debug, Default)]
-struct Sum {
-    high: f64,
-    low: f64,
-}
-
-impl Sum {
-    fn add(&mut self, x: f64) {
-        let sum = self.high + x;
-        self.low += if self.high.abs() >= x.abs() { (self.high - sum) + x } else { (x - sum) + self.high };
-        self.high = sum;
-    }
-
-    fn total(self) -> f64 {
-        self.high + self.low
-    }
 }

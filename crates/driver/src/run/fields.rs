@@ -5,10 +5,9 @@ use super::linear::StateSolution;
 use crate::case::FieldName;
 use crate::scene::Scene;
 use peristat_assembly::model::Model;
-use peristat_assembly::model::timoshenko_beam::BeamFields;
+use peristat_assembly::model::timoshenko_beam::{BeamFields, Grid};
 use serde::Serialize;
 use std::borrow::Cow;
-use std::collections::HashMap;
 
 /// What a support does to the beam.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -59,6 +58,7 @@ pub struct StateResult {
 pub(super) fn result(
     scene: &Scene,
     index: usize,
+    load: &[f64],
     solution: StateSolution,
     certificate: Certificate,
     recover: bool,
@@ -66,26 +66,25 @@ pub(super) fn result(
     let state = &scene.states[index];
     let (beam, n) = (&scene.beam, scene.beam.points());
     let u = solution.u;
-    let forces: HashMap<usize, f64> = solution.held.into_iter().collect();
+    let all = recover.then(|| forces_on_points(scene, load, &solution.held, &solution.multipliers, &u));
     let line = |c: usize| {
         let chain = &beam.chains()[c];
         LineFields {
             x: (0..chain.points).map(|k| chain.position(chain.ghosts[0] + k)).collect(),
             first: beam.first_real(c),
-            recovered: recover.then(|| beam.fields(c, &u, &state.loads)),
+            recovered: all.as_ref().map(|all| beam.fields(c, &u, all, &state.loads)),
         }
     };
     let lines = (0..beam.chains().len()).map(line).collect();
+    // The equations of supports come first, in this order.
+    let mut multipliers = solution.multipliers.iter();
     let points = scene.held.iter().filter_map(|h| h.point.map(|point| (h, point)));
     let (held, reactions) = points
         .map(|(h, point)| {
-            let of = |component: usize| {
-                let k = component * n + point;
-                match (h.prescribed[component], h.springs[component]) {
-                    (Some(_), _) => forces.get(&k).copied().unwrap_or(0.0),
-                    (None, Some(stiffness)) => -stiffness * u[k],
-                    (None, None) => 0.0,
-                }
+            let mut of = |component: usize| match (h.prescribed[component], h.springs[component]) {
+                (Some(_), _) => multipliers.next().copied().unwrap_or(0.0),
+                (None, Some(stiffness)) => -stiffness * u[component * n + point],
+                (None, None) => 0.0,
             };
             (point, Reaction { x: h.x, force: of(0), moment: of(1) })
         })
@@ -101,6 +100,33 @@ pub(super) fn result(
         certificate,
         stress_per_moment: scene.section.height.map(|h| 0.5 * h / scene.section.second_moment),
     }
+}
+
+/// Loads and the forces of supports, links and springs, by unknown.
+fn forces_on_points(
+    scene: &Scene,
+    load: &[f64],
+    held: &[(usize, f64)],
+    multipliers: &[f64],
+    u: &[f64],
+) -> Vec<f64> {
+    let n = scene.beam.points();
+    let mut forces = load.to_vec();
+    if scene.beam.chains().iter().any(|c| c.line().grid == Grid::Cells) {
+        // Ghost points alone hold the ends of a grid of cells: their forces stand for the support.
+        held.iter().for_each(|&(k, force)| forces[k] += force);
+    } else {
+        for (equation, multiplier) in scene.equations.iter().zip(multipliers) {
+            for (unknown, coefficient) in &equation.terms {
+                forces[unknown.component * n + unknown.point] += coefficient * multiplier;
+            }
+        }
+    }
+    for spring in &scene.springs {
+        let k = spring.component * n + spring.point;
+        forces[k] -= spring.stiffness * u[k];
+    }
+    forces
 }
 
 impl StateResult {
@@ -145,18 +171,47 @@ impl StateResult {
         }
     }
 
-    /// Smallest and largest value of a field and their positions.
+    /// Section force, or stress from it, at both ends of every cell of a line, seen from inside.
+    fn cells(&self, field: FieldName, line: usize) -> Option<Vec<[f64; 2]>> {
+        let forces = &self.lines[line].recovered.as_ref()?.forces;
+        let stress = |sign: f64| {
+            let factor = sign * self.stress_per_moment?;
+            Some(forces.moment.iter().map(|m| m.map(|m| factor * m)).collect())
+        };
+        match field {
+            FieldName::M => Some(forces.moment.clone()),
+            FieldName::V => Some(forces.shear.clone()),
+            FieldName::StressTop => stress(-1.0),
+            FieldName::StressBottom => stress(1.0),
+            _ => None,
+        }
+    }
+
+    /// Values of a field to the left of the points of a line, where it may jump.
+    pub fn left_values(&self, field: FieldName, line: usize) -> Option<Vec<f64>> {
+        let cells = self.cells(field, line)?;
+        let first = cells.first().map(|c| c[0]);
+        Some(first.into_iter().chain(cells.iter().map(|c| c[1])).collect())
+    }
+
+    /// Smallest and largest value of a field and their positions; both sides of a point where the field may jump.
     pub fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
         let mut extremes: Option<[(f64, f64); 2]> = None;
         for (line, fields) in self.lines.iter().enumerate() {
-            for (&value, &x) in self.values(field, line)?.iter().zip(&fields.x) {
-                let [low, high] = extremes.get_or_insert([(value, x); 2]);
-                if value < low.0 {
-                    *low = (value, x);
+            let mut take = |values: &[f64]| {
+                for (&value, &x) in values.iter().zip(&fields.x) {
+                    let [low, high] = extremes.get_or_insert([(value, x); 2]);
+                    if value < low.0 {
+                        *low = (value, x);
+                    }
+                    if value > high.0 {
+                        *high = (value, x);
+                    }
                 }
-                if value > high.0 {
-                    *high = (value, x);
-                }
+            };
+            take(&self.values(field, line)?);
+            if let Some(left) = self.left_values(field, line) {
+                take(&left);
             }
         }
         extremes

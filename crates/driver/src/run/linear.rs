@@ -5,6 +5,7 @@ use super::{Counters, Timing};
 use crate::case::Solver;
 use peristat_assembly::system::System;
 use peristat_solve::{LinearOperator, Pcg, PcgOptions, PcgStatus, Preconditioner};
+use std::collections::HashMap;
 
 /// The element-wise stiffness of a system as the solver sees it.
 struct Elementwise<'a, const D: usize>(&'a System<D>);
@@ -28,6 +29,8 @@ pub(super) struct StateSolution {
     pub(super) jump_energy: f64,
     /// Forces of the constraints on the unknowns they hold and on their masters, by number of the unknown.
     pub(super) held: Vec<(usize, f64)>,
+    /// Force that holds each equation, in the order of the system's equations.
+    pub(super) multipliers: Vec<f64>,
     /// Largest element-wise residual per component, constrained unknowns left out.
     pub(super) residual: Vec<f64>,
     /// The correction that one more solve with the factor would make, relative to the unknowns.
@@ -101,6 +104,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             u: vec![0.0; self.system.size()],
             jump_energy: 0.0,
             held: Vec::new(),
+            multipliers: Vec::new(),
             residual: Vec::new(),
             next_correction: f64::INFINITY,
             first_correction: 0.0,
@@ -123,10 +127,14 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
                 solution.first_correction = report.first_correction;
             }
             solution.iterations += report.iterations;
-            solution.status = report.status;
+            // A later pass that has nothing left to do may see only rounding.
+            if pass == 0 || report.status == PcgStatus::Converged {
+                solution.status = report.status;
+            }
             constraints.expand(motion_factor, &mut solution.u);
             self.refresh_residual(load, &solution.u);
             solution.held = self.constraint_forces();
+            solution.multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
             constraints.restrict(&mut self.residual);
             let correction = self.pcg.precondition(&mut *self.factor, &self.residual);
             let next =
@@ -152,14 +160,19 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         self.residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
     }
 
-    /// Forces of constraints from a whole residual, on the unknowns they hold and on their masters.
+    /// Forces of constraints from a whole residual: on every constrained unknown, and shares of it, with the opposite
+    /// sign, on the unknowns that move it. So a link balances itself, whatever the rounding of the forces it joins.
     fn constraint_forces(&self) -> Vec<(usize, f64)> {
-        let rows = self.system.constraints().rows();
-        let mut held: Vec<usize> = rows.iter().map(|r| r.unknown).collect();
-        held.extend(rows.iter().flat_map(|r| r.masters.iter().map(|m| m.0)));
-        held.sort_unstable();
-        held.dedup();
-        held.into_iter().map(|k| (k, -self.residual[k])).collect()
+        let mut forces: HashMap<usize, f64> = HashMap::new();
+        for row in self.system.constraints().rows() {
+            let force = -self.residual[row.unknown];
+            *forces.entry(row.unknown).or_default() += force;
+            row.masters.iter().for_each(|&(m, c)| *forces.entry(m).or_default() -= c * force);
+        }
+        let mut forces: Vec<(usize, f64)> = forces.into_iter().collect();
+        // In the order of the unknowns, so that sums do not depend on the hash.
+        forces.sort_by_key(|f| f.0);
+        forces
     }
 }
 

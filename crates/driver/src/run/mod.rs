@@ -15,7 +15,6 @@ pub use problem::{Problem, Sizes, prepare};
 pub use verdict::{CheckResult, ProbeResult};
 pub(crate) use verdict::{checks, probes};
 
-use crate::case::Solver;
 use crate::diagnostic::Faults;
 use crate::scene::Scene;
 use linear::StateSolution;
@@ -126,9 +125,10 @@ pub fn run(
     let recover = options.recover
         || scene.probes.iter().any(|p| p.field.is_recovered())
         || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
-    let mut report = solve_states(scene, scene.solver, options, &mut |index, solution, certificate| {
-        sink(fields::result(scene, index, solution, certificate, recover))
-    })?;
+    let mut report =
+        solve_states(scene, options, &mut |index, load, solution, certificate| {
+            sink(fields::result(scene, index, load, solution, certificate, recover))
+        })?;
     report.skipped = skipped(scene, &report.counters, recover);
     Ok(report)
 }
@@ -136,14 +136,13 @@ pub fn run(
 /// Solves every state of a problem, whatever its model, and hands solution and certificate to `take`.
 fn solve_states<const D: usize, P: Problem<D>>(
     problem: &P,
-    solver: Solver,
     options: &RunOptions,
-    take: &mut dyn FnMut(usize, StateSolution, Certificate) -> std::io::Result<()>,
+    take: &mut dyn FnMut(usize, &[f64], StateSolution, Certificate) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
     let (system, sizes) = prepare(problem, options.max_memory)?;
     let mut timing = Timing::default();
     let scales = scales(problem.model());
-    let mut solver = LinearSolver::new(&system, scales, solver, &mut timing)?;
+    let mut solver = LinearSolver::new(&system, scales, problem.solver(), &mut timing)?;
     let mut load = vec![0.0; system.size()];
     let mut converged = true;
     for state in 0..problem.states() {
@@ -157,7 +156,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();
-        take(state, solution, certificate)?;
+        take(state, &load, solution, certificate)?;
         timing.record += begin.elapsed().as_secs_f64();
     }
     let mut counters = solver.counters().clone();

@@ -1,6 +1,7 @@
 //! What a run needs of a scene, whatever its model, and the system it becomes.
 
 use super::RunError;
+use crate::case::Solver;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
@@ -21,6 +22,9 @@ pub trait Problem<const D: usize> {
 
     /// Equations of supports and links; their origins are paths into the case.
     fn equations(&self) -> &[Equation];
+
+    /// The solver that is asked for.
+    fn solver(&self) -> Solver;
 
     /// Number of right-hand sides.
     fn states(&self) -> usize;
@@ -91,16 +95,28 @@ pub fn prepare<const D: usize, P: Problem<D>>(
     Ok((system, sizes))
 }
 
-/// Memory of factor, vectors and fields, bytes.
+/// Memory of matrix, factor, vectors, fields and their files, bytes.
 fn estimate<const D: usize, P: Problem<D>>(problem: &P) -> u64 {
     let model = problem.model();
-    let reach = model.terms().iter().map(|t| t.reach()).max().unwrap_or(0);
     let unknowns = (D * model.points()) as u64;
-    let width = (D * (reach + 1)) as u64;
-    // A matrix with slaves is multiplied out in compressed rows before it is factored.
-    let slaves = problem.equations().iter().any(|e| e.terms.len() > 1) || !model.relations().is_empty();
-    let matrix = if slaves { 80 * unknowns * width } else { 8 * unknowns * width };
-    matrix + 8 * 6 * unknowns + 64 * model.points() as u64
+    let reach = model.terms().iter().map(|t| t.reach()).max().unwrap_or(0);
+    let relations = model.relations();
+    let equations = || problem.equations().iter().chain(&relations);
+    let slaves = equations().any(|e| e.terms.len() > 1);
+    // Points that an equation joins come as close as neighbours do.
+    let span = |e: &Equation| {
+        let points = || e.terms.iter().map(|(u, _)| u.point);
+        points().max().unwrap_or(0) - points().min().unwrap_or(0)
+    };
+    let far = equations().map(span).max().unwrap_or(0);
+    let width = |reach: usize| (D * (reach + 1)) as u64;
+    let matrix = match (slaves, problem.solver()) {
+        (false, _) => 8 * unknowns * width(reach),
+        (true, Solver::Band) => 8 * unknowns * width(reach + far) + 120 * unknowns * width(reach),
+        // Multiplied out in compressed rows before it is factored.
+        (true, _) => 120 * unknowns * width(reach),
+    };
+    matrix + 8 * 6 * unknowns + 240 * model.points() as u64
 }
 
 /// Memory that programs can have without swapping, bytes, on systems that have `/proc`.

@@ -2,7 +2,7 @@
 
 use super::facts::facts;
 use super::place::Frame;
-use super::{HeldPoint, State, root};
+use super::{HeldPoint, RigidBar, State, root};
 use crate::case::{Case, Check, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::reference::{self, Field, Solution};
@@ -144,6 +144,7 @@ pub(super) struct Context<'a> {
     pub(super) case: &'a Case,
     pub(super) beam: &'a TimoshenkoBeam,
     pub(super) held: &'a [HeldPoint],
+    pub(super) bars: &'a [RigidBar],
     pub(super) states: &'a [State],
     pub(super) probes: &'a [ProbePoint],
     pub(super) folder: &'a Path,
@@ -223,7 +224,7 @@ fn closed_form(
             .hint(super::material::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
         return None;
     };
-    let Some(facts) = facts(context.beam, context.held, &context.states[state]) else {
+    let Some(facts) = facts(context.beam, context.held, context.bars, &context.states[state]) else {
         faults
             .error(path.key("name"), "closed forms are for a body of one line")
             .hint("compare a probe with a number by a `value` check");

@@ -1,12 +1,17 @@
 //! What a closed form may know about a state of a scene.
 
-use super::{HeldPoint, State};
+use super::{HeldPoint, RigidBar, State};
 use crate::reference::{BondClass, End, Facts, Load};
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndKind;
 use peristat_assembly::model::timoshenko_beam::{Intensity, TimoshenkoBeam};
 
 /// Facts on a beam of one line, x from its left end; `None` for several lines.
-pub(super) fn facts(beam: &TimoshenkoBeam, held: &[HeldPoint], state: &State) -> Option<Facts> {
+pub(super) fn facts(
+    beam: &TimoshenkoBeam,
+    held: &[HeldPoint],
+    bars: &[RigidBar],
+    state: &State,
+) -> Option<Facts> {
     let [chain] = beam.chains() else { return None };
     let line = chain.line();
     let parameters = beam.parameters();
@@ -22,8 +27,8 @@ pub(super) fn facts(beam: &TimoshenkoBeam, held: &[HeldPoint], state: &State) ->
     let (left, right) = (line.from, line.from + line.length);
     let mut ends = [kinds(left), kinds(right)];
     let inside: Vec<&HeldPoint> = held.iter().filter(|h| !close(h.x, left) && !close(h.x, right)).collect();
-    if inside.iter().any(|h| end(h) != End::Simple) {
-        // Only simple supports between the ends can be told; anything else fits no reference.
+    if !bars.is_empty() || inside.iter().any(|h| end(h) != End::Simple) {
+        // Only simple supports between the ends can be told; anything else, links as well, fits no reference.
         ends = [End::Other; 2];
     }
     let bonds = beam.bonds()[0].classes().iter().enumerate().map(|(class, c)| BondClass {

@@ -1,6 +1,6 @@
 //! Loads of a scene: load cases, combinations and steps as right-hand sides.
 
-use super::place::{Frame, Place};
+use super::place::{Frame, FrameLine, Place};
 use super::{State, root};
 use crate::case::{Case, DistributedForce, Load, LoadSharing, Model, PointLoad};
 use crate::diagnostic::{Faults, JsonPath};
@@ -146,12 +146,32 @@ fn add_distributed(
                 faults.error(key, "`half_waves` must be at least 1, found 0");
                 continue;
             }
+            Some(DistributedForce::Sine(sine))
+                if f64::from(sine.half_waves) > waves(&frame.lines[a.chain()], from, end) =>
+            {
+                let key = path.key(if is_moment { "moment" } else { "force" }).key("sine").key("half_waves");
+                faults
+                    .error(
+                        key,
+                        format!(
+                            "{} half waves are more than the grid has cells under the load",
+                            sine.half_waves
+                        ),
+                    )
+                    .hint("use more cells; a wave needs several to be seen");
+                continue;
+            }
             Some(DistributedForce::Sine(sine)) => {
                 Intensity::Sine { amplitude: sine.amplitude, half_waves: sine.half_waves }
             }
         };
         to.loads.distributed.push(Distributed { chain: a.chain(), from, to: end, intensity, is_moment });
     }
+}
+
+/// Cells of a line under a load: more half waves than these look like fewer.
+fn waves(line: &FrameLine, from: f64, to: f64) -> f64 {
+    ((to - from) / line.spacing()).ceil()
 }
 
 /// The right-hand sides: load steps, or load cases followed by their combinations.

@@ -16,7 +16,7 @@ pub use checks::{Expectation, ExpectationKind, ProbePoint};
 pub use place::Place;
 pub use supports::{HeldPoint, RigidBar};
 
-use crate::case::{Case, Solver, Units};
+use crate::case::{Case, Check, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath, Report};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::material::SectionProperties;
@@ -75,6 +75,17 @@ fn root(key: &str) -> JsonPath {
     JsonPath::default().key(key)
 }
 
+/// Names the files of a case by their full paths, so that the case can be run again from another folder.
+fn keep_baselines(case: &mut Case, folder: &Path) {
+    for check in &mut case.checks {
+        if let Check::Baseline(baseline) = check
+            && let Ok(path) = folder.join(&baseline.file).canonicalize()
+        {
+            baseline.file = path.display().to_string();
+        }
+    }
+}
+
 impl Scene {
     /// Resolves a case. `folder` is where files that the case names are looked for, `file` and `text` are for messages.
     ///
@@ -84,7 +95,10 @@ impl Scene {
         let mut faults = Faults::default();
         let resolved = Self::resolve(&mut case, folder, &mut faults);
         match resolved {
-            Some(scene) if !faults.has_errors() => Ok(Self { warnings: faults, case, ..scene }),
+            Some(scene) if !faults.has_errors() => {
+                keep_baselines(&mut case, folder);
+                Ok(Self { warnings: faults, case, ..scene })
+            }
             _ => Err(faults.into_report(file, text)),
         }
     }
@@ -110,7 +124,15 @@ impl Scene {
         warnings::collect(case, &frame, &beam, &section, faults);
         let probes = checks::probes(case, &frame, &numbers, &held, &section, faults);
         let expectations = checks::expectations(
-            &checks::Context { case, beam: &beam, held: &held, states: &states, probes: &probes, folder },
+            &checks::Context {
+                case,
+                beam: &beam,
+                held: &held,
+                bars: &bars,
+                states: &states,
+                probes: &probes,
+                folder,
+            },
             faults,
         );
         Some(Self {

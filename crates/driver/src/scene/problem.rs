@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::place::tidy;
+use crate::case::Solver;
 use crate::run::Problem;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
@@ -22,6 +23,10 @@ impl Problem<2> for Scene {
 
     fn equations(&self) -> &[Equation] {
         &self.equations
+    }
+
+    fn solver(&self) -> Solver {
+        self.solver
     }
 
     fn states(&self) -> usize {

@@ -5,7 +5,7 @@ use super::root;
 use crate::case::{At, Case, Link, Support};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::condition::{Equation, Unknown};
-use peristat_assembly::model::timoshenko_beam::end_treatment::EndSupport;
+use peristat_assembly::model::timoshenko_beam::end_treatment::{EndKind, EndSupport};
 use peristat_assembly::stiffness::Spring;
 
 /// A place that a support holds.
@@ -104,6 +104,12 @@ pub(super) fn held(
             }
             Place::End { chain, side } if frame.treatment.name != "truncated" => {
                 hold(&mut ends[chain][side], support);
+                let kind = (frame.treatment.end)(&ends[chain][side]);
+                if kind == EndKind::Mirrored && support.w.is_some() && support.phi.is_some() {
+                    faults
+                        .error(point.path.clone(), "images prescribe the rotation of an end, and a grid of cells has no point there to hold its deflection")
+                        .hint("use the grid `nodes`, or the end treatment `ghost`");
+                }
                 if support.w_spring.is_some() || support.phi_spring.is_some() {
                     faults
                         .error(

@@ -28,6 +28,24 @@ pub(super) fn collect(
                 )
                 .hint("use more cells or a shorter horizon");
         }
+        let moment: f64 = chain.weights.iter().enumerate().map(|(k, a)| (k + 1) as f64 * a).sum();
+        let fits = chain.weights.len() as f64 + 1.0 > line.horizon_ratio.ceil();
+        if !frame.treatment.covers()
+            && fits
+            && model.volume_factor == VolumeFactor::HalfEdge
+            && (moment - 1.0).abs() > 1e-3
+        {
+            faults
+                .warning(
+                    root(horizon_key),
+                    format!(
+                        "the bonds of {} spacings make the beam {:.1} % too soft at any spacing",
+                        line.horizon_ratio,
+                        100.0 * (1.0 - moment)
+                    ),
+                )
+                .hint("use a whole horizon ratio, or the end treatment `cover`, which makes up for it");
+        }
         if let Some(height) = section.height
             && model.bond_law == "published"
             && chain.weights.len() > 1

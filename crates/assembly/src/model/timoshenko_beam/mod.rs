@@ -157,10 +157,12 @@ fn lattice_bonds(
     let moment = |power: i32| -> f64 {
         weights.iter().enumerate().map(|(k, a)| ((k + 1) as f64).powi(power) * a).sum()
     };
+    // What covers add to the bonds between neighbours, where the ratio is not whole.
+    let lack = if parameters.end_treatment.covers() { 1.0 - moment(1) } else { 0.0 };
     let model = BeamBond {
         bending_stiffness: parameters.bending_stiffness,
         shear_stiffness: parameters.shear_stiffness,
-        mean_square_length: h * h * moment(3) / moment(1),
+        mean_square_length: h * h * (moment(3) + lack) / (moment(1) + lack),
         law: parameters.bond_law,
     };
     let offsets: Vec<_> = chain

@@ -2,6 +2,8 @@
 
 use super::TimoshenkoBeam;
 use super::load::BeamLoads;
+use crate::model::Model;
+use crate::sum::Sum;
 
 /// Moment and shear force at the two ends of every cell of a line, seen from inside the cell.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,51 +34,86 @@ impl SectionForces {
 }
 
 impl TimoshenkoBeam {
-    /// Fields of a line under unknowns `u` and the loads that caused them.
+    /// Fields of a line under unknowns `u`, with all forces on its points (loads, reactions, forces of links and springs;
+    /// two planes) and the loads that bonds share.
     ///
-    /// Section forces are cut sums: every bond that crosses a section adds its constant shear force, its linear moment
-    /// and the fixed-end forces of the load it carries. That is exact, for every law, for the loads as given.
-    pub fn fields(&self, chain: usize, u: &[f64], loads: &BeamLoads) -> BeamFields {
+    /// Section forces are sums from the left end. Summed over the bonds that cross a section they would be the same, but
+    /// the shear force would be a small difference of large deflections: half its digits are gone at slenderness 10⁴.
+    /// Loads that bonds share reach the points as fixed-end forces; what these say differently from the load itself inside
+    /// the crossing bonds is put back, so that moment and shear force are those of the loads as given.
+    pub fn fields(&self, chain: usize, u: &[f64], forces: &[f64], loads: &BeamLoads) -> BeamFields {
+        let mut sections = self.statics(chain, forces);
+        if loads.loads_bonds(chain) {
+            self.add_fixed_end_forces(chain, loads, &mut sections);
+        }
+        BeamFields { forces: sections, energy_density: self.energy_density(chain, u) }
+    }
+
+    /// Section forces of forces on points.
+    fn statics(&self, chain: usize, forces: &[f64]) -> SectionForces {
+        let (c, n) = (&self.chains[chain], self.points());
+        let first = self.bonds[chain].lattice().first;
+        let mut sections = SectionForces::default();
+        let (mut moment, mut shear) = (Sum::default(), Sum::default());
+        for k in 0..c.ghosts[0] + c.points - 1 {
+            // A force on a point lowers V to its right, a moment lowers M.
+            shear.add(-forces[first + k]);
+            moment.add(-forces[n + first + k]);
+            let left = moment.total();
+            moment.add(-shear.total() * c.spacing);
+            if k >= c.ghosts[0] {
+                sections.moment.push([left, moment.total()]);
+                sections.shear.push([shear.total(); 2]);
+            }
+        }
+        sections
+    }
+
+    /// Adds to every cell what the crossing bonds carry of their loads beyond the fixed-end forces on their points.
+    fn add_fixed_end_forces(&self, chain: usize, loads: &BeamLoads, sections: &mut SectionForces) {
         let (c, bonds) = (&self.chains[chain], &self.bonds[chain]);
-        let cells = c.points - 1;
-        let mut forces = SectionForces { moment: vec![[0.0; 2]; cells], shear: vec![[0.0; 2]; cells] };
-        let mut energy = vec![0.0; cells];
-        let loaded = loads.loads_bonds(chain);
         for class in 0..bonds.classes().len() {
             let step = bonds.classes()[class].step;
-            let moduli = bonds.moduli(class);
-            bonds.for_each(class, |lower, weight| {
-                let s = bonds.measure(class, lower, u);
-                let (m, v) = (weight * moduli[0] * s[0], weight * moduli[1] * s[1]);
-                let real = |p: usize| p.checked_sub(c.ghosts[0]).filter(|&k| k < c.points);
-                let span = self.span(chain, class, lower);
-                let density = 0.5 * (m * s[0] + v * s[1]) / (self.parameters.area * span.length);
-                let ends = if loaded { loads.on(chain, &span) } else { [0.0; 4] };
-                for cell in lower..lower + step {
-                    let Some(k) = real(cell).filter(|&k| k < cells) else { continue };
-                    energy[k] += density;
-                    for side in 0..2 {
-                        let s = (cell + side - lower) as f64 * c.spacing;
-                        let mut part = [m + v * (0.5 * span.length - s), v];
-                        if loaded {
+            bonds.for_each_run(class, |run, weight| {
+                for lower in run {
+                    let span = self.span(chain, class, lower);
+                    let ends = loads.on(chain, &span);
+                    for cell in 0..step {
+                        for side in 0..2 {
+                            let s = (cell + side) as f64 * c.spacing;
                             let [q, qx] = loads.resultant(chain, span.x, span.x + s, side == 0);
-                            part[0] += weight * (ends[1] - ends[0] * s + qx);
-                            part[1] += weight * (ends[0] - q);
+                            sections.moment[lower + cell][side] += weight * (ends[1] - ends[0] * s + qx);
+                            sections.shear[lower + cell][side] += weight * (ends[0] - q);
                         }
-                        forces.moment[k][side] += part[0];
-                        forces.shear[k][side] += part[1];
                     }
                 }
             });
         }
-        let energy_density = (0..c.points)
-            .map(|k| {
-                let sides = [k.checked_sub(1), Some(k).filter(|&k| k < cells)];
-                let (sum, count) =
-                    sides.iter().flatten().fold((0.0, 0.0), |(sum, n), &c| (sum + energy[c], n + 1.0));
-                sum / count
-            })
-            .collect();
-        BeamFields { forces, energy_density }
+    }
+
+    /// Energy density per point.
+    fn energy_density(&self, chain: usize, u: &[f64]) -> Vec<f64> {
+        let (c, bonds) = (&self.chains[chain], &self.bonds[chain]);
+        let cells = c.points - 1;
+        let mut energy = vec![0.0; cells];
+        for (class, offset) in bonds.classes().iter().enumerate() {
+            let moduli = bonds.moduli(class);
+            let volume = self.parameters.area * offset.geometry.length();
+            bonds.for_each_run(class, |run, weight| {
+                for lower in run {
+                    let s = bonds.measure(class, lower, u);
+                    let density = 0.5 * weight * (moduli[0] * s[0] * s[0] + moduli[1] * s[1] * s[1]) / volume;
+                    let real = (lower..lower + offset.step).filter_map(|p| p.checked_sub(c.ghosts[0]));
+                    real.filter(|&k| k < cells).for_each(|k| energy[k] += density);
+                }
+            });
+        }
+        let point = |k: usize| {
+            let sides = [k.checked_sub(1), Some(k).filter(|&k| k < cells)];
+            let (sum, count) =
+                sides.iter().flatten().fold((0.0, 0.0), |(sum, n), &c| (sum + energy[c], n + 1.0));
+            sum / count
+        };
+        (0..c.points).map(point).collect()
     }
 }

@@ -118,16 +118,17 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
         }
     }
 
-    /// Visits the bonds of a class that exist: lower point counted from the first lattice point, and weight.
-    #[inline]
-    pub fn for_each(&self, class: usize, mut visit: impl FnMut(usize, f64)) {
+    /// Visits the bonds of a class that exist, in runs of equal weight: lower points counted from the first lattice
+    /// point, and the weight.
+    pub fn for_each_run(&self, class: usize, mut visit: impl FnMut(Range<usize>, f64)) {
         let weight = self.classes[class].weight;
         for chunk in 0..self.chunks.len() {
             match self.bonds_of(class, chunk) {
-                (bonds, None) => bonds.for_each(|lower| visit(lower, weight)),
-                (bonds, Some(factors)) => {
-                    let weighted = bonds.zip(factors).filter(|(_, g)| **g != 0.0);
-                    weighted.for_each(|(lower, g)| visit(lower, weight * g));
+                (run, None) if run.is_empty() => {}
+                (run, None) => visit(run, weight),
+                (run, Some(factors)) => {
+                    let weighted = run.zip(factors).filter(|(_, g)| **g != 0.0);
+                    weighted.for_each(|(lower, g)| visit(lower..lower + 1, weight * g));
                 }
             }
         }

@@ -1,16 +1,19 @@
 //! Relations of ghost points: what continues or mirrors a chain beyond its ends.
 
-use super::super::end_treatment::{EndKind, EndSupport};
+use super::super::end_treatment::EndKind;
 use super::{Chain, Grid};
 use crate::condition::{Equation, Unknown};
+
+/// Components of the unknowns.
+const W: usize = 0;
+const PHI: usize = 1;
 
 impl Chain {
     /// Relations of the ghost points, for a chain whose first extended point has the number `first`.
     pub fn relations(&self, first: usize) -> Vec<Equation> {
         let mut equations = Vec::new();
-        let (w, phi) = (0, 1);
         for side in 0..2 {
-            let EndSupport { w: w0, phi: phi0 } = self.line.supports[side];
+            let turns = self.line.supports[side].phi.is_some();
             for a in 1..=self.ghosts[side] {
                 let inward = a - usize::from(self.line.grid == Grid::Cells);
                 let (ghost, mirror, sign) = match side {
@@ -22,30 +25,52 @@ impl Chain {
                 };
                 // Signed distance of the ghost from the end.
                 let offset = sign * 0.5 * (a + inward) as f64 * self.spacing;
-                let unknown = |component, point| Unknown { component, point: first + point };
-                let mut relate = |component, parity: Option<f64>, value: f64| {
+                // u_ghost = parity u_mirror + Σ factor u_end
+                let mut relate = |component, parity: f64, ends: &[(usize, f64)]| {
+                    let unknown = |component, point| Unknown { component, point: first + point };
                     let mut terms = vec![(unknown(component, ghost), 1.0)];
-                    terms.extend(parity.map(|p| (unknown(component, mirror), -p)));
+                    if parity != 0.0 {
+                        terms.push((unknown(component, mirror), -parity));
+                    }
+                    let mut value = 0.0;
+                    for &(component, factor) in ends {
+                        match self.end_point(side) {
+                            Some(end) => terms.push((unknown(component, end), -factor)),
+                            None => value += factor * self.end_value(side, component),
+                        }
+                    }
                     let origin = format!("the ghost points beyond x = {}", self.end_position(side));
                     equations.push(Equation { terms, value, origin });
                 };
-                match (self.kinds[side], w0, phi0) {
-                    (EndKind::Continued, Some(w0), Some(phi0)) => {
-                        relate(w, None, w0 + offset * phi0);
-                        relate(phi, None, phi0);
+                match self.kinds[side] {
+                    EndKind::Continued => {
+                        relate(W, 0.0, &[(W, 1.0), (PHI, offset)]);
+                        relate(PHI, 0.0, &[(PHI, 1.0)]);
                     }
-                    (_, _, Some(phi0)) => {
-                        relate(w, Some(1.0), 2.0 * offset * phi0);
-                        relate(phi, Some(-1.0), 2.0 * phi0);
+                    _ if turns => {
+                        relate(W, 1.0, &[(PHI, 2.0 * offset)]);
+                        relate(PHI, -1.0, &[(PHI, 2.0)]);
                     }
-                    (_, w0, None) => {
-                        relate(w, Some(-1.0), 2.0 * w0.unwrap_or(0.0));
-                        relate(phi, Some(1.0), 0.0);
+                    _ => {
+                        relate(W, -1.0, &[(W, 2.0)]);
+                        relate(PHI, 1.0, &[]);
                     }
                 }
             }
         }
         equations
+    }
+
+    /// The extended point on an end; a grid of cells has none.
+    fn end_point(&self, side: usize) -> Option<usize> {
+        let end = self.ghosts[0] + if side == 0 { 0 } else { self.points - 1 };
+        (self.line.grid == Grid::Nodes).then_some(end)
+    }
+
+    /// The prescribed value of a component on an end.
+    fn end_value(&self, side: usize, component: usize) -> f64 {
+        let support = &self.line.supports[side];
+        if component == W { support.w } else { support.phi }.unwrap_or(0.0)
     }
 
     fn end_position(&self, side: usize) -> f64 {

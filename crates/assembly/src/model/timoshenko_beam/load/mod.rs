@@ -83,6 +83,14 @@ impl Distributed {
         }
     }
 
+    /// The value, where it is the same everywhere.
+    fn constant(&self) -> Option<f64> {
+        match self.intensity {
+            Intensity::Linear { start, end } if start == end => Some(start),
+            _ => None,
+        }
+    }
+
     /// Integrates `weight(x)` times the load over its part of `[a, b]`.
     fn integrate<const N: usize>(&self, a: f64, b: f64, weight: impl Fn(f64) -> [f64; N]) -> [f64; N] {
         let (a, b) = (a.max(self.from), b.min(self.to));

@@ -41,17 +41,29 @@ fn add_consistent(load: &Distributed, beam: &TimoshenkoBeam, force: &mut [f64]) 
             load.on(&Span { x: 0.0, ..beam.span(load.chain, class, 0) })
         };
         let (at_start, at_end) = (unit(1.0, 0.0), unit(0.0, 1.0));
-        bonds.for_each(class, |lower, weight| {
-            let (a, b) = (chain.position(lower), chain.position(lower + c.step));
-            if b <= load.from || a >= load.to {
+        let constant = load.constant().map(|q| -> EndForces { from_fn(|k| q * (at_start[k] + at_end[k])) });
+        bonds.for_each_run(class, |run, weight| {
+            let (i, from, to) =
+                (lattice.first + run.start, chain.position(run.start), chain.position(run.end - 1 + c.step));
+            if let Some(ends) = constant.filter(|_| from >= load.from && to <= load.to) {
+                let [wi, pi, wj, pj] = ends.map(|e| weight * e);
+                for (plane, shift, end) in [(0, 0, wi), (n, 0, pi), (0, c.step, wj), (n, c.step, pj)] {
+                    force[plane + i + shift..][..run.len()].iter_mut().for_each(|f| *f += end);
+                }
                 return;
             }
-            let ends = match load.is_linear_over(a, b) {
-                Some([qa, qb]) => from_fn(|k| qa * at_start[k] + qb * at_end[k]),
-                None => load.on(&beam.span(load.chain, class, lower)),
-            };
-            let i = lattice.first + lower;
-            scatter(force, n, i, i + c.step, weight, &ends);
+            for lower in run {
+                let (a, b) = (chain.position(lower), chain.position(lower + c.step));
+                if b <= load.from || a >= load.to {
+                    continue;
+                }
+                let ends = match load.is_linear_over(a, b) {
+                    Some([qa, qb]) => from_fn(|k| qa * at_start[k] + qb * at_end[k]),
+                    None => load.on(&beam.span(load.chain, class, lower)),
+                };
+                let i = lattice.first + lower;
+                scatter(force, n, i, i + c.step, weight, &ends);
+            }
         });
     }
 }
