@@ -2,9 +2,9 @@
 
 use super::System;
 use crate::bonds::Point;
+use crate::condition::{Constraints, Equation, Unknown};
 use crate::model::Model;
 use crate::stiffness::Parts;
-use nalgebra::DMatrix;
 
 /// A motion that costs no energy and no constraint prevents.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,9 +17,6 @@ pub struct FreeMotion {
     /// Centre that rotations are about.
     pub centre: Point,
 }
-
-/// Relative size below which a singular value counts as zero.
-const NULL: f64 = 1e-9;
 
 /// All independent free motions of a system.
 pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) -> Vec<FreeMotion> {
@@ -35,12 +32,18 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
         })
         .collect();
     let kinds = T::RIGID_MOTIONS.len();
-    let about = |unknown: usize, kind: usize| {
+    // Amounts of the motions of every part are unknowns; a rotation is measured by what it moves at the end of its part.
+    let scales = scales(model, &spans, &centres);
+    let amounts = |unknown: usize, coefficient: f64| {
         let (component, point) = (unknown / system.points(), unknown % system.points());
         let part = labels[point] as usize;
         let (x, c) = (model.position(point), centres[part]);
-        let motion = model.rigid_motion(kind, std::array::from_fn(|k| x[k] - c[k]));
-        (part * kinds + kind, motion[component])
+        let arm = std::array::from_fn(|k| x[k] - c[k]);
+        let scales = &scales;
+        (0..kinds).map(move |kind| {
+            let value = model.rigid_motion(kind, arm)[component] / scales[part * kinds + kind];
+            (Unknown { component: kind, point: part }, coefficient * value)
+        })
     };
     let mut held: Vec<Vec<(usize, f64)>> = system.constraints().equations().to_vec();
     for term in system.terms() {
@@ -48,16 +51,42 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
             held.push(vec![(component * system.points() + point, 1.0)]);
         });
     }
-    let mut matrix = DMatrix::<f64>::zeros(held.len().max(count * kinds), count * kinds);
-    for (row, equation) in held.iter().enumerate() {
-        for &(unknown, coefficient) in equation {
-            for kind in 0..kinds {
-                let (column, value) = about(unknown, kind);
-                matrix[(row, column)] += coefficient * value;
-            }
-        }
-    }
-    null_space(matrix).into_iter().map(|vector| describe(model, &vector, &spans, &centres)).collect()
+    let equations: Vec<Equation> = held
+        .iter()
+        .map(|equation| {
+            let mut terms: Vec<(Unknown, f64)> =
+                equation.iter().flat_map(|&(unknown, c)| amounts(unknown, c)).collect();
+            // The largest coefficient is the safest one to divide by.
+            terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+            Equation { terms, value: 0.0, origin: String::new() }
+        })
+        .collect();
+    // Equations without right-hand sides cannot contradict each other.
+    let Ok(rigid) = Constraints::new(count, &equations) else { return Vec::new() };
+    let mut free: Vec<usize> = (0..count * kinds).collect();
+    rigid.rows().iter().rev().for_each(|row| _ = free.remove(row.unknown));
+    free.into_iter()
+        .map(|unknown| {
+            let mut motion = vec![0.0; count * kinds];
+            motion[unknown] = 1.0;
+            rigid.expand(0.0, &mut motion);
+            // From component planes to parts, in the units of the model's motions.
+            let amount = |k: usize| motion[(k % kinds) * count + k / kinds] / scales[k];
+            let motion: Vec<f64> = (0..count * kinds).map(amount).collect();
+            describe(model, &motion, &spans, &centres)
+        })
+        .collect()
+}
+
+/// What a unit of every motion moves at the end of its part, the largest component.
+fn scales<const D: usize, T: Model<D>>(model: &T, spans: &[[usize; 2]], centres: &[Point]) -> Vec<f64> {
+    let scale = |part: usize, kind: usize| {
+        let (x, c) = (model.position(spans[part][1]), centres[part]);
+        let motion = model.rigid_motion(kind, std::array::from_fn(|k| x[k] - c[k]));
+        motion.iter().fold(0.0, |a: f64, v| a.max(v.abs()))
+    };
+    let kinds = T::RIGID_MOTIONS.len();
+    (0..spans.len() * kinds).map(|k| scale(k / kinds, k % kinds)).collect()
 }
 
 /// First and last point of every part.
@@ -68,32 +97,6 @@ fn spans(labels: &[u32], count: usize) -> Vec<[usize; 2]> {
         *span = [span[0].min(point), point];
     }
     spans
-}
-
-/// Vectors that the matrix maps to zero, in the units of its columns.
-fn null_space(mut matrix: DMatrix<f64>) -> Vec<Vec<f64>> {
-    // Columns and rows have different units; scaled to one they can be compared.
-    let mut scale = vec![1.0; matrix.ncols()];
-    for (k, mut column) in matrix.column_iter_mut().enumerate() {
-        let largest = column.amax();
-        if largest > 0.0 {
-            scale[k] = largest;
-            column /= largest;
-        }
-    }
-    for mut row in matrix.row_iter_mut() {
-        let largest = row.amax();
-        if largest > 0.0 {
-            row /= largest;
-        }
-    }
-    let svd = matrix.svd(false, true);
-    let Some(v) = svd.v_t else { return Vec::new() };
-    let largest = svd.singular_values.max().max(f64::MIN_POSITIVE);
-    (0..v.nrows())
-        .filter(|&k| svd.singular_values[k] <= NULL * largest)
-        .map(|k| v.row(k).iter().zip(&scale).map(|(value, s)| value / s).collect())
-        .collect()
 }
 
 fn describe<const D: usize, T: Model<D>>(

@@ -63,7 +63,7 @@ impl FieldName {
 pub struct Probe {
     /// Name, unique.
     pub name: String,
-    /// Where. The nearest point answers; M and V are those to its right, at the right end those to its left.
+    /// Where: a point of the grid. M and V are those to its right, at the right end those to its left.
     pub at: At,
     /// What.
     pub field: FieldName,

@@ -41,7 +41,8 @@ pub struct Certificate {
 /// A next correction above this is no converged solution.
 const CONVERGED: f64 = 1e-8;
 
-/// An energy that differs by more from the work that was done belongs to another problem.
+/// Forces, moments and energies that are out of balance by more belong to another problem: springs so soft, say, that
+/// the rounding of the body's own forces moves them.
 const UNBALANCED: f64 = 1e-6;
 
 /// Stored energy over that of the sudden jump below which a solution is free of strain: rounding leaves 1e-32, the
@@ -69,19 +70,17 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
     let strains = energy > STRAIN_FREE * solution.jump_energy;
     let or_zero = |value: f64| if strains { value } else { 0.0 };
     let settled = !matches!(solution.status, PcgStatus::NotFinite | PcgStatus::IndefiniteOperator);
+    let mut balance = balance(model, load, scales, solution.held.iter().copied().chain(ground(system, u)));
+    balance.iter_mut().for_each(|b| b.relative = or_zero(b.relative));
+    let energy_balance = or_zero(energy_balance);
+    let balanced = balance.iter().map(|b| b.relative).fold(energy_balance, f64::max) <= UNBALANCED;
     Certificate {
-        converged: settled
-            && energy.is_finite()
-            && solution.next_correction <= CONVERGED
-            && or_zero(energy_balance) <= UNBALANCED,
+        converged: settled && balanced && energy.is_finite() && solution.next_correction <= CONVERGED,
         residual: or_zero(residual),
         next_correction: solution.next_correction,
         first_correction: solution.first_correction,
-        balance: balance(model, load, scales, solution.held.iter().copied().chain(ground(system, u)))
-            .into_iter()
-            .map(|b| Balance { relative: or_zero(b.relative), ..b })
-            .collect(),
-        energy_balance: or_zero(energy_balance),
+        balance,
+        energy_balance,
         energy,
     }
 }

@@ -125,10 +125,9 @@ pub fn run(
     let recover = options.recover
         || scene.probes.iter().any(|p| p.field.is_recovered())
         || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
-    let mut report =
-        solve_states(scene, options, &mut |index, load, solution, certificate| {
-            sink(fields::result(scene, index, load, solution, certificate, recover))
-        })?;
+    let mut report = solve_states(scene, options, &mut |index, load, solution, certificate| {
+        sink(fields::result(scene, index, load, solution, certificate, recover))
+    })?;
     report.skipped = skipped(scene, &report.counters, recover);
     Ok(report)
 }

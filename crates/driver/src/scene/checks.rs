@@ -1,7 +1,7 @@
 //! Probes and checks of a scene.
 
 use super::facts::facts;
-use super::place::Frame;
+use super::place::{Frame, Place};
 use super::{HeldPoint, RigidBar, State, root};
 use crate::case::{Case, Check, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
@@ -111,8 +111,10 @@ pub(super) fn probes(
         }
         let place = frame.place(probe.at.x, &path.key("at").key("x"), "the probe", faults);
         let Some(place) = place else { continue };
-        let chain = place.chain();
-        let k = frame.lines[chain].nearest(probe.at.x);
+        let Place::Point { chain, point: k } = place else {
+            frame.needs_point(place.chain(), probe.at.x, &path.key("at").key("x"), "the probe", faults);
+            continue;
+        };
         let (point, x) = (first[chain] + k, frame.lines[chain].position(k));
         stress_needs_height(probe.field, section, &path, faults);
         let is_reaction = matches!(probe.field, FieldName::ReactionForce | FieldName::ReactionMoment);

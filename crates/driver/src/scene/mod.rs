@@ -106,6 +106,9 @@ impl Scene {
     /// The scene without the faults; `None` if they leave nothing to build on.
     fn resolve(case: &mut Case, folder: &Path, faults: &mut Faults) -> Option<Self> {
         numbers::check(case, faults);
+        if case.title.chars().any(char::is_control) {
+            faults.error(root("title"), "`title` must not hold control characters such as line ends");
+        }
         let material = material::material(case, faults);
         let frame = body::frame(case, faults)?;
         let (held, springs, ends) = supports::held(case, &frame, faults);
