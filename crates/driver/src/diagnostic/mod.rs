@@ -113,8 +113,10 @@ impl Faults {
         self.diagnostics.is_empty()
     }
 
-    /// The report on `file`, whose source is `text` (empty if it has none).
-    pub fn into_report(self, file: impl Into<String>, text: impl Into<String>) -> Report {
+    /// The report on `file`, whose source is `text` (empty if it has none). A fault that many lines of a body share is
+    /// told once.
+    pub fn into_report(mut self, file: impl Into<String>, text: impl Into<String>) -> Report {
+        self.diagnostics.dedup();
         Report { file: file.into(), text: text.into(), diagnostics: self.diagnostics }
     }
 }
