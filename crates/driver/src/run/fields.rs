@@ -1,7 +1,7 @@
 //! Results of one state.
 
+use super::SolvedState;
 use super::certificate::Certificate;
-use super::linear::StateSolution;
 use crate::case::FieldName;
 use crate::scene::Scene;
 use peristat_assembly::model::Model;
@@ -55,14 +55,8 @@ pub struct StateResult {
 }
 
 /// Collects the result of a state.
-pub(super) fn result(
-    scene: &Scene,
-    index: usize,
-    load: &[f64],
-    solution: StateSolution,
-    certificate: Certificate,
-    recover: bool,
-) -> StateResult {
+pub(super) fn result(scene: &Scene, solved: SolvedState, recover: bool) -> StateResult {
+    let SolvedState { state: index, load, solution, certificate } = solved;
     let state = &scene.states[index];
     let (beam, n) = (&scene.beam, scene.beam.points());
     let u = solution.u;

@@ -125,18 +125,25 @@ pub fn run(
     let recover = options.recover
         || scene.probes.iter().any(|p| p.field.is_recovered())
         || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
-    let mut report = solve_states(scene, options, &mut |index, load, solution, certificate| {
-        sink(fields::result(scene, index, load, solution, certificate, recover))
-    })?;
+    let mut report =
+        solve_states(scene, options, &mut |solved| sink(fields::result(scene, solved, recover)))?;
     report.skipped = skipped(scene, &report.counters, recover);
     Ok(report)
+}
+
+/// One solved right-hand side.
+struct SolvedState<'a> {
+    state: usize,
+    load: &'a [f64],
+    solution: StateSolution,
+    certificate: Certificate,
 }
 
 /// Solves every state of a problem, whatever its model, and hands solution and certificate to `take`.
 fn solve_states<const D: usize, P: Problem<D>>(
     problem: &P,
     options: &RunOptions,
-    take: &mut dyn FnMut(usize, &[f64], StateSolution, Certificate) -> std::io::Result<()>,
+    take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
     let (system, sizes) = prepare(problem, options.max_memory)?;
     let mut timing = Timing::default();
@@ -155,7 +162,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();
-        take(state, &load, solution, certificate)?;
+        take(SolvedState { state, load: &load, solution, certificate })?;
         timing.record += begin.elapsed().as_secs_f64();
     }
     let mut counters = solver.counters().clone();
