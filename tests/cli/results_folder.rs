@@ -200,3 +200,14 @@ fn a_case_with_a_baseline_runs_again_from_its_results() {
     assert_eq!(solve(folder.path(), "baseline.json", &[]).code, 0);
     assert_eq!(run(folder.path(), &["run", "out/case.json", "-o", "again"]).code, 0);
 }
+
+#[test]
+fn a_matrix_does_not_overwrite_a_file_unless_forced() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("k.mtx"), "mine").unwrap();
+    let refused = solve(folder.path(), "cantilever.json", &["--write-matrix", "k.mtx"]);
+    assert_eq!(refused.code, 2);
+    assert_eq!(fs::read_to_string(folder.path().join("k.mtx")).unwrap(), "mine");
+    assert_eq!(solve(folder.path(), "cantilever.json", &["--write-matrix", "k.mtx", "--force"]).code, 0);
+    assert!(fs::read_to_string(folder.path().join("k.mtx")).unwrap().starts_with("%%MatrixMarket"));
+}

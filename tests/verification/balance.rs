@@ -1,8 +1,11 @@
 //! Loads and reactions are in equilibrium, and the stored energy is half the work of the loads.
 
-use crate::support::standard::{CASES, SECTIONS};
+use crate::support::standard::{CASES, SECTIONS, steel};
 use crate::support::{Run, run};
+use peristat::solve_text;
+use peristat::summary::Status;
 use peristat_assembly::model::Model;
+use serde_json::json;
 
 /// Imbalance of forces, and of moments about x = 0, of loads and reactions, relative to all of them over 1 m.
 fn imbalance(run: &Run) -> [f64; 2] {
@@ -78,5 +81,21 @@ fn the_certificate_sees_balanced_forces_where_only_moments_act() {
         }
         assert!(certificate.residual <= 1e-10, "{}: {certificate:?}", standard.name);
         assert!(certificate.next_correction <= 1e-13, "{}: {certificate:?}", standard.name);
+    }
+}
+
+#[test]
+fn a_spring_so_soft_that_rounding_moves_it_is_no_converged_solution() {
+    let loads = json!([{ "point": { "at": { "x": 1.0 }, "force": 1000.0 } }]);
+    for (stiffness, converges) in [(1e3, true), (1.0, true), (1e-6, false), (1e-10, false)] {
+        let mut case = steel(0.05, "exact", 24);
+        case["supports"] = json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi_spring": stiffness }]);
+        case["loads"] = loads.clone();
+        let summary = solve_text(&case.to_string()).unwrap().summary;
+        let expected = if converges { Status::Passed } else { Status::NotConverged };
+        assert_eq!(summary.status, expected, "{stiffness}");
+        // What passes is right: the reaction is minus the load.
+        let reaction = summary.states[0].reactions[0].force;
+        assert!(!converges || (reaction + 1000.0).abs() <= 1e-5, "{stiffness}: {reaction}");
     }
 }

@@ -27,6 +27,10 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     // Faults of the case come before the first file.
     prepare(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))?;
     if let Some(file) = &arguments.write_matrix {
+        if file.exists() && !arguments.force {
+            let message = format!("{} exists\nhint: choose another file, or add `--force`", file.display());
+            return Err(io::Error::new(io::ErrorKind::AlreadyExists, message).into());
+        }
         write_matrix(&loaded, file)?;
     }
     let summary = solve_into(&loaded, &folder, global)?;

@@ -57,7 +57,7 @@ pub struct LinearSolver<'a, const D: usize> {
 /// Passes of conjugate gradients on the true residual.
 const PASSES: usize = 4;
 /// A next correction below this ends the passes: rounding of the unknowns themselves.
-const CONVERGED: f64 = 1e-13;
+const SETTLED: f64 = 1e-13;
 
 impl<'a, const D: usize> LinearSolver<'a, D> {
     /// Assembles and factors. `scales` are displacements of each component that count as equally large.
@@ -139,7 +139,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             let correction = self.pcg.precondition(&mut *self.factor, &self.residual);
             let next =
                 size(correction, &self.scales) / size(&solution.u, &self.scales).max(f64::MIN_POSITIVE);
-            let settled = next <= CONVERGED && !(pass == 0 && constraints.moves());
+            let settled = next <= SETTLED && !(pass == 0 && constraints.moves());
             let stalled = next >= 0.1 * solution.next_correction;
             solution.next_correction = next;
             if settled || stalled || !next.is_finite() {

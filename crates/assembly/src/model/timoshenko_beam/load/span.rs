@@ -5,18 +5,18 @@ use super::TimoshenkoBeam;
 /// Forces on `(w_i, φ_i, w_j, φ_j)`.
 pub(in super::super) type EndForces = [f64; 4];
 
-/// A bond as its loads see it: `[x, x + length]` with `phi = 12 EI/(S ξ²)`.
+/// A bond as its loads see it: `[x, x + length]`, and `Φ = 12 EI/(S ξ²)`.
 #[derive(Clone, Copy)]
 pub(in super::super) struct Span {
     pub(in super::super) x: f64,
     pub(in super::super) length: f64,
-    pub(in super::super) phi: f64,
+    pub(in super::super) shear_ratio: f64,
 }
 
 impl Span {
     /// End forces of a unit transverse force at `z = s/ξ`: the exact Timoshenko shape functions.
     pub(super) fn of_force(&self, z: f64) -> EndForces {
-        let (p, l) = (self.phi, self.length);
+        let (p, l) = (self.shear_ratio, self.length);
         let bend = z * (z * (2.0 * z - 3.0) - p);
         [
             (bend + 1.0 + p) / (1.0 + p),
@@ -28,7 +28,7 @@ impl Span {
 
     /// End forces of a unit moment at `z`: rotations of the same shape functions.
     pub(super) fn of_moment(&self, z: f64) -> EndForces {
-        let (p, l) = (self.phi, self.length);
+        let (p, l) = (self.shear_ratio, self.length);
         let lift = 6.0 * z * (z - 1.0) / (l * (1.0 + p));
         [
             lift,
@@ -51,8 +51,8 @@ impl TimoshenkoBeam {
     pub(in super::super) fn span(&self, chain: usize, class: usize, lower: usize) -> Span {
         let length = self.bonds[chain].classes()[class].geometry.length();
         let p = &self.parameters;
-        let phi = 12.0 * p.bending_stiffness / (p.shear_stiffness * length * length);
-        Span { x: self.chains[chain].position(lower), length, phi }
+        let shear_ratio = 12.0 * p.bending_stiffness / (p.shear_stiffness * length * length);
+        Span { x: self.chains[chain].position(lower), length, shear_ratio }
     }
 }
 
@@ -62,7 +62,7 @@ mod tests {
 
     #[test]
     fn shape_functions_carry_force_and_moment() {
-        let span = Span { x: 0.0, length: 0.7, phi: 0.4 };
+        let span = Span { x: 0.0, length: 0.7, shear_ratio: 0.4 };
         for z in [0.0, 0.3, 0.8, 1.0] {
             let f = span.of_force(z);
             assert!((f[0] + f[2] - 1.0).abs() < 1e-15);
