@@ -119,12 +119,13 @@ pub struct Summary {
 }
 
 /// Fields whose extreme values are reported.
-const REPORTED: [FieldName; 6] = [
+const REPORTED: [FieldName; 7] = [
     FieldName::W,
     FieldName::Phi,
     FieldName::M,
     FieldName::V,
     FieldName::StressTop,
+    FieldName::StressBottom,
     FieldName::EnergyDensity,
 ];
 

@@ -74,7 +74,7 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
 
 fn model(out: &mut String, summary: &Summary) {
     let (m, units) = (&summary.model, summary.units);
-    let (length, stress) = (units.length(), units.stress());
+    let length = units.length();
     let ratios: Vec<String> = m
         .horizon_ratio
         .iter()
@@ -87,7 +87,7 @@ fn model(out: &mut String, summary: &Summary) {
     line(
         "section",
         format!(
-            "A = {} {length}², I = {} {length}⁴, κ = {}, EI = {} {stress} {length}⁴, κGA = {} N",
+            "A = {} {length}², I = {} {length}⁴, κ = {}, EI = {} N {length}², κGA = {} N",
             number(m.area),
             number(m.second_moment),
             number(m.kappa),
