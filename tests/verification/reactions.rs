@@ -4,6 +4,7 @@
 use crate::support::standard::steel;
 use crate::support::{Run, refusal, relative, run, run_recovered};
 use peristat::case::FieldName;
+use peristat::solve_text;
 use serde_json::{Value, json};
 
 fn with(mut case: Value, supports: Value, loads: Value) -> Value {
@@ -120,4 +121,19 @@ fn a_closed_form_does_not_fit_a_beam_with_links() {
         json!([{ "closed_form": { "name": "cantilever_tip_force", "field": "w", "tolerance": 1e-3 } }]);
     let message = refusal(&case);
     assert!(message.contains("does not fit this case"), "{message}");
+}
+
+#[test]
+fn a_limit_holds_on_both_sides_of_a_jump() {
+    // M is 600 to the left of the moment and −400 to its right.
+    let supports = json!([{ "at": { "x": 0.0 }, "w": 0.0 }, { "at": { "x": 1.0 }, "w": 0.0 }]);
+    let loads = json!([{ "point": { "at": { "x": 0.6 }, "moment": 1000.0 } }]);
+    let mut case = with(steel(0.05, "exact", 10), supports, loads);
+    case["probes"] = json!([{ "name": "couple", "at": { "x": 0.6 }, "field": "M" }]);
+    for (limit, passes) in [(500.0, false), (601.0, true)] {
+        case["checks"] = json!([{ "limit": { "probe": "couple", "at_most": limit, "why": "capacity" } }]);
+        let check = solve_text(&case.to_string()).unwrap().summary.checks[0].clone();
+        assert_eq!(check.passed, passes, "{check:?}");
+        assert!(relative(check.found, 600.0) <= 1e-12, "{check:?}");
+    }
 }

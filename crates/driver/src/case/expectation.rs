@@ -115,7 +115,7 @@ pub struct Value {
     pub load_case: Option<String>,
 }
 
-/// A bound on the magnitude of a probe.
+/// A bound on the magnitude of a probe, on both sides of it where the field jumps.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Limit {

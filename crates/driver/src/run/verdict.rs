@@ -79,7 +79,11 @@ fn check(scene: &Scene, expectation: &Expectation, result: &StateResult) -> Chec
             verdict(name, "value", worst, *tolerance, source.clone())
         }
         ExpectationKind::Limit { probe, at_most, why } => {
-            let found = probed(*probe);
+            // The larger side of a jump: a bound that one side exceeds is not kept.
+            let p = &scene.probes[*probe];
+            let left = result.left_values(p.field, p.local.0).map(|values| values[p.local.1]);
+            let right = probed(*probe);
+            let found = left.filter(|left| left.abs() > right.abs()).unwrap_or(right);
             let error = found.abs() / at_most;
             CheckResult {
                 name,
