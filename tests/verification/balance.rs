@@ -99,3 +99,18 @@ fn a_spring_so_soft_that_rounding_moves_it_is_no_converged_solution() {
         assert!(!converges || (reaction + 1000.0).abs() <= 1e-5, "{stiffness}: {reaction}");
     }
 }
+
+#[test]
+fn a_load_lost_in_the_rounding_of_a_settlement_is_no_converged_solution() {
+    let mut case = steel(0.05, "exact", 24);
+    case["supports"] = json!([{ "at": { "x": 0.0 }, "w": 1.0, "phi": 0.0 }]);
+    // The settlement alone strains nothing and converges; the smallest load is below the forces that its rounding leaves.
+    for (force, expected) in
+        [(None, Status::Passed), (Some(1000.0), Status::Passed), (Some(1e-12), Status::NotConverged)]
+    {
+        let load = force.map(|force| json!({ "point": { "at": { "x": 1.0 }, "force": force } }));
+        case["loads"] = load.into_iter().collect::<Vec<_>>().into();
+        let summary = solve_text(&case.to_string()).unwrap().summary;
+        assert_eq!(summary.status, expected, "{force:?}: {:?}", summary.states[0].certificate);
+    }
+}

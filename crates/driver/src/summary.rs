@@ -118,17 +118,6 @@ pub struct Summary {
     pub version: &'static str,
 }
 
-/// Fields whose extreme values are reported.
-const REPORTED: [FieldName; 7] = [
-    FieldName::W,
-    FieldName::Phi,
-    FieldName::M,
-    FieldName::V,
-    FieldName::StressTop,
-    FieldName::StressBottom,
-    FieldName::EnergyDensity,
-];
-
 /// Collects the results of states as they come.
 #[derive(Debug, Default)]
 pub struct Collector {
@@ -141,7 +130,7 @@ impl Collector {
     /// Takes what the summary needs of a state.
     pub fn take(&mut self, scene: &Scene, result: &StateResult) {
         let located = |(value, x): (f64, f64)| Located { value, x };
-        let extremes = REPORTED.iter().filter_map(|&field| {
+        let extremes = FieldName::ALONG.iter().filter_map(|&field| {
             let [smallest, largest] = result.extremes(field)?;
             Some((field.name(), Extremes { smallest: located(smallest), largest: located(largest) }))
         });

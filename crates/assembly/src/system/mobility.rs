@@ -11,8 +11,7 @@ use crate::stiffness::Parts;
 pub struct FreeMotion {
     /// First and last point of every part that moves.
     pub parts: Vec<[usize; 2]>,
-    /// Amount of each of the model's rigid motions about the centre of the first moving part, scaled so that the
-    /// largest is one.
+    /// Amount of each of the model's rigid motions about the centre of the first moving part, those that matter.
     pub motions: Vec<(&'static str, f64)>,
     /// Centre that rotations are about.
     pub centre: Point,
@@ -61,8 +60,8 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
             Equation { terms, value: 0.0, origin: String::new() }
         })
         .collect();
-    // Equations without right-hand sides cannot contradict each other.
-    let Ok(rigid) = Constraints::new(count, &equations) else { return Vec::new() };
+    let rigid = Constraints::new(count, &equations)
+        .expect("equations without right-hand sides cannot contradict each other");
     let mut free: Vec<usize> = (0..count * kinds).collect();
     rigid.rows().iter().rev().for_each(|row| _ = free.remove(row.unknown));
     free.into_iter()
@@ -70,10 +69,10 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
             let mut motion = vec![0.0; count * kinds];
             motion[unknown] = 1.0;
             rigid.expand(0.0, &mut motion);
-            // From component planes to parts, in the units of the model's motions.
-            let amount = |k: usize| motion[(k % kinds) * count + k / kinds] / scales[k];
-            let motion: Vec<f64> = (0..count * kinds).map(amount).collect();
-            describe(model, &motion, &spans, &centres)
+            // From component planes to parts.
+            let sizes: Vec<f64> =
+                (0..count * kinds).map(|k| motion[(k % kinds) * count + k / kinds]).collect();
+            describe::<D, T>(&sizes, &scales, &spans, &centres)
         })
         .collect()
 }
@@ -99,27 +98,25 @@ fn spans(labels: &[u32], count: usize) -> Vec<[usize; 2]> {
     spans
 }
 
+/// A free motion from the displacements `sizes` that it makes at the ends of the parts, one per part and kind.
 fn describe<const D: usize, T: Model<D>>(
-    model: &T,
-    vector: &[f64],
+    sizes: &[f64],
+    scales: &[f64],
     spans: &[[usize; 2]],
     centres: &[Point],
 ) -> FreeMotion {
     let kinds = T::RIGID_MOTIONS.len();
-    // Motions of different units are compared by how far they move the ends of a part.
-    let reach = |part: usize, kind: usize| {
-        let (x, c) = (model.position(spans[part][1]), centres[part]);
-        let motion = model.rigid_motion(kind, std::array::from_fn(|k| x[k] - c[k]));
-        motion.iter().fold(0.0, |a: f64, v| a.max(v.abs())) * vector[part * kinds + kind].abs()
-    };
-    let sizes: Vec<f64> = (0..vector.len()).map(|k| reach(k / kinds, k % kinds)).collect();
-    let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-    let moves = |part: usize| (0..kinds).any(|k| sizes[part * kinds + k] > 1e-6 * largest);
-    let moving: Vec<usize> = (0..spans.len()).filter(|&part| moves(part)).collect();
+    let least = 1e-6 * sizes.iter().fold(f64::MIN_POSITIVE, |a, s| a.max(s.abs()));
+    let matters = |part: usize, kind: usize| sizes[part * kinds + kind].abs() > least;
+    let moving: Vec<usize> =
+        (0..spans.len()).filter(|&part| (0..kinds).any(|kind| matters(part, kind))).collect();
     let first = moving.first().copied().unwrap_or(0);
-    let motions = (0..kinds)
-        .filter(|k| sizes[first * kinds + k] > 1e-6 * largest)
-        .map(|k| (T::RIGID_MOTIONS[k], vector[first * kinds + k]))
-        .collect();
-    FreeMotion { parts: moving.iter().map(|&p| spans[p]).collect(), motions, centre: centres[first] }
+    let amount = |kind: usize| sizes[first * kinds + kind] / scales[first * kinds + kind];
+    let motions =
+        (0..kinds).filter(|&kind| matters(first, kind)).map(|kind| (T::RIGID_MOTIONS[kind], amount(kind)));
+    FreeMotion {
+        motions: motions.collect(),
+        parts: moving.iter().map(|&p| spans[p]).collect(),
+        centre: centres[first],
+    }
 }

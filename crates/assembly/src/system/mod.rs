@@ -163,7 +163,8 @@ impl<const D: usize> System<D> {
         Assembled::Band { half_bandwidth, values }
     }
 
-    /// The constrained stiffness `TᵀKT` in compressed rows, with unit diagonal for constrained unknowns.
+    /// The constrained stiffness `TᵀKT` in compressed rows; constrained unknowns keep a positive diagonal and couple to
+    /// nothing.
     pub fn assemble_sparse(&self) -> Assembled {
         let k = self.stiffness().to_csr(|point, component| component * self.points + point);
         let size = self.size();

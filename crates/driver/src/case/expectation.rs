@@ -36,6 +36,10 @@ pub enum FieldName {
 }
 
 impl FieldName {
+    /// The fields that every point has, in the order of tables.
+    pub const ALONG: [Self; 7] =
+        [Self::W, Self::Phi, Self::M, Self::V, Self::StressTop, Self::StressBottom, Self::EnergyDensity];
+
     /// The name in case files.
     pub fn name(self) -> &'static str {
         match self {

@@ -16,17 +16,6 @@ use std::path::{Path, PathBuf};
 const OWN: [&str; 7] =
     ["case.json", "fields", "fields.pvd", "history.csv", "envelope.csv", "plots", "summary.json"];
 
-/// Fields of points that are written, where they were recovered.
-const FIELDS: [FieldName; 7] = [
-    FieldName::W,
-    FieldName::Phi,
-    FieldName::M,
-    FieldName::V,
-    FieldName::StressTop,
-    FieldName::StressBottom,
-    FieldName::EnergyDensity,
-];
-
 /// Section forces to the left of the points, where they may jump, and their columns.
 const LEFT: [(FieldName, &str); 2] = [(FieldName::M, "M_left"), (FieldName::V, "V_left")];
 
@@ -77,7 +66,7 @@ pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
 
 /// Whether every value of a state that a folder would hold is a number.
 pub fn finite(result: &StateResult) -> bool {
-    let values = FIELDS.iter().filter_map(|&f| all(result, f));
+    let values = FieldName::ALONG.iter().filter_map(|&f| all(result, f));
     result.u.iter().all(|u| u.is_finite()) && values.flatten().all(|v| v.is_finite())
 }
 
@@ -117,7 +106,7 @@ impl Results {
     pub fn take(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
         let name = format!("step_{:03}", result.index);
         let fields: Vec<(FieldName, Vec<f64>)> =
-            FIELDS.iter().filter_map(|&f| Some((f, all(result, f)?))).collect();
+            FieldName::ALONG.iter().filter_map(|&f| Some((f, all(result, f)?))).collect();
         let x: Vec<f64> = result.lines.iter().flat_map(|l| l.x.iter().copied()).collect();
         let mut columns: Vec<(&str, &[f64])> = vec![("x", &x)];
         columns.extend(fields.iter().map(|(f, v)| (f.name(), v.as_slice())));

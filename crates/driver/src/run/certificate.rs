@@ -66,8 +66,9 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
     u.iter().zip(load).for_each(|(u, f)| work.add(0.5 * u * f));
     solution.held.iter().for_each(|&(k, r)| work.add(0.5 * u[k] * r));
     let energy_balance = ratio((energy - work.total()).abs(), energy.abs().max(work.total().abs()));
-    // Motions that strain nothing leave only the rounding of a sudden jump, which has no balance.
-    let strains = energy > STRAIN_FREE * solution.jump_energy;
+    // Motions alone that strain nothing leave only the rounding of a sudden jump, which has no balance.
+    let loaded = load.iter().any(|f| *f != 0.0);
+    let strains = loaded || energy > STRAIN_FREE * solution.jump_energy;
     let or_zero = |value: f64| if strains { value } else { 0.0 };
     let settled = !matches!(solution.status, PcgStatus::NotFinite | PcgStatus::IndefiniteOperator);
     let mut balance = balance(model, load, scales, solution.held.iter().copied().chain(ground(system, u)));

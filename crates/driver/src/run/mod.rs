@@ -163,9 +163,9 @@ fn solve_states<const D: usize, P: Problem<D>>(
         let certificate = certificate::certify(problem.model(), &system, &load, &solution, &scales);
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
-        (report, counters) = (solver.report().clone(), solver.counters().clone());
         // The factor is the largest thing in memory: the last state is recorded without it.
         if state + 1 == problem.states() {
+            (report, counters) = (solver.report().clone(), solver.counters().clone());
             factored = None;
         }
         let begin = Instant::now();
