@@ -176,7 +176,7 @@ impl Collector {
 
 fn beam(scene: &Scene) -> BeamSummary {
     let Model::TimoshenkoBeam(_) = &scene.case.model;
-    let p = scene.beam.parameters();
+    let (p, stiffness) = (scene.beam.parameters(), &scene.beam.chains()[0].line().stiffness);
     BeamSummary {
         name: "timoshenko_beam",
         bond_law: p.bond_law.name,
@@ -186,8 +186,8 @@ fn beam(scene: &Scene) -> BeamSummary {
         area: scene.section.area,
         second_moment: scene.section.second_moment,
         kappa: scene.section.kappa,
-        bending_stiffness: p.bending_stiffness,
-        shear_stiffness: p.shear_stiffness,
+        bending_stiffness: stiffness.bending.value(0.0),
+        shear_stiffness: stiffness.shear.value(0.0),
     }
 }
 

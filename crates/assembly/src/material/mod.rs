@@ -1,5 +1,9 @@
 //! Materials and cross-sections: what turns engineering data into stiffnesses.
 
+mod profile;
 mod section;
+mod stiffness;
 
+pub use profile::Profile;
 pub use section::{Section, SectionError, SectionProperties, ShearCorrection};
+pub use stiffness::{Compliance, SectionStiffness};

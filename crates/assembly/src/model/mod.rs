@@ -26,7 +26,7 @@ pub trait Model<const D: usize> {
     /// Relations among the unknowns that the discretisation brings with it (images, ghosts).
     fn relations(&self) -> Vec<Equation>;
 
-    /// Unknowns of a point at a position under the unit rigid motion of a kind, an index into
-    /// [`RIGID_MOTIONS`](Self::RIGID_MOTIONS).
-    fn rigid_motion(&self, kind: usize, position: Point) -> [f64; D];
+    /// Unknowns of a point under the unit rigid motion of a kind, an index into
+    /// [`RIGID_MOTIONS`](Self::RIGID_MOTIONS); rotations are about `centre`.
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; D];
 }

@@ -1,13 +1,15 @@
 //! Terms of the energy and the matrix they are assembled into. Nothing here knows a model.
 
 mod block_matrix;
+mod bonds;
 mod lattice_bonds;
 mod parts;
 mod springs;
 mod term;
 
 pub use block_matrix::BlockMatrix;
-pub use lattice_bonds::{BondClass, Lattice, LatticeBonds, Override};
+pub use bonds::{Bond, Bonds};
+pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};
 pub use parts::Parts;
 pub use springs::{Spring, Springs};
 pub use term::{Survey, Term};

@@ -36,11 +36,9 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
     let amounts = |unknown: usize, coefficient: f64| {
         let (component, point) = (unknown / system.points(), unknown % system.points());
         let part = labels[point] as usize;
-        let (x, c) = (model.position(point), centres[part]);
-        let arm = std::array::from_fn(|k| x[k] - c[k]);
-        let scales = &scales;
+        let (scales, centre) = (&scales, centres[part]);
         (0..kinds).map(move |kind| {
-            let value = model.rigid_motion(kind, arm)[component] / scales[part * kinds + kind];
+            let value = model.rigid_motion(kind, point, centre)[component] / scales[part * kinds + kind];
             (Unknown { component: kind, point: part }, coefficient * value)
         })
     };
@@ -80,8 +78,7 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
 /// What a unit of every motion moves at the end of its part, the largest component.
 fn scales<const D: usize, T: Model<D>>(model: &T, spans: &[[usize; 2]], centres: &[Point]) -> Vec<f64> {
     let scale = |part: usize, kind: usize| {
-        let (x, c) = (model.position(spans[part][1]), centres[part]);
-        let motion = model.rigid_motion(kind, std::array::from_fn(|k| x[k] - c[k]));
+        let motion = model.rigid_motion(kind, spans[part][1], centres[part]);
         motion.iter().fold(0.0, |a: f64, v| a.max(v.abs()))
     };
     let kinds = T::RIGID_MOTIONS.len();

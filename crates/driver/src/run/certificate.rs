@@ -1,7 +1,6 @@
 //! What every result is certified with.
 
 use super::linear::StateSolution;
-use peristat_assembly::bonds::Point;
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Survey;
 use peristat_assembly::sum::Sum;
@@ -122,10 +121,8 @@ fn balance<const D: usize, T: Model<D>>(
     let mut sums = vec![(Sum::default(), 0.0_f64); T::RIGID_MOTIONS.len()];
     let mut add = |component: usize, point: usize, force: f64| {
         if force != 0.0 {
-            let x = model.position(point);
-            let arm = std::array::from_fn(|k| x[k] - origin[k]);
             for (kind, sum) in sums.iter_mut().enumerate() {
-                let work = model.rigid_motion(kind, arm)[component] * force;
+                let work = model.rigid_motion(kind, point, origin)[component] * force;
                 sum.0.add(work);
                 sum.1 += work.abs();
             }
@@ -135,12 +132,13 @@ fn balance<const D: usize, T: Model<D>>(
         plane.iter().enumerate().for_each(|(point, &f)| add(component, point, f));
     }
     reactions.for_each(|(k, f)| add(k / n, k % n, f));
-    let far = model.position(n - 1);
-    let arm: Point = std::array::from_fn(|k| far[k] - origin[k]);
     // Size of every motion in units of the scales.
     let size = |kind: usize| {
-        let motion = model.rigid_motion(kind, arm);
-        motion.iter().zip(scales).map(|(v, s)| v.abs() / s).fold(0.0, f64::max)
+        let at = |point: usize| {
+            let motion = model.rigid_motion(kind, point, origin);
+            motion.iter().zip(scales).map(|(v, s)| v.abs() / s).fold(0.0, f64::max)
+        };
+        super::samples(n).map(at).fold(0.0, f64::max)
     };
     let least = sums.iter().enumerate().map(|(kind, sum)| sum.1 / size(kind)).fold(0.0, f64::max);
     let relative =

@@ -4,7 +4,6 @@ use super::SolvedState;
 use super::certificate::Certificate;
 use crate::case::FieldName;
 use crate::scene::Scene;
-use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::{BeamFields, Grid};
 use serde::Serialize;
 use std::borrow::Cow;

@@ -177,16 +177,27 @@ fn solve_states<const D: usize, P: Problem<D>>(
     Ok(RunReport { sizes, solver: report, counters, timing, skipped: Vec::new(), converged })
 }
 
+/// Some of the points, the first and the last among them: enough to see how large a body is.
+fn samples(points: usize) -> impl Iterator<Item = usize> {
+    const COUNT: usize = 256;
+    (0..=COUNT).map(move |k| k * (points - 1) / COUNT)
+}
+
 /// Displacements of each component that count as equally large: those of rigid motions about the middle of the body.
 fn scales<const D: usize, T: Model<D>>(model: &T) -> [f64; D] {
-    let (first, last) = (model.position(0), model.position(model.points() - 1));
-    let arm = std::array::from_fn(|k| 0.5 * (last[k] - first[k]));
+    let sample = || samples(model.points());
+    let centre = std::array::from_fn(|k| {
+        let along = || sample().map(|point| model.position(point)[k]);
+        0.5 * (along().fold(f64::INFINITY, f64::min) + along().fold(f64::NEG_INFINITY, f64::max))
+    });
     let mut scales = [0.0; D];
     for kind in 0..T::RIGID_MOTIONS.len() {
-        let motion = model.rigid_motion(kind, arm);
+        let motions: Vec<[f64; D]> = sample().map(|point| model.rigid_motion(kind, point, centre)).collect();
+        let largest: [f64; D] =
+            std::array::from_fn(|c| motions.iter().fold(0.0, |a, m| f64::max(a, m[c].abs())));
         // A motion that moves several components relates their units.
-        if motion.iter().filter(|v| **v != 0.0).count() > 1 {
-            (0..D).for_each(|c| scales[c] = f64::max(scales[c], motion[c].abs()));
+        if largest.iter().filter(|v| **v != 0.0).count() > 1 {
+            (0..D).for_each(|c| scales[c] = f64::max(scales[c], largest[c]));
         }
     }
     scales.map(|s| if s > 0.0 { s } else { 1.0 })

@@ -2,10 +2,11 @@
 
 use super::loads::ResolvedLoads;
 use super::material::{beam_path, positive};
-use super::place::{Frame, FrameLine};
+use super::place::{Layout, LayoutLine};
 use super::{HeldPoint, RigidBar, root};
 use crate::case::{Case, Model};
 use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, ChainError, Grid, Line, TimoshenkoBeam, VolumeFactor,
     end_treatment::{self, EndSupport},
@@ -15,7 +16,7 @@ use peristat_assembly::model::timoshenko_beam::{
 const MOST_POINTS: usize = 2_000_000_000;
 
 /// The lines with their horizons.
-pub(super) fn frame(case: &Case, faults: &mut Faults) -> Option<Frame> {
+pub(super) fn layout(case: &Case, faults: &mut Faults) -> Option<Layout> {
     let Model::TimoshenkoBeam(beam) = &case.model;
     let treatment = end_treatment::find(beam.end_treatment.as_deref()?)?;
     let lines = case.body.lines();
@@ -54,10 +55,10 @@ pub(super) fn frame(case: &Case, faults: &mut Faults) -> Option<Frame> {
         let spacing = line.length / line.cells as f64;
         let horizon_ratio = horizon_ratio(case, spacing, faults)?;
         let (from, length, cells, grid) = (line.from, line.length, line.cells, line.grid);
-        Some(FrameLine { from, length, cells, grid, horizon_ratio })
+        Some(LayoutLine { from, length, cells, grid, horizon_ratio })
     });
-    let lines: Vec<FrameLine> = lines.collect::<Option<_>>()?;
-    Some(Frame { lines, treatment })
+    let lines: Vec<LayoutLine> = lines.collect::<Option<_>>()?;
+    Some(Layout { lines, treatment })
 }
 
 /// Lines must not touch: a position says which one is meant.
@@ -119,17 +120,17 @@ fn horizon_ratio(case: &Case, spacing: f64, faults: &mut Faults) -> Option<f64> 
 
 /// Points that no bond may span: interior supports, ends of links and point loads.
 pub(super) fn splits(
-    frame: &Frame,
+    layout: &Layout,
     held: &[HeldPoint],
     bars: &[RigidBar],
     cases: &[ResolvedLoads],
 ) -> Vec<Vec<usize>> {
-    let mut splits = vec![Vec::new(); frame.lines.len()];
+    let mut splits = vec![Vec::new(); layout.lines.len()];
     let held = held.iter().filter_map(|h| h.local);
     let bars = bars.iter().flat_map(|b| [b.from, b.to]);
     let loads = cases.iter().flat_map(|c| c.splits.iter().copied());
     for (chain, point) in held.chain(bars).chain(loads) {
-        if point > 0 && point + 1 < frame.lines[chain].points() {
+        if point > 0 && point + 1 < layout.lines[chain].points() {
             splits[chain].push(point);
         }
     }
@@ -143,20 +144,20 @@ pub(super) fn splits(
 /// The discretised beam.
 pub(super) fn build(
     case: &Case,
-    frame: &Frame,
+    layout: &Layout,
     parameters: BeamParameters,
+    stiffness: &SectionStiffness,
     splits: Vec<Vec<usize>>,
     ends: Vec<[EndSupport; 2]>,
     faults: &mut Faults,
 ) -> Option<TimoshenkoBeam> {
-    let lines = frame.lines.iter().zip(splits).zip(ends).map(|((l, splits), supports)| Line {
+    let lines = layout.lines.iter().zip(splits).zip(ends).map(|((l, splits), supports)| Line {
         from: l.from,
-        length: l.length,
-        cells: l.cells,
         grid: l.grid,
         horizon_ratio: l.horizon_ratio,
         splits,
         supports,
+        ..Line::new(l.length, l.cells, stiffness.clone())
     });
     let Model::TimoshenkoBeam(beam) = &case.model;
     match TimoshenkoBeam::new(parameters, lines.collect()) {

@@ -1,7 +1,7 @@
 //! Probes and checks of a scene.
 
 use super::facts::facts;
-use super::place::{Frame, Place};
+use super::place::{Layout, Place};
 use super::{HeldPoint, RigidBar, State, root};
 use crate::case::{Case, Check, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
@@ -96,7 +96,7 @@ impl Expectation {
 /// Probes of the case.
 pub(super) fn probes(
     case: &Case,
-    frame: &Frame,
+    layout: &Layout,
     first: &[usize],
     held: &[HeldPoint],
     section: &SectionProperties,
@@ -109,13 +109,13 @@ pub(super) fn probes(
         if !names.insert(&probe.name) {
             faults.error(path.key("name"), format!("there are two probes `{}`", probe.name));
         }
-        let place = frame.place(probe.at.x, &path.key("at").key("x"), "the probe", faults);
+        let place = layout.place(probe.at.x, &path.key("at").key("x"), "the probe", faults);
         let Some(place) = place else { continue };
         let Place::Point { chain, point: k } = place else {
-            frame.needs_point(place.chain(), probe.at.x, &path.key("at").key("x"), "the probe", faults);
+            layout.needs_point(place.chain(), probe.at.x, &path.key("at").key("x"), "the probe", faults);
             continue;
         };
-        let (point, x) = (first[chain] + k, frame.lines[chain].position(k));
+        let (point, x) = (first[chain] + k, layout.lines[chain].position(k));
         stress_needs_height(probe.field, section, &path, faults);
         let is_reaction = matches!(probe.field, FieldName::ReactionForce | FieldName::ReactionMoment);
         if is_reaction && !held.iter().any(|h| h.point == Some(point)) {

@@ -3,7 +3,7 @@
 use super::{HeldPoint, RigidBar, State};
 use crate::reference::{BondClass, End, Facts, Load};
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndKind;
-use peristat_assembly::model::timoshenko_beam::{Intensity, TimoshenkoBeam};
+use peristat_assembly::model::timoshenko_beam::{Along, Intensity, TimoshenkoBeam};
 
 /// Facts on a beam of one line, x from its left end; `None` for several lines.
 pub(super) fn facts(
@@ -14,7 +14,7 @@ pub(super) fn facts(
 ) -> Option<Facts> {
     let [chain] = beam.chains() else { return None };
     let line = chain.line();
-    let parameters = beam.parameters();
+    let (bending_stiffness, shear_stiffness) = line.stiffness.plain()?;
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * chain.spacing;
     let kinds = |x: f64| {
         let mut kinds = held.iter().filter(|h| close(h.x, x)).map(end);
@@ -31,14 +31,14 @@ pub(super) fn facts(
         // Only simple supports between the ends can be told; anything else, links as well, fits no reference.
         ends = [End::Other; 2];
     }
-    let bonds = beam.bonds()[0].classes().iter().enumerate().map(|(class, c)| BondClass {
-        weight: c.weight,
-        shear_stiffness: beam.bonds()[0].moduli(class)[1] * c.geometry.length(),
+    let bonds = (0..chain.weights.classes()).map(|class| {
+        let bond = chain.bonds.bond(class, 0);
+        BondClass { weight: chain.weights.of_class(class), shear_stiffness: bond.shear * bond.length }
     });
     Some(Facts {
         length: line.length,
-        bending_stiffness: parameters.bending_stiffness,
-        shear_stiffness: parameters.shear_stiffness,
+        bending_stiffness,
+        shear_stiffness,
         ends,
         interior_supports: inside.iter().map(|h| h.x - left).collect(),
         loads: loads(state, left, right, close),
@@ -47,7 +47,7 @@ pub(super) fn facts(
         bonds: bonds.collect(),
         image_ends: chain.ends() == [EndKind::Mirrored; 2],
         lumped_loads: state.loads.lumped,
-        published_law: parameters.bond_law.name == "published",
+        published_law: beam.parameters().bond_law.name == "published",
     })
 }
 
@@ -74,11 +74,13 @@ fn loads(state: &State, left: f64, right: f64, close: impl Fn(f64, f64) -> bool)
     for d in &state.loads.distributed {
         let whole = close(d.from, left) && close(d.to, right);
         loads.push(match d.intensity {
-            Intensity::Linear { start, end } if whole && start == end && d.is_moment => {
+            Intensity::Linear { start, end } if whole && start == end && d.along == Along::Rotation => {
                 Load::UniformMoment { value: start }
             }
-            Intensity::Linear { start, end } if whole && start == end => Load::Uniform { value: start },
-            Intensity::Sine { amplitude, half_waves } if whole && !d.is_moment => {
+            Intensity::Linear { start, end } if whole && start == end && d.along == Along::Transverse => {
+                Load::Uniform { value: start }
+            }
+            Intensity::Sine { amplitude, half_waves } if whole && d.along == Along::Transverse => {
                 Load::Sine { amplitude, half_waves }
             }
             _ => Load::Other,

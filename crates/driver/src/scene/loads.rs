@@ -1,10 +1,10 @@
 //! Loads of a scene: load cases, combinations and steps as right-hand sides.
 
-use super::place::{Frame, FrameLine, Place};
+use super::place::{Layout, LayoutLine, Place};
 use super::{State, root};
 use crate::case::{Case, DistributedForce, Load, LoadSharing, Model, PointLoad};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::model::timoshenko_beam::{BeamLoads, Distributed, Intensity, PointAction};
+use peristat_assembly::model::timoshenko_beam::{Along, BeamLoads, Distributed, Intensity, PointAction};
 use std::collections::HashSet;
 
 /// Loads of one load case, and the points they split.
@@ -19,16 +19,16 @@ pub(super) struct ResolvedLoads {
 }
 
 /// All load cases; a case with plain `loads` has one.
-pub(super) fn load_cases(case: &mut Case, frame: &Frame, faults: &mut Faults) -> Vec<ResolvedLoads> {
+pub(super) fn load_cases(case: &mut Case, layout: &Layout, faults: &mut Faults) -> Vec<ResolvedLoads> {
     if !case.loads.is_empty() && !case.load_cases.is_empty() {
         faults
             .error(root("loads"), "`loads` and `load_cases` are both given")
             .hint("move the loads into a load case");
     }
     let Model::TimoshenkoBeam(beam) = &mut case.model;
-    let default = if frame.treatment.covers() { LoadSharing::Consistent } else { LoadSharing::Lumped };
+    let default = if layout.treatment.covers() { LoadSharing::Consistent } else { LoadSharing::Lumped };
     let sharing = *beam.distributed_loads.get_or_insert(default);
-    if sharing == LoadSharing::Consistent && !frame.treatment.covers() {
+    if sharing == LoadSharing::Consistent && !layout.treatment.covers() {
         faults
             .error(
                 super::material::beam_path().key("distributed_loads"),
@@ -43,10 +43,10 @@ pub(super) fn load_cases(case: &mut Case, frame: &Frame, faults: &mut Faults) ->
         for (k, load) in loads.iter().enumerate() {
             match load {
                 Load::Point(load) => {
-                    add_point(load, frame, &path.index(k).key("point"), &mut resolved, faults)
+                    add_point(load, layout, &path.index(k).key("point"), &mut resolved, faults)
                 }
                 Load::Distributed(load) => {
-                    add_distributed(load, frame, &path.index(k).key("distributed"), &mut resolved, faults);
+                    add_distributed(load, layout, &path.index(k).key("distributed"), &mut resolved, faults);
                 }
             }
         }
@@ -66,18 +66,24 @@ pub(super) fn load_cases(case: &mut Case, frame: &Frame, faults: &mut Faults) ->
     each.collect()
 }
 
-fn add_point(load: &PointLoad, frame: &Frame, path: &JsonPath, to: &mut ResolvedLoads, faults: &mut Faults) {
+fn add_point(
+    load: &PointLoad,
+    layout: &Layout,
+    path: &JsonPath,
+    to: &mut ResolvedLoads,
+    faults: &mut Faults,
+) {
     if load.force == 0.0 && load.moment == 0.0 {
         faults.error(path.clone(), "this load is zero").hint("give `force`, `moment`, or both");
     }
     let at = path.key("at").key("x");
-    let Some(place) = frame.place(load.at.x, &at, "the load", faults) else {
+    let Some(place) = layout.place(load.at.x, &at, "the load", faults) else {
         return;
     };
-    let covers = frame.treatment.covers();
+    let covers = layout.treatment.covers();
     let (chain, x, spread) = match place {
         Place::Point { chain, point } => {
-            let inside = point > 0 && point + 1 < frame.lines[chain].points();
+            let inside = point > 0 && point + 1 < layout.lines[chain].points();
             if load.spread && !covers {
                 faults
                     .error(
@@ -89,38 +95,40 @@ fn add_point(load: &PointLoad, frame: &Frame, path: &JsonPath, to: &mut Resolved
             if inside && !load.spread && covers {
                 to.splits.push((chain, point));
             }
-            (chain, frame.lines[chain].position(point), load.spread && inside)
+            (chain, layout.lines[chain].position(point), load.spread && inside)
         }
         Place::Between { chain, x } if covers => (chain, x, true),
         // The literature puts a load at the end of a grid of cells on the last point.
         Place::End { chain, .. } => (chain, load.at.x, false),
         Place::Between { chain, x } => {
-            frame.needs_point(chain, x, &at, "the load", faults);
+            layout.needs_point(chain, x, &at, "the load", faults);
             return;
         }
     };
-    to.loads.point.push(PointAction { chain, x, force: load.force, moment: load.moment, spread });
+    to.loads.point.push(PointAction { chain, x, force: load.force, moment: load.moment, axial: 0.0, spread });
 }
 
 fn add_distributed(
     load: &crate::case::Distributed,
-    frame: &Frame,
+    layout: &Layout,
     path: &JsonPath,
     to: &mut ResolvedLoads,
     faults: &mut Faults,
 ) {
-    let single = frame.lines.len() == 1;
+    let single = layout.lines.len() == 1;
     if !single && (load.from.is_none() || load.to.is_none()) {
         faults
             .error(path.clone(), "`from` and `to` are needed where the body has several lines")
             .hint("a distributed load acts on one line");
         return;
     }
-    let from = load.from.unwrap_or(frame.lines[0].from);
-    let end = load.to.unwrap_or(frame.lines[0].to());
+    let from = load.from.unwrap_or(layout.lines[0].from);
+    let end = load.to.unwrap_or(layout.lines[0].to());
     let keys = ["from", "to"].map(|k| path.key(k));
-    let places =
-        [from, end].into_iter().zip(&keys).map(|(x, key)| frame.place(x, key, "the end of the load", faults));
+    let places = [from, end]
+        .into_iter()
+        .zip(&keys)
+        .map(|(x, key)| layout.place(x, key, "the end of the load", faults));
     let places: Vec<Option<Place>> = places.collect();
     let [Some(a), Some(b)] = places[..] else { return };
     if a.chain() != b.chain() {
@@ -136,20 +144,21 @@ fn add_distributed(
     if load.force.is_none() && load.moment.is_none() {
         faults.error(path.clone(), "this load has neither `force` nor `moment`");
     }
-    for (value, is_moment) in [(load.force, false), (load.moment, true)] {
+    for (value, along) in [(load.force, Along::Transverse), (load.moment, Along::Rotation)] {
+        let name = if along == Along::Rotation { "moment" } else { "force" };
         let intensity = match value {
             None => continue,
             Some(DistributedForce::Uniform(q)) => Intensity::Linear { start: q, end: q },
             Some(DistributedForce::Linear([start, end])) => Intensity::Linear { start, end },
             Some(DistributedForce::Sine(sine)) if sine.half_waves == 0 => {
-                let key = path.key(if is_moment { "moment" } else { "force" }).key("sine").key("half_waves");
+                let key = path.key(name).key("sine").key("half_waves");
                 faults.error(key, "`half_waves` must be at least 1, found 0");
                 continue;
             }
             Some(DistributedForce::Sine(sine))
-                if f64::from(sine.half_waves) > waves(&frame.lines[a.chain()], from, end) =>
+                if f64::from(sine.half_waves) > waves(&layout.lines[a.chain()], from, end) =>
             {
-                let key = path.key(if is_moment { "moment" } else { "force" }).key("sine").key("half_waves");
+                let key = path.key(name).key("sine").key("half_waves");
                 faults
                     .error(
                         key,
@@ -165,12 +174,12 @@ fn add_distributed(
                 Intensity::Sine { amplitude: sine.amplitude, half_waves: sine.half_waves }
             }
         };
-        to.loads.distributed.push(Distributed { chain: a.chain(), from, to: end, intensity, is_moment });
+        to.loads.distributed.push(Distributed { chain: a.chain(), from, to: end, intensity, along });
     }
 }
 
 /// Cells of a line under a load: more half waves than these look like fewer.
-fn waves(line: &FrameLine, from: f64, to: f64) -> f64 {
+fn waves(line: &LayoutLine, from: f64, to: f64) -> f64 {
     ((to - from) / line.spacing()).ceil()
 }
 

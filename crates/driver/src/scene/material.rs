@@ -3,7 +3,7 @@
 use super::root;
 use crate::case::{Beam, Case, Model};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::material::{SectionError, SectionProperties};
+use peristat_assembly::material::{SectionError, SectionProperties, SectionStiffness};
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid, bond_law,
     end_treatment::{self, EndTreatment},
@@ -35,7 +35,10 @@ pub(super) fn suggest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> S
 }
 
 /// Stiffnesses and section, filling in the defaults of the case.
-pub(super) fn material(case: &mut Case, faults: &mut Faults) -> Option<(BeamParameters, SectionProperties)> {
+pub(super) fn material(
+    case: &mut Case,
+    faults: &mut Faults,
+) -> Option<(BeamParameters, SectionStiffness, SectionProperties)> {
     let path = beam_path();
     let grids: Vec<Grid> = case.body.lines().iter().map(|l| l.grid).collect();
     let Model::TimoshenkoBeam(beam) = &mut case.model;
@@ -59,24 +62,15 @@ pub(super) fn material(case: &mut Case, faults: &mut Faults) -> Option<(BeamPara
     };
     fine &= law.is_some() && treatment.is_some();
     let (section, g, law, end_treatment) = (section?, shear?, law?, treatment?);
-    let parameters = BeamParameters {
-        bending_stiffness: e * section.second_moment,
-        shear_stiffness: section.kappa * g * section.area,
-        area: section.area,
-        volume_factor: beam.volume_factor,
-        bond_law: law,
-        end_treatment,
-    };
-    let product = parameters.bending_stiffness * parameters.shear_stiffness;
-    if fine && !faults.has_errors() && !(product.is_normal() && parameters.bending_stiffness.is_normal()) {
-        faults.error(path.clone(), "the stiffnesses EI and κGA do not fit into double precision").hint(
-            format!(
-                "EI = {:e}, κGA = {:e}; choose units in which they are moderate",
-                parameters.bending_stiffness, parameters.shear_stiffness
-            ),
-        );
+    let parameters = BeamParameters { volume_factor: beam.volume_factor, bond_law: law, end_treatment };
+    let (bending, shear) = (e * section.second_moment, section.kappa * g * section.area);
+    let stiffness = SectionStiffness::uniform(bending, shear, e * section.area, section.area);
+    if fine && !faults.has_errors() && !((bending * shear).is_normal() && bending.is_normal()) {
+        faults
+            .error(path.clone(), "the stiffnesses EI and κGA do not fit into double precision")
+            .hint(format!("EI = {bending:e}, κGA = {shear:e}; choose units in which they are moderate"));
     }
-    fine.then_some((parameters, section))
+    fine.then_some((parameters, stiffness, section))
 }
 
 fn shear_modulus(beam: &Beam, path: &JsonPath, faults: &mut Faults) -> Option<f64> {

@@ -110,22 +110,22 @@ impl Scene {
             faults.error(root("title"), "`title` must not hold control characters such as line ends");
         }
         let material = material::material(case, faults);
-        let frame = body::frame(case, faults)?;
-        let (held, springs, ends) = supports::held(case, &frame, faults);
-        let bars = supports::bars(case, &frame, faults);
-        let cases = loads::load_cases(case, &frame, faults);
-        let splits = body::splits(&frame, &held, &bars, &cases);
-        let (parameters, section) = material?;
+        let layout = body::layout(case, faults)?;
+        let (held, springs, ends) = supports::held(case, &layout, faults);
+        let bars = supports::bars(case, &layout, faults);
+        let cases = loads::load_cases(case, &layout, faults);
+        let splits = body::splits(&layout, &held, &bars, &cases);
+        let (parameters, stiffness, section) = material?;
         if faults.has_errors() {
             return None;
         }
-        let beam = body::build(case, &frame, parameters, splits, ends, faults)?;
+        let beam = body::build(case, &layout, parameters, &stiffness, splits, ends, faults)?;
         let numbers: Vec<usize> = (0..beam.chains().len()).map(|c| beam.first_real(c)).collect();
         let held: Vec<HeldPoint> = held.into_iter().map(|h| h.numbered(&numbers)).collect();
         let bars: Vec<RigidBar> = bars.into_iter().map(|b| b.numbered(&numbers)).collect();
         let states = loads::states(case, cases, faults);
-        warnings::collect(case, &frame, &beam, &section, faults);
-        let probes = checks::probes(case, &frame, &numbers, &held, &section, faults);
+        warnings::collect(case, &layout, &beam, &section, faults);
+        let probes = checks::probes(case, &layout, &numbers, &held, &section, faults);
         let expectations = checks::expectations(
             &checks::Context {
                 case,

@@ -6,16 +6,16 @@ use peristat_assembly::model::timoshenko_beam::end_treatment::EndTreatment;
 
 /// Lines with their grids, before any bond exists.
 #[derive(Clone, Debug)]
-pub(super) struct Frame {
+pub(super) struct Layout {
     /// The lines, from left to right as written.
-    pub(super) lines: Vec<FrameLine>,
+    pub(super) lines: Vec<LayoutLine>,
     /// End treatment of all of them.
     pub(super) treatment: &'static EndTreatment,
 }
 
-/// One line of a frame.
+/// One line of a layout.
 #[derive(Clone, Debug)]
-pub(super) struct FrameLine {
+pub(super) struct LayoutLine {
     /// Position of the left end.
     pub(super) from: f64,
     /// Length.
@@ -66,7 +66,7 @@ impl Place {
 /// Part of a spacing within which a position counts as that of a point.
 const SNAP: f64 = 1e-6;
 
-impl FrameLine {
+impl LayoutLine {
     /// Distance of neighbouring points.
     pub(super) fn spacing(&self) -> f64 {
         self.length / self.cells as f64
@@ -105,7 +105,7 @@ impl FrameLine {
     }
 }
 
-impl Frame {
+impl Layout {
     /// The place of a position, with a fault at `path` if it is off the body.
     pub(super) fn place(&self, x: f64, path: &JsonPath, what: &str, faults: &mut Faults) -> Option<Place> {
         let Some(chain) = self.lines.iter().position(|l| l.holds(x)) else {
@@ -151,7 +151,7 @@ pub(super) fn tidy(value: f64) -> String {
 }
 
 /// The smallest number of cells, not below the present one, that puts a point at `x`.
-fn cells_with_point(line: &FrameLine, x: f64) -> Option<usize> {
+fn cells_with_point(line: &LayoutLine, x: f64) -> Option<usize> {
     let z = (x - line.from) / line.length;
     (line.grid == Grid::Nodes)
         .then(|| {

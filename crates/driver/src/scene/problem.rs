@@ -41,10 +41,7 @@ impl Problem<2> for Scene {
 
     fn describe(&self, motion: &FreeMotion) -> String {
         // A part is a line, with the ghost points beyond its ends.
-        let line = |point: usize| {
-            let chain = self.beam.bonds().partition_point(|b| b.lattice().first <= point) - 1;
-            self.beam.chains()[chain].line()
-        };
+        let line = |point: usize| self.beam.chains()[self.beam.chain_of(point)].line();
         let parts: Vec<String> = motion
             .parts
             .iter()
@@ -54,7 +51,7 @@ impl Problem<2> for Scene {
             })
             .collect();
         let amount = |kind: usize| {
-            let name = TimoshenkoBeam::RIGID_MOTIONS[kind];
+            let name = <TimoshenkoBeam as Model<2>>::RIGID_MOTIONS[kind];
             motion.motions.iter().find(|m| m.0 == name).map_or(0.0, |m| m.1)
         };
         let (shift, turn) = (amount(0), amount(1));

@@ -1,6 +1,6 @@
 //! Supports and links of a scene.
 
-use super::place::{Frame, Place};
+use super::place::{Layout, Place};
 use super::root;
 use crate::case::{At, Case, Link, Support};
 use crate::diagnostic::{Faults, JsonPath};
@@ -62,10 +62,10 @@ pub(super) type LocalSpring = ((usize, usize), Spring);
 /// Held points, springs, and what holds the ends of every line.
 pub(super) fn held(
     case: &Case,
-    frame: &Frame,
+    layout: &Layout,
     faults: &mut Faults,
 ) -> (Vec<HeldPoint>, Vec<LocalSpring>, Vec<[EndSupport; 2]>) {
-    let mut ends = vec![[EndSupport::default(); 2]; frame.lines.len()];
+    let mut ends = vec![[EndSupport::default(); 2]; layout.lines.len()];
     let (mut held, mut springs) = (Vec::new(), Vec::new());
     if case.supports.is_empty() {
         faults.error(root("supports"), "nothing holds the beam: `supports` is empty").hint(
@@ -76,7 +76,7 @@ pub(super) fn held(
         let path = root("supports").index(k);
         check(support, &path, faults);
         let at = path.key("at").key("x");
-        let Some(place) = frame.place(support.at.x, &at, "the support", faults) else {
+        let Some(place) = layout.place(support.at.x, &at, "the support", faults) else {
             continue;
         };
         let point = HeldPoint {
@@ -89,7 +89,7 @@ pub(super) fn held(
         };
         match place {
             Place::Point { chain, point: p } => {
-                let last = frame.lines[chain].points() - 1;
+                let last = layout.lines[chain].points() - 1;
                 for (side, end) in [0, last].into_iter().enumerate() {
                     if p == end {
                         hold(&mut ends[chain][side], support);
@@ -102,9 +102,9 @@ pub(super) fn held(
                 }
                 held.push(HeldPoint { local: Some((chain, p)), ..point });
             }
-            Place::End { chain, side } if frame.treatment.name != "truncated" => {
+            Place::End { chain, side } if layout.treatment.name != "truncated" => {
                 hold(&mut ends[chain][side], support);
-                let kind = (frame.treatment.end)(&ends[chain][side]);
+                let kind = (layout.treatment.end)(&ends[chain][side]);
                 if kind == EndKind::Mirrored && support.w.is_some() && support.phi.is_some() {
                     faults
                         .error(point.path.clone(), "images prescribe the rotation of an end, and a grid of cells has no point there to hold its deflection")
@@ -121,7 +121,7 @@ pub(super) fn held(
                 held.push(point);
             }
             Place::End { chain, .. } | Place::Between { chain, .. } => {
-                frame.needs_point(chain, support.at.x, &at, "the support", faults);
+                layout.needs_point(chain, support.at.x, &at, "the support", faults);
             }
         }
     }
@@ -158,17 +158,17 @@ fn check(support: &Support, path: &JsonPath, faults: &mut Faults) {
 }
 
 /// Rigid bars of the case.
-pub(super) fn bars(case: &Case, frame: &Frame, faults: &mut Faults) -> Vec<RigidBar> {
+pub(super) fn bars(case: &Case, layout: &Layout, faults: &mut Faults) -> Vec<RigidBar> {
     let mut bars = Vec::new();
     for (k, link) in case.links.iter().enumerate() {
         let Link::Rigid(link) = link;
         let path = root("links").index(k).key("rigid");
         let mut end = |at: &At, key: &str| {
             let path = path.key(key).key("x");
-            match frame.place(at.x, &path, "the end of the link", faults)? {
+            match layout.place(at.x, &path, "the end of the link", faults)? {
                 Place::Point { chain, point } => Some((chain, point)),
                 Place::End { chain, .. } | Place::Between { chain, .. } => {
-                    frame.needs_point(chain, at.x, &path, "the end of the link", faults);
+                    layout.needs_point(chain, at.x, &path, "the end of the link", faults);
                     None
                 }
             }
@@ -180,7 +180,7 @@ pub(super) fn bars(case: &Case, frame: &Frame, faults: &mut Faults) -> Vec<Rigid
             faults.error(path, "a link joins a point to itself");
             continue;
         }
-        let x = |(chain, point): (usize, usize)| frame.lines[chain].position(point);
+        let x = |(chain, point): (usize, usize)| layout.lines[chain].position(point);
         bars.push(RigidBar { from, to, points: [0; 2], length: x(to) - x(from), path });
     }
     bars

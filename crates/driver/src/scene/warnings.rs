@@ -1,7 +1,7 @@
 //! Doubts about a case that can be run.
 
 use super::material::beam_path;
-use super::place::Frame;
+use super::place::Layout;
 use super::root;
 use crate::case::{Case, Model, Units};
 use crate::diagnostic::Faults;
@@ -11,14 +11,14 @@ use peristat_assembly::model::timoshenko_beam::{TimoshenkoBeam, VolumeFactor};
 /// Adds all warnings on a scene.
 pub(super) fn collect(
     case: &Case,
-    frame: &Frame,
+    layout: &Layout,
     beam: &TimoshenkoBeam,
     section: &SectionProperties,
     faults: &mut Faults,
 ) {
     let Model::TimoshenkoBeam(model) = &case.model;
     let horizon_key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
-    for (line, chain) in frame.lines.iter().zip(beam.chains()) {
+    for (line, chain) in layout.lines.iter().zip(beam.chains()) {
         let horizon = line.horizon_ratio * line.spacing();
         if horizon > line.length * (1.0 + 1e-9) {
             faults
@@ -28,9 +28,10 @@ pub(super) fn collect(
                 )
                 .hint("use more cells or a shorter horizon");
         }
-        let moment: f64 = chain.weights.iter().enumerate().map(|(k, a)| (k + 1) as f64 * a).sum();
-        let fits = chain.weights.len() as f64 + 1.0 > line.horizon_ratio.ceil();
-        if !frame.treatment.covers()
+        let classes = chain.weights.classes();
+        let moment: f64 = (0..classes).map(|k| (k + 1) as f64 * chain.weights.of_class(k)).sum();
+        let fits = classes as f64 + 1.0 > line.horizon_ratio.ceil();
+        if !layout.treatment.covers()
             && fits
             && model.volume_factor == VolumeFactor::HalfEdge
             && (moment - 1.0).abs() > 1e-3
@@ -48,7 +49,7 @@ pub(super) fn collect(
         }
         if let Some(height) = section.height
             && model.bond_law == "published"
-            && chain.weights.len() > 1
+            && classes > 1
             && horizon > 3.0 * height
         {
             faults
@@ -64,7 +65,7 @@ pub(super) fn collect(
                 );
         }
     }
-    if model.volume_factor == VolumeFactor::Full && beam.chains().iter().any(|c| c.weights.len() > 1) {
+    if model.volume_factor == VolumeFactor::Full && beam.chains().iter().any(|c| c.weights.classes() > 1) {
         faults
             .warning(
                 beam_path().key("volume_factor"),

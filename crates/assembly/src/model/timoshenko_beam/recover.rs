@@ -1,17 +1,18 @@
 //! Fields of a solved beam: section forces, stress, energy density.
 
-use super::TimoshenkoBeam;
-use super::load::BeamLoads;
-use crate::model::Model;
+use super::load::{BeamLoads, FixedEnd};
+use super::{PHI, TimoshenkoBeam, U};
 use crate::sum::Sum;
 
-/// Moment and shear force at the two ends of every cell of a line, seen from inside the cell.
+/// Section forces at the two ends of every cell of a line, seen from inside the cell.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SectionForces {
     /// Moments M at the left and right end of each cell, N m.
     pub moment: Vec<[f64; 2]>,
     /// Shear forces V at the left and right end of each cell, N.
     pub shear: Vec<[f64; 2]>,
+    /// Axial forces N at the left and right end of each cell, N, tension positive; empty in bodies without axial unknowns.
+    pub axial: Vec<[f64; 2]>,
 }
 
 /// Recovered fields of one line.
@@ -25,88 +26,112 @@ pub struct BeamFields {
 }
 
 impl SectionForces {
-    /// Moment and shear at a point: the value to its right, at the last point the one to its left.
-    pub fn at(&self, point: usize) -> (f64, f64) {
+    /// Moment, shear and axial force at a point: the values to its right, at the last point those to its left.
+    pub fn at(&self, point: usize) -> (f64, f64, f64) {
         let cells = self.moment.len();
         let (cell, end) = if point < cells { (point, 0) } else { (cells - 1, 1) };
-        (self.moment[cell][end], self.shear[cell][end])
+        let axial = self.axial.get(cell).map_or(0.0, |n| n[end]);
+        (self.moment[cell][end], self.shear[cell][end], axial)
     }
 }
 
 impl TimoshenkoBeam {
     /// Fields of a line under unknowns `u`, with all forces on its points (loads, reactions, forces of links and springs;
-    /// two planes) and the loads that bonds share.
+    /// as many planes as `u` has) and the loads that bonds share.
     ///
     /// Section forces are sums from the left end. Summed over the bonds that cross a section they would be the same, but
     /// the shear force would be a small difference of large deflections: half its digits are gone at slenderness 10⁴.
     /// Loads that bonds share reach the points as fixed-end forces; what these say differently from the load itself inside
-    /// the crossing bonds is put back, so that moment and shear force are those of the loads as given.
+    /// the crossing bonds is put back, so that section forces are those of the loads as given.
     pub fn fields(&self, chain: usize, u: &[f64], forces: &[f64], loads: &BeamLoads) -> BeamFields {
         let mut sections = self.statics(chain, forces);
-        if loads.loads_bonds(chain) {
-            self.add_fixed_end_forces(chain, loads, &mut sections);
+        let fixed_end = FixedEnd::new(loads, chain, &self.chains[chain]);
+        if fixed_end.is_needed() {
+            self.add_fixed_end_forces(chain, &fixed_end, &mut sections);
         }
         BeamFields { forces: sections, energy_density: self.energy_density(chain, u) }
     }
 
     /// Section forces of forces on points.
     fn statics(&self, chain: usize, forces: &[f64]) -> SectionForces {
-        let (c, n) = (&self.chains[chain], self.points());
-        let first = self.bonds[chain].lattice().first;
+        let (c, n, first) = (&self.chains[chain], self.points, self.first[chain]);
+        let has_axial = forces.len() > U * n;
         let mut sections = SectionForces::default();
-        let (mut moment, mut shear) = (Sum::default(), Sum::default());
+        let (mut moment, mut shear, mut axial) = (Sum::default(), Sum::default(), Sum::default());
         for k in 0..c.ghosts[0] + c.points - 1 {
             // A force on a point lowers V to its right, a moment lowers M.
             shear.add(-forces[first + k]);
-            moment.add(-forces[n + first + k]);
+            moment.add(-forces[PHI * n + first + k]);
             let left = moment.total();
-            moment.add(-shear.total() * c.spacing);
+            moment.add(-shear.total() * (c.position(k + 1) - c.position(k)));
+            if has_axial {
+                axial.add(-forces[U * n + first + k]);
+            }
             if k >= c.ghosts[0] {
                 sections.moment.push([left, moment.total()]);
                 sections.shear.push([shear.total(); 2]);
+                if has_axial {
+                    sections.axial.push([axial.total(); 2]);
+                }
             }
         }
         sections
     }
 
     /// Adds to every cell what the crossing bonds carry of their loads beyond the fixed-end forces on their points.
-    fn add_fixed_end_forces(&self, chain: usize, loads: &BeamLoads, sections: &mut SectionForces) {
-        let (c, bonds) = (&self.chains[chain], &self.bonds[chain]);
-        for class in 0..bonds.classes().len() {
-            let step = bonds.classes()[class].step;
-            bonds.for_each_run(class, |run, weight| {
-                for lower in run {
-                    let span = self.span(chain, class, lower);
-                    let ends = loads.on(chain, &span);
-                    for cell in 0..step {
-                        for side in 0..2 {
-                            let s = (cell + side) as f64 * c.spacing;
-                            let [q, qx] = loads.resultant(chain, span.x, span.x + s, side == 0);
-                            sections.moment[lower + cell][side] += weight * (ends[1] - ends[0] * s + qx);
-                            sections.shear[lower + cell][side] += weight * (ends[0] - q);
+    fn add_fixed_end_forces(&self, chain: usize, fixed_end: &FixedEnd, sections: &mut SectionForces) {
+        let c = &self.chains[chain];
+        for class in 0..c.weights.classes() {
+            let step = c.weights.step(class);
+            for lower in 0..c.points.saturating_sub(step) {
+                let weight = c.weights.weight(class, lower);
+                if weight == 0.0 {
+                    continue;
+                }
+                let (ends, start) = (fixed_end.of(class, lower), c.position(lower));
+                for cell in 0..step {
+                    for side in 0..2 {
+                        let x = c.position(lower + cell + side);
+                        let [q, qx, p] = fixed_end.resultant(start, x, side == 0);
+                        sections.moment[lower + cell][side] +=
+                            weight * (ends[1] - ends[0] * (x - start) + qx);
+                        sections.shear[lower + cell][side] += weight * (ends[0] - q);
+                        if let Some(axial) = sections.axial.get_mut(lower + cell) {
+                            axial[side] += weight * (ends[4] - p);
                         }
                     }
                 }
-            });
+            }
         }
     }
 
     /// Energy density per point.
     fn energy_density(&self, chain: usize, u: &[f64]) -> Vec<f64> {
-        let (c, bonds) = (&self.chains[chain], &self.bonds[chain]);
+        let (c, n, first) = (&self.chains[chain], self.points, self.first[chain]);
         let cells = c.points - 1;
+        // A bar from end to end stretches evenly.
+        let has_axial = u.len() > U * n;
         let mut energy = vec![0.0; cells];
-        for (class, offset) in bonds.classes().iter().enumerate() {
-            let moduli = bonds.moduli(class);
-            let volume = self.parameters.area * offset.geometry.length();
-            bonds.for_each_run(class, |run, weight| {
-                for lower in run {
-                    let s = bonds.measure(class, lower, u);
-                    let density = 0.5 * weight * (moduli[0] * s[0] * s[0] + moduli[1] * s[1] * s[1]) / volume;
-                    let real = (lower..lower + offset.step).filter_map(|p| p.checked_sub(c.ghosts[0]));
-                    real.filter(|&k| k < cells).for_each(|k| energy[k] += density);
+        for class in 0..c.weights.classes() {
+            let step = c.weights.step(class);
+            for lower in 0..c.extended() - step {
+                let weight = c.weights.weight(class, lower);
+                let bond = c.bonds.bond(class, lower);
+                let [i, j] = [first + lower, first + lower + step];
+                let (dw, dphi) = (u[j] - u[i], u[n + j] - u[n + i]);
+                let du = if has_axial { u[U * n + j] - u[U * n + i] } else { 0.0 };
+                let gamma = dw - 0.5 * bond.length * (u[n + i] + u[n + j])
+                    + bond.eccentricity * dphi
+                    + bond.shear_axial * du;
+                let stretch = du + bond.axial_bending * dphi;
+                let mut density = bond.bending * dphi * dphi + bond.shear * gamma * gamma;
+                if has_axial {
+                    density += bond.axial * stretch * stretch;
                 }
-            });
+                density *= 0.5 * weight / (c.line().stiffness.area * bond.length);
+                let real = (lower..lower + step).filter_map(|p| p.checked_sub(c.ghosts[0]));
+                real.filter(|&k| weight != 0.0 && k < cells).for_each(|k| energy[k] += density);
+            }
         }
         let point = |k: usize| {
             let sides = [k.checked_sub(1), Some(k).filter(|&k| k < cells)];
@@ -115,5 +140,15 @@ impl TimoshenkoBeam {
             sum / count
         };
         (0..c.points).map(point).collect()
+    }
+
+    /// Completes axial displacements between the ends of lines that stretch as one bar, in three planes.
+    pub fn fill_axial(&self, u: &mut [f64]) {
+        for (chain, &first) in self.chains.iter().zip(&self.first).filter(|(c, _)| c.stretches_as_bar()) {
+            let plane = &mut u[U * self.points + first..][..chain.points];
+            let (start, last) = (plane[0], chain.points - 1);
+            let stretch = (plane[last] - start) / last as f64;
+            (1..last).for_each(|k| plane[k] = start + k as f64 * stretch);
+        }
     }
 }

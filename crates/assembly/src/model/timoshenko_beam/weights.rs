@@ -1,4 +1,4 @@
-//! Dimensionless bond weights of a uniform chain.
+//! Dimensionless bond weights of a chain, by the number of spacings.
 
 use serde::{Deserialize, Serialize};
 

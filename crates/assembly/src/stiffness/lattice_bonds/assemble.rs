@@ -1,7 +1,7 @@
 //! Assembly of the bonds of a lattice: rows of equal points once for all of them.
 
 use super::super::BlockMatrix;
-use super::{BondClass, CHUNK, LatticeBonds, PLAIN};
+use super::{BondClass, CHUNK, LatticeBonds};
 use crate::bonds::{BondModel, Mat, block};
 use std::ops::Range;
 
@@ -20,7 +20,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
                 point = run.end;
             } else {
                 for (index, (&step, block)) in steps.iter().zip(&row).enumerate() {
-                    if index == 0 || self.weight(index - 1, point) != 0.0 {
+                    if index == 0 || self.weights.weight(index - 1, point) != 0.0 {
                         tangent.add(first + point, first + point + step, block);
                     }
                 }
@@ -33,8 +33,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
     fn is_plain(&self, point: usize) -> bool {
         self.classes.iter().enumerate().all(|(index, class)| {
             point >= class.step
-                && self.weight(index, point) == class.weight
-                && self.weight(index, point - class.step) == class.weight
+                && self.weights.weight(index, point) == class.weight
+                && self.weights.weight(index, point - class.step) == class.weight
         })
     }
 
@@ -48,8 +48,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
                 && end >= longest.max(CHUNK)
                 && end + CHUNK + longest <= self.lattice.count
                 && longest <= CHUNK
-                && self.chunks[chunk] == PLAIN
-                && self.chunks[chunk - 1] == PLAIN;
+                && self.weights.is_plain(chunk)
+                && self.weights.is_plain(chunk - 1);
             if whole {
                 end += CHUNK;
             } else if self.is_plain(end) {
@@ -74,9 +74,9 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
     fn row(&self, point: usize, blocks: &[[Mat<D, D>; 3]]) -> Vec<Mat<D, D>> {
         let mut row = vec![[[0.0; D]; D]; 1 + blocks.len()];
         for (index, class) in self.classes.iter().enumerate() {
-            let above = self.weight(index, point) / class.weight;
+            let above = self.weights.weight(index, point) / class.weight;
             let below = match point.checked_sub(class.step) {
-                Some(lower) => self.weight(index, lower) / class.weight,
+                Some(lower) => self.weights.weight(index, lower) / class.weight,
                 None => 0.0,
             };
             for r in 0..D {

@@ -59,9 +59,9 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
         mut visit: impl FnMut(&BondClass<D, M>, Range<usize>, &[[f64; CHUNK]; M], &[[f64; CHUNK]; M]),
     ) {
         let mut s = [[0.0; CHUNK]; M];
-        for chunk in 0..self.chunks.len() {
+        for chunk in 0..self.weights.chunks() {
             for (index, class) in self.classes.iter().enumerate() {
-                let (lower, factors) = self.bonds_of(index, chunk);
+                let (lower, factors) = self.weights.bonds_of(index, chunk);
                 if lower.is_empty() {
                     continue;
                 }

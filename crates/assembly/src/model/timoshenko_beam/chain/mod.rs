@@ -1,12 +1,20 @@
 //! One straight chain of points: which bonds it has, with which weight.
 
+mod layout;
 mod relations;
+mod table;
 
+pub use table::BondTable;
+pub(super) use table::pieces;
+
+use super::BeamParameters;
+use super::bond::UniformSection;
 use super::end_treatment::{EndKind, EndSupport, EndTreatment};
-use super::weights::{VolumeFactor, bond_weights};
-use crate::stiffness::Override;
+use super::weights::bond_weights;
+use crate::material::SectionStiffness;
+use crate::stiffness::Weights;
+use layout::Layout;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use thiserror::Error;
 
 /// Where the points of a line lie.
@@ -21,10 +29,20 @@ pub enum Grid {
     Cells,
 }
 
-/// A straight line along x, as given.
+/// Which points of a line have axial unknowns that something reads.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Axial {
+    /// The two end points: between them the line stretches as one bar.
+    #[default]
+    Ends,
+    /// All points: an axial load or support acts inside, or bending and stretching couple.
+    Points,
+}
+
+/// A straight line, as given. Its own coordinate x runs from `from` to `from + length`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// Position of its left end, m.
+    /// Coordinate of its start, m.
     pub from: f64,
     /// Length, m.
     pub length: f64,
@@ -32,12 +50,23 @@ pub struct Line {
     pub cells: usize,
     /// Where the points lie.
     pub grid: Grid,
-    /// Horizon over spacing, δ/h, >= 1.
+    /// Distances of the `cells + 1` points from the start, growing from 0 to the length; `None` if they are equally
+    /// spaced. Only with [`Grid::Nodes`] and covered ends.
+    pub stations: Option<Vec<f64>>,
+    /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side.
     pub horizon_ratio: f64,
-    /// Points, counted from the left, that no bond may span.
+    /// Points, counted from the start, that no bond may span.
     pub splits: Vec<usize>,
     /// What holds the two ends.
     pub supports: [EndSupport; 2],
+    /// Stiffness of its sections, by the distance from the start.
+    pub stiffness: SectionStiffness,
+    /// Position in the plane of the coordinate x = 0, m.
+    pub origin: [f64; 2],
+    /// Unit vector in which x grows; w grows to its left.
+    pub direction: [f64; 2],
+    /// Where axial unknowns are read, in a body that has them.
+    pub axial: Axial,
 }
 
 /// A chain that cannot be built.
@@ -53,27 +82,44 @@ pub enum ChainError {
     },
 }
 
-/// A line with its bonds: classes, exceptions and ghost points.
+/// A line with its bonds and ghost points.
 #[derive(Clone, Debug)]
 pub struct Chain {
     /// Real points.
     pub points: usize,
     /// Ghost points beyond the left and the right end.
     pub ghosts: [usize; 2],
-    /// Position of the first real point, m.
+    /// Coordinate of the first real point, m.
     pub origin: f64,
-    /// Distance of neighbours, m.
+    /// Distance of neighbours, m; their mean distance on a graded grid.
     pub spacing: f64,
-    /// Weight α of the bonds over 1, 2, … spacings.
-    pub weights: Vec<f64>,
-    /// Bonds with another weight; lower points are counted from the first ghost.
-    pub overrides: Vec<Override>,
+    /// Weights α of the bonds over 1, 2, … cells; points are counted from the first ghost.
+    pub weights: Weights,
+    /// Measures and moduli of the bonds.
+    pub bonds: BondTable,
     line: Line,
     kinds: [EndKind; 2],
-    splits: bool,
 }
 
 impl Line {
+    /// A line along the axis of a uniform grid: from 0, horizon ratio 3, free ends.
+    pub fn new(length: f64, cells: usize, stiffness: SectionStiffness) -> Self {
+        Self {
+            from: 0.0,
+            length,
+            cells,
+            grid: Grid::Nodes,
+            stations: None,
+            horizon_ratio: 3.0,
+            splits: Vec::new(),
+            supports: [EndSupport::default(); 2],
+            stiffness,
+            origin: [0.0; 2],
+            direction: [1.0, 0.0],
+            axial: Axial::Ends,
+        }
+    }
+
     /// Number of points.
     pub fn points(&self) -> usize {
         match self.grid {
@@ -82,12 +128,12 @@ impl Line {
         }
     }
 
-    /// Distance of neighbours, m.
+    /// Distance of neighbours, m; their mean distance on a graded grid.
     pub fn spacing(&self) -> f64 {
         self.length / self.cells as f64
     }
 
-    /// Position of the first point, m.
+    /// Coordinate of the first point, m.
     pub fn origin(&self) -> f64 {
         match self.grid {
             Grid::Nodes => self.from,
@@ -101,30 +147,32 @@ impl Chain {
     ///
     /// # Errors
     /// [`ChainError`] where a weight would be negative.
-    pub fn new(line: Line, factor: VolumeFactor, treatment: &EndTreatment) -> Result<Self, ChainError> {
+    pub fn new(line: Line, parameters: &BeamParameters) -> Result<Self, ChainError> {
+        let BeamParameters { volume_factor, end_treatment: treatment, bond_law } = *parameters;
         let points = line.points();
-        let all = bond_weights(line.horizon_ratio, factor);
-        let weights = all[..all.len().min(points - 1)].to_vec();
-        let reach = weights.len();
+        let all = bond_weights(line.horizon_ratio, volume_factor);
+        let reach = all.len().min(points - 1);
         let kinds = [0, 1].map(|side| (treatment.end)(&line.supports[side]));
         let ghosts = kinds.map(|kind| match (kind, line.grid) {
             (EndKind::Covered | EndKind::Truncated, _) => 0,
             (_, Grid::Nodes) => reach - 1,
             (_, Grid::Cells) => reach,
         });
-        let mut chain = Self {
-            points,
-            ghosts,
-            origin: line.origin(),
-            spacing: line.spacing(),
-            weights,
-            overrides: Vec::new(),
-            kinds,
-            splits: treatment.splits,
-            line,
+        let layout = Layout { line: &line, points, ghosts, kinds, splits: treatment.splits };
+        let weights = layout.weights(&all)?;
+        let position = |point: usize| position(&line, ghosts[0], point);
+        let bonds = match line.stiffness.plain() {
+            Some((bending_stiffness, shear_stiffness)) => {
+                let axial_stiffness = line.stiffness.axial.value(0.0);
+                let section =
+                    UniformSection { bending_stiffness, shear_stiffness, axial_stiffness, law: bond_law };
+                let spacing = line.stations.is_none().then(|| line.spacing());
+                BondTable::of_section(section, &weights, mean_square(&all, treatment), position, spacing)
+            }
+            None => BondTable::of_flexibility(&line, &weights, position),
         };
-        chain.correct(&all)?;
-        Ok(chain)
+        let (origin, spacing) = (line.origin(), line.spacing());
+        Ok(Self { points, ghosts, origin, spacing, weights, bonds, line, kinds })
     }
 
     /// How the two ends are treated.
@@ -137,138 +185,67 @@ impl Chain {
         self.ghosts[0] + self.points + self.ghosts[1]
     }
 
-    /// Position of an extended point, m.
+    /// Coordinate of an extended point, m.
     pub fn position(&self, point: usize) -> f64 {
-        self.origin + (point as f64 - self.ghosts[0] as f64) * self.spacing
+        position(&self.line, self.ghosts[0], point)
+    }
+
+    /// The real point nearest to a coordinate.
+    pub fn nearest(&self, x: f64) -> usize {
+        let last = self.points - 1;
+        let below = match &self.line.stations {
+            Some(stations) => {
+                let next = stations.partition_point(|s| self.line.from + s <= x);
+                next.saturating_sub(1)
+            }
+            None => (((x - self.origin) / self.spacing).max(0.0) as usize).min(last),
+        };
+        let at = |k: usize| (self.position(self.ghosts[0] + k) - x).abs();
+        if below < last && at(below + 1) < at(below) { below + 1 } else { below }
+    }
+
+    /// The part of the line that belongs to a real point.
+    pub fn tributary(&self, k: usize) -> (f64, f64) {
+        let at = |k: usize| self.position(self.ghosts[0] + k);
+        let x = at(k);
+        if self.line.grid == Grid::Cells {
+            return (x - 0.5 * self.spacing, x + 0.5 * self.spacing);
+        }
+        let left = if k == 0 { x } else { 0.5 * (at(k - 1) + x) };
+        (left, if k + 1 == self.points { x } else { 0.5 * (x + at(k + 1)) })
+    }
+
+    /// Whether the line, in a body with axial unknowns, has them only on its ends.
+    pub fn stretches_as_bar(&self) -> bool {
+        self.line.axial == Axial::Ends && self.is_uniform() && self.ghosts == [0; 2]
+    }
+
+    /// Whether all cells have one length and all sections one stiffness.
+    pub fn is_uniform(&self) -> bool {
+        matches!(self.bonds, BondTable::Uniform { .. })
     }
 
     /// The line as given.
     pub fn line(&self) -> &Line {
         &self.line
     }
+}
 
-    /// Sets class weights and overrides. `all` are the weights of an unbounded chain.
-    fn correct(&mut self, all: &[f64]) -> Result<(), ChainError> {
-        let sum: f64 = all.iter().enumerate().map(|(k, a)| (k + 1) as f64 * a).sum();
-        // What an interior cell lacks, for ratios that are not whole and for full volumes.
-        let lack = if self.splits && (1.0 - sum).abs() > 1e-14 { 1.0 - sum } else { 0.0 };
-        let base = self.weights[0] + lack;
-        let lost = self.lost(all);
-        for lower in self.exceptional() {
-            for step in 1..=self.weights.len() {
-                let factor = self.factor(lower, step);
-                let own = self.weights[step - 1];
-                let (weight, usual) = if step == 1 && factor != 0.0 && self.is_real(lower, 1) {
-                    let lost = lost.get(&(lower as isize)).copied().unwrap_or(0.0);
-                    (own * factor + lack + lost, base)
-                } else {
-                    (own * factor, if step == 1 { base } else { own })
-                };
-                if weight < 0.0 {
-                    return Err(ChainError::NegativeWeight { weight });
-                }
-                if weight != usual {
-                    let factor = weight / usual;
-                    self.overrides.push(Override { class: step - 1, lower, factor });
-                }
-            }
-        }
-        if base <= 0.0 {
-            return Err(ChainError::NegativeWeight { weight: base });
-        }
-        self.weights[0] = base;
-        Ok(())
+/// Coordinate of an extended point of a line with so many ghosts before it.
+fn position(line: &Line, ghosts: usize, point: usize) -> f64 {
+    match &line.stations {
+        Some(stations) => line.from + stations[point],
+        None => line.origin() + (point as f64 - ghosts as f64) * line.spacing(),
     }
+}
 
-    /// Lower points whose bonds may meet an end or a split, in order.
-    fn exceptional(&self) -> Vec<usize> {
-        let reach = self.weights.len();
-        let last = self.extended() - 1;
-        let ends = [self.ghosts[0], self.ghosts[0] + self.points - 1];
-        let splits = self.line.splits.iter().filter(|_| self.splits).map(|s| s + self.ghosts[0]);
-        let around = |b: usize| b.saturating_sub(reach)..=(b + reach).min(last);
-        let mut all: Vec<usize> = ends.into_iter().chain(splits).flat_map(around).collect();
-        all.sort_unstable();
-        all.dedup();
-        all
-    }
-
-    fn is_real(&self, lower: usize, step: usize) -> bool {
-        lower >= self.ghosts[0] && lower + step < self.ghosts[0] + self.points
-    }
-
-    fn spans_split(&self, i: isize, j: isize) -> bool {
-        // Splits are sorted, so a long beam with many of them stays cheap.
-        let splits = &self.line.splits;
-        let next = splits.partition_point(|&s| s as isize <= i);
-        self.splits && splits.get(next).is_some_and(|&s| (s as isize) < j)
-    }
-
-    /// Factor of a bond from the treatment of the ends, without top-up.
-    fn factor(&self, lower: usize, step: usize) -> f64 {
-        let n = self.points as isize;
-        let i = lower as isize - self.ghosts[0] as isize;
-        let j = i + step as isize;
-        if self.is_real(lower, step) {
-            if self.spans_split(i, j) {
-                return 0.0;
-            }
-            let half = |side: usize, touches: bool| {
-                let on_end = touches && self.line.grid == Grid::Nodes;
-                if on_end && self.kinds[side] == EndKind::Truncated { 0.5 } else { 1.0 }
-            };
-            return half(0, i == 0) * half(1, j == n - 1);
-        }
-        // A bond crosses an end if exactly one point is a ghost; bonds that touch a point on the end are ordinary.
-        let side = match (i < 0, j >= n) {
-            (true, false) if j > 0 || (j == 0 && self.line.grid == Grid::Cells) => 0,
-            (false, true) if i < n - 1 || (i == n - 1 && self.line.grid == Grid::Cells) => 1,
-            _ => return 0.0,
-        };
-        match self.kinds[side] {
-            EndKind::Mirrored => 0.5,
-            EndKind::Continued => 1.0,
-            EndKind::Covered | EndKind::Truncated => 0.0,
-        }
-    }
-
-    /// Weight that cells lack because bonds stop at a covered end or a split, by the extended point below the cell.
-    fn lost(&self, all: &[f64]) -> BTreeMap<isize, f64> {
-        let n = self.points as isize;
-        let reach = all.len() as isize;
-        let splits = self.line.splits.iter().filter(|_| self.splits).map(|&s| s as isize);
-        // Bonds that an unbounded chain would have and this one has not, by difference at the cells they cross.
-        let mut difference: BTreeMap<isize, f64> = BTreeMap::new();
-        let mut lowers: Vec<isize> =
-            [0, n - 1].into_iter().chain(splits).flat_map(|b| b - reach..=b).collect();
-        lowers.sort_unstable();
-        lowers.dedup();
-        for i in lowers {
-            for (k, weight) in all.iter().enumerate() {
-                let j = i + k as isize + 1;
-                let gone = (i < 0 && self.kinds[0] == EndKind::Covered)
-                    || (j >= n && self.kinds[1] == EndKind::Covered)
-                    || self.spans_split(i, j);
-                if gone {
-                    *difference.entry(i).or_default() += weight;
-                    *difference.entry(j).or_default() -= weight;
-                }
-            }
-        }
-        let mut lost = 0.0;
-        let mut cells = BTreeMap::new();
-        let mut previous = None;
-        for (cell, change) in difference {
-            if let Some(previous) = previous {
-                (previous..cell).for_each(|c| _ = cells.insert(c + self.ghosts[0] as isize, lost));
-            }
-            lost += change;
-            // What is left of a cancelled sum is no loss.
-            if lost.abs() < 1e-14 {
-                lost = 0.0;
-            }
-            previous = Some(cell).filter(|_| lost != 0.0);
-        }
-        cells
-    }
+/// ⟨ξ²⟩ of a family of an unbounded chain over the square of the spacing. It belongs to a full family, also where the
+/// beam is shorter than the horizon.
+fn mean_square(weights: &[f64], treatment: &EndTreatment) -> f64 {
+    let moment = |power: i32| -> f64 {
+        weights.iter().enumerate().map(|(k, a)| ((k + 1) as f64).powi(power) * a).sum()
+    };
+    // What covers add to the bonds between neighbours, where the ratio is not whole.
+    let lack = if treatment.covers() { 1.0 - moment(1) } else { 0.0 };
+    (moment(3) + lack) / (moment(1) + lack)
 }

@@ -4,13 +4,16 @@
 //! the fixed-end forces of the exact Timoshenko element; the shares sum to the load because the weights of the bonds
 //! that cross a cell sum to one.
 
+mod fixed_end;
 mod nodal;
-mod quadrature;
 mod span;
 
-use super::TimoshenkoBeam;
-use quadrature::GAUSS;
-pub(super) use span::{EndForces, Span};
+pub(super) use fixed_end::FixedEnd;
+pub use nodal::ChainLoads;
+
+use super::gauss::GAUSS;
+use super::{PHI, U, W};
+use span::{EndForces, Span};
 use std::f64::consts::PI;
 
 /// Value of a distributed load along the line it acts on.
@@ -32,6 +35,28 @@ pub enum Intensity {
     },
 }
 
+/// The displacement that a load works on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Along {
+    /// Deflection w: a force.
+    Transverse,
+    /// Rotation φ: a moment.
+    Rotation,
+    /// Axial displacement u: a force.
+    Axial,
+}
+
+impl Along {
+    /// Component of the unknowns.
+    pub fn component(self) -> usize {
+        match self {
+            Self::Transverse => W,
+            Self::Rotation => PHI,
+            Self::Axial => U,
+        }
+    }
+}
+
 /// A load spread over `from ..= to`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Distributed {
@@ -41,10 +66,10 @@ pub struct Distributed {
     pub from: f64,
     /// End, m.
     pub to: f64,
-    /// Force per length q, N/m, or moment per length c, N m/m.
+    /// Force per length q or p, N/m, or moment per length c, N m/m.
     pub intensity: Intensity,
-    /// Whether it is a moment c.
-    pub is_moment: bool,
+    /// What it works on.
+    pub along: Along,
 }
 
 /// A concentrated force and moment.
@@ -58,6 +83,8 @@ pub struct PointAction {
     pub force: f64,
     /// Moment along φ, N m.
     pub moment: f64,
+    /// Force along u, N.
+    pub axial: f64,
     /// Shared by the bonds that span it; otherwise it acts on the point at `x`, where a chain is split or ends.
     pub spread: bool,
 }
@@ -121,15 +148,16 @@ impl Distributed {
     fn on(&self, span: &Span) -> EndForces {
         // Counted from the bond: far from the origin, positions have lost digits of its length.
         let (from, to) = (self.from - span.x, self.to - span.x);
-        Self { from, to, ..*self }.integrate(0.0, span.length, |s| {
-            let z = s / span.length;
-            if self.is_moment { span.of_moment(z) } else { span.of_force(z) }
-        })
+        Self { from, to, ..*self }.integrate(0.0, span.length, |s| span.of(self.along, s / span.length))
     }
 
-    /// `(∫ q, ∫ (b − x) q − ∫ c)` over `[a, b]`.
-    fn resultant(&self, a: f64, b: f64) -> [f64; 2] {
-        self.integrate(a, b, |x| if self.is_moment { [0.0, -1.0] } else { [1.0, b - x] })
+    /// `(∫ q, ∫ (b − x) q − ∫ c, ∫ p)` over `[a, b]`.
+    fn resultant(&self, a: f64, b: f64) -> [f64; 3] {
+        self.integrate(a, b, |x| match self.along {
+            Along::Transverse => [1.0, b - x, 0.0],
+            Along::Rotation => [0.0, -1.0, 0.0],
+            Along::Axial => [0.0, 0.0, 1.0],
+        })
     }
 
     fn is_linear_over(&self, a: f64, b: f64) -> Option<[f64; 2]> {
@@ -156,6 +184,7 @@ impl BeamLoads {
         for action in &mut loads.point {
             action.force *= factor;
             action.moment *= factor;
+            action.axial *= factor;
         }
         loads
     }
@@ -170,43 +199,31 @@ impl BeamLoads {
     fn shared(&self) -> impl Iterator<Item = &Distributed> {
         self.distributed.iter().filter(|_| !self.lumped)
     }
+}
 
-    /// Whether bonds of a line carry loads.
-    pub(super) fn loads_bonds(&self, chain: usize) -> bool {
-        self.shared().any(|l| l.chain == chain) || self.point.iter().any(|p| p.spread && p.chain == chain)
+/// `(∫ q, ∫ (b − x) q − ∫ c, ∫ p)` of loads inside `[a, b]`; a concentrated one at `b` only if `with_end`.
+fn resultant(all: &[&Distributed], actions: &[&PointAction], a: f64, b: f64, with_end: bool) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for load in all {
+        let part = load.resultant(a, b);
+        (0..3).for_each(|k| sum[k] += part[k]);
     }
-
-    /// End forces of all loads inside one bond, weight not included.
-    pub(super) fn on(&self, chain: usize, span: &Span) -> EndForces {
-        let mut sum = [0.0; 4];
-        for load in self.shared().filter(|l| l.chain == chain) {
-            let part = load.on(span);
-            (0..4).for_each(|k| sum[k] += part[k]);
+    let slack = 1e-9 * (b - a);
+    for p in actions {
+        if p.x > a + slack && p.x < if with_end { b + slack } else { b - slack } {
+            sum[0] += p.force;
+            sum[1] += p.force * (b - p.x) - p.moment;
+            sum[2] += p.axial;
         }
-        for a in self.point.iter().filter(|a| a.spread && a.chain == chain) {
-            if let Some(z) = span.inside(a.x) {
-                let (f, c) = (span.of_force(z), span.of_moment(z));
-                (0..4).for_each(|k| sum[k] += a.force * f[k] + a.moment * c[k]);
-            }
-        }
-        sum
     }
+    sum
+}
 
-    /// `(∫ q, ∫ (b − x) q − ∫ c)` of all loads inside `[a, b]` that bonds carry; a concentrated one at `b` only if
-    /// `with_end`.
-    pub(super) fn resultant(&self, chain: usize, a: f64, b: f64, with_end: bool) -> [f64; 2] {
-        let mut sum = [0.0; 2];
-        for load in self.shared().filter(|l| l.chain == chain) {
-            let part = load.resultant(a, b);
-            (0..2).for_each(|k| sum[k] += part[k]);
-        }
-        let slack = 1e-9 * (b - a);
-        for p in self.point.iter().filter(|p| p.spread && p.chain == chain) {
-            if p.x > a + slack && p.x < if with_end { b + slack } else { b - slack } {
-                sum[0] += p.force;
-                sum[1] += p.force * (b - p.x) - p.moment;
-            }
-        }
-        sum
+impl PointAction {
+    /// Its components that are not zero.
+    fn parts(&self) -> impl Iterator<Item = (Along, f64)> {
+        let all =
+            [(Along::Transverse, self.force), (Along::Rotation, self.moment), (Along::Axial, self.axial)];
+        all.into_iter().filter(|(_, value)| *value != 0.0)
     }
 }

@@ -1,129 +1,224 @@
 //! Loads as forces on points.
 
-use super::{BeamLoads, Distributed, Intensity, PointAction};
-use super::{EndForces, Span};
-use crate::model::Model;
-use crate::model::timoshenko_beam::{Chain, Grid, TimoshenkoBeam};
+use super::{BeamLoads, Distributed, EndForces, FixedEnd, Intensity, PointAction, Span};
+use crate::model::timoshenko_beam::{Chain, TimoshenkoBeam};
 use std::array::from_fn;
+use std::ops::Range;
+
+/// Points per block: enough to make little of what is done once per block.
+const BLOCK: usize = 1024;
+
+/// The loads on one line, made ready to be turned into forces on its points.
+pub struct ChainLoads<'a> {
+    chain: &'a Chain,
+    lumped: bool,
+    distributed: Vec<Prepared<'a>>,
+    fixed_end: FixedEnd<'a>,
+    /// Forces of concentrated loads: extended point, component, value.
+    nodal: Vec<(usize, usize, f64)>,
+}
+
+/// A distributed load with what it does to the bonds of a uniform line.
+struct Prepared<'a> {
+    load: &'a Distributed,
+    /// Per class: end forces of loads that fall from one at the start of a bond to zero at its end, and the reverse.
+    units: Vec<[EndForces; 2]>,
+    /// Forces (w, φ, u) on a point all of whose bonds are ordinary and carry the same load.
+    interior: Option<[f64; 3]>,
+}
 
 impl BeamLoads {
-    /// Adds the nodal forces to `force`, two planes of `beam.points()` entries.
+    /// Adds the nodal forces to `force`, two or three planes of `beam.points()` entries.
     pub fn add_to(&self, beam: &TimoshenkoBeam, force: &mut [f64]) {
-        for load in &self.distributed {
-            if self.lumped {
-                add_lumped(load, beam, force);
-            } else {
-                add_consistent(load, beam, force);
+        for (number, chain) in beam.chains().iter().enumerate() {
+            let loads = self.on_chain(beam, number);
+            let first = beam.first(number);
+            let mut start = 0;
+            while start < chain.extended() && !loads.is_empty() {
+                let range = start..(start + BLOCK).min(chain.extended());
+                let planes = force.chunks_exact_mut(beam.points());
+                let mut planes: Vec<&mut [f64]> =
+                    planes.map(|plane| &mut plane[first + range.start..first + range.end]).collect();
+                loads.add_block(range.clone(), &mut planes);
+                start = range.end;
             }
         }
-        for action in &self.point {
-            add_point(action, beam, force);
+    }
+
+    /// The loads on one line.
+    pub fn on_chain<'a>(&'a self, beam: &'a TimoshenkoBeam, number: usize) -> ChainLoads<'a> {
+        let chain = &beam.chains()[number];
+        let mine = self.distributed.iter().filter(|load| load.chain == number);
+        let distributed = mine.map(|load| Prepared::new(load, chain)).collect();
+        let mut nodal = Vec::new();
+        let fixed_end = FixedEnd::new(self, number, chain);
+        for action in self.point.iter().filter(|p| p.chain == number) {
+            place(action, chain, &mut nodal);
         }
+        ChainLoads { chain, lumped: self.lumped, distributed, fixed_end, nodal }
     }
 }
 
-fn scatter(force: &mut [f64], n: usize, i: usize, j: usize, weight: f64, ends: &EndForces) {
-    force[i] += weight * ends[0];
-    force[n + i] += weight * ends[1];
-    force[j] += weight * ends[2];
-    force[n + j] += weight * ends[3];
+impl<'a> Prepared<'a> {
+    fn new(load: &'a Distributed, chain: &Chain) -> Self {
+        let Some((bending, shear)) = chain.line().stiffness.plain().filter(|_| chain.is_uniform()) else {
+            return Self { load, units: Vec::new(), interior: None };
+        };
+        // A load that is straight over a bond is the sum of two unit loads, integrated once per class.
+        let unit = |class: usize, start: f64, end: f64| {
+            let span = Span { x: 0.0, ..Span::new(chain, class, 0, bending, shear) };
+            let intensity = Intensity::Linear { start, end };
+            Distributed { from: 0.0, to: span.length, intensity, ..*load }.on(&span)
+        };
+        let classes = chain.weights.classes();
+        let units: Vec<[EndForces; 2]> =
+            (0..classes).map(|class| [unit(class, 1.0, 0.0), unit(class, 0.0, 1.0)]).collect();
+        let interior = load.constant().map(|q| {
+            let ends = |k: usize| -> f64 {
+                let of =
+                    |class: usize| chain.weights.of_class(class) * (units[class][0][k] + units[class][1][k]);
+                q * (0..classes).map(of).sum::<f64>()
+            };
+            [ends(0) + ends(2), ends(1) + ends(3), ends(4) + ends(5)]
+        });
+        Self { load, units, interior }
+    }
 }
 
-fn add_consistent(load: &Distributed, beam: &TimoshenkoBeam, force: &mut [f64]) {
-    let (n, bonds) = (beam.points(), &beam.bonds()[load.chain]);
-    let (chain, lattice) = (&beam.chains()[load.chain], bonds.lattice());
-    for (class, c) in bonds.classes().iter().enumerate() {
-        // A load that is straight over a bond is the sum of two unit loads, integrated once per class.
-        let unit = |start: f64, end: f64| {
-            let length = c.geometry.length();
-            let intensity = Intensity::Linear { start, end };
-            let load = Distributed { from: 0.0, to: length, intensity, ..*load };
-            load.on(&Span { x: 0.0, ..beam.span(load.chain, class, 0) })
-        };
-        let (at_start, at_end) = (unit(1.0, 0.0), unit(0.0, 1.0));
-        let constant = load.constant().map(|q| -> EndForces { from_fn(|k| q * (at_start[k] + at_end[k])) });
-        bonds.for_each_run(class, |run, weight| {
-            let (i, from, to) =
-                (lattice.first + run.start, chain.position(run.start), chain.position(run.end - 1 + c.step));
-            if let Some(ends) = constant.filter(|_| from >= load.from && to <= load.to) {
-                let [wi, pi, wj, pj] = ends.map(|e| weight * e);
-                for (plane, shift, end) in [(0, 0, wi), (n, 0, pi), (0, c.step, wj), (n, c.step, pj)] {
-                    force[plane + i + shift..][..run.len()].iter_mut().for_each(|f| *f += end);
+impl ChainLoads<'_> {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.distributed.is_empty() && self.nodal.is_empty() && !self.fixed_end.spreads()
+    }
+
+    /// Adds the forces on a range of extended points to planes of as many entries, (w, φ) or (w, φ, u).
+    pub fn add_block(&self, range: Range<usize>, planes: &mut [&mut [f64]]) {
+        for prepared in &self.distributed {
+            if self.lumped {
+                self.add_lumped(prepared.load, &range, planes);
+            } else if let Some(interior) =
+                prepared.interior.filter(|_| self.is_interior(prepared.load, &range))
+            {
+                for (plane, value) in planes.iter_mut().zip(interior) {
+                    plane.iter_mut().for_each(|f| *f += value);
                 }
+            } else {
+                self.add_consistent(prepared, &range, planes);
+            }
+        }
+        if self.fixed_end.spreads() {
+            self.add_spread(&range, planes);
+        }
+        for &(point, component, value) in &self.nodal {
+            if range.contains(&point) && component < planes.len() {
+                planes[component][point - range.start] += value;
+            }
+        }
+    }
+
+    /// Whether all bonds that reach into a range are ordinary and lie under the load.
+    fn is_interior(&self, load: &Distributed, range: &Range<usize>) -> bool {
+        let (chain, reach) = (self.chain, self.chain.weights.reach());
+        range.start >= reach
+            && range.end + reach <= chain.extended()
+            && chain.weights.are_ordinary(range.start - reach..range.end)
+            && chain.position(range.start - reach) >= load.from
+            && chain.position(range.end - 1 + reach) <= load.to
+    }
+
+    /// Visits the bonds that end in a range: class, lower point, weight.
+    fn each_bond(&self, range: &Range<usize>, mut visit: impl FnMut(usize, usize, f64)) {
+        let weights = &self.chain.weights;
+        for class in 0..weights.classes() {
+            for lower in range.start.saturating_sub(weights.step(class))..range.end {
+                let weight = weights.weight(class, lower);
+                if weight != 0.0 {
+                    visit(class, lower, weight);
+                }
+            }
+        }
+    }
+
+    fn add_consistent(&self, prepared: &Prepared, range: &Range<usize>, planes: &mut [&mut [f64]]) {
+        let (load, chain) = (prepared.load, self.chain);
+        self.each_bond(range, |class, lower, weight| {
+            let upper = lower + chain.weights.step(class);
+            let (a, b) = (chain.position(lower), chain.position(upper));
+            if b <= load.from || a >= load.to {
                 return;
             }
-            for lower in run {
-                let (a, b) = (chain.position(lower), chain.position(lower + c.step));
-                if b <= load.from || a >= load.to {
-                    continue;
-                }
-                let ends = match load.is_linear_over(a, b) {
-                    Some([qa, qb]) => from_fn(|k| qa * at_start[k] + qb * at_end[k]),
-                    None => load.on(&beam.span(load.chain, class, lower)),
-                };
-                let i = lattice.first + lower;
-                scatter(force, n, i, i + c.step, weight, &ends);
+            let ends = match load.is_linear_over(a, b).zip(prepared.units.get(class)) {
+                Some(([qa, qb], [start, end])) => from_fn(|k| qa * start[k] + qb * end[k]),
+                None => self.fixed_end.of_one(load, class, lower),
+            };
+            scatter(range, planes, [lower, upper], weight, &ends);
+        });
+    }
+
+    /// Shares of concentrated loads that bonds carry.
+    fn add_spread(&self, range: &Range<usize>, planes: &mut [&mut [f64]]) {
+        self.each_bond(range, |class, lower, weight| {
+            if let Some(ends) = self.fixed_end.of_spread(class, lower) {
+                scatter(range, planes, [lower, lower + self.chain.weights.step(class)], weight, &ends);
             }
         });
     }
-}
 
-fn add_lumped(load: &Distributed, beam: &TimoshenkoBeam, force: &mut [f64]) {
-    let chain = &beam.chains()[load.chain];
-    let first = beam.first_real(load.chain);
-    let plane = if load.is_moment { beam.points() } else { 0 };
-    for k in 0..chain.points {
-        let (a, b) = tributary(chain, k);
-        let (a, b) = (a.max(load.from), b.min(load.to));
-        if b > a {
-            // The value at the point, as the literature does, where the load covers its whole share.
-            let x = chain.position(chain.ghosts[0] + k);
-            let at = if x >= a && x <= b { x } else { 0.5 * (a + b) };
-            force[plane + first + k] += load.value(at) * (b - a);
-        }
-    }
-}
-
-/// The part of the line that belongs to a real point.
-fn tributary(chain: &Chain, k: usize) -> (f64, f64) {
-    let (x, half) = (chain.position(chain.ghosts[0] + k), 0.5 * chain.spacing);
-    match chain.line().grid {
-        Grid::Cells => (x - half, x + half),
-        Grid::Nodes => {
-            let a = if k == 0 { x } else { x - half };
-            (a, if k + 1 == chain.points { x } else { x + half })
-        }
-    }
-}
-
-fn add_point(action: &PointAction, beam: &TimoshenkoBeam, force: &mut [f64]) {
-    let n = beam.points();
-    let (chain, bonds) = (&beam.chains()[action.chain], &beam.bonds()[action.chain]);
-    let nearest = ((action.x - chain.origin) / chain.spacing).round().max(0.0) as usize;
-    let nearest = nearest.min(chain.points - 1);
-    let mut rest = 1.0;
-    if action.spread {
-        let middle = chain.ghosts[0] + nearest;
-        for (class, c) in bonds.classes().iter().enumerate() {
-            for lower in middle.saturating_sub(c.step)..=middle {
-                let weight = bonds.weight(class, lower);
-                let span = beam.span(action.chain, class, lower);
-                let Some(z) = span.inside(action.x).filter(|_| weight != 0.0) else {
-                    continue;
-                };
-                let (f, m) = (span.of_force(z), span.of_moment(z));
-                let ends = from_fn(|k| action.force * f[k] + action.moment * m[k]);
-                let i = bonds.lattice().first + lower;
-                scatter(force, n, i, i + c.step, weight, &ends);
-                rest -= weight;
+    fn add_lumped(&self, load: &Distributed, range: &Range<usize>, planes: &mut [&mut [f64]]) {
+        let (chain, component) = (self.chain, load.along.component());
+        let real = range.start.max(chain.ghosts[0])..range.end.min(chain.ghosts[0] + chain.points);
+        for point in real {
+            let (a, b) = chain.tributary(point - chain.ghosts[0]);
+            let (a, b) = (a.max(load.from), b.min(load.to));
+            if b > a && component < planes.len() {
+                // The value at the point, as the literature does, where the load covers its whole share.
+                let x = chain.position(point);
+                let at = if x >= a && x <= b { x } else { 0.5 * (a + b) };
+                planes[component][point - range.start] += load.value(at) * (b - a);
             }
         }
     }
-    // What no bond spans belongs to the point; inside a cell that is the rounding of zero.
-    let on_point = (action.x - chain.position(chain.ghosts[0] + nearest)).abs() < 1e-6 * chain.spacing;
+}
+
+fn scatter(
+    range: &Range<usize>,
+    planes: &mut [&mut [f64]],
+    points: [usize; 2],
+    weight: f64,
+    ends: &EndForces,
+) {
+    for (side, point) in points.into_iter().enumerate() {
+        if range.contains(&point) {
+            let values = [ends[2 * side], ends[2 * side + 1], ends[4 + side]];
+            for (plane, value) in planes.iter_mut().zip(values) {
+                plane[point - range.start] += weight * value;
+            }
+        }
+    }
+}
+
+/// The part of a concentrated load that no bond carries: all of it at a split or an end, at a point inside an unsplit
+/// chain what the weights of the bonds that span it leave.
+fn place(action: &PointAction, chain: &Chain, nodal: &mut Vec<(usize, usize, f64)>) {
+    let nearest = chain.ghosts[0] + chain.nearest(action.x);
+    let mut rest = 1.0;
+    if action.spread {
+        for class in 0..chain.weights.classes() {
+            let step = chain.weights.step(class);
+            for lower in nearest.saturating_sub(step)..=nearest {
+                let weight = chain.weights.weight(class, lower);
+                let inside = |length: f64| {
+                    Span { x: chain.position(lower), length, shear_ratio: 0.0 }.inside(action.x)
+                };
+                if weight != 0.0 && inside(chain.bonds.bond(class, lower).length).is_some() {
+                    rest -= weight;
+                }
+            }
+        }
+    }
+    // Inside a cell the rest is the rounding of zero.
+    let on_point = (action.x - chain.position(nearest)).abs() < 1e-6 * chain.spacing;
     if on_point || !action.spread {
-        let point = beam.first_real(action.chain) + nearest;
-        force[point] += rest * action.force;
-        force[n + point] += rest * action.moment;
+        nodal.extend(action.parts().map(|(along, value)| (nearest, along.component(), rest * value)));
     }
 }

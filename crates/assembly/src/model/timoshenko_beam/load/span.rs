@@ -1,9 +1,10 @@
 //! A bond as its loads see it: an exact Timoshenko element.
 
-use super::TimoshenkoBeam;
+use super::Along;
+use crate::model::timoshenko_beam::Chain;
 
-/// Forces on `(w_i, φ_i, w_j, φ_j)`.
-pub(in super::super) type EndForces = [f64; 4];
+/// Forces on `(w_i, φ_i, w_j, φ_j, u_i, u_j)`.
+pub(in super::super) type EndForces = [f64; 6];
 
 /// A bond as its loads see it: `[x, x + length]`, and `Φ = 12 EI/(S ξ²)`.
 #[derive(Clone, Copy)]
@@ -15,7 +16,7 @@ pub(in super::super) struct Span {
 
 impl Span {
     /// End forces of a unit transverse force at `z = s/ξ`: the exact Timoshenko shape functions.
-    pub(super) fn of_force(&self, z: f64) -> EndForces {
+    fn of_force(&self, z: f64) -> EndForces {
         let (p, l) = (self.shear_ratio, self.length);
         let bend = z * (z * (2.0 * z - 3.0) - p);
         [
@@ -23,11 +24,13 @@ impl Span {
             l * z * (z * (z - (2.0 + p / 2.0)) + 1.0 + p / 2.0) / (1.0 + p),
             -bend / (1.0 + p),
             l * z * (z * (z - (1.0 - p / 2.0)) - p / 2.0) / (1.0 + p),
+            0.0,
+            0.0,
         ]
     }
 
     /// End forces of a unit moment at `z`: rotations of the same shape functions.
-    pub(super) fn of_moment(&self, z: f64) -> EndForces {
+    fn of_moment(&self, z: f64) -> EndForces {
         let (p, l) = (self.shear_ratio, self.length);
         let lift = 6.0 * z * (z - 1.0) / (l * (1.0 + p));
         [
@@ -35,7 +38,23 @@ impl Span {
             (z * (3.0 * z - (4.0 + p)) + 1.0 + p) / (1.0 + p),
             -lift,
             z * (3.0 * z - (2.0 - p)) / (1.0 + p),
+            0.0,
+            0.0,
         ]
+    }
+
+    /// End forces of a unit axial force at `z`.
+    fn of_axial(z: f64) -> EndForces {
+        [0.0, 0.0, 0.0, 0.0, 1.0 - z, z]
+    }
+
+    /// End forces of a unit load at `z`.
+    pub(super) fn of(&self, along: Along, z: f64) -> EndForces {
+        match along {
+            Along::Transverse => self.of_force(z),
+            Along::Rotation => self.of_moment(z),
+            Along::Axial => Self::of_axial(z),
+        }
     }
 
     /// Position `z` of `x` inside the span, `None` at its ends and beyond.
@@ -46,13 +65,11 @@ impl Span {
     }
 }
 
-impl TimoshenkoBeam {
-    /// The bond of a class at a lower extended point of a chain.
-    pub(in super::super) fn span(&self, chain: usize, class: usize, lower: usize) -> Span {
-        let length = self.bonds[chain].classes()[class].geometry.length();
-        let p = &self.parameters;
-        let shear_ratio = 12.0 * p.bending_stiffness / (p.shear_stiffness * length * length);
-        Span { x: self.chains[chain].position(lower), length, shear_ratio }
+impl Span {
+    /// The bond of a class at a lower point of a line with sections that do not vary.
+    pub(super) fn new(chain: &Chain, class: usize, lower: usize, bending: f64, shear: f64) -> Self {
+        let length = chain.bonds.bond(class, lower).length;
+        Self { x: chain.position(lower), length, shear_ratio: 12.0 * bending / (shear * length * length) }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Gauss' rule for loads over a bond.
+//! Gauss' rule for integrals over a cell.
 
 /// Gauss-Legendre rule with 8 points on (0, 1), exact to degree 15: `(position, weight)`.
 pub(super) const GAUSS: [(f64, f64); 8] = {

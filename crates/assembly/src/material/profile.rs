@@ -1,0 +1,80 @@
+//! A quantity that varies along a member.
+
+use serde::{Deserialize, Serialize};
+
+/// Value along a member, by the distance s from its start.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Profile {
+    /// The same everywhere.
+    Uniform(f64),
+    /// `c₀ + c₁ s + c₂ s² + …`.
+    Polynomial(Vec<f64>),
+    /// Straight between pairs `[s, value]` with growing s; constant before the first and after the last. Two pairs with
+    /// the same s are a jump.
+    Table(Vec<[f64; 2]>),
+}
+
+impl Profile {
+    /// Value at a distance from the start; on a jump the one after it.
+    pub fn value(&self, s: f64) -> f64 {
+        match self {
+            Self::Uniform(value) => *value,
+            Self::Polynomial(coefficients) => coefficients.iter().rev().fold(0.0, |sum, c| sum * s + c),
+            Self::Table(pairs) => {
+                let next = pairs.partition_point(|p| p[0] <= s);
+                match (next.checked_sub(1).map(|k| pairs[k]), pairs.get(next)) {
+                    (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (s - a[0]) / (b[0] - a[0]),
+                    (Some(a), None) => a[1],
+                    (None, Some(b)) => b[1],
+                    (None, None) => 0.0,
+                }
+            }
+        }
+    }
+
+    /// The value, where it is the same everywhere.
+    pub fn uniform(&self) -> Option<f64> {
+        match self {
+            Self::Uniform(value) => Some(*value),
+            Self::Polynomial(coefficients) => match coefficients.as_slice() {
+                [] => Some(0.0),
+                [first, rest @ ..] => rest.iter().all(|c| *c == 0.0).then_some(*first),
+            },
+            Self::Table(pairs) => {
+                let first = pairs.first().map_or(0.0, |p| p[1]);
+                pairs.iter().all(|p| p[1] == first).then_some(first)
+            }
+        }
+    }
+
+    /// Where its slope or its value jumps.
+    pub fn breaks(&self) -> &[[f64; 2]] {
+        match self {
+            Self::Table(pairs) => pairs,
+            _ => &[],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polynomial_starts_with_its_constant() {
+        let p = Profile::Polynomial(vec![1.0, 4.5, 6.75, 3.375]);
+        // (1 + 1.5 s)³ at s = 2.
+        assert_eq!(p.value(2.0), 64.0);
+        assert_eq!(p.uniform(), None);
+        assert_eq!(Profile::Polynomial(vec![3.0, 0.0]).uniform(), Some(3.0));
+    }
+
+    #[test]
+    fn a_table_is_straight_between_its_pairs_and_constant_beyond() {
+        let t = Profile::Table(vec![[1.0, 2.0], [2.0, 4.0], [2.0, 10.0], [4.0, 0.0]]);
+        let values = [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, 9.0].map(|s| t.value(s));
+        assert_eq!(values, [2.0, 2.0, 3.0, 10.0, 5.0, 0.0, 0.0]);
+    }
+}

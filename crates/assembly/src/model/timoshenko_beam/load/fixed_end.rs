@@ -1,0 +1,139 @@
+//! Fixed-end forces: what the loads inside a bond put on its two points.
+
+use super::{BeamLoads, Distributed, EndForces, GAUSS, PointAction, Span, resultant};
+use crate::model::timoshenko_beam::Chain;
+use crate::model::timoshenko_beam::chain::pieces;
+
+/// Fixed-end forces of the loads on one line.
+pub(in super::super) struct FixedEnd<'a> {
+    loads: &'a BeamLoads,
+    number: usize,
+    chain: &'a Chain,
+    /// EI and S, where they do not vary.
+    plain: Option<(f64, f64)>,
+    breaks: Vec<f64>,
+}
+
+impl<'a> FixedEnd<'a> {
+    /// The loads that bonds of a line carry.
+    pub(in super::super) fn new(loads: &'a BeamLoads, number: usize, chain: &'a Chain) -> Self {
+        let stiffness = &chain.line().stiffness;
+        Self { loads, number, chain, plain: stiffness.plain(), breaks: stiffness.breaks() }
+    }
+
+    /// Forces of all loads inside one bond, weight not included.
+    pub(in super::super) fn of(&self, class: usize, lower: usize) -> EndForces {
+        let (all, action): (Vec<_>, Vec<_>) = (self.distributed().collect(), self.spread().collect());
+        self.end_forces(&all, &action, class, lower)
+    }
+
+    /// Forces of one distributed load inside a bond.
+    pub(super) fn of_one(&self, load: &Distributed, class: usize, lower: usize) -> EndForces {
+        self.end_forces(&[load], &[], class, lower)
+    }
+
+    /// Forces of the concentrated loads that bonds carry, if there are any inside a bond.
+    pub(super) fn of_spread(&self, class: usize, lower: usize) -> Option<EndForces> {
+        let bond = self.chain.bonds.bond(class, lower);
+        let span = Span { x: self.chain.position(lower), length: bond.length, shear_ratio: 0.0 };
+        let inside: Vec<&PointAction> = self.spread().filter(|p| span.inside(p.x).is_some()).collect();
+        (!inside.is_empty()).then(|| self.end_forces(&[], &inside, class, lower))
+    }
+
+    /// Resultant as [`resultant`] of all loads that bonds carry inside `[a, b]`.
+    pub(in super::super) fn resultant(&self, a: f64, b: f64, with_end: bool) -> [f64; 3] {
+        let (all, action): (Vec<_>, Vec<_>) = (self.distributed().collect(), self.spread().collect());
+        resultant(&all, &action, a, b, with_end)
+    }
+
+    /// Whether bonds carry any load.
+    pub(in super::super) fn is_needed(&self) -> bool {
+        self.distributed().next().is_some() || self.spreads()
+    }
+
+    /// Whether bonds carry concentrated loads.
+    pub(super) fn spreads(&self) -> bool {
+        self.spread().next().is_some()
+    }
+
+    fn distributed(&self) -> impl Iterator<Item = &'a Distributed> {
+        let number = self.number;
+        self.loads.shared().filter(move |load| load.chain == number)
+    }
+
+    fn spread(&self) -> impl Iterator<Item = &'a PointAction> {
+        let number = self.number;
+        self.loads.point.iter().filter(move |p| p.spread && p.chain == number)
+    }
+
+    fn end_forces(
+        &self,
+        all: &[&Distributed],
+        actions: &[&PointAction],
+        class: usize,
+        lower: usize,
+    ) -> EndForces {
+        let Some((bending, shear)) = self.plain else {
+            return self.by_flexibility(all, actions, class, lower);
+        };
+        let span = Span::new(self.chain, class, lower, bending, shear);
+        let mut sum = [0.0; 6];
+        let mut add = |part: EndForces, factor: f64| (0..6).for_each(|k| sum[k] += factor * part[k]);
+        all.iter().for_each(|load| add(load.on(&span), 1.0));
+        for action in actions {
+            if let Some(z) = span.inside(action.x) {
+                action.parts().for_each(|(along, value)| add(span.of(along, z), value));
+            }
+        }
+        sum
+    }
+
+    /// The force method: the bond held at its upper point alone deforms under its loads; the end actions that close this
+    /// deformation, and what the loads leave at the upper point, are the fixed-end forces.
+    fn by_flexibility(
+        &self,
+        all: &[&Distributed],
+        actions: &[&PointAction],
+        class: usize,
+        lower: usize,
+    ) -> EndForces {
+        let chain = self.chain;
+        let bond = chain.bonds.bond(class, lower);
+        let step = chain.weights.step(class);
+        let a = chain.position(lower);
+        let middle = a + 0.5 * bond.length;
+        let mut breaks: Vec<f64> = self.breaks.clone();
+        // Section forces jump under concentrated loads, and bend where distributed ones begin and end.
+        breaks.extend(actions.iter().map(|p| p.x - chain.line().from));
+        breaks.extend(all.iter().flat_map(|l| [l.from, l.to]).map(|x| x - chain.line().from));
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        // Deformations Δu, Δφ, ξγ.
+        let mut open = [0.0; 3];
+        for cell in lower..lower + step {
+            for (from, to) in pieces(chain.line(), &breaks, chain.position(cell), chain.position(cell + 1)) {
+                for (z, g) in GAUSS {
+                    let (x, width) = (from + z * (to - from), g * (to - from));
+                    let [q, moment, p] = resultant(all, actions, a, x, true);
+                    let (normal, shear) = (-p, -q);
+                    let c = chain.line().stiffness.compliance(x - chain.line().from);
+                    let curvature = c.bending * moment + c.coupling * normal;
+                    // A line without axial unknowns need not say how stiff it is along its axis.
+                    let strain = c.coupling * moment + if p == 0.0 { 0.0 } else { c.axial * normal };
+                    open[0] += width * strain;
+                    open[1] += width * curvature;
+                    open[2] += width * (c.shear * shear - curvature * (x - middle));
+                }
+            }
+        }
+        let [q, moment, p] = resultant(all, actions, a, a + bond.length, false);
+        // Basic forces N, M₀, V that close the deformation: −C open, with C = UᵀDU.
+        let axial = bond.axial * (open[0] + bond.axial_bending * open[1]);
+        let v = bond.shear * (open[2] + bond.eccentricity * open[1] + bond.shear_axial * open[0]);
+        let n = axial + bond.shear_axial * v;
+        let m = bond.bending * open[1] + bond.eccentricity * v + bond.axial_bending * axial;
+        let half = 0.5 * bond.length;
+        // The forces on the points are minus those on the bond.
+        [-v, -m - half * v, q + v, m - half * v - moment, -n, p + n]
+    }
+}

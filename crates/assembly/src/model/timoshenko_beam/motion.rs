@@ -1,0 +1,85 @@
+//! A beam as a model with two or three unknowns per point.
+
+use super::TimoshenkoBeam;
+use crate::bonds::Point;
+use crate::condition::Equation;
+use crate::model::Model;
+use crate::stiffness::Term;
+
+impl TimoshenkoBeam {
+    /// Position of a point in the plane.
+    pub fn position(&self, point: usize) -> Point {
+        let chain = self.chain_of(point);
+        let (line, x) = (self.chains[chain].line(), self.chains[chain].position(point - self.first[chain]));
+        [line.origin[0] + x * line.direction[0], line.origin[1] + x * line.direction[1], 0.0]
+    }
+
+    /// Relations of the ghost points.
+    fn ghost_relations(&self) -> Vec<Equation> {
+        self.chains.iter().zip(&self.first).flat_map(|(chain, &first)| chain.relations(first)).collect()
+    }
+
+    /// (w, φ, u) of a point under a unit translation along x (0), along y (1), or a rotation about a centre (2).
+    fn plane_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
+        let [c, s] = self.chains[self.chain_of(point)].line().direction;
+        let [x, y, _] = self.position(point);
+        let (motion, turn) = match kind {
+            0 => ([1.0, 0.0], 0.0),
+            1 => ([0.0, 1.0], 0.0),
+            _ => ([centre[1] - y, x - centre[0]], 1.0),
+        };
+        [c * motion[1] - s * motion[0], turn, c * motion[0] + s * motion[1]]
+    }
+}
+
+impl Model<2> for TimoshenkoBeam {
+    const UNKNOWNS: [&'static str; 2] = ["w", "phi"];
+    const RIGID_MOTIONS: &'static [&'static str] = &["translation along w", "rotation"];
+
+    fn points(&self) -> usize {
+        self.points
+    }
+
+    fn position(&self, point: usize) -> Point {
+        self.position(point)
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<2>>> {
+        self.bending_terms()
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        self.ghost_relations()
+    }
+
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
+        let [w, phi, _] = self.plane_motion(kind + 1, point, centre);
+        [w, phi]
+    }
+}
+
+impl Model<3> for TimoshenkoBeam {
+    const UNKNOWNS: [&'static str; 3] = ["w", "phi", "u"];
+    const RIGID_MOTIONS: &'static [&'static str] =
+        &["translation along x", "translation along y", "rotation"];
+
+    fn points(&self) -> usize {
+        self.points
+    }
+
+    fn position(&self, point: usize) -> Point {
+        self.position(point)
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<3>>> {
+        self.frame_terms()
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        self.ghost_relations()
+    }
+
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
+        self.plane_motion(kind, point, centre)
+    }
+}

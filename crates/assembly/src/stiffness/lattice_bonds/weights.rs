@@ -1,0 +1,141 @@
+//! Weights of the bonds of a lattice: one per class, and the exceptions.
+
+use std::ops::Range;
+
+/// Points per chunk: the inner loops run over one chunk of one class.
+pub(super) const CHUNK: usize = 64;
+/// Marks a chunk all of whose bonds have factor one.
+const PLAIN: u32 = u32::MAX;
+
+/// A bond whose weight differs from that of its class.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Override {
+    /// Index of the class.
+    pub class: usize,
+    /// Lower point, counted from the first lattice point.
+    pub lower: usize,
+    /// Multiplies the weight of the class; zero where there is no bond.
+    pub factor: f64,
+}
+
+/// Weights α of the bonds `(p, p + step)` of a lattice, one class per step.
+///
+/// Factors are stored only for the chunks of 64 points that hold an exception (ends, splits): the interior of a lattice
+/// stores nothing per bond.
+#[derive(Clone, Debug)]
+pub struct Weights {
+    count: usize,
+    classes: Vec<(usize, f64)>,
+    /// Per chunk: start of its factors `[class][lower point]`, or [`PLAIN`].
+    chunks: Vec<u32>,
+    factors: Vec<f64>,
+}
+
+impl Weights {
+    /// Weights of the classes `(step, weight)` of a lattice of `count` points. Bonds that would leave the lattice do not
+    /// exist and need no override.
+    pub fn new(count: usize, classes: Vec<(usize, f64)>, overrides: &[Override]) -> Self {
+        let mut chunks = vec![PLAIN; count.div_ceil(CHUNK)];
+        let mut factors = Vec::new();
+        for o in overrides.iter().filter(|o| o.lower < count) {
+            let chunk = &mut chunks[o.lower / CHUNK];
+            if *chunk == PLAIN {
+                *chunk = factors.len() as u32;
+                factors.resize(factors.len() + classes.len() * CHUNK, 1.0);
+            }
+            factors[*chunk as usize + o.class * CHUNK + o.lower % CHUNK] = o.factor;
+        }
+        Self { count, classes, chunks, factors }
+    }
+
+    /// Points of the lattice.
+    pub fn points(&self) -> usize {
+        self.count
+    }
+
+    /// Number of classes.
+    pub fn classes(&self) -> usize {
+        self.classes.len()
+    }
+
+    /// Difference of the point numbers of the bonds of a class, >= 1.
+    pub fn step(&self, class: usize) -> usize {
+        self.classes[class].0
+    }
+
+    /// Largest step.
+    pub fn reach(&self) -> usize {
+        self.classes.iter().map(|c| c.0).max().unwrap_or(0)
+    }
+
+    /// Weight of the ordinary bonds of a class.
+    pub fn of_class(&self, class: usize) -> f64 {
+        self.classes[class].1
+    }
+
+    /// Weight of the bond of a class at a lower point; zero where it does not exist.
+    pub fn weight(&self, class: usize, lower: usize) -> f64 {
+        let (step, weight) = self.classes[class];
+        if lower + step >= self.count {
+            return 0.0;
+        }
+        match self.chunks[lower / CHUNK] {
+            PLAIN => weight,
+            start => weight * self.factors[start as usize + class * CHUNK + lower % CHUNK],
+        }
+    }
+
+    /// Whether all bonds with lower points in a range exist and have the weight of their class.
+    pub fn are_ordinary(&self, lower: Range<usize>) -> bool {
+        if lower.is_empty() {
+            return true;
+        }
+        let chunks = lower.start / CHUNK..(lower.end - 1) / CHUNK + 1;
+        lower.end + self.reach() <= self.count
+            && chunks.into_iter().all(|chunk| {
+                self.chunks[chunk] == PLAIN || {
+                    let part = lower.start.max(chunk * CHUNK)..lower.end.min((chunk + 1) * CHUNK);
+                    (0..self.classes.len())
+                        .all(|class| part.clone().all(|p| self.weight(class, p) == self.of_class(class)))
+                }
+            })
+    }
+
+    /// Number of chunks.
+    pub(super) fn chunks(&self) -> usize {
+        self.chunks.len()
+    }
+
+    /// Whether no bond with its lower point in a chunk is an exception.
+    pub(super) fn is_plain(&self, chunk: usize) -> bool {
+        self.chunks[chunk] == PLAIN
+    }
+
+    /// Lower points of one class in one chunk, and their factors if the chunk has any.
+    #[inline(always)]
+    pub(super) fn bonds_of(&self, class: usize, chunk: usize) -> (Range<usize>, Option<&[f64]>) {
+        let last = self.count.saturating_sub(self.classes[class].0);
+        let begin = (chunk * CHUNK).min(last);
+        let end = (begin + CHUNK).min(last);
+        let factors = (self.chunks[chunk] != PLAIN)
+            .then(|| &self.factors[self.chunks[chunk] as usize + class * CHUNK..][..CHUNK]);
+        (begin..end, factors)
+    }
+
+    /// Number of bonds.
+    pub fn bonds(&self) -> usize {
+        let inside: usize = self.classes.iter().map(|c| self.count.saturating_sub(c.0)).sum();
+        let absent = (0..self.chunks.len())
+            .filter(|&chunk| self.chunks[chunk] != PLAIN)
+            .flat_map(|chunk| (0..self.classes.len()).map(move |index| (chunk, index)))
+            .flat_map(|(chunk, index)| self.bonds_of(index, chunk).0.map(move |p| (index, p)))
+            .filter(|&(index, p)| self.weight(index, p) == 0.0)
+            .count();
+        inside - absent
+    }
+
+    /// Numbers stored for exceptions.
+    pub fn stored_factors(&self) -> usize {
+        self.factors.len()
+    }
+}
