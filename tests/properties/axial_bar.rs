@@ -7,9 +7,12 @@
 use crate::consistency::{Noise, check};
 use peristat_assembly::bonds::{BondGeometry, BondModel, Point, Rows};
 use peristat_assembly::condition::{Equation, Unknown};
+use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::Model;
-use peristat_assembly::model::timoshenko_beam::{Chain, Grid, Line, VolumeFactor, end_treatment};
-use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Spring, Springs, Term};
+use peristat_assembly::model::timoshenko_beam::{
+    BeamParameters, Chain, Line, VolumeFactor, bond_law, end_treatment,
+};
+use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Spring, Springs, Term, Weights};
 use peristat_assembly::system::{Assembled, System, free_motions};
 use peristat_solve::{BandCholesky, BandMatrix, Preconditioner};
 use proptest::prelude::*;
@@ -43,25 +46,30 @@ struct AxialBar {
 impl AxialBar {
     /// A bar of some cells and horizon ratio with EA = `stiffness`. `factors` may weaken bonds.
     fn new(cells: usize, horizon_ratio: f64, stiffness: f64, factors: &[Override]) -> Self {
-        let line = Line {
-            from: 0.0,
-            length: 1.0,
-            cells,
-            grid: Grid::Nodes,
-            horizon_ratio,
-            splits: Vec::new(),
-            supports: Default::default(),
+        let section = SectionStiffness::uniform(1.0, 1.0, stiffness, 1.0);
+        let parameters = BeamParameters {
+            volume_factor: VolumeFactor::HalfEdge,
+            bond_law: bond_law::find("exact").expect("the law exists"),
+            end_treatment: end_treatment::find("cover").expect("the treatment exists"),
         };
-        let cover = end_treatment::find("cover").expect("the treatment exists");
-        let chain = Chain::new(line, VolumeFactor::HalfEdge, cover).expect("a chain");
-        let offset = |(k, &weight): (usize, &f64)| {
-            let xi = [(k + 1) as f64 * chain.spacing, 0.0, 0.0];
-            (k + 1, BondGeometry { xi }, weight)
+        let line = Line { horizon_ratio, ..Line::new(1.0, cells, section) };
+        let chain = Chain::new(line, &parameters).expect("a chain");
+        let own = &chain.weights;
+        let classes: Vec<(usize, f64)> = (0..own.classes()).map(|c| (own.step(c), own.of_class(c))).collect();
+        let exception = |class: usize, lower: usize| Override {
+            class,
+            lower,
+            factor: own.weight(class, lower) / own.of_class(class),
         };
-        let offsets: Vec<_> = chain.weights.iter().enumerate().map(offset).collect();
+        let pairs = (0..own.classes()).flat_map(|class| (0..=cells).map(move |lower| (class, lower)));
+        let mut overrides: Vec<Override> = pairs.map(|(class, lower)| exception(class, lower)).collect();
+        overrides.extend(factors);
+        let geometry =
+            |&(step, _): &(usize, f64)| BondGeometry { xi: [step as f64 * chain.spacing, 0.0, 0.0] };
+        let geometries: Vec<BondGeometry> = classes.iter().map(geometry).collect();
         let lattice = Lattice { points: cells + 1, first: 0, count: cells + 1 };
-        let overrides = [&chain.overrides, factors].concat();
-        let bonds = LatticeBonds::new(lattice, &AxialBond { stiffness }, &offsets, &overrides);
+        let weights = Weights::new(cells + 1, classes, &overrides);
+        let bonds = LatticeBonds::new(lattice, &AxialBond { stiffness }, &geometries, weights);
         Self { chain, bonds }
     }
 }
@@ -86,7 +94,7 @@ impl Model<1> for AxialBar {
         Vec::new()
     }
 
-    fn rigid_motion(&self, _: usize, _: Point) -> [f64; 1] {
+    fn rigid_motion(&self, _: usize, _: usize, _: Point) -> [f64; 1] {
         [1.0]
     }
 }
@@ -155,7 +163,7 @@ proptest! {
         cells in 1_usize..200, ratio in 1.0..7.0_f64, broken in 0_usize..40, spring in any::<bool>(), seed in any::<u64>()
     ) {
         let mut noise = Noise(seed);
-        let reach = AxialBar::new(cells, ratio, 1.0, &[]).chain.weights.len();
+        let reach = AxialBar::new(cells, ratio, 1.0, &[]).chain.weights.classes();
         let factors: Vec<Override> = (0..broken)
             .map(|_| Override {
                 class: noise.index(reach),

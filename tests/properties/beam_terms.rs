@@ -3,19 +3,18 @@
 use crate::consistency::{Noise, check};
 use peristat_assembly::bonds::{BondGeometry, Point};
 use peristat_assembly::condition::Equation;
+use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndSupport;
 use peristat_assembly::model::timoshenko_beam::{
-    BeamBond, BeamParameters, Grid, Line, TimoshenkoBeam, VolumeFactor, bond_law, end_treatment,
+    BeamParameters, Grid, Line, TimoshenkoBeam, UniformBending, UniformSection, VolumeFactor, bond_law,
+    end_treatment,
 };
-use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Spring, Springs, Term};
+use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Spring, Springs, Term, Weights};
 use proptest::prelude::*;
 
 fn parameters(law: usize, treatment: usize) -> BeamParameters {
     BeamParameters {
-        bending_stiffness: 2.0,
-        shear_stiffness: 300.0,
-        area: 1.0,
         volume_factor: VolumeFactor::HalfEdge,
         bond_law: &bond_law::TABLE[law % bond_law::TABLE.len()],
         end_treatment: &end_treatment::TABLE[treatment % end_treatment::TABLE.len()],
@@ -23,14 +22,14 @@ fn parameters(law: usize, treatment: usize) -> BeamParameters {
 }
 
 /// Lattices of beam bonds on the same points, whose factors a test chooses.
-struct Damaged(Vec<LatticeBonds<2, 2, BeamBond>>);
+struct Damaged(usize, Vec<LatticeBonds<2, 2, UniformBending>>);
 
 impl Model<2> for Damaged {
-    const UNKNOWNS: [&'static str; 2] = TimoshenkoBeam::UNKNOWNS;
-    const RIGID_MOTIONS: &'static [&'static str] = TimoshenkoBeam::RIGID_MOTIONS;
+    const UNKNOWNS: [&'static str; 2] = <TimoshenkoBeam as Model<2>>::UNKNOWNS;
+    const RIGID_MOTIONS: &'static [&'static str] = <TimoshenkoBeam as Model<2>>::RIGID_MOTIONS;
 
     fn points(&self) -> usize {
-        self.0[0].lattice().points
+        self.0
     }
 
     fn position(&self, point: usize) -> Point {
@@ -38,33 +37,34 @@ impl Model<2> for Damaged {
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
-        self.0.iter().map(|bonds| Box::new(bonds.clone()) as Box<dyn Term<2>>).collect()
+        self.1.iter().map(|bonds| Box::new(bonds.clone()) as Box<dyn Term<2>>).collect()
     }
 
     fn relations(&self) -> Vec<Equation> {
         Vec::new()
     }
 
-    fn rigid_motion(&self, kind: usize, position: Point) -> [f64; 2] {
-        [[1.0, 0.0], [position[0], 1.0]][kind]
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
+        [[1.0, 0.0], [self.position(point)[0] - centre[0], 1.0]][kind]
     }
 }
 
 /// A lattice that starts at point `first` of a larger body.
 fn damaged(law: usize, first: usize, count: usize, weights: &[f64], factors: &[Override]) -> Damaged {
-    let model = BeamBond {
+    let section = UniformSection {
         bending_stiffness: 2.0,
         shear_stiffness: 300.0,
-        mean_square_length: 0.03,
+        axial_stiffness: 1.0,
         law: &bond_law::TABLE[law % bond_law::TABLE.len()],
     };
-    let offset = |(k, &weight): (usize, &f64)| {
-        let xi = [0.1 * (k + 1) as f64, 0.0, 0.0];
-        (k + 1, BondGeometry { xi }, weight)
-    };
-    let offsets: Vec<_> = weights.iter().enumerate().map(offset).collect();
-    let lattice = Lattice { points: first + count + 2, first, count };
-    Damaged(vec![LatticeBonds::new(lattice, &model, &offsets, factors)])
+    let model = UniformBending { section, mean_square_length: 0.03 };
+    let geometry = |k: usize| BondGeometry { xi: [0.1 * k as f64, 0.0, 0.0] };
+    let geometries: Vec<_> = (1..=weights.len()).map(geometry).collect();
+    let classes = weights.iter().enumerate().map(|(k, &weight)| (k + 1, weight)).collect();
+    let points = first + count + 2;
+    let lattice = Lattice { points, first, count };
+    let weights = Weights::new(count, classes, factors);
+    Damaged(points, vec![LatticeBonds::new(lattice, &model, &geometries, weights)])
 }
 
 proptest! {
@@ -84,14 +84,14 @@ proptest! {
             phi: (h / 2 == 1).then_some(0.0),
         });
         let ratio = if seed % 2 == 0 { ratio.round() } else { ratio };
+        let stiffness = SectionStiffness::uniform(2.0, 300.0, 50.0, 1.0);
         let line = |from: f64| Line {
             from,
-            length: 0.1 * cells as f64,
-            cells,
             grid: if on_cells { Grid::Cells } else { Grid::Nodes },
             horizon_ratio: ratio,
             splits: splits.clone(),
             supports,
+            ..Line::new(0.1 * cells as f64, cells, stiffness.clone())
         };
         // A second, shorter line makes the lattice of the first one a part of the body.
         let second = Line { cells: 8, length: 0.8, splits: Vec::new(), ..line(100.0) };
@@ -103,7 +103,7 @@ proptest! {
             let springs = vec![at(0, 3, 20.0), at(1, cells / 2, 5.0), at(0, 3, 1.0)];
             if spring { vec![Box::new(Springs::new(beam.points(), springs))] } else { Vec::new() }
         };
-        check(&beam, &extra, seed);
+        check::<2, _>(&beam, &extra, seed);
     }
 
     #[test]
@@ -122,7 +122,7 @@ proptest! {
             .collect();
         let mut body = damaged(law, first, count, &weights, &factors);
         if twice {
-            body.0.extend(damaged(law + 1, first, count, &weights[..1], &[]).0);
+            body.1.extend(damaged(law + 1, first, count, &weights[..1], &[]).1);
         }
         check(&body, &Vec::new, seed);
     }

@@ -117,7 +117,7 @@ fn rigid_motions_cost_nothing<const D: usize, M: Model<D>>(model: &M, system: &S
     for kind in 0..M::RIGID_MOTIONS.len() {
         let amount = noise.next();
         let motion: Vec<f64> =
-            (0..D * n).map(|i| amount * model.rigid_motion(kind, model.position(i % n))[i / n]).collect();
+            (0..D * n).map(|i| amount * model.rigid_motion(kind, i % n, [0.0; 3])[i / n]).collect();
         let size = scale * largest(&motion);
         assert_close(&force(system, &motion), &vec![0.0; D * n], size, 1e-14, M::RIGID_MOTIONS[kind]);
         let energy = system.survey(&motion).energy;

@@ -4,7 +4,6 @@ use crate::support::standard::{CASES, SECTIONS, steel};
 use crate::support::{Run, run};
 use peristat::solve_text;
 use peristat::summary::Status;
-use peristat_assembly::model::Model;
 use serde_json::json;
 
 /// Imbalance of forces, and of moments about x = 0, of loads and reactions, relative to all of them over 1 m.

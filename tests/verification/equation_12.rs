@@ -3,6 +3,7 @@
 //! Yang, Oterkus and Oterkus, Procedia Structural Integrity 28 (2020) 464-471.
 
 use crate::support::error;
+use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid, Line, TimoshenkoBeam, VolumeFactor, bond_law, end_treatment,
@@ -15,22 +16,12 @@ const SHEAR: f64 = 6.4e7;
 /// A truncated chain: bonds only where there are points, as in the sums of Eq. (12).
 fn beam(law: &str, m: u32, factor: VolumeFactor, grid: Grid) -> TimoshenkoBeam {
     let parameters = BeamParameters {
-        bending_stiffness: BENDING,
-        shear_stiffness: SHEAR,
-        area: AREA,
         volume_factor: factor,
         bond_law: bond_law::find(law).expect("the law exists"),
         end_treatment: end_treatment::find("truncated").expect("the treatment exists"),
     };
-    let line = Line {
-        from: 0.3,
-        length: 0.7,
-        cells: 70,
-        grid,
-        horizon_ratio: f64::from(m),
-        splits: Vec::new(),
-        supports: Default::default(),
-    };
+    let stiffness = SectionStiffness::uniform(BENDING, SHEAR, 1.0, AREA);
+    let line = Line { from: 0.3, grid, horizon_ratio: f64::from(m), ..Line::new(0.7, 70, stiffness) };
     TimoshenkoBeam::new(parameters, vec![line]).expect("a chain")
 }
 
@@ -74,7 +65,7 @@ fn deviation(law: &str, m: u32, factor: VolumeFactor, grid: Grid, shear_scale: f
     let (w, phi) = (scattered(n, 0.1), scattered(n, 0.7));
     let u = [w.clone(), phi.iter().map(|p| 100.0 * p).collect()].concat();
     let mut force = vec![0.0; 2 * n];
-    for term in beam.terms() {
+    for term in Model::<2>::terms(&beam) {
         term.add_force(&u, &mut force);
     }
     force.iter_mut().for_each(|f| *f = -*f);

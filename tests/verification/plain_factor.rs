@@ -80,6 +80,7 @@ fn negative_cover(points: usize) -> Body {
         origin: "clamp".into(),
     };
     Body {
+        points,
         bonds: bonds.bonds(points, &overrides),
         spacing: bonds.spacing,
         relations: vec![clamp(0), clamp(1)],

@@ -44,8 +44,12 @@ fn ring(bonds: &Calibration, n: usize) -> System<2> {
     let absent: Vec<Override> = (0..reach)
         .flat_map(|class| (0..reach).map(move |k| Override { class, lower: beyond(k), factor: 0.0 }))
         .collect();
-    let body =
-        Body { bonds: bonds.bonds(n + reach, &absent), spacing: bonds.spacing, relations: copies.collect() };
+    let body = Body {
+        points: n + reach,
+        bonds: bonds.bonds(n + reach, &absent),
+        spacing: bonds.spacing,
+        relations: copies.collect(),
+    };
     System::new(&body, Vec::new(), Vec::new()).expect("no contradiction")
 }
 

@@ -3,8 +3,10 @@
 use peristat_assembly::bonds::{BondGeometry, Point};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
-use peristat_assembly::model::timoshenko_beam::{BeamBond, VolumeFactor, bond_law, bond_weights};
-use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Term};
+use peristat_assembly::model::timoshenko_beam::{
+    UniformBending, UniformSection, VolumeFactor, bond_law, bond_weights,
+};
+use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Term, Weights};
 
 /// Weights and stiffnesses of a lattice of beam bonds.
 pub(crate) struct Calibration {
@@ -39,27 +41,28 @@ impl Calibration {
     }
 
     /// The bonds on `points` points.
-    pub(crate) fn bonds(&self, points: usize, overrides: &[Override]) -> LatticeBonds<2, 2, BeamBond> {
+    pub(crate) fn bonds(&self, points: usize, overrides: &[Override]) -> LatticeBonds<2, 2, UniformBending> {
         let power = |p: i32| -> f64 { self.numbered().map(|(n, a)| a * n.powi(p)).sum() };
-        let bond = BeamBond {
+        let section = UniformSection {
             bending_stiffness: self.bending,
             shear_stiffness: self.shear,
-            mean_square_length: self.spacing.powi(2) * power(3) / power(1),
+            axial_stiffness: 1.0,
             law: bond_law::find(self.law).expect("the law exists"),
         };
-        let offset = |(k, &weight): (usize, &f64)| {
-            let xi = [(k + 1) as f64 * self.spacing, 0.0, 0.0];
-            (k + 1, BondGeometry { xi }, weight)
-        };
-        let offsets: Vec<_> = self.weights.iter().enumerate().map(offset).collect();
+        let mean_square_length = self.spacing.powi(2) * power(3) / power(1);
+        let geometry = |k: usize| BondGeometry { xi: [k as f64 * self.spacing, 0.0, 0.0] };
+        let geometries: Vec<_> = (1..=self.weights.len()).map(geometry).collect();
+        let classes = self.weights.iter().enumerate().map(|(k, &weight)| (k + 1, weight)).collect();
         let lattice = Lattice { points, first: 0, count: points };
-        LatticeBonds::new(lattice, &bond, &offsets, overrides)
+        let weights = Weights::new(points, classes, overrides);
+        LatticeBonds::new(lattice, &UniformBending { section, mean_square_length }, &geometries, weights)
     }
 }
 
 /// A body of lattice bonds.
 pub(crate) struct Body {
-    pub(crate) bonds: LatticeBonds<2, 2, BeamBond>,
+    pub(crate) points: usize,
+    pub(crate) bonds: LatticeBonds<2, 2, UniformBending>,
     pub(crate) spacing: f64,
     pub(crate) relations: Vec<Equation>,
 }
@@ -69,7 +72,7 @@ impl Model<2> for Body {
     const RIGID_MOTIONS: &'static [&'static str] = &["translation along w", "rotation"];
 
     fn points(&self) -> usize {
-        self.bonds.lattice().points
+        self.points
     }
 
     fn position(&self, point: usize) -> Point {
@@ -84,7 +87,7 @@ impl Model<2> for Body {
         self.relations.clone()
     }
 
-    fn rigid_motion(&self, kind: usize, position: Point) -> [f64; 2] {
-        [[1.0, 0.0], [position[0], 1.0]][kind]
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
+        [[1.0, 0.0], [self.position(point)[0] - centre[0], 1.0]][kind]
     }
 }

@@ -17,10 +17,12 @@ pub struct Facts {
     pub ends: [End; 2],
     /// Simple supports between the ends, m from the left end.
     pub interior_supports: Vec<f64>,
-    /// All loads.
+    /// All loads, a foundation under the beam among them.
     pub loads: Vec<Load>,
-    /// Spacing of the points, m.
+    /// Spacing of the points, m; that of a graded grid means nothing to a reference.
     pub spacing: f64,
+    /// Whether all points of the line are one spacing apart.
+    pub uniform_grid: bool,
     /// Horizon, m.
     pub horizon: f64,
     /// Bonds of 1, 2, … m spacings.
@@ -91,6 +93,11 @@ pub enum Load {
         /// n.
         half_waves: u32,
     },
+    /// A Winkler foundation under the whole beam, which pushes back with stiffness times w per length.
+    Foundation {
+        /// k_f, N/m².
+        stiffness: f64,
+    },
     /// Any other load.
     Other,
 }
@@ -115,6 +122,7 @@ impl fmt::Display for Load {
             Self::Uniform { .. } => f.write_str("a uniform load"),
             Self::UniformMoment { .. } => f.write_str("a uniform moment load"),
             Self::Sine { .. } => f.write_str("a sine load"),
+            Self::Foundation { .. } => f.write_str("a foundation"),
             Self::Other => f.write_str("another kind of load"),
         }
     }

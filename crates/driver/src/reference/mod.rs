@@ -10,7 +10,7 @@
 //! w is the deflection, phi the rotation of the section (phi = w' where shear is rigid), q the load per
 //! length along +w, c the moment per length along +phi. At x = L an applied force is V(L) and an applied
 //! moment M(L); at x = 0 they are -V(0) and -M(0). An upward load on a simply supported beam thus gives a
-//! negative M.
+//! negative M. A Winkler foundation of stiffness k_f per length adds -k_f w to q.
 //!
 //! Where V jumps (under a point force, over an interior support) a solution gives the value at the left of
 //! the point. Every formula is written so that its rounding error is a few units in the last place of the
@@ -20,14 +20,15 @@
 //! grids or compare numbers: the driver fills [`Facts`] and uses the [`Solution`].
 
 mod facts;
+mod foundation;
 mod questions;
 mod solution;
 #[cfg(test)]
 mod tests;
 
 pub use facts::{BondClass, End, Facts, Load};
+use solution::{FOUNDATION_BEAM, PUBLISHED_BEAM, TIMOSHENKO_BEAM};
 pub use solution::{Field, Reference, Solution, State};
-use solution::{PUBLISHED_BEAM, TIMOSHENKO_BEAM};
 
 peristat_assembly::register! {
     /// Every reference a case may name, in the order of `peristat list`.
@@ -48,6 +49,8 @@ peristat_assembly::register! {
     clamped_guided_uniform,
     clamped_guided_tip_force,
     two_span_uniform,
+    simply_supported_sine_foundation,
+    free_free_foundation_mid_force,
 }
 
 /// The reference of this name, if there is one.

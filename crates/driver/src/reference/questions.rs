@@ -4,12 +4,13 @@
 
 use std::fmt;
 
+use super::foundation::words;
 use super::{End, Facts, Load};
 
 /// Two positions are the same if they differ by less than this part of the length.
 const SAME_PLACE: f64 = 1e-9;
 
-fn mismatch<T>(needs: impl fmt::Display, has: impl fmt::Display) -> Result<T, String> {
+pub(super) fn mismatch<T>(needs: impl fmt::Display, has: impl fmt::Display) -> Result<T, String> {
     Err(format!("it needs {needs}, the scene has {has}"))
 }
 
@@ -81,6 +82,11 @@ impl Facts {
         })
     }
 
+    /// A uniform grid: the same spacing everywhere.
+    pub(super) fn has_uniform_grid(&self) -> Result<(), String> {
+        if self.uniform_grid { Ok(()) } else { mismatch("a uniform grid", "a graded one") }
+    }
+
     /// Image ends: the beam goes on behind each end.
     pub(super) fn has_image_ends(&self) -> Result<(), String> {
         if self.image_ends { Ok(()) } else { mismatch("image ends", "another end treatment") }
@@ -101,19 +107,20 @@ impl Facts {
     }
 
     fn only<T>(&self, needs: impl fmt::Display, pick: impl Fn(&Load) -> Option<T>) -> Result<T, String> {
-        match self.loads.as_slice() {
-            [] => mismatch(needs, "no load"),
-            [load] => pick(load).map_or_else(|| mismatch(needs, load), Ok),
-            loads => mismatch(needs, format_args!("{} loads", loads.len())),
+        if let [load] = self.loads.as_slice()
+            && let Some(found) = pick(load)
+        {
+            return Ok(found);
         }
+        mismatch(needs, words(&self.loads))
     }
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    fn cantilever() -> Facts {
+    pub(in super::super) fn cantilever() -> Facts {
         Facts {
             length: 2.0,
             bending_stiffness: 1.0,
@@ -123,6 +130,7 @@ mod tests {
             loads: vec![Load::Force { x: 2.0, value: 3.0 }],
             spacing: 0.1,
             horizon: 0.3,
+            uniform_grid: true,
             bonds: vec![],
             image_ends: false,
             lumped_loads: false,
@@ -180,6 +188,10 @@ mod tests {
     #[test]
     fn treatments_are_asked_for_by_name() {
         let facts = cantilever();
+        let graded = Facts { uniform_grid: false, ..facts.clone() };
+        assert_eq!(facts.has_uniform_grid(), Ok(()));
+        let message = graded.has_uniform_grid().unwrap_err();
+        assert_eq!(message, "it needs a uniform grid, the scene has a graded one");
         let message = facts.has_image_ends().unwrap_err();
         assert_eq!(message, "it needs image ends, the scene has another end treatment");
         let message = facts.has_lumped_loads().unwrap_err();

@@ -31,6 +31,7 @@ pub(super) const ENTRY: Reference = Reference {
 
 fn build(facts: &Facts) -> Result<Solution, String> {
     facts.ends_are(End::Simple, End::Simple)?;
+    facts.has_uniform_grid()?;
     facts.has_image_ends()?;
     facts.has_lumped_loads()?;
     let (q, half_waves) = facts.only_sine()?;

@@ -28,6 +28,7 @@ pub(super) const ENTRY: Reference = Reference {
 
 fn build(facts: &Facts) -> Result<Solution, String> {
     facts.ends_are(End::Simple, End::Simple)?;
+    facts.has_uniform_grid()?;
     facts.has_image_ends()?;
     facts.has_published_law()?;
     let (l, b, s) = facts.symbols();

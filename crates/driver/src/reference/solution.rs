@@ -7,6 +7,10 @@ use super::Facts;
 /// Source of the local references.
 pub(super) const TIMOSHENKO_BEAM: &str = "static beam equations of S. P. Timoshenko, Philosophical Magazine 41 (1921) 744-746, integrated in closed form";
 
+/// Source of the references on a foundation.
+pub(super) const FOUNDATION_BEAM: &str = "foundation of M. Hetényi, Beams on Elastic Foundation, University of Michigan Press (1946), under the beam \
+     of S. P. Timoshenko, Philosophical Magazine 41 (1921) 744-746, integrated in closed form";
+
 /// Source of the nonlocal references.
 pub(super) const PUBLISHED_BEAM: &str = "bond energy of Z. Yang, E. Oterkus, S. Oterkus, Procedia Structural Integrity 28 (2020) 464-471, \
      solved in closed form for a sine";
@@ -29,8 +33,8 @@ pub struct Reference {
 pub struct Solution {
     /// State of the section at x, m from the left end, 0 <= x <= L.
     pub at: Box<dyn Fn(f64) -> State + Send + Sync>,
-    /// Strain energy of the whole beam, J. Supports do no work, so this is half the work of the loads
-    /// (Clapeyron).
+    /// Strain energy of the whole beam and of the foundation under it, J. Supports do no work, so this is
+    /// half the work of the loads (Clapeyron).
     pub energy: Option<f64>,
     /// Which of w, phi, M and V the reference gives.
     pub fields: &'static [Field],

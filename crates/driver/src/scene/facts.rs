@@ -42,6 +42,7 @@ pub(super) fn facts(
         ends,
         interior_supports: inside.iter().map(|h| h.x - left).collect(),
         loads: loads(state, left, right, close),
+        uniform_grid: chain.line().stations.is_none(),
         spacing: chain.spacing,
         horizon: line.horizon_ratio * chain.spacing,
         bonds: bonds.collect(),

@@ -3,7 +3,7 @@
 use super::super::{End, Facts, Field, Load, Solution, TABLE};
 use super::facts_for;
 
-/// Load per length and moment per length at x.
+/// Load per length and moment per length at x, without what the foundation pushes back.
 fn load_at(facts: &Facts, x: f64) -> (f64, f64) {
     facts.loads.iter().fold((0.0, 0.0), |(q, c), load| match *load {
         Load::Uniform { value } => (q + value, c),
@@ -12,9 +12,18 @@ fn load_at(facts: &Facts, x: f64) -> (f64, f64) {
             let angle = f64::from(half_waves) * std::f64::consts::PI * x / facts.length;
             (q + amplitude * angle.sin(), c)
         }
-        Load::Force { .. } | Load::Moment { .. } => (q, c),
+        Load::Force { .. } | Load::Moment { .. } | Load::Foundation { .. } => (q, c),
         Load::Other => panic!("a reference for another kind of load needs its own test"),
     })
+}
+
+/// Stiffness of the foundation, zero where there is none.
+fn foundation(facts: &Facts) -> f64 {
+    let stiffness = |load: &Load| match *load {
+        Load::Foundation { stiffness } => stiffness,
+        _ => 0.0,
+    };
+    facts.loads.iter().map(stiffness).sum()
 }
 
 /// Derivative by central differences of fourth order, exact for polynomials up to the fourth degree.
@@ -50,7 +59,7 @@ fn every_local_reference_satisfies_the_beam_equations() {
                 slope(|state| state.phi) - state.moment / bending,
                 slope(|state| state.w) - state.phi - state.shear / shear,
                 slope(|state| state.moment) + state.shear + c,
-                slope(|state| state.shear) + q,
+                slope(|state| state.shear) + q - foundation(&facts) * state.w,
             ];
             // Measured at most 1.3e-11, in the sine; loads and stiffnesses are of order one.
             assert!(residuals.iter().all(|residual| residual.abs() < 1e-10), "{name} at {x}: {residuals:?}");
@@ -111,28 +120,31 @@ fn at_mid_span_only_a_force_makes_a_jump_and_the_value_is_the_left_one() {
     }
 }
 
+/// Simpson's rule from 0 to the length; a jump in the middle falls on a node.
+fn integral(length: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let panels = 1000;
+    let weight = |i| {
+        if i == 0 || i == panels {
+            1.0
+        } else if i % 2 == 1 {
+            4.0
+        } else {
+            2.0
+        }
+    };
+    let sum: f64 = (0..=panels).map(|i| weight(i) * f(length * f64::from(i) / f64::from(panels))).sum();
+    sum * length / (3.0 * f64::from(panels))
+}
+
 /// Clapeyron: supports that do not move do no work.
 #[test]
 fn every_energy_is_half_the_work_of_the_loads() {
     for (name, facts, solution) in scenes() {
         let energy = solution.value(Field::Energy, 0.0).expect("every reference so far has an energy");
-        let panels = 1000;
-        let weight = |i| {
-            if i == 0 || i == panels {
-                1.0
-            } else if i % 2 == 1 {
-                4.0
-            } else {
-                2.0
-            }
-        };
-        let spread: f64 = (0..=panels)
-            .map(|i| {
-                let x = facts.length * f64::from(i) / f64::from(panels);
-                let (state, (q, c)) = ((solution.at)(x), load_at(&facts, x));
-                weight(i) * (q * state.w + c * state.phi) * facts.length / (3.0 * f64::from(panels))
-            })
-            .sum();
+        let spread = integral(facts.length, |x| {
+            let (state, (q, c)) = ((solution.at)(x), load_at(&facts, x));
+            q * state.w + c * state.phi
+        });
         let points: f64 = facts
             .loads
             .iter()
@@ -145,5 +157,20 @@ fn every_energy_is_half_the_work_of_the_loads() {
         let error = (spread + points) / 2.0 / energy - 1.0;
         // Simpson's rule; measured at most 2e-12.
         assert!(error.abs() < 1e-11, "{name}: {error:e}");
+    }
+}
+
+#[test]
+fn every_local_energy_is_that_of_the_beam_and_its_foundation() {
+    for (name, facts, solution) in scenes().filter(|(_, _, solution)| gives_all(solution)) {
+        let stored = integral(facts.length, |x| {
+            let state = (solution.at)(x);
+            state.moment * state.moment / facts.bending_stiffness
+                + state.shear * state.shear / facts.shear_stiffness
+                + foundation(&facts) * state.w * state.w
+        });
+        let error = stored / 2.0 / solution.value(Field::Energy, 0.0).unwrap() - 1.0;
+        // Simpson's rule; measured at most 9.7e-12.
+        assert!(error.abs() < 3e-11, "{name}: {error:e}");
     }
 }

@@ -64,6 +64,7 @@ fn facts(left: End, right: End, load: Load) -> Facts {
         loads: vec![load],
         spacing: 0.1,
         horizon: 0.3,
+        uniform_grid: true,
         bonds: vec![],
         image_ends: false,
         lumped_loads: false,
@@ -71,8 +72,14 @@ fn facts(left: End, right: End, load: Load) -> Facts {
     }
 }
 
+/// The scene with a foundation under it.
+fn on_foundation(mut facts: Facts) -> Facts {
+    facts.loads.push(Load::Foundation { stiffness: 8.9 });
+    facts
+}
+
 /// A scene that the reference accepts. A new reference adds a line here.
-fn facts_for(name: &str) -> Facts {
+pub(super) fn facts_for(name: &str) -> Facts {
     use End::{Clamped, Free, Guided, Simple};
     const LENGTH: f64 = 1.7;
     let tip = Load::Force { x: LENGTH, value: 2.3 };
@@ -100,6 +107,8 @@ fn facts_for(name: &str) -> Facts {
         "two_span_uniform" => {
             Facts { interior_supports: vec![LENGTH / 2.0], ..facts(Simple, Simple, uniform) }
         }
+        "simply_supported_sine_foundation" => on_foundation(facts(Simple, Simple, sine)),
+        "free_free_foundation_mid_force" => on_foundation(facts(Free, Free, middle)),
         other => panic!("`{other}` has no scene to be tested with: add one in reference/tests"),
     }
 }
@@ -129,10 +138,25 @@ fn every_reference_accepts_its_scene_and_no_other_ends_or_loads() {
             Facts { loads: vec![Load::Other], ..scene.clone() },
             Facts { loads: vec![], ..scene.clone() },
             Facts { loads: vec![scene.loads[0]; 2], ..scene.clone() },
+            Facts { loads: [scene.loads[..1].to_vec(), scene.loads.clone()].concat(), ..scene.clone() },
+            on_foundation(scene.clone()),
         ];
         for facts in &wrong {
             let message = (reference.build)(facts).expect_err(reference.name);
             assert!(message.starts_with("it needs ") && message.contains(", the scene has "), "{message}");
+        }
+    }
+}
+
+#[test]
+fn only_the_answers_of_a_grid_need_a_uniform_one() {
+    for reference in TABLE {
+        let graded = Facts { uniform_grid: false, ..facts_for(reference.name) };
+        let found = (reference.build)(&graded).map(|_| ());
+        if ["simply_supported_sine_discrete", "simply_supported_sine_nonlocal"].contains(&reference.name) {
+            assert_eq!(found, Err("it needs a uniform grid, the scene has a graded one".to_owned()));
+        } else {
+            assert_eq!(found, Ok(()), "{}", reference.name);
         }
     }
 }
