@@ -8,7 +8,7 @@ use peristat_assembly::model::timoshenko_beam::end_treatment::EndSupport;
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid, Line, TimoshenkoBeam, VolumeFactor, bond_law, end_treatment,
 };
-use peristat_assembly::system::{Assembled, System};
+use peristat_assembly::system::System;
 
 const CELLS: usize = 24;
 
@@ -81,12 +81,9 @@ fn guided_ends_by_images_leave_the_translation_and_nothing_else() {
         for m in [1, 2, 3, 6] {
             let beam = beam(law.name, "image", m, Grid::Cells, [guided; 2]);
             let system = System::<2>::new(&beam, Vec::new(), Vec::new()).expect("no contradiction");
-            let Assembled::Sparse(k) = system.assemble_sparse() else {
-                panic!("sparse was asked for");
-            };
-            let k = dense(&k);
+            let mut k = dense(&system.assemble_sparse());
+            k.fill_upper_triangle_with_lower_triangle();
             let name = format!("{}, m = {m}", law.name);
-            assert_eq!(k, k.transpose(), "{name}");
             // Dependent unknowns have a positive diagonal and couple to nothing.
             let values = sorted_eigenvalues(k);
             let top = values[values.len() - 1];

@@ -129,8 +129,9 @@ impl<const D: usize> BlockMatrix<D> {
         }
     }
 
-    /// Scalar entries of the upper triangle as `(point i, component r, point j, component c, value)`.
-    fn entries(&self, mut visit: impl FnMut([usize; 2], [usize; 2], f64)) {
+    /// Visits the scalar entries of the upper triangle: point and component of the row, those of the column, the value.
+    /// A sparse layout visits the zeros of its blocks too.
+    pub fn for_each_entry(&self, mut visit: impl FnMut([usize; 2], [usize; 2], f64)) {
         for i in 0..self.points {
             match &self.layout {
                 Layout::Band { reach } => {
@@ -162,7 +163,7 @@ impl<const D: usize> BlockMatrix<D> {
     pub fn to_csr(&self, number: impl Fn(usize, usize) -> usize) -> CsMat<f64> {
         let order = D * self.points;
         let mut triplets = sprs::TriMat::new((order, order));
-        self.entries(|[i, r], [j, c], value| {
+        self.for_each_entry(|[i, r], [j, c], value| {
             let (a, b) = (number(i, r), number(j, c));
             triplets.add_triplet(a, b, value);
             if a != b {

@@ -1,5 +1,6 @@
 //! A body ready to be solved: terms, constraints, operator, reactions.
 
+mod fold;
 mod mobility;
 
 pub use mobility::{FreeMotion, free_motions};
@@ -7,7 +8,6 @@ pub use mobility::{FreeMotion, free_motions};
 use crate::condition::{Constraints, Contradiction, Equation};
 use crate::model::Model;
 use crate::stiffness::{BlockMatrix, Survey, Term};
-use sprs::CsMat;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -23,20 +23,6 @@ pub struct System<const D: usize> {
     expanded: Mutex<Vec<f64>>,
     elements: usize,
     evaluations: AtomicU64,
-}
-
-/// The stiffness assembled for a factorisation.
-#[derive(Clone, Debug)]
-pub enum Assembled {
-    /// Lower band by columns, `values[j·(b + 1) + k] = K[j + k, j]`; unknown `D·point + component`.
-    Band {
-        /// Half bandwidth b.
-        half_bandwidth: usize,
-        /// Columns of b + 1 entries.
-        values: Vec<f64>,
-    },
-    /// Compressed rows of the full symmetric matrix; unknown `component · points + point`.
-    Sparse(CsMat<f64>),
 }
 
 impl<const D: usize> System<D> {
@@ -141,11 +127,12 @@ impl<const D: usize> System<D> {
         k
     }
 
-    /// The constrained stiffness as a lower band; constrained unknowns keep a positive diagonal and couple to nothing.
+    /// The constrained stiffness as a lower band, half bandwidth b and values `K[j + k, j]` at `j·(b + 1) + k`, unknown
+    /// `D·point + component`; constrained unknowns keep a positive diagonal and couple to nothing.
     ///
     /// # Panics
     /// Some unknown depends on others: their products belong into [`System::assemble_sparse`].
-    pub fn assemble_band(&self) -> Assembled {
+    pub fn assemble_band(&self) -> (usize, Vec<f64>) {
         assert!(!self.constraints.has_slaves(), "a band is assembled without slaves only");
         let mut k = BlockMatrix::band(self.points, self.reach());
         self.terms.iter().for_each(|t| t.add_tangent(&mut k));
@@ -160,30 +147,8 @@ impl<const D: usize> System<D> {
                 values[(j - back) * width + back] = 0.0;
             }
         }
-        Assembled::Band { half_bandwidth, values }
-    }
-
-    /// The constrained stiffness `TᵀKT` in compressed rows; constrained unknowns keep a positive diagonal and couple to
-    /// nothing.
-    pub fn assemble_sparse(&self) -> Assembled {
-        let k = self.stiffness().to_csr(|point, component| component * self.points + point);
-        let size = self.size();
-        let mut t = sprs::TriMat::new((size, size));
-        let mut held = sprs::TriMat::new((size, size));
-        let mut rows = self.constraints.rows().iter().peekable();
-        for unknown in 0..size {
-            match rows.next_if(|r| r.unknown == unknown) {
-                Some(row) => {
-                    row.masters.iter().for_each(|&(m, c)| t.add_triplet(unknown, m, c));
-                    let diagonal = k.get(unknown, unknown).copied().filter(|&d| d > 0.0);
-                    held.add_triplet(unknown, unknown, diagonal.unwrap_or(1.0));
-                }
-                None => t.add_triplet(unknown, unknown, 1.0),
-            }
-        }
-        let t: CsMat<f64> = t.to_csr();
-        let held: CsMat<f64> = held.to_csr();
-        let folded = &(&t.transpose_view().to_csr() * &k) * &t;
-        Assembled::Sparse(&folded + &held)
+        // Unknowns that nothing reads have no stiffness.
+        values.iter_mut().step_by(width).filter(|d| **d == 0.0).for_each(|d| *d = 1.0);
+        (half_bandwidth, values)
     }
 }

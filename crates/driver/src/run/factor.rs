@@ -2,7 +2,7 @@
 
 use super::{Counters, Timing};
 use crate::case::Solver;
-use peristat_assembly::system::{Assembled, System};
+use peristat_assembly::system::System;
 use peristat_solve::{
     BandCholesky, BandMatrix, FactorError, Method, Preconditioner, Profile, SparseCholesky, choose,
 };
@@ -43,6 +43,14 @@ pub struct SolverReport {
     pub iterations: Vec<usize>,
 }
 
+/// The stiffness in the layout of its method.
+enum Matrix {
+    /// Half bandwidth and values of a lower band.
+    Band(usize, Vec<f64>),
+    /// Compressed rows of the lower triangle.
+    Sparse(CsMat<f64>),
+}
+
 /// Assembles and factors the constrained stiffness.
 ///
 /// # Errors
@@ -57,20 +65,38 @@ pub(super) fn factor<const D: usize>(
     let (assembled, method, reason) = assemble(system, solver);
     timing.assemble = begin.elapsed().as_secs_f64();
     let begin = Instant::now();
-    counters.factorisations = 1;
     let (factor, bytes): (Box<dyn Preconditioner>, usize) = match assembled {
-        Assembled::Band { half_bandwidth, values } => {
-            let matrix = BandMatrix { order: system.size(), half_bandwidth, values };
-            let factor = BandCholesky::factor(matrix, D)
-                .or_else(|error| lifted(system, solver, error, counters))
-                .map_err(|e| failure(system, e))?;
+        Matrix::Band(half_bandwidth, values) => {
+            let mut first = Some((half_bandwidth, values));
+            // The factor overwrites its matrix.
+            let mut matrix =
+                || match first.take().map_or_else(|| assemble(system, solver).0, |(b, v)| Matrix::Band(b, v))
+                {
+                    Matrix::Band(half_bandwidth, values) => {
+                        BandMatrix { order: system.size(), half_bandwidth, values }
+                    }
+                    Matrix::Sparse(_) => unreachable!("the same system has the same layout"),
+                };
+            let factor = lifted(counters, |lift| {
+                let mut matrix = matrix();
+                matrix.lift_diagonal(lift);
+                BandCholesky::factor(matrix, D)
+            });
+            let factor = factor.map_err(|e| failure(system, e))?;
             let bytes = factor.bytes();
             (Box::new(factor), bytes)
         }
-        Assembled::Sparse(matrix) => {
+        Matrix::Sparse(mut matrix) => {
             counters.analyses = 1;
             let mut factor = SparseCholesky::analyse(&matrix).map_err(SolveFailure::Factor)?;
-            factor.refactor(&matrix).map_err(|e| failure(system, e))?;
+            let diagonal = matrix.diag();
+            let done = lifted(counters, |lift| {
+                for (k, value) in diagonal.iter() {
+                    matrix.set(k, k, value * (1.0 + lift));
+                }
+                factor.refactor(&matrix)
+            });
+            done.map_err(|e| failure(system, e))?;
             let bytes = factor.bytes();
             (Box::new(factor), bytes)
         }
@@ -83,41 +109,33 @@ pub(super) fn factor<const D: usize>(
 
 /// Relative lifts of the diagonal, tried in this order: the smallest that makes the factor exist costs the fewest
 /// iterations.
-const LIFTS: [f64; 4] = [f64::EPSILON, 2.0 * f64::EPSILON, 4.0 * f64::EPSILON, 8.0 * f64::EPSILON];
+const LIFTS: [f64; 5] = [0.0, f64::EPSILON, 2.0 * f64::EPSILON, 4.0 * f64::EPSILON, 8.0 * f64::EPSILON];
 
-/// The band factor with its diagonal lifted by a few units in the last place, after a first try ended with `error`.
+/// The first factor that exists when the diagonal is lifted by nothing or by a few units in the last place.
 ///
 /// On a long uniform beam the rounding of equal rows adds up instead of averaging out, and the rounded matrix can have
 /// negative eigenvalues although the stiffness has none. The lift is of the size of that rounding; conjugate gradients
 /// on the bonds take it out again. A matrix that fails all the same is not positive definite.
-fn lifted<const D: usize>(
-    system: &System<D>,
-    solver: Solver,
-    mut error: FactorError,
+fn lifted<T>(
     counters: &mut Counters,
-) -> Result<BandCholesky, FactorError> {
-    for lift in LIFTS {
-        let FactorError::NonPositivePivot { .. } = error else { break };
-        let Assembled::Band { half_bandwidth, values } = assemble(system, solver).0 else {
-            unreachable!("the same system has the same layout");
-        };
-        let mut matrix = BandMatrix { order: system.size(), half_bandwidth, values };
-        matrix.lift_diagonal(lift);
+    mut attempt: impl FnMut(f64) -> Result<T, FactorError>,
+) -> Result<T, FactorError> {
+    let mut outcome = attempt(LIFTS[0]);
+    counters.factorisations = 1;
+    for lift in &LIFTS[1..] {
+        let Err(FactorError::NonPositivePivot { .. }) = outcome else { break };
         counters.factorisations += 1;
-        match BandCholesky::factor(matrix, D) {
-            Ok(factor) => return Ok(factor),
-            Err(again) => error = again,
-        }
+        outcome = attempt(*lift);
     }
-    Err(error)
+    outcome
 }
 
 /// The constrained stiffness in the layout of the method that suits it.
-fn assemble<const D: usize>(system: &System<D>, solver: Solver) -> (Assembled, String, String) {
+fn assemble<const D: usize>(system: &System<D>, solver: Solver) -> (Matrix, String, String) {
     let sparse = if system.constraints().has_slaves() { Some(system.assemble_sparse()) } else { None };
     let profile = match &sparse {
-        Some(Assembled::Sparse(k)) => profile::<D>(k),
-        _ => Profile {
+        Some(k) => profile::<D>(k),
+        None => Profile {
             unknowns: system.size(),
             half_bandwidth: D * (system.reach() + 1) - 1,
             entries: system.points() * D * (D + 1) / 2 + system.elements() * D * D,
@@ -129,10 +147,12 @@ fn assemble<const D: usize>(system: &System<D>, solver: Solver) -> (Assembled, S
         Solver::Sparse => (Method::Sparse, "the case asks for it".into()),
     };
     let assembled = match (method, sparse) {
-        (Method::Band, None) => system.assemble_band(),
-        (Method::Band, Some(Assembled::Sparse(k))) => band::<D>(&k, profile.half_bandwidth),
-        (_, Some(sparse)) => sparse,
-        (Method::Sparse, None) => system.assemble_sparse(),
+        (Method::Band, None) => {
+            let (half_bandwidth, values) = system.assemble_band();
+            Matrix::Band(half_bandwidth, values)
+        }
+        (Method::Band, Some(k)) => band::<D>(&k, profile.half_bandwidth),
+        (Method::Sparse, k) => Matrix::Sparse(k.unwrap_or_else(|| system.assemble_sparse())),
     };
     let name = match method {
         Method::Band => "band_cholesky",
@@ -152,21 +172,19 @@ fn profile<const D: usize>(k: &CsMat<f64>) -> Profile {
     let distance =
         |(_, (i, j)): (&f64, (usize, usize))| interleaved::<D>(i, size).abs_diff(interleaved::<D>(j, size));
     let half_bandwidth = k.iter().map(distance).max().unwrap_or(0);
-    Profile { unknowns: size, half_bandwidth, entries: (k.nnz() + size) / 2 }
+    Profile { unknowns: size, half_bandwidth, entries: k.nnz() }
 }
 
-/// A matrix in compressed rows as a lower band.
-fn band<const D: usize>(k: &CsMat<f64>, half_bandwidth: usize) -> Assembled {
+/// A lower triangle in compressed rows as a lower band of interleaved unknowns.
+fn band<const D: usize>(k: &CsMat<f64>, half_bandwidth: usize) -> Matrix {
     let size = k.rows();
     let width = half_bandwidth + 1;
     let mut values = vec![0.0; size * width];
     for (&value, (i, j)) in k {
         let (i, j) = (interleaved::<D>(i, size), interleaved::<D>(j, size));
-        if i >= j {
-            values[j * width + i - j] = value;
-        }
+        values[i.min(j) * width + i.abs_diff(j)] = value;
     }
-    Assembled::Band { half_bandwidth, values }
+    Matrix::Band(half_bandwidth, values)
 }
 
 fn failure<const D: usize>(system: &System<D>, error: FactorError) -> SolveFailure {
