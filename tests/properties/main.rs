@@ -5,6 +5,7 @@ mod axial_bar;
 mod beam_terms;
 mod consistency;
 mod constraints;
+mod members;
 mod random_beam;
 mod random_beams;
 
