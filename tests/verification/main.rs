@@ -18,5 +18,6 @@ mod section_forces;
 mod short_beams;
 mod skipping;
 mod supports;
+mod varying_members;
 mod symbol;
 mod written_matrix;
