@@ -1,5 +1,6 @@
 //! Cholesky factor of a symmetric band matrix, in place.
 
+mod blocked;
 mod factor;
 mod general;
 mod pivots;
@@ -7,6 +8,8 @@ mod substitute;
 mod window;
 
 use crate::{FactorError, Preconditioner};
+
+pub(crate) use pivots::Pivots;
 
 /// The lower triangle of a symmetric band matrix by columns.
 ///
@@ -81,13 +84,7 @@ impl BandCholesky {
         check_shape(&matrix, self.planes)?;
         let BandMatrix { order, half_bandwidth, mut values } = matrix;
         let pivots = factor::factor(&mut values, half_bandwidth);
-        let vector_entry = |k: usize| (k % self.planes) * (order / self.planes) + k / self.planes;
-        if let Some(index) = pivots.not_finite {
-            return Err(FactorError::NotFinite { index: vector_entry(index) });
-        }
-        if let Some(index) = pivots.first_bad {
-            return Err(FactorError::NonPositivePivot { index: vector_entry(index), count: pivots.bad });
-        }
+        pivots.verdict(|k| (k % self.planes) * (order / self.planes) + k / self.planes)?;
         self.order = order;
         self.half_bandwidth = half_bandwidth;
         self.values = values;
@@ -143,4 +140,4 @@ fn check_shape(matrix: &BandMatrix, planes: usize) -> Result<(), FactorError> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -6,6 +6,8 @@
 //!
 //! * [`BandCholesky`] factors a band matrix in place, in time proportional to the
 //!   order, for unknowns that form a chain;
+//! * [`RepeatingCholesky`] does so for a band matrix of equal columns, in time and
+//!   memory that do not depend on how often they repeat;
 //! * [`SparseCholesky`] factors any other sparse matrix and keeps the symbolic
 //!   analysis for the next matrix of the same pattern;
 //! * [`choose`] says which of the two suits a matrix, and why;
@@ -21,12 +23,15 @@ mod choice;
 mod error;
 mod operator;
 mod pcg;
+mod repeating;
 mod sparse;
 mod sums;
+mod vector;
 
 pub use band::{BandCholesky, BandMatrix};
 pub use choice::{Method, Profile, choose};
 pub use error::FactorError;
 pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
+pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};
 pub use sparse::SparseCholesky;

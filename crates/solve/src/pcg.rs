@@ -17,8 +17,8 @@
 mod report;
 
 use crate::sums::dot;
+use crate::vector::vectorised;
 use crate::{LinearOperator, Preconditioner};
-use pulp::Arch;
 use report::Watch;
 pub use report::{PcgOptions, PcgReport, PcgStatus};
 
@@ -102,7 +102,7 @@ fn subtract(y: &mut [f64], a: f64, x: &[f64]) {
 
 /// `y += a x`
 fn add(y: &mut [f64], a: f64, x: &[f64]) {
-    Arch::new().dispatch(
+    vectorised(
         #[inline(always)]
         || {
             for (y, x) in y.iter_mut().zip(x) {
@@ -114,7 +114,7 @@ fn add(y: &mut [f64], a: f64, x: &[f64]) {
 
 /// `x += step p` and `p = z + beta p`, in one pass over `p`.
 fn advance(x: &mut [f64], step: f64, p: &mut [f64], beta: f64, z: &[f64]) {
-    Arch::new().dispatch(
+    vectorised(
         #[inline(always)]
         || {
             for ((x, p), z) in x.iter_mut().zip(p.iter_mut()).zip(z) {

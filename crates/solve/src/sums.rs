@@ -5,7 +5,7 @@
 //! sums are added pairwise, so that the error grows with the logarithm of the
 //! length. The order is fixed: the same input gives the same bits everywhere.
 
-use pulp::Arch;
+use crate::vector::vectorised;
 
 /// Terms per block; long enough to hide the recursion, short enough for the bound.
 const BLOCK: usize = 256;
@@ -14,7 +14,7 @@ const LANES: usize = 8;
 /// `x . y` for two vectors of one length.
 pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
     assert_eq!(x.len(), y.len(), "vectors of one length");
-    Arch::new().dispatch(
+    vectorised(
         #[inline(always)]
         || pairwise(x.len(), &|from, to| block(&x[from..to], &y[from..to])),
     )

@@ -1,8 +1,8 @@
 //! The factorisation, by the kernel that suits the width.
 
 use super::pivots::Pivots;
-use super::{general, window};
-use pulp::Arch;
+use super::{blocked, window};
+use crate::vector::vectorised;
 
 /// Factors the band in place; `values` has whole columns of `half_bandwidth + 1`.
 pub(super) fn factor(values: &mut [f64], half_bandwidth: usize) -> Pivots {
@@ -11,11 +11,11 @@ pub(super) fn factor(values: &mut [f64], half_bandwidth: usize) -> Pivots {
     macro_rules! narrow {
         ($($b:literal)*) => {
             match half_bandwidth {
-                $($b => Arch::new().dispatch(
+                $($b => vectorised(
                     #[inline(always)]
                     || window::sweep::<$b, { $b + 1 }>(values),
                 ),)*
-                _ => general::factor(values, half_bandwidth),
+                _ => blocked::factor(values, half_bandwidth),
             }
         };
     }

@@ -1,14 +1,16 @@
 //! The signs of the pivots.
 
+use crate::FactorError;
+
 /// What the pivots said.
 #[derive(Debug, Default, Clone, Copy, PartialEq)]
-pub(super) struct Pivots {
+pub(crate) struct Pivots {
     /// The first pivot that is zero or negative.
-    pub(super) first_bad: Option<usize>,
+    pub(crate) first_bad: Option<usize>,
     /// How many are.
-    pub(super) bad: usize,
+    pub(crate) bad: usize,
     /// A pivot that is not finite; the sweep ends there.
-    pub(super) not_finite: Option<usize>,
+    pub(crate) not_finite: Option<usize>,
 }
 
 impl Pivots {
@@ -18,7 +20,7 @@ impl Pivots {
     /// is exactly zero is replaced by a small negative one in proportion to its
     /// column, so that the sweep can go on counting.
     #[cold]
-    pub(super) fn note(&mut self, index: usize, pivot: f64, column: &[f64]) -> Option<f64> {
+    pub(crate) fn note(&mut self, index: usize, pivot: f64, column: &[f64]) -> Option<f64> {
         if !pivot.is_finite() {
             // After a bad pivot the overflow is a consequence, not the cause.
             if self.first_bad.is_none() {
@@ -33,5 +35,16 @@ impl Pivots {
         }
         let largest = column.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         Some(-f64::EPSILON * largest.max(f64::MIN_POSITIVE / f64::EPSILON))
+    }
+    /// The error that the pivots amount to; `entry` is where in the vectors the
+    /// unknown of a pivot is.
+    pub(crate) fn verdict(&self, entry: impl Fn(usize) -> usize) -> Result<(), FactorError> {
+        if let Some(index) = self.not_finite {
+            return Err(FactorError::NotFinite { index: entry(index) });
+        }
+        match self.first_bad {
+            Some(index) => Err(FactorError::NonPositivePivot { index: entry(index), count: self.bad }),
+            None => Ok(()),
+        }
     }
 }
