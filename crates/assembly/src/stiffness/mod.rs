@@ -3,6 +3,7 @@
 mod block_matrix;
 mod bonds;
 mod lattice_bonds;
+mod oblique_springs;
 mod parts;
 mod springs;
 mod term;
@@ -10,6 +11,7 @@ mod term;
 pub use block_matrix::BlockMatrix;
 pub use bonds::{Bond, Bonds};
 pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};
-pub use parts::Parts;
+pub use oblique_springs::{ObliqueSpring, ObliqueSprings};
+pub use parts::{NumberedParts, Parts};
 pub use springs::{Spring, Springs};
-pub use term::{Survey, Term};
+pub use term::{Share, Survey, Term};

@@ -24,6 +24,9 @@ impl<const D: usize> Survey<D> {
     }
 }
 
+/// An unknown in a sum: component, point, coefficient.
+pub type Share = (usize, usize, f64);
+
 /// One part of the energy, `E = Σ_e ½ s_eᵀ C_e s_e` with measures `s_e = B_e u`: one object per shape and law, never
 /// one per bond.
 ///
@@ -46,6 +49,11 @@ pub trait Term<const D: usize>: Send + Sync {
 
     /// Visits the unknowns `(component, point)` that this term holds to the ground.
     fn grounded(&self, _visit: &mut dyn FnMut(usize, usize)) {}
+
+    /// Visits the motions that this term holds to the ground, each a sum of unknowns with coefficients.
+    fn ground_motions(&self, visit: &mut dyn FnMut(&[Share])) {
+        self.grounded(&mut |component, point| visit(&[(component, point, 1.0)]));
+    }
 
     /// Adds the internal force `Σ B_eᵀ C_e (B_e u)`, element by element. For a linear term this is also the product
     /// of its tangent with `u`.

@@ -1,8 +1,8 @@
 //! Motions that nothing holds, found before anything is factorised.
 
 use super::System;
+use super::elimination::Elimination;
 use crate::bonds::Point;
-use crate::condition::{Constraints, Equation, Unknown};
 use crate::model::Model;
 use crate::stiffness::Parts;
 
@@ -15,14 +15,25 @@ pub struct FreeMotion {
     pub motions: Vec<(&'static str, f64)>,
     /// Centre that rotations are about.
     pub centre: Point,
+    /// The motion of every part that moves, in the order of `parts`.
+    pub moves: Vec<PartMotion>,
+}
+
+/// How one part moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartMotion {
+    /// Centre that its rotation is about.
+    pub centre: Point,
+    /// Amount of each of the model's rigid motions; zero where it does not matter.
+    pub amounts: Vec<f64>,
 }
 
 /// All independent free motions of a system.
 pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) -> Vec<FreeMotion> {
     let mut parts = Parts::new(system.points());
     system.terms().iter().for_each(|t| t.join(&mut parts));
-    let (labels, count) = parts.labels();
-    let spans = spans(&labels, count);
+    let parts = parts.numbered();
+    let (spans, count) = (parts.spans(), parts.spans().len());
     let centres: Vec<Point> = spans
         .iter()
         .map(|&[a, b]| {
@@ -32,47 +43,39 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
         .collect();
     let kinds = T::RIGID_MOTIONS.len();
     // Amounts of the motions of every part are unknowns; a rotation is measured by what it moves at the end of its part.
-    let scales = scales(model, &spans, &centres);
+    let scales = scales(model, spans, &centres);
     let amounts = |unknown: usize, coefficient: f64| {
         let (component, point) = (unknown / system.points(), unknown % system.points());
-        let part = labels[point] as usize;
+        let part = parts.of(point);
         let (scales, centre) = (&scales, centres[part]);
         (0..kinds).map(move |kind| {
             let value = model.rigid_motion(kind, point, centre)[component] / scales[part * kinds + kind];
-            (Unknown { component: kind, point: part }, coefficient * value)
+            (kind * count + part, coefficient * value)
         })
     };
     let mut held: Vec<Vec<(usize, f64)>> = system.constraints().equations().to_vec();
     for term in system.terms() {
-        term.grounded(&mut |component, point| {
-            held.push(vec![(component * system.points() + point, 1.0)]);
+        term.ground_motions(&mut |motion| {
+            let number = |&(component, point, share)| (component * system.points() + point, share);
+            held.push(motion.iter().map(number).collect());
         });
     }
-    let equations: Vec<Equation> = held
-        .iter()
-        .map(|equation| {
-            let mut terms: Vec<(Unknown, f64)> =
-                equation.iter().flat_map(|&(unknown, c)| amounts(unknown, c)).collect();
-            // The largest coefficient is the safest one to divide by.
-            terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-            Equation { terms, value: 0.0, origin: String::new() }
-        })
-        .collect();
-    let rigid = Constraints::new(count, &equations)
-        .expect("equations without right-hand sides cannot contradict each other");
-    let mut free: Vec<usize> = (0..count * kinds).collect();
-    rigid.rows().iter().rev().for_each(|row| _ = free.remove(row.unknown));
-    free.into_iter()
-        .map(|unknown| {
-            let mut motion = vec![0.0; count * kinds];
-            motion[unknown] = 1.0;
-            rigid.expand(0.0, &mut motion);
-            // From component planes to parts.
-            let sizes: Vec<f64> =
-                (0..count * kinds).map(|k| motion[(k % kinds) * count + k / kinds]).collect();
-            describe::<D, T>(&sizes, &scales, &spans, &centres)
-        })
-        .collect()
+    let mut elimination = Elimination::new(count * kinds);
+    for equation in &held {
+        let mut terms: Vec<(usize, f64)> =
+            equation.iter().flat_map(|&(unknown, c)| amounts(unknown, c)).collect();
+        // The largest coefficient is the safest one to divide by.
+        terms.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        elimination.add(&terms);
+    }
+    let free = elimination.free().into_iter();
+    free.map(|unknown| {
+        let motion = elimination.solution(unknown);
+        // From component planes to parts.
+        let sizes: Vec<f64> = (0..count * kinds).map(|k| motion[(k % kinds) * count + k / kinds]).collect();
+        describe::<D, T>(&sizes, &scales, spans, &centres)
+    })
+    .collect()
 }
 
 /// What a unit of every motion moves at the end of its part, the largest component.
@@ -83,16 +86,6 @@ fn scales<const D: usize, T: Model<D>>(model: &T, spans: &[[usize; 2]], centres:
     };
     let kinds = T::RIGID_MOTIONS.len();
     (0..spans.len() * kinds).map(|k| scale(k / kinds, k % kinds)).collect()
-}
-
-/// First and last point of every part.
-fn spans(labels: &[u32], count: usize) -> Vec<[usize; 2]> {
-    let mut spans = vec![[usize::MAX, 0]; count];
-    for (point, &label) in labels.iter().enumerate() {
-        let span = &mut spans[label as usize];
-        *span = [span[0].min(point), point];
-    }
-    spans
 }
 
 /// A free motion from the displacements `sizes` that it makes at the ends of the parts, one per part and kind.
@@ -108,11 +101,20 @@ fn describe<const D: usize, T: Model<D>>(
     let moving: Vec<usize> =
         (0..spans.len()).filter(|&part| (0..kinds).any(|kind| matters(part, kind))).collect();
     let first = moving.first().copied().unwrap_or(0);
-    let amount = |kind: usize| sizes[first * kinds + kind] / scales[first * kinds + kind];
-    let motions =
-        (0..kinds).filter(|&kind| matters(first, kind)).map(|kind| (T::RIGID_MOTIONS[kind], amount(kind)));
+    let amount = |part: usize, kind: usize| {
+        let k = part * kinds + kind;
+        if matters(part, kind) { sizes[k] / scales[k] } else { 0.0 }
+    };
+    let motions = (0..kinds)
+        .filter(|&kind| matters(first, kind))
+        .map(|kind| (T::RIGID_MOTIONS[kind], amount(first, kind)));
+    let moves = moving.iter().map(|&part| PartMotion {
+        centre: centres[part],
+        amounts: (0..kinds).map(|kind| amount(part, kind)).collect(),
+    });
     FreeMotion {
         motions: motions.collect(),
+        moves: moves.collect(),
         parts: moving.iter().map(|&p| spans[p]).collect(),
         centre: centres[first],
     }

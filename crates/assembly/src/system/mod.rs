@@ -1,9 +1,10 @@
 //! A body ready to be solved: terms, constraints, operator, reactions.
 
+mod elimination;
 mod fold;
 mod mobility;
 
-pub use mobility::{FreeMotion, free_motions};
+pub use mobility::{FreeMotion, PartMotion, free_motions};
 
 use crate::condition::{Constraints, Contradiction, Equation};
 use crate::model::Model;

@@ -24,6 +24,7 @@ mod gauss;
 mod load;
 mod motion;
 mod recover;
+mod strain;
 mod terms;
 mod weights;
 
@@ -31,6 +32,10 @@ pub use bond::{BeamBond, UniformBending, UniformSection, UniformStretch};
 pub use chain::{Axial, BondTable, Chain, ChainError, Grid, Line};
 pub use load::{Along, BeamLoads, ChainLoads, Distributed, Intensity, PointAction};
 pub use recover::{BeamFields, SectionForces};
+pub use strain::{
+    ForceMethod, FromLeft, FromRight, NoStrainForm, Redundants, Resultant, STRAIN_BLOCK, StrainAction, StrainBand,
+    StrainChecks, StrainForm, StrainSupport,
+};
 pub use weights::{VolumeFactor, bond_weights};
 
 use self::bond_law::BondLaw;

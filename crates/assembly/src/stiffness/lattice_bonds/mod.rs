@@ -79,15 +79,21 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
         let neighbours = self.classes.iter().position(|c| c.step == 1 && c.weight != 0.0);
         for chunk in 0..self.weights.chunks() {
             // In a plain chunk the bonds between neighbours already join every point the longer ones would.
-            let classes = match neighbours {
-                Some(index) if self.weights.is_plain(chunk) => index..index + 1,
-                _ => 0..self.classes.len(),
-            };
-            for index in classes {
-                for lower in self.weights.bonds_of(index, chunk).0 {
-                    if self.weights.weight(index, lower) != 0.0 {
-                        let i = self.lattice.first + lower;
-                        parts.join(i, i + self.classes[index].step);
+            let first = self.lattice.first;
+            match neighbours {
+                Some(index) if self.weights.is_plain(chunk) => {
+                    let lower = self.weights.bonds_of(index, chunk).0;
+                    if !lower.is_empty() {
+                        parts.join_run(first + lower.start..=first + lower.end);
+                    }
+                }
+                _ => {
+                    for index in 0..self.classes.len() {
+                        for lower in self.weights.bonds_of(index, chunk).0 {
+                            if self.weights.weight(index, lower) != 0.0 {
+                                parts.join(first + lower, first + lower + self.classes[index].step);
+                            }
+                        }
                     }
                 }
             }
