@@ -1,11 +1,12 @@
 //! The record of a run: what `summary.json` holds and `--json` prints.
 
-use crate::case::{FieldName, Model, Units};
+use crate::case::{Model, Units};
 use crate::run::{
-    Certificate, CheckResult, Counters, ProbeResult, Reaction, RunReport, Sizes, SolverReport, StateResult,
-    Timing,
+    self, Certificate, CheckResult, Counters, JointReaction, MemberForces, ProbeResult, Reaction, RunReport,
+    Sizes, SolverReport, StateResult, Timing,
 };
 use crate::scene::Scene;
+use peristat_assembly::material::{Profile, SectionStiffness};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -22,16 +23,19 @@ pub enum Status {
 }
 
 /// A value and where it is.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Located {
     /// Value.
     pub value: f64,
-    /// Position.
+    /// Position on its line.
     pub x: f64,
+    /// Member of a frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub member: Option<String>,
 }
 
 /// Smallest and largest value of a field.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Extremes {
     /// Smallest.
     pub smallest: Located,
@@ -48,8 +52,14 @@ pub struct StateSummary {
     pub load_factor: f64,
     /// Extreme values by field.
     pub extremes: BTreeMap<&'static str, Extremes>,
-    /// Reactions of the supports, in the order of the case.
+    /// Smallest and largest section forces of every member of a frame.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub members: Vec<MemberForces>,
+    /// Reactions of the supports of lines, in the order of the case.
     pub reactions: Vec<Reaction>,
+    /// Reactions of the supports of a frame, in the order of the case.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub joint_reactions: Vec<JointReaction>,
     /// Certificate.
     pub certificate: Certificate,
 }
@@ -65,18 +75,31 @@ pub struct BeamSummary {
     pub end_treatment: &'static str,
     /// Horizon over spacing, per line.
     pub horizon_ratio: Vec<f64>,
-    /// Spacing, per line.
+    /// Spacing, per line; the mean spacing of a graded grid.
     pub spacing: Vec<f64>,
+    /// Whether the grid is graded, per line.
+    pub graded: Vec<bool>,
+    /// Member whose section the numbers below are, on a frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub member: Option<String>,
+    /// Whether sections vary along their lines; the numbers below are then those at the start of the first one.
+    pub varies: bool,
     /// Area A.
-    pub area: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub area: Option<f64>,
     /// Second moment of area I.
-    pub second_moment: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub second_moment: Option<f64>,
     /// Shear correction factor κ.
-    pub kappa: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kappa: Option<f64>,
     /// Bending stiffness EI.
     pub bending_stiffness: f64,
     /// Shear stiffness κGA.
     pub shear_stiffness: f64,
+    /// Axial stiffness EA, where points move along their lines.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial_stiffness: Option<f64>,
 }
 
 /// Everything about a finished run but the fields.
@@ -129,16 +152,19 @@ pub struct Collector {
 impl Collector {
     /// Takes what the summary needs of a state.
     pub fn take(&mut self, scene: &Scene, result: &StateResult) {
-        let located = |(value, x): (f64, f64)| Located { value, x };
-        let extremes = FieldName::ALONG.iter().filter_map(|&field| {
-            let [smallest, largest] = result.extremes(field)?;
+        let name = |line: usize| scene.frame.as_ref().map(|f| f.members[line].name.clone());
+        let located = |(value, line, x): (f64, usize, f64)| Located { value, x, member: name(line) };
+        let extremes = result.fields().iter().filter_map(|&field| {
+            let [smallest, largest] = result.located_extremes(field)?;
             Some((field.name(), Extremes { smallest: located(smallest), largest: located(largest) }))
         });
         self.states.push(StateSummary {
             name: result.name.clone(),
             load_factor: result.load_factor,
             extremes: extremes.collect(),
+            members: run::member_forces(scene, result),
             reactions: result.reactions.clone(),
+            joint_reactions: result.joint_reactions.clone(),
             certificate: result.certificate.clone(),
         });
         self.probes.extend(crate::run::probes(scene, result));
@@ -176,6 +202,7 @@ impl Collector {
 
 fn beam(scene: &Scene) -> BeamSummary {
     let Model::TimoshenkoBeam(_) = &scene.case.model;
+    let start = |profile: &Option<Profile>| profile.as_ref().map(|p| p.value(0.0));
     let (p, stiffness) = (scene.beam.parameters(), &scene.beam.chains()[0].line().stiffness);
     BeamSummary {
         name: "timoshenko_beam",
@@ -183,12 +210,20 @@ fn beam(scene: &Scene) -> BeamSummary {
         end_treatment: p.end_treatment.name,
         horizon_ratio: scene.beam.chains().iter().map(|c| c.line().horizon_ratio).collect(),
         spacing: scene.beam.chains().iter().map(|c| c.spacing).collect(),
-        area: scene.section.area,
-        second_moment: scene.section.second_moment,
-        kappa: scene.section.kappa,
+        graded: scene.beam.chains().iter().map(|c| c.line().stations.is_some()).collect(),
+        member: scene.frame.as_ref().map(|f| f.members[0].name.clone()),
+        varies: scene.beam.chains().iter().any(|c| varies(&c.line().stiffness)),
+        area: start(&scene.sections[0].area),
+        second_moment: start(&scene.sections[0].second_moment),
+        kappa: scene.sections[0].kappa,
         bending_stiffness: stiffness.bending.value(0.0),
         shear_stiffness: stiffness.shear.value(0.0),
+        axial_stiffness: scene.has_axial.then(|| stiffness.axial.value(0.0)),
     }
+}
+
+fn varies(stiffness: &SectionStiffness) -> bool {
+    stiffness.bending.uniform().is_none() || stiffness.shear.uniform().is_none()
 }
 
 /// Extreme values over all states.
@@ -196,8 +231,8 @@ fn envelope(states: &[StateSummary]) -> BTreeMap<&'static str, [(String, Located
     let mut envelope: BTreeMap<&'static str, [(String, Located); 2]> = BTreeMap::new();
     for state in states {
         for (&field, extremes) in &state.extremes {
-            let Extremes { smallest, largest } = *extremes;
-            let start = || [(state.name.clone(), smallest), (state.name.clone(), largest)];
+            let Extremes { smallest, largest } = extremes.clone();
+            let start = || [(state.name.clone(), smallest.clone()), (state.name.clone(), largest.clone())];
             let [low, high] = envelope.entry(field).or_insert_with(start);
             if smallest.value < low.1.value {
                 *low = (state.name.clone(), smallest);

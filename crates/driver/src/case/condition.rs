@@ -4,32 +4,65 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A position.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// A place: `{ "x": … }` on a line, `{ "joint": … }` or `{ "member": …, "x": … }` on a frame.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct At {
-    /// Position along the beam.
-    pub x: f64,
+    /// Position along the beam; on a member its distance from the joint `from`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub x: Option<f64>,
+    /// Name of a joint.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub joint: Option<String>,
+    /// Name of a member.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub member: Option<String>,
 }
 
 /// What holds a point: prescribed values, springs to the ground, or one of each.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
-    /// Where; a point of the grid, or the end of a line.
+    /// Where; a point of the grid, the end of a line, or a joint.
     pub at: At,
-    /// Prescribed deflection.
+    /// Prescribed deflection of a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub w: Option<f64>,
+    /// Prescribed displacement along x.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ux: Option<f64>,
+    /// Prescribed displacement along y, on a frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uy: Option<f64>,
     /// Prescribed rotation, rad.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi: Option<f64>,
-    /// Stiffness of a spring against deflection, force per length, > 0.
+    /// Prescribed displacement in one direction that is neither x nor y, on a frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inclined: Option<Inclined>,
+    /// Stiffness of a spring against deflection of a line, force per length, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub w_spring: Option<f64>,
+    /// Stiffness of a spring against displacement along x, force per length, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ux_spring: Option<f64>,
+    /// Stiffness of a spring against displacement along y, on a frame, force per length, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uy_spring: Option<f64>,
     /// Stiffness of a spring against rotation, moment per radian, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi_spring: Option<f64>,
+}
+
+/// A roller on an inclined plane: it holds the displacement normal to that plane.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Inclined {
+    /// Direction that is held, counter-clockwise from x, degrees.
+    pub degrees: f64,
+    /// Prescribed displacement in this direction.
+    #[serde(default)]
+    pub displacement: f64,
 }
 
 /// A relation between two points.
@@ -66,9 +99,18 @@ pub enum Load {
 pub struct PointLoad {
     /// Where.
     pub at: At,
-    /// Force along w.
+    /// Force along w, across a line or member.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force: f64,
+    /// Force along a line or member, in the direction in which its position grows.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub axial: f64,
+    /// Force along x, on a frame.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub force_x: f64,
+    /// Force along y, on a frame.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub force_y: f64,
     /// Moment along phi.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub moment: f64,
@@ -82,19 +124,31 @@ fn is_zero(value: &f64) -> bool {
     *value == 0.0
 }
 
-/// A load spread over a part of a line.
+/// A load spread over a part of a line or member; forces per length of it, whatever its direction.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Distributed {
-    /// Start; the left end of the body if not given.
+    /// Member of a frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub member: Option<String>,
+    /// Start; the left end of the body, or the joint `from` of the member, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub from: Option<f64>,
-    /// End; the right end of the body if not given.
+    /// End; the right end of the body, or the joint `to` of the member, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub to: Option<f64>,
     /// Force per length along w.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub force: Option<DistributedForce>,
+    /// Force per length along the line or member, in the direction in which its position grows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axial: Option<DistributedForce>,
+    /// Force per length along x, on a frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force_x: Option<DistributedForce>,
+    /// Force per length along y, on a frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force_y: Option<DistributedForce>,
     /// Moment per length along phi (b̃ of Eq. (12a) times the area).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub moment: Option<DistributedForce>,

@@ -8,9 +8,18 @@ use serde::{Deserialize, Serialize};
 /// A field that can be probed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum FieldName {
-    /// Deflection.
+    /// Deflection, across the line or member.
     #[serde(rename = "w")]
     W,
+    /// Displacement along the line or member.
+    #[serde(rename = "u")]
+    U,
+    /// Displacement along x, on a frame.
+    #[serde(rename = "ux")]
+    Ux,
+    /// Displacement along y, on a frame.
+    #[serde(rename = "uy")]
+    Uy,
     /// Rotation, rad.
     #[serde(rename = "phi")]
     Phi,
@@ -18,10 +27,12 @@ pub enum FieldName {
     M,
     /// Shear force.
     V,
-    /// Bending stress at the extreme fibre on the side of +w.
+    /// Axial force, tension positive.
+    N,
+    /// Normal stress at the extreme fibre on the side of +w.
     #[serde(rename = "stress_top")]
     StressTop,
-    /// Bending stress at the extreme fibre on the side of −w.
+    /// Normal stress at the extreme fibre on the side of −w.
     #[serde(rename = "stress_bottom")]
     StressBottom,
     /// Strain energy density.
@@ -30,34 +41,79 @@ pub enum FieldName {
     /// Force of the support at the point on the beam, along w.
     #[serde(rename = "reaction_force")]
     ReactionForce,
+    /// Force of the support at the point on the body, along x.
+    #[serde(rename = "reaction_x")]
+    ReactionX,
+    /// Force of the support at the point on the frame, along y.
+    #[serde(rename = "reaction_y")]
+    ReactionY,
     /// Moment of the support at the point on the beam, along phi.
     #[serde(rename = "reaction_moment")]
     ReactionMoment,
 }
 
 impl FieldName {
-    /// The fields that every point has, in the order of tables.
-    pub const ALONG: [Self; 7] =
+    /// The fields that every point of a line has, in the order of tables.
+    pub const LINE: [Self; 7] =
         [Self::W, Self::Phi, Self::M, Self::V, Self::StressTop, Self::StressBottom, Self::EnergyDensity];
+
+    /// The same where the line has axial unknowns.
+    pub const STRETCHED: [Self; 9] = [
+        Self::W,
+        Self::Phi,
+        Self::U,
+        Self::M,
+        Self::V,
+        Self::N,
+        Self::StressTop,
+        Self::StressBottom,
+        Self::EnergyDensity,
+    ];
+
+    /// The fields that every point of a frame has, in the order of tables.
+    pub const FRAME: [Self; 11] = [
+        Self::Ux,
+        Self::Uy,
+        Self::W,
+        Self::U,
+        Self::Phi,
+        Self::N,
+        Self::V,
+        Self::M,
+        Self::StressTop,
+        Self::StressBottom,
+        Self::EnergyDensity,
+    ];
 
     /// The name in case files.
     pub fn name(self) -> &'static str {
         match self {
             Self::W => "w",
+            Self::U => "u",
+            Self::Ux => "ux",
+            Self::Uy => "uy",
             Self::Phi => "phi",
             Self::M => "M",
             Self::V => "V",
+            Self::N => "N",
             Self::StressTop => "stress_top",
             Self::StressBottom => "stress_bottom",
             Self::EnergyDensity => "energy_density",
             Self::ReactionForce => "reaction_force",
+            Self::ReactionX => "reaction_x",
+            Self::ReactionY => "reaction_y",
             Self::ReactionMoment => "reaction_moment",
         }
     }
 
+    /// Whether it is a force or moment of a support.
+    pub fn is_reaction(self) -> bool {
+        matches!(self, Self::ReactionForce | Self::ReactionX | Self::ReactionY | Self::ReactionMoment)
+    }
+
     /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
     pub fn is_recovered(self) -> bool {
-        !matches!(self, Self::W | Self::Phi | Self::ReactionForce | Self::ReactionMoment)
+        !self.is_reaction() && !matches!(self, Self::W | Self::U | Self::Ux | Self::Uy | Self::Phi)
     }
 }
 
@@ -67,7 +123,7 @@ impl FieldName {
 pub struct Probe {
     /// Name, unique.
     pub name: String,
-    /// Where: a point of the grid. M and V are those to its right, at the right end those to its left.
+    /// Where: a point of the grid, or a joint. M, V and N are those to its right, at the right end those to its left.
     pub at: At,
     /// What.
     pub field: FieldName,
@@ -138,7 +194,7 @@ pub struct Limit {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Baseline {
-    /// CSV file with columns `x` and the field, relative to the case: a file of the folder `fields` of an earlier run will do.
+    /// CSV file with columns `x` (`s` for a frame) and the field, relative to the case: a file of the folder `fields` of an earlier run will do.
     pub file: String,
     /// Field that is compared.
     pub field: FieldName,

@@ -2,16 +2,24 @@
 
 mod condition;
 mod expectation;
+mod foundation;
+mod frame;
+mod grading;
 mod model;
 mod read;
+mod section;
 
 pub use condition::{
-    At, Combination, Distributed, DistributedForce, Link, Load, LoadCase, PointLoad, RigidLink, Sine, Steps,
-    Support,
+    At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
+    Sine, Steps, Support,
 };
 pub use expectation::{Baseline, Check, ClosedForm, FieldName, Limit, Probe, Value};
+pub use foundation::Foundation;
+pub use frame::{Frame, Joint, Member, MemberEnd};
+pub use grading::Grading;
 pub use model::{Beam, Body, Line, LoadSharing, Model};
 pub use read::{Source, from_text, read};
+pub use section::{PowerLaw, Stiffness};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -35,15 +43,19 @@ pub struct Case {
     pub model: Model,
     /// Geometry and discretisation.
     pub body: Body,
-    /// Horizon over spacing, δ/h, >= 1. Give this or `horizon`; without both it is 3.
+    /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side. Give this or `horizon`;
+    /// without both it is 3.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizon_ratio: Option<f64>,
-    /// Horizon δ, a length.
+    /// Horizon δ, a length; not on a graded grid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizon: Option<f64>,
     /// What holds the body.
     #[serde(default)]
     pub supports: Vec<Support>,
+    /// Winkler foundations under the body.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub foundation: Vec<Foundation>,
     /// What joins points of the body.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub links: Vec<Link>,
@@ -115,9 +127,11 @@ impl Units {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Solver {
-    /// Chosen from the pattern of the stiffness.
+    /// The strain form where it applies; else chosen from the pattern of the stiffness.
     #[default]
     Auto,
+    /// Strain form: well conditioned whatever the slenderness; straight beams with few supports.
+    Strain,
     /// Band Cholesky factor and conjugate gradients on the bonds.
     Band,
     /// Sparse Cholesky factor and conjugate gradients on the bonds.

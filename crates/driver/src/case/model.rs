@@ -1,5 +1,6 @@
 //! Model and body of a case.
 
+use super::{Frame, Grading, PowerLaw, Stiffness};
 use peristat_assembly::material::{Section, ShearCorrection};
 use peristat_assembly::model::timoshenko_beam::{Grid, VolumeFactor, bond_law, end_treatment};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -13,12 +14,13 @@ pub enum Model {
     TimoshenkoBeam(Beam),
 }
 
-/// A Timoshenko beam.
+/// A Timoshenko beam. What its sections are is said by `section`, `stiffness` or `power_law`, one of them.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Beam {
-    /// Young's modulus E, > 0.
-    pub youngs_modulus: f64,
+    /// Young's modulus E, > 0; with `section`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub youngs_modulus: Option<f64>,
     /// Poisson's ratio ν, between −1 and 1/2; G = E/(2(1 + ν)). Give this or `shear_modulus`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub poisson_ratio: Option<f64>,
@@ -26,14 +28,24 @@ pub struct Beam {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_modulus: Option<f64>,
     /// Cross-section.
-    pub section: Section,
-    /// Where the shear correction factor κ comes from.
-    #[serde(default)]
-    pub shear_correction: ShearCorrection,
-    /// Shear stiffness of a bond, by name.
-    #[serde(default = "default_bond_law")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub section: Option<Section>,
+    /// Cross-section at the end of every line, of the same shape; dimensions vary linearly from those of `section`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end_section: Option<Section>,
+    /// Stiffness of the sections by numbers, instead of moduli and `section`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Stiffness>,
+    /// A functionally graded section, instead of `youngs_modulus` and `section`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub power_law: Option<PowerLaw>,
+    /// Where the shear correction factor κ comes from; `classical` if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_correction: Option<ShearCorrection>,
+    /// Shear stiffness of a bond, by name; `corrected` if not given, `exact` where a section varies along its line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "bond_laws")]
-    pub bond_law: String,
+    pub bond_law: Option<String>,
     /// Volume of points at the edge of the horizon.
     #[serde(default)]
     pub volume_factor: VolumeFactor,
@@ -41,13 +53,10 @@ pub struct Beam {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "end_treatments")]
     pub end_treatment: Option<String>,
-    /// How distributed loads reach the points; `consistent` with the end treatment `cover`, else `lumped`.
+    /// How distributed loads reach the points; `lumped` with a foundation or without the end treatment `cover`, else
+    /// `consistent`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub distributed_loads: Option<LoadSharing>,
-}
-
-fn default_bond_law() -> String {
-    "corrected".into()
 }
 
 fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> Schema {
@@ -81,9 +90,11 @@ pub enum Body {
     Line(Line),
     /// Several straight lines along x that do not overlap; only links join them.
     Lines(Vec<Line>),
+    /// Straight members between joints in the plane of x and y.
+    Frame(Frame),
 }
 
-/// A straight line along x with a uniform grid.
+/// A straight line along x.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Line {
@@ -97,14 +108,18 @@ pub struct Line {
     /// `nodes`: points on the ends and between cells; `cells`: points in the middle of cells.
     #[serde(default)]
     pub grid: Grid,
+    /// Cells of different lengths; all the same if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grading: Option<Grading>,
 }
 
 impl Body {
-    /// The lines, and how their paths go on from `body`.
+    /// The lines; a frame has none.
     pub fn lines(&self) -> &[Line] {
         match self {
             Self::Line(line) => std::slice::from_ref(line),
             Self::Lines(lines) => lines,
+            Self::Frame(_) => &[],
         }
     }
 }

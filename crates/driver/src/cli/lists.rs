@@ -11,21 +11,23 @@ use serde_json::json;
 /// Models and the case that `new` prints for each.
 const MODELS: [(&str, &str, &str); 1] = [(
     "timoshenko_beam",
-    "peridynamic Timoshenko beam: unknowns w and phi, sections rectangle, circle, tube, i, general",
+    "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
     include_str!("new_timoshenko_beam.json"),
 )];
 
-const LOADS: [(&str, &str); 6] = [
+const LOADS: [(&str, &str); 7] = [
     ("point", "a force and a moment at a position"),
     ("distributed", "a force or a moment per length: uniform, linear or sine, over a part of a line"),
     ("w, phi", "prescribed deflection and rotation of a support, zero or not"),
     ("w_spring, phi_spring", "springs from a point to the ground"),
+    ("foundation", "springs per length against deflection under a part of a line, uniform or not"),
     ("rigid", "a rigid link between two points"),
     ("load_cases, combinations, steps", "several right-hand sides on one factorisation"),
 ];
 
-const SOLVERS: [(&str, &str); 3] = [
-    ("auto", "chosen from the pattern of the stiffness; the summary says why (default)"),
+const SOLVERS: [(&str, &str); 4] = [
+    ("auto", "the strain form where it applies, else chosen from the pattern of the stiffness; the summary says why (default)"),
+    ("strain", "strains of a straight beam with few supports: well conditioned whatever cells and slenderness"),
     ("band", "band Cholesky factor, finished by conjugate gradients on the bonds"),
     ("sparse", "sparse Cholesky factor with AMD ordering, finished by conjugate gradients on the bonds"),
 ];

@@ -1,7 +1,8 @@
 //! Results as text.
 
+use super::print_state;
 use crate::run::{CheckResult, Sizes};
-use crate::summary::{StateSummary, Status, Summary};
+use crate::summary::{BeamSummary, Located, StateSummary, Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -49,8 +50,8 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
             let _ = writeln!(out, "\n{}", state.name);
         }
         out.push('\n');
-        extremes(&mut out, state);
-        reactions(&mut out, state);
+        print_state::extremes(&mut out, state);
+        print_state::reactions(&mut out, state);
         certificate(&mut out, state);
     }
     if !summary.envelope.is_empty() {
@@ -78,62 +79,62 @@ fn model(out: &mut String, summary: &Summary) {
     let ratios: Vec<String> = m
         .horizon_ratio
         .iter()
-        .zip(&m.spacing)
-        .map(|(r, h)| format!("{} spacings = {} {length}", number(*r), number(r * h)))
+        .zip(m.spacing.iter().zip(&m.graded))
+        .map(|(r, (h, graded))| match graded {
+            true => format!("{} neighbours of a graded grid", number(*r)),
+            false => format!("{} spacings = {} {length}", number(*r), number(r * h)),
+        })
         .collect();
+    // Members of a frame often share a grid; all of them would be a long list.
+    let ratios = distinct(ratios);
     let mut line = |key: &str, text: String| _ = writeln!(out, "  {key:<8} {text}");
     line("model", format!("{}, bond law {}, ends {}", m.name, m.bond_law, m.end_treatment));
     line("horizon", ratios.join("; "));
-    line(
-        "section",
-        format!(
-            "A = {} {length}², I = {} {length}⁴, κ = {}, EI = {} N {length}², κGA = {} N",
-            number(m.area),
-            number(m.second_moment),
-            number(m.kappa),
-            number(m.bending_stiffness),
-            number(m.shear_stiffness)
-        ),
-    );
+    line("section", section(m, length));
     let sizes = &summary.sizes;
     line("size", format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns));
     let iterations: Vec<String> = summary.solver.iterations.iter().map(ToString::to_string).collect();
+    let method = &summary.solver.method;
     line(
         "solver",
-        format!(
-            "{} finished by {} PCG iterations on the bonds",
-            summary.solver.method,
-            iterations.join(", ")
-        ),
+        match iterations.is_empty() {
+            true => method.clone(),
+            false => format!("{method} finished by {} PCG iterations on the bonds", iterations.join(", ")),
+        },
     );
     line("why", summary.solver.reason.clone());
 }
 
-fn extremes(out: &mut String, state: &StateSummary) {
-    let rows: Vec<Vec<String>> = state
-        .extremes
-        .iter()
-        .map(|(field, e)| {
-            // What is rounding beside the other extreme reads as zero.
-            let size = e.smallest.value.abs().max(e.largest.value.abs());
-            let clean = |value: f64| if value.abs() < 1e-11 * size { 0.0 } else { value };
-            let cells =
-                [clean(e.smallest.value), e.smallest.x, clean(e.largest.value), e.largest.x].map(number);
-            std::iter::once((*field).to_string()).chain(cells).collect()
-        })
-        .collect();
-    out.push_str(&table(&["field", "smallest", "at x", "largest", "at x"], &rows));
+/// Every text once, and of many only the first ones.
+fn distinct(all: Vec<String>) -> Vec<String> {
+    const MOST: usize = 4;
+    let mut kept: Vec<String> = Vec::new();
+    for text in all {
+        if !kept.contains(&text) {
+            kept.push(text);
+        }
+    }
+    if kept.len() > MOST {
+        let rest = kept.len() - MOST;
+        kept.truncate(MOST);
+        kept.push(format!("{rest} more"));
+    }
+    kept
 }
 
-fn reactions(out: &mut String, state: &StateSummary) {
-    let rows: Vec<Vec<String>> = state
-        .reactions
-        .iter()
-        .map(|r| vec![format!("x = {}", number(r.x)), number(r.force), number(r.moment)])
-        .collect();
-    if !rows.is_empty() {
-        let _ = write!(out, "\n{}", table(&["support", "force", "moment"], &rows));
-    }
+/// What is known of the section, that at the start where it varies.
+fn section(m: &BeamSummary, length: &str) -> String {
+    let known = [
+        m.area.map(|a| format!("A = {} {length}²", number(a))),
+        m.second_moment.map(|i| format!("I = {} {length}⁴", number(i))),
+        m.kappa.map(|k| format!("κ = {}", number(k))),
+        Some(format!("EI = {} N {length}²", number(m.bending_stiffness))),
+        Some(format!("κGA = {} N", number(m.shear_stiffness))),
+        m.axial_stiffness.map(|a| format!("EA = {} N", number(a))),
+    ];
+    let known: Vec<String> = known.into_iter().flatten().collect();
+    let member = m.member.as_ref().map_or(String::new(), |name| format!(" of member `{name}`"));
+    known.join(", ") + &member + if m.varies { " at the start" } else { "" }
 }
 
 fn certificate(out: &mut String, state: &StateSummary) {
@@ -155,7 +156,7 @@ fn envelope(out: &mut String, summary: &Summary) {
         .envelope
         .iter()
         .map(|(field, [low, high])| {
-            let place = |e: &(String, crate::summary::Located)| format!("{} at {}", e.0, number(e.1.x));
+            let place = |e: &(String, Located)| format!("{} at {}", e.0, print_state::place(&e.1));
             vec![(*field).into(), number(low.1.value), place(low), number(high.1.value), place(high)]
         })
         .collect();
@@ -171,12 +172,19 @@ fn probes(out: &mut String, summary: &Summary) {
                 p.name.clone(),
                 p.state.clone(),
                 p.field.name().into(),
-                number(p.x),
+                p.place.clone().unwrap_or_else(|| number(p.x)),
                 format!("{:?}", p.value),
             ]
         })
         .collect();
-    let _ = write!(out, "\n{}", table(&["probe", "state", "field", "x", "value"], &rows));
+    let _ = write!(
+        out,
+        "\n{}",
+        table(
+            &["probe", "state", "field", if summary.probes[0].place.is_some() { "at" } else { "x" }, "value"],
+            &rows
+        )
+    );
 }
 
 /// The checks of a case.

@@ -4,7 +4,8 @@ use super::args::{Global, Run};
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use crate::output::matrix_market;
 use crate::results::{Results, admit, finite};
-use crate::run::{RunOptions, prepare};
+use crate::run::{Problem, RunOptions, prepare, sizes};
+use crate::scene::Scene;
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
 use std::io;
@@ -25,7 +26,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         )
     })?;
     // Faults of the case come before the first file.
-    prepare(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))?;
+    sizes(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))?;
     if let Some(file) = &arguments.write_matrix {
         if file.exists() && !arguments.force {
             let message = format!("{} exists\nhint: choose another file, or add `--force`", file.display());
@@ -91,8 +92,7 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     for path in cases {
         let estimated = Loaded::read(path, overrides).and_then(|loaded| {
             warn(&loaded, global);
-            let (_, sizes) = prepare(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))?;
-            Ok(sizes)
+            sizes(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))
         });
         match estimated {
             Ok(sizes) => all.push((path.display().to_string(), sizes)),
@@ -114,12 +114,26 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
 
 /// Writes the stiffness before supports.
 fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
-    let (system, _) = prepare(&loaded.scene, None).map_err(|e| loaded.explain(e))?;
-    let matrix = system.stiffness().to_csr(|point, component| 2 * point + component);
+    match loaded.scene.has_axial {
+        true => write_stiffness::<3>(loaded, file, "w_0, phi_0, u_0, w_1, phi_1, u_1, ..."),
+        false => write_stiffness::<2>(loaded, file, "w_0, phi_0, w_1, phi_1, ..."),
+    }
+}
+
+fn write_stiffness<const D: usize>(loaded: &Loaded, file: &Path, order: &str) -> Result<(), Error>
+where
+    Scene: Problem<D>,
+{
+    let (system, _) = prepare::<D, _>(&loaded.scene, None).map_err(|e| loaded.explain(e))?;
+    let matrix = system.stiffness().to_csr(|point, component| D * point + component);
     let entries: Vec<(usize, usize, f64)> = matrix.iter().map(|(&v, (i, j))| (i, j, v)).collect();
+    let points = match loaded.scene.frame {
+        Some(_) => "of the points, member by member, in the axes of their members",
+        None => "of the points from left to right",
+    };
     let comments = [
         format!("stiffness of `{}` before supports, links and springs are applied", loaded.scene.case.title),
-        "unknowns in the order w_0, phi_0, w_1, phi_1, ... of the points from left to right".into(),
+        format!("unknowns in the order {order} {points}"),
     ];
     matrix_market::write(file, system.size(), &entries, &comments)
         .map_err(|error| io::Error::new(error.kind(), format!("cannot write {}: {error}", file.display())))?;

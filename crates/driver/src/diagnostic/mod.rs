@@ -14,6 +14,7 @@ mod path;
 mod render;
 mod syntax;
 
+use std::collections::HashSet;
 use std::fmt;
 use std::ops::Range;
 
@@ -108,6 +109,11 @@ impl Faults {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }
 
+    /// Number of errors so far.
+    pub fn errors(&self) -> usize {
+        self.diagnostics.iter().filter(|d| d.severity == Severity::Error).count()
+    }
+
     /// Whether nothing was found.
     pub fn is_empty(&self) -> bool {
         self.diagnostics.is_empty()
@@ -116,7 +122,8 @@ impl Faults {
     /// The report on `file`, whose source is `text` (empty if it has none). A fault that many lines of a body share is
     /// told once.
     pub fn into_report(mut self, file: impl Into<String>, text: impl Into<String>) -> Report {
-        self.diagnostics.dedup();
+        let mut told = HashSet::new();
+        self.diagnostics.retain(|d| told.insert((d.path.to_string(), d.message.clone())));
         Report { file: file.into(), text: text.into(), diagnostics: self.diagnostics }
     }
 }

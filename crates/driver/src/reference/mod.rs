@@ -28,7 +28,7 @@ mod tests;
 
 pub use facts::{BondClass, End, Facts, Load};
 use solution::{FOUNDATION_BEAM, PUBLISHED_BEAM, TIMOSHENKO_BEAM};
-pub use solution::{Field, Reference, Solution, State};
+pub use solution::{Displacements, Field, Reference, Solution, State};
 
 peristat_assembly::register! {
     /// Every reference a case may name, in the order of `peristat list`.

@@ -1,6 +1,7 @@
 //! What a reference is and what it answers.
 
 use std::fmt;
+use std::sync::Arc;
 
 use super::Facts;
 
@@ -33,12 +34,17 @@ pub struct Reference {
 pub struct Solution {
     /// State of the section at x, m from the left end, 0 <= x <= L.
     pub at: Box<dyn Fn(f64) -> State + Send + Sync>,
+    /// Deflections and rotations at many x at once, into slices of the same length.
+    pub displacements: Box<Displacements>,
     /// Strain energy of the whole beam and of the foundation under it, J. Supports do no work, so this is
     /// half the work of the loads (Clapeyron).
     pub energy: Option<f64>,
     /// Which of w, phi, M and V the reference gives.
     pub fields: &'static [Field],
 }
+
+/// Deflections and rotations at many x.
+pub type Displacements = dyn Fn(&[f64], [&mut [f64]; 2]) + Send + Sync;
 
 /// Deflection, rotation and section forces at one x.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,7 +130,7 @@ impl Solution {
 
     /// A local solution: all four fields and the energy.
     pub(super) fn local(energy: f64, at: impl Fn(f64) -> State + Send + Sync + 'static) -> Self {
-        Self { at: Box::new(at), energy: Some(energy), fields: &[Field::W, Field::Phi, Field::M, Field::V] }
+        Self::new(energy, at, &[Field::W, Field::Phi, Field::M, Field::V])
     }
 
     /// A nonlocal solution: deflection, rotation and energy. Its section forces are sums over the bonds of a
@@ -134,7 +140,29 @@ impl Solution {
             let (w, phi) = at(x);
             State { w, phi, moment: f64::NAN, shear: f64::NAN }
         };
-        Self { at: Box::new(at), energy: Some(energy), fields: &[Field::W, Field::Phi] }
+        Self::new(energy, at, &[Field::W, Field::Phi])
+    }
+
+    fn new(
+        energy: f64,
+        at: impl Fn(f64) -> State + Send + Sync + 'static,
+        fields: &'static [Field],
+    ) -> Self {
+        let at = Arc::new(at);
+        let of_one = Arc::clone(&at);
+        // The formula is compiled into the loop: a call per point would take longer than its evaluation.
+        let displacements = move |x: &[f64], [w, phi]: [&mut [f64]; 2]| {
+            for ((x, w), phi) in x.iter().zip(w).zip(phi) {
+                let state = at(*x);
+                (*w, *phi) = (state.w, state.phi);
+            }
+        };
+        Self {
+            at: Box::new(move |x| of_one(x)),
+            displacements: Box::new(displacements),
+            energy: Some(energy),
+            fields,
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The folder of a run, written state by state; `summary.json` comes last and means that the run is finished.
 
-use crate::case::FieldName;
+mod columns;
+mod frame_plots;
 mod plots;
 
 use crate::output::vtu::{CellType, Cells, DataArray, Grid};
@@ -8,6 +9,7 @@ use crate::output::{atomic, csv, pvd, vtu};
 use crate::run::StateResult;
 use crate::scene::Scene;
 use crate::summary::Summary;
+use columns::{Column, Envelope, all};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -16,19 +18,13 @@ use std::path::{Path, PathBuf};
 const OWN: [&str; 7] =
     ["case.json", "fields", "fields.pvd", "history.csv", "envelope.csv", "plots", "summary.json"];
 
-/// Section forces to the left of the points, where they may jump, and their columns.
-const LEFT: [(FieldName, &str); 2] = [(FieldName::M, "M_left"), (FieldName::V, "V_left")];
-
-/// Fields whose smallest and largest values over all states are written.
-const ENVELOPE: [FieldName; 4] = [FieldName::W, FieldName::Phi, FieldName::M, FieldName::V];
-
 /// A results folder being written.
 #[derive(Debug)]
 pub struct Results {
     folder: PathBuf,
     steps: Vec<(f64, String)>,
     history: Vec<Vec<f64>>,
-    envelope: Vec<Vec<[f64; 2]>>,
+    envelope: Envelope,
 }
 
 /// Name of the file that marks a folder as written by peristat.
@@ -66,7 +62,7 @@ pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
 
 /// Whether every value of a state that a folder would hold is a number.
 pub fn finite(result: &StateResult) -> bool {
-    let values = FieldName::ALONG.iter().filter_map(|&f| all(result, f));
+    let values = result.fields().iter().filter_map(|&f| all(result, f));
     result.u.iter().all(|u| u.is_finite()) && values.flatten().all(|v| v.is_finite())
 }
 
@@ -96,7 +92,12 @@ impl Results {
         atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())?;
         fs::create_dir(folder.join("fields"))?;
         fs::create_dir(folder.join("plots"))?;
-        Ok(Self { folder: folder.into(), steps: Vec::new(), history: Vec::new(), envelope: Vec::new() })
+        Ok(Self {
+            folder: folder.into(),
+            steps: Vec::new(),
+            history: Vec::new(),
+            envelope: Envelope::default(),
+        })
     }
 
     /// Writes one state, the values of which must be [`finite`].
@@ -105,27 +106,23 @@ impl Results {
     /// The folder cannot be written.
     pub fn take(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
         let name = format!("step_{:03}", result.index);
-        let fields: Vec<(FieldName, Vec<f64>)> =
-            FieldName::ALONG.iter().filter_map(|&f| Some((f, all(result, f)?))).collect();
-        let x: Vec<f64> = result.lines.iter().flat_map(|l| l.x.iter().copied()).collect();
-        let mut columns: Vec<(&str, &[f64])> = vec![("x", &x)];
-        columns.extend(fields.iter().map(|(f, v)| (f.name(), v.as_slice())));
-        let left: Vec<(&str, Vec<f64>)> =
-            LEFT.iter().filter_map(|&(f, name)| Some((name, all_left(result, f)?))).collect();
-        columns.extend(left.iter().map(|(name, v)| (*name, v.as_slice())));
-        csv::write(&self.folder.join("fields").join(format!("{name}.csv")), &columns)?;
-        self.write_grid(&name, &x, &fields, result)?;
+        let (places, fields) = (columns::places(scene, result), columns::fields(result));
+        let left = columns::left(scene, result);
+        let table: Vec<(&str, &[f64])> =
+            places.iter().chain(&fields).chain(&left).map(|(name, v)| (*name, v.as_slice())).collect();
+        csv::write(&self.folder.join("fields").join(format!("{name}.csv")), &table)?;
+        self.write_grid(&name, &fields, result)?;
         self.steps.push((step_time(scene, result), format!("fields/{name}.vtu")));
         let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();
         pvd::write(&self.folder.join("fields.pvd"), &steps)?;
         self.write_history(scene, result)?;
         if scene.has_envelope {
-            self.widen(result);
+            self.envelope.widen(result);
         }
         if result.index + 1 == scene.states.len() {
             plots::write(&self.folder.join("plots"), scene, result)?;
             if scene.has_envelope {
-                self.write_envelope(&x)?;
+                self.write_envelope(&places)?;
             }
         }
         Ok(())
@@ -140,14 +137,8 @@ impl Results {
         atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())
     }
 
-    fn write_grid(
-        &self,
-        name: &str,
-        x: &[f64],
-        fields: &[(FieldName, Vec<f64>)],
-        result: &StateResult,
-    ) -> io::Result<()> {
-        let points: Vec<[f64; 3]> = x.iter().map(|&x| [x, 0.0, 0.0]).collect();
+    fn write_grid(&self, name: &str, fields: &[Column], result: &StateResult) -> io::Result<()> {
+        let points = columns::positions(result);
         let mut connectivity: Vec<u32> = Vec::new();
         let mut first = 0;
         for line in &result.lines {
@@ -155,11 +146,10 @@ impl Results {
             connectivity.extend((first..first + count - 1).flat_map(|p| [p, p + 1]));
             first += count;
         }
-        // The deflection as a vector, so that viewers can warp the line by it.
-        let w = all(result, FieldName::W).unwrap_or_default();
-        let displacement: Vec<f64> = w.iter().flat_map(|&w| [0.0, w, 0.0]).collect();
+        // The displacement as a vector, so that viewers can warp the body by it.
+        let displacement: Vec<f64> = result.displacements().flat_map(|[x, y]| [x, y, 0.0]).collect();
         let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
-        data.extend(fields.iter().map(|(f, values)| DataArray { name: f.name(), components: 1, values }));
+        data.extend(fields.iter().map(|(name, values)| DataArray { name, components: 1, values }));
         let grid = Grid {
             points: &points,
             cells: &[Cells { cell_type: CellType::Line, connectivity: &connectivity }],
@@ -183,47 +173,15 @@ impl Results {
         csv::write(&self.folder.join("history.csv"), &columns)
     }
 
-    fn widen(&mut self, result: &StateResult) {
-        let count: usize = result.lines.iter().map(|l| l.x.len()).sum();
-        self.envelope.resize(ENVELOPE.len(), vec![[f64::INFINITY, f64::NEG_INFINITY]; count]);
-        for (bounds, &field) in self.envelope.iter_mut().zip(&ENVELOPE) {
-            for values in [all(result, field), all_left(result, field)].into_iter().flatten() {
-                for (bound, value) in bounds.iter_mut().zip(values) {
-                    *bound = [bound[0].min(value), bound[1].max(value)];
-                }
-            }
-        }
-    }
-
-    fn write_envelope(&self, x: &[f64]) -> io::Result<()> {
-        let side = |k: usize| self.envelope.iter().map(move |b| b.iter().map(|b| b[k]).collect::<Vec<f64>>());
-        let (low, high): (Vec<_>, Vec<_>) = (side(0).collect(), side(1).collect());
-        let names: Vec<[String; 2]> = ENVELOPE
-            .iter()
-            .map(|f| [format!("{}_smallest", f.name()), format!("{}_largest", f.name())])
-            .collect();
-        let mut columns: Vec<(&str, &[f64])> = vec![("x", x)];
-        for (k, [smallest, largest]) in names.iter().enumerate() {
-            columns.push((smallest, &low[k]));
-            columns.push((largest, &high[k]));
-        }
-        csv::write(&self.folder.join("envelope.csv"), &columns)
+    fn write_envelope(&self, places: &[Column]) -> io::Result<()> {
+        let bounds = self.envelope.columns();
+        let mut table: Vec<(&str, &[f64])> = places.iter().map(|(n, v)| (*n, v.as_slice())).collect();
+        table.extend(bounds.iter().map(|(name, v)| (name.as_str(), v.as_slice())));
+        csv::write(&self.folder.join("envelope.csv"), &table)
     }
 }
 
 /// Time of a state in the collection: the load factor of a step, the number of a load case.
 fn step_time(scene: &Scene, result: &StateResult) -> f64 {
     if scene.case.steps.is_some() { result.load_factor } else { result.index as f64 }
-}
-
-/// Values of a field to the left of all real points, where it may jump.
-fn all_left(result: &StateResult, field: FieldName) -> Option<Vec<f64>> {
-    let lines: Option<Vec<_>> = (0..result.lines.len()).map(|l| result.left_values(field, l)).collect();
-    Some(lines?.concat())
-}
-
-/// Values of a field at all real points, line by line.
-fn all(result: &StateResult, field: FieldName) -> Option<Vec<f64>> {
-    let lines: Option<Vec<_>> = (0..result.lines.len()).map(|l| result.values(field, l)).collect();
-    Some(lines?.concat())
 }

@@ -8,11 +8,18 @@ use crate::scene::{ExpectationKind, Scene};
 use std::io;
 use std::path::Path;
 
-/// Writes deflection, rotation, moment and shear into a folder.
+/// Writes deflection, rotation, moment and shear into a folder; of a frame its section forces and deformed shape.
 ///
 /// # Errors
 /// The folder cannot be written.
 pub(super) fn write(folder: &Path, scene: &Scene, result: &StateResult) -> io::Result<()> {
+    let title = match scene.states.len() {
+        1 => scene.case.title.clone(),
+        _ => format!("{} - {}", scene.case.title, result.name),
+    };
+    if let Some(frame) = &scene.frame {
+        return super::frame_plots::write(folder, scene, frame, result, &title);
+    }
     let (length, moment) = (scene.units.length(), scene.units.moment());
     let diagrams = [
         ("deflection", Field::W, format!("deflection w [{length}]")),
@@ -30,10 +37,7 @@ pub(super) fn write(folder: &Path, scene: &Scene, result: &StateResult) -> io::R
             continue;
         };
         series.push(Series { label: "peristat".into(), style, points });
-        let title = match scene.states.len() {
-            1 => scene.case.title.clone(),
-            _ => format!("{} - {}", scene.case.title, result.name),
-        };
+        let title = title.clone();
         let diagram = Diagram { title, x_label: format!("x [{length}]"), y_label, series };
         plot::write(&folder.join(format!("{file}.svg")), &diagram)?;
     }

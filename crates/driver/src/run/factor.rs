@@ -25,6 +25,9 @@ pub enum SolveFailure {
         /// Point of the first.
         point: usize,
     },
+    /// The supports do not determine the reactions.
+    #[error("the supports do not determine the reactions")]
+    Supports,
     /// Anything else.
     #[error(transparent)]
     Factor(FactorError),
@@ -33,13 +36,13 @@ pub enum SolveFailure {
 /// What was taken to solve, and why.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct SolverReport {
-    /// `band_cholesky` or `sparse_cholesky`, finished by conjugate gradients.
+    /// `strain_form`; or `band_cholesky` or `sparse_cholesky`, finished by conjugate gradients.
     pub method: String,
     /// Why.
     pub reason: String,
     /// Entries of the factor.
     pub factor_entries: usize,
-    /// Conjugate-gradient iterations per state.
+    /// Conjugate-gradient iterations per state; empty where there are none.
     pub iterations: Vec<usize>,
 }
 
@@ -142,7 +145,7 @@ fn assemble<const D: usize>(system: &System<D>, solver: Solver) -> (Matrix, Stri
         },
     };
     let (method, reason) = match solver {
-        Solver::Auto => choose(&profile),
+        Solver::Auto | Solver::Strain => choose(&profile),
         Solver::Band => (Method::Band, "the case asks for it".into()),
         Solver::Sparse => (Method::Sparse, "the case asks for it".into()),
     };

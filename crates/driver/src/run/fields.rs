@@ -2,30 +2,28 @@
 
 use super::SolvedState;
 use super::certificate::Certificate;
+use super::line_points::LinePoints;
+use super::reaction::{self, HeldForce, JointReaction, Reaction};
 use crate::case::FieldName;
-use crate::scene::Scene;
-use peristat_assembly::model::timoshenko_beam::{BeamFields, Grid};
-use serde::Serialize;
+use crate::scene::{Scene, SectionAlong};
+use peristat_assembly::model::timoshenko_beam::{BeamFields, Grid, PHI, U, W};
 use std::borrow::Cow;
-
-/// What a support does to the beam.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Reaction {
-    /// Position.
-    pub x: f64,
-    /// Force along w.
-    pub force: f64,
-    /// Moment along φ.
-    pub moment: f64,
-}
 
 /// Fields of one line.
 #[derive(Clone, Debug)]
 pub struct LineFields {
     /// Positions of the real points.
-    pub x: Vec<f64>,
+    pub x: LinePoints,
     /// Number of the first of them.
     pub first: usize,
+    /// Position in the plane of the coordinate 0.
+    pub origin: [f64; 2],
+    /// Unit vector in which positions grow.
+    pub direction: [f64; 2],
+    /// What is known of its sections.
+    section: SectionAlong,
+    /// Position of its start.
+    from: f64,
     /// Section forces and energy density, where they were asked for.
     pub recovered: Option<BeamFields>,
 }
@@ -39,18 +37,51 @@ pub struct StateResult {
     pub name: String,
     /// Load factor.
     pub load_factor: f64,
-    /// Unknowns, two planes over all points, ghosts included.
+    /// Unknowns, two or three planes (w, φ, u) over all points, ghosts included.
     pub u: Vec<f64>,
     /// Fields per line.
     pub lines: Vec<LineFields>,
-    /// Reactions of the supports on points, in the order of the case.
+    /// Reactions of the supports on points of lines, in the order of the case.
     pub reactions: Vec<Reaction>,
-    /// Numbers of the points of the reactions.
-    held: Vec<usize>,
+    /// Reactions of the supports of a frame, in the order of the case.
+    pub joint_reactions: Vec<JointReaction>,
+    held: Vec<HeldForce>,
+    /// Number of points, ghosts included.
+    points: usize,
+    /// The fields that its points have, in the order of tables.
+    fields: &'static [FieldName],
     /// Certificate.
     pub certificate: Certificate,
-    /// Height over second moment of area / 2: stress per moment at the extreme fibre on the side of −w.
-    stress_per_moment: Option<f64>,
+}
+
+impl LineFields {
+    /// Position of a point in the plane.
+    pub fn position(&self, point: usize) -> [f64; 2] {
+        [0, 1].map(|k| self.origin[k] + self.x.at(point) * self.direction[k])
+    }
+
+    /// Normal stress at an extreme fibre, that on the side of −w if `sign` is 1, under a moment and an axial force at a
+    /// position of the line; on a jump of the section that on the side of `towards`.
+    fn stress(&self, sign: f64, [m, n]: [f64; 2], x: f64, towards: f64) -> Option<f64> {
+        let bending = sign * m * self.section.stress_per_moment(x - self.from, towards - self.from)?;
+        let stretching = if n == 0.0 { 0.0 } else { n / self.section.area.as_ref()?.value(x - self.from) };
+        Some(bending + stretching)
+    }
+
+    /// The point that a field at a point looks at: the next one, at the last point the one before.
+    fn neighbour(&self, point: usize) -> f64 {
+        self.x.at(if point + 1 < self.x.len() { point + 1 } else { point - 1 })
+    }
+
+    /// Energy density at a point: that with the area at the start, as recovered, over the area there.
+    fn energy_density(&self, point: usize) -> Option<f64> {
+        let area = self.section.area.as_ref()?;
+        let density = self.recovered.as_ref()?.energy_density[point];
+        Some(match area.uniform() {
+            Some(_) => density,
+            None => density * area.value(0.0) / area.value(self.x.at(point) - self.from),
+        })
+    }
 }
 
 /// Collects the result of a state.
@@ -58,40 +89,42 @@ pub(super) fn result(scene: &Scene, solved: SolvedState, recover: bool) -> State
     let SolvedState { state: index, load, solution, certificate } = solved;
     let state = &scene.states[index];
     let (beam, n) = (&scene.beam, scene.beam.points());
-    let u = solution.u;
+    let mut u = solution.u;
+    if scene.has_axial {
+        beam.fill_axial(&mut u);
+    }
     let all = recover.then(|| forces_on_points(scene, load, &solution.held, &solution.multipliers, &u));
     let line = |c: usize| {
         let chain = &beam.chains()[c];
         LineFields {
-            x: (0..chain.points).map(|k| chain.position(chain.ghosts[0] + k)).collect(),
+            x: LinePoints::new(chain),
             first: beam.first_real(c),
+            origin: chain.line().origin,
+            direction: chain.line().direction,
+            section: scene.sections[c].clone(),
+            from: chain.line().from,
             recovered: all.as_ref().map(|all| beam.fields(c, &u, all, &state.loads)),
         }
     };
     let lines = (0..beam.chains().len()).map(line).collect();
-    // The equations of supports come first, in this order.
-    let mut multipliers = solution.multipliers.iter();
-    let points = scene.held.iter().filter_map(|h| h.point.map(|point| (h, point)));
-    let (held, reactions) = points
-        .map(|(h, point)| {
-            let mut of = |component: usize| match (h.prescribed[component], h.springs[component]) {
-                (Some(_), _) => multipliers.next().copied().unwrap_or(0.0),
-                (None, Some(stiffness)) => -stiffness * u[component * n + point],
-                (None, None) => 0.0,
-            };
-            (point, Reaction { x: h.x, force: of(0), moment: of(1) })
-        })
-        .unzip();
+    let held = reaction::forces(scene, &solution.multipliers, &u);
+    let fields: &'static [FieldName] = match (&scene.frame, scene.has_axial) {
+        (Some(_), _) => &FieldName::FRAME,
+        (None, true) => &FieldName::STRETCHED,
+        (None, false) => &FieldName::LINE,
+    };
     StateResult {
         index,
         name: state.name.clone(),
         load_factor: state.load_factor,
         u,
         lines,
-        reactions,
+        reactions: reaction::of_lines(scene, &held),
+        joint_reactions: reaction::of_joints(scene, &held),
         held,
+        points: n,
+        fields,
         certificate,
-        stress_per_moment: scene.section.height.map(|h| 0.5 * h / scene.section.second_moment),
     }
 }
 
@@ -119,29 +152,56 @@ fn forces_on_points(
         let k = spring.component * n + spring.point;
         forces[k] -= spring.stiffness * u[k];
     }
+    for spring in &scene.oblique_springs {
+        let force = -spring.stiffness * spring.motion(n, u);
+        spring.shares.iter().for_each(|&(c, share)| forces[c * n + spring.point] += share * force);
+    }
     forces
 }
 
 impl StateResult {
+    /// The fields that its points have, in the order of tables.
+    pub fn fields(&self) -> &'static [FieldName] {
+        self.fields
+    }
+
+    /// Displacement along the line; zero where there are no axial unknowns.
+    fn along(&self, number: usize) -> f64 {
+        self.u.get(U * self.points + number).copied().unwrap_or(0.0)
+    }
+
     /// Value of a field at a real point of a line; `None` where it was not recovered or does not exist.
     pub fn value(&self, field: FieldName, line: usize, point: usize) -> Option<f64> {
         let fields = &self.lines[line];
-        let (n, number) = (self.u.len() / 2, fields.first + point);
+        let (n, number) = (self.points, fields.first + point);
+        if !field.is_reaction() && !self.fields.contains(&field) {
+            return None;
+        }
         let forces = || fields.recovered.as_ref().map(|r| r.forces.at(point));
-        let stress = |sign: f64| Some(sign * self.stress_per_moment? * forces()?.0);
-        let reaction =
-            || self.held.iter().zip(&self.reactions).filter(move |held| *held.0 == number).map(|held| held.1);
+        let stress = |sign: f64| {
+            let (m, _, axial) = forces()?;
+            fields.stress(sign, [m, axial], fields.x.at(point), fields.neighbour(point))
+        };
+        let reaction = |of: fn(&HeldForce) -> f64| {
+            Some(self.held.iter().filter(|held| held.point == number).map(of).sum())
+        };
+        let [c, s] = fields.direction;
         match field {
             FieldName::W => Some(self.u[number]),
+            FieldName::U => Some(self.along(number)),
+            FieldName::Ux => Some(c * self.along(number) - s * self.u[number]),
+            FieldName::Uy => Some(s * self.along(number) + c * self.u[number]),
             FieldName::Phi => Some(self.u[n + number]),
             FieldName::M => forces().map(|f| f.0),
             FieldName::V => forces().map(|f| f.1),
+            FieldName::N => forces().map(|f| f.2),
             // A positive moment bends the ends towards +w and shortens the fibres on that side.
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),
-            FieldName::EnergyDensity => fields.recovered.as_ref().map(|r| r.energy_density[point]),
-            FieldName::ReactionForce => Some(reaction().map(|r| r.force).sum()),
-            FieldName::ReactionMoment => Some(reaction().map(|r| r.moment).sum()),
+            FieldName::EnergyDensity => fields.energy_density(point),
+            FieldName::ReactionX => reaction(|r| r.force[0]),
+            FieldName::ReactionForce | FieldName::ReactionY => reaction(|r| r.force[1]),
+            FieldName::ReactionMoment => reaction(|r| r.moment),
         }
     }
 
@@ -149,11 +209,12 @@ impl StateResult {
     fn unknown(&self, field: FieldName, line: usize) -> Option<&[f64]> {
         let fields = &self.lines[line];
         let plane = match field {
-            FieldName::W => 0,
-            FieldName::Phi => self.u.len() / 2,
+            FieldName::W => W,
+            FieldName::Phi => PHI,
+            FieldName::U => U,
             _ => return None,
         };
-        Some(&self.u[plane + fields.first..][..fields.x.len()])
+        self.u.get(plane * self.points + fields.first..)?.get(..fields.x.len())
     }
 
     /// All values of a field along a line.
@@ -164,16 +225,38 @@ impl StateResult {
         }
     }
 
+    /// Displacements of all real points in the plane, line by line.
+    pub fn displacements(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.lines.iter().flat_map(move |line| {
+            let [c, s] = line.direction;
+            (line.first..line.first + line.x.len()).map(move |k| {
+                let (w, u) = (self.u[k], self.along(k));
+                [c * u - s * w, s * u + c * w]
+            })
+        })
+    }
+
     /// Section force, or stress from it, at both ends of every cell of a line, seen from inside.
     fn cells(&self, field: FieldName, line: usize) -> Option<Vec<[f64; 2]>> {
-        let forces = &self.lines[line].recovered.as_ref()?.forces;
+        let fields = &self.lines[line];
+        let forces = &fields.recovered.as_ref()?.forces;
+        if !self.fields.contains(&field) {
+            return None;
+        }
+        let axial = |cell: usize| forces.axial.get(cell).copied().unwrap_or([0.0; 2]);
         let stress = |sign: f64| {
-            let factor = sign * self.stress_per_moment?;
-            Some(forces.moment.iter().map(|m| m.map(|m| factor * m)).collect())
+            let cell = |(k, (m, x)): (usize, (&[f64; 2], &[f64]))| {
+                let n = axial(k);
+                let left = fields.stress(sign, [m[0], n[0]], x[0], x[1])?;
+                let right = fields.stress(sign, [m[1], n[1]], x[1], x[0])?;
+                Some([left, right])
+            };
+            forces.moment.iter().zip(fields.x.windows(2)).enumerate().map(cell).collect()
         };
         match field {
             FieldName::M => Some(forces.moment.clone()),
             FieldName::V => Some(forces.shear.clone()),
+            FieldName::N => Some((0..forces.moment.len()).map(axial).collect()),
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),
             _ => None,
@@ -185,28 +268,5 @@ impl StateResult {
         let cells = self.cells(field, line)?;
         let first = cells.first().map(|c| c[0]);
         Some(first.into_iter().chain(cells.iter().map(|c| c[1])).collect())
-    }
-
-    /// Smallest and largest value of a field and their positions; both sides of a point where the field may jump.
-    pub fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
-        let mut extremes: Option<[(f64, f64); 2]> = None;
-        for (line, fields) in self.lines.iter().enumerate() {
-            let mut take = |values: &[f64]| {
-                for (&value, &x) in values.iter().zip(&fields.x) {
-                    let [low, high] = extremes.get_or_insert([(value, x); 2]);
-                    if value < low.0 {
-                        *low = (value, x);
-                    }
-                    if value > high.0 {
-                        *high = (value, x);
-                    }
-                }
-            };
-            take(&self.values(field, line)?);
-            if let Some(left) = self.left_values(field, line) {
-                take(&left);
-            }
-        }
-        extremes
     }
 }

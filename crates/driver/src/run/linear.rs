@@ -1,6 +1,7 @@
 //! A factored system and its solutions.
 
 use super::factor::{self, SolveFailure, SolverReport};
+use super::scan::largest;
 use super::{Counters, Timing};
 use crate::case::Solver;
 use peristat_assembly::system::System;
@@ -174,23 +175,6 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         forces.sort_by_key(|f| f.0);
         forces
     }
-}
-
-/// Largest magnitude; infinite if an entry is not a number.
-fn largest(v: &[f64]) -> f64 {
-    const LANES: usize = 8;
-    // Comparisons pass over what is not a number; the sum of products with zero does not.
-    let (mut most, mut odd) = ([0.0_f64; LANES], [0.0_f64; LANES]);
-    let mut take = |chunk: &[f64]| {
-        for ((most, odd), x) in most.iter_mut().zip(&mut odd).zip(chunk) {
-            *most = if x.abs() > *most { x.abs() } else { *most };
-            *odd += 0.0 * x;
-        }
-    };
-    let (chunks, rest) = v.as_chunks::<LANES>();
-    chunks.iter().for_each(|c| take(c));
-    take(rest);
-    if odd.iter().sum::<f64>() == 0.0 { most.into_iter().fold(0.0, f64::max) } else { f64::INFINITY }
 }
 
 /// Largest entry of a vector of unknowns with every component in units of its scale.

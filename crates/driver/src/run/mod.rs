@@ -1,17 +1,29 @@
 //! Running a scene: assemble, factor, solve every state, certify, recover.
 
 mod certificate;
+mod comparison;
+mod extremes;
 mod factor;
 mod fields;
+mod line_points;
 mod linear;
 mod problem;
+mod reaction;
+mod scan;
+mod skipped;
+mod strain;
 mod verdict;
 
 pub use certificate::{Balance, Certificate};
+pub use extremes::MemberForces;
+pub(crate) use extremes::member_forces;
 pub use factor::{SolveFailure, SolverReport};
-pub use fields::{LineFields, Reaction, StateResult};
+pub use fields::{LineFields, StateResult};
+pub use line_points::LinePoints;
 pub use linear::LinearSolver;
 pub use problem::{Problem, Sizes, prepare};
+pub use reaction::{JointReaction, Reaction};
+pub use strain::StrainProblem;
 pub use verdict::{CheckResult, ProbeResult};
 pub(crate) use verdict::{checks, probes};
 
@@ -125,10 +137,25 @@ pub fn run(
     let recover = options.recover
         || scene.probes.iter().any(|p| p.field.is_recovered())
         || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
-    let mut report =
-        solve_states(scene, options, &mut |solved| sink(fields::result(scene, solved, recover)))?;
-    report.skipped = skipped(scene, &report.counters, recover);
+    let options = &RunOptions { recover, ..*options };
+    let mut take = |solved: SolvedState| sink(fields::result(scene, solved, recover));
+    let mut report = match scene.has_axial {
+        true => solve_states::<3, _>(scene, options, &mut take)?,
+        false => solve_states::<2, _>(scene, options, &mut take)?,
+    };
+    report.skipped = skipped::skipped(scene, &report, recover);
     Ok(report)
+}
+
+/// Sizes of a scene that can be solved.
+///
+/// # Errors
+/// As [`prepare`].
+pub fn sizes(scene: &Scene, max_memory: Option<u64>) -> Result<Sizes, RunError> {
+    match scene.has_axial {
+        true => prepare::<3, _>(scene, max_memory).map(|p| p.1),
+        false => prepare::<2, _>(scene, max_memory).map(|p| p.1),
+    }
 }
 
 /// One solved right-hand side.
@@ -146,6 +173,9 @@ fn solve_states<const D: usize, P: Problem<D>>(
     take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
     let (system, sizes) = prepare(problem, options.max_memory)?;
+    if let Some(parts) = strain::chosen(problem)? {
+        return strain::solve_states(problem, &parts, (&system, sizes), options.recover, take);
+    }
     let mut timing = Timing::default();
     let scales = scales(problem.model());
     let mut factored = Some(LinearSolver::new(&system, scales, problem.solver(), &mut timing)?);
@@ -201,30 +231,4 @@ fn scales<const D: usize, T: Model<D>>(model: &T) -> [f64; D] {
         }
     }
     scales.map(|s| if s > 0.0 { s } else { 1.0 })
-}
-
-/// What the scene was spared.
-fn skipped(scene: &Scene, counters: &Counters, recover: bool) -> Vec<String> {
-    let mut skipped = vec![
-        "axial unknowns: no measure of a straight beam reads them".to_string(),
-        "Newton iterations: every term is linear".to_string(),
-        "bond geometry: bonds of one offset share it".to_string(),
-    ];
-    if counters.stored_bond_factors <= 64 * 64 * scene.beam.chains().len() {
-        skipped.push("factors of interior bonds: the lattice is uniform".into());
-    }
-    if counters.right_hand_sides > counters.factorisations {
-        let spared = counters.right_hand_sides - counters.factorisations;
-        let s = if spared == 1 { "" } else { "s" };
-        skipped.push(format!("{spared} factorisation{s}: the stiffness does not depend on the load"));
-    }
-    if counters.analyses == 0 {
-        skipped.push("symbolic analysis: the stiffness is a band".into());
-    }
-    if !recover {
-        skipped.push("section forces, stresses, energy densities: no output or check asks for them".into());
-    } else if scene.section.height.is_none() {
-        skipped.push("bending stresses: the section has no height".into());
-    }
-    skipped
 }

@@ -1,5 +1,6 @@
 //! Probes and checks on results.
 
+use super::comparison::Compared;
 use super::fields::StateResult;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
@@ -13,8 +14,11 @@ pub struct ProbeResult {
     pub name: String,
     /// Name of the state.
     pub state: String,
-    /// Position of the point that answered.
+    /// Position of the point that answered, on its line.
     pub x: f64,
+    /// Joint, or member and position, on a frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub place: Option<String>,
     /// Field.
     pub field: FieldName,
     /// Value.
@@ -46,26 +50,37 @@ pub struct CheckResult {
 pub(crate) fn probes(scene: &Scene, result: &StateResult) -> Vec<ProbeResult> {
     let probe = |p: &crate::scene::ProbePoint| {
         let value = result.value(p.field, p.local.0, p.local.1)?;
-        Some(ProbeResult { name: p.name.clone(), state: result.name.clone(), x: p.x, field: p.field, value })
+        let (name, state, place) = (p.name.clone(), result.name.clone(), p.place.clone());
+        Some(ProbeResult { name, state, x: p.x, place, field: p.field, value })
     };
     scene.probes.iter().filter_map(probe).collect()
 }
 
 /// Outcomes of the checks that are made on this state.
 pub(crate) fn checks(scene: &Scene, result: &StateResult) -> Vec<CheckResult> {
-    let mine = scene.expectations.iter().filter(|e| e.state == result.index);
-    mine.map(|e| check(scene, e, result)).collect()
+    let mine: Vec<&Expectation> = scene.expectations.iter().filter(|e| e.state == result.index).collect();
+    let compared = Compared::new(scene, &mine, result);
+    mine.into_iter().map(|e| check(scene, e, result, &compared)).collect()
 }
 
-fn check(scene: &Scene, expectation: &Expectation, result: &StateResult) -> CheckResult {
+fn check(
+    scene: &Scene,
+    expectation: &Expectation,
+    result: &StateResult,
+    compared: &Compared,
+) -> CheckResult {
     let name = expectation.name.clone();
     let probed = |probe: usize| {
         let p = &scene.probes[probe];
         result.value(p.field, p.local.0, p.local.1).unwrap_or(f64::NAN)
     };
     match &expectation.kind {
-        ExpectationKind::ClosedForm { solution, field, tolerance } => {
-            let worst = closed_form(scene, solution, *field, result);
+        ExpectationKind::ClosedForm { reference, solution, field, tolerance } => {
+            let displacement = compared.worst(reference, *field);
+            let mut worst = displacement.unwrap_or_else(|| closed_form(scene, solution, *field, result));
+            if worst.scale == 0.0 {
+                worst.scale = fallback_scale(scene, result, *field);
+            }
             verdict(name, "closed_form", worst, *tolerance, "closed form".into())
         }
         ExpectationKind::Value { probe, expected, tolerance, source } => {
@@ -105,11 +120,17 @@ fn check(scene: &Scene, expectation: &Expectation, result: &StateResult) -> Chec
 
 /// The worst of several comparisons.
 #[derive(Clone, Copy, Debug, Default)]
-struct Worst {
-    expected: f64,
-    found: f64,
-    difference: f64,
-    scale: f64,
+pub(super) struct Worst {
+    pub(super) expected: f64,
+    pub(super) found: f64,
+    pub(super) difference: f64,
+    /// Largest expected magnitude.
+    pub(super) scale: f64,
+}
+
+impl Worst {
+    /// Of no comparison yet.
+    pub(super) const NONE: Self = Self { expected: 0.0, found: 0.0, difference: -1.0, scale: 0.0 };
 }
 
 fn verdict(name: String, kind: &'static str, worst: Worst, tolerance: f64, source: String) -> CheckResult {
@@ -121,7 +142,7 @@ fn verdict(name: String, kind: &'static str, worst: Worst, tolerance: f64, sourc
 
 /// Compares `(expected, found)` pairs relative to the largest expected magnitude.
 fn worst(pairs: impl Iterator<Item = (f64, f64)>) -> Worst {
-    let mut worst = Worst { difference: -1.0, ..Default::default() };
+    let mut worst = Worst::NONE;
     let mut scale = 0.0_f64;
     for (expected, found) in pairs {
         let difference = (found - expected).abs();
@@ -136,6 +157,7 @@ fn worst(pairs: impl Iterator<Item = (f64, f64)>) -> Worst {
     Worst { scale, ..worst }
 }
 
+/// Energy or section forces against a closed form.
 fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateResult) -> Worst {
     if field == Field::Energy {
         let expected = solution.energy.unwrap_or(f64::NAN);
@@ -144,23 +166,10 @@ fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateR
     let from = scene.beam.chains()[0].line().from;
     let at = |x: f64| solution.value(field, x - from).unwrap_or(f64::NAN);
     let line = &result.lines[0];
-    let mut compared = match field {
-        Field::W | Field::Phi => {
-            let name = if field == Field::W { FieldName::W } else { FieldName::Phi };
-            let values = result.values(name, 0).unwrap_or_default();
-            worst(line.x.iter().zip(values.iter()).map(|(&x, &v)| (at(x), v)))
-        }
-        Field::M | Field::V | Field::Energy => {
-            // Section forces may jump at a point; a reference answers for its left.
-            let forces = line.recovered.as_ref().map(|r| &r.forces);
-            let cells = forces.map(|f| if field == Field::M { &f.moment } else { &f.shear });
-            worst(cells.into_iter().flatten().zip(&line.x[1..]).map(|(cell, &x)| (at(x), cell[1])))
-        }
-    };
-    if compared.scale == 0.0 {
-        compared.scale = fallback_scale(scene, result, field);
-    }
-    compared
+    // Section forces may jump at a point; a reference answers for its left.
+    let forces = line.recovered.as_ref().map(|r| &r.forces);
+    let cells = forces.map(|f| if field == Field::M { &f.moment } else { &f.shear });
+    worst(cells.into_iter().flatten().zip(&line.x[1..]).map(|(cell, &x)| (at(x), cell[1])))
 }
 
 /// Scale for a field whose reference vanishes: what the other fields make of it over the length of the beam.

@@ -27,7 +27,8 @@ pub(super) fn stored(
         }
     };
     let fitting = |stored| fits(stored, context.beam);
-    match columns(&text, check.field.name()).and_then(fitting) {
+    let place = if context.on_frame { "s" } else { "x" };
+    match columns(&text, place, check.field.name()).and_then(fitting) {
         Ok(stored) => Some(stored),
         Err(reason) => {
             faults.error(path.key("file"), format!("the baseline {} {reason}", check.file));
@@ -54,13 +55,13 @@ fn fits(stored: Vec<(f64, f64)>, beam: &TimoshenkoBeam) -> Result<Vec<(f64, f64)
     }
 }
 
-/// The columns `x` and `field` of a CSV text.
-fn columns(text: &str, field: &str) -> Result<Vec<(f64, f64)>, String> {
+/// The columns `place` and `field` of a CSV text.
+fn columns(text: &str, place: &str, field: &str) -> Result<Vec<(f64, f64)>, String> {
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
     let column =
         |name: &str| header.iter().position(|h| *h == name).ok_or_else(|| format!("has no column `{name}`"));
-    let (x, value) = (column("x")?, column(field)?);
+    let (x, value) = (column(place)?, column(field)?);
     let mut stored = Vec::new();
     for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let cells: Vec<&str> = line.split(',').collect();

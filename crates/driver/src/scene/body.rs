@@ -1,24 +1,31 @@
 //! Lines and points of a scene.
 
+use super::grading::stations;
 use super::loads::ResolvedLoads;
 use super::material::{beam_path, positive};
 use super::place::{Layout, LayoutLine};
+use super::section::Resolved;
 use super::{HeldPoint, RigidBar, root};
 use crate::case::{Case, Model};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{
-    BeamParameters, ChainError, Grid, Line, TimoshenkoBeam, VolumeFactor,
+    Axial, BeamParameters, ChainError, Grid, Line, TimoshenkoBeam, VolumeFactor,
     end_treatment::{self, EndSupport},
 };
 
 /// Largest number of points: they are numbered by 32 bits.
-const MOST_POINTS: usize = 2_000_000_000;
+pub(super) const MOST_POINTS: usize = 2_000_000_000;
+
+/// Largest number of bonds of a line that are each their own: they are all kept.
+const MOST_BONDS: usize = 50_000_000;
 
 /// The lines with their horizons.
 pub(super) fn layout(case: &Case, faults: &mut Faults) -> Option<Layout> {
     let Model::TimoshenkoBeam(beam) = &case.model;
     let treatment = end_treatment::find(beam.end_treatment.as_deref()?)?;
+    if let crate::case::Body::Frame(frame) = &case.body {
+        return super::frame::layout(case, frame, treatment, faults);
+    }
     let lines = case.body.lines();
     let several = matches!(case.body, crate::case::Body::Lines(_));
     let path = |k: usize| match several {
@@ -39,6 +46,11 @@ pub(super) fn layout(case: &Case, faults: &mut Faults) -> Option<Layout> {
         } else if line.grid == Grid::Cells && line.cells < 2 {
             faults.error(path(k).key("cells"), "a grid of cells needs at least 2 of them to have a bond");
             fine = false;
+        } else if line.grid == Grid::Cells && line.grading.is_some() {
+            faults
+                .error(path(k).key("grading"), "a graded grid has its points on the ends of its cells")
+                .hint("use the grid `nodes`");
+            fine = false;
         } else if fine && line.from + line.length / line.cells as f64 == line.from {
             faults.error(
                 path(k).key("from"),
@@ -51,14 +63,53 @@ pub(super) fn layout(case: &Case, faults: &mut Faults) -> Option<Layout> {
     if !fine {
         return None;
     }
-    let lines = lines.iter().map(|line| {
-        let spacing = line.length / line.cells as f64;
-        let horizon_ratio = horizon_ratio(case, spacing, faults)?;
-        let (from, length, cells, grid) = (line.from, line.length, line.cells, line.grid);
-        Some(LayoutLine { from, length, cells, grid, horizon_ratio })
-    });
-    let lines: Vec<LayoutLine> = lines.collect::<Option<_>>()?;
-    Some(Layout { lines, treatment })
+    // Every line is looked at: all faults come in one report.
+    let lines: Vec<Option<LayoutLine>> =
+        lines.iter().enumerate().map(|(k, line)| layout_line(case, line, &path(k), faults)).collect();
+    let lines: Option<Vec<LayoutLine>> = lines.into_iter().collect();
+    Some(Layout { lines: lines?, treatment, frame: None })
+}
+
+/// A line with its horizon and grid; `path` is its own.
+pub(super) fn layout_line(
+    case: &Case,
+    line: &crate::case::Line,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<LayoutLine> {
+    let (from, length, cells, grid) = (line.from, line.length, line.cells, line.grid);
+    let Some(grading) = &line.grading else {
+        let horizon_ratio = horizon_ratio(case, length / cells as f64, faults)?;
+        return Some(LayoutLine { from, length, cells, grid, horizon_ratio, stations: None });
+    };
+    let horizon_ratio = neighbours(case, faults);
+    let stations = stations(grading, from, length, cells, &path.key("grading"), faults)?;
+    let horizon_ratio = horizon_ratio?;
+    Some(LayoutLine { from, length, cells, grid, horizon_ratio, stations: Some(stations) })
+}
+
+/// The horizon ratio on a graded grid: the number of neighbours on each side.
+fn neighbours(case: &Case, faults: &mut Faults) -> Option<f64> {
+    if case.horizon.is_some() {
+        faults
+            .error(
+                root("horizon"),
+                "`horizon` is a length, and families of a graded grid have a number of neighbours",
+            )
+            .hint("give `horizon_ratio`, the number of neighbours on each side");
+        return None;
+    }
+    let ratio = horizon_ratio(case, 1.0, faults)?;
+    if ratio.fract() != 0.0 {
+        faults
+            .error(
+                root("horizon_ratio"),
+                format!("`horizon_ratio` must be whole on a graded grid, found {ratio}"),
+            )
+            .hint("it is the number of neighbours on each side");
+        return None;
+    }
+    Some(ratio)
 }
 
 /// Lines must not touch: a position says which one is meant.
@@ -85,7 +136,8 @@ fn apart(lines: &[crate::case::Line], path: impl Fn(usize) -> JsonPath, faults: 
     fine
 }
 
-fn horizon_ratio(case: &Case, spacing: f64, faults: &mut Faults) -> Option<f64> {
+/// Horizon over spacing.
+pub(super) fn horizon_ratio(case: &Case, spacing: f64, faults: &mut Faults) -> Option<f64> {
     let (ratio, key, found) = match (case.horizon_ratio, case.horizon) {
         (Some(_), Some(_)) => {
             faults
@@ -141,29 +193,57 @@ pub(super) fn splits(
     splits
 }
 
+/// Adds a fault for lines whose bonds, each its own on a graded grid or a varying section, are too many to keep.
+pub(super) fn check_size(layout: &Layout, sections: &[Resolved], faults: &mut Faults) {
+    for (k, (line, section)) in layout.lines.iter().zip(sections).enumerate() {
+        let bonds = line.cells.saturating_mul(line.horizon_ratio.ceil() as usize);
+        if is_special((line, section)) && bonds > MOST_BONDS {
+            let path = match (&layout.frame, layout.lines.len()) {
+                (Some(_), _) => super::frame::path().key("members").index(k),
+                (None, 1) => root("body").key("line"),
+                (None, _) => root("body").key("lines").index(k),
+            };
+            faults
+                .error(path.key("cells"), format!("{bonds} bonds that all differ are too many to keep"))
+                .hint(format!("on a graded grid or a varying section `cells` times `horizon_ratio` is at most {MOST_BONDS}"));
+        }
+    }
+}
+
+/// Whether the bonds of a line differ from each other.
+fn is_special((line, section): (&LayoutLine, &Resolved)) -> bool {
+    line.stations.is_some() || section.peculiarity().is_some()
+}
+
 /// The discretised beam.
 pub(super) fn build(
-    case: &Case,
     layout: &Layout,
     parameters: BeamParameters,
-    stiffness: &SectionStiffness,
+    sections: &[Resolved],
     splits: Vec<Vec<usize>>,
     ends: Vec<[EndSupport; 2]>,
+    axial: Vec<Axial>,
     faults: &mut Faults,
 ) -> Option<TimoshenkoBeam> {
-    let lines = layout.lines.iter().zip(splits).zip(ends).map(|((l, splits), supports)| Line {
+    let given = layout.lines.iter().zip(sections).zip(splits).zip(ends.into_iter().zip(axial)).enumerate();
+    let lines = given.map(|(k, (((l, section), splits), (supports, axial)))| Line {
         from: l.from,
         grid: l.grid,
+        stations: l.stations.clone(),
         horizon_ratio: l.horizon_ratio,
         splits,
         supports,
-        ..Line::new(l.length, l.cells, stiffness.clone())
+        origin: layout.origin(k),
+        direction: layout.direction(k),
+        axial,
+        ..Line::new(l.length, l.cells, section.stiffness.clone())
     });
-    let Model::TimoshenkoBeam(beam) = &case.model;
+    let needs_cover = layout.frame.is_some() || layout.lines.iter().zip(sections).any(is_special);
     match TimoshenkoBeam::new(parameters, lines.collect()) {
         Ok(beam) => Some(beam),
         Err(error @ ChainError::NegativeWeight { .. }) => {
-            let hint = match beam.volume_factor {
+            let hint = match parameters.volume_factor {
+                VolumeFactor::Full if needs_cover => "full volumes are too stiff to correct: use `half_edge`",
                 VolumeFactor::Full => {
                     "full volumes are too stiff for `cover` to correct: use `half_edge`, or the end treatment `ghost`"
                 }

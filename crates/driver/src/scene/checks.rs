@@ -1,30 +1,13 @@
-//! Probes and checks of a scene.
+//! Checks of a scene.
 
 use super::facts::facts;
-use super::place::{Layout, Place};
-use super::{HeldPoint, RigidBar, State, root};
+use super::foundation::Bed;
+use super::{HeldPoint, ProbePoint, RigidBar, State, root};
 use crate::case::{Case, Check, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::reference::{self, Field, Solution};
-use peristat_assembly::material::SectionProperties;
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
-use std::collections::HashSet;
 use std::path::Path;
-
-/// A probe on a point.
-#[derive(Clone, Debug)]
-pub struct ProbePoint {
-    /// Name.
-    pub name: String,
-    /// Field.
-    pub field: FieldName,
-    /// Line and real point on it.
-    pub local: (usize, usize),
-    /// Number of the point.
-    pub point: usize,
-    /// Position of the point.
-    pub x: f64,
-}
 
 /// A check, resolved.
 #[derive(Debug)]
@@ -42,6 +25,8 @@ pub struct Expectation {
 pub enum ExpectationKind {
     /// All points against a closed form.
     ClosedForm {
+        /// Name of the reference.
+        reference: String,
         /// The solution.
         solution: Solution,
         /// Field that is compared.
@@ -93,60 +78,14 @@ impl Expectation {
     }
 }
 
-/// Probes of the case.
-pub(super) fn probes(
-    case: &Case,
-    layout: &Layout,
-    first: &[usize],
-    held: &[HeldPoint],
-    section: &SectionProperties,
-    faults: &mut Faults,
-) -> Vec<ProbePoint> {
-    let mut probes = Vec::new();
-    let mut names = HashSet::new();
-    for (k, probe) in case.probes.iter().enumerate() {
-        let path = root("probes").index(k);
-        if !names.insert(&probe.name) {
-            faults.error(path.key("name"), format!("there are two probes `{}`", probe.name));
-        }
-        let place = layout.place(probe.at.x, &path.key("at").key("x"), "the probe", faults);
-        let Some(place) = place else { continue };
-        let Place::Point { chain, point: k } = place else {
-            layout.needs_point(place.chain(), probe.at.x, &path.key("at").key("x"), "the probe", faults);
-            continue;
-        };
-        let (point, x) = (first[chain] + k, layout.lines[chain].position(k));
-        stress_needs_height(probe.field, section, &path, faults);
-        let is_reaction = matches!(probe.field, FieldName::ReactionForce | FieldName::ReactionMoment);
-        if is_reaction && !held.iter().any(|h| h.point == Some(point)) {
-            let where_held: Vec<String> =
-                held.iter().filter(|h| h.point.is_some()).map(|h| format!("x = {}", h.x)).collect();
-            faults
-                .error(
-                    path.key("at"),
-                    format!("there is no support on a point at x = {x}, so there is no reaction"),
-                )
-                .hint(format!("supports on points are at {}", where_held.join(", ")));
-        }
-        probes.push(ProbePoint { name: probe.name.clone(), field: probe.field, local: (chain, k), point, x });
-    }
-    probes
-}
-
-fn stress_needs_height(field: FieldName, section: &SectionProperties, path: &JsonPath, faults: &mut Faults) {
-    if matches!(field, FieldName::StressTop | FieldName::StressBottom) && section.height.is_none() {
-        faults
-            .error(path.key("field"), format!("`{}` needs the height of the section", field.name()))
-            .hint("give `height` with the general section");
-    }
-}
-
 /// What the resolution of checks looks at.
 pub(super) struct Context<'a> {
     pub(super) case: &'a Case,
+    pub(super) on_frame: bool,
     pub(super) beam: &'a TimoshenkoBeam,
     pub(super) held: &'a [HeldPoint],
     pub(super) bars: &'a [RigidBar],
+    pub(super) beds: &'a [Bed],
     pub(super) states: &'a [State],
     pub(super) probes: &'a [ProbePoint],
     pub(super) folder: &'a Path,
@@ -184,7 +123,8 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
     let (name, kind) = match check {
         Check::ClosedForm(c) => {
             let solution = closed_form(context, c, &path, state, faults)?;
-            let kind = ExpectationKind::ClosedForm { solution, field: c.field, tolerance: c.tolerance };
+            let (reference, field, tolerance) = (c.name.clone(), c.field, c.tolerance);
+            let kind = ExpectationKind::ClosedForm { reference, solution, field, tolerance };
             (format!("{} {}", c.field.name(), c.name), kind)
         }
         Check::Value(c) => {
@@ -226,11 +166,21 @@ fn closed_form(
             .hint(super::material::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
         return None;
     };
-    let Some(facts) = facts(context.beam, context.held, context.bars, &context.states[state]) else {
+    if context.on_frame {
         faults
-            .error(path.key("name"), "closed forms are for a body of one line")
+            .error(path.key("name"), "closed forms are for a body of one line, not for a frame")
             .hint("compare a probe with a number by a `value` check");
         return None;
+    }
+    let state = &context.states[state];
+    let facts = match facts(context.beam, context.held, context.bars, context.beds, state) {
+        Ok(facts) => facts,
+        Err(reason) => {
+            faults
+                .error(path.key("name"), format!("closed forms are for {reason}"))
+                .hint("compare a probe with a number by a `value` check");
+            return None;
+        }
     };
     match (reference.build)(&facts) {
         Ok(solution)

@@ -1,21 +1,27 @@
 //! What a closed form may know about a state of a scene.
 
+use super::foundation::Bed;
 use super::{HeldPoint, RigidBar, State};
 use crate::reference::{BondClass, End, Facts, Load};
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndKind;
 use peristat_assembly::model::timoshenko_beam::{Along, Intensity, TimoshenkoBeam};
 
-/// Facts on a beam of one line, x from its left end; `None` for several lines.
+/// Facts on a beam of one line, x from its left end, or what a beam must be to have some.
 pub(super) fn facts(
     beam: &TimoshenkoBeam,
     held: &[HeldPoint],
     bars: &[RigidBar],
+    beds: &[Bed],
     state: &State,
-) -> Option<Facts> {
-    let [chain] = beam.chains() else { return None };
+) -> Result<Facts, &'static str> {
+    let [chain] = beam.chains() else { return Err("a body of one line") };
     let line = chain.line();
-    let (bending_stiffness, shear_stiffness) = line.stiffness.plain()?;
-    let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * chain.spacing;
+    let Some((bending_stiffness, shear_stiffness)) = line.stiffness.plain() else {
+        return Err("sections that do not vary or couple");
+    };
+    let cells = |stations: &Vec<f64>| stations.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
+    let cell = line.stations.as_ref().map_or(chain.spacing, cells);
+    let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * cell;
     let kinds = |x: f64| {
         let mut kinds = held.iter().filter(|h| close(h.x, x)).map(end);
         match (kinds.next(), kinds.next()) {
@@ -35,13 +41,21 @@ pub(super) fn facts(
         let bond = chain.bonds.bond(class, 0);
         BondClass { weight: chain.weights.of_class(class), shear_stiffness: bond.shear * bond.length }
     });
-    Some(Facts {
+    let mut loads = loads(state, left, right, close);
+    for bed in beds {
+        let whole = close(bed.extent[0], left) && close(bed.extent[1], right);
+        let Some(stiffness) = bed.stiffness.uniform().filter(|_| whole) else {
+            return Err("foundations that are uniform and under the whole beam");
+        };
+        loads.push(Load::Foundation { stiffness });
+    }
+    Ok(Facts {
         length: line.length,
         bending_stiffness,
         shear_stiffness,
         ends,
         interior_supports: inside.iter().map(|h| h.x - left).collect(),
-        loads: loads(state, left, right, close),
+        loads,
         uniform_grid: chain.line().stations.is_none(),
         spacing: chain.spacing,
         horizon: line.horizon_ratio * chain.spacing,

@@ -1,10 +1,10 @@
 //! Loads of a scene: load cases, combinations and steps as right-hand sides.
 
-use super::place::{Layout, LayoutLine, Place};
-use super::{State, root};
-use crate::case::{Case, DistributedForce, Load, LoadSharing, Model, PointLoad};
+use super::place::Layout;
+use super::{State, distributed_load, point_load, root};
+use crate::case::{Case, Load, LoadSharing, Model};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::model::timoshenko_beam::{Along, BeamLoads, Distributed, Intensity, PointAction};
+use peristat_assembly::model::timoshenko_beam::BeamLoads;
 use std::collections::HashSet;
 
 /// Loads of one load case, and the points they split.
@@ -26,7 +26,11 @@ pub(super) fn load_cases(case: &mut Case, layout: &Layout, faults: &mut Faults) 
             .hint("move the loads into a load case");
     }
     let Model::TimoshenkoBeam(beam) = &mut case.model;
-    let default = if layout.treatment.covers() { LoadSharing::Consistent } else { LoadSharing::Lumped };
+    let on_springs = !case.foundation.is_empty();
+    let default = match layout.treatment.covers() && !on_springs {
+        true => LoadSharing::Consistent,
+        false => LoadSharing::Lumped,
+    };
     let sharing = *beam.distributed_loads.get_or_insert(default);
     if sharing == LoadSharing::Consistent && !layout.treatment.covers() {
         faults
@@ -36,6 +40,14 @@ pub(super) fn load_cases(case: &mut Case, layout: &Layout, faults: &mut Faults) 
             )
             .hint("use `lumped`, or the end treatment `cover`");
     }
+    if sharing == LoadSharing::Consistent && on_springs {
+        faults
+            .error(
+                super::material::beam_path().key("distributed_loads"),
+                "`consistent` loads do not fit a foundation, which acts on the points",
+            )
+            .hint("leave `distributed_loads` out: errors of loads and foundation on the points cancel in part, with `consistent` loads they do not");
+    }
     let lumped = sharing == LoadSharing::Lumped;
     let resolve = |name: &str, loads: &[Load], path: &JsonPath, faults: &mut Faults| {
         let mut resolved = ResolvedLoads { name: name.into(), ..Default::default() };
@@ -43,10 +55,11 @@ pub(super) fn load_cases(case: &mut Case, layout: &Layout, faults: &mut Faults) 
         for (k, load) in loads.iter().enumerate() {
             match load {
                 Load::Point(load) => {
-                    add_point(load, layout, &path.index(k).key("point"), &mut resolved, faults)
+                    point_load::add(load, layout, &path.index(k).key("point"), &mut resolved, faults)
                 }
                 Load::Distributed(load) => {
-                    add_distributed(load, layout, &path.index(k).key("distributed"), &mut resolved, faults);
+                    let path = path.index(k).key("distributed");
+                    distributed_load::add(load, layout, &path, &mut resolved, faults);
                 }
             }
         }
@@ -64,123 +77,6 @@ pub(super) fn load_cases(case: &mut Case, layout: &Layout, faults: &mut Faults) 
         resolve(&c.name, &c.loads, &path.key("loads"), faults)
     });
     each.collect()
-}
-
-fn add_point(
-    load: &PointLoad,
-    layout: &Layout,
-    path: &JsonPath,
-    to: &mut ResolvedLoads,
-    faults: &mut Faults,
-) {
-    if load.force == 0.0 && load.moment == 0.0 {
-        faults.error(path.clone(), "this load is zero").hint("give `force`, `moment`, or both");
-    }
-    let at = path.key("at").key("x");
-    let Some(place) = layout.place(load.at.x, &at, "the load", faults) else {
-        return;
-    };
-    let covers = layout.treatment.covers();
-    let (chain, x, spread) = match place {
-        Place::Point { chain, point } => {
-            let inside = point > 0 && point + 1 < layout.lines[chain].points();
-            if load.spread && !covers {
-                faults
-                    .error(
-                        path.key("spread"),
-                        "a spread load needs bonds whose weights sum to one across every cell",
-                    )
-                    .hint("use the end treatment `cover`");
-            }
-            if inside && !load.spread && covers {
-                to.splits.push((chain, point));
-            }
-            (chain, layout.lines[chain].position(point), load.spread && inside)
-        }
-        Place::Between { chain, x } if covers => (chain, x, true),
-        // The literature puts a load at the end of a grid of cells on the last point.
-        Place::End { chain, .. } => (chain, load.at.x, false),
-        Place::Between { chain, x } => {
-            layout.needs_point(chain, x, &at, "the load", faults);
-            return;
-        }
-    };
-    to.loads.point.push(PointAction { chain, x, force: load.force, moment: load.moment, axial: 0.0, spread });
-}
-
-fn add_distributed(
-    load: &crate::case::Distributed,
-    layout: &Layout,
-    path: &JsonPath,
-    to: &mut ResolvedLoads,
-    faults: &mut Faults,
-) {
-    let single = layout.lines.len() == 1;
-    if !single && (load.from.is_none() || load.to.is_none()) {
-        faults
-            .error(path.clone(), "`from` and `to` are needed where the body has several lines")
-            .hint("a distributed load acts on one line");
-        return;
-    }
-    let from = load.from.unwrap_or(layout.lines[0].from);
-    let end = load.to.unwrap_or(layout.lines[0].to());
-    let keys = ["from", "to"].map(|k| path.key(k));
-    let places = [from, end]
-        .into_iter()
-        .zip(&keys)
-        .map(|(x, key)| layout.place(x, key, "the end of the load", faults));
-    let places: Vec<Option<Place>> = places.collect();
-    let [Some(a), Some(b)] = places[..] else { return };
-    if a.chain() != b.chain() {
-        faults
-            .error(path.clone(), format!("a load from x = {from} to {end} spans a gap between lines"))
-            .hint("give one load per line");
-        return;
-    }
-    if from >= end {
-        faults.error(keys[1].clone(), format!("`to` must be greater than `from`, found {from} to {end}"));
-        return;
-    }
-    if load.force.is_none() && load.moment.is_none() {
-        faults.error(path.clone(), "this load has neither `force` nor `moment`");
-    }
-    for (value, along) in [(load.force, Along::Transverse), (load.moment, Along::Rotation)] {
-        let name = if along == Along::Rotation { "moment" } else { "force" };
-        let intensity = match value {
-            None => continue,
-            Some(DistributedForce::Uniform(q)) => Intensity::Linear { start: q, end: q },
-            Some(DistributedForce::Linear([start, end])) => Intensity::Linear { start, end },
-            Some(DistributedForce::Sine(sine)) if sine.half_waves == 0 => {
-                let key = path.key(name).key("sine").key("half_waves");
-                faults.error(key, "`half_waves` must be at least 1, found 0");
-                continue;
-            }
-            Some(DistributedForce::Sine(sine))
-                if f64::from(sine.half_waves) > waves(&layout.lines[a.chain()], from, end) =>
-            {
-                let key = path.key(name).key("sine").key("half_waves");
-                faults
-                    .error(
-                        key,
-                        format!(
-                            "{} half waves are more than the grid has cells under the load",
-                            sine.half_waves
-                        ),
-                    )
-                    .hint("use more cells; a wave needs several to be seen");
-                continue;
-            }
-            Some(DistributedForce::Sine(sine)) => {
-                Intensity::Sine { amplitude: sine.amplitude, half_waves: sine.half_waves }
-            }
-        };
-        to.loads.distributed.push(Distributed { chain: a.chain(), from, to: end, intensity, along });
-    }
-}
-
-/// Cells of a line under a load: more half waves than these look like fewer.
-fn waves(line: &LayoutLine, from: f64, to: f64) -> f64 {
-    ((to - from) / line.spacing()).ceil()
 }
 
 /// The right-hand sides: load steps, or load cases followed by their combinations.

@@ -1,13 +1,17 @@
 //! Material, section and calibration of a scene.
 
 use super::root;
-use crate::case::{Beam, Case, Model};
+use super::section::{Resolved, stiffness};
+use crate::case::{Beam, Body, Case, Frame, Member, Model};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::material::{SectionError, SectionProperties, SectionStiffness};
 use peristat_assembly::model::timoshenko_beam::{
-    BeamParameters, Grid, bond_law,
+    BeamParameters, Grid,
+    bond_law::{self, BondLaw},
     end_treatment::{self, EndTreatment},
 };
+
+/// The bond law whose bonds are the exact elements of their spans.
+const EXACT: &str = "exact";
 
 /// Path of the beam in a case.
 pub(super) fn beam_path() -> JsonPath {
@@ -34,93 +38,106 @@ pub(super) fn suggest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> S
     }
 }
 
-/// Stiffnesses and section, filling in the defaults of the case.
-pub(super) fn material(
-    case: &mut Case,
-    faults: &mut Faults,
-) -> Option<(BeamParameters, SectionStiffness, SectionProperties)> {
+/// Calibration, and the sections of every line of the body, filling in the defaults of the case.
+pub(super) fn material(case: &mut Case, faults: &mut Faults) -> Option<(BeamParameters, Vec<Resolved>)> {
     let path = beam_path();
-    let grids: Vec<Grid> = case.body.lines().iter().map(|l| l.grid).collect();
+    let lines = case.body.lines();
+    let grids: Vec<Grid> = lines.iter().map(|l| l.grid).collect();
+    let graded = lines.iter().any(|l| l.grading.is_some());
     let Model::TimoshenkoBeam(beam) = &mut case.model;
-    let e = beam.youngs_modulus;
-    let mut fine = positive(e, "youngs_modulus", path.key("youngs_modulus"), faults);
-    let shear = shear_modulus(beam, &path, faults);
-    let law = bond_law::find(&beam.bond_law);
-    if law.is_none() {
-        faults
-            .error(path.key("bond_law"), format!("there is no bond law `{}`", beam.bond_law))
-            .hint(suggest(&beam.bond_law, bond_law::TABLE.iter().map(|l| l.name)));
+    if beam.stiffness.is_none() {
+        beam.shear_correction.get_or_insert_default();
     }
-    let treatment = treatment(beam, &grids, &path, faults);
-    let nu = beam.poisson_ratio.or(shear.map(|g| e / (2.0 * g) - 1.0)).unwrap_or(0.0);
-    let section = match beam.section.properties(beam.shear_correction, nu) {
-        Ok(section) => Some(section),
-        Err(error) => {
-            section_fault(beam, &error, &path, faults);
-            None
+    let sections: Option<Vec<Resolved>> = match &case.body {
+        Body::Frame(frame) => of_members(beam, frame, &path, faults),
+        _ => lines.iter().map(|l| stiffness(beam, usable(l.length), &path, &path, faults)).collect(),
+    };
+    let peculiarity = sections.iter().flatten().find_map(Resolved::peculiarity);
+    let law = law(beam, peculiarity, &path, faults);
+    // A frame says itself what its ends need.
+    let on_lines = !matches!(case.body, Body::Frame(_));
+    let treatment = treatment(beam, &grids, peculiarity.filter(|_| on_lines), graded, &path, faults);
+    let volume_factor = beam.volume_factor;
+    let (bond_law, end_treatment) = law.zip(treatment)?;
+    Some((BeamParameters { volume_factor, bond_law, end_treatment }, sections?))
+}
+
+/// A length to go on with: one that cannot be gets its fault where the grid is laid out.
+fn usable(length: f64) -> f64 {
+    if length > 0.0 && length.is_finite() { length } else { 1.0 }
+}
+
+/// Sections of the members of a frame.
+fn of_members(beam: &Beam, frame: &Frame, path: &JsonPath, faults: &mut Faults) -> Option<Vec<Resolved>> {
+    let joint = |name: &str| frame.joints.iter().find(|j| j.name == name);
+    let of = |(k, member): (usize, &Member)| {
+        let ends = joint(&member.from).zip(joint(&member.to));
+        let length = usable(ends.map_or(1.0, |(a, b)| (b.x - a.x).hypot(b.y - a.y)));
+        match with_own_section(beam, member) {
+            None => stiffness(beam, length, path, path, faults),
+            Some(beam) => {
+                let own = root("body").key("frame").key("members").index(k);
+                stiffness(&beam, length, path, &own, faults)
+            }
         }
     };
-    fine &= law.is_some() && treatment.is_some();
-    let (section, g, law, end_treatment) = (section?, shear?, law?, treatment?);
-    let parameters = BeamParameters { volume_factor: beam.volume_factor, bond_law: law, end_treatment };
-    let (bending, shear) = (e * section.second_moment, section.kappa * g * section.area);
-    let stiffness = SectionStiffness::uniform(bending, shear, e * section.area, section.area);
-    if fine && !faults.has_errors() && !((bending * shear).is_normal() && bending.is_normal()) {
+    let all: Vec<Option<Resolved>> = frame.members.iter().enumerate().map(of).collect();
+    all.into_iter().collect()
+}
+
+/// The beam with the section of a member, where that has one of its own.
+fn with_own_section(beam: &Beam, member: &Member) -> Option<Beam> {
+    let (section, end_section, given) = (member.section, member.end_section, member.stiffness.clone());
+    if section.is_none() && end_section.is_none() && given.is_none() {
+        return None;
+    }
+    let mut beam = Beam { power_law: None, end_section, ..beam.clone() };
+    if given.is_some() {
+        // Moduli are for members of given shape.
+        (beam.youngs_modulus, beam.poisson_ratio, beam.shear_modulus) = (None, None, None);
+        beam.shear_correction = None;
+    }
+    if given.is_some() || section.is_some() {
+        (beam.section, beam.stiffness) = (section, given);
+    }
+    Some(beam)
+}
+
+/// The bond law; `peculiarity` says in words what sets the sections apart from uniform ones.
+fn law(
+    beam: &mut Beam,
+    peculiarity: Option<&str>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<&'static BondLaw> {
+    let default = if peculiarity.is_some() { EXACT } else { "corrected" };
+    let name = beam.bond_law.get_or_insert_with(|| default.into()).as_str();
+    let Some(law) = bond_law::find(name) else {
         faults
-            .error(path.clone(), "the stiffnesses EI and κGA do not fit into double precision")
-            .hint(format!("EI = {bending:e}, κGA = {shear:e}; choose units in which they are moderate"));
-    }
-    fine.then_some((parameters, stiffness, section))
-}
-
-fn shear_modulus(beam: &Beam, path: &JsonPath, faults: &mut Faults) -> Option<f64> {
-    match (beam.poisson_ratio, beam.shear_modulus) {
-        (Some(_), Some(_)) => {
-            faults
-                .error(path.key("shear_modulus"), "`poisson_ratio` and `shear_modulus` are both given")
-                .hint("for an isotropic material one follows from the other: remove one");
-            None
-        }
-        (None, None) => {
-            faults
-                .error(path.clone(), "`poisson_ratio` is missing")
-                .hint("give `poisson_ratio`, or `shear_modulus` for a material that is not isotropic");
-            None
-        }
-        (Some(nu), None) if nu > -1.0 && nu <= 0.5 => Some(beam.youngs_modulus / (2.0 * (1.0 + nu))),
-        (Some(nu), None) => {
-            faults
-                .error(
-                    path.key("poisson_ratio"),
-                    format!("`poisson_ratio` must be above -1 and at most 0.5, found {nu}"),
-                )
-                .hint("steel has 0.3, aluminium 0.33, concrete 0.2");
-            None
-        }
-        (None, Some(g)) => positive(g, "shear_modulus", path.key("shear_modulus"), faults).then_some(g),
-    }
-}
-
-fn section_fault(beam: &Beam, error: &SectionError, path: &JsonPath, faults: &mut Faults) {
-    let shape = serde_json::to_value(beam.section).ok();
-    let shape = shape.as_ref().and_then(|v| v.as_object()?.keys().next().cloned()).unwrap_or_default();
-    let place = match error {
-        SectionError::NotPositive { name: "shear_correction", .. } | SectionError::NoCowper => {
-            path.key("shear_correction")
-        }
-        SectionError::NotPositive { name, .. } | SectionError::DoesNotFit { name, .. } => {
-            path.key("section").key(shape).key(*name)
-        }
+            .error(path.key("bond_law"), format!("there is no bond law `{name}`"))
+            .hint(suggest(name, bond_law::TABLE.iter().map(|l| l.name)));
+        return None;
     };
-    let fault = faults.error(place, error.to_string());
-    if *error == SectionError::NoCowper {
-        fault.hint("leave `shear_correction` out: the section gives its own `kappa`");
+    if let Some(peculiarity) = peculiarity.filter(|_| law.name != EXACT) {
+        faults
+            .error(
+                path.key("bond_law"),
+                format!("the bond law `{name}` is for uniform sections, and this one {peculiarity}"),
+            )
+            .hint(
+                "use `exact`: a bond over such a section is the exact element of its span; `corrected` and `published` have one shear stiffness for all bonds",
+            );
+        return None;
     }
+    Some(law)
 }
 
+/// The end treatment; `graded` says whether some grid is.
 fn treatment(
     beam: &mut Beam,
     grids: &[Grid],
+    peculiarity: Option<&str>,
+    graded: bool,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<&'static EndTreatment> {
@@ -140,6 +157,32 @@ fn treatment(
                 "the end treatment `cover` needs points on the ends of the beam",
             )
             .hint("use the grid `nodes`, or the treatment `ghost` or `image` with `cells`");
+        return None;
+    }
+    let obstacle = match (peculiarity, graded) {
+        (Some(peculiarity), _) => format!("this section {peculiarity}"),
+        (None, true) => "this grid is graded".into(),
+        (None, false) => return Some(treatment),
+    };
+    if on_cells {
+        // A graded grid of cells is refused as a grid.
+        if peculiarity.is_some() {
+            faults
+                .error(
+                    root("body"),
+                    format!("a grid of cells needs bonds beyond its ends, for uniform sections only, and {obstacle}"),
+                )
+                .hint("use the grid `nodes`");
+        }
+        return None;
+    }
+    if !treatment.covers() {
+        faults
+            .error(
+                path.key("end_treatment"),
+                format!("the end treatment `{name}` is for uniform sections and grids, and {obstacle}"),
+            )
+            .hint("use `cover`: it needs no bond beyond the end");
         return None;
     }
     Some(treatment)

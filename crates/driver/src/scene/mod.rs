@@ -1,27 +1,47 @@
 //! A scene: a case with every default resolved and every fault found. The rest of the program sees only this.
 
+mod axial;
 mod baseline;
 mod body;
 mod checks;
+mod distributed_load;
 mod facts;
+mod foundation;
+mod frame;
+mod frame_checks;
+mod grading;
+mod holds;
+mod links;
 mod loads;
 mod material;
+mod motions;
 mod numbers;
 mod place;
+mod point_load;
+mod probes;
 mod problem;
+mod profile;
+mod section;
+mod spot;
+mod support_keys;
 mod supports;
 mod warnings;
 
-pub use checks::{Expectation, ExpectationKind, ProbePoint};
+pub use checks::{Expectation, ExpectationKind};
+pub use frame::{EndOfMember, FrameLayout, JointLayout, MemberLayout};
+pub use holds::{Hold, How, Motion};
+pub use links::RigidBar;
 pub use place::Place;
-pub use supports::{HeldPoint, RigidBar};
+pub use probes::ProbePoint;
+pub use section::SectionAlong;
+pub use supports::HeldPoint;
 
 use crate::case::{Case, Check, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath, Report};
 use peristat_assembly::condition::Equation;
-use peristat_assembly::material::SectionProperties;
+use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, TimoshenkoBeam};
-use peristat_assembly::stiffness::Spring;
+use peristat_assembly::stiffness::{ObliqueSpring, Spring};
 use std::path::Path;
 
 /// A beam problem, resolved.
@@ -33,16 +53,24 @@ pub struct Scene {
     pub units: Units,
     /// The discretised beam.
     pub beam: TimoshenkoBeam,
-    /// Section, κ included.
-    pub section: SectionProperties,
+    /// Joints and members, where the lines are those of a frame.
+    pub frame: Option<FrameLayout>,
+    /// Whether points have displacements along their lines.
+    pub has_axial: bool,
+    /// Sections of the lines.
+    pub sections: Vec<SectionAlong>,
     /// Points that something holds.
     pub held: Vec<HeldPoint>,
     /// Rigid bars.
     pub bars: Vec<RigidBar>,
-    /// Equations of supports and links.
+    /// Equations of supports, links and joints, in this order.
     pub equations: Vec<Equation>,
-    /// Springs of supports.
+    /// Springs to the ground: those of supports, then those of foundations.
     pub springs: Vec<Spring>,
+    /// Springs of supports in a direction between two unknowns.
+    pub oblique_springs: Vec<ObliqueSpring>,
+    /// Whether there is a foundation.
+    pub has_foundation: bool,
     /// What is solved, in this order.
     pub states: Vec<State>,
     /// Whether the states are combinations and load cases, so that an envelope makes sense.
@@ -86,6 +114,12 @@ fn keep_baselines(case: &mut Case, folder: &Path) {
     }
 }
 
+fn check_title(title: &str, faults: &mut Faults) {
+    if title.chars().any(char::is_control) {
+        faults.error(root("title"), "`title` must not hold control characters such as line ends");
+    }
+}
+
 impl Scene {
     /// Resolves a case. `folder` is where files that the case names are looked for, `file` and `text` are for messages.
     ///
@@ -106,47 +140,67 @@ impl Scene {
     /// The scene without the faults; `None` if they leave nothing to build on.
     fn resolve(case: &mut Case, folder: &Path, faults: &mut Faults) -> Option<Self> {
         numbers::check(case, faults);
-        if case.title.chars().any(char::is_control) {
-            faults.error(root("title"), "`title` must not hold control characters such as line ends");
-        }
+        check_title(&case.title, faults);
         let material = material::material(case, faults);
         let layout = body::layout(case, faults)?;
-        let (held, springs, ends) = supports::held(case, &layout, faults);
-        let bars = supports::bars(case, &layout, faults);
+        let (held, ends) = supports::held(case, &layout, faults);
+        let beds = foundation::beds(case, &layout, faults);
+        let bars = links::bars(case, &layout, faults);
         let cases = loads::load_cases(case, &layout, faults);
         let splits = body::splits(&layout, &held, &bars, &cases);
-        let (parameters, stiffness, section) = material?;
+        let (parameters, resolved) = material?;
+        let stiffness: Vec<&SectionStiffness> = resolved.iter().map(|r| &r.stiffness).collect();
+        let has_axial = axial::is_needed(&layout, &held, &cases, &stiffness);
+        axial::check(case, &layout, &resolved, has_axial, faults);
+        body::check_size(&layout, &resolved, faults);
         if faults.has_errors() {
             return None;
         }
-        let beam = body::build(case, &layout, parameters, &stiffness, splits, ends, faults)?;
+        let axial = axial::modes(&layout, &held, &bars, &cases, &stiffness, case.solver);
+        let beam = body::build(&layout, parameters, &resolved, splits, ends, axial, faults)?;
+        let sections: Vec<SectionAlong> = resolved.into_iter().map(|r| r.section).collect();
         let numbers: Vec<usize> = (0..beam.chains().len()).map(|c| beam.first_real(c)).collect();
-        let held: Vec<HeldPoint> = held.into_iter().map(|h| h.numbered(&numbers)).collect();
+        let held: Vec<HeldPoint> =
+            held.into_iter().map(|h| h.numbered(&numbers, &layout, has_axial)).collect();
         let bars: Vec<RigidBar> = bars.into_iter().map(|b| b.numbered(&numbers)).collect();
         let states = loads::states(case, cases, faults);
-        warnings::collect(case, &layout, &beam, &section, faults);
-        let probes = checks::probes(case, &layout, &numbers, &held, &section, faults);
+        warnings::collect(case, &layout, &beam, &sections, &beds, faults);
+        let probes = probes::probes(
+            &probes::Context { case, layout: &layout, first: &numbers, held: &held, sections: &sections, has_axial },
+            faults,
+        );
         let expectations = checks::expectations(
             &checks::Context {
                 case,
+                on_frame: layout.frame.is_some(),
                 beam: &beam,
                 held: &held,
                 bars: &bars,
+                beds: &beds,
                 states: &states,
                 probes: &probes,
                 folder,
             },
             faults,
         );
+        let mut equations = holds::equations(&held);
+        equations.extend(links::bar_equations(&bars, has_axial));
+        equations.extend(links::joint_equations(&layout, &numbers, has_axial));
+        let (mut springs, oblique_springs) = holds::springs(&held);
+        springs.extend(foundation::springs(&beds, &beam));
         Some(Self {
             case: case.clone(),
             units: case.units,
-            equations: supports::equations(&held, &bars),
-            springs: supports::numbered_springs(springs, &numbers),
+            equations,
+            springs,
+            oblique_springs,
+            has_axial,
+            frame: layout.frame,
+            has_foundation: !beds.is_empty(),
             has_envelope: !case.load_cases.is_empty(),
             solver: case.solver,
             beam,
-            section,
+            sections,
             held,
             bars,
             states,

@@ -7,6 +7,11 @@ use serde_json::Value;
 /// Magnitudes that a model may be written in; nobody's units are beyond.
 const RANGE: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
 
+/// Whether two stiffnesses and their product keep all digits.
+pub(super) fn fit(bending: f64, shear: f64) -> bool {
+    (bending * shear).is_normal() && bending.is_normal()
+}
+
 /// Adds a fault for every number beyond the range; zero is fine, and checks may compare with anything.
 pub(super) fn check(case: &Case, faults: &mut Faults) {
     if let Ok(Value::Object(keys)) = serde_json::to_value(case) {

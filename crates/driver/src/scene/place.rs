@@ -1,5 +1,6 @@
 //! Where on the body a position is.
 
+use super::frame::FrameLayout;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::Grid;
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndTreatment;
@@ -11,6 +12,8 @@ pub(super) struct Layout {
     pub(super) lines: Vec<LayoutLine>,
     /// End treatment of all of them.
     pub(super) treatment: &'static EndTreatment,
+    /// Joints and members, where the lines are those of a frame.
+    pub(super) frame: Option<FrameLayout>,
 }
 
 /// One line of a layout.
@@ -24,8 +27,10 @@ pub(super) struct LayoutLine {
     pub(super) cells: usize,
     /// Where the points are.
     pub(super) grid: Grid,
-    /// Horizon over spacing.
+    /// Horizon over spacing; on a graded grid the number of neighbours on each side.
     pub(super) horizon_ratio: f64,
+    /// Distances of the points from the left end, where the grid is graded.
+    pub(super) stations: Option<Vec<f64>>,
 }
 
 /// A place on a line.
@@ -67,9 +72,24 @@ impl Place {
 const SNAP: f64 = 1e-6;
 
 impl LayoutLine {
-    /// Distance of neighbouring points.
+    /// Distance of neighbouring points; their mean distance on a graded grid.
     pub(super) fn spacing(&self) -> f64 {
         self.length / self.cells as f64
+    }
+
+    /// Length of the cell that a position is in, the first or the last one if it is beyond.
+    fn cell(&self, x: f64) -> f64 {
+        match &self.stations {
+            None => self.spacing(),
+            Some(stations) => {
+                let k = self.cell_number(stations, x);
+                stations[k + 1] - stations[k]
+            }
+        }
+    }
+
+    fn cell_number(&self, stations: &[f64], x: f64) -> usize {
+        stations.partition_point(|s| *s <= x - self.from).clamp(1, self.cells) - 1
     }
 
     /// Number of points.
@@ -82,15 +102,36 @@ impl LayoutLine {
         self.from + self.length
     }
 
-    fn holds(&self, x: f64) -> bool {
-        let slack = SNAP * self.spacing();
+    /// Whether a position is on the line.
+    pub(super) fn holds(&self, x: f64) -> bool {
+        let slack = SNAP * self.cell(x);
         x >= self.from - slack && x <= self.to() + slack
     }
 
     /// Point number as a real number: whole on points.
     fn coordinate(&self, x: f64) -> f64 {
+        if let Some(stations) = &self.stations {
+            let k = self.cell_number(stations, x);
+            return k as f64 + (x - self.from - stations[k]) / (stations[k + 1] - stations[k]);
+        }
         let shift = if self.grid == Grid::Cells { 0.5 } else { 0.0 };
         (x - self.from) / self.spacing() - shift
+    }
+
+    /// Cells, parts of them included, between two positions.
+    pub(super) fn cells_between(&self, from: f64, to: f64) -> f64 {
+        self.coordinate(to) - self.coordinate(from)
+    }
+
+    /// The longest horizon of a point of the line.
+    pub(super) fn longest_horizon(&self) -> f64 {
+        match &self.stations {
+            None => self.horizon_ratio * self.spacing(),
+            Some(stations) => {
+                let reach = (self.horizon_ratio as usize).min(self.cells);
+                stations.windows(reach + 1).map(|w| w[reach] - w[0]).fold(0.0, f64::max)
+            }
+        }
     }
 
     /// Nearest point to a position on the line.
@@ -100,6 +141,9 @@ impl LayoutLine {
 
     /// Position of a point.
     pub(super) fn position(&self, point: usize) -> f64 {
+        if let Some(stations) = &self.stations {
+            return self.from + stations[point];
+        }
         let shift = if self.grid == Grid::Cells { 0.5 } else { 0.0 };
         self.from + (point as f64 + shift) * self.spacing()
     }
@@ -116,17 +160,22 @@ impl Layout {
                 .hint(format!("the beam is at {}", extent.join(" and at ")));
             return None;
         };
+        Some(self.place_on(chain, x))
+    }
+
+    /// The place of a position on a line that holds it.
+    pub(super) fn place_on(&self, chain: usize, x: f64) -> Place {
         let line = &self.lines[chain];
         let point = line.nearest(x);
         if (line.coordinate(x) - point as f64).abs() <= SNAP {
-            return Some(Place::Point { chain, point });
+            return Place::Point { chain, point };
         }
         for (side, end) in [line.from, line.to()].into_iter().enumerate() {
-            if (x - end).abs() <= SNAP * line.spacing() {
-                return Some(Place::End { chain, side });
+            if (x - end).abs() <= SNAP * line.cell(x) {
+                return Place::End { chain, side };
             }
         }
-        Some(Place::Between { chain, x })
+        Place::Between { chain, x }
     }
 
     /// A fault for something that needs a point and is between two.
@@ -153,7 +202,7 @@ pub(super) fn tidy(value: f64) -> String {
 /// The smallest number of cells, not below the present one, that puts a point at `x`.
 fn cells_with_point(line: &LayoutLine, x: f64) -> Option<usize> {
     let z = (x - line.from) / line.length;
-    (line.grid == Grid::Nodes)
+    (line.grid == Grid::Nodes && line.stations.is_none())
         .then(|| {
             (line.cells..=2 * line.cells + 100)
                 .find(|&n| ((z * n as f64).round() - z * n as f64).abs() < 1e-9)
@@ -163,7 +212,23 @@ fn cells_with_point(line: &LayoutLine, x: f64) -> Option<usize> {
 
 #[cfg(test)]
 mod tests {
-    use super::tidy;
+    use super::*;
+
+    #[test]
+    fn positions_on_a_graded_grid_are_those_of_points_within_their_own_cells() {
+        let stations = Some(vec![0.0, 1e-6, 0.5, 1.0]);
+        let (grid, horizon_ratio) = (Grid::Nodes, 1.0);
+        let line = LayoutLine { from: 2.0, length: 1.0, cells: 3, grid, horizon_ratio, stations };
+        let treatment = &peristat_assembly::model::timoshenko_beam::end_treatment::TABLE[0];
+        let layout = Layout { lines: vec![line], treatment, frame: None };
+        let place = |x: f64| layout.place(x, &JsonPath::default(), "it", &mut Faults::default());
+        let point = |point: usize| Some(Place::Point { chain: 0, point });
+        assert_eq!([2.0, 2.000001, 2.5, 3.0].map(place), [0, 1, 2, 3].map(point));
+        // A millionth of the long cell beside the second point, but a tenth of the short one.
+        let x = 2.000_000_9;
+        assert_eq!([x, 2.2].map(place), [x, 2.2].map(|x| Some(Place::Between { chain: 0, x })));
+        assert_eq!(place(1.999_999), None);
+    }
 
     #[test]
     fn a_number_in_a_message_has_no_rounding_digits_and_no_row_of_zeros() {

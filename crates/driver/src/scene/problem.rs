@@ -1,65 +1,70 @@
-//! A beam scene as a problem to be solved.
+//! A scene as a problem to be solved, with two or three unknowns per point.
 
-use super::Scene;
-use super::place::tidy;
+use super::{Scene, motions};
 use crate::case::Solver;
-use crate::run::Problem;
+use crate::run::{Problem, StrainProblem};
 use peristat_assembly::condition::Equation;
-use peristat_assembly::model::Model;
-use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
-use peristat_assembly::stiffness::Spring;
+use peristat_assembly::model::timoshenko_beam::{TimoshenkoBeam, U};
+use peristat_assembly::stiffness::{ObliqueSpring, Spring};
 use peristat_assembly::system::FreeMotion;
 
-impl Problem<2> for Scene {
-    type Model = TimoshenkoBeam;
+/// Implements [`Problem`] for a number of unknowns per point; nothing but the model's reading of them differs.
+macro_rules! problem {
+    ($d:literal) => {
+        impl Problem<$d> for Scene {
+            type Model = TimoshenkoBeam;
 
-    fn model(&self) -> &TimoshenkoBeam {
-        &self.beam
-    }
+            fn model(&self) -> &TimoshenkoBeam {
+                &self.beam
+            }
 
-    fn springs(&self) -> &[Spring] {
-        &self.springs
-    }
+            fn springs(&self) -> &[Spring] {
+                &self.springs
+            }
 
-    fn equations(&self) -> &[Equation] {
-        &self.equations
-    }
+            fn oblique_springs(&self) -> &[ObliqueSpring] {
+                &self.oblique_springs
+            }
 
-    fn solver(&self) -> Solver {
-        self.solver
-    }
+            fn equations(&self) -> &[Equation] {
+                &self.equations
+            }
 
-    fn states(&self) -> usize {
-        self.states.len()
-    }
+            fn idle(&self) -> usize {
+                // Displacements along a bar between its ends.
+                let bars = self.beam.chains().iter().filter(|c| $d > U && c.stretches_as_bar());
+                bars.map(|c| c.points.saturating_sub(2)).sum()
+            }
 
-    fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
-        let state = &self.states[state];
-        state.loads.add_to(&self.beam, force);
-        state.motion_factor
-    }
+            fn solver(&self) -> Solver {
+                self.solver
+            }
 
-    fn describe(&self, motion: &FreeMotion) -> String {
-        // A part is a line, with the ghost points beyond its ends.
-        let line = |point: usize| self.beam.chains()[self.beam.chain_of(point)].line();
-        let parts: Vec<String> = motion
-            .parts
-            .iter()
-            .map(|&[first, last]| {
-                let (first, last) = (line(first), line(last));
-                format!("x = {} to {}", tidy(first.from), tidy(last.from + last.length))
-            })
-            .collect();
-        let amount = |kind: usize| {
-            let name = <TimoshenkoBeam as Model<2>>::RIGID_MOTIONS[kind];
-            motion.motions.iter().find(|m| m.0 == name).map_or(0.0, |m| m.1)
-        };
-        let (shift, turn) = (amount(0), amount(1));
-        let how = if turn == 0.0 {
-            "move along w".to_string()
-        } else {
-            format!("rotate about x = {}", tidy(motion.centre[0] - shift / turn))
-        };
-        format!("the beam from {} is free to {how}", parts.join(" and from "))
-    }
+            fn states(&self) -> usize {
+                self.states.len()
+            }
+
+            fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
+                let state = &self.states[state];
+                state.loads.add_to(&self.beam, force);
+                state.motion_factor
+            }
+
+            fn strain_problem(&self) -> Option<StrainProblem<'_>> {
+                let states = self.states.iter().map(|state| (&state.loads, state.motion_factor));
+                (!self.has_axial).then(|| StrainProblem { beam: &self.beam, states: states.collect() })
+            }
+
+            fn describe(&self, motion: &FreeMotion) -> String {
+                motions::describe(self, motion)
+            }
+
+            fn remedy(&self) -> &'static str {
+                motions::remedy(self)
+            }
+        }
+    };
 }
+
+problem!(2);
+problem!(3);

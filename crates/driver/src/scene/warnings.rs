@@ -1,11 +1,12 @@
 //! Doubts about a case that can be run.
 
+use super::foundation::Bed;
 use super::material::beam_path;
-use super::place::Layout;
-use super::root;
+use super::place::{Layout, tidy};
+use super::profile;
+use super::{SectionAlong, root};
 use crate::case::{Case, Model, Units};
 use crate::diagnostic::Faults;
-use peristat_assembly::material::SectionProperties;
 use peristat_assembly::model::timoshenko_beam::{TimoshenkoBeam, VolumeFactor};
 
 /// Adds all warnings on a scene.
@@ -13,20 +14,31 @@ pub(super) fn collect(
     case: &Case,
     layout: &Layout,
     beam: &TimoshenkoBeam,
-    section: &SectionProperties,
+    sections: &[SectionAlong],
+    beds: &[Bed],
     faults: &mut Faults,
 ) {
     let Model::TimoshenkoBeam(model) = &case.model;
     let horizon_key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
-    for (line, chain) in layout.lines.iter().zip(beam.chains()) {
+    // A frame may have many short members: the first one stands for all.
+    let mut told = false;
+    for (k, ((line, chain), section)) in layout.lines.iter().zip(beam.chains()).zip(sections).enumerate() {
         let horizon = line.horizon_ratio * line.spacing();
-        if horizon > line.length * (1.0 + 1e-9) {
-            faults
-                .warning(
-                    root(horizon_key),
-                    format!("the horizon {horizon} is longer than the beam, {}", line.length),
-                )
-                .hint("use more cells or a shorter horizon");
+        let is_short = horizon > line.length * (1.0 + 1e-9);
+        if is_short && !(layout.frame.is_some() && std::mem::replace(&mut told, true)) {
+            let whole = match &layout.frame {
+                Some(frame) => format!("member `{}`", frame.members[k].name),
+                None => "beam".into(),
+            };
+            let message = match &line.stations {
+                None => {
+                    format!("the horizon {} is longer than the {whole}, {}", tidy(horizon), tidy(line.length))
+                }
+                Some(_) => {
+                    format!("{} neighbours are more than the {} cells", line.horizon_ratio, line.cells)
+                }
+            };
+            faults.warning(root(horizon_key), message).hint("use more cells or a shorter horizon");
         }
         let classes = chain.weights.classes();
         let moment: f64 = (0..classes).map(|k| (k + 1) as f64 * chain.weights.of_class(k)).sum();
@@ -47,8 +59,9 @@ pub(super) fn collect(
                 )
                 .hint("use a whole horizon ratio, or the end treatment `cover`, which makes up for it");
         }
-        if let Some(height) = section.height
-            && model.bond_law == "published"
+        let horizon = line.longest_horizon();
+        if let Some(height) = section.height.as_ref().map(|h| h.value(0.0))
+            && beam.parameters().bond_law.name == "published"
             && classes > 1
             && horizon > 3.0 * height
         {
@@ -65,6 +78,24 @@ pub(super) fn collect(
                 );
         }
     }
+    for (k, bed) in beds.iter().enumerate() {
+        let bending = beam.chains()[bed.chain].line().stiffness.bending.value(0.0);
+        let reach =
+            (4.0 * bending / profile::highest(&bed.stiffness, bed.extent[1] - bed.extent[0])).powf(0.25);
+        let cell = layout.lines[bed.chain].spacing();
+        if cell > reach {
+            faults
+                .warning(
+                    root("foundation").index(k),
+                    format!(
+                        "on this foundation the beam bends over {}, and its cells have {}",
+                        tidy(reach),
+                        tidy(cell)
+                    ),
+                )
+                .hint("use cells of a fifth of that: springs on points err with the square of the cell");
+        }
+    }
     if model.volume_factor == VolumeFactor::Full && beam.chains().iter().any(|c| c.weights.classes() > 1) {
         faults
             .warning(
@@ -73,17 +104,22 @@ pub(super) fn collect(
             )
             .hint("`half_edge` is right; `full` is for comparison with the literature");
     }
-    let (e, units) = (model.youngs_modulus, case.units);
-    let (low, high) = match units {
+    let (low, high) = match case.units {
         Units::MetreNewtonPascal => (1e5, 2e12),
         Units::MillimetreNewtonMegapascal => (1e-1, 2e6),
     };
-    if !(low..=high).contains(&e) {
-        faults
-            .warning(
-                beam_path().key("youngs_modulus"),
-                format!("{e} {} is an unusual Young's modulus", units.stress()),
-            )
-            .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing");
+    let law = model.power_law.as_ref();
+    let path = beam_path();
+    let moduli = [
+        (model.youngs_modulus, path.key("youngs_modulus")),
+        (law.map(|l| l.bottom_modulus), path.key("power_law").key("bottom_modulus")),
+        (law.map(|l| l.top_modulus), path.key("power_law").key("top_modulus")),
+    ];
+    for (e, path) in moduli {
+        if let Some(e) = e.filter(|e| !(low..=high).contains(e)) {
+            faults
+                .warning(path, format!("{e} {} is an unusual Young's modulus", case.units.stress()))
+                .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing");
+        }
     }
 }

@@ -13,7 +13,7 @@ use super::{Diagram, Style};
 /// Size in pixels.
 const SIZE: (i32, i32) = (860, 420);
 /// The backend knows whole pixels only; it draws on a finer raster and the `viewBox` scales it down.
-const FINE: i32 = 10;
+pub(super) const FINE: i32 = 10;
 /// Points of a series that are drawn, at most: more than the width has pixels are not seen.
 const MOST_POINTS: usize = 2000;
 /// Dots of a series, at most: more would lie on each other.
@@ -30,11 +30,11 @@ const BOTTOM: i32 = SIZE.1 - 58;
 /// Where the legend ends even if there is more to name.
 const LEGEND_END: i32 = 140;
 
-const INK: RGBColor = RGBColor(0x33, 0x3A, 0x44);
+pub(super) const INK: RGBColor = RGBColor(0x33, 0x3A, 0x44);
 const FAINT: RGBColor = RGBColor(0xE4, 0xE7, 0xEB);
-const ZERO: RGBColor = RGBColor(0x9A, 0xA3, 0xAE);
+pub(super) const ZERO: RGBColor = RGBColor(0x9A, 0xA3, 0xAE);
 /// Told apart in every common form of colour blindness (Okabe and Ito 2008), the yellow left out.
-const COLORS: [RGBColor; 6] = [
+pub(super) const COLORS: [RGBColor; 6] = [
     RGBColor(0x00, 0x72, 0xB2),
     RGBColor(0xD5, 0x5E, 0x00),
     RGBColor(0x00, 0x9E, 0x73),
@@ -43,18 +43,26 @@ const COLORS: [RGBColor; 6] = [
     RGBColor(0x44, 0x44, 0x44),
 ];
 
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Drawn<T = ()> = Result<T, Box<dyn Error + Send + Sync>>;
+pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Drawn<T = ()> = Result<T, Box<dyn Error + Send + Sync>>;
 
 /// The diagram as the text of an SVG file.
 pub(super) fn svg(diagram: &Diagram, x: &Scale, y: &Scale) -> Drawn<String> {
+    on_canvas(SIZE, |canvas| draw(canvas, diagram, x, y))
+}
+
+/// A drawing of so many pixels as the text of an SVG file.
+pub(super) fn on_canvas(
+    (width, height): (i32, i32),
+    draw: impl FnOnce(&Canvas<'_>) -> Drawn,
+) -> Drawn<String> {
     let mut svg = String::new();
-    let size = ((SIZE.0 * FINE) as u32, (SIZE.1 * FINE) as u32);
-    draw(&SVGBackend::with_string(&mut svg, size).into_drawing_area(), diagram, x, y)?;
+    let size = ((width * FINE) as u32, (height * FINE) as u32);
+    draw(&SVGBackend::with_string(&mut svg, size).into_drawing_area())?;
     // The fine raster is scaled down to pixels here, and the marked strokes become dashes: as the many
     // elements that plotters makes of them, a noisy line would need megabytes.
     let raster = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
-    let pixels = format!("width=\"{}\" height=\"{}\" stroke-linejoin=\"round\"", SIZE.0, SIZE.1);
+    let pixels = format!("width=\"{width}\" height=\"{height}\" stroke-linejoin=\"round\"");
     let marked = format!("stroke-width=\"{DASHED_STROKE}\"");
     let dashed = format!("{marked} stroke-dasharray=\"70 45\"");
     Ok(svg.replacen(&raster, &pixels, 1).replace(&marked, &dashed))
@@ -157,7 +165,14 @@ fn extremes(canvas: &Canvas<'_>, points: &[(f64, f64)], place: impl Fn((f64, f64
     Ok(())
 }
 
-fn text(canvas: &Canvas<'_>, text: &str, at: (i32, i32), style: TextStyle<'_>, side: HPos) -> Drawn {
+/// Writes a text at a place of the raster.
+pub(super) fn text(
+    canvas: &Canvas<'_>,
+    text: &str,
+    at: (i32, i32),
+    style: TextStyle<'_>,
+    side: HPos,
+) -> Drawn {
     Ok(canvas.draw(&Text::new(text, at, style.pos(Pos::new(side, VPos::Center))))?)
 }
 
@@ -165,11 +180,12 @@ fn stroke(style: Style, color: &RGBColor) -> ShapeStyle {
     color.stroke_width(if style == Style::Dashed { DASHED_STROKE } else { STROKE })
 }
 
-fn at(x: i32, y: i32) -> (i32, i32) {
+/// A pixel on the raster.
+pub(super) fn at(x: i32, y: i32) -> (i32, i32) {
     (x * FINE, y * FINE)
 }
 
 /// A font of so many pixels; plotters writes its size divided by 1.24.
-fn font(pixels: i32) -> FontDesc<'static> {
+pub(super) fn font(pixels: i32) -> FontDesc<'static> {
     ("Helvetica, Arial, sans-serif", f64::from(pixels * FINE) * 1.24).into_font()
 }

@@ -1,8 +1,12 @@
-//! Diagrams of lines over lines as SVG, made to stand in a report or a README as they are.
+//! Diagrams of lines over lines, and pictures of frames, as SVG made to stand in a report or a README as they are.
 
 mod draw;
+mod picture;
 mod scale;
 mod thin;
+
+pub use picture::{Label, Look, Picture, Shape, write_picture};
+pub(crate) use thin::thin;
 
 use std::io;
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 /// At most `most` points (4 or more) that look like all: of each bin the lowest and the highest, in their
 /// order, and both ends.
-pub(super) fn thin(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
+pub(crate) fn thin(points: &[(f64, f64)], most: usize) -> Vec<(f64, f64)> {
     if points.len() <= most {
         return points.to_vec();
     }

@@ -1,0 +1,67 @@
+//! Plane frames: joints, and straight members between them.
+
+use super::{Grading, Stiffness};
+use peristat_assembly::material::Section;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A frame in the plane of x and y.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Frame {
+    /// Points where members end.
+    pub joints: Vec<Joint>,
+    /// Straight members. They are rigidly joined where they meet, unless they have hinges there.
+    pub members: Vec<Member>,
+}
+
+/// A point where members end.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Joint {
+    /// Name, unique among joints.
+    pub name: String,
+    /// Position along x.
+    pub x: f64,
+    /// Position along y.
+    pub y: f64,
+}
+
+/// A straight member with a grid of nodes. Its w grows to the left of the way from `from` to `to`, its u along that way.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Member {
+    /// Name, unique among members.
+    pub name: String,
+    /// Joint where it begins.
+    pub from: String,
+    /// Joint where it ends.
+    pub to: String,
+    /// Number of cells, >= 1.
+    pub cells: usize,
+    /// Ends that turn freely in their joints.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub hinges: Vec<MemberEnd>,
+    /// Cross-section, where it is not that of the model.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub section: Option<Section>,
+    /// Cross-section at the joint `to`; dimensions vary linearly from those at `from`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub end_section: Option<Section>,
+    /// Stiffness of the sections by numbers, where it is not that of the model.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Stiffness>,
+    /// Cells of different lengths; all the same if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub grading: Option<Grading>,
+}
+
+/// An end of a member.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MemberEnd {
+    /// At the joint `from`.
+    From,
+    /// At the joint `to`.
+    To,
+}

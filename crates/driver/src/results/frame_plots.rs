@@ -1,0 +1,161 @@
+//! Pictures of a frame: its section forces drawn on its members, and its deformed shape.
+
+use crate::case::FieldName;
+use crate::output::plot::{Label, Look, Picture, Shape, thin, write_picture};
+use crate::run::{LineFields, StateResult};
+use crate::scene::{FrameLayout, Scene};
+use std::io;
+use std::path::Path;
+
+/// Part of the size of the frame that the largest value of a diagram takes.
+const HEIGHT: f64 = 0.14;
+/// Points per frame that are drawn, about: more are not seen.
+const MOST_POINTS: usize = 12_000;
+
+/// Writes axial force, shear, moment and the deformed shape into a folder.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn write(
+    folder: &Path,
+    scene: &Scene,
+    frame: &FrameLayout,
+    result: &StateResult,
+    title: &str,
+) -> io::Result<()> {
+    let moment = scene.units.moment();
+    // A positive moment stretches the side of −w.
+    let diagrams = [
+        ("axial_force", FieldName::N, 1.0, "axial force N [N], tension positive".to_string()),
+        ("shear", FieldName::V, 1.0, "shear force V [N]".into()),
+        ("moment", FieldName::M, -1.0, format!("bending moment M [{moment}], on the side in tension")),
+    ];
+    for (file, field, side, note) in diagrams {
+        let Some(picture) = diagram(frame, result, field, side) else { continue };
+        let picture = Picture { title: title.into(), note, ..picture };
+        write_picture(&folder.join(format!("{file}.svg")), &picture)?;
+    }
+    let (picture, factor) = deformed(frame, result);
+    let note = format!("deformed shape, displacements times {factor}");
+    write_picture(&folder.join("deformed.svg"), &Picture { title: title.into(), note, ..picture })
+}
+
+/// Length of the diagonal around the frame.
+fn size(frame: &FrameLayout) -> f64 {
+    let extent = |k: usize| {
+        let of = || frame.joints.iter().map(|j| j.position[k]);
+        of().fold(f64::NEG_INFINITY, f64::max) - of().fold(f64::INFINITY, f64::min)
+    };
+    extent(0).hypot(extent(1))
+}
+
+/// The members as lines, and their joints and hinges.
+fn skeleton(frame: &FrameLayout, look: Look) -> Vec<Shape> {
+    let place = |joint: usize| (frame.joints[joint].position[0], frame.joints[joint].position[1]);
+    let mut shapes: Vec<Shape> = frame
+        .members
+        .iter()
+        .map(|m| Shape { look, points: m.joints.iter().map(|&j| place(j)).collect() })
+        .collect();
+    let dots = (0..frame.joints.len()).map(place).collect();
+    shapes.push(Shape { look: Look::Dots, points: dots });
+    // A hinge stands beside its joint, on the member that turns.
+    let shift = 0.015 * size(frame);
+    let hinges = frame.joints.iter().flat_map(|j| j.ends.iter().filter(|e| e.hinged).map(move |e| (j, e)));
+    let circle = |(joint, end): (&crate::scene::JointLayout, &crate::scene::EndOfMember)| {
+        let sign = if end.side == 0 { shift } else { -shift };
+        let [c, s] = frame.members[end.member].direction;
+        (joint.position[0] + sign * c, joint.position[1] + sign * s)
+    };
+    shapes.push(Shape { look: Look::Circles, points: hinges.map(circle).collect() });
+    shapes
+}
+
+/// Both values of every point, where a field may jump.
+fn curve(
+    line: &LineFields,
+    result: &StateResult,
+    field: FieldName,
+    number: usize,
+) -> Option<Vec<(f64, f64)>> {
+    let (left, right) = (result.left_values(field, number)?, result.values(field, number)?);
+    let pairs = line.x.iter().zip(left.iter().zip(right.iter()));
+    Some(pairs.flat_map(|(&x, (&left, &right))| [(x, left), (x, right)]).collect())
+}
+
+/// A section force across the members, on their left where `side` is 1 and the value positive.
+fn diagram(frame: &FrameLayout, result: &StateResult, field: FieldName, side: f64) -> Option<Picture> {
+    let [low, high] = result.extremes(field)?;
+    let largest = low.0.abs().max(high.0.abs());
+    let unit = if largest > 0.0 { side * HEIGHT * size(frame) / largest } else { 0.0 };
+    let most = (MOST_POINTS / result.lines.len()).max(8);
+    let (mut shapes, mut labels) = (Vec::new(), Vec::new());
+    for (number, line) in result.lines.iter().enumerate() {
+        let curve = curve(line, result, field, number)?;
+        let ([c, s], [x0, y0]) = (line.direction, line.origin);
+        let on = |x: f64, across: f64| (x0 + c * x - s * across, y0 + s * x + c * across);
+        let (first, last) = (curve[0].0, curve[curve.len() - 1].0);
+        let mut points = vec![on(first, 0.0)];
+        points.extend(thin(&curve, most).into_iter().map(|(x, value)| on(x, unit * value)));
+        points.extend([on(last, 0.0), on(first, 0.0)]);
+        shapes.push(Shape { look: Look::Area, points });
+        let extreme = extreme(&curve);
+        if let Some((x, value)) = extreme.filter(|(_, value)| value.abs() > 0.01 * largest) {
+            let away = (unit * value).signum();
+            labels.push(Label { value, at: on(x, unit * value), away: (-s * away, c * away) });
+        }
+    }
+    labels.sort_by(|a, b| b.value.abs().total_cmp(&a.value.abs()));
+    shapes.extend(skeleton(frame, Look::Body));
+    Some(Picture { shapes, labels, ..Picture::default() })
+}
+
+/// The largest magnitude of a curve; where it lasts, the place nearest to the middle.
+fn extreme(curve: &[(f64, f64)]) -> Option<(f64, f64)> {
+    let largest = curve.iter().map(|p| p.1.abs()).fold(0.0, f64::max);
+    let middle = 0.5 * (curve.first()?.0 + curve.last()?.0);
+    let as_large = curve.iter().copied().filter(|p| p.1.abs() >= largest * (1.0 - 1e-9));
+    as_large.min_by(|a, b| (a.0 - middle).abs().total_cmp(&(b.0 - middle).abs()))
+}
+
+/// The deformed shape over the frame as it was, and the round factor on its displacements.
+fn deformed(frame: &FrameLayout, result: &StateResult) -> (Picture, f64) {
+    let largest = result.displacements().map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+    let wanted = 0.1 * size(frame) / largest;
+    let factor = if wanted.is_finite() { round(wanted) } else { 1.0 };
+    let mut shapes = skeleton(frame, Look::Ghost);
+    let mut displacements = result.displacements();
+    let most = (MOST_POINTS / result.lines.len()).max(8);
+    for line in &result.lines {
+        let moved: Vec<(f64, f64)> = (0..line.x.len())
+            .zip(&mut displacements)
+            .map(|(k, [ux, uy])| {
+                let [x, y] = line.position(k);
+                (x + factor * ux, y + factor * uy)
+            })
+            .collect();
+        let step = moved.len().div_ceil(most);
+        let last = moved.last().copied();
+        shapes
+            .push(Shape { look: Look::Line, points: moved.into_iter().step_by(step).chain(last).collect() });
+    }
+    (Picture { shapes, ..Picture::default() }, factor)
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `value`.
+fn round(value: f64) -> f64 {
+    let power = value.log10().floor() as i32;
+    // Negative powers by division: their own rounding would show.
+    let scaled = |lead: f64| if power < 0 { lead / 10_f64.powi(-power) } else { lead * 10_f64.powi(power) };
+    [5.0, 2.0, 1.0].into_iter().map(scaled).find(|v| *v <= value).unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::round;
+
+    #[test]
+    fn factors_are_round_numbers() {
+        assert_eq!([1.0, 3.7, 640.0, 0.093, 9.99e-7].map(round), [1.0, 2.0, 500.0, 0.05, 5e-7]);
+    }
+}
