@@ -37,6 +37,59 @@ fn a_run_leaves_its_case_fields_history_plots_and_summary() {
 }
 
 #[test]
+fn a_frame_leaves_its_members_places_in_the_plane_and_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = crate::support::root().join("cases/frame/haunch.json").display().to_string();
+    let outcome = run(folder.path(), &["run", &case, "-o", "out"]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    for line in ["| column | ", "| joint `foot` |", "| tip ", "joint `tip`"] {
+        assert!(outcome.stdout.contains(line), "no `{line}` in\n{}", outcome.stdout);
+    }
+    let out = folder.path().join("out");
+    assert_eq!(names(&out.join("plots")), ["axial_force.svg", "deformed.svg", "moment.svg", "shear.svg"]);
+    let moment = fs::read_to_string(out.join("plots/moment.svg")).unwrap();
+    assert!(moment.contains("on the side in tension") && moment.contains("−20×10³"));
+    let table = fs::read_to_string(out.join("fields/step_000.csv")).unwrap();
+    let header =
+        "member,s,x,y,ux,uy,w,u,phi,N,V,M,stress_top,stress_bottom,energy_density,N_left,V_left,M_left";
+    assert_eq!(table.lines().next(), Some(header));
+    // The foot, and the tip: member 2, s = 2, at (2, 3).
+    assert!(table.lines().nth(1).unwrap().starts_with("1.0,0.0,0.0,0.0,"));
+    assert!(table.lines().last().unwrap().starts_with("2.0,2.0,2.0,3.0,"));
+    assert_eq!(table.lines().count(), 1 + 13 + 21);
+    let summary = json(&out.join("summary.json"));
+    let (state, arm) = (&summary["states"][0], &summary["states"][0]["members"][1]);
+    assert_eq!(arm["name"], "arm");
+    assert!((arm["M"][0].as_f64().unwrap() + 2e4).abs() < 1e-6 && arm["M"][1].as_f64().unwrap().abs() < 1e-6);
+    assert_eq!(state["extremes"]["uy"]["smallest"]["member"], "arm");
+    assert_eq!(state["joint_reactions"][0]["place"], "joint `foot`");
+    assert!((state["joint_reactions"][0]["force_y"].as_f64().unwrap() - 1e4).abs() < 1e-6);
+}
+
+#[test]
+fn a_frame_is_a_baseline_of_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = crate::support::root().join("cases/frame/portal.json");
+    let first = run(folder.path(), &["run", &case.display().to_string(), "-o", "out"]);
+    assert_eq!(first.code, 0, "{}", first.stderr);
+    let mut case = json(&case);
+    case["checks"] = serde_json::json!([
+        { "baseline": { "file": "out/fields/step_000.csv", "field": "uy", "tolerance": 1e-12 } }
+    ]);
+    fs::write(folder.path().join("again.json"), case.to_string()).unwrap();
+    let again = run(folder.path(), &["run", "again.json", "-o", "again"]);
+    assert_eq!(again.code, 0, "{}\n{}", again.stdout, again.stderr);
+}
+
+#[test]
+fn a_line_that_stretches_has_columns_for_it() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(solve(folder.path(), "axial_bar.json", &[]).code, 0);
+    let table = fs::read_to_string(folder.path().join("out/fields/step_000.csv")).unwrap();
+    assert_eq!(table.lines().next(), Some("x,w,phi,u,M,V,N,M_left,V_left,N_left"));
+}
+
+#[test]
 fn load_cases_leave_their_envelope() {
     let folder = tempfile::tempdir().unwrap();
     solve(folder.path(), "load_cases.json", &[]);

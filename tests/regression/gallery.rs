@@ -37,11 +37,16 @@ fn all_pass(folder: &str) {
 }
 
 /// Folders with a test below.
-const FOLDERS: [&str; 2] = ["beam", "bench"];
+const FOLDERS: [&str; 3] = ["beam", "frame", "bench"];
 
 #[test]
 fn beams_pass_their_checks() {
     all_pass("beam");
+}
+
+#[test]
+fn frames_pass_their_checks() {
+    all_pass("frame");
 }
 
 #[test]

@@ -90,6 +90,8 @@ fn a_spring_so_soft_that_rounding_moves_it_is_no_converged_solution() {
         let mut case = steel(0.05, "exact", 24);
         case["supports"] = json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi_spring": stiffness }]);
         case["loads"] = loads.clone();
+        // In strains the spring does not matter: its moment is statics.
+        case["solver"] = json!("band");
         let summary = solve_text(&case.to_string()).unwrap().summary;
         let expected = if converges { Status::Passed } else { Status::NotConverged };
         assert_eq!(summary.status, expected, "{stiffness}");

@@ -1,6 +1,7 @@
 //! What the tests share: building a case, running it, measuring an error.
 
 pub(crate) mod chain;
+pub(crate) mod plane_frame;
 pub(crate) mod standard;
 
 use peristat::case::from_text;
