@@ -2,7 +2,6 @@
 
 use crate::consistency::{Noise, check};
 use peristat_assembly::material::{Profile, SectionStiffness};
-use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::{
     Axial, BeamParameters, Line, TimoshenkoBeam, VolumeFactor, bond_law, end_treatment,
 };

@@ -5,6 +5,7 @@
 
 mod support;
 
+mod axial;
 mod balance;
 mod closed_forms;
 mod convergence;

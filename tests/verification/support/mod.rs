@@ -1,7 +1,9 @@
 //! What the tests share: building a case, running it, measuring an error.
 
 pub(crate) mod chain;
+pub(crate) mod noise;
 pub(crate) mod plane_frame;
+pub(crate) mod sections;
 pub(crate) mod standard;
 
 use peristat::case::from_text;

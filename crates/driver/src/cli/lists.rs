@@ -26,8 +26,14 @@ const LOADS: [(&str, &str); 7] = [
 ];
 
 const SOLVERS: [(&str, &str); 4] = [
-    ("auto", "the strain form where it applies, else chosen from the pattern of the stiffness; the summary says why (default)"),
-    ("strain", "strains of a straight beam with few supports: well conditioned whatever cells and slenderness"),
+    (
+        "auto",
+        "the strain form where it applies, else chosen from the pattern of the stiffness; the summary says why (default)",
+    ),
+    (
+        "strain",
+        "strains of a straight beam with few supports: well conditioned whatever cells and slenderness",
+    ),
     ("band", "band Cholesky factor, finished by conjugate gradients on the bonds"),
     ("sparse", "sparse Cholesky factor with AMD ordering, finished by conjugate gradients on the bonds"),
 ];

@@ -27,8 +27,8 @@ mod solution;
 mod tests;
 
 pub use facts::{BondClass, End, Facts, Load};
-use solution::{FOUNDATION_BEAM, PUBLISHED_BEAM, TIMOSHENKO_BEAM};
 pub use solution::{Displacements, Field, Reference, Solution, State};
+use solution::{FOUNDATION_BEAM, PUBLISHED_BEAM, TIMOSHENKO_BEAM};
 
 peristat_assembly::register! {
     /// Every reference a case may name, in the order of `peristat list`.

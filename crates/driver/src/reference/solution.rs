@@ -143,11 +143,7 @@ impl Solution {
         Self::new(energy, at, &[Field::W, Field::Phi])
     }
 
-    fn new(
-        energy: f64,
-        at: impl Fn(f64) -> State + Send + Sync + 'static,
-        fields: &'static [Field],
-    ) -> Self {
+    fn new(energy: f64, at: impl Fn(f64) -> State + Send + Sync + 'static, fields: &'static [Field]) -> Self {
         let at = Arc::new(at);
         let of_one = Arc::clone(&at);
         // The formula is compiled into the loop: a call per point would take longer than its evaluation.

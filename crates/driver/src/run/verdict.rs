@@ -63,12 +63,7 @@ pub(crate) fn checks(scene: &Scene, result: &StateResult) -> Vec<CheckResult> {
     mine.into_iter().map(|e| check(scene, e, result, &compared)).collect()
 }
 
-fn check(
-    scene: &Scene,
-    expectation: &Expectation,
-    result: &StateResult,
-    compared: &Compared,
-) -> CheckResult {
+fn check(scene: &Scene, expectation: &Expectation, result: &StateResult, compared: &Compared) -> CheckResult {
     let name = expectation.name.clone();
     let probed = |probe: usize| {
         let p = &scene.probes[probe];

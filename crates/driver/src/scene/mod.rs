@@ -166,7 +166,14 @@ impl Scene {
         let states = loads::states(case, cases, faults);
         warnings::collect(case, &layout, &beam, &sections, &beds, faults);
         let probes = probes::probes(
-            &probes::Context { case, layout: &layout, first: &numbers, held: &held, sections: &sections, has_axial },
+            &probes::Context {
+                case,
+                layout: &layout,
+                first: &numbers,
+                held: &held,
+                sections: &sections,
+                has_axial,
+            },
             faults,
         );
         let expectations = checks::expectations(

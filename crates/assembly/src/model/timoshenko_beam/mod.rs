@@ -33,8 +33,8 @@ pub use chain::{Axial, BondTable, Chain, ChainError, Grid, Line};
 pub use load::{Along, BeamLoads, ChainLoads, Distributed, Intensity, PointAction};
 pub use recover::{BeamFields, SectionForces};
 pub use strain::{
-    ForceMethod, FromLeft, FromRight, NoStrainForm, Redundants, Resultant, STRAIN_BLOCK, StrainAction, StrainBand,
-    StrainChecks, StrainForm, StrainSupport,
+    ForceMethod, FromLeft, FromRight, NoStrainForm, Redundants, Resultant, STRAIN_BLOCK, StrainAction,
+    StrainBand, StrainChecks, StrainForm, StrainSupport,
 };
 pub use weights::{VolumeFactor, bond_weights};
 

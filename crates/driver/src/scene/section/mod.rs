@@ -165,3 +165,20 @@ fn shear_modulus(beam: &Beam, e: Option<f64>, path: &JsonPath, faults: &mut Faul
         (None, Some(g)) => positive(g, "shear_modulus", path.key("shear_modulus"), faults).then_some(g),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stress_on_a_jump_is_that_of_the_side_that_is_looked_at() {
+        let section = SectionAlong {
+            area: None,
+            second_moment: Some(Profile::Table(vec![[0.0, 4.0], [0.5, 4.0], [0.5, 1.0], [1.0, 1.0]])),
+            height: Some(Profile::Uniform(2.0)),
+            kappa: None,
+        };
+        let at = |s: f64, towards: f64| section.stress_per_moment(s, towards);
+        assert_eq!([at(0.5, 0.4), at(0.5, 0.6), at(1.0, 0.5)], [Some(0.25), Some(1.0), Some(1.0)]);
+    }
+}
