@@ -115,6 +115,8 @@ fn a_new_case_runs_as_it_is() {
 fn the_first_case_of_a_newcomer_is_the_one_of_the_gallery() {
     let new = run(&root(), &["new", "timoshenko_beam"]).stdout;
     assert_eq!(new, fs::read_to_string(gallery("cantilever.json")).unwrap());
+    let frame = run(&root(), &["new", "plane_frame"]).stdout;
+    assert_eq!(frame, fs::read_to_string(root().join("cases/frame/steel_portal.json")).unwrap());
 }
 
 #[test]

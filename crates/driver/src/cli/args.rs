@@ -83,7 +83,7 @@ pub(super) enum Command {
     },
     /// Print a case to begin with.
     New {
-        /// Model; `peristat list models` names them.
+        /// `timoshenko_beam`, a straight line, or `plane_frame`.
         model: String,
     },
     /// List models, loads, references and solvers.

@@ -8,18 +8,27 @@ use crate::reference;
 use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};
 use serde_json::json;
 
-/// Models and the case that `new` prints for each.
-const MODELS: [(&str, &str, &str); 1] = [(
+const MODELS: [(&str, &str); 1] = [(
     "timoshenko_beam",
     "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
-    include_str!("new_timoshenko_beam.json"),
 )];
 
-const LOADS: [(&str, &str); 7] = [
-    ("point", "a force and a moment at a position"),
-    ("distributed", "a force or a moment per length: uniform, linear or sine, over a part of a line"),
-    ("w, phi", "prescribed deflection and rotation of a support, zero or not"),
-    ("w_spring, phi_spring", "springs from a point to the ground"),
+/// What `new` prints, by name.
+const STARTS: [(&str, &str); 2] = [
+    ("timoshenko_beam", include_str!("new_timoshenko_beam.json")),
+    ("plane_frame", include_str!("new_plane_frame.json")),
+];
+
+const LOADS: [(&str, &str); 9] = [
+    (
+        "point",
+        "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame",
+    ),
+    ("distributed", "the same per length: uniform, linear or sine, over a line or a part of it"),
+    ("w, phi, ux", "prescribed displacements of a support of a line, zero or not"),
+    ("ux, uy, phi, inclined", "prescribed displacements of a support of a frame, zero or not"),
+    ("w_spring, phi_spring, ux_spring, uy_spring", "springs from a point to the ground"),
+    ("hinges", "ends of the members of a frame that turn freely"),
     ("foundation", "springs per length against deflection under a part of a line, uniform or not"),
     ("rigid", "a rigid link between two points"),
     ("load_cases, combinations, steps", "several right-hand sides on one factorisation"),
@@ -39,15 +48,18 @@ const SOLVERS: [(&str, &str); 4] = [
 ];
 
 /// Prints a starting case.
-pub(super) fn new(model: &str) -> Result<u8, Error> {
-    match MODELS.iter().find(|m| m.0 == model) {
-        Some((_, _, case)) => {
+pub(super) fn new(name: &str) -> Result<u8, Error> {
+    match STARTS.iter().find(|start| start.0 == name) {
+        Some((_, case)) => {
             say(case)?;
             Ok(DONE)
         }
         None => {
-            let known: Vec<&str> = MODELS.iter().map(|m| m.0).collect();
-            note(&format!("error: there is no model `{model}`\nhint: known are {}\n", known.join(", ")));
+            let known: Vec<&str> = STARTS.iter().map(|start| start.0).collect();
+            note(&format!(
+                "error: there is no case `{name}` to begin with\nhint: known are {}\n",
+                known.join(", ")
+            ));
             Ok(USAGE)
         }
     }
@@ -58,7 +70,7 @@ fn entries(kind: Kind) -> Vec<(String, String)> {
     let own = |pairs: &[(&str, &str)]| pairs.iter().map(|(a, b)| ((*a).into(), (*b).into())).collect();
     match kind {
         Kind::Models => {
-            let models = MODELS.iter().map(|(name, about, _)| ((*name).into(), (*about).into()));
+            let models = MODELS.iter().map(|(name, about)| ((*name).into(), (*about).into()));
             let laws = bond_law::TABLE.iter().map(|l| (format!("  bond_law {}", l.name), l.about.into()));
             let ends =
                 end_treatment::TABLE.iter().map(|t| (format!("  end_treatment {}", t.name), t.about.into()));
