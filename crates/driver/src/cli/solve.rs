@@ -26,7 +26,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         )
     })?;
     // Faults of the case come before the first file.
-    sizes(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))?;
+    sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
     if let Some(file) = &arguments.write_matrix {
         if file.exists() && !arguments.force {
             let message = format!("{} exists\nhint: choose another file, or add `--force`", file.display());
@@ -50,7 +50,7 @@ pub(super) fn solve_into(loaded: &Loaded, folder: &Path, global: &Global) -> Res
         io::Error::new(error.kind(), format!("cannot write {}: {error}", folder.display()))
     };
     let mut results: Option<Results> = None;
-    let options = RunOptions { recover: true, max_memory: global.max_memory };
+    let options = with_fields(global);
     let summary = loaded.run(&options, &mut |scene, result| {
         if !finite(&result) {
             return Err(io::Error::new(
@@ -68,6 +68,11 @@ pub(super) fn solve_into(loaded: &Loaded, folder: &Path, global: &Global) -> Res
         results.finish(&summary).map_err(at)?;
     }
     Ok(summary)
+}
+
+/// What a run with all its outputs is asked for.
+fn with_fields(global: &Global) -> RunOptions {
+    RunOptions { recover: true, max_memory: global.max_memory }
 }
 
 /// Exit code of a finished run.
@@ -92,7 +97,7 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     for path in cases {
         let estimated = Loaded::read(path, overrides).and_then(|loaded| {
             warn(&loaded, global);
-            sizes(&loaded.scene, global.max_memory).map_err(|e| loaded.explain(e))
+            sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))
         });
         match estimated {
             Ok(sizes) => all.push((path.display().to_string(), sizes)),
@@ -124,7 +129,8 @@ fn write_stiffness<const D: usize>(loaded: &Loaded, file: &Path, order: &str) ->
 where
     Scene: Problem<D>,
 {
-    let (system, _) = prepare::<D, _>(&loaded.scene, None).map_err(|e| loaded.explain(e))?;
+    let (system, _) =
+        prepare::<D, _>(&loaded.scene, &RunOptions::default()).map_err(|e| loaded.explain(e))?;
     let matrix = system.stiffness().to_csr(|point, component| D * point + component);
     let entries: Vec<(usize, usize, f64)> = matrix.iter().map(|(&v, (i, j))| (i, j, v)).collect();
     let points = match loaded.scene.frame {

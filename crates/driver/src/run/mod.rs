@@ -7,6 +7,7 @@ mod factor;
 mod fields;
 mod line_points;
 mod linear;
+mod memory;
 mod problem;
 mod reaction;
 mod scan;
@@ -151,10 +152,10 @@ pub fn run(
 ///
 /// # Errors
 /// As [`prepare`].
-pub fn sizes(scene: &Scene, max_memory: Option<u64>) -> Result<Sizes, RunError> {
+pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
     match scene.has_axial {
-        true => prepare::<3, _>(scene, max_memory).map(|p| p.1),
-        false => prepare::<2, _>(scene, max_memory).map(|p| p.1),
+        true => prepare::<3, _>(scene, options).map(|p| p.1),
+        false => prepare::<2, _>(scene, options).map(|p| p.1),
     }
 }
 
@@ -172,7 +173,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
     options: &RunOptions,
     take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
-    let (system, sizes) = prepare(problem, options.max_memory)?;
+    let (system, sizes) = prepare(problem, options)?;
     if let Some(parts) = strain::chosen(problem)? {
         return strain::solve_states(problem, &parts, (&system, sizes), options.recover, take);
     }

@@ -1,14 +1,13 @@
 //! What a run needs of a scene, whatever its model, and the system it becomes.
 
-use super::RunError;
 use super::strain::{self, StrainProblem};
+use super::{RunError, RunOptions, memory};
 use crate::case::Solver;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::{ObliqueSpring, ObliqueSprings, Spring, Springs, Term};
 use peristat_assembly::system::{FreeMotion, System, free_motions};
-use peristat_solve::{Method, Profile, choose};
 use std::str::FromStr;
 
 /// Free motions that are told one by one, at most.
@@ -75,14 +74,15 @@ pub struct Sizes {
 /// The system of a problem, checked for size, contradictions and free motions, in this order.
 ///
 /// # Errors
-/// [`RunError::Memory`] if solving would take more than `max_memory`, or than the machine has; [`RunError::Case`] names
+/// [`RunError::Memory`] if solving would take more than is allowed, or than the machine has; [`RunError::Case`] names
 /// contradicting supports or every motion that nothing holds.
 pub fn prepare<const D: usize, P: Problem<D>>(
     problem: &P,
-    max_memory: Option<u64>,
+    options: &RunOptions,
 ) -> Result<(System<D>, Sizes), RunError> {
-    let needed = estimate::<D, P>(problem);
-    if let Some(allowed) = max_memory.or_else(available_memory).filter(|&allowed| needed > allowed) {
+    let needed = memory::estimate::<D, P>(problem, options.recover);
+    let allowed = options.max_memory.or_else(memory::available);
+    if let Some(allowed) = allowed.filter(|&allowed| needed > allowed) {
         return Err(RunError::Memory { needed, allowed });
     }
     let mut faults = Faults::default();
@@ -123,48 +123,4 @@ pub fn prepare<const D: usize, P: Problem<D>>(
         estimated_bytes: needed,
     };
     Ok((system, sizes))
-}
-
-/// Memory of matrix, factor, vectors, fields and their files, bytes.
-fn estimate<const D: usize, P: Problem<D>>(problem: &P) -> u64 {
-    let model = problem.model();
-    let unknowns = (D * model.points()) as u64;
-    let terms = model.terms();
-    let reach = terms.iter().map(|t| t.reach()).max().unwrap_or(0);
-    let relations = model.relations();
-    let equations = || problem.equations().iter().chain(&relations);
-    let slaves = equations().any(|e| e.terms.len() > 1);
-    // Points that an equation joins come as close as neighbours do.
-    let span = |e: &Equation| {
-        let points = || e.terms.iter().map(|(u, _)| u.point);
-        points().max().unwrap_or(0) - points().min().unwrap_or(0)
-    };
-    let far = equations().map(span).max().unwrap_or(0);
-    let band = |reach: usize| 8 * unknowns * (D * (reach + 1)) as u64;
-    let elements: usize = terms.iter().map(|t| t.elements()).sum();
-    let profile = Profile {
-        unknowns: D * model.points(),
-        half_bandwidth: D * (reach + 1) - 1,
-        entries: model.points() * D * (D + 1) / 2 + elements * D * D,
-    };
-    // Blocks, triplets, compressed rows, and a factor about as large as all of them.
-    let sparse = 80 * profile.entries as u64;
-    let matrix = match (slaves, problem.solver()) {
-        (_, Solver::Auto | Solver::Strain) if strain::applies(problem).is_ok() => 0,
-        (true, Solver::Band) => band(reach + far) + sparse,
-        (true, _) | (false, Solver::Sparse) => sparse,
-        (false, Solver::Auto | Solver::Strain) if choose(&profile).0 == Method::Sparse => sparse,
-        (false, _) => band(reach),
-    };
-    // Bonds that are each their own are kept here and where they were made.
-    let kept: usize = terms.iter().map(|t| t.stored_factors()).sum();
-    matrix + 16 * kept as u64 + 8 * 6 * unknowns + 240 * model.points() as u64
-}
-
-/// Memory that programs can have without swapping, bytes, on systems that have `/proc`.
-fn available_memory() -> Option<u64> {
-    let info = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = info.lines().find(|l| l.starts_with("MemAvailable:"))?;
-    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(1024 * kilobytes)
 }

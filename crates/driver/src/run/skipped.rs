@@ -35,10 +35,10 @@ pub(super) fn skipped(scene: &Scene, report: &RunReport, recover: bool) -> Vec<S
         skipped.push("symbolic analysis: the stiffness is a band".into());
     }
     if report.solver.method == strain::METHOD {
-        skipped.push(
-            "stiffness of the displacements and its factor: strains of equal cells have equal equations"
-                .into(),
-        );
+        skipped.push("stiffness of the displacements and its factor: the unknowns are strains".into());
+        if is_uniform {
+            skipped.push("most columns of the factor: strains of equal cells have equal equations".into());
+        }
         skipped.push("conjugate gradients: strains are well conditioned".into());
     }
     if !recover {

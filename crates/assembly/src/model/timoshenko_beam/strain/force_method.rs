@@ -2,6 +2,7 @@
 
 use super::{StrainAction, StrainForm};
 use crate::model::timoshenko_beam::{PHI, W};
+use nalgebra::{DMatrix, DVector};
 
 /// A support of one displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,7 +110,7 @@ impl ForceMethod {
         }
         rows[n][n + 2] = -resultant[0] * unit;
         rows[n + 1][n + 2] = -resultant[1] / self.length * unit;
-        let x = eliminate(rows)?;
+        let x = eliminate(&rows)?;
         let reaction = |(s, x): (&StrainSupport, &f64)| self.scale(s.component) * x / unit;
         Some(Redundants {
             start: [x[0], x[1] / self.length],
@@ -118,32 +119,14 @@ impl ForceMethod {
     }
 }
 
-/// Gauss elimination with scaled rows and row pivots; the last column is the right-hand side.
-fn eliminate(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
+/// Solves with rows scaled to one; the last column is the right-hand side. `None` if the rows are dependent.
+fn eliminate(rows: &[Vec<f64>]) -> Option<Vec<f64>> {
     let n = rows.len();
-    for row in &mut rows {
-        let largest = row[..n].iter().fold(0.0, |a: f64, x| a.max(x.abs()));
-        if largest == 0.0 {
-            return None;
-        }
-        row.iter_mut().for_each(|x| *x /= largest);
-    }
-    for k in 0..n {
-        let pivot = (k..n).max_by(|&a, &b| rows[a][k].abs().total_cmp(&rows[b][k].abs()))?;
-        rows.swap(k, pivot);
-        let row = rows[k].clone();
-        if row[k] == 0.0 || !row[k].is_finite() {
-            return None;
-        }
-        for other in &mut rows[k + 1..] {
-            let factor = other[k] / row[k];
-            (k..=n).for_each(|j| other[j] -= factor * row[j]);
-        }
-    }
-    let mut x = vec![0.0; n];
-    for k in (0..n).rev() {
-        let known: f64 = (k + 1..n).map(|j| rows[k][j] * x[j]).sum();
-        x[k] = (rows[k][n] - known) / rows[k][k];
-    }
-    Some(x)
+    let scales: Vec<f64> =
+        rows.iter().map(|row| row[..n].iter().fold(0.0, |a: f64, x| a.max(x.abs()))).collect();
+    let matrix = DMatrix::from_fn(n, n, |r, c| rows[r][c] / scales[r]);
+    let right = DVector::from_fn(n, |r, _| rows[r][n] / scales[r]);
+    let x = matrix.lu().solve(&right)?;
+    // A row of zeros leaves what is not a number.
+    x.iter().all(|v| v.is_finite()).then(|| x.as_slice().to_vec())
 }
