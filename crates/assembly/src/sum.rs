@@ -1,22 +1,70 @@
 //! Sums that keep their digits.
 
-/// Compensated sum (Neumaier): the imbalance of a million terms is far below their rounding otherwise.
-#[derive(Clone, Copy, Debug, Default)]
+use std::ops::Neg;
+
+/// Compensated sum (Knuth): what rounding takes from it is kept beside it, so that the rounding of a million terms is far
+/// below that of their sum.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sum {
     high: f64,
     low: f64,
 }
 
 impl Sum {
+    /// A sum of one term.
+    #[inline(always)]
+    pub fn of(x: f64) -> Self {
+        Self { high: x, low: 0.0 }
+    }
+
     /// Adds a term.
+    #[inline(always)]
     pub fn add(&mut self, x: f64) {
         let sum = self.high + x;
-        self.low += if self.high.abs() >= x.abs() { (self.high - sum) + x } else { (x - sum) + self.high };
+        let taken = sum - self.high;
+        self.low += (self.high - (sum - taken)) + (x - taken);
         self.high = sum;
     }
 
-    /// The sum so far.
+    /// Adds another sum.
+    pub fn join(&mut self, other: Self) {
+        self.add(other.high);
+        self.add(other.low);
+    }
+
+    /// The sum and a small term more, rounded once.
+    #[inline(always)]
+    pub fn with(self, x: f64) -> f64 {
+        self.high + (self.low + x)
+    }
+
+    /// The sum so far, rounded.
+    #[inline(always)]
     pub fn total(self) -> f64 {
         self.high + self.low
+    }
+}
+
+impl Neg for Sum {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { high: -self.high, low: -self.low }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_terms_are_not_lost_beside_large_ones() {
+        let mut sum = Sum::of(1e16);
+        (0..1000).for_each(|_| sum.add(1.0));
+        sum.add(-1e16);
+        assert_eq!(sum.total(), 1000.0);
+        let mut twice = sum;
+        twice.join(-sum);
+        assert_eq!(twice.total(), 0.0);
     }
 }

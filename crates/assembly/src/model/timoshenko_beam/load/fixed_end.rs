@@ -1,13 +1,38 @@
 //! Fixed-end forces: what the loads inside a bond put on its two points.
 
-use super::{BeamLoads, Distributed, EndForces, GAUSS, PointAction, Span, resultant};
+use super::{BeamLoads, Distributed, EndForces, GAUSS, PointAction, Span};
 use crate::model::timoshenko_beam::Chain;
 use crate::model::timoshenko_beam::chain::pieces;
 
+/// Loads that bonds carry.
+struct Carried<'a> {
+    distributed: Vec<&'a Distributed>,
+    point: Vec<&'a PointAction>,
+}
+
+impl Carried<'_> {
+    /// As [`FixedEnd::resultant`].
+    fn resultant(&self, a: f64, b: f64, with_end: bool) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for load in &self.distributed {
+            let part = load.resultant(a, b);
+            (0..3).for_each(|k| sum[k] += part[k]);
+        }
+        let slack = 1e-9 * (b - a);
+        for p in &self.point {
+            if p.x > a + slack && p.x < if with_end { b + slack } else { b - slack } {
+                sum[0] += p.force;
+                sum[1] += p.force * (b - p.x) - p.moment;
+                sum[2] += p.axial;
+            }
+        }
+        sum
+    }
+}
+
 /// Fixed-end forces of the loads on one line.
 pub(in super::super) struct FixedEnd<'a> {
-    loads: &'a BeamLoads,
-    number: usize,
+    carried: Carried<'a>,
     chain: &'a Chain,
     /// EI and S, where they do not vary.
     plain: Option<(f64, f64)>,
@@ -18,69 +43,58 @@ impl<'a> FixedEnd<'a> {
     /// The loads that bonds of a line carry.
     pub(in super::super) fn new(loads: &'a BeamLoads, number: usize, chain: &'a Chain) -> Self {
         let stiffness = &chain.line().stiffness;
-        Self { loads, number, chain, plain: stiffness.plain(), breaks: stiffness.breaks() }
+        let carried = Carried {
+            distributed: loads.distributed.iter().filter(|l| !loads.lumped && l.chain == number).collect(),
+            point: loads.point.iter().filter(|p| p.spread && p.chain == number).collect(),
+        };
+        Self { carried, chain, plain: stiffness.plain(), breaks: stiffness.breaks() }
     }
 
     /// Forces of all loads inside one bond, weight not included.
     pub(in super::super) fn of(&self, class: usize, lower: usize) -> EndForces {
-        let (all, action): (Vec<_>, Vec<_>) = (self.distributed().collect(), self.spread().collect());
-        self.end_forces(&all, &action, class, lower)
+        self.end_forces(&self.carried, class, lower)
     }
 
     /// Forces of one distributed load inside a bond.
     pub(super) fn of_one(&self, load: &Distributed, class: usize, lower: usize) -> EndForces {
-        self.end_forces(&[load], &[], class, lower)
+        self.end_forces(&Carried { distributed: vec![load], point: Vec::new() }, class, lower)
     }
 
     /// Forces of the concentrated loads that bonds carry, if there are any inside a bond.
     pub(super) fn of_spread(&self, class: usize, lower: usize) -> Option<EndForces> {
         let bond = self.chain.bonds.bond(class, lower);
         let span = Span { x: self.chain.position(lower), length: bond.length, shear_ratio: 0.0 };
-        let inside: Vec<&PointAction> = self.spread().filter(|p| span.inside(p.x).is_some()).collect();
-        (!inside.is_empty()).then(|| self.end_forces(&[], &inside, class, lower))
+        let inside = |p: &&&PointAction| span.inside(p.x).is_some();
+        let point: Vec<&PointAction> = self.carried.point.iter().filter(inside).copied().collect();
+        (!point.is_empty())
+            .then(|| self.end_forces(&Carried { distributed: Vec::new(), point }, class, lower))
     }
 
-    /// Resultant as [`resultant`] of all loads that bonds carry inside `[a, b]`.
+    /// `(∫ q, ∫ (b − x) q − ∫ c, ∫ p)` of all loads that bonds carry inside `[a, b]`; a concentrated one at `b` only if
+    /// `with_end`.
     pub(in super::super) fn resultant(&self, a: f64, b: f64, with_end: bool) -> [f64; 3] {
-        let (all, action): (Vec<_>, Vec<_>) = (self.distributed().collect(), self.spread().collect());
-        resultant(&all, &action, a, b, with_end)
+        self.carried.resultant(a, b, with_end)
     }
 
     /// Whether bonds carry any load.
     pub(in super::super) fn is_needed(&self) -> bool {
-        self.distributed().next().is_some() || self.spreads()
+        !self.carried.distributed.is_empty() || self.spreads()
     }
 
     /// Whether bonds carry concentrated loads.
     pub(super) fn spreads(&self) -> bool {
-        self.spread().next().is_some()
+        !self.carried.point.is_empty()
     }
 
-    fn distributed(&self) -> impl Iterator<Item = &'a Distributed> {
-        let number = self.number;
-        self.loads.shared().filter(move |load| load.chain == number)
-    }
-
-    fn spread(&self) -> impl Iterator<Item = &'a PointAction> {
-        let number = self.number;
-        self.loads.point.iter().filter(move |p| p.spread && p.chain == number)
-    }
-
-    fn end_forces(
-        &self,
-        all: &[&Distributed],
-        actions: &[&PointAction],
-        class: usize,
-        lower: usize,
-    ) -> EndForces {
+    fn end_forces(&self, carried: &Carried, class: usize, lower: usize) -> EndForces {
         let Some((bending, shear)) = self.plain else {
-            return self.by_flexibility(all, actions, class, lower);
+            return self.by_flexibility(carried, class, lower);
         };
         let span = Span::new(self.chain, class, lower, bending, shear);
         let mut sum = [0.0; 6];
         let mut add = |part: EndForces, factor: f64| (0..6).for_each(|k| sum[k] += factor * part[k]);
-        all.iter().for_each(|load| add(load.on(&span), 1.0));
-        for action in actions {
+        carried.distributed.iter().for_each(|load| add(load.on(&span), 1.0));
+        for action in &carried.point {
             if let Some(z) = span.inside(action.x) {
                 action.parts().for_each(|(along, value)| add(span.of(along, z), value));
             }
@@ -90,13 +104,7 @@ impl<'a> FixedEnd<'a> {
 
     /// The force method: the bond held at its upper point alone deforms under its loads; the end actions that close this
     /// deformation, and what the loads leave at the upper point, are the fixed-end forces.
-    fn by_flexibility(
-        &self,
-        all: &[&Distributed],
-        actions: &[&PointAction],
-        class: usize,
-        lower: usize,
-    ) -> EndForces {
+    fn by_flexibility(&self, carried: &Carried, class: usize, lower: usize) -> EndForces {
         let chain = self.chain;
         let bond = chain.bonds.bond(class, lower);
         let step = chain.weights.step(class);
@@ -104,8 +112,8 @@ impl<'a> FixedEnd<'a> {
         let middle = a + 0.5 * bond.length;
         let mut breaks: Vec<f64> = self.breaks.clone();
         // Section forces jump under concentrated loads, and bend where distributed ones begin and end.
-        breaks.extend(actions.iter().map(|p| p.x - chain.line().from));
-        breaks.extend(all.iter().flat_map(|l| [l.from, l.to]).map(|x| x - chain.line().from));
+        let ends = carried.distributed.iter().flat_map(|l| [l.from, l.to]);
+        breaks.extend(carried.point.iter().map(|p| p.x).chain(ends).map(|x| x - chain.line().from));
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         // Deformations Δu, Δφ, ξγ.
@@ -114,7 +122,7 @@ impl<'a> FixedEnd<'a> {
             for (from, to) in pieces(chain.line(), &breaks, chain.position(cell), chain.position(cell + 1)) {
                 for (z, g) in GAUSS {
                     let (x, width) = (from + z * (to - from), g * (to - from));
-                    let [q, moment, p] = resultant(all, actions, a, x, true);
+                    let [q, moment, p] = carried.resultant(a, x, true);
                     let (normal, shear) = (-p, -q);
                     let c = chain.line().stiffness.compliance(x - chain.line().from);
                     let curvature = c.bending * moment + c.coupling * normal;
@@ -126,7 +134,7 @@ impl<'a> FixedEnd<'a> {
                 }
             }
         }
-        let [q, moment, p] = resultant(all, actions, a, a + bond.length, false);
+        let [q, moment, p] = carried.resultant(a, a + bond.length, false);
         // Basic forces N, M₀, V that close the deformation: −C open, with C = UᵀDU.
         let axial = bond.axial * (open[0] + bond.axial_bending * open[1]);
         let v = bond.shear * (open[2] + bond.eccentricity * open[1] + bond.shear_axial * open[0]);

@@ -194,29 +194,6 @@ impl BeamLoads {
         self.distributed.extend(other.distributed);
         self.point.extend(other.point);
     }
-
-    /// Distributed loads that bonds carry.
-    fn shared(&self) -> impl Iterator<Item = &Distributed> {
-        self.distributed.iter().filter(|_| !self.lumped)
-    }
-}
-
-/// `(∫ q, ∫ (b − x) q − ∫ c, ∫ p)` of loads inside `[a, b]`; a concentrated one at `b` only if `with_end`.
-fn resultant(all: &[&Distributed], actions: &[&PointAction], a: f64, b: f64, with_end: bool) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for load in all {
-        let part = load.resultant(a, b);
-        (0..3).for_each(|k| sum[k] += part[k]);
-    }
-    let slack = 1e-9 * (b - a);
-    for p in actions {
-        if p.x > a + slack && p.x < if with_end { b + slack } else { b - slack } {
-            sum[0] += p.force;
-            sum[1] += p.force * (b - p.x) - p.moment;
-            sum[2] += p.axial;
-        }
-    }
-    sum
 }
 
 impl PointAction {

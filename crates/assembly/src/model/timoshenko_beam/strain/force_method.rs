@@ -2,6 +2,7 @@
 
 use super::{StrainAction, StrainForm};
 use crate::model::timoshenko_beam::{PHI, W};
+use crate::sum::Sum;
 use nalgebra::{DMatrix, DVector};
 
 /// A support of one displacement.
@@ -65,7 +66,7 @@ impl ForceMethod {
     pub fn units(&self) -> Vec<(usize, StrainAction)> {
         let supports = self.supports.iter().enumerate().filter(|(_, s)| s.point > 0);
         let unit =
-            |s: &StrainSupport| StrainAction { point: s.point, component: s.component, value: [1.0, 0.0] };
+            |s: &StrainSupport| StrainAction { point: s.point, component: s.component, value: Sum::of(1.0) };
         supports.map(|(k, s)| (k, unit(s))).collect()
     }
 

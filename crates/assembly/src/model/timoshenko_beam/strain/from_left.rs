@@ -1,8 +1,9 @@
 //! From strains to displacements.
 
-use super::sums::{FEW, Running, dot, largest};
+use super::sums::{FEW, dot, largest};
 use super::{STRAIN_BLOCK, StrainAction, StrainChecks, StrainForm};
 use crate::model::timoshenko_beam::{ChainLoads, PHI, W};
+use crate::sum::Sum;
 use std::ops::Range;
 
 /// The displacements, block by block from the left end:
@@ -17,10 +18,10 @@ pub struct FromLeft<'a> {
     actions: Vec<StrainAction>,
     /// Cells that are done.
     done: usize,
-    w: Running,
-    phi: Running,
-    shear: Running,
-    moment: Running,
+    w: Sum,
+    phi: Sum,
+    shear: Sum,
+    moment: Sum,
     /// Strains of the last 2 (m − 1) cells before the block, the block, room for m − 1 cells beyond the end.
     strain: [Vec<f64>; 2],
     /// Right-hand sides of the last m − 1 cells before the block, and the block.
@@ -28,8 +29,8 @@ pub struct FromLeft<'a> {
     rows: [Vec<f64>; 2],
     force: [Vec<f64>; 2],
     width: Vec<f64>,
-    energy: Running,
-    work: Running,
+    energy: Sum,
+    work: Sum,
     checks: StrainChecks,
 }
 
@@ -45,7 +46,7 @@ impl<'a> FromLeft<'a> {
         actions.sort_by_key(|action| action.point);
         let back = form.reach() - 1;
         let room = |more: usize| [vec![0.0; STRAIN_BLOCK + more], vec![0.0; STRAIN_BLOCK + more]];
-        let [w, phi] = start.map(|high| Running { high, low: 0.0 });
+        let [w, phi] = start.map(Sum::of);
         Self {
             form,
             loads,
@@ -53,15 +54,15 @@ impl<'a> FromLeft<'a> {
             done: 0,
             w,
             phi,
-            shear: Running::default(),
-            moment: Running::default(),
+            shear: Sum::default(),
+            moment: Sum::default(),
             strain: room(3 * back),
             right: room(back),
             rows: room(back),
             force: room(0),
             width: vec![0.0; STRAIN_BLOCK],
-            energy: Running::default(),
-            work: Running::default(),
+            energy: Sum::default(),
+            work: Sum::default(),
             checks: StrainChecks::default(),
         }
     }
@@ -125,8 +126,8 @@ impl<'a> FromLeft<'a> {
                 if component == W { (&mut self.shear, self.w) } else { (&mut self.moment, self.phi) };
             let load = std::mem::take(&mut self.force[component][at]);
             sum.add(-load);
-            action.value.iter().for_each(|f| sum.add(-f));
-            self.work.add((action.value[0] + load) * u.total());
+            sum.join(-action.value);
+            self.work.add(action.value.with(load) * u.total());
         }
     }
 

@@ -1,8 +1,9 @@
 //! Moment and shear force of the cantilever that is clamped at the first point, summed from the last.
 
-use super::sums::{FEW, Running, dot};
+use super::sums::{FEW, dot};
 use super::{STRAIN_BLOCK, StrainAction, StrainForm};
 use crate::model::timoshenko_beam::{ChainLoads, PHI, W};
+use crate::sum::Sum;
 use std::ops::Range;
 
 /// What all forces on the points come to.
@@ -26,8 +27,8 @@ pub struct FromRight<'a> {
     actions: Vec<StrainAction>,
     /// Cells that are done lie right of this one.
     end: usize,
-    shear: Running,
-    moment: Running,
+    shear: Sum,
+    moment: Sum,
     size: [f64; 2],
     force: Vec<f64>,
     couple: Vec<f64>,
@@ -49,8 +50,8 @@ impl<'a> FromRight<'a> {
             loads,
             actions,
             end: form.cells(),
-            shear: Running::default(),
-            moment: Running::default(),
+            shear: Sum::default(),
+            moment: Sum::default(),
             size: [0.0; 2],
             force: room(),
             couple: room(),
@@ -117,15 +118,15 @@ impl<'a> FromRight<'a> {
     /// on its own point to the last bit.
     fn act(&mut self, point: usize, at: usize) {
         for action in self.actions.iter().filter(|a| a.point == point) {
-            let size = action.value[0].abs();
+            let size = action.value.total().abs();
             if action.component == W {
                 self.shear.add(std::mem::take(&mut self.force[at]));
-                action.value.iter().for_each(|&f| self.shear.add(f));
+                self.shear.join(action.value);
                 self.size[W] += size;
                 self.size[PHI] += size * self.form.distance(point);
             } else {
                 self.moment.add(std::mem::take(&mut self.couple[at]));
-                action.value.iter().for_each(|&c| self.moment.add(c));
+                self.moment.join(action.value);
                 self.size[PHI] += size;
             }
         }

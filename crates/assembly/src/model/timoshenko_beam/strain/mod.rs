@@ -33,6 +33,7 @@ pub use stiffness::StrainBand;
 
 use super::chain::BondTable;
 use super::{Chain, ChainLoads, Grid, TimoshenkoBeam};
+use crate::sum::Sum;
 use stiffness::Block;
 use thiserror::Error;
 
@@ -63,8 +64,8 @@ pub struct StrainAction {
     pub point: usize,
     /// What it acts on, [`W`](super::W) or [`PHI`](super::PHI).
     pub component: usize,
-    /// Value, N or N m, as a sum that is not rounded.
-    pub value: [f64; 2],
+    /// Value, N or N m; the rounding of a reaction alone bends a redundant beam by more than that of its displacements.
+    pub value: Sum,
 }
 
 /// The strain form of a body of one line.

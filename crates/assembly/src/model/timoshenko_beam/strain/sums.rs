@@ -1,38 +1,8 @@
-//! Running sums of two quantities, the second one growing with the first.
+//! What the sums of loads and displacements have in common.
 
 /// Cells whose contributions are added to each other before they are added to a running sum: their rounding is relative
 /// to the few of them, and they do not wait for the sum.
 pub(super) const FEW: usize = 8;
-
-/// A compensated running sum.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Running {
-    pub(super) high: f64,
-    pub(super) low: f64,
-}
-
-impl Running {
-    /// Adds a term: what rounding takes from the sum (Knuth) goes into `low`.
-    #[inline(always)]
-    pub(super) fn add(&mut self, x: f64) {
-        let sum = self.high + x;
-        let taken = sum - self.high;
-        self.low += (self.high - (sum - taken)) + (x - taken);
-        self.high = sum;
-    }
-
-    /// The sum and a few more terms, rounded once.
-    #[inline(always)]
-    pub(super) fn with(&self, x: f64) -> f64 {
-        self.high + (self.low + x)
-    }
-
-    /// The sum.
-    #[inline(always)]
-    pub(super) fn total(&self) -> f64 {
-        self.high + self.low
-    }
-}
 
 /// Sum of `a[k] b[k]` in lanes.
 #[inline(always)]

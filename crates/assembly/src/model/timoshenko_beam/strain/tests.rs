@@ -99,7 +99,7 @@ fn forces_and_strains_agree(beam: &TimoshenkoBeam) {
     let mut force = vec![0.0; 2 * n];
     let terms = Model::<2>::terms(beam);
     terms.iter().for_each(|t| t.add_force(&u, &mut force));
-    let action = |k: usize| StrainAction { point: k % n, component: k / n, value: [force[k], 0.0] };
+    let action = |k: usize| StrainAction { point: k % n, component: k / n, value: Sum::of(force[k]) };
     let actions: Vec<StrainAction> = (0..2 * n).map(action).collect();
     let (r, resultant) = right_hand_side(&form, None, &actions);
     let kv = dense(&form) * &v;
@@ -194,7 +194,7 @@ fn solve(
         let act = |(s, &r): (&StrainSupport, &f64)| StrainAction {
             point: s.point,
             component: s.component,
-            value: [r, 0.0],
+            value: Sum::of(r),
         };
         let actions: Vec<StrainAction> = held.iter().zip(&reactions).map(act).collect();
         let (r, resultant) = right_hand_side(form, Some(loads), &actions);
