@@ -1,4 +1,4 @@
-//! The one macro of the program: a folder of variants and its table, from one line per variant.
+//! A folder of variants and its table, from one line per variant.
 
 /// Declares one module per name and a `TABLE` of their `ENTRY` constants, in the order written.
 ///

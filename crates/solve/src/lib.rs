@@ -10,7 +10,7 @@
 //!   memory that do not depend on how often they repeat;
 //! * [`SparseCholesky`] factors any other sparse matrix and keeps the symbolic
 //!   analysis for the next matrix of the same pattern;
-//! * [`choose`] says which of the two suits a matrix, and why;
+//! * [`choose`] says whether a band or a sparse factor suits a matrix, and why;
 //! * [`Pcg`] finishes a direct solve whose matrix was rounded: the factor is the
 //!   preconditioner and a [`LinearOperator`] that evaluates the products more
 //!   accurately than the assembled matrix could is the truth.

@@ -13,7 +13,7 @@ impl Triplets {
         self.0.push((a.max(b) as u32, a.min(b) as u32, value));
     }
 
-    /// Compressed rows, columns in order.
+    /// Compressed rows, columns in order; a diagonal entry that is zero becomes one.
     fn compress(self, order: usize) -> CsMat<f64> {
         let mut start = vec![0_usize; order + 1];
         self.0.iter().for_each(|t| start[t.0 as usize + 1] += 1);
@@ -39,6 +39,10 @@ impl Triplets {
                     indices.push(column as usize);
                     values.push(value);
                 }
+            }
+            // The diagonal is the last entry of a row, and every row has one.
+            if let Some(diagonal) = values.last_mut().filter(|d| **d == 0.0) {
+                *diagonal = 1.0;
             }
             pointers.push(indices.len());
         }
@@ -82,12 +86,13 @@ impl<const D: usize> System<D> {
         let mut inert = vec![0.0; size];
         self.stiffness().for_each_entry(|[i, r], [j, c], value| {
             let (a, b) = (r * self.points + i, c * self.points + j);
-            if a == b && !masters.is_free(a) {
-                inert[a] = value;
+            if a == b {
+                match masters.is_free(a) {
+                    true => triplets.add(a, a, value),
+                    false => inert[a] = value,
+                }
             }
-            if a == b && masters.is_free(a) {
-                triplets.add(a, a, if value == 0.0 { 1.0 } else { value });
-            } else if value != 0.0 {
+            if value != 0.0 && !(a == b && masters.is_free(a)) {
                 masters.each(a, |ma, ca| {
                     masters.each(b, |mb, cb| {
                         // Of a symmetric pair only one entry is visited; both fall on one diagonal place.

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Model {
-    /// Peridynamic Timoshenko beam with unknowns w and phi.
+    /// Peridynamic Timoshenko beam: deflection, rotation and, where something moves along the axis, axial displacement.
     TimoshenkoBeam(Beam),
 }
 

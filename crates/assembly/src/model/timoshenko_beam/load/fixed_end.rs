@@ -36,6 +36,7 @@ pub(in super::super) struct FixedEnd<'a> {
     chain: &'a Chain,
     /// EI and S, where they do not vary.
     plain: Option<(f64, f64)>,
+    /// Distances from the start at which the stiffness or the loads are not smooth, in order.
     breaks: Vec<f64>,
 }
 
@@ -47,7 +48,13 @@ impl<'a> FixedEnd<'a> {
             distributed: loads.distributed.iter().filter(|l| !loads.lumped && l.chain == number).collect(),
             point: loads.point.iter().filter(|p| p.spread && p.chain == number).collect(),
         };
-        Self { carried, chain, plain: stiffness.plain(), breaks: stiffness.breaks() }
+        // Section forces jump under concentrated loads, and bend where distributed ones begin and end.
+        let ends = carried.distributed.iter().flat_map(|l| [l.from, l.to]);
+        let places = carried.point.iter().map(|p| p.x).chain(ends).map(|x| x - chain.line().from);
+        let mut breaks: Vec<f64> = stiffness.breaks().into_iter().chain(places).collect();
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        Self { carried, chain, plain: stiffness.plain(), breaks }
     }
 
     /// Forces of all loads inside one bond, weight not included.
@@ -110,16 +117,10 @@ impl<'a> FixedEnd<'a> {
         let step = chain.weights.step(class);
         let a = chain.position(lower);
         let middle = a + 0.5 * bond.length;
-        let mut breaks: Vec<f64> = self.breaks.clone();
-        // Section forces jump under concentrated loads, and bend where distributed ones begin and end.
-        let ends = carried.distributed.iter().flat_map(|l| [l.from, l.to]);
-        breaks.extend(carried.point.iter().map(|p| p.x).chain(ends).map(|x| x - chain.line().from));
-        breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
         // Deformations Δu, Δφ, ξγ.
         let mut open = [0.0; 3];
         for cell in lower..lower + step {
-            for (from, to) in pieces(chain.line(), &breaks, chain.position(cell), chain.position(cell + 1)) {
+            for (from, to) in pieces(chain.line(), &self.breaks, chain.position(cell), chain.position(cell + 1)) {
                 for (z, g) in GAUSS {
                     let (x, width) = (from + z * (to - from), g * (to - from));
                     let [q, moment, p] = carried.resultant(a, x, true);
