@@ -3,9 +3,11 @@
 
 mod commands;
 mod hostile_input;
+mod memory;
 mod meshio;
 mod messages;
 mod numbers;
+mod readme;
 mod results_folder;
 mod schema;
 mod support;

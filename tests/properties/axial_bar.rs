@@ -77,6 +77,7 @@ impl AxialBar {
 impl Model<1> for AxialBar {
     const UNKNOWNS: [&'static str; 1] = ["u"];
     const RIGID_MOTIONS: &'static [&'static str] = &["translation along x"];
+    const IS_DISPLACEMENT: [bool; 1] = [true];
 
     fn points(&self) -> usize {
         self.chain.points
@@ -147,8 +148,8 @@ fn a_loose_bar_is_reported_with_its_motion() {
     let loose = System::new(&bar, Vec::new(), Vec::new()).expect("no contradiction");
     let motions = free_motions(&bar, &loose);
     assert_eq!(motions.len(), 1);
-    assert_eq!(motions[0].motions[0].0, "translation along x");
     assert_eq!(motions[0].parts, vec![[0, 10]]);
+    assert_eq!(motions[0].moves[0].amounts, [1.0]);
     let held = System::new(&bar, Vec::new(), vec![prescribe(4, 0.0)]).expect("no contradiction");
     assert!(free_motions(&bar, &held).is_empty());
 }
@@ -171,7 +172,7 @@ proptest! {
             .collect();
         let bar = AxialBar::new(cells, ratio, 3.0, &factors);
         let extra = || -> Vec<Box<dyn Term<1>>> {
-            let spring_at = Spring { component: 0, point: cells / 2, stiffness: 0.3 };
+            let spring_at = Spring::on(0, cells / 2, 0.3);
             if spring { vec![Box::new(Springs::new(cells + 1, vec![spring_at]))] } else { Vec::new() }
         };
         check(&bar, &extra, seed);

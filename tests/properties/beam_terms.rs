@@ -27,6 +27,7 @@ struct Damaged(usize, Vec<LatticeBonds<2, 2, UniformBending>>);
 impl Model<2> for Damaged {
     const UNKNOWNS: [&'static str; 2] = <TimoshenkoBeam as Model<2>>::UNKNOWNS;
     const RIGID_MOTIONS: &'static [&'static str] = <TimoshenkoBeam as Model<2>>::RIGID_MOTIONS;
+    const IS_DISPLACEMENT: [bool; 2] = <TimoshenkoBeam as Model<2>>::IS_DISPLACEMENT;
 
     fn points(&self) -> usize {
         self.0
@@ -99,8 +100,9 @@ proptest! {
         prop_assume!(beam.is_ok());
         let beam = beam.expect("assumed");
         let extra = || -> Vec<Box<dyn Term<2>>> {
-            let at = |component, point, stiffness| Spring { component, point, stiffness };
-            let springs = vec![at(0, 3, 20.0), at(1, cells / 2, 5.0), at(0, 3, 1.0)];
+            // The last one resists a sum of both unknowns.
+            let between = Spring { point: 3, shares: [(0, 0.6), (1, -0.8)], stiffness: 1.0 };
+            let springs = vec![Spring::on(0, 3, 20.0), Spring::on(1, cells / 2, 5.0), between];
             if spring { vec![Box::new(Springs::new(beam.points(), springs))] } else { Vec::new() }
         };
         check::<2, _>(&beam, &extra, seed);

@@ -143,7 +143,7 @@ fn elements_are_the_couplings<const D: usize>(system: &System<D>) {
     for term in system.terms() {
         let (mut pairs, mut grounded) = (Vec::new(), 0);
         term.couplings(&mut |i, j| pairs.push((i, j)));
-        term.grounded(&mut |_, _| grounded += 1);
+        term.ground_motions(&mut |_| grounded += 1);
         assert_eq!(term.elements(), pairs.len() + grounded);
         assert!(pairs.iter().all(|(i, j)| i.abs_diff(*j) <= term.reach()));
         let (mut joined, mut expected) = (Parts::new(system.points()), Parts::new(system.points()));

@@ -207,7 +207,7 @@ impl Beam {
 pub(crate) fn run(case: &Value) -> (Vec<StateResult>, RunReport) {
     let source = from_text("case", case.to_string(), &[]).unwrap_or_else(|e| panic!("{e}"));
     let scene =
-        Scene::new(source.case, Path::new("."), "case", &source.text).unwrap_or_else(|e| panic!("{e}"));
+        Scene::new(source.case, Path::new("."), "case", &source.text, None).unwrap_or_else(|e| panic!("{e}"));
     let mut states = Vec::new();
     let options = RunOptions { recover: true, max_memory: None };
     let report = run::run(&scene, &options, &mut |state| {

@@ -42,7 +42,7 @@ pub(crate) fn gallery() -> Vec<PathBuf> {
 
 /// A case of the gallery.
 pub(crate) fn load(case: &Path) -> Loaded {
-    Loaded::read(case, &[]).unwrap_or_else(|error| panic!("{error}"))
+    Loaded::read(case, &[], None).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The record of a run of a case.

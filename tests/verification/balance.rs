@@ -1,6 +1,6 @@
 //! Loads and reactions are in equilibrium, and the stored energy is half the work of the loads.
 
-use crate::support::standard::{CASES, SECTIONS, steel};
+use crate::support::standard::{CASES, SECTIONS, steel, unit};
 use crate::support::{Run, run};
 use peristat::solve_text;
 use peristat::summary::Status;
@@ -113,5 +113,18 @@ fn a_load_lost_in_the_rounding_of_a_settlement_is_no_converged_solution() {
         case["loads"] = load.into_iter().collect::<Vec<_>>().into();
         let summary = solve_text(&case.to_string()).unwrap().summary;
         assert_eq!(summary.status, expected, "{force:?}: {:?}", summary.states[0].certificate);
+    }
+}
+
+#[test]
+fn a_force_on_a_support_of_a_beam_that_only_turns_is_in_balance() {
+    for solver in ["band", "strain"] {
+        let mut case = unit(50.0, "exact", 10);
+        case["solver"] = json!(solver);
+        case["supports"] = json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi": 0.01 }]);
+        case["loads"] = json!([{ "point": { "at": { "x": 0.0 }, "force": 1.0 } }]);
+        let run = run(&case);
+        assert!(run.states[0].certificate.converged, "{solver}: {:?}", run.states[0].certificate);
+        assert!((run.w(10) - 0.01).abs() <= 1e-15, "{solver}: {}", run.w(10));
     }
 }

@@ -43,8 +43,8 @@ fn nodal_values_are_exact_on_random_cells_of_very_different_lengths() {
             for solver in ["auto", "band"] {
                 case["solver"] = json!(solver);
                 let errors = run(&case).errors(standard.exact(&section));
-                // A7, measured 3e-15.
-                assert!(errors.iter().all(|e| *e <= 1e-10), "{name}, {section:?}, {solver}: {errors:?}");
+                // Measured 3e-15; A7 asks for 1e-10.
+                assert!(errors.iter().all(|e| *e <= 3e-14), "{name}, {section:?}, {solver}: {errors:?}");
             }
         }
     }
@@ -58,7 +58,7 @@ fn nodal_values_are_exact_on_the_strongest_grading() {
             let errors = run(&graded(&standard, &section, "exact", 60, grading.clone()))
                 .errors(standard.exact(&section));
             // Measured 2e-15.
-            assert!(errors.iter().all(|e| *e <= 1e-10), "{name}, {grading}: {errors:?}");
+            assert!(errors.iter().all(|e| *e <= 2e-14), "{name}, {grading}: {errors:?}");
         }
     }
 }

@@ -25,6 +25,7 @@ mod skipping;
 mod strain_form;
 mod supports;
 mod symbol;
+mod units;
 mod unsplit;
 mod varying_members;
 mod written_matrix;

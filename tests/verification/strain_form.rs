@@ -1,6 +1,6 @@
 //! The strain form: as exact at slenderness 10⁶ as at 20, and the same answers as the displacement form.
 
-use crate::support::standard::{CASES, SECTIONS, Section, Standard, steel};
+use crate::support::standard::{CASES, SECTIONS, Section, Standard, steel, unit};
 use crate::support::{Run, error, largest, run, run_recovered};
 use peristat::run::{RunOptions, run as solve};
 use peristat::scene::Scene;
@@ -120,8 +120,8 @@ fn gallery() -> Vec<PathBuf> {
 /// A case of the gallery with a solver; `None` if the solver does not apply.
 fn solved(path: &Path, solver: &str) -> Option<Run> {
     let source = peristat::case::read(path, &[format!("solver={solver}")]).expect("a case");
-    let scene =
-        Scene::new(source.case, path.parent().expect("a folder"), "case", &source.text).expect("a scene");
+    let scene = Scene::new(source.case, path.parent().expect("a folder"), "case", &source.text, None)
+        .expect("a scene");
     let mut states = Vec::new();
     let options = RunOptions { recover: true, max_memory: None };
     let report = solve(&scene, &options, &mut |state| {
@@ -158,7 +158,11 @@ fn what_has_no_strain_form_says_why() {
     images["supports"] = clamp;
     let mut many = steel(0.05, "exact", 20);
     many["supports"] = (0..11).map(|k| json!({ "at": { "x": 0.1 * f64::from(k) }, "w": 0.0 })).collect();
+    let mut bedded = steel(0.05, "exact", 6);
+    bedded["supports"] = json!([{ "at": { "x": 0.0 }, "w": 0.0 }]);
+    bedded["foundation"] = json!([{ "stiffness": { "uniform": 1e6 } }]);
     for (case, why) in [
+        (bedded, "the beam lies on an elastic foundation"),
         (cells, "the points lie in the middle of the cells"),
         (images, "ghost points continue the beam beyond its ends"),
         (many, "11 displacements are held or sprung, more than 10"),
@@ -187,4 +191,31 @@ fn the_softest_spring_takes_the_moment_that_statics_gives_it() {
         let found: Vec<f64> = moments.iter().map(|m| m[0]).collect();
         assert!(error(&found, &expected) < 1e-15, "{stiffness}");
     }
+}
+
+#[test]
+fn a_soft_spring_beside_a_rigid_support_of_the_first_point_turns_with_it() {
+    for stiffness in [1.0, 1e-8, 1e-14, 1e-20] {
+        let mut case = unit(1000.0, "exact", 8);
+        case["supports"] = json!([
+            { "at": { "x": 0.0 }, "w": 0.0, "phi_spring": stiffness }, { "at": { "x": 1.0 }, "w": 0.0 } ]);
+        case["loads"] = json!([{ "distributed": { "force": { "uniform": 1.0 } } }]);
+        let run = run(&case);
+        assert_eq!(run.report.solver.method, "strain_form");
+        // Simple supports, φ(0) = q L³/(24 EI), less what the moment k φ(0) at the end turns back: L/(3 EI) + 1/(S L).
+        let expected = 1.0 / 24.0 / (1.0 + stiffness * (1.0 / 3.0 + 1e-3));
+        let wrong = (run.unknowns(0)[1][0] / expected - 1.0).abs();
+        // Measured 7e-15.
+        assert!(wrong <= 1e-13 && run.states[0].certificate.converged, "{stiffness:e}: {wrong:e}");
+    }
+}
+
+#[test]
+fn a_law_that_locks_is_left_to_the_displacement_form() {
+    let mut case = unit(1e10, "published", 10);
+    case["supports"] = json!([0.0, 1.0].map(|x| json!({ "at": { "x": x }, "w": 0.0, "phi": 0.0 })));
+    case["loads"] = json!([{ "distributed": { "force": { "uniform": 1.0 } } }]);
+    let run = run(&case);
+    assert_eq!(run.report.solver.method, "band_cholesky");
+    assert!(run.states[0].certificate.converged);
 }

@@ -25,6 +25,7 @@
 pub mod case;
 pub mod cli;
 pub mod diagnostic;
+mod memory;
 pub mod output;
 pub mod reference;
 pub mod results;
@@ -68,8 +69,8 @@ pub struct Solved {
 /// # Errors
 /// [`enum@Error`] with the place of the fault.
 pub fn solve_text(text: &str) -> Result<Solved, Error> {
-    let loaded =
-        Loaded::from_source(case::from_text("case", text.into(), &[]).map_err(Error::Case)?, Path::new("."))?;
+    let source = case::from_text("case", text.into(), &[]).map_err(Error::Case)?;
+    let loaded = Loaded::from_source(source, Path::new("."), None)?;
     let mut states = Vec::new();
     let options = RunOptions { recover: true, max_memory: None };
     let summary = loaded.run(&options, &mut |_, result| {
@@ -89,18 +90,19 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// Reads a case file, applies overrides `path=value`, and resolves it.
+    /// Reads a case file, applies overrides `path=value`, and resolves it within a limit on memory, bytes; without one it
+    /// may use what the machine has.
     ///
     /// # Errors
     /// [`Error::Case`] with all faults.
-    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, Error> {
+    pub fn read(path: &Path, overrides: &[String], max_memory: Option<u64>) -> Result<Self, Error> {
         let source = case::read(path, overrides).map_err(Error::Case)?;
-        Self::from_source(source, path.parent().unwrap_or(Path::new("")))
+        Self::from_source(source, path.parent().unwrap_or(Path::new("")), max_memory)
     }
 
-    fn from_source(source: case::Source, folder: &Path) -> Result<Self, Error> {
+    fn from_source(source: case::Source, folder: &Path, max_memory: Option<u64>) -> Result<Self, Error> {
         let case::Source { case, file, text } = source;
-        let scene = Scene::new(case, folder, &file, &text).map_err(Error::Case)?;
+        let scene = Scene::new(case, folder, &file, &text, max_memory).map_err(Error::Case)?;
         Ok(Self { scene, file, text })
     }
 

@@ -1,9 +1,10 @@
 //! The record of a run: what `summary.json` holds and `--json` prints.
 
 use crate::case::{Model, Units};
+use crate::memory;
 use crate::run::{
-    self, Certificate, CheckResult, Counters, JointReaction, MemberForces, ProbeResult, Reaction, RunReport,
-    Sizes, SolverReport, StateResult, Timing,
+    self, Certificate, CheckResult, Counters, JointReaction, MemberForces, ProbeResult, Range, Reaction,
+    RunReport, Sizes, SolverReport, StateResult, Timing,
 };
 use crate::scene::Scene;
 use peristat_assembly::material::{Profile, SectionStiffness};
@@ -194,7 +195,7 @@ impl Collector {
             warnings,
             solver: report.solver,
             timing_s: report.timing,
-            peak_memory_bytes: peak_memory(),
+            peak_memory_bytes: memory::peak(),
             version: env!("CARGO_PKG_VERSION"),
         }
     }
@@ -228,27 +229,12 @@ fn varies(stiffness: &SectionStiffness) -> bool {
 
 /// Extreme values over all states.
 fn envelope(states: &[StateSummary]) -> BTreeMap<&'static str, [(String, Located); 2]> {
-    let mut envelope: BTreeMap<&'static str, [(String, Located); 2]> = BTreeMap::new();
+    let mut ranges: BTreeMap<&'static str, Range<(String, Located)>> = BTreeMap::new();
     for state in states {
-        for (&field, extremes) in &state.extremes {
-            let Extremes { smallest, largest } = extremes.clone();
-            let start = || [(state.name.clone(), smallest.clone()), (state.name.clone(), largest.clone())];
-            let [low, high] = envelope.entry(field).or_insert_with(start);
-            if smallest.value < low.1.value {
-                *low = (state.name.clone(), smallest);
-            }
-            if largest.value > high.1.value {
-                *high = (state.name.clone(), largest);
-            }
+        for (&field, Extremes { smallest, largest }) in &state.extremes {
+            let end = |at: &Located| (at.value, (state.name.clone(), at.clone()));
+            ranges.entry(field).or_default().take([end(smallest), end(largest)]);
         }
     }
-    envelope
-}
-
-/// Largest resident memory of this process, bytes, on systems that have `/proc`.
-fn peak_memory() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
-    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(1024 * kilobytes)
+    ranges.into_iter().filter_map(|(field, range)| Some((field, range.ends()?.map(|(_, at)| at)))).collect()
 }

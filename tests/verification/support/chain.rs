@@ -70,6 +70,7 @@ pub(crate) struct Body {
 impl Model<2> for Body {
     const UNKNOWNS: [&'static str; 2] = ["w", "phi"];
     const RIGID_MOTIONS: &'static [&'static str] = &["translation along w", "rotation"];
+    const IS_DISPLACEMENT: [bool; 2] = [true, false];
 
     fn points(&self) -> usize {
         self.points

@@ -7,7 +7,7 @@ pub(crate) mod sections;
 pub(crate) mod standard;
 
 use peristat::case::from_text;
-use peristat::run::{self, RunOptions, RunReport, StateResult};
+use peristat::run::{self, LineFields, RunOptions, RunReport, StateResult};
 use peristat::scene::Scene;
 use serde_json::Value;
 use std::path::Path;
@@ -23,7 +23,7 @@ pub(crate) struct Run {
 pub(crate) fn try_scene(case: &Value) -> Result<Scene, String> {
     let text = format!("{case:#}");
     let source = from_text("case", text, &[]).map_err(|e| e.to_string())?;
-    Scene::new(source.case, Path::new("."), "case", &source.text).map_err(|e| e.to_string())
+    Scene::new(source.case, Path::new("."), "case", &source.text, None).map_err(|e| e.to_string())
 }
 
 /// Resolves a case that has no faults.
@@ -65,9 +65,10 @@ pub(crate) fn refusal(case: &Value) -> String {
 impl Run {
     /// Deflections and rotations of the real points of all lines.
     pub(crate) fn unknowns(&self, state: usize) -> [Vec<f64>; 2] {
-        let (u, beam) = (&self.states[state].u, &self.scene.beam);
-        let n = u.len() / 2;
-        [0, n].map(|plane| beam.real_points().map(|p| u[plane + p]).collect())
+        let state = &self.states[state];
+        let of_line = |line: &LineFields, plane: usize| &state.u[plane + line.first..][..line.x.len()];
+        [0, state.u.len() / 2]
+            .map(|plane| state.lines.iter().flat_map(|line| of_line(line, plane)).copied().collect())
     }
 
     /// Deflection at a real point of the only line.

@@ -25,7 +25,8 @@ impl Profile {
             Self::Table(pairs) => {
                 let next = pairs.partition_point(|p| p[0] <= s);
                 match (next.checked_sub(1).map(|k| pairs[k]), pairs.get(next)) {
-                    (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (s - a[0]) / (b[0] - a[0]),
+                    // A mean, not a slope: near either pair nothing cancels.
+                    (Some(a), Some(b)) => (a[1] * (b[0] - s) + b[1] * (s - a[0])) / (b[0] - a[0]),
                     (Some(a), None) => a[1],
                     (None, Some(b)) => b[1],
                     (None, None) => 0.0,

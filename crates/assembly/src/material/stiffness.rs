@@ -46,9 +46,13 @@ impl SectionStiffness {
 
     /// EI and S, where no stiffness varies and nothing couples.
     pub fn plain(&self) -> Option<(f64, f64)> {
-        let fixed = self.profiles().iter().all(|p| p.uniform().is_some());
         let (bending, shear) = (self.bending.uniform()?, self.shear.uniform()?);
-        (fixed && !self.couples()).then_some((bending, shear))
+        (!self.varies() && !self.couples()).then_some((bending, shear))
+    }
+
+    /// Whether some stiffness varies along the member.
+    pub fn varies(&self) -> bool {
+        self.profiles().iter().any(|p| p.uniform().is_none())
     }
 
     /// Whether axial force and bending are coupled.

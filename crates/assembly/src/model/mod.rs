@@ -6,6 +6,31 @@ use crate::bonds::Point;
 use crate::condition::Equation;
 use crate::stiffness::Term;
 
+/// Sizes of the terms of a model.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ModelSizes {
+    /// Largest difference of the numbers of two coupled points.
+    pub reach: usize,
+    /// Elements, such as bonds.
+    pub elements: usize,
+    /// Entries of one triangle of the stiffness that can be other than zero, those of several elements counted each.
+    pub entries: usize,
+    /// Memory of all that is kept per element, bytes.
+    pub bytes: usize,
+}
+
+impl ModelSizes {
+    /// Sizes of both together.
+    pub fn join(self, other: Self) -> Self {
+        Self {
+            reach: self.reach.max(other.reach),
+            elements: self.elements + other.elements,
+            entries: self.entries + other.entries,
+            bytes: self.bytes + other.bytes,
+        }
+    }
+}
+
 /// A model with its body: terms of the energy and what belongs to every unknown.
 pub trait Model<const D: usize> {
     /// Names of the unknowns of a point.
@@ -13,6 +38,9 @@ pub trait Model<const D: usize> {
 
     /// Names of the motions that cost no energy, such as `translation along w`.
     const RIGID_MOTIONS: &'static [&'static str];
+
+    /// Which unknowns of a point are displacements; the others are rotations.
+    const IS_DISPLACEMENT: [bool; D];
 
     /// Number of points, ghosts included.
     fn points(&self) -> usize;
@@ -23,10 +51,33 @@ pub trait Model<const D: usize> {
     /// The parts of the energy.
     fn terms(&self) -> Vec<Box<dyn Term<D>>>;
 
+    /// Sizes of the terms. A model whose terms take much memory says them without building any.
+    fn sizes(&self) -> ModelSizes {
+        let terms = self.terms();
+        let sizes = terms.iter().map(|term| ModelSizes {
+            reach: term.reach(),
+            elements: term.elements(),
+            entries: D * D * term.elements(),
+            bytes: size_of::<f64>() * term.stored_factors(),
+        });
+        sizes.fold(ModelSizes::default(), ModelSizes::join)
+    }
+
     /// Relations among the unknowns that the discretisation brings with it (images, ghosts).
     fn relations(&self) -> Vec<Equation>;
+
+    /// Number of unknowns that nothing reads.
+    fn idle(&self) -> usize {
+        0
+    }
 
     /// Unknowns of a point under the unit rigid motion of a kind, an index into
     /// [`RIGID_MOTIONS`](Self::RIGID_MOTIONS); rotations are about `centre`.
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; D];
+
+    /// How far a unit rigid motion moves a point: m, or m per rad. Unlike unknowns, this compares motions of all kinds.
+    fn displacement(&self, kind: usize, point: usize, centre: Point) -> f64 {
+        let motion = self.rigid_motion(kind, point, centre).into_iter().zip(Self::IS_DISPLACEMENT);
+        motion.filter(|(_, is_displacement)| *is_displacement).fold(0.0, |sum, (value, _)| value.hypot(sum))
+    }
 }

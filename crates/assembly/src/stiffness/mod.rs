@@ -3,7 +3,6 @@
 mod block_matrix;
 mod bonds;
 mod lattice_bonds;
-mod oblique_springs;
 mod parts;
 mod springs;
 mod term;
@@ -11,7 +10,6 @@ mod term;
 pub use block_matrix::BlockMatrix;
 pub use bonds::{Bond, Bonds};
 pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};
-pub use oblique_springs::{ObliqueSpring, ObliqueSprings};
 pub use parts::{NumberedParts, Parts};
 pub use springs::{Spring, Springs};
 pub use term::{Share, Survey, Term};

@@ -1,23 +1,47 @@
 //! Springs from a point to the ground.
 
-use super::{BlockMatrix, Survey, Term};
+use super::{BlockMatrix, Share, Survey, Term};
 
-/// A linear spring on one unknown.
+/// A linear spring on one unknown of a point, or on a sum of two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spring {
-    /// Component of the unknown.
-    pub component: usize,
-    /// Point of the unknown.
+    /// Point.
     pub point: usize,
+    /// Components and their coefficients in the motion that the spring resists; the second is zero where one is all.
+    pub shares: [(usize, f64); 2],
     /// Stiffness, force per displacement (N/m) or moment per rotation (N m/rad), > 0.
     pub stiffness: f64,
 }
 
-/// Springs to the ground, `E = Σ ½ k u²`.
+/// Springs to the ground, `E = Σ ½ k (a u_c + b u_d)²`.
 #[derive(Clone, Debug)]
 pub struct Springs {
     points: usize,
     springs: Vec<Spring>,
+}
+
+impl Spring {
+    /// A spring on one unknown.
+    pub fn on(component: usize, point: usize, stiffness: f64) -> Self {
+        Self { point, shares: [(component, 1.0), (component, 0.0)], stiffness }
+    }
+
+    /// Component and stiffness of a spring on one unknown.
+    pub fn single(&self) -> Option<(usize, f64)> {
+        let [(component, share), (_, other)] = self.shares;
+        (other == 0.0).then_some((component, share * share * self.stiffness))
+    }
+
+    /// The motion that the spring resists, in a body of `points` points.
+    fn motion(&self, points: usize, u: &[f64]) -> f64 {
+        self.shares.iter().map(|&(component, share)| share * u[component * points + self.point]).sum()
+    }
+
+    /// Its internal forces with the numbers of their unknowns, in a body of `points` points.
+    pub fn forces(&self, points: usize, u: &[f64]) -> [(usize, f64); 2] {
+        let action = self.stiffness * self.motion(points, u);
+        self.shares.map(|(component, share)| (component * points + self.point, share * action))
+    }
 }
 
 impl Springs {
@@ -25,38 +49,38 @@ impl Springs {
     pub fn new(points: usize, springs: Vec<Spring>) -> Self {
         Self { points, springs }
     }
-
-    fn unknown(&self, spring: &Spring) -> usize {
-        spring.component * self.points + spring.point
-    }
 }
 
 impl<const D: usize> Term<D> for Springs {
     fn couplings(&self, _visit: &mut dyn FnMut(usize, usize)) {}
 
-    fn grounded(&self, visit: &mut dyn FnMut(usize, usize)) {
-        self.springs.iter().for_each(|s| visit(s.component, s.point));
+    fn ground_motions(&self, visit: &mut dyn FnMut(&[Share])) {
+        for s in &self.springs {
+            let shares = s.shares.map(|(component, share)| (component, s.point, share));
+            visit(if s.single().is_some() { &shares[..1] } else { &shares });
+        }
     }
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
-        for s in &self.springs {
-            force[self.unknown(s)] += s.stiffness * u[self.unknown(s)];
-        }
+        let forces = self.springs.iter().flat_map(|s| s.forces(self.points, u));
+        forces.for_each(|(unknown, value)| force[unknown] += value);
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {
         self.springs.iter().fold(Survey::EMPTY, |survey, s| {
-            let u = u[self.unknown(s)];
+            let motion = s.motion(self.points, u);
             let mut largest_action = [0.0; D];
-            largest_action[s.component] = (s.stiffness * u).abs();
-            survey.join(Survey { energy: 0.5 * s.stiffness * u * u, largest_action })
+            s.shares.iter().for_each(|&(c, share)| largest_action[c] += (share * s.stiffness * motion).abs());
+            survey.join(Survey { energy: 0.5 * s.stiffness * motion * motion, largest_action })
         })
     }
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
         for s in &self.springs {
             let mut block = [[0.0; D]; D];
-            block[s.component][s.component] = s.stiffness;
+            for (a, share) in s.shares {
+                s.shares.iter().for_each(|&(b, other)| block[a][b] += share * s.stiffness * other);
+            }
             tangent.add(s.point, s.point, &block);
         }
     }

@@ -47,13 +47,8 @@ pub trait Term<const D: usize>: Send + Sync {
         self.couplings(&mut |i, j| parts.join(i, j));
     }
 
-    /// Visits the unknowns `(component, point)` that this term holds to the ground.
-    fn grounded(&self, _visit: &mut dyn FnMut(usize, usize)) {}
-
     /// Visits the motions that this term holds to the ground, each a sum of unknowns with coefficients.
-    fn ground_motions(&self, visit: &mut dyn FnMut(&[Share])) {
-        self.grounded(&mut |component, point| visit(&[(component, point, 1.0)]));
-    }
+    fn ground_motions(&self, _visit: &mut dyn FnMut(&[Share])) {}
 
     /// Adds the internal force `Σ B_eᵀ C_e (B_e u)`, element by element. For a linear term this is also the product
     /// of its tangent with `u`.

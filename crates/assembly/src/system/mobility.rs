@@ -11,10 +11,6 @@ use crate::stiffness::Parts;
 pub struct FreeMotion {
     /// First and last point of every part that moves.
     pub parts: Vec<[usize; 2]>,
-    /// Amount of each of the model's rigid motions about the centre of the first moving part, those that matter.
-    pub motions: Vec<(&'static str, f64)>,
-    /// Centre that rotations are about.
-    pub centre: Point,
     /// The motion of every part that moves, in the order of `parts`.
     pub moves: Vec<PartMotion>,
 }
@@ -42,7 +38,7 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
         })
         .collect();
     let kinds = T::RIGID_MOTIONS.len();
-    // Amounts of the motions of every part are unknowns; a rotation is measured by what it moves at the end of its part.
+    // Amounts of the motions of every part are unknowns; each is measured by how far it moves the end of its part.
     let scales = scales(model, spans, &centres);
     let amounts = |unknown: usize, coefficient: f64| {
         let (component, point) = (unknown / system.points(), unknown % system.points());
@@ -73,49 +69,36 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
         let motion = elimination.solution(unknown);
         // From component planes to parts.
         let sizes: Vec<f64> = (0..count * kinds).map(|k| motion[(k % kinds) * count + k / kinds]).collect();
-        describe::<D, T>(&sizes, &scales, spans, &centres)
+        describe(&sizes, &scales, spans, &centres)
     })
     .collect()
 }
 
-/// What a unit of every motion moves at the end of its part, the largest component.
+/// How far a unit of every motion moves the end of its part.
 fn scales<const D: usize, T: Model<D>>(model: &T, spans: &[[usize; 2]], centres: &[Point]) -> Vec<f64> {
     let scale = |part: usize, kind: usize| {
-        let motion = model.rigid_motion(kind, spans[part][1], centres[part]);
-        motion.iter().fold(0.0, |a: f64, v| a.max(v.abs()))
+        let displacement = model.displacement(kind, spans[part][1], centres[part]);
+        // A part of one point has nothing that its rotation moves.
+        if displacement > 0.0 { displacement } else { 1.0 }
     };
     let kinds = T::RIGID_MOTIONS.len();
     (0..spans.len() * kinds).map(|k| scale(k / kinds, k % kinds)).collect()
 }
 
 /// A free motion from the displacements `sizes` that it makes at the ends of the parts, one per part and kind.
-fn describe<const D: usize, T: Model<D>>(
-    sizes: &[f64],
-    scales: &[f64],
-    spans: &[[usize; 2]],
-    centres: &[Point],
-) -> FreeMotion {
-    let kinds = T::RIGID_MOTIONS.len();
+fn describe(sizes: &[f64], scales: &[f64], spans: &[[usize; 2]], centres: &[Point]) -> FreeMotion {
+    let kinds = sizes.len() / spans.len();
     let least = 1e-6 * sizes.iter().fold(f64::MIN_POSITIVE, |a, s| a.max(s.abs()));
     let matters = |part: usize, kind: usize| sizes[part * kinds + kind].abs() > least;
     let moving: Vec<usize> =
         (0..spans.len()).filter(|&part| (0..kinds).any(|kind| matters(part, kind))).collect();
-    let first = moving.first().copied().unwrap_or(0);
     let amount = |part: usize, kind: usize| {
         let k = part * kinds + kind;
         if matters(part, kind) { sizes[k] / scales[k] } else { 0.0 }
     };
-    let motions = (0..kinds)
-        .filter(|&kind| matters(first, kind))
-        .map(|kind| (T::RIGID_MOTIONS[kind], amount(first, kind)));
     let moves = moving.iter().map(|&part| PartMotion {
         centre: centres[part],
         amounts: (0..kinds).map(|kind| amount(part, kind)).collect(),
     });
-    FreeMotion {
-        motions: motions.collect(),
-        moves: moves.collect(),
-        parts: moving.iter().map(|&p| spans[p]).collect(),
-        centre: centres[first],
-    }
+    FreeMotion { moves: moves.collect(), parts: moving.iter().map(|&p| spans[p]).collect() }
 }

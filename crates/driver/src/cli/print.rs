@@ -149,7 +149,17 @@ fn certificate(out: &mut String, state: &StateSummary) {
         balance.join(" and "),
         c.energy_balance
     );
+    if c.converged && c.residual > FEW_DIGITS {
+        let _ = writeln!(
+            out,
+            "  note: displacements are rounded, and end forces are their differences: section forces and reactions may be off by {:.0e} of the largest",
+            c.residual
+        );
+    }
 }
+
+/// A residual above this leaves section forces fewer digits than engineers expect.
+const FEW_DIGITS: f64 = 1e-6;
 
 fn envelope(out: &mut String, summary: &Summary) {
     let rows: Vec<Vec<String>> = summary

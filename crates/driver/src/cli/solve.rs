@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// Solves a case into its results folder.
 pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
-    let loaded = Loaded::read(&arguments.case, &arguments.overrides)?;
+    let loaded = Loaded::read(&arguments.case, &arguments.overrides, global.max_memory)?;
     warn(&loaded, global);
     let folder = match &arguments.output {
         Some(folder) => folder.clone(),
@@ -95,7 +95,7 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     let mut code = DONE;
     let mut all = Vec::new();
     for path in cases {
-        let estimated = Loaded::read(path, overrides).and_then(|loaded| {
+        let estimated = Loaded::read(path, overrides, global.max_memory).and_then(|loaded| {
             warn(&loaded, global);
             sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))
         });

@@ -121,7 +121,7 @@ fn inside(case: &Path) -> PathBuf {
 /// `None` for a slow case that nobody asked for.
 fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome> {
     let begin = Instant::now();
-    let loaded = Loaded::read(case, &[]);
+    let loaded = Loaded::read(case, &[], global.max_memory);
     let named = request.paths.iter().any(|p| p == case);
     if let Ok(loaded) = &loaded
         && loaded.scene.case.slow

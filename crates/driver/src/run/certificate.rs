@@ -1,5 +1,6 @@
 //! What every result is certified with.
 
+use super::extent;
 use super::linear::StateSolution;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::StrainChecks;
@@ -67,11 +68,10 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
     solution.held.iter().for_each(|&(k, r)| work.add(0.5 * u[k] * r));
     let energy_balance = ratio((energy - work.total()).abs(), energy.abs().max(work.total().abs()));
     // Motions alone that strain nothing leave only the rounding of a sudden jump, which has no balance.
-    let loaded = load.iter().any(|f| *f != 0.0);
-    let strains = loaded || energy > STRAIN_FREE * solution.jump_energy;
+    let strains = is_loaded(system, load) || energy > STRAIN_FREE * solution.jump_energy;
     let or_zero = |value: f64| if strains { value } else { 0.0 };
     let settled = !matches!(solution.status, PcgStatus::NotFinite | PcgStatus::IndefiniteOperator);
-    let mut balance = balance(model, load, scales, solution.held.iter().copied().chain(ground(system, u)));
+    let mut balance = balance(model, load, solution.held.iter().copied().chain(ground(system, u)));
     balance.iter_mut().for_each(|b| b.relative = or_zero(b.relative));
     let energy_balance = or_zero(energy_balance);
     let balanced = balance.iter().map(|b| b.relative).fold(energy_balance, f64::max) <= UNBALANCED;
@@ -84,6 +84,13 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
         energy_balance,
         energy,
     }
+}
+
+/// Whether a load acts on anything that can move.
+fn is_loaded<const D: usize>(system: &System<D>, load: &[f64]) -> bool {
+    let held = system.constraints().rows().iter().filter(|row| row.masters.is_empty());
+    let on_held = held.filter(|row| load[row.unknown] != 0.0).count();
+    load.iter().filter(|f| **f != 0.0).count() > on_held
 }
 
 /// What a solution in strains tells of itself.
@@ -158,7 +165,9 @@ fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usize, f64)> {
     let mut forces = Vec::new();
     for term in system.terms() {
         let mut unknowns = Vec::new();
-        term.grounded(&mut |component, point| unknowns.push(component * system.points() + point));
+        term.ground_motions(&mut |motion| {
+            unknowns.extend(motion.iter().map(|&(component, point, _)| component * system.points() + point));
+        });
         if !unknowns.is_empty() {
             unknowns.sort_unstable();
             unknowns.dedup();
@@ -175,7 +184,6 @@ fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usize, f64)> {
 fn balance<const D: usize, T: Model<D>>(
     model: &T,
     load: &[f64],
-    scales: &[f64; D],
     reactions: impl Iterator<Item = (usize, f64)>,
 ) -> Vec<Balance> {
     let n = model.points();
@@ -195,17 +203,11 @@ fn balance<const D: usize, T: Model<D>>(
         plane.iter().enumerate().for_each(|(point, &f)| add(component, point, f));
     }
     reactions.for_each(|(k, f)| add(k / n, k % n, f));
-    // Size of every motion in units of the scales.
-    let size = |kind: usize| {
-        let at = |point: usize| {
-            let motion = model.rigid_motion(kind, point, origin);
-            motion.iter().zip(scales).map(|(v, s)| v.abs() / s).fold(0.0, f64::max)
-        };
-        super::samples(n).map(at).fold(0.0, f64::max)
+    let sizes: Vec<f64> = (0..sums.len()).map(|kind| extent::displacement(model, kind, origin)).collect();
+    let least = sums.iter().zip(&sizes).map(|(sum, size)| sum.1 / size).fold(0.0, f64::max);
+    let balance = |((&motion, (sum, scale)), size): ((&&'static str, (Sum, f64)), &f64)| Balance {
+        motion,
+        relative: ratio(sum.total().abs(), scale.max(least * size)),
     };
-    let least = sums.iter().enumerate().map(|(kind, sum)| sum.1 / size(kind)).fold(0.0, f64::max);
-    let relative =
-        |kind: usize, (sum, scale): (Sum, f64)| ratio(sum.total().abs(), scale.max(least * size(kind)));
-    let balance = |(kind, sum)| Balance { motion: T::RIGID_MOTIONS[kind], relative: relative(kind, sum) };
-    sums.iter().copied().enumerate().map(balance).collect()
+    T::RIGID_MOTIONS.iter().zip(sums).zip(&sizes).map(balance).collect()
 }

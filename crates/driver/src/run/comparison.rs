@@ -1,14 +1,53 @@
-//! Displacements of all points against closed forms.
+//! Values against what they should be, and displacements of all points against closed forms.
 
 use super::fields::StateResult;
 use super::scan;
-use super::verdict::Worst;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
 use crate::scene::{Expectation, ExpectationKind, Scene};
 
 /// Points that are compared at once.
 const BLOCK: usize = 256;
+
+/// The worst of several comparisons.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Worst {
+    pub(super) expected: f64,
+    pub(super) found: f64,
+    pub(super) difference: f64,
+    /// Largest expected magnitude.
+    pub(super) scale: f64,
+}
+
+impl Worst {
+    /// Of no comparison yet.
+    const NONE: Self = Self { expected: 0.0, found: 0.0, difference: -1.0, scale: 0.0 };
+
+    /// Of some values.
+    pub(super) fn of(expected: &[f64], found: &[f64]) -> Self {
+        let mut worst = Self::NONE;
+        for (expected, found) in expected.chunks(BLOCK).zip(found.chunks(BLOCK)) {
+            worst.take(expected, found);
+        }
+        worst
+    }
+
+    /// Takes at most [`BLOCK`] more values. What is not a number is worst of all.
+    fn take(&mut self, expected: &[f64], found: &[f64]) {
+        let mut differences = [0.0; BLOCK];
+        let differences = &mut differences[..expected.len()];
+        differences.iter_mut().zip(expected).zip(found).for_each(|((d, e), f)| *d = (f - e).abs());
+        self.scale = self.scale.max(scan::largest(expected));
+        if scan::largest(differences) <= self.difference {
+            return;
+        }
+        for (k, &difference) in differences.iter().enumerate() {
+            if difference > self.difference || (difference.is_nan() && !self.difference.is_nan()) {
+                *self = Self { expected: expected[k], found: found[k], difference, ..*self };
+            }
+        }
+    }
+}
 
 /// Closed forms by name, with the worst of w and of φ, where a check asks for it.
 #[derive(Debug, Default)]
@@ -64,25 +103,9 @@ fn compare(scene: &Scene, solution: &Solution, asked: [bool; 2], result: &StateR
         (solution.displacements)(x, [&mut w[..count], &mut phi[..count]]);
         for (worst, (expected, found)) in worst.iter_mut().zip([&w, &phi].into_iter().zip(&found)) {
             if let Some(worst) = worst {
-                take(worst, &expected[..count], &found[start..start + count]);
+                worst.take(&expected[..count], &found[start..start + count]);
             }
         }
     }
     worst
-}
-
-/// Takes a block of comparisons. What is not a number is worst of all.
-fn take(worst: &mut Worst, expected: &[f64], found: &[f64]) {
-    let mut differences = [0.0; BLOCK];
-    let differences = &mut differences[..expected.len()];
-    differences.iter_mut().zip(expected).zip(found).for_each(|((d, e), f)| *d = (f - e).abs());
-    worst.scale = worst.scale.max(scan::largest(expected));
-    if scan::largest(differences) <= worst.difference {
-        return;
-    }
-    for (k, &difference) in differences.iter().enumerate() {
-        if difference > worst.difference || (difference.is_nan() && !worst.difference.is_nan()) {
-            *worst = Worst { expected: expected[k], found: found[k], difference, ..*worst };
-        }
-    }
 }

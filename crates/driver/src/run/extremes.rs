@@ -21,6 +21,37 @@ pub struct MemberForces {
     pub moment: [f64; 2],
 }
 
+/// Smallest and largest value so far, each with its place; the first of equal ones stays.
+#[derive(Clone, Debug)]
+pub(crate) struct Range<P>(Option<[(f64, P); 2]>);
+
+impl<P> Default for Range<P> {
+    fn default() -> Self {
+        Self(None)
+    }
+}
+
+impl<P> Range<P> {
+    /// Takes a smallest and a largest value.
+    pub(crate) fn take(&mut self, [a, b]: [(f64, P); 2]) {
+        let Some([low, high]) = &mut self.0 else {
+            self.0 = Some([a, b]);
+            return;
+        };
+        if a.0 < low.0 {
+            *low = a;
+        }
+        if b.0 > high.0 {
+            *high = b;
+        }
+    }
+
+    /// Both; `None` before the first.
+    pub(crate) fn ends(self) -> Option<[(f64, P); 2]> {
+        self.0
+    }
+}
+
 /// Section forces per member of a frame, where they were recovered.
 pub(crate) fn member_forces(scene: &Scene, result: &StateResult) -> Vec<MemberForces> {
     let members = scene.frame.iter().flat_map(|f| f.members.iter().enumerate());
@@ -40,39 +71,25 @@ impl StateResult {
 
     /// The same with the line between value and position.
     pub fn located_extremes(&self, field: FieldName) -> Option<[(f64, usize, f64); 2]> {
-        let mut extremes: Option<[(f64, usize, f64); 2]> = None;
+        let mut range = Range::default();
         for line in 0..self.lines.len() {
-            let [a, b] = self.extremes_on(field, line)?.map(|(value, x)| (value, line, x));
-            let [low, high] = extremes.get_or_insert([a, b]);
-            if a.0 < low.0 {
-                *low = a;
-            }
-            if b.0 > high.0 {
-                *high = b;
-            }
+            range.take(self.extremes_on(field, line)?.map(|(value, x)| (value, (line, x))));
         }
-        extremes
+        range.ends().map(|ends| ends.map(|(value, (line, x))| (value, line, x)))
     }
 
     /// Smallest and largest value of a field on one line and their positions.
     pub fn extremes_on(&self, field: FieldName, line: usize) -> Option<[(f64, f64); 2]> {
-        let mut extremes: Option<[(f64, f64); 2]> = None;
-        let x = &self.lines[line].x;
+        let (mut range, x) = (Range::default(), &self.lines[line].x);
         let mut take = |values: &[f64]| {
-            if let Some([a, b]) = scan::extremes(values).map(|ends| ends.map(|k| (values[k], x.at(k)))) {
-                let [low, high] = extremes.get_or_insert([a, b]);
-                if a.0 < low.0 {
-                    *low = a;
-                }
-                if b.0 > high.0 {
-                    *high = b;
-                }
+            if let Some(ends) = scan::extremes(values) {
+                range.take(ends.map(|k| (values[k], x.at(k))));
             }
         };
         take(&self.values(field, line)?);
         if let Some(left) = self.left_values(field, line) {
             take(&left);
         }
-        extremes
+        range.ends()
     }
 }

@@ -148,13 +148,8 @@ fn forces_on_points(
             }
         }
     }
-    for spring in &scene.springs {
-        let k = spring.component * n + spring.point;
-        forces[k] -= spring.stiffness * u[k];
-    }
-    for spring in &scene.oblique_springs {
-        let force = -spring.stiffness * spring.motion(n, u);
-        spring.shares.iter().for_each(|&(c, share)| forces[c * n + spring.point] += share * force);
+    for (unknown, force) in scene.springs.iter().flat_map(|spring| spring.forces(n, u)) {
+        forces[unknown] -= force;
     }
     forces
 }

@@ -1,55 +1,87 @@
-//! How much memory a run takes, told before any of it is allocated.
+//! How much memory a run takes, told before its terms and its matrix are built.
 
 use super::{Problem, strain};
 use crate::case::Solver;
-use peristat_assembly::condition::Equation;
-use peristat_assembly::model::Model;
+use peristat_assembly::condition::{Constraints, Equation};
+use peristat_assembly::model::timoshenko_beam::StrainForm;
+use peristat_assembly::model::{Model, ModelSizes};
 use peristat_solve::{Method, Profile, choose};
 
-/// Memory of matrix, factor and vectors, bytes; and, with `recover`, of fields and their files.
+/// Memory of the program itself, bytes.
+const PROGRAM: usize = 8_000_000;
+/// Memory of the fields of a point and of what is written of them, bytes.
+const FIELDS: usize = 256;
+/// Memory of their smallest and largest values over several states, bytes per point.
+const ENVELOPE: usize = 64;
+/// Vectors of unknowns that conjugate gradients and the states need.
+const VECTORS: usize = 7;
+/// Memory of an entry of a sparse matrix, bytes: triplets while it is put together; then compressed rows, their order,
+/// and a factor with about as many entries.
+const SPARSE: usize = 64;
+
+/// Memory of bonds, matrix, factor and vectors, bytes; and, with `recover`, of fields and their files.
 pub(super) fn estimate<const D: usize, P: Problem<D>>(problem: &P, recover: bool) -> u64 {
-    let model = problem.model();
-    let unknowns = (D * model.points()) as u64;
-    let terms = model.terms();
-    let reach = terms.iter().map(|t| t.reach()).max().unwrap_or(0);
-    let relations = model.relations();
+    let (model, asked) = (problem.model(), problem.solver());
+    let (sizes, unknowns) = (model.sizes(), D * model.points());
+    let several = problem.states() > 1;
+    let per_point = FIELDS + if several { ENVELOPE } else { 0 };
+    let fields = if recover { 8 * unknowns + per_point * model.points() } else { 0 };
+    let parts = strain::applies(problem).ok().filter(|_| matches!(asked, Solver::Auto | Solver::Strain));
+    let rest = match parts {
+        Some(parts) => 8 * unknowns + of_strains(&parts.form) + fields,
+        None => {
+            let solving = 8 * VECTORS * unknowns + matrix(problem, &sizes);
+            // The last state is recorded without the factor.
+            if several { solving + fields } else { solving.max(fields) }
+        }
+    };
+    let needed = PROGRAM + sizes.bytes + rest;
+    // Allocators take a little more than they are asked for.
+    (needed + needed / 10) as u64
+}
+
+/// The factor of the strain form and what it is made of, bytes.
+fn of_strains(form: &StrainForm) -> usize {
+    /// Reach up to which the columns of equal cells converge within [`CONVERGED`] times the reach, measured.
+    const QUICK: usize = 24;
+    const CONVERGED: usize = 10;
+    let (cells, m, chain) = (form.cells(), form.reach(), form.chain());
+    // Two columns and two rows of 2m numbers per cell.
+    let factor = 8 * 2 * 2 * 2 * m;
+    if !chain.is_uniform() {
+        // Each cell is a run with its own two columns, in the matrix as well; lists that grow leave room behind.
+        return cells * (2 * factor + 128);
+    }
+    let runs = 1 + chain.line().splits.len();
+    let kept = if m > QUICK { cells } else { cells.min(CONVERGED * m * runs) };
+    kept * factor
+}
+
+/// The stiffness and its factor, bytes.
+fn matrix<const D: usize, P: Problem<D>>(problem: &P, sizes: &ModelSizes) -> usize {
+    let points = problem.model().points();
+    let relations = problem.model().relations();
     let equations = || problem.equations().iter().chain(&relations);
-    let slaves = equations().any(|e| e.terms.len() > 1);
+    // Equations that contradict each other are refused before there is a matrix.
+    let all: Vec<Equation> = equations().cloned().collect();
+    let slaves = Constraints::new(points, &all).is_ok_and(|constraints| constraints.has_slaves());
     // Points that an equation joins come as close as neighbours do.
     let span = |e: &Equation| {
         let points = || e.terms.iter().map(|(u, _)| u.point);
         points().max().unwrap_or(0) - points().min().unwrap_or(0)
     };
     let far = equations().map(span).max().unwrap_or(0);
-    let band = |reach: usize| 8 * unknowns * (D * (reach + 1)) as u64;
-    let elements: usize = terms.iter().map(|t| t.elements()).sum();
+    let band = |reach: usize| 8 * D * points * D * (reach + 1);
     let profile = Profile {
-        unknowns: D * model.points(),
-        half_bandwidth: D * (reach + 1) - 1,
-        entries: model.points() * D * (D + 1) / 2 + elements * D * D,
+        unknowns: D * points,
+        half_bandwidth: D * (sizes.reach + 1) - 1,
+        entries: points * D * (D + 1) / 2 + sizes.elements * D * D,
     };
-    // Blocks, triplets, compressed rows, and a factor about as large as all of them.
-    let sparse = 80 * profile.entries as u64;
-    let in_strains =
-        matches!(problem.solver(), Solver::Auto | Solver::Strain) && strain::applies(problem).is_ok();
-    let matrix = match (slaves, problem.solver()) {
-        _ if in_strains => 0,
-        (true, Solver::Band) => band(reach + far) + sparse,
+    let sparse = SPARSE * sizes.entries;
+    match (slaves, problem.solver()) {
+        (true, Solver::Band) => band(sizes.reach + far) + sparse,
         (true, _) | (false, Solver::Sparse) => sparse,
         (false, Solver::Auto | Solver::Strain) if choose(&profile).0 == Method::Sparse => sparse,
-        (false, _) => band(reach),
-    };
-    // Bonds that are each their own are kept here and where they were made.
-    let kept: usize = terms.iter().map(|t| t.stored_factors()).sum();
-    let vectors = if in_strains { 1 } else { 6 };
-    let fields = if recover { 8 * unknowns + 256 * model.points() as u64 } else { 0 };
-    matrix + 16 * kept as u64 + 8 * vectors * unknowns + fields
-}
-
-/// Memory that programs can have without swapping, bytes, on systems that have `/proc`.
-pub(super) fn available() -> Option<u64> {
-    let info = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = info.lines().find(|l| l.starts_with("MemAvailable:"))?;
-    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
-    Some(1024 * kilobytes)
+        (false, _) => band(sizes.reach),
+    }
 }

@@ -2,6 +2,7 @@
 
 mod certificate;
 mod comparison;
+mod extent;
 mod extremes;
 mod factor;
 mod fields;
@@ -17,7 +18,7 @@ mod verdict;
 
 pub use certificate::{Balance, Certificate};
 pub use extremes::MemberForces;
-pub(crate) use extremes::member_forces;
+pub(crate) use extremes::{Range, member_forces};
 pub use factor::{SolveFailure, SolverReport};
 pub use fields::{LineFields, StateResult};
 pub use line_points::LinePoints;
@@ -29,9 +30,9 @@ pub use verdict::{CheckResult, ProbeResult};
 pub(crate) use verdict::{checks, probes};
 
 use crate::diagnostic::Faults;
+use crate::memory::words;
 use crate::scene::Scene;
 use linear::StateSolution;
-use peristat_assembly::model::Model;
 use std::time::Instant;
 use thiserror::Error;
 
@@ -97,13 +98,6 @@ pub struct RunReport {
     pub converged: bool,
 }
 
-/// A number of bytes in the unit that suits it.
-fn bytes(count: u64) -> String {
-    let units = [(1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
-    let unit = units.iter().find(|(size, _)| count as f64 >= *size);
-    unit.map_or(format!("{count} B"), |(size, name)| format!("{:.1} {name}", count as f64 / size))
-}
-
 /// Why a run has no result.
 #[derive(Debug, Error)]
 pub enum RunError {
@@ -111,7 +105,7 @@ pub enum RunError {
     #[error("the case cannot be solved")]
     Case(Faults),
     /// More memory would be needed than is allowed.
-    #[error("about {} of memory would be needed, {} may be used", bytes(*needed), bytes(*allowed))]
+    #[error("about {} of memory would be needed, {} may be used", words(*needed), words(*allowed))]
     Memory {
         /// Estimated need, bytes.
         needed: u64,
@@ -175,10 +169,10 @@ fn solve_states<const D: usize, P: Problem<D>>(
 ) -> Result<RunReport, RunError> {
     let (system, sizes) = prepare(problem, options)?;
     if let Some(parts) = strain::chosen(problem)? {
-        return strain::solve_states(problem, &parts, (&system, sizes), options.recover, take);
+        return strain::solve_states(problem, parts, (&system, sizes), options.recover, take);
     }
     let mut timing = Timing::default();
-    let scales = scales(problem.model());
+    let scales = extent::scales(problem.model());
     let mut factored = Some(LinearSolver::new(&system, scales, problem.solver(), &mut timing)?);
     let (mut report, mut counters) = (SolverReport::default(), Counters::default());
     let mut load = vec![0.0; system.size()];
@@ -206,30 +200,4 @@ fn solve_states<const D: usize, P: Problem<D>>(
     counters.bond_evaluations = system.evaluations();
     counters.stored_bond_factors = system.terms().iter().map(|t| t.stored_factors()).sum();
     Ok(RunReport { sizes, solver: report, counters, timing, skipped: Vec::new(), converged })
-}
-
-/// Some of the points, the first and the last among them: enough to see how large a body is.
-fn samples(points: usize) -> impl Iterator<Item = usize> {
-    const COUNT: usize = 256;
-    (0..=COUNT).map(move |k| k * (points - 1) / COUNT)
-}
-
-/// Displacements of each component that count as equally large: those of rigid motions about the middle of the body.
-fn scales<const D: usize, T: Model<D>>(model: &T) -> [f64; D] {
-    let sample = || samples(model.points());
-    let centre = std::array::from_fn(|k| {
-        let along = || sample().map(|point| model.position(point)[k]);
-        0.5 * (along().fold(f64::INFINITY, f64::min) + along().fold(f64::NEG_INFINITY, f64::max))
-    });
-    let mut scales = [0.0; D];
-    for kind in 0..T::RIGID_MOTIONS.len() {
-        let motions: Vec<[f64; D]> = sample().map(|point| model.rigid_motion(kind, point, centre)).collect();
-        let largest: [f64; D] =
-            std::array::from_fn(|c| motions.iter().fold(0.0, |a, m| f64::max(a, m[c].abs())));
-        // A motion that moves several components relates their units.
-        if largest.iter().filter(|v| **v != 0.0).count() > 1 {
-            (0..D).for_each(|c| scales[c] = f64::max(scales[c], largest[c]));
-        }
-    }
-    scales.map(|s| if s > 0.0 { s } else { 1.0 })
 }

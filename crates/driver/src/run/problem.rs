@@ -6,7 +6,7 @@ use crate::case::Solver;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
-use peristat_assembly::stiffness::{ObliqueSpring, ObliqueSprings, Spring, Springs, Term};
+use peristat_assembly::stiffness::{Spring, Springs, Term};
 use peristat_assembly::system::{FreeMotion, System, free_motions};
 use std::str::FromStr;
 
@@ -24,18 +24,8 @@ pub trait Problem<const D: usize> {
     /// Springs to the ground.
     fn springs(&self) -> &[Spring];
 
-    /// Springs to the ground in a direction between two unknowns.
-    fn oblique_springs(&self) -> &[ObliqueSpring] {
-        &[]
-    }
-
     /// Equations of supports and links; their origins are paths into the case.
     fn equations(&self) -> &[Equation];
-
-    /// Number of unknowns that nothing reads.
-    fn idle(&self) -> usize {
-        0
-    }
 
     /// The solver that is asked for.
     fn solver(&self) -> Solver;
@@ -46,10 +36,11 @@ pub trait Problem<const D: usize> {
     /// Adds the loads of a state to `force`, `D` planes, and returns the factor on prescribed motions.
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64;
 
-    /// The problem as the strain form sees it; `None` if it has other unknowns or energies.
-    fn strain_problem(&self) -> Option<StrainProblem<'_>> {
-        None
-    }
+    /// The problem as the strain form sees it, or why it has none.
+    ///
+    /// # Errors
+    /// The reason.
+    fn strain_problem(&self) -> Result<StrainProblem<'_>, String>;
 
     /// A free motion in words, such as `the beam from x = 0 to 1 is free to move along w: no support or link prevents it`.
     fn describe(&self, motion: &FreeMotion) -> String;
@@ -81,7 +72,7 @@ pub fn prepare<const D: usize, P: Problem<D>>(
     options: &RunOptions,
 ) -> Result<(System<D>, Sizes), RunError> {
     let needed = memory::estimate::<D, P>(problem, options.recover);
-    let allowed = options.max_memory.or_else(memory::available);
+    let allowed = crate::memory::allowed(options.max_memory);
     if let Some(allowed) = allowed.filter(|&allowed| needed > allowed) {
         return Err(RunError::Memory { needed, allowed });
     }
@@ -89,9 +80,6 @@ pub fn prepare<const D: usize, P: Problem<D>>(
     let (points, mut springs): (usize, Vec<Box<dyn Term<D>>>) = (problem.model().points(), Vec::new());
     if !problem.springs().is_empty() {
         springs.push(Box::new(Springs::new(points, problem.springs().to_vec())));
-    }
-    if !problem.oblique_springs().is_empty() {
-        springs.push(Box::new(ObliqueSprings::new(points, problem.oblique_springs().to_vec())));
     }
     let system = match System::new(problem.model(), springs, problem.equations().to_vec()) {
         Ok(system) => system,
@@ -115,11 +103,12 @@ pub fn prepare<const D: usize, P: Problem<D>>(
     if faults.has_errors() {
         return Err(RunError::Case(faults));
     }
+    // A solver that is asked for and does not apply is a fault too.
     strain::chosen(problem)?;
     let sizes = Sizes {
         points: system.points(),
         bonds: system.elements(),
-        unknowns: system.independent() - problem.idle(),
+        unknowns: system.independent() - problem.model().idle(),
         estimated_bytes: needed,
     };
     Ok((system, sizes))

@@ -1,6 +1,6 @@
 //! Probes and checks on results.
 
-use super::comparison::Compared;
+use super::comparison::{Compared, Worst};
 use super::fields::StateResult;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
@@ -80,13 +80,7 @@ fn check(scene: &Scene, expectation: &Expectation, result: &StateResult, compare
         }
         ExpectationKind::Value { probe, expected, tolerance, source } => {
             let found = probed(*probe);
-            let worst = Worst {
-                expected: *expected,
-                found,
-                difference: (found - expected).abs(),
-                scale: expected.abs(),
-            };
-            verdict(name, "value", worst, *tolerance, source.clone())
+            verdict(name, "value", Worst::of(&[*expected], &[found]), *tolerance, source.clone())
         }
         ExpectationKind::Limit { probe, at_most, why } => {
             // The larger side of a jump: a bound that one side exceeds is not kept.
@@ -113,58 +107,28 @@ fn check(scene: &Scene, expectation: &Expectation, result: &StateResult, compare
     }
 }
 
-/// The worst of several comparisons.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Worst {
-    pub(super) expected: f64,
-    pub(super) found: f64,
-    pub(super) difference: f64,
-    /// Largest expected magnitude.
-    pub(super) scale: f64,
-}
-
-impl Worst {
-    /// Of no comparison yet.
-    pub(super) const NONE: Self = Self { expected: 0.0, found: 0.0, difference: -1.0, scale: 0.0 };
-}
-
 fn verdict(name: String, kind: &'static str, worst: Worst, tolerance: f64, source: String) -> CheckResult {
     let error = if worst.scale > 0.0 { worst.difference / worst.scale } else { worst.difference };
-    // A missing value is not a number and must not pass.
-    let passed = error <= tolerance;
+    // A missing value is not a number, no comparison at all a negative one: neither must pass.
+    let passed = (0.0..=tolerance).contains(&error);
     CheckResult { name, kind, expected: worst.expected, found: worst.found, error, tolerance, passed, source }
-}
-
-/// Compares `(expected, found)` pairs relative to the largest expected magnitude.
-fn worst(pairs: impl Iterator<Item = (f64, f64)>) -> Worst {
-    let mut worst = Worst::NONE;
-    let mut scale = 0.0_f64;
-    for (expected, found) in pairs {
-        let difference = (found - expected).abs();
-        scale = scale.max(expected.abs());
-        if difference > worst.difference || difference.is_nan() {
-            worst = Worst { expected, found, difference, scale: 0.0 };
-        }
-        if difference.is_nan() {
-            break;
-        }
-    }
-    Worst { scale, ..worst }
 }
 
 /// Energy or section forces against a closed form.
 fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateResult) -> Worst {
     if field == Field::Energy {
         let expected = solution.energy.unwrap_or(f64::NAN);
-        return worst([(expected, result.certificate.energy)].into_iter());
+        return Worst::of(&[expected], &[result.certificate.energy]);
     }
     let from = scene.beam.chains()[0].line().from;
     let at = |x: f64| solution.value(field, x - from).unwrap_or(f64::NAN);
     let line = &result.lines[0];
     // Section forces may jump at a point; a reference answers for its left.
     let forces = line.recovered.as_ref().map(|r| &r.forces);
-    let cells = forces.map(|f| if field == Field::M { &f.moment } else { &f.shear });
-    worst(cells.into_iter().flatten().zip(&line.x[1..]).map(|(cell, &x)| (at(x), cell[1])))
+    let cells = forces.map_or(&[][..], |f| if field == Field::M { &f.moment } else { &f.shear });
+    let expected: Vec<f64> = line.x[1..].iter().map(|&x| at(x)).collect();
+    let found: Vec<f64> = cells.iter().map(|cell| cell[1]).collect();
+    Worst::of(&expected, &found)
 }
 
 /// Scale for a field whose reference vanishes: what the other fields make of it over the length of the beam.
@@ -182,15 +146,12 @@ fn fallback_scale(scene: &Scene, result: &StateResult, field: Field) -> f64 {
 }
 
 fn baseline(stored: &[(f64, f64)], field: FieldName, result: &StateResult) -> Worst {
-    let points: Vec<(f64, f64)> = (0..result.lines.len())
-        .flat_map(|line| {
-            let values = result.values(field, line).unwrap_or_default();
-            result.lines[line].x.iter().copied().zip(values.iter().copied()).collect::<Vec<_>>()
-        })
-        .collect();
-    if points.len() != stored.len() {
-        let (expected, found) = (stored.len() as f64, points.len() as f64);
+    let values = (0..result.lines.len()).map(|line| result.values(field, line).unwrap_or_default());
+    let found = values.collect::<Vec<_>>().concat();
+    let expected: Vec<f64> = stored.iter().map(|s| s.1).collect();
+    if found.len() != expected.len() {
+        let (expected, found) = (expected.len() as f64, found.len() as f64);
         return Worst { expected, found, difference: f64::NAN, scale: 1.0 };
     }
-    worst(stored.iter().zip(&points).map(|(s, p)| (s.1, p.1)))
+    Worst::of(&expected, &found)
 }

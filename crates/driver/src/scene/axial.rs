@@ -1,9 +1,9 @@
 //! Whether a scene has axial unknowns, and on which points of its lines something reads them.
 
+use super::beam_path;
 use super::holds::{How, Motion};
 use super::links::RigidBar;
 use super::loads::ResolvedLoads;
-use super::material::beam_path;
 use super::place::Layout;
 use super::section::Resolved;
 use super::supports::HeldPoint;

@@ -1,7 +1,7 @@
 //! Stored values that results are compared with.
 
 use super::checks::Context;
-use super::place::tidy;
+use super::words::tidy;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
 

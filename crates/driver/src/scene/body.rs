@@ -1,10 +1,12 @@
 //! Lines and points of a scene.
 
+use super::beam_path;
 use super::grading::stations;
 use super::loads::ResolvedLoads;
-use super::material::{beam_path, positive};
+use super::numbers::positive;
 use super::place::{Layout, LayoutLine};
 use super::section::Resolved;
+use super::size::is_special;
 use super::{HeldPoint, RigidBar, root};
 use crate::case::{Case, Model};
 use crate::diagnostic::{Faults, JsonPath};
@@ -15,9 +17,6 @@ use peristat_assembly::model::timoshenko_beam::{
 
 /// Largest number of points: they are numbered by 32 bits.
 pub(super) const MOST_POINTS: usize = 2_000_000_000;
-
-/// Largest number of bonds of a line that are each their own: they are all kept.
-const MOST_BONDS: usize = 50_000_000;
 
 /// The lines with their horizons.
 pub(super) fn layout(case: &Case, faults: &mut Faults) -> Option<Layout> {
@@ -191,28 +190,6 @@ pub(super) fn splits(
         list.dedup();
     }
     splits
-}
-
-/// Adds a fault for lines whose bonds, each its own on a graded grid or a varying section, are too many to keep.
-pub(super) fn check_size(layout: &Layout, sections: &[Resolved], faults: &mut Faults) {
-    for (k, (line, section)) in layout.lines.iter().zip(sections).enumerate() {
-        let bonds = line.cells.saturating_mul(line.horizon_ratio.ceil() as usize);
-        if is_special((line, section)) && bonds > MOST_BONDS {
-            let path = match (&layout.frame, layout.lines.len()) {
-                (Some(_), _) => super::frame::path().key("members").index(k),
-                (None, 1) => root("body").key("line"),
-                (None, _) => root("body").key("lines").index(k),
-            };
-            faults
-                .error(path.key("cells"), format!("{bonds} bonds that all differ are too many to keep"))
-                .hint(format!("on a graded grid or a varying section `cells` times `horizon_ratio` is at most {MOST_BONDS}"));
-        }
-    }
-}
-
-/// Whether the bonds of a line differ from each other.
-fn is_special((line, section): (&LayoutLine, &Resolved)) -> bool {
-    line.stations.is_some() || section.peculiarity().is_some()
 }
 
 /// The discretised beam.

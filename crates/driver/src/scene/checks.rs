@@ -106,7 +106,7 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
     };
     let path = path.key(key);
     if let Some(tolerance) = tolerance {
-        super::material::positive(tolerance, "tolerance", path.key("tolerance"), faults);
+        super::numbers::positive(tolerance, "tolerance", path.key("tolerance"), faults);
     }
     let state = match load_case {
         None => context.states.len().checked_sub(1),
@@ -115,7 +115,7 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
             if found.is_none() {
                 faults
                     .error(path.key("load_case"), format!("there is no load case or combination `{name}`"))
-                    .hint(super::material::suggest(name, context.states.iter().map(|s| s.name.as_str())));
+                    .hint(super::words::suggest(name, context.states.iter().map(|s| s.name.as_str())));
             }
             found
         }
@@ -133,7 +133,7 @@ fn expectation(context: &Context, check: &Check, path: JsonPath, faults: &mut Fa
             (c.probe.clone(), ExpectationKind::Value { probe, expected, tolerance, source })
         }
         Check::Limit(c) => {
-            super::material::positive(c.at_most, "at_most", path.key("at_most"), faults);
+            super::numbers::positive(c.at_most, "at_most", path.key("at_most"), faults);
             let probe = probe(context, &c.probe, &path, faults)?;
             (
                 format!("{} <= {}", c.probe, c.why),
@@ -163,7 +163,7 @@ fn closed_form(
     let Some(reference) = reference::find(&check.name) else {
         faults
             .error(path.key("name"), format!("there is no closed form `{}`", check.name))
-            .hint(super::material::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
+            .hint(super::words::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
         return None;
     };
     if context.on_frame {
@@ -210,7 +210,7 @@ fn probe(context: &Context, name: &str, path: &JsonPath, faults: &mut Faults) ->
         faults.error(path.key("probe"), format!("there is no probe `{name}`")).hint(
             match context.case.probes.as_slice() {
                 [] => "the case has no `probes`: add one of this name".into(),
-                probes => super::material::suggest(name, probes.iter().map(|p| p.name.as_str())),
+                probes => super::words::suggest(name, probes.iter().map(|p| p.name.as_str())),
             },
         );
     }

@@ -1,19 +1,20 @@
 //! Distributed loads of a scene.
 
+use super::extent::{self, Extent, Given, Words};
 use super::loads::ResolvedLoads;
-use super::place::{Layout, LayoutLine, Place};
+use super::place::{Layout, LayoutLine};
 use super::point_load::shares;
-use super::spot;
 use crate::case::{Distributed as Written, DistributedForce};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::{Along, Distributed, Intensity};
 
-/// The part of a line that a load covers.
-struct Extent {
-    chain: usize,
-    from: f64,
-    to: f64,
-}
+/// What messages say of the extent of a load.
+const WORDS: Words = Words {
+    what: "load",
+    on_a_line: "a load on a line has `from` and `to`",
+    of_a_line: "a distributed load acts on one line",
+    of_a_member: "a load on a frame names its member; `from` and `to` are distances from the joint `from` of that",
+};
 
 /// Resolves a distributed load.
 pub(super) fn add(
@@ -23,10 +24,17 @@ pub(super) fn add(
     to: &mut ResolvedLoads,
     faults: &mut Faults,
 ) {
-    let extent = match &layout.frame {
-        Some(_) => on_member(load, layout, path, faults),
-        None => on_line(load, layout, path, faults),
-    };
+    if layout.frame.is_none() {
+        let foreign = [
+            ("force_x", load.force_x, "on a line use `axial`"),
+            ("force_y", load.force_y, "on a line use `force`"),
+        ];
+        for (key, _, hint) in foreign.iter().filter(|(_, given, _)| given.is_some()) {
+            faults.error(path.key(*key), format!("`{key}` is for frames")).hint(*hint);
+        }
+    }
+    let given = Given { member: load.member.as_deref(), from: load.from, to: load.to };
+    let extent = extent::find(&given, layout, path, &WORDS, faults);
     let values = [
         ("force", load.force),
         ("axial", load.axial),
@@ -68,70 +76,6 @@ pub(super) fn add(
             to.loads.distributed.push(Distributed { chain, from, to: end, intensity, along });
         }
     }
-}
-
-/// The extent of a load on a member: all of it if nothing else is said.
-fn on_member(load: &Written, layout: &Layout, path: &JsonPath, faults: &mut Faults) -> Option<Extent> {
-    let frame = layout.frame.as_ref()?;
-    let Some(name) = &load.member else {
-        faults.error(path.clone(), "`member` is missing").hint(
-            "a load on a frame names its member; `from` and `to` are distances from the joint `from` of that",
-        );
-        return None;
-    };
-    let chain = spot::member(name, frame, &path.key("member"), faults)?;
-    let line = &layout.lines[chain];
-    let (from, to) = (load.from.unwrap_or(0.0), load.to.unwrap_or(line.length));
-    for (key, x) in [("from", from), ("to", to)] {
-        if !line.holds(x) {
-            faults
-                .error(path.key(key), format!("the end of the load at x = {x} is off the member `{name}`"))
-                .hint(format!("x runs from 0 to {} on this member", super::place::tidy(line.length)));
-            return None;
-        }
-    }
-    forwards(Extent { chain, from, to }, path, faults)
-}
-
-/// The extent of a load on a line: all of it if the body has one line and nothing else is said.
-fn on_line(load: &Written, layout: &Layout, path: &JsonPath, faults: &mut Faults) -> Option<Extent> {
-    let foreign = [
-        ("member", load.member.is_some(), "a load on a line has `from` and `to`"),
-        ("force_x", load.force_x.is_some(), "on a line use `axial`"),
-        ("force_y", load.force_y.is_some(), "on a line use `force`"),
-    ];
-    for (key, _, hint) in foreign.iter().filter(|(_, given, _)| *given) {
-        faults.error(path.key(*key), format!("`{key}` is for frames")).hint(*hint);
-    }
-    let single = layout.lines.len() == 1;
-    if !single && (load.from.is_none() || load.to.is_none()) {
-        faults
-            .error(path.clone(), "`from` and `to` are needed where the body has several lines")
-            .hint("a distributed load acts on one line");
-        return None;
-    }
-    let from = load.from.unwrap_or(layout.lines[0].from);
-    let to = load.to.unwrap_or(layout.lines[0].to());
-    let places = [("from", from), ("to", to)].map(|(key, x)| {
-        layout.place(x, &path.key(key), "the end of the load", faults).map(|place: Place| place.chain())
-    });
-    let [Some(a), Some(b)] = places else { return None };
-    if a != b {
-        faults
-            .error(path.clone(), format!("a load from x = {from} to {to} spans a gap between lines"))
-            .hint("give one load per line");
-        return None;
-    }
-    forwards(Extent { chain: a, from, to }, path, faults)
-}
-
-fn forwards(extent: Extent, path: &JsonPath, faults: &mut Faults) -> Option<Extent> {
-    let Extent { from, to, .. } = extent;
-    if from >= to {
-        faults.error(path.key("to"), format!("`to` must be greater than `from`, found {from} to {to}"));
-        return None;
-    }
-    Some(extent)
 }
 
 /// A value along the line; `None` where the grid cannot see its waves.

@@ -23,7 +23,7 @@ pub(super) fn facts(
     let cell = line.stations.as_ref().map_or(chain.spacing, cells);
     let close = |a: f64, b: f64| (a - b).abs() <= 1e-6 * cell;
     let kinds = |x: f64| {
-        let mut kinds = held.iter().filter(|h| close(h.x, x)).map(end);
+        let mut kinds = held.iter().filter(|h| close(h.x, x)).map(|h| h.kind);
         match (kinds.next(), kinds.next()) {
             (None, _) => End::Free,
             (Some(kind), None) => kind,
@@ -33,7 +33,7 @@ pub(super) fn facts(
     let (left, right) = (line.from, line.from + line.length);
     let mut ends = [kinds(left), kinds(right)];
     let inside: Vec<&HeldPoint> = held.iter().filter(|h| !close(h.x, left) && !close(h.x, right)).collect();
-    if !bars.is_empty() || inside.iter().any(|h| end(h) != End::Simple) {
+    if !bars.is_empty() || inside.iter().any(|h| h.kind != End::Simple) {
         // Only simple supports between the ends can be told; anything else, links as well, fits no reference.
         ends = [End::Other; 2];
     }
@@ -64,15 +64,6 @@ pub(super) fn facts(
         lumped_loads: state.loads.lumped,
         published_law: beam.parameters().bond_law.name == "published",
     })
-}
-
-fn end(held: &HeldPoint) -> End {
-    match (held.prescribed, held.springs) {
-        ([Some(0.0), Some(0.0)], [None, None]) => End::Clamped,
-        ([Some(0.0), None], [None, None]) => End::Simple,
-        ([None, Some(0.0)], [None, None]) => End::Guided,
-        _ => End::Other,
-    }
 }
 
 fn loads(state: &State, left: f64, right: f64, close: impl Fn(f64, f64) -> bool) -> Vec<Load> {

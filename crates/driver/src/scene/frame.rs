@@ -1,15 +1,20 @@
 //! The frame of a scene: joints and members before any bond exists.
 
+use super::beam_path;
 use super::body::{MOST_POINTS, layout_line};
 use super::frame_checks;
-use super::material::{beam_path, suggest};
-use super::place::{Layout, LayoutLine, tidy};
+use super::place::{Layout, LayoutLine};
 use super::root;
+use super::words::suggest;
+use super::words::tidy;
 use crate::case::{Case, Frame, Line, Member, MemberEnd};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::Grid;
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndTreatment;
 use std::collections::HashMap;
+
+/// Part of a length below which a difference of coordinates is their rounding: levels 0.3 and 0.1 + 0.2 are one.
+const ROUNDING: f64 = 1e-12;
 
 /// Joints and members of a frame; member k is line k of the body.
 #[derive(Clone, Debug)]
@@ -69,9 +74,11 @@ impl FrameLayout {
     /// Whether all members lie on one straight line along x, so that axial and transverse motions have nothing to do
     /// with each other.
     pub fn is_straight(&self) -> bool {
-        let level = self.joints[0].position[1];
-        self.members.iter().all(|m| m.direction[1] == 0.0)
-            && self.joints.iter().all(|j| j.position[1] == level)
+        let farthest = |k: usize| {
+            let first = self.joints[0].position[k];
+            self.joints.iter().map(|j| (j.position[k] - first).abs()).fold(0.0, f64::max)
+        };
+        self.members.iter().all(|m| m.direction[1] == 0.0) && farthest(1) <= ROUNDING * farthest(0)
     }
 }
 
@@ -204,7 +211,7 @@ fn place_member(
     let (cells, grading) = (member.cells, member.grading.clone());
     let line = Line { from: 0.0, length, cells, grid: Grid::Nodes, grading };
     let line = layout_line(case, &line, at, faults)?;
-    let laid =
-        MemberLayout { name: member.name.clone(), joints: [from, to], direction: [dx / length, dy / length] };
+    let direction = [dx, dy].map(|d| if d.abs() <= ROUNDING * length { 0.0 } else { d / length });
+    let laid = MemberLayout { name: member.name.clone(), joints: [from, to], direction };
     Some((line, laid))
 }

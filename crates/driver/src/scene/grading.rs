@@ -1,6 +1,6 @@
 //! Points of graded grids.
 
-use super::place::tidy;
+use super::words::tidy;
 use crate::case::Grading;
 use crate::diagnostic::{Faults, JsonPath};
 

@@ -4,7 +4,7 @@ use super::supports::HeldPoint;
 use crate::case::Support;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::timoshenko_beam::{PHI, U, W};
-use peristat_assembly::stiffness::{ObliqueSpring, Spring};
+use peristat_assembly::stiffness::Spring;
 
 /// One motion that a support prescribes or resists.
 #[derive(Clone, Debug)]
@@ -111,16 +111,15 @@ pub(super) fn equations(held: &[HeldPoint]) -> Vec<Equation> {
     equations
 }
 
-/// Springs of supports: on one unknown, and in a direction between two.
-pub(super) fn springs(held: &[HeldPoint]) -> (Vec<Spring>, Vec<ObliqueSpring>) {
-    let (mut springs, mut oblique) = (Vec::new(), Vec::new());
-    for hold in held.iter().flat_map(|h| &h.holds) {
-        let (How::Spring(stiffness), point) = (hold.how, hold.point) else { continue };
+/// Springs of supports, in their order.
+pub(super) fn springs(held: &[HeldPoint]) -> Vec<Spring> {
+    let spring = |hold: &Hold| {
+        let (How::Spring(stiffness), point) = (hold.how, hold.point) else { return None };
         match hold.terms[..] {
-            [(component, c)] => springs.push(Spring { component, point, stiffness: c * c * stiffness }),
-            [a, b] => oblique.push(ObliqueSpring { point, shares: [a, b], stiffness }),
-            _ => {}
+            [(component, c)] => Some(Spring { point, shares: [(component, c), (component, 0.0)], stiffness }),
+            [a, b] => Some(Spring { point, shares: [a, b], stiffness }),
+            _ => None,
         }
-    }
-    (springs, oblique)
+    };
+    held.iter().flat_map(|h| &h.holds).filter_map(spring).collect()
 }

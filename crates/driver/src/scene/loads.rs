@@ -35,7 +35,7 @@ pub(super) fn load_cases(case: &mut Case, layout: &Layout, faults: &mut Faults) 
     if sharing == LoadSharing::Consistent && !layout.treatment.covers() {
         faults
             .error(
-                super::material::beam_path().key("distributed_loads"),
+                super::beam_path().key("distributed_loads"),
                 "`consistent` loads need bonds whose weights sum to one across every cell",
             )
             .hint("use `lumped`, or the end treatment `cover`");
@@ -43,7 +43,7 @@ pub(super) fn load_cases(case: &mut Case, layout: &Layout, faults: &mut Faults) 
     if sharing == LoadSharing::Consistent && on_springs {
         faults
             .error(
-                super::material::beam_path().key("distributed_loads"),
+                super::beam_path().key("distributed_loads"),
                 "`consistent` loads do not fit a foundation, which acts on the points",
             )
             .hint("leave `distributed_loads` out: errors of loads and foundation on the points cancel in part, with `consistent` loads they do not");
@@ -137,7 +137,7 @@ fn combination(case: &Case, index: usize, cases: &[ResolvedLoads], faults: &mut 
             None => {
                 faults
                     .error(path.key("factors").key(key), format!("there is no load case `{key}`"))
-                    .hint(super::material::suggest(key, cases.iter().map(|c| c.name.as_str())));
+                    .hint(super::words::suggest(key, cases.iter().map(|c| c.name.as_str())));
             }
         }
     }

@@ -1,7 +1,8 @@
 //! Material, section and calibration of a scene.
 
-use super::root;
 use super::section::{Resolved, stiffness};
+use super::words::suggest;
+use super::{beam_path, root};
 use crate::case::{Beam, Body, Case, Frame, Member, Model};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::{
@@ -12,31 +13,6 @@ use peristat_assembly::model::timoshenko_beam::{
 
 /// The bond law whose bonds are the exact elements of their spans.
 const EXACT: &str = "exact";
-
-/// Path of the beam in a case.
-pub(super) fn beam_path() -> JsonPath {
-    root("model").key("timoshenko_beam")
-}
-
-/// A number that must be finite and greater than zero.
-pub(super) fn positive(value: f64, name: &str, path: JsonPath, faults: &mut Faults) -> bool {
-    let fine = value > 0.0 && value.is_finite();
-    if !fine {
-        faults.error(path, format!("`{name}` must be greater than zero, found {value}"));
-    }
-    fine
-}
-
-/// The name nearest to `name`, for a hint.
-pub(super) fn suggest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
-    let known: Vec<&str> = known.collect();
-    let nearest = known.iter().map(|k| (strsim::jaro_winkler(name, k), k)).max_by(|a, b| a.0.total_cmp(&b.0));
-    match nearest {
-        Some((likeness, nearest)) if likeness > 0.75 => format!("did you mean `{nearest}`?"),
-        Some(_) => format!("known are {}", known.join(", ")),
-        None => "there are none".into(),
-    }
-}
 
 /// Calibration, and the sections of every line of the body, filling in the defaults of the case.
 pub(super) fn material(case: &mut Case, faults: &mut Faults) -> Option<(BeamParameters, Vec<Resolved>)> {

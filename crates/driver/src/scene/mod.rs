@@ -5,6 +5,7 @@ mod baseline;
 mod body;
 mod checks;
 mod distributed_load;
+mod extent;
 mod facts;
 mod foundation;
 mod frame;
@@ -22,10 +23,12 @@ mod probes;
 mod problem;
 mod profile;
 mod section;
+mod size;
 mod spot;
 mod support_keys;
 mod supports;
 mod warnings;
+mod words;
 
 pub use checks::{Expectation, ExpectationKind};
 pub use frame::{EndOfMember, FrameLayout, JointLayout, MemberLayout};
@@ -41,7 +44,7 @@ use crate::diagnostic::{Faults, JsonPath, Report};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, TimoshenkoBeam};
-use peristat_assembly::stiffness::{ObliqueSpring, Spring};
+use peristat_assembly::stiffness::Spring;
 use std::path::Path;
 
 /// A beam problem, resolved.
@@ -67,8 +70,6 @@ pub struct Scene {
     pub equations: Vec<Equation>,
     /// Springs to the ground: those of supports, then those of foundations.
     pub springs: Vec<Spring>,
-    /// Springs of supports in a direction between two unknowns.
-    pub oblique_springs: Vec<ObliqueSpring>,
     /// Whether there is a foundation.
     pub has_foundation: bool,
     /// What is solved, in this order.
@@ -103,6 +104,11 @@ fn root(key: &str) -> JsonPath {
     JsonPath::default().key(key)
 }
 
+/// Path of the beam in a case.
+pub(super) fn beam_path() -> JsonPath {
+    root("model").key("timoshenko_beam")
+}
+
 /// Names the files of a case by their full paths, so that the case can be run again from another folder.
 fn keep_baselines(case: &mut Case, folder: &Path) {
     for check in &mut case.checks {
@@ -120,14 +126,37 @@ fn check_title(title: &str, faults: &mut Faults) {
     }
 }
 
+/// Equations of supports, links and joints; `first` are the numbers of the first real points of the lines.
+fn equations(
+    held: &[HeldPoint],
+    bars: &[RigidBar],
+    layout: &place::Layout,
+    first: &[usize],
+    has_axial: bool,
+) -> Vec<Equation> {
+    [
+        holds::equations(held),
+        links::bar_equations(bars, has_axial),
+        links::joint_equations(layout, first, has_axial),
+    ]
+    .concat()
+}
+
 impl Scene {
-    /// Resolves a case. `folder` is where files that the case names are looked for, `file` and `text` are for messages.
+    /// Resolves a case. `folder` is where files that the case names are looked for, `file` and `text` are for messages;
+    /// `max_memory` is in bytes, without it there is what the machine has.
     ///
     /// # Errors
     /// All faults of the case in one [`Report`].
-    pub fn new(mut case: Case, folder: &Path, file: &str, text: &str) -> Result<Self, Report> {
+    pub fn new(
+        mut case: Case,
+        folder: &Path,
+        file: &str,
+        text: &str,
+        max_memory: Option<u64>,
+    ) -> Result<Self, Report> {
         let mut faults = Faults::default();
-        let resolved = Self::resolve(&mut case, folder, &mut faults);
+        let resolved = Self::resolve(&mut case, folder, max_memory, &mut faults);
         match resolved {
             Some(scene) if !faults.has_errors() => {
                 keep_baselines(&mut case, folder);
@@ -138,7 +167,7 @@ impl Scene {
     }
 
     /// The scene without the faults; `None` if they leave nothing to build on.
-    fn resolve(case: &mut Case, folder: &Path, faults: &mut Faults) -> Option<Self> {
+    fn resolve(case: &mut Case, folder: &Path, max_memory: Option<u64>, faults: &mut Faults) -> Option<Self> {
         numbers::check(case, faults);
         check_title(&case.title, faults);
         let material = material::material(case, faults);
@@ -152,7 +181,7 @@ impl Scene {
         let stiffness: Vec<&SectionStiffness> = resolved.iter().map(|r| &r.stiffness).collect();
         let has_axial = axial::is_needed(&layout, &held, &cases, &stiffness);
         axial::check(case, &layout, &resolved, has_axial, faults);
-        body::check_size(&layout, &resolved, faults);
+        size::check(&layout, &resolved, max_memory, faults);
         if faults.has_errors() {
             return None;
         }
@@ -165,42 +194,32 @@ impl Scene {
         let bars: Vec<RigidBar> = bars.into_iter().map(|b| b.numbered(&numbers)).collect();
         let states = loads::states(case, cases, faults);
         warnings::collect(case, &layout, &beam, &sections, &beds, faults);
-        let probes = probes::probes(
-            &probes::Context {
-                case,
-                layout: &layout,
-                first: &numbers,
-                held: &held,
-                sections: &sections,
-                has_axial,
-            },
-            faults,
-        );
-        let expectations = checks::expectations(
-            &checks::Context {
-                case,
-                on_frame: layout.frame.is_some(),
-                beam: &beam,
-                held: &held,
-                bars: &bars,
-                beds: &beds,
-                states: &states,
-                probes: &probes,
-                folder,
-            },
-            faults,
-        );
-        let mut equations = holds::equations(&held);
-        equations.extend(links::bar_equations(&bars, has_axial));
-        equations.extend(links::joint_equations(&layout, &numbers, has_axial));
-        let (mut springs, oblique_springs) = holds::springs(&held);
-        springs.extend(foundation::springs(&beds, &beam));
+        let context = probes::Context {
+            case,
+            layout: &layout,
+            first: &numbers,
+            held: &held,
+            sections: &sections,
+            has_axial,
+        };
+        let probes = probes::probes(&context, faults);
+        let context = checks::Context {
+            case,
+            on_frame: layout.frame.is_some(),
+            beam: &beam,
+            held: &held,
+            bars: &bars,
+            beds: &beds,
+            states: &states,
+            probes: &probes,
+            folder,
+        };
+        let expectations = checks::expectations(&context, faults);
         Some(Self {
             case: case.clone(),
             units: case.units,
-            equations,
-            springs,
-            oblique_springs,
+            equations: equations(&held, &bars, &layout, &numbers, has_axial),
+            springs: [holds::springs(&held), foundation::springs(&beds, &beam)].concat(),
             has_axial,
             frame: layout.frame,
             has_foundation: !beds.is_empty(),

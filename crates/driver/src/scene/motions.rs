@@ -1,7 +1,7 @@
 //! Free motions in words.
 
 use super::Scene;
-use super::place::tidy;
+use super::words::tidy;
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
 /// Names of members that a message lists, at most.
@@ -44,7 +44,9 @@ fn of_lines(scene: &Scene, motion: &FreeMotion) -> String {
     let how = motion.moves.first().map(|part| match velocity(scene, part) {
         ([x, _], 0.0) if x != 0.0 => "move along x".to_string(),
         (_, 0.0) => "move along w".to_string(),
-        ([_, y], turn) => format!("rotate about x = {}", tidy(part.centre[0] - y / turn)),
+        ([_, y], turn) => {
+            format!("rotate about x = {}", tidy(clean(part.centre[0] - y / turn, part.centre[0])))
+        }
     });
     format!("the beam from {} is free to {}", parts.join(" and from "), how.unwrap_or_default())
 }
@@ -58,11 +60,14 @@ fn velocity(scene: &Scene, part: &PartMotion) -> ([f64; 2], f64) {
     }
 }
 
+/// A value, zero where it is rounding beside another one.
+fn clean(value: f64, other: f64) -> f64 {
+    if value.abs() < 1e-9 * other.abs() { 0.0 } else { value }
+}
+
 /// `move along x`, or `rotate about (1, 2)`.
 fn in_the_plane(scene: &Scene, part: &PartMotion) -> String {
     let ([x, y], turn) = velocity(scene, part);
-    // A centre beside which another coordinate is rounding.
-    let clean = |value: f64, other: f64| if value.abs() < 1e-9 * other.abs() { 0.0 } else { value };
     if turn != 0.0 {
         let centre = [part.centre[0] - y / turn, part.centre[1] + x / turn];
         let [a, b] = [clean(centre[0], part.centre[0]), clean(centre[1], part.centre[1])];

@@ -1,6 +1,7 @@
 //! Where on the body a position is.
 
-use super::frame::FrameLayout;
+use super::frame::{EndOfMember, FrameLayout};
+use super::words::tidy;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::Grid;
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndTreatment;
@@ -150,6 +151,28 @@ impl LayoutLine {
 }
 
 impl Layout {
+    /// An end of a member as a case writes it, for hints.
+    pub(super) fn example(&self, end: EndOfMember) -> String {
+        let name = self.frame.as_ref().map_or("", |frame| frame.members[end.member].name.as_str());
+        let x = if end.side == 0 { 0.0 } else { self.lines[end.member].length };
+        format!(r#"{{ "member": "{name}", "x": {} }}"#, tidy(x))
+    }
+
+    /// Line and real point of an end of a member.
+    pub(super) fn end(&self, end: EndOfMember) -> (usize, usize) {
+        (end.member, if end.side == 0 { 0 } else { self.lines[end.member].points() - 1 })
+    }
+
+    /// Position in the plane of the coordinate 0 of a line.
+    pub(super) fn origin(&self, chain: usize) -> [f64; 2] {
+        self.frame.as_ref().map_or([0.0; 2], |frame| frame.joints[frame.members[chain].joints[0]].position)
+    }
+
+    /// Direction of a line in the plane.
+    pub(super) fn direction(&self, chain: usize) -> [f64; 2] {
+        self.frame.as_ref().map_or([1.0, 0.0], |frame| frame.members[chain].direction)
+    }
+
     /// The place of a position, with a fault at `path` if it is off the body.
     pub(super) fn place(&self, x: f64, path: &JsonPath, what: &str, faults: &mut Faults) -> Option<Place> {
         let Some(chain) = self.lines.iter().position(|l| l.holds(x)) else {
@@ -192,13 +215,6 @@ impl Layout {
     }
 }
 
-/// A number for a message: without the last digits, which rounding left, and not longer than it must be.
-pub(super) fn tidy(value: f64) -> String {
-    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
-    let (plain, scientific) = (rounded.to_string(), format!("{rounded:e}"));
-    if plain.len() <= scientific.len() + 6 { plain } else { scientific }
-}
-
 /// The smallest number of cells, not below the present one, that puts a point at `x`.
 fn cells_with_point(line: &LayoutLine, x: f64) -> Option<usize> {
     let z = (x - line.from) / line.length;
@@ -228,14 +244,5 @@ mod tests {
         let x = 2.000_000_9;
         assert_eq!([x, 2.2].map(place), [x, 2.2].map(|x| Some(Place::Between { chain: 0, x })));
         assert_eq!(place(1.999_999), None);
-    }
-
-    #[test]
-    fn a_number_in_a_message_has_no_rounding_digits_and_no_row_of_zeros() {
-        assert_eq!(tidy(0.1 + 0.2), "0.3");
-        assert_eq!(tidy(20.0 * 0.05 - 0.05), "0.95");
-        assert_eq!(tidy(1e100), "1e100");
-        assert_eq!(tidy(-1e-100), "-1e-100");
-        assert_eq!(tidy(12_345.678_9), "12345.6789");
     }
 }

@@ -1,7 +1,8 @@
 //! Probes of a scene: which point answers, and whether it can.
 
-use super::place::{Layout, Place, tidy};
+use super::place::{Layout, Place};
 use super::spot::{self, Spot};
+use super::words::tidy;
 use super::{HeldPoint, SectionAlong, root};
 use crate::case::{Case, FieldName, Model, Probe};
 use crate::diagnostic::{Faults, JsonPath};

@@ -1,6 +1,6 @@
 //! Whether quantities that vary along a line are what they must be.
 
-use super::place::tidy;
+use super::words::tidy;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::material::Profile;
 

@@ -1,8 +1,9 @@
 //! What the `at` of a case names: a place on a line or member, or a joint.
 
-use super::frame::{EndOfMember, FrameLayout};
-use super::material::suggest;
-use super::place::{Layout, Place, tidy};
+use super::frame::FrameLayout;
+use super::place::{Layout, Place};
+use super::words::suggest;
+use super::words::tidy;
 use crate::case::At;
 use crate::diagnostic::{Faults, JsonPath};
 
@@ -115,28 +116,6 @@ pub(super) fn member(name: &str, frame: &FrameLayout, path: &JsonPath, faults: &
 }
 
 impl Layout {
-    /// An end of a member as a case writes it, for hints.
-    pub(super) fn example(&self, end: EndOfMember) -> String {
-        let name = self.frame.as_ref().map_or("", |frame| frame.members[end.member].name.as_str());
-        let x = if end.side == 0 { 0.0 } else { self.lines[end.member].length };
-        format!(r#"{{ "member": "{name}", "x": {} }}"#, tidy(x))
-    }
-
-    /// Line and real point of an end of a member.
-    pub(super) fn end(&self, end: EndOfMember) -> (usize, usize) {
-        (end.member, if end.side == 0 { 0 } else { self.lines[end.member].points() - 1 })
-    }
-
-    /// Position in the plane of the coordinate 0 of a line.
-    pub(super) fn origin(&self, chain: usize) -> [f64; 2] {
-        self.frame.as_ref().map_or([0.0; 2], |frame| frame.joints[frame.members[chain].joints[0]].position)
-    }
-
-    /// Direction of a line in the plane.
-    pub(super) fn direction(&self, chain: usize) -> [f64; 2] {
-        self.frame.as_ref().map_or([1.0, 0.0], |frame| frame.members[chain].direction)
-    }
-
     /// What the user calls a place on a line: `x = 1.2`, or `the member `beam` at x = 1.2`.
     pub(super) fn words(&self, spot: Spot, x: f64) -> String {
         match (&self.frame, spot) {

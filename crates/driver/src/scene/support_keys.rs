@@ -1,6 +1,6 @@
 //! Which keys of a support fit its body and each other.
 
-use super::material::positive;
+use super::numbers::positive;
 use crate::case::Support;
 use crate::diagnostic::{Faults, JsonPath};
 

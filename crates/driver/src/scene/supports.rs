@@ -6,6 +6,7 @@ use super::root;
 use super::spot::{self, Spot};
 use crate::case::{Case, Support};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::reference::End;
 use peristat_assembly::model::timoshenko_beam::end_treatment::{EndKind, EndSupport};
 
 /// A place that a support holds.
@@ -17,14 +18,10 @@ pub struct HeldPoint {
     pub local: Option<(usize, usize)>,
     /// Number of the point; `None` where ghost points hold the end of a line.
     pub point: Option<usize>,
-    /// Prescribed values of w and φ of a line.
-    pub prescribed: [Option<f64>; 2],
-    /// Stiffness of springs against w and φ of a line.
-    pub springs: [Option<f64>; 2],
+    /// What closed forms call it on a line.
+    pub kind: End,
     /// Everything that is held on a point.
     pub holds: Vec<Hold>,
-    /// Direction of its line in the plane.
-    pub direction: [f64; 2],
     /// What the user calls the place.
     pub name: String,
     /// Where it stands in the case.
@@ -86,10 +83,8 @@ fn hold(
         x,
         local: None,
         point: None,
-        prescribed: [support.w, support.phi],
-        springs: [support.w_spring, support.phi_spring],
+        kind: kind(support),
         holds: Vec::new(),
-        direction: [1.0, 0.0],
         name: layout.words(spot, x),
         path: path.clone(),
     };
@@ -132,8 +127,17 @@ fn hold(
             return None;
         }
     }
-    held.direction = layout.direction(held.local.map_or(0, |l| l.0));
     Some(held)
+}
+
+/// What closed forms call a support; they know no springs and no settlements.
+fn kind(support: &Support) -> End {
+    match (support.w, support.phi, support.w_spring.or(support.phi_spring)) {
+        (Some(0.0), Some(0.0), None) => End::Clamped,
+        (Some(0.0), None, None) => End::Simple,
+        (None, Some(0.0), None) => End::Guided,
+        _ => End::Other,
+    }
 }
 
 fn hold_end(end: &mut EndSupport, support: &Support) {

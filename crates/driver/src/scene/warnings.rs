@@ -1,13 +1,14 @@
 //! Doubts about a case that can be run.
 
+use super::beam_path;
 use super::foundation::Bed;
-use super::material::beam_path;
-use super::place::{Layout, tidy};
+use super::place::{Layout, LayoutLine};
 use super::profile;
+use super::words::tidy;
 use super::{SectionAlong, root};
-use crate::case::{Case, Model, Units};
-use crate::diagnostic::Faults;
-use peristat_assembly::model::timoshenko_beam::{TimoshenkoBeam, VolumeFactor};
+use crate::case::{Beam, Case, Model, Units};
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::model::timoshenko_beam::{Chain, TimoshenkoBeam, VolumeFactor};
 
 /// Adds all warnings on a scene.
 pub(super) fn collect(
@@ -19,82 +20,18 @@ pub(super) fn collect(
     faults: &mut Faults,
 ) {
     let Model::TimoshenkoBeam(model) = &case.model;
-    let horizon_key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
-    // A frame may have many short members: the first one stands for all.
-    let mut told = false;
-    for (k, ((line, chain), section)) in layout.lines.iter().zip(beam.chains()).zip(sections).enumerate() {
-        let horizon = line.horizon_ratio * line.spacing();
-        let is_short = horizon > line.length * (1.0 + 1e-9);
-        if is_short && !(layout.frame.is_some() && std::mem::replace(&mut told, true)) {
-            let whole = match &layout.frame {
-                Some(frame) => format!("member `{}`", frame.members[k].name),
-                None => "beam".into(),
-            };
-            let message = match &line.stations {
-                None => {
-                    format!("the horizon {} is longer than the {whole}, {}", tidy(horizon), tidy(line.length))
-                }
-                Some(_) => {
-                    format!("{} neighbours are more than the {} cells", line.horizon_ratio, line.cells)
-                }
-            };
-            faults.warning(root(horizon_key), message).hint("use more cells or a shorter horizon");
+    let horizon = root(if case.horizon.is_some() { "horizon" } else { "horizon_ratio" });
+    short_lines(layout, &horizon, faults);
+    for ((line, chain), section) in layout.lines.iter().zip(beam.chains()).zip(sections) {
+        if !layout.treatment.covers() && model.volume_factor == VolumeFactor::HalfEdge {
+            softness(line, chain, &horizon, faults);
         }
-        let classes = chain.weights.classes();
-        let moment: f64 = (0..classes).map(|k| (k + 1) as f64 * chain.weights.of_class(k)).sum();
-        let fits = classes as f64 + 1.0 > line.horizon_ratio.ceil();
-        if !layout.treatment.covers()
-            && fits
-            && model.volume_factor == VolumeFactor::HalfEdge
-            && (moment - 1.0).abs() > 1e-3
-        {
-            faults
-                .warning(
-                    root(horizon_key),
-                    format!(
-                        "the bonds of {} spacings make the beam {:.1} % too soft at any spacing",
-                        line.horizon_ratio,
-                        100.0 * (1.0 - moment)
-                    ),
-                )
-                .hint("use a whole horizon ratio, or the end treatment `cover`, which makes up for it");
-        }
-        let horizon = line.longest_horizon();
-        if let Some(height) = section.height.as_ref().map(|h| h.value(0.0))
-            && beam.parameters().bond_law.name == "published"
-            && classes > 1
-            && horizon > 3.0 * height
-        {
-            faults
-                .warning(
-                    beam_path().key("bond_law"),
-                    format!(
-                        "the horizon is {:.3} section heights; beyond 3 the law `published` locks",
-                        horizon / height
-                    ),
-                )
-                .hint(
-                    "the deflection is too small whatever the spacing: use `corrected`, or a shorter horizon",
-                );
+        if beam.parameters().bond_law.name == "published" {
+            locking(line, chain, section, faults);
         }
     }
     for (k, bed) in beds.iter().enumerate() {
-        let bending = beam.chains()[bed.chain].line().stiffness.bending.value(0.0);
-        let reach =
-            (4.0 * bending / profile::highest(&bed.stiffness, bed.extent[1] - bed.extent[0])).powf(0.25);
-        let cell = layout.lines[bed.chain].spacing();
-        if cell > reach {
-            faults
-                .warning(
-                    root("foundation").index(k),
-                    format!(
-                        "on this foundation the beam bends over {}, and its cells have {}",
-                        tidy(reach),
-                        tidy(cell)
-                    ),
-                )
-                .hint("use cells of a fifth of that: springs on points err with the square of the cell");
-        }
+        foundation(bed, &root("foundation").index(k), layout, beam, faults);
     }
     if model.volume_factor == VolumeFactor::Full && beam.chains().iter().any(|c| c.weights.classes() > 1) {
         faults
@@ -104,12 +41,95 @@ pub(super) fn collect(
             )
             .hint("`half_edge` is right; `full` is for comparison with the literature");
     }
-    let (low, high) = match case.units {
+    moduli(model, case.units, faults);
+}
+
+/// Lines that are shorter than their horizon.
+fn short_lines(layout: &Layout, path: &JsonPath, faults: &mut Faults) {
+    let horizon = |line: &LayoutLine| line.horizon_ratio * line.spacing();
+    let short = |(_, line): &(usize, &LayoutLine)| horizon(line) > line.length * (1.0 + 1e-9);
+    // A frame may have many short members: the first one stands for all.
+    let most = if layout.frame.is_some() { 1 } else { layout.lines.len() };
+    for (k, line) in layout.lines.iter().enumerate().filter(short).take(most) {
+        let whole = match &layout.frame {
+            Some(frame) => format!("member `{}`", frame.members[k].name),
+            None => "beam".into(),
+        };
+        let message = match &line.stations {
+            None => format!(
+                "the horizon {} is longer than the {whole}, {}",
+                tidy(horizon(line)),
+                tidy(line.length)
+            ),
+            Some(_) => format!("{} neighbours are more than the {} cells", line.horizon_ratio, line.cells),
+        };
+        faults.warning(path.clone(), message).hint("use more cells or a shorter horizon");
+    }
+}
+
+/// Bonds that do not add up to the stiffness of the section, which no cover makes up for.
+fn softness(line: &LayoutLine, chain: &Chain, path: &JsonPath, faults: &mut Faults) {
+    let classes = chain.weights.classes();
+    let moment: f64 = (0..classes).map(|k| (k + 1) as f64 * chain.weights.of_class(k)).sum();
+    let fits = classes as f64 + 1.0 > line.horizon_ratio.ceil();
+    if fits && (moment - 1.0).abs() > 1e-3 {
+        faults
+            .warning(
+                path.clone(),
+                format!(
+                    "the bonds of {} spacings make the beam {:.1} % too soft at any spacing",
+                    line.horizon_ratio,
+                    100.0 * (1.0 - moment)
+                ),
+            )
+            .hint("use a whole horizon ratio, or the end treatment `cover`, which makes up for it");
+    }
+}
+
+/// Horizons beyond which the law `published` locks.
+fn locking(line: &LayoutLine, chain: &Chain, section: &SectionAlong, faults: &mut Faults) {
+    let horizon = line.longest_horizon();
+    let Some(height) = section.height.as_ref().map(|h| h.value(0.0)) else { return };
+    if chain.weights.classes() > 1 && horizon > 3.0 * height {
+        faults
+            .warning(
+                beam_path().key("bond_law"),
+                format!(
+                    "the horizon is {:.3} section heights; beyond 3 the law `published` locks",
+                    horizon / height
+                ),
+            )
+            .hint("the deflection is too small whatever the spacing: use `corrected`, or a shorter horizon");
+    }
+}
+
+/// Cells that are longer than what the beam bends over on a foundation.
+fn foundation(bed: &Bed, path: &JsonPath, layout: &Layout, beam: &TimoshenkoBeam, faults: &mut Faults) {
+    let bending = beam.chains()[bed.chain].line().stiffness.bending.value(0.0);
+    let highest = profile::highest(&bed.stiffness, bed.extent[1] - bed.extent[0]);
+    let reach = (4.0 * bending / highest).powf(0.25);
+    let cell = layout.lines[bed.chain].spacing();
+    if cell > reach {
+        faults
+            .warning(
+                path.clone(),
+                format!(
+                    "on this foundation the beam bends over {}, and its cells have {}",
+                    tidy(reach),
+                    tidy(cell)
+                ),
+            )
+            .hint("use cells of a fifth of that: springs on points err with the square of the cell");
+    }
+}
+
+/// Young's moduli that no material has in these units.
+fn moduli(model: &Beam, units: Units, faults: &mut Faults) {
+    let (low, high) = match units {
         Units::MetreNewtonPascal => (1e5, 2e12),
         Units::MillimetreNewtonMegapascal => (1e-1, 2e6),
     };
-    let law = model.power_law.as_ref();
-    let path = beam_path();
+    let (law, path) = (model.power_law.as_ref(), beam_path());
     let moduli = [
         (model.youngs_modulus, path.key("youngs_modulus")),
         (law.map(|l| l.bottom_modulus), path.key("power_law").key("bottom_modulus")),
@@ -118,7 +138,7 @@ pub(super) fn collect(
     for (e, path) in moduli {
         if let Some(e) = e.filter(|e| !(low..=high).contains(e)) {
             faults
-                .warning(path, format!("{e} {} is an unusual Young's modulus", case.units.stress()))
+                .warning(path, format!("{e} {} is an unusual Young's modulus", units.stress()))
                 .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing");
         }
     }

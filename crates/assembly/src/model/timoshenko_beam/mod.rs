@@ -24,6 +24,7 @@ mod gauss;
 mod load;
 mod motion;
 mod recover;
+mod sizes;
 mod strain;
 mod terms;
 mod weights;
@@ -112,14 +113,6 @@ impl TimoshenkoBeam {
     /// Number of a line's first real point.
     pub fn first_real(&self, chain: usize) -> usize {
         self.first[chain] + self.chains[chain].ghosts[0]
-    }
-
-    /// Numbers of the real points, line by line.
-    pub fn real_points(&self) -> impl Iterator<Item = usize> + '_ {
-        (0..self.chains.len()).flat_map(|c| {
-            let first = self.first_real(c);
-            first..first + self.chains[c].points
-        })
     }
 
     /// The line that a point belongs to.

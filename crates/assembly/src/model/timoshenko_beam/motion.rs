@@ -3,7 +3,7 @@
 use super::TimoshenkoBeam;
 use crate::bonds::Point;
 use crate::condition::Equation;
-use crate::model::Model;
+use crate::model::{Model, ModelSizes};
 use crate::stiffness::Term;
 
 impl TimoshenkoBeam {
@@ -35,6 +35,7 @@ impl TimoshenkoBeam {
 impl Model<2> for TimoshenkoBeam {
     const UNKNOWNS: [&'static str; 2] = ["w", "phi"];
     const RIGID_MOTIONS: &'static [&'static str] = &["translation along w", "rotation"];
+    const IS_DISPLACEMENT: [bool; 2] = [true, false];
 
     fn points(&self) -> usize {
         self.points
@@ -46,6 +47,10 @@ impl Model<2> for TimoshenkoBeam {
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
         self.bending_terms()
+    }
+
+    fn sizes(&self) -> ModelSizes {
+        self.term_sizes::<2>()
     }
 
     fn relations(&self) -> Vec<Equation> {
@@ -62,6 +67,7 @@ impl Model<3> for TimoshenkoBeam {
     const UNKNOWNS: [&'static str; 3] = ["w", "phi", "u"];
     const RIGID_MOTIONS: &'static [&'static str] =
         &["translation along x", "translation along y", "rotation"];
+    const IS_DISPLACEMENT: [bool; 3] = [true, false, true];
 
     fn points(&self) -> usize {
         self.points
@@ -75,8 +81,18 @@ impl Model<3> for TimoshenkoBeam {
         self.frame_terms()
     }
 
+    fn sizes(&self) -> ModelSizes {
+        self.term_sizes::<3>()
+    }
+
     fn relations(&self) -> Vec<Equation> {
         self.ghost_relations()
+    }
+
+    fn idle(&self) -> usize {
+        // Displacements along a bar between its ends.
+        let bars = self.chains.iter().filter(|chain| chain.stretches_as_bar());
+        bars.map(|chain| chain.points.saturating_sub(2)).sum()
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {

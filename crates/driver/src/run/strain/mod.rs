@@ -11,7 +11,7 @@ pub(super) use plan::{applies, chosen};
 use super::factor::{SolveFailure, SolverReport};
 use super::{Counters, Problem, RunError, RunReport, Sizes, SolvedState, Timing, certificate};
 use peristat_assembly::model::Model;
-use peristat_assembly::model::timoshenko_beam::{BeamLoads, TimoshenkoBeam};
+use peristat_assembly::model::timoshenko_beam::{BeamLoads, StrainForm, TimoshenkoBeam};
 use peristat_assembly::system::System;
 use solver::StrainSolver;
 use std::time::Instant;
@@ -24,6 +24,8 @@ pub(super) const METHOD: &str = "strain_form";
 pub struct StrainProblem<'a> {
     /// The beam.
     pub beam: &'a TimoshenkoBeam,
+    /// Its strain form.
+    pub form: StrainForm<'a>,
     /// Loads and factor on prescribed motions of every state.
     pub states: Vec<(&'a BeamLoads, f64)>,
 }
@@ -35,13 +37,14 @@ pub struct StrainProblem<'a> {
 /// [`RunError::Solve`] if the stiffness has no factor, [`RunError::Sink`] from `take`.
 pub(super) fn solve_states<const D: usize, P: Problem<D>>(
     problem: &P,
-    parts: &StrainProblem,
+    parts: StrainProblem,
     (system, sizes): (&System<D>, Sizes),
     recover: bool,
     take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
     let mut timing = Timing::default();
-    let mut solver = StrainSolver::new(parts.beam, system.constraints(), problem.springs(), &mut timing)?;
+    let mut solver =
+        StrainSolver::new(parts.beam, parts.form, system.constraints(), problem.springs(), &mut timing)?;
     let mut load = vec![0.0; if recover { system.size() } else { 0 }];
     let mut converged = true;
     for (state, &(loads, motion_factor)) in parts.states.iter().enumerate() {

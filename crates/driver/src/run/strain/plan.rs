@@ -4,21 +4,23 @@ use super::StrainProblem;
 use crate::case::Solver;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::{Problem, RunError};
-use peristat_assembly::model::timoshenko_beam::StrainForm;
 
 /// Supports beyond the two that hold a beam, at most: each takes one more solution and couples all strains.
 const REDUNDANT: usize = 8;
+
+/// Eigenvalues of the scaled stiffness below this belong to a bond law that locks: what conjugate gradients on the bonds
+/// finish is then closer.
+const LEAST: f64 = 1e-6;
 
 /// What the strain form needs of a problem, or why it does not apply.
 pub(in super::super) fn applies<const D: usize, P: Problem<D>>(
     problem: &P,
 ) -> Result<StrainProblem<'_>, String> {
-    let parts = problem.strain_problem().ok_or("it is for beams with the unknowns w and phi")?;
-    StrainForm::new(parts.beam).map_err(|reason| reason.to_string())?;
+    let parts = problem.strain_problem()?;
     if problem.equations().iter().any(|equation| equation.terms.len() != 1) {
         return Err("links join points of the beam".into());
     }
-    if !problem.oblique_springs().is_empty() {
+    if problem.springs().iter().any(|spring| spring.single().is_none()) {
         return Err("a spring acts in a direction between two unknowns".into());
     }
     let supports = problem.equations().len() + problem.springs().len();
@@ -36,7 +38,7 @@ pub(in super::super) fn chosen<const D: usize, P: Problem<D>>(
     problem: &P,
 ) -> Result<Option<StrainProblem<'_>>, RunError> {
     match problem.solver() {
-        Solver::Auto => Ok(applies(problem).ok()),
+        Solver::Auto => Ok(applies(problem).ok().filter(|parts| parts.form.least_eigenvalue() >= LEAST)),
         Solver::Band | Solver::Sparse => Ok(None),
         Solver::Strain => applies(problem).map(Some).map_err(|reason| {
             let mut faults = Faults::default();

@@ -41,10 +41,11 @@ impl Reactions {
         self.0.iter_mut().zip(more).for_each(|(sum, &x)| sum.add(x));
     }
 
-    /// Lets supports of the first point take what the other forces leave over: there they strain nothing. Returns the rest.
+    /// Lets rigid supports of the first point take what the other forces leave over: there they move nothing. Returns the
+    /// rest.
     pub(super) fn balance(&mut self, supports: &[StrainSupport], resultant: Resultant) -> [f64; 2] {
         let mut left_over = resultant.sum;
-        for (s, r) in supports.iter().zip(&mut self.0).filter(|(s, _)| s.point == 0) {
+        for (s, r) in supports.iter().zip(&mut self.0).filter(|(s, _)| s.point == 0 && s.compliance == 0.0) {
             r.add(-std::mem::take(&mut left_over[s.component]));
         }
         left_over

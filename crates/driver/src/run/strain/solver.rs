@@ -9,7 +9,7 @@ use super::passes::Passes;
 use super::reactions::Reactions;
 use peristat_assembly::condition::Constraints;
 use peristat_assembly::model::timoshenko_beam::{
-    BeamLoads, ForceMethod, NoStrainForm, PHI, StrainForm, StrainSupport, TimoshenkoBeam,
+    BeamLoads, ForceMethod, PHI, StrainForm, StrainSupport, TimoshenkoBeam,
 };
 use peristat_assembly::stiffness::Spring;
 use peristat_solve::PcgStatus;
@@ -39,22 +39,21 @@ impl<'a> StrainSolver<'a> {
     /// [`SolveFailure`] if the stiffness has no factor.
     pub(super) fn new(
         beam: &'a TimoshenkoBeam,
+        form: StrainForm<'a>,
         constraints: &'a Constraints,
         springs: &[Spring],
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
         let begin = Instant::now();
-        let form = StrainForm::new(beam)?;
         let points = beam.points();
         let rigid = constraints.rows().iter().map(|row| StrainSupport {
             point: row.unknown % points,
             component: row.unknown / points,
             compliance: 0.0,
         });
-        let sprung = springs.iter().map(|s| StrainSupport {
-            point: s.point,
-            component: s.component,
-            compliance: 1.0 / s.stiffness,
+        let sprung = springs.iter().filter_map(|s| {
+            let (component, stiffness) = s.single()?;
+            Some(StrainSupport { point: s.point, component, compliance: 1.0 / stiffness })
         });
         let method = ForceMethod::new(&form, rigid.chain(sprung).collect());
         let motions = constraints.rows().iter().map(|row| row.value).collect();
@@ -204,11 +203,5 @@ impl<'a> StrainSolver<'a> {
             iterations: 0,
             status: PcgStatus::Converged,
         }
-    }
-}
-
-impl From<NoStrainForm> for SolveFailure {
-    fn from(_: NoStrainForm) -> Self {
-        Self::Supports
     }
 }

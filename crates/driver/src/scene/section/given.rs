@@ -1,8 +1,8 @@
 //! Sections of which the stiffness is given by numbers.
 
-use super::super::material::positive;
-use super::super::place::tidy;
+use super::super::numbers::positive;
 use super::super::profile;
+use super::super::words::tidy;
 use super::{Resolved, SectionAlong, scaled};
 use crate::case::Stiffness;
 use crate::diagnostic::{Faults, JsonPath};

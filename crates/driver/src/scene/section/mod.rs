@@ -5,8 +5,8 @@ mod power_law;
 mod shape;
 mod taper;
 
-use super::material::positive;
 use super::numbers;
+use super::numbers::positive;
 use crate::case::Beam;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::material::{Profile, SectionStiffness};

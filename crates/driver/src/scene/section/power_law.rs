@@ -1,6 +1,6 @@
 //! Rectangles whose modulus varies over their height.
 
-use super::super::material::positive;
+use super::super::numbers::positive;
 use super::{Resolved, SectionAlong, shear_modulus};
 use crate::case::{Beam, PowerLaw};
 use crate::diagnostic::{Faults, JsonPath};

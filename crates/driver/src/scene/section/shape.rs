@@ -1,6 +1,6 @@
 //! Sections of a given shape and material.
 
-use super::super::material::positive;
+use super::super::numbers::positive;
 use super::taper::{self, Taper};
 use super::{Resolved, SectionAlong, scaled, shear_modulus};
 use crate::case::Beam;

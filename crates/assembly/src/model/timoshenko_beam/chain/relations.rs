@@ -1,12 +1,9 @@
 //! Relations of ghost points: what continues or mirrors a chain beyond its ends.
 
 use super::super::end_treatment::EndKind;
+use super::super::{PHI, W};
 use super::{Chain, Grid};
 use crate::condition::{Equation, Unknown};
-
-/// Components of the unknowns.
-const W: usize = 0;
-const PHI: usize = 1;
 
 impl Chain {
     /// Relations of the ghost points, for a chain whose first extended point has the number `first`.

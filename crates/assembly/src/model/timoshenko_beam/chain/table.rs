@@ -4,6 +4,7 @@ use super::super::bond::{BeamBond, Flexibility, UniformBending, UniformSection};
 use super::super::gauss::GAUSS;
 use super::Line;
 use crate::bonds::BondGeometry;
+use crate::material::Compliance;
 use crate::stiffness::Weights;
 
 /// The bonds of a line.
@@ -93,10 +94,39 @@ fn cell(line: &Line, breaks: &[f64], a: f64, b: f64) -> (f64, Flexibility) {
     (middle, sum)
 }
 
-/// The parts of `[a, b]` in which the stiffness is smooth.
+/// The parts of `[a, b]` that Gauss' rule integrates to rounding: between breaks, and short enough for the compliance to
+/// change little.
 pub(in super::super) fn pieces(line: &Line, breaks: &[f64], a: f64, b: f64) -> Vec<(f64, f64)> {
     let first = breaks.partition_point(|s| line.from + s <= a);
     let inside = breaks[first..].iter().map(|s| line.from + s).take_while(|x| *x < b);
     let ends: Vec<f64> = std::iter::once(a).chain(inside).chain([b]).collect();
-    ends.windows(2).map(|w| (w[0], w[1])).collect()
+    let mut pieces = Vec::with_capacity(ends.len());
+    ends.windows(2).for_each(|w| divide(line, w[0], w[1], 0, &mut pieces));
+    pieces
+}
+
+/// Halves `[a, b]` until the compliance varies by less than a half: the pole of 1/EI is then so far off that eight points
+/// leave only rounding.
+fn divide(line: &Line, a: f64, b: f64, depth: u32, pieces: &mut Vec<(f64, f64)>) {
+    // Halvings of a cell: beyond, its points coincide.
+    const DEEPEST: u32 = 48;
+    let varies = || {
+        // Just inside: at a jump the value on the other side does not count.
+        let at =
+            [0.001, 0.25, 0.5, 0.75, 0.999].map(|z| line.stiffness.compliance(a + z * (b - a) - line.from));
+        let most = |f: fn(&Compliance) -> f64| {
+            let values = at.map(|c| f(&c));
+            let (low, high) =
+                values.iter().fold((f64::INFINITY, 0.0_f64), |(l, h), v| (l.min(v.abs()), h.max(v.abs())));
+            high > 1.5 * low
+        };
+        most(|c| c.bending) || most(|c| c.shear) || most(|c| c.axial)
+    };
+    if depth < DEEPEST && line.stiffness.varies() && varies() {
+        let middle = 0.5 * (a + b);
+        divide(line, a, middle, depth + 1, pieces);
+        divide(line, middle, b, depth + 1, pieces);
+    } else {
+        pieces.push((a, b));
+    }
 }

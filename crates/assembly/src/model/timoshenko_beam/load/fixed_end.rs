@@ -120,7 +120,9 @@ impl<'a> FixedEnd<'a> {
         // Deformations Δu, Δφ, ξγ.
         let mut open = [0.0; 3];
         for cell in lower..lower + step {
-            for (from, to) in pieces(chain.line(), &self.breaks, chain.position(cell), chain.position(cell + 1)) {
+            for (from, to) in
+                pieces(chain.line(), &self.breaks, chain.position(cell), chain.position(cell + 1))
+            {
                 for (z, g) in GAUSS {
                     let (x, width) = (from + z * (to - from), g * (to - from));
                     let [q, moment, p] = carried.resultant(a, x, true);

@@ -167,14 +167,10 @@ impl ChainLoads<'_> {
     fn add_lumped(&self, load: &Distributed, range: &Range<usize>, planes: &mut [&mut [f64]]) {
         let (chain, component) = (self.chain, load.along.component());
         let real = range.start.max(chain.ghosts[0])..range.end.min(chain.ghosts[0] + chain.points);
+        let Some(plane) = planes.get_mut(component) else { return };
         for point in real {
-            let (a, b) = chain.tributary(point - chain.ghosts[0]);
-            let (a, b) = (a.max(load.from), b.min(load.to));
-            if b > a && component < planes.len() {
-                // The value at the point, as the literature does, where the load covers its whole share.
-                let x = chain.position(point);
-                let at = if x >= a && x <= b { x } else { 0.5 * (a + b) };
-                planes[component][point - range.start] += load.value(at) * (b - a);
+            if let Some((length, at)) = chain.share(point - chain.ghosts[0], [load.from, load.to]) {
+                plane[point - range.start] += load.value(at) * length;
             }
         }
     }

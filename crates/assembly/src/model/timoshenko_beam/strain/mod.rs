@@ -52,9 +52,6 @@ pub enum NoStrainForm {
     /// Ghost points.
     #[error("ghost points continue the beam beyond its ends")]
     Ghosts,
-    /// Neighbours without a bond.
-    #[error("there is no bond between the points {0} and {1}")]
-    Gap(usize, usize),
 }
 
 /// A force or moment on a point beside the loads: a reaction.
@@ -88,9 +85,6 @@ impl<'a> StrainForm<'a> {
         }
         if chain.ghosts != [0; 2] {
             return Err(NoStrainForm::Ghosts);
-        }
-        if let Some(gap) = gap(chain) {
-            return Err(NoStrainForm::Gap(gap, gap + 1));
         }
         let mut form = Self { chain, ordinary: None };
         if chain.is_uniform() {
@@ -156,18 +150,4 @@ impl<'a> StrainForm<'a> {
             }
         }
     }
-}
-
-/// The first point that has no bond with the next.
-fn gap(chain: &Chain) -> Option<usize> {
-    const STRETCH: usize = 256;
-    let (weights, cells) = (&chain.weights, chain.points - 1);
-    let usual = weights.of_class(0) > 0.0;
-    (0..cells).step_by(STRETCH).find_map(|start| {
-        let end = (start + STRETCH).min(cells);
-        if usual && weights.are_ordinary(start..end) {
-            return None;
-        }
-        (start..end).find(|&c| weights.weight(0, c) <= 0.0)
-    })
 }

@@ -1,0 +1,26 @@
+//! Memory of this process and of the machine, on systems that have `/proc`.
+
+/// Memory that may be used, bytes: what is allowed, else what programs can have without swapping.
+pub(crate) fn allowed(limit: Option<u64>) -> Option<u64> {
+    limit.or_else(|| value("/proc/meminfo", "MemAvailable:"))
+}
+
+/// Largest resident memory of this process so far, bytes.
+pub(crate) fn peak() -> Option<u64> {
+    value("/proc/self/status", "VmHWM:")
+}
+
+/// A number of bytes in the unit that suits it.
+pub(crate) fn words(bytes: u64) -> String {
+    let units = [(1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    let unit = units.iter().find(|(size, _)| bytes as f64 >= *size);
+    unit.map_or(format!("{bytes} B"), |(size, name)| format!("{:.1} {name}", bytes as f64 / size))
+}
+
+/// A value of a file of `/proc`, bytes.
+fn value(file: &str, key: &str) -> Option<u64> {
+    let text = std::fs::read_to_string(file).ok()?;
+    let line = text.lines().find(|l| l.starts_with(key))?;
+    let kilobytes: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(1024 * kilobytes)
+}
