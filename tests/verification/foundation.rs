@@ -1,7 +1,7 @@
 //! Winkler foundations on the points: second order with lumped loads.
 
 use crate::support::standard::unit;
-use crate::support::{relative, run, scene};
+use crate::support::{error, relative, run, scene};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 
@@ -110,4 +110,32 @@ fn a_foundation_too_stiff_for_the_cells_is_a_warning() {
     };
     // The beam bends over (4 EI/k)^(1/4), here 1 and half a cell of 1/8.
     assert!(is_quiet(4.0) && !is_quiet(4.0 / (0.5_f64 / 8.0).powi(4)));
+}
+
+#[test]
+fn a_strip_that_a_table_cuts_out_is_the_strip_between_its_ends() {
+    let beds = [
+        json!({ "stiffness": { "table": [[0.0, 0.0], [0.53, 0.0], [0.53, 1e5], [0.545, 1e5], [0.545, 0.0]] } }),
+        json!({ "from": 0.53, "to": 0.545, "stiffness": { "uniform": 1e5 } }),
+    ];
+    let [table, ends] = beds.map(|bed| {
+        let mut case = unit(1000.0, "exact", 40);
+        case["supports"] = json!([0.0, 1.0].map(|x| json!({ "at": { "x": x }, "w": 0.0 })));
+        case["foundation"] = json!([bed]);
+        case["loads"] = json!([{ "distributed": { "force": { "uniform": 1.0 } } }]);
+        run(&case).unknowns(0)
+    });
+    // Measured 6e-15: the widths of the strip are rounded differently.
+    assert!(error(&table[0], &ends[0]) <= 1e-12, "{:e}", error(&table[0], &ends[0]));
+}
+
+#[test]
+fn lumped_parts_of_loads_add_up_to_the_loads() {
+    let mut case = unit(1000.0, "exact", 10);
+    case["model"]["timoshenko_beam"]["distributed_loads"] = json!("lumped");
+    case["supports"] = json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0 }]);
+    let linear = json!({ "from": 0.13, "to": 0.37, "force": { "linear": [1.0, 3.0] } });
+    case["loads"] = json!([{ "distributed": linear }]);
+    let sum: f64 = run(&case).load()[..11].iter().sum();
+    assert!((sum - 0.48).abs() <= 1e-15, "{sum}");
 }

@@ -50,6 +50,26 @@ impl Profile {
         }
     }
 
+    /// Integral from `a` to `b` >= a.
+    pub fn integral(&self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Uniform(value) => value * (b - a),
+            Self::Polynomial(coefficients) => {
+                let power = |x: f64| {
+                    let terms = coefficients.iter().enumerate().rev();
+                    terms.fold(0.0, |sum, (k, c)| sum * x + c / (k + 1) as f64) * x
+                };
+                power(b) - power(a)
+            }
+            Self::Table(pairs) => {
+                let inside = pairs.iter().map(|p| p[0]).filter(|s| *s > a && *s < b);
+                let ends: Vec<f64> = std::iter::once(a).chain(inside).chain([b]).collect();
+                // Straight in between: the value in the middle is the mean, and jumps are at ends.
+                ends.windows(2).map(|w| self.value(0.5 * (w[0] + w[1])) * (w[1] - w[0])).sum()
+            }
+        }
+    }
+
     /// Where its slope or its value jumps.
     pub fn breaks(&self) -> &[[f64; 2]] {
         match self {
@@ -70,6 +90,15 @@ mod tests {
         assert_eq!(p.value(2.0), 64.0);
         assert_eq!(p.uniform(), None);
         assert_eq!(Profile::Polynomial(vec![3.0, 0.0]).uniform(), Some(3.0));
+    }
+
+    #[test]
+    fn integrals_see_every_jump() {
+        let t = Profile::Table(vec![[1.0, 2.0], [2.0, 4.0], [2.0, 10.0], [4.0, 0.0]]);
+        // 2 before, (2 + 4)/2 from 1 to 2, 10·2/2 from 2 to 4, nothing after.
+        assert_eq!(t.integral(0.0, 9.0), 2.0 + 3.0 + 10.0);
+        let p = Profile::Polynomial(vec![1.0, 2.0, 3.0]);
+        assert_eq!((p.integral(1.0, 2.0), Profile::Uniform(3.0).integral(1.0, 2.0)), (11.0, 3.0));
     }
 
     #[test]

@@ -68,15 +68,20 @@ fn can_carry(stiffness: &Profile, length: f64, path: &JsonPath, faults: &mut Fau
     carries
 }
 
-/// The springs of foundations: the value at a point times the part of its length that is on the foundation.
+/// The springs of foundations: the value at a point times its part of the line; the integral over a part that the
+/// foundation covers in part or on which it does not vary smoothly.
 pub(super) fn springs(beds: &[Bed], beam: &TimoshenkoBeam) -> Vec<Spring> {
     let mut springs = Vec::new();
     for bed in beds {
         let (chain, [from, to]) = (&beam.chains()[bed.chain], bed.extent);
         let (first, last) = (chain.nearest(from), chain.nearest(to));
         for k in first.saturating_sub(1)..=(last + 1).min(chain.points - 1) {
-            let Some((length, at)) = chain.share(k, bed.extent) else { continue };
-            let stiffness = bed.stiffness.value(at - from) * length;
+            let Some(([a, b], at)) = chain.share(k, bed.extent) else { continue };
+            let breaks = || bed.stiffness.breaks().iter().map(|pair| from + pair[0]);
+            let stiffness = match at.filter(|_| breaks().all(|x| x <= a || x >= b)) {
+                Some(x) => bed.stiffness.value(x - from) * (b - a),
+                None => bed.stiffness.integral(a - from, b - from),
+            };
             if stiffness > 0.0 {
                 springs.push(Spring::on(W, beam.first_real(bed.chain) + k, stiffness));
             }

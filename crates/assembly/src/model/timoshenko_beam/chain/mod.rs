@@ -215,14 +215,14 @@ impl Chain {
         (left, if k + 1 == self.points { x } else { 0.5 * (x + at(k + 1)) })
     }
 
-    /// Length of the part of `[from, to]` that belongs to a real point, and where its value is taken: at the point as the
-    /// literature does, or in the middle of a part that leaves the point out. `None` if there is no such part.
-    pub fn share(&self, k: usize, [from, to]: [f64; 2]) -> Option<(f64, f64)> {
+    /// The part of `[from, to]` that belongs to a real point, and the position of the point if that is its whole part: the
+    /// literature then takes the value there, and of less the integral. `None` if there is no such part.
+    pub fn share(&self, k: usize, [from, to]: [f64; 2]) -> Option<([f64; 2], Option<f64>)> {
         let (a, b) = self.tributary(k);
-        let (a, b) = (a.max(from), b.min(to));
-        let x = self.position(self.ghosts[0] + k);
-        let at = if x >= a && x <= b { x } else { 0.5 * (a + b) };
-        (b > a).then_some((b - a, at))
+        let slack = 1e-9 * (b - a);
+        let whole = from <= a + slack && to >= b - slack;
+        let part = [a.max(from), b.min(to)];
+        (part[1] > part[0]).then(|| (part, whole.then(|| self.position(self.ghosts[0] + k))))
     }
 
     /// Whether the line, in a body with axial unknowns, has them only on its ends.

@@ -169,8 +169,10 @@ impl ChainLoads<'_> {
         let real = range.start.max(chain.ghosts[0])..range.end.min(chain.ghosts[0] + chain.points);
         let Some(plane) = planes.get_mut(component) else { return };
         for point in real {
-            if let Some((length, at)) = chain.share(point - chain.ghosts[0], [load.from, load.to]) {
-                plane[point - range.start] += load.value(at) * length;
+            if let Some(([a, b], at)) = chain.share(point - chain.ghosts[0], [load.from, load.to]) {
+                let force =
+                    at.map_or_else(|| load.integrate(a, b, |_| [1.0])[0], |x| load.value(x) * (b - a));
+                plane[point - range.start] += force;
             }
         }
     }
