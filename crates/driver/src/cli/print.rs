@@ -2,7 +2,7 @@
 
 use super::print_state;
 use crate::run::{CheckResult, Sizes};
-use crate::summary::{BeamSummary, Located, StateSummary, Status, Summary};
+use crate::summary::{BeamSummary, Located, Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -52,7 +52,7 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
         out.push('\n');
         print_state::extremes(&mut out, state);
         print_state::reactions(&mut out, state);
-        certificate(&mut out, state);
+        print_state::certificate(&mut out, state);
     }
     if !summary.envelope.is_empty() {
         envelope(&mut out, summary);
@@ -136,30 +136,6 @@ fn section(m: &BeamSummary, length: &str) -> String {
     let member = m.member.as_ref().map_or(String::new(), |name| format!(" of member `{name}`"));
     known.join(", ") + &member + if m.varies { " at the start" } else { "" }
 }
-
-fn certificate(out: &mut String, state: &StateSummary) {
-    let c = &state.certificate;
-    let balance: Vec<String> = c.balance.iter().map(|b| format!("{} {:.1e}", b.motion, b.relative)).collect();
-    let _ = writeln!(
-        out,
-        "\n  certificate: {}, next correction {:.1e}, residual {:.1e}, balance of {}, energy {:.1e}",
-        if c.converged { "converged" } else { "NOT CONVERGED" },
-        c.next_correction,
-        c.residual,
-        balance.join(" and "),
-        c.energy_balance
-    );
-    if c.converged && c.residual > FEW_DIGITS {
-        let _ = writeln!(
-            out,
-            "  note: displacements are rounded, and end forces are their differences: section forces and reactions may be off by {:.0e} of the largest",
-            c.residual
-        );
-    }
-}
-
-/// A residual above this leaves section forces fewer digits than engineers expect.
-const FEW_DIGITS: f64 = 1e-6;
 
 fn envelope(out: &mut String, summary: &Summary) {
     let rows: Vec<Vec<String>> = summary

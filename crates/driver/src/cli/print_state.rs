@@ -1,9 +1,12 @@
-//! A state as text: extremes, members, reactions.
+//! A state as text: extremes, members, reactions, certificate.
 
 use super::print::{number, table};
 use crate::run::{JointReaction, MemberForces, Reaction};
 use crate::summary::{Located, StateSummary};
 use std::fmt::Write;
+
+/// A residual above this leaves section forces fewer digits than engineers expect.
+const FEW_DIGITS: f64 = 1e-6;
 
 /// Smallest and largest values of the fields, and of the members of a frame.
 pub(super) fn extremes(out: &mut String, state: &StateSummary) {
@@ -95,5 +98,27 @@ fn joint_reactions(out: &mut String, state: &StateSummary) {
         let header = ["support", "force x", "force y", "moment", "inclined"];
         let _ = write!(out, "\n{}", table(&header[..if inclined { 5 } else { 4 }], &rows));
         more(out, all.len(), "supports");
+    }
+}
+
+/// What the result is certified with.
+pub(super) fn certificate(out: &mut String, state: &StateSummary) {
+    let c = &state.certificate;
+    let balance: Vec<String> = c.balance.iter().map(|b| format!("{} {:.1e}", b.motion, b.relative)).collect();
+    let _ = writeln!(
+        out,
+        "\n  certificate: {}, next correction {:.1e}, residual {:.1e}, balance of {}, energy {:.1e}",
+        if c.converged { "converged" } else { "NOT CONVERGED" },
+        c.next_correction,
+        c.residual,
+        balance.join(" and "),
+        c.energy_balance
+    );
+    if c.converged && c.residual > FEW_DIGITS {
+        let _ = writeln!(
+            out,
+            "  note: displacements are rounded, and end forces are their differences: section forces and reactions may be off by {:.0e} of the largest",
+            c.residual
+        );
     }
 }

@@ -1,6 +1,7 @@
 //! Running a scene: assemble, factor, solve every state, certify, recover.
 
 mod certificate;
+mod collect;
 mod comparison;
 mod extent;
 mod extremes;
@@ -133,7 +134,7 @@ pub fn run(
         || scene.probes.iter().any(|p| p.field.is_recovered())
         || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
     let options = &RunOptions { recover, ..*options };
-    let mut take = |solved: SolvedState| sink(fields::result(scene, solved, recover));
+    let mut take = |solved: SolvedState| sink(collect::result(scene, solved, recover));
     let mut report = match scene.has_axial {
         true => solve_states::<3, _>(scene, options, &mut take)?,
         false => solve_states::<2, _>(scene, options, &mut take)?,

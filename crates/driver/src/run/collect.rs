@@ -1,0 +1,76 @@
+//! From a solved state to its result.
+
+use super::{LineFields, LinePoints, SolvedState, StateResult, reaction};
+use crate::case::FieldName;
+use crate::scene::Scene;
+use peristat_assembly::model::timoshenko_beam::Grid;
+
+/// Collects the result of a state.
+pub(super) fn result(scene: &Scene, solved: SolvedState, recover: bool) -> StateResult {
+    let SolvedState { state: index, load, solution, certificate } = solved;
+    let state = &scene.states[index];
+    let (beam, n) = (&scene.beam, scene.beam.points());
+    let mut u = solution.u;
+    if scene.has_axial {
+        beam.fill_axial(&mut u);
+    }
+    let all = recover.then(|| forces_on_points(scene, load, &solution.held, &solution.multipliers, &u));
+    let line = |c: usize| {
+        let chain = &beam.chains()[c];
+        LineFields {
+            x: LinePoints::new(chain),
+            first: beam.first_real(c),
+            origin: chain.line().origin,
+            direction: chain.line().direction,
+            section: scene.sections[c].clone(),
+            from: chain.line().from,
+            recovered: all.as_ref().map(|all| beam.fields(c, &u, all, &state.loads)),
+        }
+    };
+    let lines = (0..beam.chains().len()).map(line).collect();
+    let held = reaction::forces(scene, &solution.multipliers, &u);
+    let fields: &'static [FieldName] = match (&scene.frame, scene.has_axial) {
+        (Some(_), _) => &FieldName::FRAME,
+        (None, true) => &FieldName::STRETCHED,
+        (None, false) => &FieldName::LINE,
+    };
+    StateResult {
+        index,
+        name: state.name.clone(),
+        load_factor: state.load_factor,
+        u,
+        lines,
+        reactions: reaction::of_lines(scene, &held),
+        joint_reactions: reaction::of_joints(scene, &held),
+        held,
+        points: n,
+        fields,
+        certificate,
+    }
+}
+
+/// Loads and the forces of supports, links and springs, by unknown.
+fn forces_on_points(
+    scene: &Scene,
+    load: &[f64],
+    held: &[(usize, f64)],
+    multipliers: &[f64],
+    u: &[f64],
+) -> Vec<f64> {
+    let n = scene.beam.points();
+    let mut forces = load.to_vec();
+    if scene.beam.chains().iter().any(|c| c.line().grid == Grid::Cells) {
+        // Ghost points alone hold the ends of a grid of cells: their forces stand for the support.
+        held.iter().for_each(|&(k, force)| forces[k] += force);
+    } else {
+        for (equation, multiplier) in scene.equations.iter().zip(multipliers) {
+            for (unknown, coefficient) in &equation.terms {
+                forces[unknown.component * n + unknown.point] += coefficient * multiplier;
+            }
+        }
+    }
+    for (unknown, force) in scene.springs.iter().flat_map(|spring| spring.forces(n, u)) {
+        forces[unknown] -= force;
+    }
+    forces
+}
