@@ -43,7 +43,7 @@ pub(super) fn estimate<const D: usize, P: Problem<D>>(problem: &P, recover: bool
 /// The factor of the strain form and what it is made of, bytes.
 fn of_strains(form: &StrainForm) -> usize {
     /// Reach up to which the columns of equal cells converge within [`CONVERGED`] times the reach, measured.
-    const QUICK: usize = 24;
+    const QUICK: usize = 50;
     const CONVERGED: usize = 10;
     let (cells, m, chain) = (form.cells(), form.reach(), form.chain());
     // Two columns and two rows of 2m numbers per cell.

@@ -8,6 +8,8 @@ use crate::band::Pivots;
 /// geometric mean of the diagonal entries in its row and its column. The columns of
 /// every sixth matrix of condition 1e6 go round in circles larger than half of it.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
+/// Half bandwidth from which on the rounding of that many products, which grows with its root, counts.
+const WIDE: f64 = 16.0;
 
 /// Fills in the runs and the kept columns and rows of the factor.
 pub(super) fn eliminate(matrix: &RepeatingBand, factor: &mut RepeatingCholesky) -> Result<(), FactorError> {
@@ -54,10 +56,11 @@ fn has_settled(factor: &RepeatingCholesky, group: &[f64], phase: usize) -> bool 
     // Entries of L and, for the diagonal, the relative change of the pivot; times
     // the pivot they are entries of the matrix.
     let reciprocal = new[0];
+    let rounding = ROUNDING * (width as f64 / WIDE).max(1.0).sqrt();
     (0..width).all(|k| {
         let change = if k == 0 { (old[0] - new[0]) / reciprocal } else { old[k] - new[k] };
         let scale = (diagonal(phase) * diagonal(phase + k)).sqrt();
-        change.abs() <= ROUNDING * scale * reciprocal
+        change.abs() <= rounding * scale * reciprocal
     })
 }
 
