@@ -109,3 +109,23 @@ fn threads_do_not_change_the_table() {
     assert_eq!(one, cases("7"));
     assert_eq!(run(&folder, &["verify", ".", "--threads", "0"]).code, 2);
 }
+
+#[test]
+fn folders_of_results_hold_no_cases() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string(gallery("cantilever.json")).unwrap();
+    fs::write(folder.path().join("good.json"), &text).unwrap();
+    assert_eq!(run(folder.path(), &["run", "good.json", "-q"]).code, 0);
+    let outcome = run(folder.path(), &["verify", "."]);
+    assert!(outcome.code == 0 && outcome.stdout.contains("1 passed, 0 failed"), "{}", outcome.stdout);
+}
+
+#[test]
+fn a_folder_of_slow_cases_says_how_to_run_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string(gallery("cantilever.json")).unwrap();
+    fs::write(folder.path().join("slow.json"), text.replacen('{', "{ \"slow\": true,", 1)).unwrap();
+    let outcome = run(folder.path(), &["verify", "."]);
+    assert!(outcome.code == 2 && outcome.stderr.contains("add `--all`"), "{}", outcome.stderr);
+    assert_eq!(run(folder.path(), &["verify", "slow.json"]).code, 0);
+}

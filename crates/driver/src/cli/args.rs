@@ -3,7 +3,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
-/// Implicit static and quasi-static peridynamics.
+/// Implicit static peridynamics: beams and plane frames.
 ///
 /// Exit codes: 0 done and all checks passed; 1 ran, but did not converge or a check failed; 2 bad input or usage; 130
 /// interrupted.

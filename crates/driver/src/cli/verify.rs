@@ -2,7 +2,7 @@
 
 use super::args::Global;
 use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
-use crate::results::admit;
+use crate::results::{MARK, admit};
 use crate::run::RunOptions;
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
@@ -39,7 +39,13 @@ pub(super) fn verify(request: &Request, global: &Global) -> Result<u8, Error> {
     }
     let outcomes = solve_all(&cases, request, global);
     if outcomes.is_empty() {
-        note("error: there are no cases to verify\nhint: name case files or folders that hold some\n");
+        note(&match cases.len() {
+            0 => "error: there are no cases to verify\nhint: name case files or folders that hold some\n"
+                .into(),
+            slow => format!(
+                "error: all {slow} cases here are marked `slow`\nhint: add `--all`, or name them one by one\n"
+            ),
+        });
         return Ok(USAGE);
     }
     for outcome in &outcomes {
@@ -67,12 +73,16 @@ pub(super) fn verify(request: &Request, global: &Global) -> Result<u8, Error> {
     })
 }
 
-/// Case files at a path, sorted; folders of benchmarks and of invalid cases are entered only if they are named.
+/// Case files at a path, sorted; folders of benchmarks and of invalid cases are entered only if they are named, those of
+/// results never.
 fn collect(path: &Path, all: bool, cases: &mut Vec<PathBuf>) -> io::Result<()> {
     let describe = |error: io::Error| io::Error::new(error.kind(), format!("{}: {error}", path.display()));
     if !path.is_dir() {
         fs::metadata(path).map_err(describe)?;
         cases.push(path.into());
+        return Ok(());
+    }
+    if path.join(MARK).exists() {
         return Ok(());
     }
     let entries = fs::read_dir(path).map_err(describe)?;

@@ -28,7 +28,7 @@ pub struct Results {
 }
 
 /// Name of the file that marks a folder as written by peristat.
-const MARK: &str = ".peristat";
+pub const MARK: &str = ".peristat";
 
 /// Whether a run may write into a folder: it is new, empty, or holds nothing but an earlier run.
 ///

@@ -126,8 +126,8 @@ fn foundation(bed: &Bed, path: &JsonPath, layout: &Layout, beam: &TimoshenkoBeam
 /// Young's moduli that no material has in these units.
 fn moduli(model: &Beam, units: Units, faults: &mut Faults) {
     let (low, high) = match units {
-        Units::MetreNewtonPascal => (1e5, 2e12),
-        Units::MillimetreNewtonMegapascal => (1e-1, 2e6),
+        Units::MetreNewtonPascal => (4e5, 2e12),
+        Units::MillimetreNewtonMegapascal => (4e-1, 2e6),
     };
     let (law, path) = (model.power_law.as_ref(), beam_path());
     let moduli = [
