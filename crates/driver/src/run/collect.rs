@@ -3,7 +3,7 @@
 use super::{LineFields, LinePoints, SolvedState, StateResult, reaction};
 use crate::case::FieldName;
 use crate::scene::Scene;
-use peristat_assembly::model::timoshenko_beam::Grid;
+use peristat_assembly::model::timoshenko_beam::{BeamLoads, Grid};
 
 /// Collects the result of a state.
 pub(super) fn result(scene: &Scene, solved: SolvedState, recover: bool) -> StateResult {
@@ -15,6 +15,7 @@ pub(super) fn result(scene: &Scene, solved: SolvedState, recover: bool) -> State
         beam.fill_axial(&mut u);
     }
     let all = recover.then(|| forces_on_points(scene, load, &solution.held, &solution.multipliers, &u));
+    let lumped = if recover { lumped_forces(scene, index, &u) } else { None };
     let line = |c: usize| {
         let chain = &beam.chains()[c];
         LineFields {
@@ -24,7 +25,7 @@ pub(super) fn result(scene: &Scene, solved: SolvedState, recover: bool) -> State
             direction: chain.line().direction,
             section: scene.sections[c].clone(),
             from: chain.line().from,
-            recovered: all.as_ref().map(|all| beam.fields(c, &u, all, &state.loads)),
+            recovered: all.as_ref().map(|all| beam.fields(c, &u, all, lumped.as_deref(), &state.loads)),
         }
     };
     let lines = (0..beam.chains().len()).map(line).collect();
@@ -73,4 +74,22 @@ fn forces_on_points(
         forces[unknown] -= force;
     }
     forces
+}
+
+/// Forces on points that stand for what acts all along their parts: lumped loads and foundations.
+fn lumped_forces(scene: &Scene, state: usize, u: &[f64]) -> Option<Vec<f64>> {
+    let loads = &scene.states[state].loads;
+    let has_loads = loads.lumped && !loads.distributed.is_empty();
+    if !has_loads && scene.bedding.is_empty() {
+        return None;
+    }
+    let (n, mut forces) = (scene.beam.points(), vec![0.0; u.len()]);
+    if has_loads {
+        BeamLoads { point: Vec::new(), ..loads.clone() }.add_to(&scene.beam, &mut forces);
+    }
+    for (unknown, force) in scene.springs[scene.bedding.clone()].iter().flat_map(|spring| spring.forces(n, u))
+    {
+        forces[unknown] -= force;
+    }
+    Some(forces)
 }

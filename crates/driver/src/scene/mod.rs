@@ -45,6 +45,7 @@ use peristat_assembly::condition::Equation;
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, TimoshenkoBeam};
 use peristat_assembly::stiffness::Spring;
+use std::ops::Range;
 use std::path::Path;
 
 /// A beam problem, resolved.
@@ -70,8 +71,8 @@ pub struct Scene {
     pub equations: Vec<Equation>,
     /// Springs to the ground: those of supports, then those of foundations.
     pub springs: Vec<Spring>,
-    /// Whether there is a foundation.
-    pub has_foundation: bool,
+    /// Which of the springs are those of foundations.
+    pub bedding: Range<usize>,
     /// What is solved, in this order.
     pub states: Vec<State>,
     /// Whether the states are combinations and load cases, so that an envelope makes sense.
@@ -215,14 +216,15 @@ impl Scene {
             folder,
         };
         let expectations = checks::expectations(&context, faults);
+        let (supports, bedding) = (holds::springs(&held), foundation::springs(&beds, &beam));
         Some(Self {
             case: case.clone(),
             units: case.units,
             equations: equations(&held, &bars, &layout, &numbers, has_axial),
-            springs: [holds::springs(&held), foundation::springs(&beds, &beam)].concat(),
+            bedding: supports.len()..supports.len() + bedding.len(),
+            springs: [supports, bedding].concat(),
             has_axial,
             frame: layout.frame,
-            has_foundation: !beds.is_empty(),
             has_envelope: !case.load_cases.is_empty(),
             solver: case.solver,
             beam,

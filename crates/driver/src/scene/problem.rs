@@ -45,7 +45,7 @@ where
         if self.has_axial {
             return Err("it is for beams with the unknowns w and phi".into());
         }
-        if self.has_foundation {
+        if !self.bedding.is_empty() {
             return Err("the beam lies on an elastic foundation".into());
         }
         let form = StrainForm::new(&self.beam).map_err(|reason| reason.to_string())?;

@@ -1,7 +1,7 @@
 //! Fields of a solved beam: section forces, stress, energy density.
 
 use super::load::{BeamLoads, FixedEnd};
-use super::{PHI, TimoshenkoBeam, U};
+use super::{PHI, TimoshenkoBeam, U, W};
 use crate::sum::Sum;
 
 /// Section forces at the two ends of every cell of a line, seen from inside the cell.
@@ -43,8 +43,21 @@ impl TimoshenkoBeam {
     /// the shear force would be a small difference of large deflections: half its digits are gone at slenderness 10⁴.
     /// Loads that bonds share reach the points as fixed-end forces; what these say differently from the load itself inside
     /// the crossing bonds is put back, so that section forces are those of the loads as given.
-    pub fn fields(&self, chain: usize, u: &[f64], forces: &[f64], loads: &BeamLoads) -> BeamFields {
+    ///
+    /// `lumped` are those of the forces that only stand for what acts all along the parts of their points, lumped loads and
+    /// foundations, in as many planes: half of such a force has not been passed yet where its point is.
+    pub fn fields(
+        &self,
+        chain: usize,
+        u: &[f64],
+        forces: &[f64],
+        lumped: Option<&[f64]>,
+        loads: &BeamLoads,
+    ) -> BeamFields {
         let mut sections = self.statics(chain, forces);
+        if let Some(lumped) = lumped {
+            self.spread_lumped(chain, lumped, &mut sections);
+        }
         let fixed_end = FixedEnd::new(loads, chain, &self.chains[chain]);
         if fixed_end.is_needed() {
             self.add_fixed_end_forces(chain, &fixed_end, &mut sections);
@@ -76,6 +89,22 @@ impl TimoshenkoBeam {
             }
         }
         sections
+    }
+
+    /// Gives the two sides of every point the share of its lumped forces that lies on their side.
+    fn spread_lumped(&self, chain: usize, lumped: &[f64], sections: &mut SectionForces) {
+        let (c, n, first) = (&self.chains[chain], self.points, self.first_real(chain));
+        let SectionForces { moment, shear, axial } = sections;
+        for (component, cells) in [(W, shear), (PHI, moment), (U, axial)] {
+            for (k, cell) in cells.iter_mut().enumerate() {
+                for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
+                    let point = k + side;
+                    let ((a, b), x) = (c.tributary(point), c.position(c.ghosts[0] + point));
+                    let part = if side == 0 { b - x } else { x - a };
+                    cell[side] += sign * part / (b - a) * lumped[component * n + first + point];
+                }
+            }
+        }
     }
 
     /// Adds to every cell what the crossing bonds carry of their loads beyond the fixed-end forces on their points.
