@@ -21,13 +21,13 @@ const SPARSE: usize = 64;
 
 /// Memory of bonds, matrix, factor and vectors, bytes; and, with `recover`, of fields and their files.
 pub(super) fn estimate<const D: usize, P: Problem<D>>(problem: &P, recover: bool) -> u64 {
-    let (model, asked) = (problem.model(), problem.solver());
+    let model = problem.model();
     let (sizes, unknowns) = (model.sizes(), D * model.points());
     let several = problem.states() > 1;
     let per_point = FIELDS + if several { ENVELOPE } else { 0 };
     let fields = if recover { 8 * unknowns + per_point * model.points() } else { 0 };
-    let parts = strain::applies(problem).ok().filter(|_| matches!(asked, Solver::Auto | Solver::Strain));
-    let rest = match parts {
+    // A strain form that is asked for in vain is a fault of the case, told after this.
+    let rest = match strain::chosen(problem).ok().flatten() {
         Some(parts) => 8 * unknowns + of_strains(&parts.form) + fields,
         None => {
             let solving = 8 * VECTORS * unknowns + matrix(problem, &sizes);

@@ -53,8 +53,6 @@ pub struct Counters {
     pub factorisations: usize,
     /// Symbolic analyses.
     pub analyses: usize,
-    /// Newton iterations.
-    pub newton_iterations: usize,
     /// Conjugate-gradient iterations of all states.
     pub pcg_iterations: usize,
     /// Right-hand sides solved.

@@ -95,12 +95,12 @@ impl Flexibility {
 
 impl BeamBond {
     /// Measures `(Δφ, shear)` for unknowns (w, φ).
-    pub fn rows2(&self) -> Rows<2, 2> {
+    pub(super) fn rows2(&self) -> Rows<2, 2> {
         Rows { difference: [[0.0, 1.0], [1.0, self.eccentricity]], mean: [[0.0, 0.0], [0.0, -self.length]] }
     }
 
     /// Measures `(Δφ, shear)` for unknowns (w, φ, u) where axial force and bending do not couple.
-    pub fn rows3(&self) -> Rows<3, 2> {
+    pub(super) fn rows3(&self) -> Rows<3, 2> {
         Rows {
             difference: [[0.0, 1.0, 0.0], [1.0, self.eccentricity, 0.0]],
             mean: [[0.0; 3], [0.0, -self.length, 0.0]],
@@ -108,7 +108,7 @@ impl BeamBond {
     }
 
     /// Measures `(Δφ, shear, axial)` for unknowns (w, φ, u).
-    pub fn coupled_rows(&self) -> Rows<3, 3> {
+    pub(super) fn coupled_rows(&self) -> Rows<3, 3> {
         Rows {
             difference: [
                 [0.0, 1.0, 0.0],

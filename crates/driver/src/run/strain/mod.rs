@@ -6,7 +6,7 @@ mod plan;
 mod reactions;
 mod solver;
 
-pub(super) use plan::{applies, chosen};
+pub(super) use plan::chosen;
 
 use super::factor::{SolveFailure, SolverReport};
 use super::{Counters, Problem, RunError, RunReport, Sizes, SolvedState, Timing, certificate};

@@ -13,9 +13,7 @@ const REDUNDANT: usize = 8;
 const LEAST: f64 = 1e-6;
 
 /// What the strain form needs of a problem, or why it does not apply.
-pub(in super::super) fn applies<const D: usize, P: Problem<D>>(
-    problem: &P,
-) -> Result<StrainProblem<'_>, String> {
+fn applies<const D: usize, P: Problem<D>>(problem: &P) -> Result<StrainProblem<'_>, String> {
     let parts = problem.strain_problem()?;
     if problem.equations().iter().any(|equation| equation.terms.len() != 1) {
         return Err("links join points of the beam".into());
