@@ -6,9 +6,10 @@
 //! motions are written once, for all models. Nothing here opens a file, prints, or solves.
 //!
 //! Modules use only what stands to their left:
-//! `sum → material → bonds → condition → stiffness → model → system`.
+//! `sum → material → bonds → body → condition → stiffness → model → system`.
 #![cfg_attr(test, allow(clippy::float_cmp))]
 
+pub mod body;
 pub mod bonds;
 pub mod condition;
 pub mod material;

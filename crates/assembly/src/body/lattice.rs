@@ -1,0 +1,271 @@
+//! Points on a square lattice that fill a body in the plane.
+
+use std::ops::Range;
+
+/// Index of a cell: column and row.
+pub type Cell = [i32; 2];
+
+/// Consecutive cells of one row that belong to the body.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// Row.
+    pub row: i32,
+    /// Columns.
+    pub columns: Range<i32>,
+    /// Number of the point in the first cell.
+    pub first: usize,
+}
+
+impl Run {
+    /// Numbers of its points.
+    pub fn points(&self) -> Range<usize> {
+        self.first..self.first + self.columns.len()
+    }
+
+    /// Number of the point in a column of the run.
+    pub fn number(&self, column: i32) -> usize {
+        self.first + (column - self.columns.start) as usize
+    }
+}
+
+/// Centres of the square cells of a body, numbered row by row from the lower left.
+///
+/// Only cells of the body have points. What is stored grows with the number of runs of consecutive cells, not with the
+/// number of points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SquareLattice {
+    spacing: f64,
+    corner: [f64; 2],
+    first_row: i32,
+    /// Per row: index of its first run; one more at the end.
+    rows: Vec<u32>,
+    runs: Vec<Run>,
+    points: usize,
+}
+
+impl SquareLattice {
+    /// The cells of the ranges `columns` × `rows` that are `inside`. Cell `[0, 0]` has its lower left corner at `corner`;
+    /// `spacing` is the side of a cell, m.
+    ///
+    /// # Panics
+    /// More than `u32::MAX` points.
+    pub fn new(
+        spacing: f64,
+        corner: [f64; 2],
+        columns: Range<i32>,
+        rows: Range<i32>,
+        inside: impl Fn(Cell) -> bool,
+    ) -> Self {
+        let mut lattice =
+            Self { spacing, corner, first_row: rows.start, rows: vec![0], runs: Vec::new(), points: 0 };
+        for row in rows {
+            let mut column = columns.start;
+            while column < columns.end {
+                let from = column;
+                while column < columns.end && inside([column, row]) {
+                    column += 1;
+                }
+                lattice.push(row, from..column);
+                column += i32::from(column == from);
+            }
+            lattice.rows.push(lattice.runs.len() as u32);
+        }
+        assert!(u32::try_from(lattice.points).is_ok(), "points are numbered by u32");
+        lattice
+    }
+
+    /// A rectangle of `size` cells.
+    pub fn rectangle(spacing: f64, corner: [f64; 2], size: [i32; 2]) -> Self {
+        let mut lattice = Self::new(spacing, corner, 0..0, 0..0, |_| true);
+        for row in 0..size[1] {
+            lattice.push(row, 0..size[0]);
+            lattice.rows.push(lattice.runs.len() as u32);
+        }
+        lattice
+    }
+
+    fn push(&mut self, row: i32, columns: Range<i32>) {
+        if !columns.is_empty() {
+            let count = columns.len();
+            self.runs.push(Run { row, columns, first: self.points });
+            self.points += count;
+        }
+    }
+
+    /// Side of a cell, m.
+    pub fn spacing(&self) -> f64 {
+        self.spacing
+    }
+
+    /// Lower left corner of cell `[0, 0]`, m.
+    pub fn corner(&self) -> [f64; 2] {
+        self.corner
+    }
+
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// Rows that can hold cells.
+    pub fn rows(&self) -> Range<i32> {
+        self.first_row..self.first_row + self.rows.len() as i32 - 1
+    }
+
+    /// Columns from the first cell to behind the last.
+    pub fn columns(&self) -> Range<i32> {
+        let from = self.runs.iter().map(|r| r.columns.start).min().unwrap_or(0);
+        from..self.runs.iter().map(|r| r.columns.end).max().unwrap_or(from)
+    }
+
+    /// All runs, in the order of their points.
+    pub fn runs(&self) -> &[Run] {
+        &self.runs
+    }
+
+    /// Runs of a row from left to right; none for a row without cells.
+    pub fn runs_of(&self, row: i32) -> &[Run] {
+        let k = row - self.first_row;
+        if k < 0 || k as usize + 1 >= self.rows.len() {
+            return &[];
+        }
+        &self.runs[self.rows[k as usize] as usize..self.rows[k as usize + 1] as usize]
+    }
+
+    /// Number of the point in a cell.
+    pub fn number(&self, [column, row]: Cell) -> Option<usize> {
+        let run = self.runs_of(row).iter().find(|r| r.columns.contains(&column))?;
+        Some(run.number(column))
+    }
+
+    /// Cell of a point.
+    pub fn cell(&self, point: usize) -> Cell {
+        let run = &self.runs[self.runs.partition_point(|r| r.first <= point) - 1];
+        [run.columns.start + (point - run.first) as i32, run.row]
+    }
+
+    /// Centre of a cell, m.
+    pub fn centre(&self, [column, row]: Cell) -> [f64; 2] {
+        let at = |k: usize, index: i32| self.corner[k] + (f64::from(index) + 0.5) * self.spacing;
+        [at(0, column), at(1, row)]
+    }
+
+    /// Position of a point, m.
+    pub fn position(&self, point: usize) -> [f64; 2] {
+        self.centre(self.cell(point))
+    }
+
+    /// Cell that holds a position, whether or not it belongs to the body.
+    pub fn cell_at(&self, position: [f64; 2]) -> Cell {
+        [0, 1].map(|k| ((position[k] - self.corner[k]) / self.spacing).floor() as i32)
+    }
+
+    /// The cell of twice the size that a cell becomes part of.
+    pub fn parent([column, row]: Cell) -> Cell {
+        [column.div_euclid(2), row.div_euclid(2)]
+    }
+
+    /// The lattice of twice the spacing: a cell belongs to it if any of the four that it covers does.
+    pub fn coarser(&self) -> Self {
+        let halved = |range: Range<i32>| range.start.div_euclid(2)..(range.end + 1).div_euclid(2);
+        let rows = halved(self.rows());
+        let mut coarse = Self::new(2.0 * self.spacing, self.corner, 0..0, rows.start..rows.start, |_| true);
+        for row in rows {
+            let fine = self.runs_of(2 * row).iter().chain(self.runs_of(2 * row + 1));
+            let mut spans: Vec<Range<i32>> = fine.map(|r| halved(r.columns.clone())).collect();
+            spans.sort_by_key(|s| s.start);
+            let mut merged: Vec<Range<i32>> = Vec::new();
+            for span in spans {
+                match merged.last_mut() {
+                    Some(last) if span.start <= last.end => last.end = last.end.max(span.end),
+                    _ => merged.push(span),
+                }
+            }
+            merged.into_iter().for_each(|columns| coarse.push(row, columns));
+            coarse.rows.push(coarse.runs.len() as u32);
+        }
+        coarse
+    }
+
+    /// Stretches of points whose neighbours at an offset follow each other, too: for every run of `cells`, columns of the
+    /// row `row`, calls `visit` with the columns and the number of the first neighbour.
+    #[inline]
+    pub fn shifted(
+        &self,
+        row: i32,
+        columns: &Range<i32>,
+        step: Cell,
+        mut visit: impl FnMut(Range<i32>, usize),
+    ) {
+        for run in self.runs_of(row + step[1]) {
+            let from = columns.start.max(run.columns.start - step[0]);
+            let to = columns.end.min(run.columns.end - step[0]);
+            if from < to {
+                visit(from..to, run.number(from + step[0]));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ring of 5 × 4 cells with a hole of 2 × 2 and a notch on the right.
+    fn ring() -> SquareLattice {
+        let hole = |[i, j]: Cell| (1..3).contains(&i) && (1..3).contains(&j);
+        SquareLattice::new(0.5, [1.0, -2.0], 0..5, 0..4, |c| !hole(c) && c != [4, 2])
+    }
+
+    #[test]
+    fn numbers_and_cells_are_inverse() {
+        let lattice = ring();
+        assert_eq!(lattice.points(), 15);
+        assert_eq!(lattice.runs().len(), 6);
+        for p in 0..lattice.points() {
+            assert_eq!(lattice.number(lattice.cell(p)), Some(p));
+        }
+        assert_eq!(lattice.number([1, 1]), None);
+        assert_eq!(lattice.number([4, 2]), None);
+        assert_eq!(lattice.number([0, 4]), None);
+        assert_eq!(lattice.position(0), [1.25, -1.75]);
+        assert_eq!(lattice.cell_at([3.4, -1.6]), [4, 0]);
+    }
+
+    #[test]
+    fn a_coarse_cell_exists_if_any_child_does() {
+        let coarse = ring().coarser();
+        let cells: Vec<Cell> = (0..coarse.points()).map(|p| coarse.cell(p)).collect();
+        // The hole covers one child of each of four coarse cells; nothing vanishes.
+        assert_eq!(cells, [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]]);
+        assert_eq!((coarse.spacing(), coarse.corner()), (1.0, [1.0, -2.0]));
+        let far = SquareLattice::new(1.0, [0.0; 2], -3..-1, 5..6, |_| true).coarser();
+        assert_eq!(far.runs(), [Run { row: 2, columns: -2..0, first: 0 }]);
+    }
+
+    #[test]
+    fn stretches_of_neighbours_are_complete() {
+        let lattice = ring();
+        for step in [[1, 0], [-2, 1], [0, 2], [3, 1], [1, -1]] {
+            let mut found = Vec::new();
+            for run in lattice.runs() {
+                lattice.shifted(run.row, &run.columns, step, |columns, first| {
+                    columns.zip(first..).for_each(|(i, q)| found.push((run.number(i), q)));
+                });
+            }
+            let expected: Vec<(usize, usize)> = (0..lattice.points())
+                .filter_map(|p| {
+                    let [i, j] = lattice.cell(p);
+                    Some((p, lattice.number([i + step[0], j + step[1]])?))
+                })
+                .collect();
+            assert_eq!(found, expected);
+        }
+    }
+
+    #[test]
+    fn a_rectangle_is_one_run_per_row() {
+        let made = SquareLattice::rectangle(2.0, [0.0; 2], [7, 3]);
+        assert_eq!(made, SquareLattice::new(2.0, [0.0; 2], 0..7, 0..3, |_| true));
+    }
+}

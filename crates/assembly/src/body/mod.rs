@@ -1,0 +1,5 @@
+//! Bodies in the plane and what is found on them, before any model.
+
+mod lattice;
+
+pub use lattice::{Cell, Run, SquareLattice};
