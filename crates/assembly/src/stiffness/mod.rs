@@ -2,6 +2,8 @@
 
 mod block_matrix;
 mod bonds;
+mod families;
+mod grid_bonds;
 mod lattice_bonds;
 mod parts;
 mod springs;
@@ -9,6 +11,8 @@ mod term;
 
 pub use block_matrix::BlockMatrix;
 pub use bonds::{Bond, Bonds};
+pub use families::{Families, Family};
+pub use grid_bonds::{Exception, GridBonds, Offset};
 pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};
 pub use parts::{NumberedParts, Parts};
 pub use springs::{Spring, Springs};

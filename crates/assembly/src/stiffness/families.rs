@@ -1,0 +1,129 @@
+//! Families of a fixed size: a point and a few others whose motion relative to it makes measures, such as the strain of a
+//! triangle.
+
+use super::{BlockMatrix, Survey, Term};
+use crate::bonds::Mat;
+use std::array::from_fn;
+
+/// A point, `E` others, and the measures `s = Σ_e rows[e]·(u_others[e] − u_point)` that they make together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Family<const D: usize, const M: usize, const E: usize> {
+    /// The point.
+    pub point: u32,
+    /// The other points.
+    pub others: [u32; E],
+    /// Measures per relative displacement of each other point.
+    pub rows: [Mat<M, D>; E],
+    /// Symmetric, positive semidefinite modulus conjugate to the measures.
+    pub modulus: Mat<M, M>,
+}
+
+/// Energy of listed families, `E = Σ ½ sᵀ C s`.
+#[derive(Clone, Debug)]
+pub struct Families<const D: usize, const M: usize, const E: usize> {
+    points: usize,
+    families: Vec<Family<D, M, E>>,
+}
+
+impl<const D: usize, const M: usize, const E: usize> Family<D, M, E> {
+    /// Measures in a body of `points` points.
+    #[inline(always)]
+    pub fn measures(&self, points: usize, u: &[f64]) -> [f64; M] {
+        let mut s = [0.0; M];
+        for (&other, rows) in self.others.iter().zip(&self.rows) {
+            for c in 0..D {
+                let moved = u[c * points + other as usize] - u[c * points + self.point as usize];
+                for m in 0..M {
+                    s[m] += rows[m][c] * moved;
+                }
+            }
+        }
+        s
+    }
+
+    /// What is conjugate to measures.
+    #[inline(always)]
+    pub fn stress(&self, s: &[f64; M]) -> [f64; M] {
+        from_fn(|m| (0..M).map(|k| self.modulus[m][k] * s[k]).sum())
+    }
+
+    /// Forces on the other points; the point itself gets the negative of their sum.
+    #[inline(always)]
+    fn actions(&self, sigma: &[f64; M]) -> [[f64; D]; E] {
+        from_fn(|e| from_fn(|c| (0..M).map(|m| self.rows[e][m][c] * sigma[m]).sum()))
+    }
+
+    /// Points and the rows that multiply their unknowns, the point itself first.
+    fn members(&self) -> impl Iterator<Item = (usize, Mat<M, D>)> + '_ {
+        let own = from_fn(|m| from_fn(|c| -self.rows.iter().map(|rows| rows[m][c]).sum::<f64>()));
+        let others = self.others.iter().zip(&self.rows).map(|(&p, rows)| (p as usize, *rows));
+        std::iter::once((self.point as usize, own)).chain(others)
+    }
+}
+
+impl<const D: usize, const M: usize, const E: usize> Families<D, M, E> {
+    /// The families of a body of `points` points.
+    pub fn new(points: usize, families: Vec<Family<D, M, E>>) -> Self {
+        Self { points, families }
+    }
+}
+
+impl<const D: usize, const M: usize, const E: usize> Term<D> for Families<D, M, E> {
+    fn couplings(&self, visit: &mut dyn FnMut(usize, usize)) {
+        for family in &self.families {
+            let members: Vec<usize> = family.members().map(|m| m.0).collect();
+            for (k, &i) in members.iter().enumerate() {
+                members[k + 1..].iter().for_each(|&j| visit(i, j));
+            }
+        }
+    }
+
+    fn add_force(&self, u: &[f64], force: &mut [f64]) {
+        let n = self.points;
+        for family in &self.families {
+            let actions = family.actions(&family.stress(&family.measures(n, u)));
+            for (&other, action) in family.others.iter().zip(&actions) {
+                for c in 0..D {
+                    force[c * n + other as usize] += action[c];
+                    force[c * n + family.point as usize] -= action[c];
+                }
+            }
+        }
+    }
+
+    fn survey(&self, u: &[f64]) -> Survey<D> {
+        // In blocks: the error of a long sum grows with its number of terms.
+        const BLOCK: usize = 256;
+        let of = |family: &Family<D, M, E>| {
+            let s = family.measures(self.points, u);
+            let sigma = family.stress(&s);
+            let actions = family.actions(&sigma);
+            let largest = |c: usize| actions.iter().map(|a| a[c].abs()).fold(0.0, f64::max);
+            let energy = (0..M).map(|m| 0.5 * s[m] * sigma[m]).sum();
+            Survey { energy, largest_action: from_fn(largest) }
+        };
+        let block = |part: &[Family<D, M, E>]| part.iter().map(of).fold(Survey::EMPTY, Survey::join);
+        self.families.chunks(BLOCK).map(block).fold(Survey::EMPTY, Survey::join)
+    }
+
+    fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
+        for family in &self.families {
+            for (i, a) in family.members() {
+                for (j, b) in family.members().filter(|(j, _)| *j >= i) {
+                    let conjugate: Mat<M, D> =
+                        from_fn(|m| from_fn(|c| (0..M).map(|k| family.modulus[m][k] * b[k][c]).sum()));
+                    let entry = |r: usize, c: usize| (0..M).map(|m| a[m][r] * conjugate[m][c]).sum();
+                    tangent.add(i, j, &from_fn(|r| from_fn(|c| entry(r, c))));
+                }
+            }
+        }
+    }
+
+    fn elements(&self) -> usize {
+        self.families.len()
+    }
+
+    fn stored_factors(&self) -> usize {
+        self.families.len() * (E * M * D + M * M)
+    }
+}

@@ -1,0 +1,166 @@
+//! Points in chunks: stretches of at most 64 points of one row, their neighbours, and the factors of exceptional bonds.
+
+use crate::body::{Cell, SquareLattice};
+use std::ops::Range;
+
+/// Points per chunk: the inner loops run over one chunk of one offset.
+pub(super) const CHUNK: usize = 64;
+/// Chunks that one thread takes at a time: fixed, so that sums over them do not depend on the number of threads.
+const PART: usize = 64;
+/// No place in a table.
+const NONE: u32 = u32::MAX;
+
+/// A bond whose stiffness differs from that of its offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exception {
+    /// Index of the offset.
+    pub offset: usize,
+    /// Lower point.
+    pub lower: usize,
+    /// Multiplies the moduli; zero where the bond is cut.
+    pub factor: f64,
+}
+
+/// Consecutive points of one row.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chunk {
+    pub(super) first: u32,
+    pub(super) row: i32,
+    pub(super) from: i32,
+    pub(super) width: u32,
+    /// Place of its neighbours in the table, where all of them exist.
+    neighbours: u32,
+    /// Place of its factors in the table, where some are not one.
+    factors: u32,
+}
+
+impl Chunk {
+    pub(super) fn columns(&self) -> Range<i32> {
+        self.from..self.from + self.width as i32
+    }
+
+    /// Whether no bond of its points is an exception.
+    pub(super) fn is_plain(&self) -> bool {
+        self.factors == NONE
+    }
+
+    /// Whether its points have all neighbours within the reach.
+    pub(super) fn is_inner(&self) -> bool {
+        self.neighbours != NONE
+    }
+}
+
+/// The chunks of a lattice.
+#[derive(Clone, Debug)]
+pub(super) struct Chunks {
+    all: Vec<Chunk>,
+    /// Largest offset, rows or columns.
+    reach: i32,
+    /// Per inner chunk and row `-reach..=reach`: number of the point in the chunk's first column.
+    neighbours: Vec<u32>,
+    classes: usize,
+    /// Per exceptional chunk, `[offset][upwards or downwards][point]`: factors of the bonds of its points as the lower
+    /// and as the upper one.
+    factors: Vec<f64>,
+}
+
+impl Chunks {
+    pub(super) fn new(lattice: &SquareLattice, steps: &[Cell], exceptions: &[Exception]) -> Self {
+        let reach = steps.iter().flat_map(|s| s.map(i32::abs)).max().unwrap_or(0);
+        let mut chunks = Self {
+            all: Vec::new(),
+            reach,
+            neighbours: Vec::new(),
+            classes: steps.len(),
+            factors: Vec::new(),
+        };
+        for run in lattice.runs() {
+            for from in run.columns.clone().step_by(CHUNK) {
+                let width = (run.columns.end - from).min(CHUNK as i32);
+                let neighbours = chunks.neighbours_of(lattice, run.row, &(from..from + width));
+                chunks.all.push(Chunk {
+                    first: run.number(from) as u32,
+                    row: run.row,
+                    from,
+                    width: width as u32,
+                    neighbours,
+                    factors: NONE,
+                });
+            }
+        }
+        for e in exceptions.iter().filter(|e| e.factor != 1.0) {
+            let [column, row] = lattice.cell(e.lower);
+            let step = steps[e.offset];
+            let upper = lattice.number([column + step[0], row + step[1]]);
+            if let Some(upper) = upper {
+                chunks.multiply(2 * e.offset, e.lower, e.factor);
+                chunks.multiply(2 * e.offset + 1, upper, e.factor);
+            }
+        }
+        chunks
+    }
+
+    /// Enters the neighbours of a chunk into the table if all of them exist.
+    fn neighbours_of(&mut self, lattice: &SquareLattice, row: i32, columns: &Range<i32>) -> u32 {
+        let (wide, begin) = (columns.start - self.reach..columns.end + self.reach, self.neighbours.len());
+        for other in row - self.reach..=row + self.reach {
+            let mut whole = None;
+            lattice.shifted(other, &wide, [0, 0], |found, first| {
+                if found == wide {
+                    whole = Some(first as u32 + self.reach as u32);
+                }
+            });
+            let Some(number) = whole else {
+                self.neighbours.truncate(begin);
+                return NONE;
+            };
+            self.neighbours.push(number);
+        }
+        begin as u32
+    }
+
+    fn multiply(&mut self, plane: usize, point: usize, factor: f64) {
+        let chunk = self.all.partition_point(|c| c.first as usize <= point) - 1;
+        let chunk = &mut self.all[chunk];
+        if chunk.factors == NONE {
+            chunk.factors = self.factors.len() as u32;
+            self.factors.resize(self.factors.len() + 2 * self.classes * CHUNK, 1.0);
+        }
+        self.factors[chunk.factors as usize + plane * CHUNK + point - chunk.first as usize] *= factor;
+    }
+
+    pub(super) fn all(&self) -> &[Chunk] {
+        &self.all
+    }
+
+    /// Parts of the chunks that one thread takes at a time.
+    pub(super) fn parts(&self) -> std::slice::Chunks<'_, Chunk> {
+        self.all.chunks(PART)
+    }
+
+    /// Factor of the bond of an offset whose lower point is the k-th of a chunk.
+    pub(super) fn factor(&self, chunk: &Chunk, offset: usize, k: usize) -> f64 {
+        self.factors_of(chunk, offset, 0).map_or(1.0, |factors| factors[k])
+    }
+
+    /// Factors of the bonds of an offset, upwards (0) or downwards (1) from the points of a chunk.
+    #[inline(always)]
+    pub(super) fn factors_of(&self, chunk: &Chunk, offset: usize, side: usize) -> Option<&[f64; CHUNK]> {
+        let start = chunk.factors as usize + (2 * offset + side) * CHUNK;
+        if chunk.factors == NONE { None } else { self.factors[start..].first_chunk() }
+    }
+
+    /// Numbers of the points at an offset, upwards and downwards, from the first point of an inner chunk.
+    #[inline(always)]
+    pub(super) fn neighbours(&self, chunk: &Chunk, step: Cell) -> [usize; 2] {
+        let number = |[a, b]: Cell| {
+            let row = self.neighbours[chunk.neighbours as usize + (self.reach + b) as usize];
+            (i64::from(row) + i64::from(a)) as usize
+        };
+        [number(step), number([-step[0], -step[1]])]
+    }
+
+    pub(super) fn stored_factors(&self) -> usize {
+        self.factors.len()
+    }
+}

@@ -1,0 +1,177 @@
+//! The internal force, gathered: every point collects from the bonds on both of its sides.
+//!
+//! So every chunk writes its own points only: threads share nothing, and results do not depend on their number. What
+//! vectorises: sizes and the non-zero pattern of the rows known when compiling, rows constant per offset, an inner loop
+//! over one chunk of points, component planes. A bond is evaluated from both of its ends by the same operations on the
+//! same numbers, so the two forces are equal to the last bit.
+
+use super::chunks::{CHUNK, Chunk};
+use super::{Class, GridBonds, planes};
+use crate::bonds::BondModel;
+use rayon::prelude::*;
+use std::array::from_fn;
+
+/// Forces on the points of a chunk.
+type Forces<const D: usize> = [[f64; CHUNK]; D];
+
+/// Points below which threads cost more than they bring.
+const FEW: usize = 8192;
+
+impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
+    /// Adds the internal force.
+    pub(super) fn gather(&self, u: &[f64], force: &mut [f64]) {
+        let n = self.lattice.points();
+        let u = planes::<D>(u);
+        let mut rest: [&mut [f64]; D] = split(force, n);
+        let mut parts = Vec::new();
+        for chunks in self.chunks.parts() {
+            let points = chunks.iter().map(|c| c.width as usize).sum();
+            let own: [&mut [f64]; D] = from_fn(|c| {
+                let (own, left) = std::mem::take(&mut rest[c]).split_at_mut(points);
+                rest[c] = left;
+                own
+            });
+            parts.push((chunks, own));
+        }
+        let work = |(chunks, own): (&[Chunk], [&mut [f64]; D])| {
+            pulp::Arch::new().dispatch(
+                #[inline(always)]
+                || self.gather_part(chunks, &u, own),
+            );
+        };
+        match n < FEW {
+            true => parts.into_iter().for_each(work),
+            false => parts.into_par_iter().for_each(work),
+        }
+    }
+
+    #[inline(always)]
+    fn gather_part(&self, chunks: &[Chunk], u: &[&[f64]; D], own: [&mut [f64]; D]) {
+        let mut done = 0;
+        for chunk in chunks {
+            let width = chunk.width as usize;
+            let mut forces = [[0.0; CHUNK]; D];
+            if chunk.is_inner() && chunk.is_plain() && width == CHUNK {
+                self.inner(chunk, u, &mut forces);
+            } else {
+                self.ragged(chunk, u, &mut forces);
+            }
+            for c in 0..D {
+                let own = &mut own[c][done..done + width];
+                own.iter_mut().zip(&forces[c]).for_each(|(f, part)| *f += part);
+            }
+            done += width;
+        }
+    }
+
+    /// A full chunk whose points have all bonds, with factor one.
+    #[inline(always)]
+    fn inner(&self, chunk: &Chunk, u: &[&[f64]; D], forces: &mut Forces<D>) {
+        let window = |first: usize| -> [&[f64; CHUNK]; D] {
+            from_fn(|c| u[c][first..].first_chunk().expect("neighbours of an inner chunk exist"))
+        };
+        let own = window(chunk.first as usize);
+        for class in &self.classes {
+            let [up, down] = self.chunks.neighbours(chunk, class.step);
+            let (up, down) = (window(up), window(down));
+            for k in 0..CHUNK {
+                for m in 0..M {
+                    let (mut above, mut below) = (0.0, 0.0);
+                    for c in 0..D {
+                        if B::DIFFERENCE[m][c] {
+                            above += class.difference[m][c] * (up[c][k] - own[c][k]);
+                            below += class.difference[m][c] * (own[c][k] - down[c][k]);
+                        }
+                        if B::MEAN[m][c] {
+                            above += class.half_mean[m][c] * (own[c][k] + up[c][k]);
+                            below += class.half_mean[m][c] * (down[c][k] + own[c][k]);
+                        }
+                    }
+                    above *= class.modulus[m];
+                    below *= class.modulus[m];
+                    for c in 0..D {
+                        if B::DIFFERENCE[m][c] {
+                            forces[c][k] += class.difference[m][c] * (below - above);
+                        }
+                        if B::MEAN[m][c] {
+                            forces[c][k] += class.half_mean[m][c] * (below + above);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Any chunk: stretch by stretch of existing neighbours, above and below.
+    #[inline(always)]
+    fn ragged(&self, chunk: &Chunk, u: &[&[f64]; D], forces: &mut Forces<D>) {
+        for (index, class) in self.classes.iter().enumerate() {
+            let [a, b] = class.step;
+            for (side, step) in [(0, [a, b]), (1, [-a, -b])] {
+                let factors = self.chunks.factors_of(chunk, index, side);
+                self.lattice.shifted(chunk.row, &chunk.columns(), step, |columns, other| {
+                    let k = (columns.start - chunk.from) as usize;
+                    let (own, width) = (chunk.first as usize + k, columns.len());
+                    let own: [&[f64]; D] = from_fn(|c| &u[c][own..own + width]);
+                    let other: [&[f64]; D] = from_fn(|c| &u[c][other..other + width]);
+                    let factors = factors.map(|f| &f[k..k + width]);
+                    if side == 0 {
+                        one_side::<D, M, B, false>(class, [&own, &other], factors, k, forces);
+                    } else {
+                        one_side::<D, M, B, true>(class, [&other, &own], factors, k, forces);
+                    }
+                });
+            }
+        }
+    }
+}
+
+/// Forces of a stretch of bonds, given by their lower and upper points, on the lower or on the `UPPER` ones, the k-th and
+/// following points of a chunk.
+#[inline(always)]
+fn one_side<const D: usize, const M: usize, B: BondModel<D, M>, const UPPER: bool>(
+    class: &Class<D, M>,
+    [lower, upper]: [&[&[f64]; D]; 2],
+    factors: Option<&[f64]>,
+    k: usize,
+    forces: &mut Forces<D>,
+) {
+    for m in 0..M {
+        let mut sigma = [0.0; CHUNK];
+        let sigma = &mut sigma[..lower[0].len()];
+        for c in 0..D {
+            let (lower, upper) = (lower[c], upper[c]);
+            if B::DIFFERENCE[m][c] {
+                let row = class.difference[m][c];
+                let pairs = sigma.iter_mut().zip(lower.iter().zip(upper));
+                pairs.for_each(|(s, (lower, upper))| *s += row * (upper - lower));
+            }
+            if B::MEAN[m][c] {
+                let row = class.half_mean[m][c];
+                let pairs = sigma.iter_mut().zip(lower.iter().zip(upper));
+                pairs.for_each(|(s, (lower, upper))| *s += row * (lower + upper));
+            }
+        }
+        sigma.iter_mut().for_each(|s| *s *= class.modulus[m]);
+        if let Some(factors) = factors {
+            sigma.iter_mut().zip(factors).for_each(|(s, f)| *s *= f);
+        }
+        for c in 0..D {
+            let forces = &mut forces[c][k..k + sigma.len()];
+            if B::DIFFERENCE[m][c] {
+                let row = if UPPER { class.difference[m][c] } else { -class.difference[m][c] };
+                forces.iter_mut().zip(sigma.iter()).for_each(|(f, s)| *f += row * s);
+            }
+            if B::MEAN[m][c] {
+                let row = class.half_mean[m][c];
+                forces.iter_mut().zip(sigma.iter()).for_each(|(f, s)| *f += row * s);
+            }
+        }
+    }
+}
+
+/// The planes of a vector to be written.
+fn split<const D: usize>(vector: &mut [f64], n: usize) -> [&mut [f64]; D] {
+    let mut planes = vector.chunks_exact_mut(n.max(1));
+    from_fn(|_| planes.next().unwrap_or_default())
+}

@@ -1,0 +1,190 @@
+//! Bonds of a square lattice by offset: nothing is stored per bond. One type for every plane lattice and every bond model.
+
+mod assemble;
+mod chunks;
+mod gather;
+mod survey;
+
+pub use chunks::Exception;
+
+use super::{BlockMatrix, Parts, Survey, Term};
+use crate::body::{Cell, SquareLattice};
+use crate::bonds::{BondGeometry, BondModel, Mat};
+use chunks::Chunks;
+use std::array::from_fn;
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+/// The bonds of one offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Offset {
+    /// From the lower point of a bond to the other, cells: up, or to the right in the same row.
+    pub step: Cell,
+    /// Multiplies the moduli of the bonds, >= 0.
+    pub weight: f64,
+}
+
+/// Rows and moduli of the bonds of one offset.
+#[derive(Clone, Debug)]
+struct Class<const D: usize, const M: usize> {
+    step: Cell,
+    difference: Mat<M, D>,
+    /// Half of the rows for the mean displacement.
+    half_mean: Mat<M, D>,
+    modulus: [f64; M],
+}
+
+/// Energy of the bonds of a square lattice, `E = Σ ½ f s·diag(moduli)·s`, the factor f of a bond one but for exceptions.
+#[derive(Clone, Debug)]
+pub struct GridBonds<const D: usize, const M: usize, B> {
+    lattice: Arc<SquareLattice>,
+    classes: Vec<Class<D, M>>,
+    chunks: Chunks,
+    bonds: usize,
+    model: PhantomData<B>,
+}
+
+impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
+    /// Bonds of `model` between all points of the lattice at the offsets; factors of several exceptions on one bond
+    /// multiply.
+    ///
+    /// # Panics
+    /// An offset does not go up, nor to the right in its row.
+    pub fn new(lattice: Arc<SquareLattice>, model: &B, offsets: &[Offset], exceptions: &[Exception]) -> Self {
+        let h = lattice.spacing();
+        let class = |offset: &Offset| {
+            let [a, b] = offset.step;
+            assert!(b > 0 || (b == 0 && a > 0), "an offset goes up, or to the right in its row");
+            let bond = BondGeometry { xi: [h * f64::from(a), h * f64::from(b), 0.0] };
+            let rows = model.rows(&bond);
+            Class {
+                step: offset.step,
+                difference: rows.difference,
+                half_mean: rows.mean.map(|row| row.map(|v| 0.5 * v)),
+                modulus: model.moduli(&bond).map(|c| offset.weight * c),
+            }
+        };
+        let classes: Vec<Class<D, M>> = offsets.iter().map(class).collect();
+        let steps: Vec<Cell> = offsets.iter().map(|o| o.step).collect();
+        let chunks = Chunks::new(&lattice, &steps, exceptions);
+        let mut bonds = Self { lattice, classes, chunks, bonds: 0, model: PhantomData };
+        bonds.bonds = bonds.count();
+        bonds
+    }
+
+    /// The lattice.
+    pub fn lattice(&self) -> &Arc<SquareLattice> {
+        &self.lattice
+    }
+
+    /// Calls `visit` with every bond: index of its offset, its points, its factor, which is not zero.
+    pub fn for_each_bond(&self, mut visit: impl FnMut(usize, [usize; 2], f64)) {
+        for chunk in self.chunks.all() {
+            for (index, class) in self.classes.iter().enumerate() {
+                self.lattice.shifted(chunk.row, &chunk.columns(), class.step, |columns, other| {
+                    let k = (columns.start - chunk.from) as usize;
+                    for (step, other) in (0..columns.len()).zip(other..) {
+                        let factor = self.chunks.factor(chunk, index, k + step);
+                        if factor != 0.0 {
+                            visit(index, [chunk.first as usize + k + step, other], factor);
+                        }
+                    }
+                });
+            }
+        }
+    }
+
+    fn count(&self) -> usize {
+        let mut count = 0;
+        for chunk in self.chunks.all() {
+            for (index, class) in self.classes.iter().enumerate() {
+                self.lattice.shifted(chunk.row, &chunk.columns(), class.step, |columns, _| {
+                    let k = (columns.start - chunk.from) as usize;
+                    count += match chunk.is_plain() {
+                        true => columns.len(),
+                        false => {
+                            let present = |k: &usize| self.chunks.factor(chunk, index, *k) != 0.0;
+                            (k..k + columns.len()).filter(present).count()
+                        }
+                    };
+                });
+            }
+        }
+        count
+    }
+}
+
+impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D, M, B> {
+    fn couplings(&self, visit: &mut dyn FnMut(usize, usize)) {
+        self.for_each_bond(|_, [i, j], _| visit(i, j));
+    }
+
+    fn reach(&self) -> usize {
+        let mut reach = 0;
+        for run in self.lattice.runs() {
+            for class in &self.classes {
+                self.lattice.shifted(run.row, &run.columns, class.step, |columns, other| {
+                    reach = reach.max(other - run.number(columns.start));
+                });
+            }
+        }
+        reach
+    }
+
+    fn join(&self, parts: &mut Parts) {
+        let plain: Vec<usize> = [[1, 0], [0, 1]]
+            .iter()
+            .filter_map(|step| self.classes.iter().position(|c| c.step == *step && c.modulus != [0.0; M]))
+            .collect();
+        for chunk in self.chunks.all() {
+            // Inside a body the bonds to the next points already join all that longer ones would.
+            let (all, inner) = (0..self.classes.len(), plain.len() == 2 && chunk.is_plain());
+            let joined: Vec<usize> = if inner && chunk.is_inner() { plain.clone() } else { all.collect() };
+            for index in joined {
+                let step = self.classes[index].step;
+                self.lattice.shifted(chunk.row, &chunk.columns(), step, |columns, other| {
+                    let k = (columns.start - chunk.from) as usize;
+                    let first = chunk.first as usize + k;
+                    if chunk.is_plain() && step == [1, 0] {
+                        parts.join_run(first..=first + columns.len());
+                    } else if chunk.is_plain() && step == [0, 1] && chunk.is_inner() {
+                        parts.join(first, other);
+                    } else {
+                        let present = (0..columns.len())
+                            .filter(|&step| self.chunks.factor(chunk, index, k + step) != 0.0);
+                        present.for_each(|step| parts.join(first + step, other + step));
+                    }
+                });
+            }
+        }
+    }
+
+    fn add_force(&self, u: &[f64], force: &mut [f64]) {
+        self.gather(u, force);
+    }
+
+    fn survey(&self, u: &[f64]) -> Survey<D> {
+        self.survey_chunks(u)
+    }
+
+    fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
+        self.assemble(tangent);
+    }
+
+    fn elements(&self) -> usize {
+        self.bonds
+    }
+
+    fn stored_factors(&self) -> usize {
+        self.chunks.stored_factors()
+    }
+}
+
+/// The planes of a vector of unknowns.
+fn planes<const D: usize>(u: &[f64]) -> [&[f64]; D] {
+    let n = u.len() / D;
+    from_fn(|c| &u[c * n..][..n])
+}
+
+#[cfg(test)]
+mod tests;
