@@ -1,0 +1,150 @@
+//! Interpolation between a lattice and the next coarser one.
+//!
+//! The centre of a fine cell lies a quarter of the coarse spacing from that of its parent in both directions; bilinear
+//! interpolation from the four nearest coarse cells has the weights 9, 3, 3, 1 over 16. Where some of them do not exist,
+//! or a crack hides them, the others share the weight, so that constants stay constants. The restriction is the transpose.
+
+mod build;
+
+use super::lattice::{Cell, SquareLattice};
+use build::{candidates, coarse_side, fine_side};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Points below which threads cost more than they bring.
+const FEW: usize = 8192;
+/// Runs that one thread takes at a time.
+const PART: usize = 16;
+
+/// Interpolation from the points of a coarse lattice to those of a fine one.
+#[derive(Clone, Debug)]
+pub struct Transfer {
+    fine: Side,
+    coarse: Side,
+}
+
+/// What one lattice gets from the other.
+#[derive(Clone, Debug)]
+struct Side {
+    points: usize,
+    runs: Vec<Share>,
+    stretches: Vec<Stretch>,
+    /// Points with weights of their own, in order, and the ends of their entries.
+    special: Vec<(u32, u32)>,
+    entries: Vec<(u32, f64)>,
+}
+
+/// What belongs to one run of points.
+#[derive(Clone, Debug)]
+struct Share {
+    points: Range<usize>,
+    stretches: Range<usize>,
+}
+
+/// Neighbouring cells with the ordinary weights. Of the fine lattice: pairs of cells with one parent, from `first`, with
+/// the numbers of the parent of the first pair and of the coarse cell beside it in the other row. Of the coarse lattice:
+/// cells from `first`, with the numbers of the first of the two middle cells in the four fine rows.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    first: u32,
+    cells: u32,
+    others: [u32; 4],
+}
+
+impl Transfer {
+    /// Interpolation to `fine` from `coarse`, its coarser lattice. For the fine points that are `near_crack`, coarse
+    /// cells that are not `visible` from them (positions, m) take no part unless none is.
+    pub fn new(
+        fine: &SquareLattice,
+        coarse: &SquareLattice,
+        near_crack: &dyn Fn(usize) -> bool,
+        visible: &dyn Fn([f64; 2], [f64; 2]) -> bool,
+    ) -> Self {
+        let weights = |point: usize, cell: Cell| -> Vec<(u32, f64)> {
+            let known =
+                candidates(cell).into_iter().filter_map(|(c, w)| Some((coarse.number(c)? as u32, c, w)));
+            let all: Vec<(u32, Cell, f64)> = known.collect();
+            let seen = |c: &(u32, Cell, f64)| visible(fine.centre(cell), coarse.centre(c.1));
+            let near = near_crack(point);
+            let mut kept: Vec<&(u32, Cell, f64)> = all.iter().filter(|c| !near || seen(c)).collect();
+            if kept.is_empty() {
+                kept = all.iter().collect();
+            }
+            let sum: f64 = kept.iter().map(|c| c.2).sum();
+            kept.iter().map(|c| (c.0, c.2 / sum)).collect()
+        };
+        let fine_side = fine_side(fine, coarse, near_crack, &weights);
+        let mut ordinary = vec![true; fine.points()];
+        fine_side.special.iter().for_each(|s| ordinary[s.0 as usize] = false);
+        let coarse_side = coarse_side(fine, coarse, &ordinary, &weights);
+        Self { fine: fine_side, coarse: coarse_side }
+    }
+
+    /// Adds to one value per fine point what is interpolated from one per coarse point.
+    pub fn prolong_add(&self, coarse: &[f64], fine: &mut [f64]) {
+        self.fine.each(fine, |first, own, stretch| {
+            let row = |k: usize| &coarse[stretch.others[k] as usize - 1..][..stretch.cells as usize + 2];
+            let (near, far) = (row(0), row(1));
+            let own = &mut own[stretch.first as usize - first..][..2 * stretch.cells as usize];
+            for (k, pair) in own.chunks_exact_mut(2).enumerate() {
+                let at = |k: usize| 0.75 * near[k] + 0.25 * far[k];
+                let middle = 0.75 * at(k + 1);
+                pair[0] += middle + 0.25 * at(k);
+                pair[1] += middle + 0.25 * at(k + 2);
+            }
+        });
+        self.fine.add_special(coarse, fine);
+    }
+
+    /// Overwrites one value per coarse point with what the transpose collects from one per fine point.
+    pub fn restrict(&self, fine: &[f64], coarse: &mut [f64]) {
+        coarse.fill(0.0);
+        self.coarse.each(coarse, |first, own, stretch| {
+            let own = &mut own[stretch.first as usize - first..][..stretch.cells as usize];
+            for (row, weight) in [0.25, 0.75, 0.75, 0.25].into_iter().enumerate() {
+                let row = &fine[stretch.others[row] as usize - 1..][..2 * stretch.cells as usize + 2];
+                for (k, sum) in own.iter_mut().enumerate() {
+                    let f = &row[2 * k..2 * k + 4];
+                    *sum += weight * (0.25 * (f[0] + f[3]) + 0.75 * (f[1] + f[2]));
+                }
+            }
+        });
+        self.coarse.add_special(fine, coarse);
+    }
+}
+
+impl Side {
+    /// Calls `work` with the first point and the values of a part of the points, and with every stretch in it.
+    fn each(&self, values: &mut [f64], work: impl Fn(usize, &mut [f64], &Stretch) + Sync) {
+        let mut rest = &mut values[..self.points];
+        let mut parts = Vec::new();
+        for runs in self.runs.chunks(PART) {
+            let count = runs.iter().map(|r| r.points.len()).sum();
+            let (own, left) = std::mem::take(&mut rest).split_at_mut(count);
+            rest = left;
+            parts.push((runs, own));
+        }
+        let part = |(runs, own): (&[Share], &mut [f64])| {
+            let first = runs[0].points.start;
+            let stretches = runs.iter().flat_map(|run| &self.stretches[run.stretches.clone()]);
+            stretches.for_each(|stretch| work(first, own, stretch));
+        };
+        match self.points < FEW {
+            true => parts.into_iter().for_each(part),
+            false => parts.into_par_iter().for_each(part),
+        }
+    }
+
+    /// Adds what the points with weights of their own take.
+    fn add_special(&self, from: &[f64], to: &mut [f64]) {
+        let mut begin = 0;
+        for &(point, end) in &self.special {
+            let entries = &self.entries[begin as usize..end as usize];
+            to[point as usize] += entries.iter().map(|&(p, w)| w * from[p as usize]).sum::<f64>();
+            begin = end;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
