@@ -13,7 +13,8 @@
 //! * [`choose`] says whether a band or a sparse factor suits a matrix, and why;
 //! * [`Pcg`] finishes a direct solve whose matrix was rounded: the factor is the
 //!   preconditioner and a [`LinearOperator`] that evaluates the products more
-//!   accurately than the assembled matrix could is the truth.
+//!   accurately than the assembled matrix could is the truth;
+//! * a [`Hierarchy`] is the levels of a multigrid cycle.
 //!
 //! All results are the same on every machine: sums have a fixed order and no
 //! multiplication is fused with an addition.
@@ -21,6 +22,8 @@
 mod band;
 mod choice;
 mod error;
+mod hierarchy;
+mod multigrid;
 mod operator;
 mod pcg;
 mod repeating;
@@ -31,6 +34,8 @@ mod vector;
 pub use band::{BandCholesky, BandMatrix};
 pub use choice::{Method, Profile, choose};
 pub use error::FactorError;
+pub use hierarchy::{Hierarchy, Relaxation};
+pub use multigrid::{Multigrid, MultigridOptions};
 pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
 pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};

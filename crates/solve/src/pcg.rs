@@ -17,7 +17,7 @@
 mod report;
 
 use crate::sums::dot;
-use crate::vector::vectorised;
+use crate::vector::{add, advance, subtract};
 use crate::{LinearOperator, Preconditioner};
 use report::Watch;
 pub use report::{PcgOptions, PcgReport, PcgStatus};
@@ -70,7 +70,7 @@ impl Pcg {
         }
         m.apply(residual, &mut self.direction);
         let mut rz = dot(residual, &self.direction);
-        if let Some(status) = watch.start(rz) {
+        if let Some(status) = watch.start(rz, || dot(residual, residual)) {
             return watch.report(status);
         }
         loop {
@@ -81,7 +81,7 @@ impl Pcg {
             }
             let step = rz / curvature;
             subtract(residual, step, &self.image);
-            let next = watch.foretell().unwrap_or_else(|| {
+            let next = watch.foretell(|| dot(residual, residual)).unwrap_or_else(|| {
                 m.apply(residual, &mut self.image);
                 dot(residual, &self.image)
             });
@@ -93,36 +93,6 @@ impl Pcg {
             rz = next;
         }
     }
-}
-
-/// `y -= a x`
-fn subtract(y: &mut [f64], a: f64, x: &[f64]) {
-    add(y, -a, x);
-}
-
-/// `y += a x`
-fn add(y: &mut [f64], a: f64, x: &[f64]) {
-    vectorised(
-        #[inline(always)]
-        || {
-            for (y, x) in y.iter_mut().zip(x) {
-                *y += a * x;
-            }
-        },
-    );
-}
-
-/// `x += step p` and `p = z + beta p`, in one pass over `p`.
-fn advance(x: &mut [f64], step: f64, p: &mut [f64], beta: f64, z: &[f64]) {
-    vectorised(
-        #[inline(always)]
-        || {
-            for ((x, p), z) in x.iter_mut().zip(p.iter_mut()).zip(z) {
-                *x += step * *p;
-                *p = z + beta * *p;
-            }
-        },
-    );
 }
 
 #[cfg(test)]

@@ -3,9 +3,10 @@
 //! A plain loop over a million terms loses three digits in the worst case. Here
 //! blocks of [`BLOCK`] terms are summed in eight interleaved lanes and the block
 //! sums are added pairwise, so that the error grows with the logarithm of the
-//! length. The order is fixed: the same input gives the same bits everywhere.
+//! length. The order is fixed: the same input gives the same bits everywhere, on any number of threads, because
+//! threads take whole branches of the same tree.
 
-use crate::vector::vectorised;
+use crate::vector::{SEGMENT, vectorised, worth_threads};
 
 /// Terms per block; long enough to hide the recursion, short enough for the bound.
 const BLOCK: usize = 256;
@@ -14,6 +15,20 @@ const LANES: usize = 8;
 /// `x . y` for two vectors of one length.
 pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
     assert_eq!(x.len(), y.len(), "vectors of one length");
+    if worth_threads(x.len()) { branches(x, y) } else { serial(x, y) }
+}
+
+/// The branches of the tree down to the length of a segment, side by side.
+fn branches(x: &[f64], y: &[f64]) -> f64 {
+    if x.len() <= SEGMENT {
+        return serial(x, y);
+    }
+    let cut = middle(0, x.len());
+    let (left, right) = rayon::join(|| branches(&x[..cut], &y[..cut]), || branches(&x[cut..], &y[cut..]));
+    left + right
+}
+
+fn serial(x: &[f64], y: &[f64]) -> f64 {
     vectorised(
         #[inline(always)]
         || pairwise(x.len(), &|from, to| block(&x[from..to], &y[from..to])),
@@ -66,6 +81,16 @@ mod tests {
             let ones = vec![1.0; length];
             let expected = (length * length.saturating_sub(1) / 2) as f64; // Gauss
             assert_eq!(dot(&x, &ones), expected);
+        }
+    }
+
+    #[test]
+    fn threads_take_branches_of_the_same_tree() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build().unwrap();
+        for length in [2 * SEGMENT + 1, 100_000, 1_000_000, 1_234_567] {
+            let x: Vec<f64> = (0..length).map(|i| (i as f64).sin()).collect();
+            let y: Vec<f64> = (0..length).map(|i| (i as f64 * 0.7).cos()).collect();
+            assert_eq!(pool.install(|| dot(&x, &y)).to_bits(), serial(&x, &y).to_bits());
         }
     }
 

@@ -6,6 +6,9 @@
 pub(super) const SETTLED: f64 = 1.0e-24;
 /// Iterations without a new smallest `r . z` after which a settled iteration ends.
 const SETTLED_WINDOW: usize = 5;
+/// A fall of `r . z` in one step that only a factor makes, and the next one will be as steep. Falls with other
+/// preconditioners go up and down by several times.
+const STEEP: f64 = 1.0e-3;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,11 +26,15 @@ pub struct PcgOptions {
     /// first value for dozens of steps before it falls to rounding level, so the
     /// window must not be short.
     pub stagnation_window: usize,
+    /// Stop, too, when the 2-norm of the residual has fallen to this fraction of its first value. 0 does not look at it,
+    /// and spares one pass over the residual per step. A preconditioner that is no factor need not be applied to the
+    /// last residual then.
+    pub residual_drop: f64,
 }
 
 impl Default for PcgOptions {
     fn default() -> Self {
-        Self { max_iterations: 200, energy_drop: 1.0e-32, stagnation_window: 60 }
+        Self { max_iterations: 200, energy_drop: 1.0e-32, stagnation_window: 60, residual_drop: 0.0 }
     }
 }
 
@@ -57,6 +64,9 @@ pub struct PcgReport {
     /// The last `r . z` over the first, foretold for the last step where that ended the iteration; 0 for a zero
     /// right-hand side.
     pub energy_ratio: f64,
+    /// The 2-norm of the last residual over that of the first, if `residual_drop` asks for it; 0 for a zero right-hand
+    /// side.
+    pub residual_ratio: Option<f64>,
     /// Energy norm of all steps after the first relative to that of the solution:
     /// how wrong the answer of the preconditioner alone was, up to its length.
     pub first_correction: f64,
@@ -73,6 +83,9 @@ pub(super) struct Watch<'a> {
     since_smallest: usize,
     first_energy: f64,
     later_energy: f64,
+    /// Squared 2-norms of the residual, if asked for.
+    first_square: f64,
+    last_square: f64,
 }
 
 impl<'a> Watch<'a> {
@@ -87,11 +100,17 @@ impl<'a> Watch<'a> {
             since_smallest: 0,
             first_energy: 0.0,
             later_energy: 0.0,
+            first_square: 0.0,
+            last_square: 0.0,
         }
     }
 
-    /// The first `r . z`, of a right-hand side that is not zero.
-    pub(super) fn start(&mut self, rz: f64) -> Option<PcgStatus> {
+    /// The first `r . z`, of a right-hand side that is not zero, and its `r . r`, which is evaluated if it is needed.
+    pub(super) fn start(&mut self, rz: f64, square: impl FnOnce() -> f64) -> Option<PcgStatus> {
+        if self.options.residual_drop > 0.0 {
+            self.first_square = square();
+            self.last_square = self.first_square;
+        }
         (self.first, self.last, self.smallest) = (rz, rz, rz);
         self.previous = 0.0;
         if !rz.is_finite() {
@@ -118,12 +137,26 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// The `r . z` after the next step, if the last fall, repeated, ends the iteration. Falls get steeper with a factor
-    /// as preconditioner, so this is no promise that is broken; and it spares the application of `M^-1` whose only use
-    /// would be to see it kept.
-    pub(super) fn foretell(&self) -> Option<f64> {
-        let next = self.last * (self.last / self.previous);
-        (self.last < self.previous && next <= self.options.energy_drop * self.scale()).then_some(next)
+    /// The `r . z` after the next step where `M^-1` need not be applied to know that the iteration ends there: the
+    /// residual, whose square is evaluated if it is needed, is small enough, or the last fall was that of a factor and
+    /// ends the iteration when repeated. Falls get steeper with a factor, so this is no promise that is broken.
+    pub(super) fn foretell(&mut self, square: impl FnOnce() -> f64) -> Option<f64> {
+        if self.options.residual_drop > 0.0 {
+            let before = self.last_square;
+            self.last_square = square();
+            if self.residual_gone() {
+                return Some(self.last * (self.last_square / before));
+            }
+        }
+        let fall = self.last / self.previous;
+        let next = self.last * fall;
+        (fall < STEEP && next <= self.options.energy_drop * self.scale()).then_some(next)
+    }
+
+    /// Whether the residual has fallen as far as asked.
+    fn residual_gone(&self) -> bool {
+        let drop = self.options.residual_drop;
+        drop > 0.0 && self.last_square.is_finite() && self.last_square <= drop * drop * self.first_square
     }
 
     /// A step of length `step` was taken and `r . z` went from `rz` to `next`.
@@ -139,7 +172,7 @@ impl<'a> Watch<'a> {
         if !next.is_finite() || !energy.is_finite() {
             return Some(PcgStatus::NotFinite);
         }
-        if next.abs() <= self.options.energy_drop * self.scale() {
+        if next.abs() <= self.options.energy_drop * self.scale() || self.residual_gone() {
             return Some(PcgStatus::Converged);
         }
         if next < self.smallest {
@@ -174,6 +207,11 @@ impl<'a> Watch<'a> {
         self.first.max(self.first_energy + self.later_energy)
     }
 
+    fn residual_ratio(&self) -> Option<f64> {
+        let ratio = if self.first_square == 0.0 { 0.0 } else { (self.last_square / self.first_square).sqrt() };
+        (self.options.residual_drop > 0.0).then_some(ratio)
+    }
+
     pub(super) fn report(&self, status: PcgStatus) -> PcgReport {
         let all = self.first_energy + self.later_energy;
         let share = if all > 0.0 { self.later_energy.max(0.0) / all } else { 0.0 };
@@ -181,6 +219,7 @@ impl<'a> Watch<'a> {
             status,
             iterations: self.iterations,
             energy_ratio: if self.first == 0.0 { 0.0 } else { self.last / self.first },
+            residual_ratio: self.residual_ratio(),
             first_correction: share.sqrt(),
         }
     }
@@ -193,7 +232,7 @@ mod tests {
     /// Status and iterations after `r . z` has gone through these values.
     fn follow(values: &[f64], options: &PcgOptions) -> (Option<PcgStatus>, usize) {
         let mut watch = Watch::new(options);
-        assert_eq!(watch.start(values[0]), None);
+        assert_eq!(watch.start(values[0], || 1.0), None);
         for pair in values.windows(2) {
             if let Some(status) = watch.step(1.0, pair[0], pair[1]) {
                 return (Some(status), watch.iterations);
@@ -233,7 +272,7 @@ mod tests {
     fn the_first_correction_is_an_energy_norm() {
         let options = PcgOptions::default();
         let mut watch = Watch::new(&options);
-        watch.start(4.0);
+        watch.start(4.0, || 1.0);
         watch.step(1.0, 4.0, 1.0); // energy 4
         watch.step(0.5, 1.0, 0.5); // energy 1/2
         watch.step(1.0, 0.5, 0.0); // energy 1/2
