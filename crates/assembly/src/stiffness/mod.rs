@@ -16,4 +16,4 @@ pub use grid_bonds::{Exception, GridBonds, Offset};
 pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};
 pub use parts::{NumberedParts, Parts};
 pub use springs::{Spring, Springs};
-pub use term::{Share, Survey, Term};
+pub use term::{Share, Survey, TakeForces, Term};

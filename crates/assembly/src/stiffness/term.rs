@@ -24,6 +24,10 @@ impl<const D: usize> Survey<D> {
     }
 }
 
+/// Takes the forces on a few consecutive points: the number of the first, the forces and the part of a vector to be
+/// written that belongs to these points, both by component.
+pub type TakeForces<'a, const D: usize> = &'a (dyn Fn(usize, [&[f64]; D], [&mut [f64]; D]) + Sync);
+
 /// An unknown in a sum: component, point, coefficient.
 pub type Share = (usize, usize, f64);
 
@@ -53,6 +57,12 @@ pub trait Term<const D: usize>: Send + Sync {
     /// Adds the internal force `Σ B_eᵀ C_e (B_e u)`, element by element. For a linear term this is also the product
     /// of its tangent with `u`.
     fn add_force(&self, u: &[f64], force: &mut [f64]);
+
+    /// Hands the internal force to `take`, stretch by stretch over all points, each with its part of `out`: what is made
+    /// of the forces is then written while they are at hand. `false` if the term does not go from point to point.
+    fn sweep(&self, _u: &[f64], _out: &mut [f64], _take: TakeForces<'_, D>) -> bool {
+        false
+    }
 
     /// Energy and largest end action of the elements.
     fn survey(&self, u: &[f64]) -> Survey<D>;

@@ -8,7 +8,7 @@ pub use mobility::{FreeMotion, PartMotion, free_motions};
 
 use crate::condition::{Constraints, Contradiction, Equation};
 use crate::model::Model;
-use crate::stiffness::{BlockMatrix, Survey, Term};
+use crate::stiffness::{BlockMatrix, Survey, TakeForces, Term};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -92,8 +92,15 @@ impl<const D: usize> System<D> {
 
     /// Overwrites `force` with the internal force `Σ BᵀCB u`.
     pub fn force(&self, u: &[f64], force: &mut [f64]) {
-        force.fill(0.0);
-        self.terms.iter().for_each(|t| t.add_force(u, force));
+        let set: TakeForces<'_, D> = &|_, forces, own| {
+            own.into_iter().zip(forces).for_each(|(own, forces)| own.copy_from_slice(forces));
+        };
+        let (first, others) = self.terms.split_first().expect("a model has a term");
+        if !first.sweep(u, force, set) {
+            force.fill(0.0);
+            first.add_force(u, force);
+        }
+        others.iter().for_each(|t| t.add_force(u, force));
         self.count();
     }
 

@@ -8,6 +8,7 @@
 use super::chunks::{CHUNK, Chunk};
 use super::{Class, GridBonds, planes};
 use crate::bonds::BondModel;
+use crate::stiffness::TakeForces;
 use rayon::prelude::*;
 use std::array::from_fn;
 
@@ -18,26 +19,28 @@ type Forces<const D: usize> = [[f64; CHUNK]; D];
 const FEW: usize = 8192;
 
 impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
-    /// Adds the internal force.
-    pub(super) fn gather(&self, u: &[f64], force: &mut [f64]) {
+    /// Hands the internal forces on every chunk to `take`, with the number of its first point and its part of the planes
+    /// of `out`.
+    pub(super) fn gather(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, D>) {
         let n = self.lattice.points();
         let u = planes::<D>(u);
-        let mut rest: [&mut [f64]; D] = split(force, n);
+        let mut rest: [&mut [f64]; D] = split(out, n);
         let mut parts = Vec::new();
         for chunks in self.chunks.parts() {
             let points = chunks.iter().map(|c| c.width as usize).sum();
-            let own: [&mut [f64]; D] = from_fn(|c| {
-                let (own, left) = std::mem::take(&mut rest[c]).split_at_mut(points);
-                rest[c] = left;
-                own
-            });
-            parts.push((chunks, own));
+            parts.push((chunks, rest.each_mut().map(|rest| rest.split_off_mut(..points).unwrap_or_default())));
         }
-        let work = |(chunks, own): (&[Chunk], [&mut [f64]; D])| {
-            pulp::Arch::new().dispatch(
-                #[inline(always)]
-                || self.gather_part(chunks, &u, own),
-            );
+        let work = |(chunks, mut own): (&[Chunk], [&mut [f64]; D])| {
+            for chunk in chunks {
+                let mut forces = [[0.0; CHUNK]; D];
+                pulp::Arch::new().dispatch(
+                    #[inline(always)]
+                    || self.gather_chunk(chunk, &u, &mut forces),
+                );
+                let width = chunk.width as usize;
+                let own = own.each_mut().map(|own| own.split_off_mut(..width).unwrap_or_default());
+                take(chunk.first as usize, forces.each_ref().map(|f| &f[..width]), own);
+            }
         };
         match n < FEW {
             true => parts.into_iter().for_each(work),
@@ -46,21 +49,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     }
 
     #[inline(always)]
-    fn gather_part(&self, chunks: &[Chunk], u: &[&[f64]; D], own: [&mut [f64]; D]) {
-        let mut done = 0;
-        for chunk in chunks {
-            let width = chunk.width as usize;
-            let mut forces = [[0.0; CHUNK]; D];
-            if chunk.is_inner() && chunk.is_plain() && width == CHUNK {
-                self.inner(chunk, u, &mut forces);
-            } else {
-                self.ragged(chunk, u, &mut forces);
-            }
-            for c in 0..D {
-                let own = &mut own[c][done..done + width];
-                own.iter_mut().zip(&forces[c]).for_each(|(f, part)| *f += part);
-            }
-            done += width;
+    fn gather_chunk(&self, chunk: &Chunk, u: &[&[f64]; D], forces: &mut Forces<D>) {
+        if chunk.is_inner() && chunk.is_plain() && chunk.width as usize == CHUNK {
+            self.inner(chunk, u, forces);
+        } else {
+            self.ragged(chunk, u, forces);
         }
     }
 

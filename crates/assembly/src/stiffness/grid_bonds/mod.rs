@@ -7,7 +7,7 @@ mod survey;
 
 pub use chunks::Exception;
 
-use super::{BlockMatrix, Parts, Survey, Term};
+use super::{BlockMatrix, Parts, Survey, TakeForces, Term};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, BondModel, Mat};
 use chunks::Chunks;
@@ -160,7 +160,16 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
     }
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
-        self.gather(u, force);
+        self.gather(u, force, &|_, forces, own| {
+            for (own, forces) in own.into_iter().zip(forces) {
+                own.iter_mut().zip(forces).for_each(|(f, part)| *f += part);
+            }
+        });
+    }
+
+    fn sweep(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {
+        self.gather(u, out, take);
+        true
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {
