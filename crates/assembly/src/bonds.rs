@@ -51,6 +51,11 @@ pub fn block<const D: usize, const M: usize>(a: &Mat<M, D>, modulus: &[f64; M], 
     from_fn(|r| from_fn(|c| (0..M).map(|m| a[m][r] * modulus[m] * b[m][c]).sum()))
 }
 
+/// Adds a matrix to another.
+pub fn add<const R: usize, const C: usize>(sum: &mut Mat<R, C>, part: &Mat<R, C>) {
+    sum.iter_mut().flatten().zip(part.iter().flatten()).for_each(|(s, p)| *s += p);
+}
+
 /// Measures and moduli of one bond: the whole of a simple linear bond model.
 ///
 /// The energy of a bond is `½ α s·diag(moduli)·s` with `s` as in [`Rows`] and the weight α that the discretisation

@@ -1,7 +1,7 @@
 //! Bonds that share nothing: graded grids, varying sections.
 
 use super::{BlockMatrix, Survey, Term};
-use crate::bonds::{Rows, block};
+use crate::bonds::{Mat, Rows, add, block};
 use std::array::from_fn;
 
 /// A bond with its own measures and moduli.
@@ -28,9 +28,9 @@ impl<const D: usize, const M: usize> Bond<D, M> {
         self.points.map(|p| p as usize)
     }
 
-    /// Measures and conjugate forces.
+    /// Measures and conjugate forces in a body of `points` points.
     #[inline(always)]
-    fn response(&self, points: usize, u: &[f64]) -> ([f64; M], [f64; M]) {
+    pub fn response(&self, points: usize, u: &[f64]) -> ([f64; M], [f64; M]) {
         let [i, j] = self.ends();
         let difference: [f64; D] = from_fn(|c| u[c * points + j] - u[c * points + i]);
         let mean: [f64; D] = from_fn(|c| 0.5 * (u[c * points + i] + u[c * points + j]));
@@ -47,6 +47,11 @@ impl<const D: usize, const M: usize> Bonds<D, M> {
     /// The bonds of a body of `points` points; bonds of no modulus are left out.
     pub fn new(points: usize, bonds: impl Iterator<Item = Bond<D, M>>) -> Self {
         Self { points, bonds: bonds.filter(|b| b.moduli.iter().any(|c| *c != 0.0)).collect() }
+    }
+
+    /// All of them.
+    pub fn list(&self) -> &[Bond<D, M>] {
+        &self.bonds
     }
 }
 
@@ -91,6 +96,15 @@ impl<const D: usize, const M: usize> Term<D> for Bonds<D, M> {
             tangent.add(i, i, &block(&first, &bond.moduli, &first));
             tangent.add(i, j, &block(&first, &bond.moduli, &second));
             tangent.add(j, j, &block(&second, &bond.moduli, &second));
+        }
+    }
+
+    fn add_diagonal(&self, blocks: &mut [Mat<D, D>]) {
+        for bond in &self.bonds {
+            let [i, j] = bond.ends();
+            let (first, second) = (bond.rows.first(), bond.rows.second());
+            add(&mut blocks[i], &block(&first, &bond.moduli, &first));
+            add(&mut blocks[j], &block(&second, &bond.moduli, &second));
         }
     }
 

@@ -2,7 +2,7 @@
 //! triangle.
 
 use super::{BlockMatrix, Survey, Term};
-use crate::bonds::Mat;
+use crate::bonds::{Mat, add};
 use std::array::from_fn;
 
 /// A point, `E` others, and the measures `s = Σ_e rows[e]·(u_others[e] − u_point)` that they make together.
@@ -53,6 +53,24 @@ impl<const D: usize, const M: usize, const E: usize> Family<D, M, E> {
         from_fn(|e| from_fn(|c| (0..M).map(|m| self.rows[e][m][c] * sigma[m]).sum()))
     }
 
+    /// Adds the forces that do work with the measures as `sigma` does, in a body of `points` points.
+    pub fn add_work(&self, points: usize, sigma: &[f64; M], force: &mut [f64]) {
+        let actions = self.actions(sigma);
+        for (&other, action) in self.others.iter().zip(&actions) {
+            for c in 0..D {
+                force[c * points + other as usize] += action[c];
+                force[c * points + self.point as usize] -= action[c];
+            }
+        }
+    }
+
+    /// The block of two of its members.
+    fn block(&self, a: &Mat<M, D>, b: &Mat<M, D>) -> Mat<D, D> {
+        let conjugate: Mat<M, D> =
+            from_fn(|m| from_fn(|c| (0..M).map(|k| self.modulus[m][k] * b[k][c]).sum()));
+        from_fn(|r| from_fn(|c| (0..M).map(|m| a[m][r] * conjugate[m][c]).sum()))
+    }
+
     /// Points and the rows that multiply their unknowns, the point itself first.
     fn members(&self) -> impl Iterator<Item = (usize, Mat<M, D>)> + '_ {
         let own = from_fn(|m| from_fn(|c| -self.rows.iter().map(|rows| rows[m][c]).sum::<f64>()));
@@ -65,6 +83,11 @@ impl<const D: usize, const M: usize, const E: usize> Families<D, M, E> {
     /// The families of a body of `points` points.
     pub fn new(points: usize, families: Vec<Family<D, M, E>>) -> Self {
         Self { points, families }
+    }
+
+    /// All of them.
+    pub fn list(&self) -> &[Family<D, M, E>] {
+        &self.families
     }
 }
 
@@ -81,13 +104,7 @@ impl<const D: usize, const M: usize, const E: usize> Term<D> for Families<D, M, 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
         let n = self.points;
         for family in &self.families {
-            let actions = family.actions(&family.stress(&family.measures(n, u)));
-            for (&other, action) in family.others.iter().zip(&actions) {
-                for c in 0..D {
-                    force[c * n + other as usize] += action[c];
-                    force[c * n + family.point as usize] -= action[c];
-                }
-            }
+            family.add_work(n, &family.stress(&family.measures(n, u)), force);
         }
     }
 
@@ -110,12 +127,15 @@ impl<const D: usize, const M: usize, const E: usize> Term<D> for Families<D, M, 
         for family in &self.families {
             for (i, a) in family.members() {
                 for (j, b) in family.members().filter(|(j, _)| *j >= i) {
-                    let conjugate: Mat<M, D> =
-                        from_fn(|m| from_fn(|c| (0..M).map(|k| family.modulus[m][k] * b[k][c]).sum()));
-                    let entry = |r: usize, c: usize| (0..M).map(|m| a[m][r] * conjugate[m][c]).sum();
-                    tangent.add(i, j, &from_fn(|r| from_fn(|c| entry(r, c))));
+                    tangent.add(i, j, &family.block(&a, &b));
                 }
             }
+        }
+    }
+
+    fn add_diagonal(&self, blocks: &mut [Mat<D, D>]) {
+        for family in &self.families {
+            family.members().for_each(|(i, a)| add(&mut blocks[i], &family.block(&a, &a)));
         }
     }
 

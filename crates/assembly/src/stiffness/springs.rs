@@ -1,6 +1,7 @@
 //! Springs from a point to the ground.
 
 use super::{BlockMatrix, Share, Survey, Term};
+use crate::bonds::{Mat, add};
 
 /// A linear spring on one unknown of a point, or on a sum of two.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +43,15 @@ impl Spring {
         let action = self.stiffness * self.motion(points, u);
         self.shares.map(|(component, share)| (component * points + self.point, share * action))
     }
+
+    /// Its stiffness.
+    fn block<const D: usize>(&self) -> Mat<D, D> {
+        let mut block = [[0.0; D]; D];
+        for (a, share) in self.shares {
+            self.shares.iter().for_each(|&(b, other)| block[a][b] += share * self.stiffness * other);
+        }
+        block
+    }
 }
 
 impl Springs {
@@ -76,13 +86,11 @@ impl<const D: usize> Term<D> for Springs {
     }
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
-        for s in &self.springs {
-            let mut block = [[0.0; D]; D];
-            for (a, share) in s.shares {
-                s.shares.iter().for_each(|&(b, other)| block[a][b] += share * s.stiffness * other);
-            }
-            tangent.add(s.point, s.point, &block);
-        }
+        self.springs.iter().for_each(|s| tangent.add(s.point, s.point, &s.block()));
+    }
+
+    fn add_diagonal(&self, blocks: &mut [Mat<D, D>]) {
+        self.springs.iter().for_each(|s| add(&mut blocks[s.point], &s.block()));
     }
 
     fn elements(&self) -> usize {

@@ -2,7 +2,9 @@
 
 use super::BlockMatrix;
 use super::Parts;
+use crate::bonds::Mat;
 use std::array::from_fn;
+use std::sync::Arc;
 
 /// What one sweep over the elements tells of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,11 +72,57 @@ pub trait Term<const D: usize>: Send + Sync {
     /// Adds the blocks `B_eᵀ C_e B_e`.
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>);
 
+    /// Adds the diagonal block of every point, `[point][row][column]`.
+    fn add_diagonal(&self, blocks: &mut [Mat<D, D>]);
+
     /// Number of elements (bonds, families, springs).
     fn elements(&self) -> usize;
 
     /// Numbers stored per element: zero where a lattice shares them all.
     fn stored_factors(&self) -> usize {
         0
+    }
+}
+
+/// A term that its owner keeps, too.
+impl<const D: usize, T: Term<D> + ?Sized> Term<D> for Arc<T> {
+    fn couplings(&self, visit: &mut dyn FnMut(usize, usize)) {
+        (**self).couplings(visit);
+    }
+
+    fn reach(&self) -> usize {
+        (**self).reach()
+    }
+
+    fn join(&self, parts: &mut Parts) {
+        (**self).join(parts);
+    }
+
+    fn ground_motions(&self, visit: &mut dyn FnMut(&[Share])) {
+        (**self).ground_motions(visit);
+    }
+
+    fn add_force(&self, u: &[f64], force: &mut [f64]) {
+        (**self).add_force(u, force);
+    }
+
+    fn survey(&self, u: &[f64]) -> Survey<D> {
+        (**self).survey(u)
+    }
+
+    fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
+        (**self).add_tangent(tangent);
+    }
+
+    fn add_diagonal(&self, blocks: &mut [Mat<D, D>]) {
+        (**self).add_diagonal(blocks);
+    }
+
+    fn elements(&self) -> usize {
+        (**self).elements()
+    }
+
+    fn stored_factors(&self) -> usize {
+        (**self).stored_factors()
     }
 }

@@ -160,6 +160,11 @@ impl Chunks {
         [number(step), number([-step[0], -step[1]])]
     }
 
+    /// Largest offset, rows or columns.
+    pub(super) fn reach(&self) -> i32 {
+        self.reach
+    }
+
     pub(super) fn stored_factors(&self) -> usize {
         self.factors.len()
     }

@@ -6,6 +6,7 @@
 //! same numbers, so the two forces are equal to the last bit.
 
 use super::chunks::{CHUNK, Chunk};
+use super::shares::measure;
 use super::{Class, GridBonds, planes};
 use crate::bonds::BondModel;
 use crate::stiffness::TakeForces;
@@ -132,39 +133,39 @@ fn one_side<const D: usize, const M: usize, B: BondModel<D, M>, const UPPER: boo
     for m in 0..M {
         let mut sigma = [0.0; CHUNK];
         let sigma = &mut sigma[..lower[0].len()];
-        for c in 0..D {
-            let (lower, upper) = (lower[c], upper[c]);
-            if B::DIFFERENCE[m][c] {
-                let row = class.difference[m][c];
-                let pairs = sigma.iter_mut().zip(lower.iter().zip(upper));
-                pairs.for_each(|(s, (lower, upper))| *s += row * (upper - lower));
-            }
-            if B::MEAN[m][c] {
-                let row = class.half_mean[m][c];
-                let pairs = sigma.iter_mut().zip(lower.iter().zip(upper));
-                pairs.for_each(|(s, (lower, upper))| *s += row * (lower + upper));
-            }
-        }
+        measure::<D, M, B>(class, m, [lower, upper], sigma);
         sigma.iter_mut().for_each(|s| *s *= class.modulus[m]);
         if let Some(factors) = factors {
             sigma.iter_mut().zip(factors).for_each(|(s, f)| *s *= f);
         }
-        for c in 0..D {
-            let forces = &mut forces[c][k..k + sigma.len()];
-            if B::DIFFERENCE[m][c] {
-                let row = if UPPER { class.difference[m][c] } else { -class.difference[m][c] };
-                forces.iter_mut().zip(sigma.iter()).for_each(|(f, s)| *f += row * s);
-            }
-            if B::MEAN[m][c] {
-                let row = class.half_mean[m][c];
-                forces.iter_mut().zip(sigma.iter()).for_each(|(f, s)| *f += row * s);
-            }
+        push::<D, M, B, UPPER>(class, m, sigma, k, forces);
+    }
+}
+
+/// Forces of a stretch of bonds with the action `sigma` on the measure m, on the lower or on the `UPPER` points.
+#[inline(always)]
+pub(super) fn push<const D: usize, const M: usize, B: BondModel<D, M>, const UPPER: bool>(
+    class: &Class<D, M>,
+    m: usize,
+    sigma: &[f64],
+    k: usize,
+    forces: &mut Forces<D>,
+) {
+    for c in 0..D {
+        let forces = &mut forces[c][k..k + sigma.len()];
+        if B::DIFFERENCE[m][c] {
+            let row = if UPPER { class.difference[m][c] } else { -class.difference[m][c] };
+            forces.iter_mut().zip(sigma).for_each(|(f, s)| *f += row * s);
+        }
+        if B::MEAN[m][c] {
+            let row = class.half_mean[m][c];
+            forces.iter_mut().zip(sigma).for_each(|(f, s)| *f += row * s);
         }
     }
 }
 
 /// The planes of a vector to be written.
-fn split<const D: usize>(vector: &mut [f64], n: usize) -> [&mut [f64]; D] {
+pub(super) fn split<const D: usize>(vector: &mut [f64], n: usize) -> [&mut [f64]; D] {
     let mut planes = vector.chunks_exact_mut(n.max(1));
     from_fn(|_| planes.next().unwrap_or_default())
 }

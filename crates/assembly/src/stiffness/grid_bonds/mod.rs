@@ -3,6 +3,7 @@
 mod assemble;
 mod chunks;
 mod gather;
+mod shares;
 mod survey;
 
 pub use chunks::Exception;
@@ -178,6 +179,10 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
         self.assemble(tangent);
+    }
+
+    fn add_diagonal(&self, blocks: &mut [Mat<D, D>]) {
+        self.assemble_diagonal(blocks);
     }
 
     fn elements(&self) -> usize {

@@ -2,7 +2,7 @@
 
 use super::super::BlockMatrix;
 use super::{BondClass, CHUNK, LatticeBonds};
-use crate::bonds::{BondModel, Mat, block};
+use crate::bonds::{BondModel, Mat, add, block};
 use std::ops::Range;
 
 impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
@@ -26,6 +26,18 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
                 }
                 point += 1;
             }
+        }
+    }
+
+    /// Adds the diagonal blocks.
+    pub(super) fn assemble_diagonal(&self, diagonal: &mut [Mat<D, D>]) {
+        let (blocks, first) = (self.blocks(), self.lattice.first);
+        let mut point = 0;
+        while point < self.lattice.count {
+            let end = self.plain_run(point).end.max(point + 1);
+            let row = self.row(point, &blocks);
+            diagonal[first + point..first + end].iter_mut().for_each(|block| add(block, &row[0]));
+            point = end;
         }
     }
 

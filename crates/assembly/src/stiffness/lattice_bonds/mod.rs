@@ -8,7 +8,7 @@ use weights::CHUNK;
 pub use weights::{Override, Weights};
 
 use super::{BlockMatrix, Parts, Survey, Term};
-use crate::bonds::{BondGeometry, BondModel, Rows};
+use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 use std::marker::PhantomData;
 
 /// The points `first .. first + count` of a body of `points` points, in lattice order.
@@ -116,6 +116,10 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
         self.assemble(tangent);
+    }
+
+    fn add_diagonal(&self, blocks: &mut [Mat<D, D>]) {
+        self.assemble_diagonal(blocks);
     }
 
     fn elements(&self) -> usize {

@@ -1,0 +1,124 @@
+//! The deficit overlay: triangles with the stiffness of missing bonds.
+//!
+//! A point whose bonds are missing lacks `D = ½ Σ_missing a N Nᵀ >= 0`. It gets it back as the energy
+//! `½ V/n Eᵀ D E` of each of the n <= 4 triangles that it makes with two next neighbours, E their constant strain: so
+//! every point has exactly the stiffness of the material for every uniform strain, and nothing becomes indefinite.
+
+use super::super::near::at;
+use super::super::neighbourhood::{Neighbourhood, direction_product};
+use super::strain_rows;
+use crate::body::{Cell, SquareLattice};
+use crate::bonds::Mat;
+use crate::stiffness::Family;
+use std::collections::HashSet;
+
+/// Triangles and the number of points that lack bonds but have no triangle.
+#[derive(Clone, Debug, Default)]
+pub(in super::super) struct Overlay {
+    pub(in super::super) triangles: Vec<Family<2, 3, 2>>,
+    pub(in super::super) uncorrected: usize,
+}
+
+/// Two other corners of a triangle.
+type Corners = [Cell; 2];
+
+/// Builds the triangles of some points, of the volume `volume` each; those with a cut side are left out.
+pub(in super::super) fn overlay(
+    lattice: &SquareLattice,
+    hood: &Neighbourhood,
+    points: impl Iterator<Item = usize>,
+    volume: f64,
+    cuts: &HashSet<(usize, usize)>,
+) -> Overlay {
+    let mut overlay = Overlay::default();
+    for point in points {
+        let cell = lattice.cell(point);
+        let Some(deficit) = deficit(lattice, hood, cell) else { continue };
+        let mut corners = quadrants(lattice, cell);
+        if corners.is_empty() {
+            corners = nearest(lattice, hood, cell);
+        }
+        corners.retain(|&[a, b]| {
+            [(cell, a), (cell, b), (a, b)]
+                .into_iter()
+                .all(|(from, to)| !is_cut(lattice, hood, cuts, from, to))
+        });
+        overlay.uncorrected += usize::from(corners.is_empty());
+        let modulus = deficit.map(|row| row.map(|v| v * volume / corners.len().max(1) as f64));
+        overlay.triangles.extend(corners.iter().filter_map(|&[a, b]| {
+            let from_point = |c: Cell| [0, 1].map(|k| lattice.spacing() * f64::from(c[k] - cell[k]));
+            Some(Family {
+                point: point as u32,
+                others: [lattice.number(a)? as u32, lattice.number(b)? as u32],
+                rows: strain_rows(from_point(a), from_point(b)),
+                modulus,
+            })
+        }));
+    }
+    overlay
+}
+
+/// `½ Σ_missing a N Nᵀ`; none where nothing is missing.
+fn deficit(lattice: &SquareLattice, hood: &Neighbourhood, cell: Cell) -> Option<Mat<3, 3>> {
+    let (mut sum, mut lacks) = ([[0.0; 3]; 3], false);
+    for k in hood.bonded() {
+        let step = hood.offsets[k];
+        let missing =
+            [true, false].iter().filter(|&&side| lattice.number(at(cell, step, side)).is_none()).count();
+        if missing > 0 {
+            lacks = true;
+            let (n, a) = (direction_product(step), 0.5 * missing as f64 * hood.weights[k]);
+            (0..3).for_each(|r| (0..3).for_each(|c| sum[r][c] += a * n[r] * n[c]));
+        }
+    }
+    lacks.then_some(sum)
+}
+
+/// The triangles with the next cells to the left or right and above or below.
+fn quadrants(lattice: &SquareLattice, cell: Cell) -> Vec<Corners> {
+    let exists = |c: &Cell| lattice.number(*c).is_some();
+    let all =
+        [1, -1].into_iter().flat_map(|x| [1, -1].map(|y| [[cell[0] + x, cell[1]], [cell[0], cell[1] + y]]));
+    all.filter(|corners| corners.iter().all(exists)).collect()
+}
+
+/// The nearest, best shaped triangles of neighbours within the horizon: all that are equally good, so that images in a
+/// mirror choose images.
+fn nearest(lattice: &SquareLattice, hood: &Neighbourhood, cell: Cell) -> Vec<Corners> {
+    let steps = hood.offsets.iter().flat_map(|&[a, b]| [[a, b], [-a, -b]]);
+    let near: Vec<Cell> = steps.filter(|&s| lattice.number(at(cell, s, true)).is_some()).collect();
+    let (mut best, mut least) = (Vec::new(), f64::INFINITY);
+    for (k, &a) in near.iter().enumerate() {
+        for &b in &near[k + 1..] {
+            let twice_area = (a[0] * b[1] - a[1] * b[0]).abs();
+            if twice_area == 0 || hood.between(a, b).is_none() {
+                continue;
+            }
+            let squared = |[x, y]: Cell| f64::from(x * x + y * y);
+            let sides = squared(a) + squared(b) + squared([b[0] - a[0], b[1] - a[1]]);
+            let badness = sides * sides / f64::from(twice_area);
+            if badness < least {
+                (best, least) = (Vec::new(), badness);
+            }
+            if badness == least {
+                best.push([at(cell, a, true), at(cell, b, true)]);
+            }
+        }
+    }
+    best
+}
+
+/// Whether the bond between two cells is cut.
+fn is_cut(
+    lattice: &SquareLattice,
+    hood: &Neighbourhood,
+    cuts: &HashSet<(usize, usize)>,
+    from: Cell,
+    to: Cell,
+) -> bool {
+    if cuts.is_empty() {
+        return false;
+    }
+    let Some((offset, up)) = hood.between(from, to) else { return false };
+    lattice.number(if up { from } else { to }).is_some_and(|lower| cuts.contains(&(offset, lower)))
+}

@@ -1,0 +1,174 @@
+//! Bonds of a body that is a square lattice.
+
+use super::edges::{EdgeFactors, Overlay, edge_factors, overlay};
+use super::mirrors::Mirrors;
+use super::near::{at, near_points};
+use super::neighbourhood::Neighbourhood;
+use super::{CentralBond, Edges, PlaneParameters};
+use crate::body::SquareLattice;
+use crate::stiffness::{Exception, Families, GridBonds, Offset};
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// Bonds by offset.
+pub(super) type Grid = GridBonds<2, 1, CentralBond>;
+
+/// A lattice with its bonds.
+#[derive(Clone, Debug)]
+pub(super) struct LatticeBody {
+    pub(super) lattice: Arc<SquareLattice>,
+    pub(super) mirrors: Mirrors,
+    /// Images of real points.
+    pub(super) ghosts: Vec<u32>,
+    pub(super) hood: Neighbourhood,
+    /// Bonds as their energy counts: half across a line of symmetry, not beyond it.
+    pub(super) bonds: Arc<Grid>,
+    /// Bonds as real points feel them.
+    pub(super) whole: Arc<Grid>,
+    pub(super) triangles: Arc<Families<2, 3, 2>>,
+    pub(super) uncorrected: usize,
+    /// Points with cut bonds and the cut share of their family volumes.
+    pub(super) damage: Vec<(usize, f64)>,
+}
+
+impl LatticeBody {
+    /// `cuts` are indices of offsets of the neighbourhood and lower points.
+    pub(super) fn new(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        hood: Neighbourhood,
+        parameters: &PlaneParameters,
+        cuts: &[(usize, usize)],
+    ) -> Self {
+        let near = match parameters.edges {
+            Edges::None => Vec::new(),
+            _ => near_points(&lattice, hood.reach()),
+        };
+        let cuts: HashSet<(usize, usize)> = cuts.iter().copied().collect();
+        let volume = lattice.spacing().powi(2) * parameters.material.thickness;
+        let mut factors = EdgeFactors { base: vec![1.0; hood.offsets.len()], exceptions: Vec::new() };
+        let mut triangles = Overlay::default();
+        match parameters.edges {
+            Edges::None => {}
+            Edges::Volume | Edges::Energy => {
+                factors = edge_factors(&lattice, &mirrors, &hood, parameters, &near);
+            }
+            Edges::Overlay => {
+                let real =
+                    near.iter().copied().filter(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
+                triangles = overlay(&lattice, &hood, real, volume, &cuts);
+            }
+        }
+        let mut exceptions = factors.exceptions;
+        let mut ordered: Vec<(usize, usize)> = cuts.into_iter().collect();
+        ordered.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
+        exceptions.extend(ordered.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
+        let grid = |exceptions: &[Exception]| {
+            Arc::new(grid(&lattice, &hood, &factors.base, CentralBond { volume }, exceptions))
+        };
+        let ghosts = mirrors.ghosts(&lattice);
+        let whole = grid(&exceptions);
+        let bonds = if ghosts.is_empty() {
+            whole.clone()
+        } else {
+            exceptions.extend(halved(&lattice, &mirrors, &hood, &ghosts));
+            grid(&exceptions)
+        };
+        let damage = damage(&lattice, &mirrors, &hood, &ordered);
+        let uncorrected = triangles.uncorrected;
+        let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
+        Self { lattice, mirrors, ghosts, hood, bonds, whole, triangles, uncorrected, damage }
+    }
+
+    /// Volume of a real point, m³.
+    pub(super) fn volume(&self, thickness: f64) -> f64 {
+        self.lattice.spacing().powi(2) * thickness
+    }
+
+    /// The body at twice the spacing.
+    pub(super) fn coarser(
+        &self,
+        parameters: &PlaneParameters,
+        cuts: &mut dyn FnMut(&SquareLattice, &[crate::body::Cell]) -> Vec<(usize, usize)>,
+    ) -> Self {
+        let coarse = match self.mirrors.is_none() {
+            true => self.lattice.coarser(),
+            false => self.mirrors.real(&self.lattice).coarser(),
+        };
+        let mirrors = self.mirrors.coarser();
+        let coarse = mirrors.extended(&coarse, self.hood.reach());
+        let cuts = cuts(&coarse, &self.hood.offsets);
+        Self::new(Arc::new(coarse), mirrors, self.hood.clone(), parameters, &cuts)
+    }
+}
+
+/// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.
+fn grid(
+    lattice: &Arc<SquareLattice>,
+    hood: &Neighbourhood,
+    base: &[f64],
+    model: CentralBond,
+    exceptions: &[Exception],
+) -> Grid {
+    let bonded: Vec<usize> = hood.bonded().collect();
+    let mut class = vec![None; hood.offsets.len()];
+    bonded.iter().enumerate().for_each(|(index, &k)| class[k] = Some(index));
+    let offset = |&k: &usize| Offset { step: hood.offsets[k], weight: base[k] * hood.weights[k] };
+    let offsets: Vec<Offset> = bonded.iter().map(offset).collect();
+    let known: Vec<Exception> =
+        exceptions.iter().filter_map(|e| Some(Exception { offset: class[e.offset]?, ..*e })).collect();
+    GridBonds::new(lattice.clone(), &model, &offsets, &known)
+}
+
+/// Factors of bonds across lines of symmetry, ½, and beyond them, 0.
+fn halved(
+    lattice: &SquareLattice,
+    mirrors: &Mirrors,
+    hood: &Neighbourhood,
+    ghosts: &[u32],
+) -> Vec<Exception> {
+    let mut exceptions = Vec::new();
+    for &ghost in ghosts {
+        let cell = lattice.cell(ghost as usize);
+        for k in hood.bonded() {
+            for up in [true, false] {
+                let other = at(cell, hood.offsets[k], up);
+                let Some(number) = lattice.number(other) else { continue };
+                let is_real = mirrors.is_real(other);
+                if is_real || up {
+                    let lower = if up { ghost as usize } else { number };
+                    exceptions.push(Exception { offset: k, lower, factor: if is_real { 0.5 } else { 0.0 } });
+                }
+            }
+        }
+    }
+    exceptions
+}
+
+/// Cut shares of family volumes of real points.
+fn damage(
+    lattice: &SquareLattice,
+    mirrors: &Mirrors,
+    hood: &Neighbourhood,
+    cuts: &[(usize, usize)],
+) -> Vec<(usize, f64)> {
+    let mut ends: Vec<(usize, f64)> = Vec::new();
+    for &(offset, lower) in cuts.iter().filter(|c| hood.weights[c.0] > 0.0) {
+        if let Some(upper) = lattice.number(at(lattice.cell(lower), hood.offsets[offset], true)) {
+            ends.extend([lower, upper].map(|p| (p, hood.parts[offset])));
+        }
+    }
+    ends.sort_by_key(|e| e.0);
+    let family = |point: usize| -> f64 {
+        let cell = lattice.cell(point);
+        let sides = hood.bonded().flat_map(|k| [(k, true), (k, false)]);
+        let present = sides.filter(|&(k, up)| lattice.number(at(cell, hood.offsets[k], up)).is_some());
+        present.map(|(k, _)| hood.parts[k]).sum()
+    };
+    let of = |part: &[(usize, f64)]| {
+        let point = part[0].0;
+        let cut: f64 = part.iter().map(|e| e.1).sum();
+        mirrors.is_real(lattice.cell(point)).then(|| (point, cut / family(point)))
+    };
+    ends.chunk_by(|a, b| a.0 == b.0).filter_map(of).collect()
+}

@@ -1,0 +1,160 @@
+//! Lines of symmetry along the sides of a lattice: cells beyond them are mirror images of real ones.
+
+use crate::body::{Cell, SquareLattice};
+use crate::condition::{Equation, Unknown};
+use std::ops::Range;
+
+/// Lines of symmetry between columns and between rows of cells, as the number of the first cell behind the line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Mirrors {
+    /// On the left and on the right: real cells have `left <= column < right`.
+    pub columns: [Option<i32>; 2],
+    /// Below and above: real cells have `below <= row < above`.
+    pub rows: [Option<i32>; 2],
+}
+
+impl Mirrors {
+    /// No symmetry.
+    pub const NONE: Self = Self { columns: [None; 2], rows: [None; 2] };
+
+    /// Whether there is none.
+    pub fn is_none(&self) -> bool {
+        *self == Self::NONE
+    }
+
+    /// Whether a cell lies on the real side of all lines.
+    pub fn is_real(&self, cell: Cell) -> bool {
+        self.lines().iter().zip(cell).all(|(line, k)| inside(*line, k))
+    }
+
+    /// The real cell that a cell is an image of, and the signs of the displacements along x and y of the image.
+    pub fn image(&self, cell: Cell) -> (Cell, [f64; 2]) {
+        let [(column, x), (row, y)] = [0, 1].map(|k| reflected(self.lines()[k], cell[k]));
+        ([column, row], [x, y])
+    }
+
+    fn lines(&self) -> [[Option<i32>; 2]; 2] {
+        [self.columns, self.rows]
+    }
+
+    /// The real cells of a lattice.
+    pub fn real(&self, lattice: &SquareLattice) -> SquareLattice {
+        let clip = |line: [Option<i32>; 2], range: Range<i32>| {
+            let start = line[0].map_or(range.start, |l| l.max(range.start));
+            start..line[1].map_or(range.end, |l| l.min(range.end)).max(start)
+        };
+        let (columns, rows) = (clip(self.columns, lattice.columns()), clip(self.rows, lattice.rows()));
+        let inside = |cell| lattice.number(cell).is_some();
+        SquareLattice::new(lattice.spacing(), lattice.corner(), columns, rows, inside)
+    }
+
+    /// A lattice of real cells with `depth` columns or rows of images beyond every line.
+    pub fn extended(&self, real: &SquareLattice, depth: i32) -> SquareLattice {
+        if self.is_none() {
+            return real.clone();
+        }
+        let widen = |line: [Option<i32>; 2], range: Range<i32>| {
+            line[0].map_or(range.start, |l| l - depth)..line[1].map_or(range.end, |l| l + depth)
+        };
+        let (columns, rows) = (widen(self.columns, real.columns()), widen(self.rows, real.rows()));
+        let inside = |cell| real.number(self.image(cell).0).is_some();
+        SquareLattice::new(real.spacing(), real.corner(), columns, rows, inside)
+    }
+
+    /// The lines on a lattice of twice the spacing; one that runs through cells moves outwards.
+    pub(super) fn coarser(&self) -> Self {
+        let halved = |[low, high]: [Option<i32>; 2]| {
+            [low.map(|l| l.div_euclid(2)), high.map(|l| (l + 1).div_euclid(2))]
+        };
+        Self { columns: halved(self.columns), rows: halved(self.rows) }
+    }
+
+    /// Numbers of the points that are images.
+    pub(super) fn ghosts(&self, lattice: &SquareLattice) -> Vec<u32> {
+        if self.is_none() {
+            return Vec::new();
+        }
+        let of = |run: &crate::body::Run| {
+            let (row, first, start) = (run.row, run.first, run.columns.start);
+            let ghosts = run.columns.clone().filter(move |&column| !self.is_real([column, row]));
+            ghosts.map(move |column| (first + (column - start) as usize) as u32).collect::<Vec<_>>()
+        };
+        lattice.runs().iter().flat_map(of).collect()
+    }
+
+    /// What ties the unknowns of the images to those of real points.
+    pub(super) fn relations(&self, lattice: &SquareLattice, ghosts: &[u32]) -> Vec<Equation> {
+        let tie = |&ghost: &u32| {
+            let point = ghost as usize;
+            let (image, signs) = self.image(lattice.cell(point));
+            let real = lattice.number(image).expect("an image has a real cell");
+            [0, 1].map(|component| Equation {
+                terms: vec![
+                    (Unknown { component, point }, 1.0),
+                    (Unknown { component, point: real }, -signs[component]),
+                ],
+                value: 0.0,
+                origin: String::from("symmetry"),
+            })
+        };
+        ghosts.iter().flat_map(tie).collect()
+    }
+}
+
+fn inside([low, high]: [Option<i32>; 2], k: i32) -> bool {
+    low.is_none_or(|l| k >= l) && high.is_none_or(|h| k < h)
+}
+
+/// The real index behind `k`, and −1 after an odd number of reflections. Two lines reflect as often as it takes.
+fn reflected(line: [Option<i32>; 2], mut k: i32) -> (i32, f64) {
+    let mut sign = 1.0;
+    while !inside(line, k) {
+        let at = match line {
+            [Some(low), _] if k < low => low,
+            [_, Some(high)] => high,
+            _ => break,
+        };
+        k = 2 * at - 1 - k;
+        sign = -sign;
+    }
+    (k, sign)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_between_two_lines_repeat() {
+        let mirrors = Mirrors { columns: [Some(0), Some(2)], rows: [None; 2] };
+        let images: Vec<(i32, f64)> =
+            (-4..6).map(|c| (mirrors.image([c, 7]).0[0], mirrors.image([c, 7]).1[0])).collect();
+        let expected = [
+            (0, 1.0),
+            (1, 1.0),
+            (1, -1.0),
+            (0, -1.0),
+            (0, 1.0),
+            (1, 1.0),
+            (1, -1.0),
+            (0, -1.0),
+            (0, 1.0),
+            (1, 1.0),
+        ];
+        assert_eq!(images, expected);
+        assert!(mirrors.is_real([1, -3]) && !mirrors.is_real([2, 0]));
+    }
+
+    #[test]
+    fn images_are_added_and_taken_away() {
+        let hole = |c: Cell| c != [1, 1];
+        let real = SquareLattice::new(1.0, [0.0; 2], 0..5, 0..4, hole);
+        let mirrors = Mirrors { columns: [None, Some(5)], rows: [Some(0), None] };
+        let extended = mirrors.extended(&real, 3);
+        assert_eq!(extended.points(), 8 * 7 - 2 - 2);
+        assert_eq!(extended.number([8, 1]), None);
+        assert_eq!(extended.number([1, -2]), None);
+        assert_eq!(mirrors.real(&extended).runs(), real.runs());
+        assert_eq!(mirrors.ghosts(&extended).len(), extended.points() - real.points());
+    }
+}

@@ -1,0 +1,50 @@
+//! A plate as a model with two unknowns per point.
+
+use super::{Body, BondPlane};
+use crate::bonds::Point;
+use crate::condition::Equation;
+use crate::model::Model;
+use crate::stiffness::Term;
+
+impl Model<2> for BondPlane {
+    const UNKNOWNS: [&'static str; 2] = ["ux", "uy"];
+    const RIGID_MOTIONS: &'static [&'static str] =
+        &["translation along x", "translation along y", "rotation about z"];
+    const IS_DISPLACEMENT: [bool; 2] = [true, true];
+
+    fn points(&self) -> usize {
+        self.points()
+    }
+
+    fn position(&self, point: usize) -> Point {
+        let [x, y] = self.place(point);
+        [x, y, 0.0]
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<2>>> {
+        let mut terms: Vec<Box<dyn Term<2>>> = match &self.body {
+            Body::Lattice(body) => vec![Box::new(body.bonds.clone())],
+            Body::Cloud(body) => vec![Box::new(body.bonds.clone())],
+        };
+        if self.triangles() > 0 {
+            terms.push(Box::new(self.overlay().clone()));
+        }
+        terms
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        match &self.body {
+            Body::Lattice(body) => body.mirrors.relations(&body.lattice, &body.ghosts),
+            Body::Cloud(_) => Vec::new(),
+        }
+    }
+
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
+        let [x, y] = self.place(point);
+        match kind {
+            0 => [1.0, 0.0],
+            1 => [0.0, 1.0],
+            _ => [centre[1] - y, x - centre[0]],
+        }
+    }
+}
