@@ -159,6 +159,21 @@ impl<const D: usize> BlockMatrix<D> {
         }
     }
 
+    /// Visits the blocks of a sparse layout: points `i <= j` and the block.
+    ///
+    /// # Panics
+    /// The layout is a band.
+    pub fn for_each_block(&self, mut visit: impl FnMut(usize, usize, &Mat<D, D>)) {
+        let Layout::Rows { start, column } = &self.layout else { panic!("only a sparse layout has blocks") };
+        let (blocks, _) = self.values.as_chunks::<D>();
+        for i in 0..self.points {
+            for slot in start[i]..start[i + 1] {
+                let block = blocks[D * slot..].first_chunk().expect("a block has D rows");
+                visit(i, column[slot] as usize, block);
+            }
+        }
+    }
+
     /// The full symmetric matrix, `order = D · points`, with unknown `number(point, component)`.
     pub fn to_csr(&self, number: impl Fn(usize, usize) -> usize) -> CsMat<f64> {
         let order = D * self.points;

@@ -1,15 +1,18 @@
 //! Terms of the energy and the matrix they are assembled into. Nothing here knows a model.
 
 mod block_matrix;
+mod block_rows;
 mod bonds;
 mod families;
 mod grid_bonds;
 mod lattice_bonds;
 mod parts;
+pub(crate) mod planes;
 mod springs;
 mod term;
 
 pub use block_matrix::BlockMatrix;
+pub use block_rows::BlockRows;
 pub use bonds::{Bond, Bonds};
 pub use families::{Families, Family};
 pub use grid_bonds::{Exception, GridBonds, Offset};

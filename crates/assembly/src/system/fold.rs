@@ -80,6 +80,9 @@ impl<const D: usize> System<D> {
     /// The lower triangle of the constrained stiffness `TᵀKT` in compressed rows; unknowns that are constrained or that
     /// nothing reads keep a positive diagonal and couple to nothing.
     pub fn assemble_sparse(&self) -> CsMat<f64> {
+        if !self.constraints.has_slaves() {
+            return self.scatter();
+        }
         let size = self.size();
         let masters = Masters::new(size, self.constraints.rows());
         let mut triplets = Triplets::default();

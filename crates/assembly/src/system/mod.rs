@@ -2,8 +2,11 @@
 
 mod elimination;
 mod fold;
+mod level;
 mod mobility;
+mod scatter;
 
+pub use level::Level;
 pub use mobility::{FreeMotion, PartMotion, free_motions};
 
 use crate::condition::{Constraints, Contradiction, Equation};

@@ -7,9 +7,10 @@
 
 use super::chunks::{CHUNK, Chunk};
 use super::shares::measure;
-use super::{Class, GridBonds, planes};
+use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use crate::stiffness::TakeForces;
+use crate::stiffness::planes::{planes, planes_mut, take_front};
 use rayon::prelude::*;
 use std::array::from_fn;
 
@@ -25,12 +26,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     pub(super) fn gather(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, D>) {
         let n = self.lattice.points();
         let u = planes::<D>(u);
-        let mut rest: [&mut [f64]; D] = split(out, n);
-        let mut parts = Vec::new();
-        for chunks in self.chunks.parts() {
-            let points = chunks.iter().map(|c| c.width as usize).sum();
-            parts.push((chunks, rest.each_mut().map(|rest| rest.split_off_mut(..points).unwrap_or_default())));
-        }
+        let parts = self.own_parts(planes_mut::<D>(out));
         let work = |(chunks, mut own): (&[Chunk], [&mut [f64]; D])| {
             for chunk in chunks {
                 let mut forces = [[0.0; CHUNK]; D];
@@ -39,8 +35,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
                     || self.gather_chunk(chunk, &u, &mut forces),
                 );
                 let width = chunk.width as usize;
-                let own = own.each_mut().map(|own| own.split_off_mut(..width).unwrap_or_default());
-                take(chunk.first as usize, forces.each_ref().map(|f| &f[..width]), own);
+                take(chunk.first as usize, forces.each_ref().map(|f| &f[..width]), take_front(&mut own, width));
             }
         };
         match n < FEW {
@@ -162,10 +157,4 @@ pub(super) fn push<const D: usize, const M: usize, B: BondModel<D, M>, const UPP
             forces.iter_mut().zip(sigma).for_each(|(f, s)| *f += row * s);
         }
     }
-}
-
-/// The planes of a vector to be written.
-pub(super) fn split<const D: usize>(vector: &mut [f64], n: usize) -> [&mut [f64]; D] {
-    let mut planes = vector.chunks_exact_mut(n.max(1));
-    from_fn(|_| planes.next().unwrap_or_default())
 }

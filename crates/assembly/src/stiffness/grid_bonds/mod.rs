@@ -12,7 +12,6 @@ use super::{BlockMatrix, Parts, Survey, TakeForces, Term};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, BondModel, Mat};
 use chunks::Chunks;
-use std::array::from_fn;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -192,12 +191,6 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
     fn stored_factors(&self) -> usize {
         self.chunks.stored_factors()
     }
-}
-
-/// The planes of a vector of unknowns.
-fn planes<const D: usize>(u: &[f64]) -> [&[f64]; D] {
-    let n = u.len() / D;
-    from_fn(|c| &u[c * n..][..n])
 }
 
 #[cfg(test)]

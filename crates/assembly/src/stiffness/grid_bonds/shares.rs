@@ -1,8 +1,9 @@
 //! What points get from their bonds besides forces: stresses and energies, and the load that a stress does work with.
 
 use super::chunks::{CHUNK, Chunk};
-use super::gather::{push, split};
-use super::{Class, GridBonds, planes};
+use super::gather::push;
+use super::{Class, GridBonds};
+use crate::stiffness::planes::{planes, planes_mut, take_front};
 use crate::bonds::{BondModel, Mat};
 use rayon::prelude::*;
 use std::array::from_fn;
@@ -16,7 +17,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         let u = planes::<D>(u);
         let mut sums = vec![0.0; (Q + 1) * n];
         let (shared, energy) = sums.split_at_mut(Q * n);
-        let parts = self.own_parts::<Q>(split(shared, n)).into_iter();
+        let parts = self.own_parts::<Q>(planes_mut(shared)).into_iter();
         let energies = self.own_parts::<1>([energy]);
         let parts: Vec<_> = parts.zip(energies).collect();
         parts.into_par_iter().for_each(|((chunks, mut own), (_, [energy]))| {
@@ -84,9 +85,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         shares: &[Mat<Q, M>],
         force: &mut [f64],
     ) {
-        let n = self.lattice.points();
         let t = planes::<Q>(t);
-        let parts = self.own_parts::<D>(split(force, n));
+        let parts = self.own_parts::<D>(planes_mut(force));
         parts.into_par_iter().for_each(|(chunks, mut own)| {
             pulp::Arch::new().dispatch(
                 #[inline(always)]
@@ -170,19 +170,14 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     }
 
     /// Parts of the chunks with their own points of every plane.
-    fn own_parts<'a, const Q: usize>(
+    pub(super) fn own_parts<'a, const Q: usize>(
         &self,
         mut rest: [&'a mut [f64]; Q],
     ) -> Vec<(&[Chunk], [&'a mut [f64]; Q])> {
         let take = |chunks| {
             let chunks: &[Chunk] = chunks;
             let points = chunks.iter().map(|c| c.width as usize).sum();
-            let own = from_fn(|q| {
-                let (own, left) = std::mem::take(&mut rest[q]).split_at_mut(points);
-                rest[q] = left;
-                own
-            });
-            (chunks, own)
+            (chunks, take_front(&mut rest, points))
         };
         self.chunks.parts().map(take).collect()
     }

@@ -1,9 +1,10 @@
 //! Energy and largest end action of the bonds.
 
 use super::chunks::{CHUNK, Chunk};
-use super::{Class, GridBonds, planes};
+use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use crate::stiffness::Survey;
+use crate::stiffness::planes::planes;
 use rayon::prelude::*;
 use std::array::from_fn;
 

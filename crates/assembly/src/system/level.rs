@@ -1,0 +1,195 @@
+//! A system as one level of a multigrid cycle: its operator, a block diagonal stand-in for it, and smoothing steps that
+//! use forces while they are at hand.
+
+use super::System;
+use crate::bonds::Mat;
+use crate::stiffness::planes::for_each_stretch;
+use crate::stiffness::{BlockRows, TakeForces};
+use std::array::from_fn;
+
+/// Points that are taken together, the most that a term hands over at once.
+const STRETCH: usize = 64;
+
+/// A system with the inverse of its diagonal blocks.
+///
+/// Only the first term of the system, the bonds of a lattice, is evaluated element by element; the few elements of all
+/// others (overlays, springs) are assembled: that is good enough for a preconditioner.
+pub struct Level<'a, const D: usize> {
+    system: &'a System<D>,
+    others: BlockRows<D>,
+    /// Inverse blocks in planes `[row · D + column][point]`, zero where a component is constrained.
+    inverse: Vec<f64>,
+}
+
+impl<'a, const D: usize> Level<'a, D> {
+    /// Inverts the diagonal blocks.
+    ///
+    /// # Errors
+    /// The first point whose block is singular: its bonds do not hold it.
+    pub fn new(system: &'a System<D>) -> Result<Self, usize> {
+        let others = BlockRows::new(system.points(), &system.terms()[1..]);
+        Ok(Self { system, others, inverse: system.inverse_blocks()? })
+    }
+
+    /// The system.
+    pub fn system(&self) -> &System<D> {
+        self.system
+    }
+
+    /// `x += scale M⁻¹ r`
+    pub fn smooth(&self, scale: f64, r: &[f64], x: &mut [f64]) {
+        for_each_stretch::<D>(x, STRETCH, |first, own| {
+            let mut at = [[0.0; STRETCH]; D];
+            let width = own[0].len();
+            (0..D)
+                .for_each(|c| at[c][..width].copy_from_slice(&r[c * self.system.points + first..][..width]));
+            self.add_inverse(first, scale, &at, own);
+        });
+    }
+
+    /// Writes `b − A x` over `r`.
+    pub fn residual(&self, b: &[f64], x: &[f64], r: &mut [f64]) {
+        let fused = self.sweep(x, r, &|first, forces, own| {
+            let at = self.residual_at(first, b, x, forces);
+            own.into_iter().zip(&at).for_each(|(own, r)| own.copy_from_slice(&r[..own.len()]));
+        });
+        if fused {
+            self.system.constraints.restrict(r);
+        } else {
+            self.system.product(x, r);
+            r.iter_mut().zip(b).for_each(|(r, b)| *r = b - *r);
+        }
+    }
+
+    /// Writes `x + keep (x − previous) + scale M⁻¹ (b − A x)` over `previous`.
+    pub fn relax(
+        &self,
+        [keep, scale]: [f64; 2],
+        b: &[f64],
+        x: &[f64],
+        previous: &mut [f64],
+        scratch: &mut [f64],
+    ) {
+        let n = self.system.points;
+        let finish = |first: usize, r: &[[f64; STRETCH]; D], mut own: [&mut [f64]; D]| {
+            for (c, own) in own.iter_mut().enumerate() {
+                let x = &x[c * n + first..][..own.len()];
+                own.iter_mut().zip(x).for_each(|(own, x)| *own = x + keep * (x - *own));
+            }
+            self.add_inverse(first, scale, r, own);
+        };
+        let fused = self.sweep(x, previous, &|first, forces, own| {
+            pulp::Arch::new().dispatch(
+                #[inline(always)]
+                || finish(first, &self.residual_at(first, b, x, forces), own),
+            );
+        });
+        if !fused {
+            self.residual(b, x, scratch);
+            for_each_stretch::<D>(previous, STRETCH, |first, own| {
+                let mut r = [[0.0; STRETCH]; D];
+                let width = own[0].len();
+                (0..D).for_each(|c| r[c][..width].copy_from_slice(&scratch[c * n + first..][..width]));
+                finish(first, &r, own);
+            });
+        }
+    }
+
+    /// Goes through the forces of the first term where no unknown depends on others.
+    fn sweep(&self, x: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {
+        !self.system.constraints.has_slaves() && self.system.terms[0].sweep(x, out, take)
+    }
+
+    /// `b − A x` on a stretch of points, given the forces of the first term.
+    #[inline(always)]
+    fn residual_at(&self, first: usize, b: &[f64], x: &[f64], forces: [&[f64]; D]) -> [[f64; STRETCH]; D] {
+        let (n, width) = (self.system.points, forces[0].len());
+        let mut r = [[0.0; STRETCH]; D];
+        for c in 0..D {
+            let b = &b[c * n + first..][..width];
+            r[c].iter_mut().zip(b.iter().zip(forces[c])).for_each(|(r, (b, f))| *r = b - f);
+        }
+        self.others.subtract_product(first..first + width, x, &mut r);
+        r
+    }
+
+    /// Adds `scale M⁻¹ r` on a stretch of points.
+    #[inline(always)]
+    fn add_inverse(&self, first: usize, scale: f64, r: &[[f64; STRETCH]; D], own: [&mut [f64]; D]) {
+        let n = self.system.points;
+        for (row, own) in own.into_iter().enumerate() {
+            for column in 0..D {
+                let inverse = &self.inverse[(row * D + column) * n + first..][..own.len()];
+                let entries = own.iter_mut().zip(inverse.iter().zip(&r[column]));
+                entries.for_each(|(own, (inverse, r))| *own += scale * (inverse * r));
+            }
+        }
+    }
+}
+
+impl<const D: usize> System<D> {
+    /// Diagonal blocks of the constrained stiffness, without what a master shares with its slaves.
+    pub fn diagonal_blocks(&self) -> Vec<Mat<D, D>> {
+        let mut blocks = vec![[[0.0; D]; D]; self.points];
+        self.terms.iter().for_each(|t| t.add_diagonal(&mut blocks));
+        let place = |unknown: usize| (unknown % self.points, unknown / self.points);
+        for row in self.constraints.rows() {
+            let (point, c) = place(row.unknown);
+            let own = blocks[point][c][c];
+            for &(master, share) in &row.masters {
+                let (point, c) = place(master);
+                blocks[point][c][c] += share * share * own;
+            }
+        }
+        for row in self.constraints.rows() {
+            let (point, c) = place(row.unknown);
+            (0..D).for_each(|k| (blocks[point][c][k], blocks[point][k][c]) = (0.0, 0.0));
+        }
+        blocks
+    }
+
+    /// Their inverses on the components that are free, in planes; or the first point whose block is singular.
+    fn inverse_blocks(&self) -> Result<Vec<f64>, usize> {
+        let n = self.points;
+        let mut constrained = vec![[false; D]; n];
+        self.constraints.rows().iter().for_each(|row| constrained[row.unknown % n][row.unknown / n] = true);
+        let mut inverse = vec![0.0; D * D * n];
+        let mut last = ([[0.0; D]; D], [[0.0; D]; D]);
+        for (point, block) in self.diagonal_blocks().into_iter().enumerate() {
+            // Inside a body all blocks are the same.
+            if block != last.0 || constrained[point].contains(&true) {
+                last = (block, invert(block, &constrained[point]).ok_or(point)?);
+            }
+            for (k, value) in last.1.as_flattened().iter().enumerate() {
+                inverse[k * n + point] = *value;
+            }
+        }
+        Ok(inverse)
+    }
+}
+
+/// Inverse of a symmetric positive definite block on the components that are not constrained, by elimination.
+fn invert<const D: usize>(block: Mat<D, D>, constrained: &[bool; D]) -> Option<Mat<D, D>> {
+    /// Pivots below this part of the diagonal are rounding.
+    const ROUNDING: f64 = 1e-12;
+    let mut a = block;
+    let mut inverse: Mat<D, D> = from_fn(|r| from_fn(|c| if r == c { 1.0 } else { 0.0 }));
+    for k in (0..D).filter(|&k| !constrained[k]) {
+        let pivot = a[k][k];
+        if !(pivot > ROUNDING * block[k][k] && pivot.is_finite()) {
+            return None;
+        }
+        for c in 0..D {
+            (a[k][c], inverse[k][c]) = (a[k][c] / pivot, inverse[k][c] / pivot);
+        }
+        for r in (0..D).filter(|&r| r != k) {
+            let factor = a[r][k];
+            for c in 0..D {
+                a[r][c] -= factor * a[k][c];
+                inverse[r][c] -= factor * inverse[k][c];
+            }
+        }
+    }
+    (0..D).filter(|&k| constrained[k]).for_each(|k| inverse[k] = [0.0; D]);
+    Some(inverse)
+}

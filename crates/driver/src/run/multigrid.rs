@@ -1,0 +1,98 @@
+//! A multigrid cycle over the levels of a lattice: where the algebra of the cycle meets the mechanics of its levels.
+
+use super::factor::SolveFailure;
+use peristat_assembly::body::Transfer;
+use peristat_assembly::system::{Level, System};
+use peristat_solve::{Hierarchy, Multigrid, MultigridOptions, Relaxation, SparseCholesky};
+
+/// The coarser levels of a problem: the same body and conditions at twice the spacing, again and again.
+pub struct Coarser<const D: usize> {
+    /// Systems, the finest of them first.
+    pub systems: Vec<System<D>>,
+    /// Interpolation to every level that has a coarser one, the finest level of all first.
+    pub transfers: Vec<Transfer>,
+}
+
+/// All levels of a problem.
+pub(super) struct Levels<'a, const D: usize> {
+    levels: Vec<Level<'a, D>>,
+    transfers: &'a [Transfer],
+}
+
+/// The cycle as a preconditioner of `system`; also the entries of the factor of the coarsest level.
+///
+/// # Errors
+/// [`SolveFailure`] if a point is not held by its bonds, or the coarsest level has no factor.
+pub(super) fn cycle<'a, const D: usize>(
+    system: &'a System<D>,
+    coarser: &'a Coarser<D>,
+) -> Result<(Multigrid<Levels<'a, D>>, usize), SolveFailure> {
+    let systems = std::iter::once(system).chain(&coarser.systems);
+    let levels: Result<Vec<Level<D>>, usize> = systems.map(Level::new).collect();
+    let levels = levels.map_err(|point| SolveFailure::Loose { point })?;
+    let coarsest = levels.last().expect("there is a finest level").system().assemble_sparse();
+    let mut factor = SparseCholesky::analyse(&coarsest).map_err(SolveFailure::Factor)?;
+    factor.refactor(&coarsest).map_err(SolveFailure::Factor)?;
+    let entries = factor.fill();
+    let levels = Levels { levels, transfers: &coarser.transfers };
+    Ok((Multigrid::new(levels, Box::new(factor), &MultigridOptions::default()), entries))
+}
+
+impl<const D: usize> Hierarchy for Levels<'_, D> {
+    fn depth(&self) -> usize {
+        self.levels.len()
+    }
+
+    fn size(&self, level: usize) -> usize {
+        self.levels[level].system().size()
+    }
+
+    fn apply(&self, level: usize, x: &[f64], y: &mut [f64]) {
+        self.levels[level].system().product(x, y);
+    }
+
+    fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]) {
+        self.levels[level].smooth(scale, r, x);
+    }
+
+    fn residual(&self, level: usize, b: &[f64], x: &[f64], r: &mut [f64]) {
+        self.levels[level].residual(b, x, r);
+    }
+
+    fn relax(
+        &self,
+        level: usize,
+        step: Relaxation,
+        b: &[f64],
+        x: &[f64],
+        previous: &mut [f64],
+        scratch: &mut [f64],
+    ) {
+        self.levels[level].relax([step.keep, step.scale], b, x, previous, scratch);
+    }
+
+    fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {
+        let [n, m] = [level, level + 1].map(|l| self.levels[l].system().points());
+        for (fine, coarse) in fine.chunks_exact(n).zip(coarse.chunks_exact_mut(m)) {
+            self.transfers[level].restrict(fine, coarse);
+        }
+        self.levels[level + 1].system().constraints().restrict(coarse);
+    }
+
+    fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
+        let [n, m] = [level, level + 1].map(|l| self.levels[l].system().points());
+        let constraints = self.levels[level + 1].system().constraints();
+        let expanded = constraints.has_slaves().then(|| {
+            let mut coarse = coarse.to_vec();
+            constraints.expand(0.0, &mut coarse);
+            coarse
+        });
+        let coarse = expanded.as_deref().unwrap_or(coarse);
+        for (fine, coarse) in fine.chunks_exact_mut(n).zip(coarse.chunks_exact(m)) {
+            self.transfers[level].prolong_add(coarse, fine);
+        }
+        // Constrained unknowns are inert and zero.
+        let rows = self.levels[level].system().constraints().rows();
+        rows.iter().for_each(|row| fine[row.unknown] = 0.0);
+    }
+}
