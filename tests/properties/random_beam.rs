@@ -1,7 +1,8 @@
 //! Random beams as case files, and what can be done to them: other units, the mirror image, their parts.
 
 use peristat::case::from_text;
-use peristat::run::{self, RunOptions, RunReport, StateResult};
+use peristat::run::beam::{self, BeamResult};
+use peristat::run::{RunOptions, RunReport};
 use peristat::scene::Scene;
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -204,13 +205,14 @@ impl Beam {
 }
 
 /// Solves a case.
-pub(crate) fn run(case: &Value) -> (Vec<StateResult>, RunReport) {
+pub(crate) fn run(case: &Value) -> (Vec<BeamResult>, RunReport) {
     let source = from_text("case", case.to_string(), &[]).unwrap_or_else(|e| panic!("{e}"));
     let scene =
         Scene::new(source.case, Path::new("."), "case", &source.text, None).unwrap_or_else(|e| panic!("{e}"));
+    let scene = scene.into_beam().expect("a beam");
     let mut states = Vec::new();
     let options = RunOptions { recover: true, max_memory: None };
-    let report = run::run(&scene, &options, &mut |state| {
+    let report = beam::run(&scene, &options, &mut |state| {
         states.push(state);
         Ok(())
     });

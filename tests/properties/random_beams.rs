@@ -25,7 +25,7 @@ proptest! {
     fn a_random_beam_is_certified_and_in_equilibrium(beam in beam()) {
         let (states, report) = run(&beam.case(METRES));
         let state = &states[0];
-        let certificate = &state.certificate;
+        let certificate = &state.record.certificate;
         prop_assert!(report.converged, "{certificate:?}");
         prop_assert!(certificate.next_correction <= 1e-11, "{certificate:?}");
         prop_assert!(certificate.energy_balance <= 1e-11, "{certificate:?}");
@@ -48,8 +48,8 @@ proptest! {
             let mut case = beam.case(METRES);
             case["solver"] = solver.into();
             let (mut states, report) = run(&case);
-            assert!(report.converged, "{solver}: {:?}", states[0].certificate);
-            states.remove(0).u
+            assert!(report.converged, "{solver}: {:?}", states[0].record.certificate);
+            states.remove(0).record.u
         });
         let off = difference(&strains, &displacements, beam.length);
         // Measured 4e-14 over 6000 beams.
@@ -60,10 +60,10 @@ proptest! {
     fn units_do_not_change_a_beam(beam in beam()) {
         let (metres, _) = run(&beam.case(METRES));
         let (millimetres, _) = run(&beam.case(MILLIMETRES));
-        let n = metres[0].u.len() / 2;
+        let n = metres[0].record.u.len() / 2;
         let scale = |k: usize| if k < n { 1e-3 } else { 1.0 };
-        let back: Vec<f64> = millimetres[0].u.iter().enumerate().map(|(k, v)| scale(k) * v).collect();
-        let off = difference(&back, &metres[0].u, beam.length);
+        let back: Vec<f64> = millimetres[0].record.u.iter().enumerate().map(|(k, v)| scale(k) * v).collect();
+        let off = difference(&back, &metres[0].record.u, beam.length);
         // Measured 1e-14.
         prop_assert!(off <= 3e-13, "{off:e}");
     }
@@ -72,10 +72,10 @@ proptest! {
     fn a_mirrored_beam_bends_as_the_mirror_image(beam in beam()) {
         let (one, _) = run(&beam.case(METRES));
         let (other, _) = run(&beam.mirrored().case(METRES));
-        let n = one[0].u.len() / 2;
-        let mut back: Vec<f64> = other[0].u[..n].iter().rev().copied().collect();
-        back.extend(other[0].u[n..].iter().rev().map(|phi| -phi));
-        let off = difference(&back, &one[0].u, beam.length);
+        let n = one[0].record.u.len() / 2;
+        let mut back: Vec<f64> = other[0].record.u[..n].iter().rev().copied().collect();
+        back.extend(other[0].record.u[n..].iter().rev().map(|phi| -phi));
+        let off = difference(&back, &one[0].record.u, beam.length);
         // Measured 2e-14.
         prop_assert!(off <= 3e-13, "{off:e}");
     }
@@ -86,12 +86,12 @@ proptest! {
         let (apart, report) = run(&beam.taken_apart());
         prop_assert_eq!(report.counters.factorisations, 1);
         let count = beam.loads.len();
-        let sum: Vec<f64> = (0..together[0].u.len()).map(|k| apart[..count].iter().map(|s| s.u[k]).sum()).collect();
+        let sum: Vec<f64> = (0..together[0].record.u.len()).map(|k| apart[..count].iter().map(|s| s.record.u[k]).sum()).collect();
         // Parts may be larger than their sum.
-        let size = largest(apart[..count].iter().flat_map(|s| s.u.iter().copied()));
-        let cancelled = 1.0 + size / largest(together[0].u.iter().copied()).max(f64::MIN_POSITIVE);
-        for found in [&sum, &apart[count].u] {
-            let off = difference(found, &together[0].u, beam.length);
+        let size = largest(apart[..count].iter().flat_map(|s| s.record.u.iter().copied()));
+        let cancelled = 1.0 + size / largest(together[0].record.u.iter().copied()).max(f64::MIN_POSITIVE);
+        for found in [&sum, &apart[count].record.u] {
+            let off = difference(found, &together[0].record.u, beam.length);
             // Measured 3e-15.
             prop_assert!(off <= 1e-13 * cancelled, "{off:e}");
         }

@@ -66,7 +66,7 @@ fn every_key_and_every_named_value_occurs_in_a_case() {
     let mut used: BTreeSet<String> = SPARED.iter().map(ToString::to_string).collect();
     for case in gallery() {
         // The resolved case: a default that no author writes is used all the same.
-        let value = serde_json::to_value(&load(&case).scene.case).unwrap();
+        let value = serde_json::to_value(load(&case).scene.case()).unwrap();
         visit(&schema, &schema, "Case", &value, &mut used);
     }
     let missing: Vec<&String> = known.difference(&used).collect();
@@ -79,7 +79,7 @@ fn every_key_and_every_named_value_occurs_in_a_case() {
 fn every_registered_reference_bond_law_and_end_treatment_has_a_case() {
     let (mut references, mut laws, mut treatments) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
     for case in gallery() {
-        let scene = load(&case).scene;
+        let Some(scene) = load(&case).scene.into_beam() else { continue };
         laws.insert(scene.beam.parameters().bond_law.name);
         treatments.insert(scene.beam.parameters().end_treatment.name);
         let named = scene.case.checks.into_iter().filter_map(|check| match check {

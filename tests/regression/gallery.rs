@@ -69,9 +69,9 @@ fn every_case_says_what_it_shows_and_checks_it() {
     for case in gallery() {
         let name = short(&case);
         let scene = load(&case).scene;
-        let about = scene.case.about.as_deref().unwrap_or_default();
+        let about = scene.case().about.as_deref().unwrap_or_default();
         assert!(about.len() > 20, "{name} has no sentence in `about`");
-        assert!(!scene.expectations.is_empty(), "{name} has no checks");
+        assert!(!scene.case().checks.is_empty(), "{name} has no checks");
     }
 }
 

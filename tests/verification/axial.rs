@@ -117,7 +117,7 @@ fn bars_from_end_to_end_are_as_good_as_points_that_stretch() {
         for member in 0..frame.members.len() {
             let [a, b] =
                 [&bars, &points].map(|r| r.states[0].values(field, member).expect("there").into_owned());
-            let scale = largest(&bars.states[0].u);
+            let scale = largest(&bars.states[0].record.u);
             assert!(largest(&a.iter().zip(&b).map(|(a, b)| a - b).collect::<Vec<_>>()) <= 1e-13 * scale);
         }
     }

@@ -44,8 +44,8 @@ fn a_foundation_alone_carries_a_rigid_beam_by_the_lever() {
     let [w, phi] = run.errors(|x| (a + b * x, b));
     // Measured 2.5e-5 and 3.9e-5: the trapezoidal rule on 200 cells.
     assert!(w <= 5e-5 && phi <= 5e-5, "{w:e}, {phi:e}");
-    assert!(run.states[0].certificate.energy_balance <= 1e-10);
-    assert!(run.states[0].certificate.balance.iter().all(|b| b.relative <= 1e-9));
+    assert!(run.states[0].record.certificate.energy_balance <= 1e-10);
+    assert!(run.states[0].record.certificate.balance.iter().all(|b| b.relative <= 1e-9));
 }
 
 #[test]

@@ -35,7 +35,7 @@ fn the_plain_band_factor_keeps_some_digits_and_the_finish_the_rest() {
         let plain = error(&u[..=cells], &expected);
         // A5, measured 5e-11 and 9e-9: the rounding of the entries of the matrix.
         assert!(plain <= bound, "{cells} cells: {plain:e}");
-        let certificate = run(&case).states[0].certificate.clone();
+        let certificate = run(&case).states[0].record.certificate.clone();
         let told = certificate.first_correction;
         assert!(plain > 1e-12, "the finish would have nothing to do: {plain:e}");
         // The energy of the first correction tells how wrong the plain answer was: measured a tenth of it.

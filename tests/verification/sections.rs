@@ -133,5 +133,5 @@ fn a_section_that_ends_as_it_begins_is_uniform() {
         run(&case)
     };
     let same = json!({ "rectangle": { "width": 0.05, "height": 0.05 } });
-    assert_eq!(beam(same).states[0].u, beam(Value::Null).states[0].u);
+    assert_eq!(beam(same).states[0].record.u, beam(Value::Null).states[0].record.u);
 }

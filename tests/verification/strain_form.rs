@@ -2,7 +2,8 @@
 
 use crate::support::standard::{CASES, SECTIONS, Section, Standard, steel, unit};
 use crate::support::{Run, error, largest, run, run_recovered};
-use peristat::run::{RunOptions, run as solve};
+use peristat::run::RunOptions;
+use peristat::run::beam::{Reaction, run as solve};
 use peristat::scene::Scene;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -36,7 +37,7 @@ fn certificates_are_down_to_rounding_for_all_standard_cases() {
     for standard in CASES {
         for section in SLENDER {
             let run = run(&standard.case(&section, "exact", 5000));
-            let certificate = &run.states[0].certificate;
+            let certificate = &run.states[0].record.certificate;
             // Measured 1.2e-15, 5e-15, 2e-15 and 6e-17.
             assert!(certificate.residual <= 1e-14, "{}: {certificate:?}", standard.name);
             assert!(certificate.next_correction <= 1e-14, "{}: {certificate:?}", standard.name);
@@ -61,7 +62,7 @@ fn differences(a: &Run, b: &Run) -> f64 {
         let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         worst = worst.max(apart(&a_w, &b_w) / size).max(length * apart(&a_phi, &b_phi) / size);
         let forces = |run: &Run| -> Vec<f64> {
-            let of = |r: &peristat::run::Reaction| [r.force * length, r.moment];
+            let of = |r: &Reaction| [r.force * length, r.moment];
             run.states[state].reactions.iter().flat_map(of).collect()
         };
         let (a_forces, b_forces) = (forces(a), forces(b));
@@ -122,6 +123,7 @@ fn solved(path: &Path, solver: &str) -> Option<Run> {
     let source = peristat::case::read(path, &[format!("solver={solver}")]).expect("a case");
     let scene = Scene::new(source.case, path.parent().expect("a folder"), "case", &source.text, None)
         .expect("a scene");
+    let scene = scene.into_beam().expect("a beam");
     let mut states = Vec::new();
     let options = RunOptions { recover: true, max_memory: None };
     let report = solve(&scene, &options, &mut |state| {
@@ -206,7 +208,7 @@ fn a_soft_spring_beside_a_rigid_support_of_the_first_point_turns_with_it() {
         let expected = 1.0 / 24.0 / (1.0 + stiffness * (1.0 / 3.0 + 1e-3));
         let wrong = (run.unknowns(0)[1][0] / expected - 1.0).abs();
         // Measured 7e-15.
-        assert!(wrong <= 1e-13 && run.states[0].certificate.converged, "{stiffness:e}: {wrong:e}");
+        assert!(wrong <= 1e-13 && run.states[0].record.certificate.converged, "{stiffness:e}: {wrong:e}");
     }
 }
 
@@ -217,5 +219,5 @@ fn a_law_that_locks_is_left_to_the_displacement_form() {
     case["loads"] = json!([{ "distributed": { "force": { "uniform": 1.0 } } }]);
     let run = run(&case);
     assert_eq!(run.report.solver.method, "band_cholesky");
-    assert!(run.states[0].certificate.converged);
+    assert!(run.states[0].record.certificate.converged);
 }

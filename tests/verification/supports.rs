@@ -174,7 +174,7 @@ fn a_combination_is_the_sum_of_its_load_cases_and_counts_settlements_once() {
     ]);
     case["combinations"] = json!([{ "name": "both", "factors": { "dead": 1.35, "live": 1.5 } }]);
     let level = run(&case);
-    let u: Vec<&[f64]> = level.states.iter().map(|s| s.u.as_slice()).collect();
+    let u: Vec<&[f64]> = level.states.iter().map(|s| s.record.u.as_slice()).collect();
     let sum = |k: usize| 1.35 * u[0][k] + 1.5 * u[1][k];
     let differences: Vec<f64> = (0..u[2].len()).map(|k| u[2][k] - sum(k)).collect();
     assert!(largest(&differences) <= 1e-13 * largest(u[2]));
@@ -182,7 +182,9 @@ fn a_combination_is_the_sum_of_its_load_cases_and_counts_settlements_once() {
     case["supports"][1]["w"] = json!(-0.002);
     let settled = run(&case);
     let moved: Vec<Vec<f64>> = (0..3)
-        .map(|k| settled.states[k].u.iter().zip(&level.states[k].u).map(|(a, b)| a - b).collect())
+        .map(|k| {
+            settled.states[k].record.u.iter().zip(&level.states[k].record.u).map(|(a, b)| a - b).collect()
+        })
         .collect();
     for k in 1..3 {
         let differences: Vec<f64> = moved[k].iter().zip(&moved[0]).map(|(a, b)| a - b).collect();
@@ -197,10 +199,10 @@ fn load_steps_scale_loads_and_settlements_together() {
     let mut case = case(0.05, 60, &[ROLLER(0.0), middle, ROLLER(1.0)], &[force(0.25, -900.0)]);
     case["steps"] = json!({ "load_factors": [0.5, -2.0, 1.0] });
     let run = run(&case);
-    let full = &run.states[2].u;
+    let full = &run.states[2].record.u;
     for (state, factor) in [(0, 0.5), (1, -2.0)] {
         let differences: Vec<f64> =
-            run.states[state].u.iter().zip(full).map(|(found, u)| found - factor * u).collect();
+            run.states[state].record.u.iter().zip(full).map(|(found, u)| found - factor * u).collect();
         // Measured 1e-15.
         assert!(largest(&differences) <= 1e-13 * largest(full), "step {state}: {:e}", largest(&differences));
     }

@@ -46,8 +46,8 @@ fn line([length, force]: [f64; 2]) -> Value {
 /// All that a run tells, in the first units; a balance is named.
 fn told(run: &Run, [length, force]: [f64; 2]) -> Vec<(String, f64)> {
     let (state, mut told) = (&run.states[0], Vec::new());
-    let n = state.u.len() / 3;
-    for (component, (plane, unit)) in state.u.chunks_exact(n).zip([length, 1.0, length]).enumerate() {
+    let n = state.record.u.len() / 3;
+    for (component, (plane, unit)) in state.record.u.chunks_exact(n).zip([length, 1.0, length]).enumerate() {
         told.extend(plane.iter().map(|u| (format!("unknown {component}"), u / unit)));
     }
     for ends in all_ends(run) {
@@ -55,7 +55,7 @@ fn told(run: &Run, [length, force]: [f64; 2]) -> Vec<(String, f64)> {
             told.extend([axial, shear, moment / length].map(|f| ("section force".into(), f / force)));
         }
     }
-    let certificate = &state.certificate;
+    let certificate = &state.record.certificate;
     told.extend(certificate.balance.iter().map(|b| (b.motion.to_string(), b.relative)));
     told.extend([
         ("residual".into(), certificate.residual),

@@ -117,7 +117,7 @@ impl Loaded {
 
     /// Warnings on the case, ready to be shown; `None` if there are none.
     pub fn warnings(&self) -> Option<Report> {
-        let report = self.scene.warnings.clone().into_report(&self.file, &self.text);
+        let report = self.scene.warnings().clone().into_report(&self.file, &self.text);
         (!report.diagnostics.is_empty()).then_some(report)
     }
 
@@ -136,7 +136,7 @@ impl Loaded {
             sink(&self.scene, result)
         };
         let report = run::run(&self.scene, options, &mut take).map_err(|e| self.explain(e))?;
-        Ok(collector.finish(&self.scene, report, warning_texts(&self.scene.warnings, &self.file)))
+        Ok(collector.finish(&self.scene, report, warning_texts(self.scene.warnings(), &self.file)))
     }
 }
 

@@ -7,27 +7,30 @@ pub(crate) mod sections;
 pub(crate) mod standard;
 
 use peristat::case::from_text;
-use peristat::run::{self, LineFields, RunOptions, RunReport, StateResult};
-use peristat::scene::Scene;
+use peristat::run::beam::{self, BeamResult, LineFields};
+use peristat::run::{RunOptions, RunReport};
+use peristat::scene::{BeamScene, Scene};
 use serde_json::Value;
 use std::path::Path;
 
 /// A scene with its results.
 pub(crate) struct Run {
-    pub(crate) scene: Scene,
-    pub(crate) states: Vec<StateResult>,
+    pub(crate) scene: BeamScene,
+    pub(crate) states: Vec<BeamResult>,
     pub(crate) report: RunReport,
 }
 
 /// Resolves a case, or returns the report of its faults as text.
-pub(crate) fn try_scene(case: &Value) -> Result<Scene, String> {
+pub(crate) fn try_scene(case: &Value) -> Result<BeamScene, String> {
     let text = format!("{case:#}");
     let source = from_text("case", text, &[]).map_err(|e| e.to_string())?;
-    Scene::new(source.case, Path::new("."), "case", &source.text, None).map_err(|e| e.to_string())
+    let scene =
+        Scene::new(source.case, Path::new("."), "case", &source.text, None).map_err(|e| e.to_string())?;
+    Ok(scene.into_beam().expect("a beam"))
 }
 
 /// Resolves a case that has no faults.
-pub(crate) fn scene(case: &Value) -> Scene {
+pub(crate) fn scene(case: &Value) -> BeamScene {
     try_scene(case).unwrap_or_else(|faults| panic!("{faults}"))
 }
 
@@ -35,7 +38,7 @@ fn run_with(case: &Value, recover: bool) -> Run {
     let scene = scene(case);
     let mut states = Vec::new();
     let options = RunOptions { recover, max_memory: None };
-    let report = run::run(&scene, &options, &mut |state| {
+    let report = beam::run(&scene, &options, &mut |state| {
         states.push(state);
         Ok(())
     });
@@ -66,8 +69,8 @@ impl Run {
     /// Deflections and rotations of the real points of all lines.
     pub(crate) fn unknowns(&self, state: usize) -> [Vec<f64>; 2] {
         let state = &self.states[state];
-        let of_line = |line: &LineFields, plane: usize| &state.u[plane + line.first..][..line.x.len()];
-        [0, state.u.len() / 2]
+        let of_line = |line: &LineFields, plane: usize| &state.record.u[plane + line.first..][..line.x.len()];
+        [0, state.record.u.len() / 2]
             .map(|plane| state.lines.iter().flat_map(|line| of_line(line, plane)).copied().collect())
     }
 
@@ -84,7 +87,7 @@ impl Run {
 
     /// Applied nodal forces of the first state, two planes.
     pub(crate) fn load(&self) -> Vec<f64> {
-        let mut load = vec![0.0; self.states[0].u.len()];
+        let mut load = vec![0.0; self.states[0].record.u.len()];
         self.scene.states[0].loads.add_to(&self.scene.beam, &mut load);
         load
     }

@@ -3,6 +3,7 @@
 mod args;
 mod lists;
 mod print;
+mod print_beam;
 mod print_state;
 mod solve;
 mod verify;

@@ -1,8 +1,8 @@
 //! Results as text.
 
-use super::print_state;
-use crate::run::{CheckResult, Sizes};
-use crate::summary::{BeamSummary, Located, Status, Summary};
+use super::{print_beam, print_state};
+use crate::run::{CheckResult, ProbeResult, Sizes};
+use crate::summary::{Forces, Located, ModelSummary, Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -51,7 +51,9 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
         }
         out.push('\n');
         print_state::extremes(&mut out, state);
-        print_state::reactions(&mut out, state);
+        match &state.forces {
+            Forces::Beam(forces) => print_beam::forces(&mut out, forces),
+        }
         print_state::certificate(&mut out, state);
     }
     if !summary.envelope.is_empty() {
@@ -74,23 +76,10 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
 }
 
 fn model(out: &mut String, summary: &Summary) {
-    let (m, units) = (&summary.model, summary.units);
-    let length = units.length();
-    let ratios: Vec<String> = m
-        .horizon_ratio
-        .iter()
-        .zip(m.spacing.iter().zip(&m.graded))
-        .map(|(r, (h, graded))| match graded {
-            true => format!("{} neighbours of a graded grid", number(*r)),
-            false => format!("{} spacings = {} {length}", number(*r), number(r * h)),
-        })
-        .collect();
-    // Members of a frame often share a grid; all of them would be a long list.
-    let ratios = distinct(ratios);
     let mut line = |key: &str, text: String| _ = writeln!(out, "  {key:<8} {text}");
-    line("model", format!("{}, bond law {}, ends {}", m.name, m.bond_law, m.end_treatment));
-    line("horizon", ratios.join("; "));
-    line("section", section(m, length));
+    match &summary.model {
+        ModelSummary::Beam(model) => print_beam::model(model, summary.units, &mut line),
+    }
     let sizes = &summary.sizes;
     line("size", format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns));
     let iterations: Vec<String> = summary.solver.iterations.iter().map(ToString::to_string).collect();
@@ -103,38 +92,6 @@ fn model(out: &mut String, summary: &Summary) {
         },
     );
     line("why", summary.solver.reason.clone());
-}
-
-/// Every text once, and of many only the first ones.
-fn distinct(all: Vec<String>) -> Vec<String> {
-    const MOST: usize = 4;
-    let mut kept: Vec<String> = Vec::new();
-    for text in all {
-        if !kept.contains(&text) {
-            kept.push(text);
-        }
-    }
-    if kept.len() > MOST {
-        let rest = kept.len() - MOST;
-        kept.truncate(MOST);
-        kept.push(format!("{rest} more"));
-    }
-    kept
-}
-
-/// What is known of the section, that at the start where it varies.
-fn section(m: &BeamSummary, length: &str) -> String {
-    let known = [
-        m.area.map(|a| format!("A = {} {length}²", number(a))),
-        m.second_moment.map(|i| format!("I = {} {length}⁴", number(i))),
-        m.kappa.map(|k| format!("κ = {}", number(k))),
-        Some(format!("EI = {} N {length}²", number(m.bending_stiffness))),
-        Some(format!("κGA = {} N", number(m.shear_stiffness))),
-        m.axial_stiffness.map(|a| format!("EA = {} N", number(a))),
-    ];
-    let known: Vec<String> = known.into_iter().flatten().collect();
-    let member = m.member.as_ref().map_or(String::new(), |name| format!(" of member `{name}`"));
-    known.join(", ") + &member + if m.varies { " at the start" } else { "" }
 }
 
 fn envelope(out: &mut String, summary: &Summary) {
@@ -150,27 +107,14 @@ fn envelope(out: &mut String, summary: &Summary) {
 }
 
 fn probes(out: &mut String, summary: &Summary) {
-    let rows: Vec<Vec<String>> = summary
-        .probes
-        .iter()
-        .map(|p| {
-            vec![
-                p.name.clone(),
-                p.state.clone(),
-                p.field.name().into(),
-                p.place.clone().unwrap_or_else(|| number(p.x)),
-                format!("{:?}", p.value),
-            ]
-        })
-        .collect();
-    let _ = write!(
-        out,
-        "\n{}",
-        table(
-            &["probe", "state", "field", if summary.probes[0].place.is_some() { "at" } else { "x" }, "value"],
-            &rows
-        )
-    );
+    let row = |p: &ProbeResult| {
+        let place = p.place.clone().unwrap_or_else(|| print_state::position(p.x, p.y));
+        vec![p.name.clone(), p.state.clone(), p.field.name().into(), place, format!("{:?}", p.value)]
+    };
+    let rows: Vec<Vec<String>> = summary.probes.iter().map(row).collect();
+    let on_lines = summary.probes.iter().all(|p| p.place.is_none() && p.y.is_none());
+    let at = if on_lines { "x" } else { "at" };
+    let _ = write!(out, "\n{}", table(&["probe", "state", "field", at, "value"], &rows));
 }
 
 /// The checks of a case.

@@ -4,10 +4,11 @@ use super::args::{Global, Run};
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use crate::output::matrix_market;
 use crate::results::{Results, admit, finite};
-use crate::run::{Problem, RunOptions, prepare, sizes};
+use crate::run::{RunError, RunOptions, Sizes, beam, sizes};
 use crate::scene::Scene;
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
+use peristat_assembly::system::System;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -119,27 +120,42 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
 
 /// Writes the stiffness before supports.
 fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
-    match loaded.scene.has_axial {
-        true => write_stiffness::<3>(loaded, file, "w_0, phi_0, u_0, w_1, phi_1, u_1, ..."),
-        false => write_stiffness::<2>(loaded, file, "w_0, phi_0, w_1, phi_1, ..."),
+    match &loaded.scene {
+        Scene::Beam(scene) => {
+            let points = match scene.frame {
+                Some(_) => "of the points, member by member, in the axes of their members",
+                None => "of the points from left to right",
+            };
+            match scene.has_axial {
+                true => {
+                    let system = beam::prepare::<3>(scene, &RunOptions::default());
+                    let order = format!("w_0, phi_0, u_0, w_1, phi_1, u_1, ... {points}");
+                    write_stiffness(loaded, system, file, &order)
+                }
+                false => {
+                    let system = beam::prepare::<2>(scene, &RunOptions::default());
+                    write_stiffness(loaded, system, file, &format!("w_0, phi_0, w_1, phi_1, ... {points}"))
+                }
+            }
+        }
     }
 }
 
-fn write_stiffness<const D: usize>(loaded: &Loaded, file: &Path, order: &str) -> Result<(), Error>
-where
-    Scene: Problem<D>,
-{
-    let (system, _) =
-        prepare::<D, _>(&loaded.scene, &RunOptions::default()).map_err(|e| loaded.explain(e))?;
+fn write_stiffness<const D: usize>(
+    loaded: &Loaded,
+    prepared: Result<(System<D>, Sizes), RunError>,
+    file: &Path,
+    order: &str,
+) -> Result<(), Error> {
+    let (system, _) = prepared.map_err(|e| loaded.explain(e))?;
     let matrix = system.stiffness().to_csr(|point, component| D * point + component);
     let entries: Vec<(usize, usize, f64)> = matrix.iter().map(|(&v, (i, j))| (i, j, v)).collect();
-    let points = match loaded.scene.frame {
-        Some(_) => "of the points, member by member, in the axes of their members",
-        None => "of the points from left to right",
-    };
     let comments = [
-        format!("stiffness of `{}` before supports, links and springs are applied", loaded.scene.case.title),
-        format!("unknowns in the order {order} {points}"),
+        format!(
+            "stiffness of `{}` before supports, links and springs are applied",
+            loaded.scene.case().title
+        ),
+        format!("unknowns in the order {order}"),
     ];
     matrix_market::write(file, system.size(), &entries, &comments)
         .map_err(|error| io::Error::new(error.kind(), format!("cannot write {}: {error}", file.display())))?;

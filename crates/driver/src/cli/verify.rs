@@ -134,7 +134,7 @@ fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome>
     let loaded = Loaded::read(case, &[], global.max_memory);
     let named = request.paths.iter().any(|p| p == case);
     if let Ok(loaded) = &loaded
-        && loaded.scene.case.slow
+        && loaded.scene.case().slow
         && !request.all
         && !named
     {

@@ -1,15 +1,13 @@
 //! The folder of a run, written state by state; `summary.json` comes last and means that the run is finished.
 
-mod columns;
-mod frame_plots;
-mod plots;
+mod beam;
+mod envelope;
 
-use crate::output::vtu::{CellType, Cells, DataArray, Grid};
-use crate::output::{atomic, csv, pvd, vtu};
-use crate::run::StateResult;
+use crate::output::{atomic, csv, pvd};
+use crate::run::{ProbeResult, StateRecord, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
-use columns::{Column, Envelope, all};
+use envelope::Envelope;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -24,7 +22,16 @@ pub struct Results {
     folder: PathBuf,
     steps: Vec<(f64, String)>,
     history: Vec<Vec<f64>>,
-    envelope: Envelope,
+    envelope: Option<Envelope>,
+}
+
+/// A column of a table.
+type Column = (&'static str, Vec<f64>);
+
+/// Writes columns as a table.
+fn write_table<'a>(file: &Path, columns: impl Iterator<Item = &'a Column>) -> io::Result<()> {
+    let columns: Vec<(&str, &[f64])> = columns.map(|(name, values)| (*name, values.as_slice())).collect();
+    csv::write(file, &columns)
 }
 
 /// Name of the file that marks a folder as written by peristat.
@@ -62,8 +69,11 @@ pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
 
 /// Whether every value of a state that a folder would hold is a number.
 pub fn finite(result: &StateResult) -> bool {
-    let values = result.fields().iter().filter_map(|&f| all(result, f));
-    result.u.iter().all(|u| u.is_finite()) && values.flatten().all(|v| v.is_finite())
+    let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+    finite(&result.record().u)
+        && match result {
+            StateResult::Beam(result) => beam::fields(result).all(|(_, values)| finite(&values)),
+        }
 }
 
 /// Names of what a folder holds.
@@ -88,7 +98,7 @@ impl Results {
             }
         }
         fs::write(folder.join(MARK), "results of peristat\n")?;
-        let case = serde_json::to_string_pretty(&scene.case)?;
+        let case = serde_json::to_string_pretty(scene.case())?;
         atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())?;
         fs::create_dir(folder.join("fields"))?;
         fs::create_dir(folder.join("plots"))?;
@@ -96,7 +106,7 @@ impl Results {
             folder: folder.into(),
             steps: Vec::new(),
             history: Vec::new(),
-            envelope: Envelope::default(),
+            envelope: scene.has_envelope().then(Envelope::default),
         })
     }
 
@@ -105,27 +115,26 @@ impl Results {
     /// # Errors
     /// The folder cannot be written.
     pub fn take(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
-        let name = format!("step_{:03}", result.index);
-        let (places, fields) = (columns::places(scene, result), columns::fields(result));
-        let left = columns::left(scene, result);
-        let table: Vec<(&str, &[f64])> =
-            places.iter().chain(&fields).chain(&left).map(|(name, v)| (*name, v.as_slice())).collect();
-        csv::write(&self.folder.join("fields").join(format!("{name}.csv")), &table)?;
-        self.write_grid(&name, &fields, result)?;
-        self.steps.push((step_time(scene, result), format!("fields/{name}.vtu")));
+        let record = result.record();
+        let name = format!("step_{:03}", record.index);
+        let is_last = record.index + 1 == scene.states();
+        let probes = match (scene, result) {
+            (Scene::Beam(scene), StateResult::Beam(result)) => {
+                beam::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
+                if is_last {
+                    beam::plots::write(&self.folder.join("plots"), scene, result)?;
+                }
+                crate::run::beam::probes(scene, result)
+            }
+        };
+        self.steps.push((step_time(scene, record), format!("fields/{name}.vtu")));
         let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();
         pvd::write(&self.folder.join("fields.pvd"), &steps)?;
-        self.write_history(scene, result)?;
-        if scene.has_envelope {
-            self.envelope.widen(result);
+        self.write_history(record, &probes)?;
+        match &self.envelope {
+            Some(envelope) if is_last => envelope.write(&self.folder.join("envelope.csv")),
+            _ => Ok(()),
         }
-        if result.index + 1 == scene.states.len() {
-            plots::write(&self.folder.join("plots"), scene, result)?;
-            if scene.has_envelope {
-                self.write_envelope(&places)?;
-            }
-        }
-        Ok(())
     }
 
     /// Writes `summary.json`.
@@ -137,31 +146,8 @@ impl Results {
         atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())
     }
 
-    fn write_grid(&self, name: &str, fields: &[Column], result: &StateResult) -> io::Result<()> {
-        let points = columns::positions(result);
-        let mut connectivity: Vec<u32> = Vec::new();
-        let mut first = 0;
-        for line in &result.lines {
-            let count = line.x.len() as u32;
-            connectivity.extend((first..first + count - 1).flat_map(|p| [p, p + 1]));
-            first += count;
-        }
-        // The displacement as a vector, so that viewers can warp the body by it.
-        let displacement: Vec<f64> = result.displacements().flat_map(|[x, y]| [x, y, 0.0]).collect();
-        let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
-        data.extend(fields.iter().map(|(name, values)| DataArray { name, components: 1, values }));
-        let grid = Grid {
-            points: &points,
-            cells: &[Cells { cell_type: CellType::Line, connectivity: &connectivity }],
-            point_data: &data,
-            cell_data: &[],
-        };
-        vtu::write(&self.folder.join("fields").join(format!("{name}.vtu")), &grid)
-    }
-
-    fn write_history(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
-        let probes = crate::run::probes(scene, result);
-        let mut row = vec![result.index as f64, result.load_factor];
+    fn write_history(&mut self, record: &StateRecord, probes: &[ProbeResult]) -> io::Result<()> {
+        let mut row = vec![record.index as f64, record.load_factor];
         row.extend(probes.iter().map(|p| p.value));
         self.history.push(row);
         let mut names = vec!["step", "load_factor"];
@@ -172,16 +158,9 @@ impl Results {
             names.into_iter().zip(&columns).map(|(name, values)| (name, values.as_slice())).collect();
         csv::write(&self.folder.join("history.csv"), &columns)
     }
-
-    fn write_envelope(&self, places: &[Column]) -> io::Result<()> {
-        let bounds = self.envelope.columns();
-        let mut table: Vec<(&str, &[f64])> = places.iter().map(|(n, v)| (*n, v.as_slice())).collect();
-        table.extend(bounds.iter().map(|(name, v)| (name.as_str(), v.as_slice())));
-        csv::write(&self.folder.join("envelope.csv"), &table)
-    }
 }
 
 /// Time of a state in the collection: the load factor of a step, the number of a load case.
-fn step_time(scene: &Scene, result: &StateResult) -> f64 {
-    if scene.case.steps.is_some() { result.load_factor } else { result.index as f64 }
+fn step_time(scene: &Scene, record: &StateRecord) -> f64 {
+    if scene.case().steps.is_some() { record.load_factor } else { record.index as f64 }
 }

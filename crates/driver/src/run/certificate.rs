@@ -3,7 +3,6 @@
 use super::extent;
 use super::linear::StateSolution;
 use peristat_assembly::model::Model;
-use peristat_assembly::model::timoshenko_beam::StrainChecks;
 use peristat_assembly::stiffness::Survey;
 use peristat_assembly::sum::Sum;
 use peristat_assembly::system::System;
@@ -40,15 +39,15 @@ pub struct Certificate {
 }
 
 /// A next correction above this is no converged solution.
-const CONVERGED: f64 = 1e-8;
+pub(super) const CONVERGED: f64 = 1e-8;
 
 /// Forces, moments and energies that are out of balance by more belong to another problem: springs so soft, say, that
 /// the rounding of the body's own forces moves them.
-const UNBALANCED: f64 = 1e-6;
+pub(super) const UNBALANCED: f64 = 1e-6;
 
 /// Stored energy over that of the sudden jump below which a solution is free of strain: rounding leaves 1e-32, the
 /// slenderest beam of the finest grid 1e-15.
-const STRAIN_FREE: f64 = 1e-24;
+pub(super) const STRAIN_FREE: f64 = 1e-24;
 
 /// Certifies a solution; `scales` are displacements of each component that count as equally large, so that forces and
 /// moments can be compared by their works.
@@ -93,70 +92,8 @@ fn is_loaded<const D: usize>(system: &System<D>, load: &[f64]) -> bool {
     load.iter().filter(|f| **f != 0.0).count() > on_held
 }
 
-/// What a solution in strains tells of itself.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct StrainEvidence {
-    /// What the last pass over the strains found.
-    pub(super) checks: StrainChecks,
-    /// Sums of the magnitudes of all forces and of their moments about the first point.
-    pub(super) sizes: [f64; 2],
-    /// Number of cells.
-    pub(super) cells: usize,
-    /// Length of the beam.
-    pub(super) length: f64,
-    /// Of the stiffness of the strains, scaled by its diagonal.
-    pub(super) least_eigenvalue: f64,
-    /// What the displacements at the supports lack, relative to the largest.
-    pub(super) next_correction: f64,
-    /// The same before the rounding of the reactions was taken out; 0 if it was not.
-    pub(super) first_correction: f64,
-    /// Whether there are loads.
-    pub(super) loaded: bool,
-    /// Energy of the springs.
-    pub(super) spring_energy: f64,
-    /// Energy of prescribed motions of about this size, if they are resisted.
-    pub(super) jump_energy: f64,
-}
-
-/// Certifies a solution in strains.
-///
-/// The residual is that of `K v = r` for the strains v, with every kind of equation in units of the energy, √K_cc, and r
-/// summed anew from the left end and its reactions; so it also says whether the loads are in balance. Scaled like this
-/// the stiffness has eigenvalues of about one, unless the bond law locks. The residual over the least of them and the
-/// largest strain estimates the error of the strains; the next correction is the larger of this and of what the supports
-/// lack. Where springs take nearly all of the energy, strains are measured by it. The work of loads and reactions is that
-/// of the displacements: it agrees with the energy of the strains only if these were summed up as the loads were.
-pub(super) fn of_strains(motions: &[&'static str], evidence: &StrainEvidence) -> Certificate {
-    let StrainEvidence { checks, sizes, length, spring_energy, jump_energy, .. } = *evidence;
-    let strains = evidence.loaded || checks.energy > STRAIN_FREE * jump_energy;
-    let or_zero = |value: f64| if strains { value } else { 0.0 };
-    // Springs do half the work of their reactions, and store it.
-    let (energy, work) = (checks.energy + spring_energy, checks.work + spring_energy);
-    let energy_balance = or_zero(ratio((energy - work).abs(), energy.abs().max(work.abs())));
-    let usual = (energy.abs() / evidence.cells as f64).sqrt();
-    let (action, strain) = (checks.action.max(usual), checks.strain.max(usual));
-    // Where only moments act, forces are rounding and no measure of themselves.
-    let sizes = [sizes[0].max(sizes[1] / length), sizes[1].max(sizes[0] * length)];
-    let balance = motions.iter().zip(checks.closure).zip(sizes);
-    let balance: Vec<Balance> = balance
-        .map(|((&motion, sum), size)| Balance { motion, relative: or_zero(ratio(sum.abs(), size)) })
-        .collect();
-    let next_correction =
-        evidence.next_correction.max(or_zero(ratio(checks.residual, strain * evidence.least_eigenvalue)));
-    let balanced = balance.iter().map(|b| b.relative).fold(energy_balance, f64::max) <= UNBALANCED;
-    Certificate {
-        converged: balanced && energy.is_finite() && next_correction <= CONVERGED,
-        residual: or_zero(ratio(checks.residual, action)),
-        next_correction,
-        first_correction: evidence.first_correction,
-        balance,
-        energy_balance,
-        energy,
-    }
-}
-
 /// `a / b`, zero where `a` is.
-fn ratio(a: f64, b: f64) -> f64 {
+pub(super) fn ratio(a: f64, b: f64) -> f64 {
     if a == 0.0 { 0.0 } else { a / b }
 }
 

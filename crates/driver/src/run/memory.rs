@@ -1,9 +1,8 @@
 //! How much memory a run takes, told before its terms and its matrix are built.
 
-use super::{Problem, strain};
+use super::Problem;
 use crate::case::Solver;
 use peristat_assembly::condition::{Constraints, Equation};
-use peristat_assembly::model::timoshenko_beam::StrainForm;
 use peristat_assembly::model::{Model, ModelSizes};
 use peristat_solve::{Method, Profile, choose};
 
@@ -21,40 +20,25 @@ const SPARSE: usize = 64;
 
 /// Memory of bonds, matrix, factor and vectors, bytes; and, with `recover`, of fields and their files.
 pub(super) fn estimate<const D: usize, P: Problem<D>>(problem: &P, recover: bool) -> u64 {
-    let model = problem.model();
-    let (sizes, unknowns) = (model.sizes(), D * model.points());
-    let several = problem.states() > 1;
-    let per_point = FIELDS + if several { ENVELOPE } else { 0 };
-    let fields = if recover { 8 * unknowns + per_point * model.points() } else { 0 };
-    // A strain form that is asked for in vain is a fault of the case, told after this.
-    let rest = match strain::chosen(problem).ok().flatten() {
-        Some(parts) => 8 * unknowns + of_strains(&parts.form) + fields,
-        None => {
-            let solving = 8 * VECTORS * unknowns + matrix(problem, &sizes);
-            // The last state is recorded without the factor.
-            if several { solving + fields } else { solving.max(fields) }
-        }
-    };
-    let needed = PROGRAM + sizes.bytes + rest;
-    // Allocators take a little more than they are asked for.
-    (needed + needed / 10) as u64
+    let (sizes, unknowns) = (problem.model().sizes(), D * problem.model().points());
+    let fields = fields(problem, recover);
+    let solving = 8 * VECTORS * unknowns + matrix(problem, &sizes);
+    // The last state is recorded without the factor.
+    total(problem, if problem.states() > 1 { solving + fields } else { solving.max(fields) })
 }
 
-/// The factor of the strain form and what it is made of, bytes.
-fn of_strains(form: &StrainForm) -> usize {
-    /// Reach up to which the columns of equal cells converge within [`CONVERGED`] times the reach, measured.
-    const QUICK: usize = 50;
-    const CONVERGED: usize = 10;
-    let (cells, m, chain) = (form.cells(), form.reach(), form.chain());
-    // Two columns and two rows of 2m numbers per cell.
-    let factor = 8 * 2 * 2 * 2 * m;
-    if !chain.is_uniform() {
-        // Each cell is a run with its own two columns, in the matrix as well; lists that grow leave room behind.
-        return cells * (2 * factor + 128);
-    }
-    let runs = 1 + chain.line().splits.len();
-    let kept = if m > QUICK { cells } else { cells.min(CONVERGED * m * runs) };
-    kept * factor
+/// Memory of the fields of all points and of their files, if they are recovered, bytes.
+pub(super) fn fields<const D: usize, P: Problem<D>>(problem: &P, recover: bool) -> usize {
+    let points = problem.model().points();
+    let per_point = FIELDS + if problem.states() > 1 { ENVELOPE } else { 0 };
+    if recover { 8 * D * points + per_point * points } else { 0 }
+}
+
+/// Memory of program, bonds and `rest`, bytes.
+pub(super) fn total<const D: usize, P: Problem<D>>(problem: &P, rest: usize) -> u64 {
+    let needed = PROGRAM + problem.model().sizes().bytes + rest;
+    // Allocators take a little more than they are asked for.
+    (needed + needed / 10) as u64
 }
 
 /// The stiffness and its factor, bytes.

@@ -1,39 +1,29 @@
 //! Running a scene: assemble, factor, solve every state, certify, recover.
 
+pub mod beam;
 mod certificate;
-mod collect;
-mod comparison;
 mod extent;
-mod extremes;
 mod factor;
-mod fields;
-mod line_points;
 mod linear;
 mod memory;
 mod problem;
-mod reaction;
+mod range;
 mod scan;
-mod skipped;
-mod strain;
 mod verdict;
 
+pub use beam::BeamResult;
 pub use certificate::{Balance, Certificate};
-pub use extremes::MemberForces;
-pub(crate) use extremes::{Range, member_forces};
 pub use factor::{SolveFailure, SolverReport};
-pub use fields::{LineFields, StateResult};
-pub use line_points::LinePoints;
 pub use linear::LinearSolver;
 pub use problem::{Problem, Sizes, prepare};
-pub use reaction::{JointReaction, Reaction};
-pub use strain::StrainProblem;
+pub(crate) use range::Range;
 pub use verdict::{CheckResult, ProbeResult};
-pub(crate) use verdict::{checks, probes};
 
 use crate::diagnostic::Faults;
 use crate::memory::words;
 use crate::scene::Scene;
 use linear::StateSolution;
+use peristat_assembly::system::System;
 use std::time::Instant;
 use thiserror::Error;
 
@@ -119,7 +109,38 @@ pub enum RunError {
     Sink(#[from] std::io::Error),
 }
 
-/// Solves every state of a beam and hands its result to `sink` as it comes.
+/// What the result of a state is, whatever the model.
+#[derive(Clone, Debug)]
+pub struct StateRecord {
+    /// Index among the states of the scene.
+    pub index: usize,
+    /// Name.
+    pub name: String,
+    /// Load factor.
+    pub load_factor: f64,
+    /// Unknowns, one plane per component over all points, ghosts included.
+    pub u: Vec<f64>,
+    /// Certificate.
+    pub certificate: Certificate,
+}
+
+/// The result of one state.
+#[derive(Clone, Debug)]
+pub enum StateResult {
+    /// Of a beam or frame.
+    Beam(BeamResult),
+}
+
+impl StateResult {
+    /// What it is, whatever the model.
+    pub fn record(&self) -> &StateRecord {
+        match self {
+            Self::Beam(result) => &result.record,
+        }
+    }
+}
+
+/// Solves every state of a scene and hands its result to `sink` as it comes.
 ///
 /// # Errors
 /// [`RunError`]; a state that did not converge is no error but an outcome in the report.
@@ -128,17 +149,9 @@ pub fn run(
     options: &RunOptions,
     sink: &mut dyn FnMut(StateResult) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
-    let recover = options.recover
-        || scene.probes.iter().any(|p| p.field.is_recovered())
-        || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
-    let options = &RunOptions { recover, ..*options };
-    let mut take = |solved: SolvedState| sink(collect::result(scene, solved, recover));
-    let mut report = match scene.has_axial {
-        true => solve_states::<3, _>(scene, options, &mut take)?,
-        false => solve_states::<2, _>(scene, options, &mut take)?,
-    };
-    report.skipped = skipped::skipped(scene, &report, recover);
-    Ok(report)
+    match scene {
+        Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink(StateResult::Beam(result))),
+    }
 }
 
 /// Sizes of a scene that can be solved.
@@ -146,9 +159,8 @@ pub fn run(
 /// # Errors
 /// As [`prepare`].
 pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
-    match scene.has_axial {
-        true => prepare::<3, _>(scene, options).map(|p| p.1),
-        false => prepare::<2, _>(scene, options).map(|p| p.1),
+    match scene {
+        Scene::Beam(scene) => beam::sizes(scene, options),
     }
 }
 
@@ -160,19 +172,15 @@ struct SolvedState<'a> {
     certificate: Certificate,
 }
 
-/// Solves every state of a problem, whatever its model, and hands solution and certificate to `take`.
+/// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`.
 fn solve_states<const D: usize, P: Problem<D>>(
     problem: &P,
-    options: &RunOptions,
+    (system, sizes): (&System<D>, Sizes),
     take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
-    let (system, sizes) = prepare(problem, options)?;
-    if let Some(parts) = strain::chosen(problem)? {
-        return strain::solve_states(problem, parts, (&system, sizes), options.recover, take);
-    }
     let mut timing = Timing::default();
     let scales = extent::scales(problem.model());
-    let mut factored = Some(LinearSolver::new(&system, scales, problem.solver(), &mut timing)?);
+    let mut factored = Some(LinearSolver::new(system, scales, problem.solver(), &mut timing)?);
     let (mut report, mut counters) = (SolverReport::default(), Counters::default());
     let mut load = vec![0.0; system.size()];
     let mut converged = true;
@@ -184,7 +192,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
         let solution = solver.solve(&load, motion_factor);
         timing.solve += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let certificate = certificate::certify(problem.model(), &system, &load, &solution, &scales);
+        let certificate = certificate::certify(problem.model(), system, &load, &solution, &scales);
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         // The factor is the largest thing in memory: the last state is recorded without it.

@@ -1,6 +1,5 @@
 //! What a run needs of a scene, whatever its model, and the system it becomes.
 
-use super::strain::{self, StrainProblem};
 use super::{RunError, RunOptions, memory};
 use crate::case::Solver;
 use crate::diagnostic::{Faults, JsonPath};
@@ -36,12 +35,6 @@ pub trait Problem<const D: usize> {
     /// Adds the loads of a state to `force`, `D` planes, and returns the factor on prescribed motions.
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64;
 
-    /// The problem as the strain form sees it, or why it has none.
-    ///
-    /// # Errors
-    /// The reason.
-    fn strain_problem(&self) -> Result<StrainProblem<'_>, String>;
-
     /// A free motion in words, such as `the beam from x = 0 to 1 is free to move along w: no support or link prevents it`.
     fn describe(&self, motion: &FreeMotion) -> String;
 
@@ -71,7 +64,15 @@ pub fn prepare<const D: usize, P: Problem<D>>(
     problem: &P,
     options: &RunOptions,
 ) -> Result<(System<D>, Sizes), RunError> {
-    let needed = memory::estimate::<D, P>(problem, options.recover);
+    prepare_within(problem, memory::estimate(problem, options.recover), options)
+}
+
+/// The same where solving will take `needed` bytes of memory.
+pub(super) fn prepare_within<const D: usize, P: Problem<D>>(
+    problem: &P,
+    needed: u64,
+    options: &RunOptions,
+) -> Result<(System<D>, Sizes), RunError> {
     let allowed = crate::memory::allowed(options.max_memory);
     if let Some(allowed) = allowed.filter(|&allowed| needed > allowed) {
         return Err(RunError::Memory { needed, allowed });
@@ -103,8 +104,6 @@ pub fn prepare<const D: usize, P: Problem<D>>(
     if faults.has_errors() {
         return Err(RunError::Case(faults));
     }
-    // A solver that is asked for and does not apply is a fault too.
-    strain::chosen(problem)?;
     let sizes = Sizes {
         points: system.points(),
         bonds: system.elements(),

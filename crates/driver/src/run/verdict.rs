@@ -1,10 +1,8 @@
-//! Probes and checks on results.
+//! Probes and checks on results: values against what they should be.
 
-use super::comparison::{Compared, Worst};
-use super::fields::StateResult;
+use super::scan;
 use crate::case::FieldName;
-use crate::reference::{Field, Solution};
-use crate::scene::{Expectation, ExpectationKind, Scene};
+use crate::scene::{Expectation, ExpectationKind};
 use serde::Serialize;
 
 /// A probed value.
@@ -14,8 +12,11 @@ pub struct ProbeResult {
     pub name: String,
     /// Name of the state.
     pub state: String,
-    /// Position of the point that answered, on its line.
+    /// Position of the point that answered, on its line or in the plane.
     pub x: f64,
+    /// The second coordinate of a point in the plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub y: Option<f64>,
     /// Joint, or member and position, on a frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<String>,
@@ -46,112 +47,98 @@ pub struct CheckResult {
     pub source: String,
 }
 
-/// Values of all probes on one state.
-pub(crate) fn probes(scene: &Scene, result: &StateResult) -> Vec<ProbeResult> {
-    let probe = |p: &crate::scene::ProbePoint| {
-        let value = result.value(p.field, p.local.0, p.local.1)?;
-        let (name, state, place) = (p.name.clone(), result.name.clone(), p.place.clone());
-        Some(ProbeResult { name, state, x: p.x, place, field: p.field, value })
-    };
-    scene.probes.iter().filter_map(probe).collect()
+/// Points that are compared at once.
+pub(super) const BLOCK: usize = 256;
+
+/// The worst of several comparisons.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Worst {
+    pub(super) expected: f64,
+    pub(super) found: f64,
+    pub(super) difference: f64,
+    /// Largest expected magnitude.
+    pub(super) scale: f64,
 }
 
-/// Outcomes of the checks that are made on this state.
-pub(crate) fn checks(scene: &Scene, result: &StateResult) -> Vec<CheckResult> {
-    let mine: Vec<&Expectation> = scene.expectations.iter().filter(|e| e.state == result.index).collect();
-    let compared = Compared::new(scene, &mine, result);
-    mine.into_iter().map(|e| check(scene, e, result, &compared)).collect()
-}
+impl Worst {
+    /// Of no comparison yet.
+    pub(super) const NONE: Self = Self { expected: 0.0, found: 0.0, difference: -1.0, scale: 0.0 };
 
-fn check(scene: &Scene, expectation: &Expectation, result: &StateResult, compared: &Compared) -> CheckResult {
-    let name = expectation.name.clone();
-    let probed = |probe: usize| {
-        let p = &scene.probes[probe];
-        result.value(p.field, p.local.0, p.local.1).unwrap_or(f64::NAN)
-    };
-    match &expectation.kind {
-        ExpectationKind::ClosedForm { reference, solution, field, tolerance } => {
-            let displacement = compared.worst(reference, *field);
-            let mut worst = displacement.unwrap_or_else(|| closed_form(scene, solution, *field, result));
-            if worst.scale == 0.0 {
-                worst.scale = fallback_scale(scene, result, *field);
-            }
-            verdict(name, "closed_form", worst, *tolerance, "closed form".into())
+    /// Of some values.
+    pub(super) fn of(expected: &[f64], found: &[f64]) -> Self {
+        let mut worst = Self::NONE;
+        for (expected, found) in expected.chunks(BLOCK).zip(found.chunks(BLOCK)) {
+            worst.take(expected, found);
         }
+        worst
+    }
+
+    /// Takes at most [`BLOCK`] more values. What is not a number is worst of all.
+    pub(super) fn take(&mut self, expected: &[f64], found: &[f64]) {
+        let mut differences = [0.0; BLOCK];
+        let differences = &mut differences[..expected.len()];
+        differences.iter_mut().zip(expected).zip(found).for_each(|((d, e), f)| *d = (f - e).abs());
+        self.scale = self.scale.max(scan::largest(expected));
+        if scan::largest(differences) <= self.difference {
+            return;
+        }
+        for (k, &difference) in differences.iter().enumerate() {
+            if difference > self.difference || (difference.is_nan() && !self.difference.is_nan()) {
+                *self = Self { expected: expected[k], found: found[k], difference, ..*self };
+            }
+        }
+    }
+}
+
+impl CheckResult {
+    /// Of a comparison.
+    pub(super) fn of(
+        name: &str,
+        kind: &'static str,
+        worst: Worst,
+        tolerance: f64,
+        source: impl Into<String>,
+    ) -> Self {
+        let error = if worst.scale > 0.0 { worst.difference / worst.scale } else { worst.difference };
+        // A missing value is not a number, no comparison at all a negative one: neither must pass.
+        let passed = (0.0..=tolerance).contains(&error);
+        let (name, source) = (name.into(), source.into());
+        Self { name, kind, expected: worst.expected, found: worst.found, error, tolerance, passed, source }
+    }
+
+    /// Of a magnitude and its bound.
+    fn of_limit(name: &str, found: f64, at_most: f64, why: &str) -> Self {
+        let error = found.abs() / at_most;
+        Self {
+            name: name.into(),
+            kind: "limit",
+            expected: at_most,
+            found,
+            error,
+            tolerance: 1.0,
+            passed: error <= 1.0,
+            source: why.into(),
+        }
+    }
+}
+
+/// What a check finds. `probed` gives the value of a probe, `bounded` the larger one where it jumps: a bound that one side
+/// exceeds is not kept. Both are not a number where there is none. `of_points` compares all points.
+pub(super) fn check<F>(
+    expectation: &Expectation<F>,
+    probed: impl Fn(usize) -> f64,
+    bounded: impl Fn(usize) -> f64,
+    of_points: impl Fn(&F) -> CheckResult,
+) -> CheckResult {
+    let name = &expectation.name;
+    match &expectation.kind {
         ExpectationKind::Value { probe, expected, tolerance, source } => {
-            let found = probed(*probe);
-            verdict(name, "value", Worst::of(&[*expected], &[found]), *tolerance, source.clone())
+            let worst = Worst::of(&[*expected], &[probed(*probe)]);
+            CheckResult::of(name, "value", worst, *tolerance, source)
         }
         ExpectationKind::Limit { probe, at_most, why } => {
-            // The larger side of a jump: a bound that one side exceeds is not kept.
-            let p = &scene.probes[*probe];
-            let left = result.left_values(p.field, p.local.0).map(|values| values[p.local.1]);
-            let right = probed(*probe);
-            let found = left.filter(|left| left.abs() > right.abs()).unwrap_or(right);
-            let error = found.abs() / at_most;
-            CheckResult {
-                name,
-                kind: "limit",
-                expected: *at_most,
-                found,
-                error,
-                tolerance: 1.0,
-                passed: error <= 1.0,
-                source: why.clone(),
-            }
+            CheckResult::of_limit(name, bounded(*probe), *at_most, why)
         }
-        ExpectationKind::Baseline { field, stored, tolerance } => {
-            let worst = baseline(stored, *field, result);
-            verdict(name, "baseline", worst, *tolerance, "stored baseline".into())
-        }
+        ExpectationKind::Points(points) => of_points(points),
     }
-}
-
-fn verdict(name: String, kind: &'static str, worst: Worst, tolerance: f64, source: String) -> CheckResult {
-    let error = if worst.scale > 0.0 { worst.difference / worst.scale } else { worst.difference };
-    // A missing value is not a number, no comparison at all a negative one: neither must pass.
-    let passed = (0.0..=tolerance).contains(&error);
-    CheckResult { name, kind, expected: worst.expected, found: worst.found, error, tolerance, passed, source }
-}
-
-/// Energy or section forces against a closed form.
-fn closed_form(scene: &Scene, solution: &Solution, field: Field, result: &StateResult) -> Worst {
-    if field == Field::Energy {
-        let expected = solution.energy.unwrap_or(f64::NAN);
-        return Worst::of(&[expected], &[result.certificate.energy]);
-    }
-    let from = scene.beam.chains()[0].line().from;
-    let at = |x: f64| solution.value(field, x - from).unwrap_or(f64::NAN);
-    let line = &result.lines[0];
-    // Section forces may jump at a point; a reference answers for its left.
-    let forces = line.recovered.as_ref().map(|r| &r.forces);
-    let cells = forces.map_or(&[][..], |f| if field == Field::M { &f.moment } else { &f.shear });
-    let expected: Vec<f64> = line.x[1..].iter().map(|&x| at(x)).collect();
-    let found: Vec<f64> = cells.iter().map(|cell| cell[1]).collect();
-    Worst::of(&expected, &found)
-}
-
-/// Scale for a field whose reference vanishes: what the other fields make of it over the length of the beam.
-fn fallback_scale(scene: &Scene, result: &StateResult, field: Field) -> f64 {
-    let length = scene.beam.chains()[0].line().length;
-    let largest =
-        |field: FieldName| result.extremes(field).map_or(0.0, |[low, high]| low.0.abs().max(high.0.abs()));
-    match field {
-        Field::W => largest(FieldName::Phi) * length,
-        Field::Phi => largest(FieldName::W) / length,
-        Field::M => largest(FieldName::V) * length,
-        Field::V => largest(FieldName::M) / length,
-        Field::Energy => 0.0,
-    }
-}
-
-fn baseline(stored: &[(f64, f64)], field: FieldName, result: &StateResult) -> Worst {
-    let values = (0..result.lines.len()).map(|line| result.values(field, line).unwrap_or_default());
-    let found = values.collect::<Vec<_>>().concat();
-    let expected: Vec<f64> = stored.iter().map(|s| s.1).collect();
-    if found.len() != expected.len() {
-        let (expected, found) = (expected.len() as f64, found.len() as f64);
-        return Worst { expected, found, difference: f64::NAN, scale: 1.0 };
-    }
-    Worst::of(&expected, &found)
 }

@@ -3,7 +3,7 @@
 use super::section::{Resolved, stiffness};
 use super::words::suggest;
 use super::{beam_path, root};
-use crate::case::{Beam, Body, Case, Frame, Member, Model};
+use crate::case::{Beam, Body, Case, Frame, Member};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid,
@@ -14,13 +14,16 @@ use peristat_assembly::model::timoshenko_beam::{
 /// The bond law whose bonds are the exact elements of their spans.
 const EXACT: &str = "exact";
 
-/// Calibration, and the sections of every line of the body, filling in the defaults of the case.
-pub(super) fn material(case: &mut Case, faults: &mut Faults) -> Option<(BeamParameters, Vec<Resolved>)> {
+/// Calibration, and the sections of every line of the body, filling in the defaults of the model.
+pub(super) fn material(
+    case: &Case,
+    beam: &mut Beam,
+    faults: &mut Faults,
+) -> Option<(BeamParameters, Vec<Resolved>)> {
     let path = beam_path();
     let lines = case.body.lines();
     let grids: Vec<Grid> = lines.iter().map(|l| l.grid).collect();
     let graded = lines.iter().any(|l| l.grading.is_some());
-    let Model::TimoshenkoBeam(beam) = &mut case.model;
     if beam.stiffness.is_none() {
         beam.shear_correction.get_or_insert_default();
     }

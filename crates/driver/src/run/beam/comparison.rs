@@ -1,53 +1,11 @@
-//! Values against what they should be, and displacements of all points against closed forms.
+//! Displacements of all points against closed forms.
 
-use super::fields::StateResult;
-use super::scan;
+use super::BeamResult;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
-use crate::scene::{Expectation, ExpectationKind, Scene};
-
-/// Points that are compared at once.
-const BLOCK: usize = 256;
-
-/// The worst of several comparisons.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Worst {
-    pub(super) expected: f64,
-    pub(super) found: f64,
-    pub(super) difference: f64,
-    /// Largest expected magnitude.
-    pub(super) scale: f64,
-}
-
-impl Worst {
-    /// Of no comparison yet.
-    const NONE: Self = Self { expected: 0.0, found: 0.0, difference: -1.0, scale: 0.0 };
-
-    /// Of some values.
-    pub(super) fn of(expected: &[f64], found: &[f64]) -> Self {
-        let mut worst = Self::NONE;
-        for (expected, found) in expected.chunks(BLOCK).zip(found.chunks(BLOCK)) {
-            worst.take(expected, found);
-        }
-        worst
-    }
-
-    /// Takes at most [`BLOCK`] more values. What is not a number is worst of all.
-    fn take(&mut self, expected: &[f64], found: &[f64]) {
-        let mut differences = [0.0; BLOCK];
-        let differences = &mut differences[..expected.len()];
-        differences.iter_mut().zip(expected).zip(found).for_each(|((d, e), f)| *d = (f - e).abs());
-        self.scale = self.scale.max(scan::largest(expected));
-        if scan::largest(differences) <= self.difference {
-            return;
-        }
-        for (k, &difference) in differences.iter().enumerate() {
-            if difference > self.difference || (difference.is_nan() && !self.difference.is_nan()) {
-                *self = Self { expected: expected[k], found: found[k], difference, ..*self };
-            }
-        }
-    }
-}
+use crate::run::verdict::{BLOCK, Worst};
+use crate::scene::beam::{BeamComparison, BeamScene};
+use crate::scene::{Expectation, ExpectationKind};
 
 /// Closed forms by name, with the worst of w and of φ, where a check asks for it.
 #[derive(Debug, Default)]
@@ -65,10 +23,15 @@ fn place(field: Field) -> Option<usize> {
 impl<'a> Compared<'a> {
     /// Compares the displacements that checks ask for. Those that share a closed form share its evaluation, which takes
     /// more time than the comparison.
-    pub(super) fn new(scene: &Scene, checks: &[&'a Expectation], result: &StateResult) -> Self {
+    pub(super) fn new(
+        scene: &BeamScene,
+        checks: &[&'a Expectation<BeamComparison>],
+        result: &BeamResult,
+    ) -> Self {
         let mut asked: Vec<(&'a str, &Solution, [bool; 2])> = Vec::new();
         for check in checks {
-            if let ExpectationKind::ClosedForm { reference, solution, field, .. } = &check.kind
+            if let ExpectationKind::Points(BeamComparison::ClosedForm { reference, solution, field, .. }) =
+                &check.kind
                 && let Some(place) = place(*field)
             {
                 let known = asked.iter().position(|a| a.0 == reference.as_str());
@@ -90,7 +53,12 @@ impl<'a> Compared<'a> {
 }
 
 /// The worst of w and φ on the first line, those that are asked for.
-fn compare(scene: &Scene, solution: &Solution, asked: [bool; 2], result: &StateResult) -> [Option<Worst>; 2] {
+fn compare(
+    scene: &BeamScene,
+    solution: &Solution,
+    asked: [bool; 2],
+    result: &BeamResult,
+) -> [Option<Worst>; 2] {
     let (line, from) = (&result.lines[0], scene.beam.chains()[0].line().from);
     let found = [FieldName::W, FieldName::Phi].map(|field| result.values(field, 0).unwrap_or_default());
     let mut worst = asked.map(|asked| asked.then_some(Worst::NONE));

@@ -1,15 +1,20 @@
 //! Solving in strains: straight beams with few supports, whatever their slenderness.
 
+mod evidence;
+mod memory;
 mod off;
 mod passes;
 mod plan;
 mod reactions;
 mod solver;
 
+pub(super) use memory::estimate as memory;
 pub(super) use plan::chosen;
 
-use super::factor::{SolveFailure, SolverReport};
-use super::{Counters, Problem, RunError, RunReport, Sizes, SolvedState, Timing, certificate};
+use crate::run::{
+    Counters, Problem, RunError, RunReport, Sizes, SolveFailure, SolvedState, SolverReport, Timing,
+};
+use crate::scene::beam::BeamScene;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, StrainForm, TimoshenkoBeam};
 use peristat_assembly::system::System;
@@ -19,15 +24,15 @@ use std::time::Instant;
 /// Its name in reports.
 pub(super) const METHOD: &str = "strain_form";
 
-/// What the strain form needs of a problem with the unknowns (w, φ).
+/// What the strain form needs of a beam with the unknowns (w, φ).
 #[derive(Clone, Debug)]
-pub struct StrainProblem<'a> {
+pub(super) struct StrainProblem<'a> {
     /// The beam.
-    pub beam: &'a TimoshenkoBeam,
+    pub(super) beam: &'a TimoshenkoBeam,
     /// Its strain form.
-    pub form: StrainForm<'a>,
+    pub(super) form: StrainForm<'a>,
     /// Loads and factor on prescribed motions of every state.
-    pub states: Vec<(&'a BeamLoads, f64)>,
+    pub(super) states: Vec<(&'a BeamLoads, f64)>,
 }
 
 /// Solves every state and hands solution and certificate to `take`. Loads on points are put together only if `recover`
@@ -35,28 +40,31 @@ pub struct StrainProblem<'a> {
 ///
 /// # Errors
 /// [`RunError::Solve`] if the stiffness has no factor, [`RunError::Sink`] from `take`.
-pub(super) fn solve_states<const D: usize, P: Problem<D>>(
-    problem: &P,
+pub(super) fn solve_states<const D: usize>(
+    scene: &BeamScene,
     parts: StrainProblem,
     (system, sizes): (&System<D>, Sizes),
     recover: bool,
     take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
-) -> Result<RunReport, RunError> {
+) -> Result<RunReport, RunError>
+where
+    TimoshenkoBeam: Model<D>,
+{
     let mut timing = Timing::default();
     let mut solver =
-        StrainSolver::new(parts.beam, parts.form, system.constraints(), problem.springs(), &mut timing)?;
+        StrainSolver::new(parts.beam, parts.form, system.constraints(), &scene.springs, &mut timing)?;
     let mut load = vec![0.0; if recover { system.size() } else { 0 }];
     let mut converged = true;
     for (state, &(loads, motion_factor)) in parts.states.iter().enumerate() {
         if recover {
             load.fill(0.0);
-            problem.add_load(state, &mut load);
+            scene.add_load(state, &mut load);
         }
         let begin = Instant::now();
         let (solution, evidence) = solver.solve(loads, motion_factor)?;
         timing.solve += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let certificate = certificate::of_strains(P::Model::RIGID_MOTIONS, &evidence);
+        let certificate = evidence::certify(TimoshenkoBeam::RIGID_MOTIONS, &evidence);
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();

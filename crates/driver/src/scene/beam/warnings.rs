@@ -6,20 +6,20 @@ use super::place::{Layout, LayoutLine};
 use super::profile;
 use super::words::tidy;
 use super::{SectionAlong, root};
-use crate::case::{Beam, Case, Model, Units};
+use crate::case::{Beam, Case, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::{Chain, TimoshenkoBeam, VolumeFactor};
 
 /// Adds all warnings on a scene.
 pub(super) fn collect(
     case: &Case,
+    model: &Beam,
     layout: &Layout,
     beam: &TimoshenkoBeam,
     sections: &[SectionAlong],
     beds: &[Bed],
     faults: &mut Faults,
 ) {
-    let Model::TimoshenkoBeam(model) = &case.model;
     let horizon = root(if case.horizon.is_some() { "horizon" } else { "horizon_ratio" });
     short_lines(layout, &horizon, faults);
     for ((line, chain), section) in layout.lines.iter().zip(beam.chains()).zip(sections) {

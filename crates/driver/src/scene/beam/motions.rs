@@ -1,6 +1,6 @@
 //! Free motions in words.
 
-use super::Scene;
+use super::BeamScene;
 use super::words::tidy;
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
@@ -8,7 +8,7 @@ use peristat_assembly::system::{FreeMotion, PartMotion};
 const MOST_NAMES: usize = 6;
 
 /// What nothing holds, and how it would move.
-pub(super) fn describe(scene: &Scene, motion: &FreeMotion) -> String {
+pub(super) fn describe(scene: &BeamScene, motion: &FreeMotion) -> String {
     match &scene.frame {
         None => format!("{}: no support or link prevents it", of_lines(scene, motion)),
         Some(_) => format!("{}; no support or joint prevents it", of_members(scene, motion)),
@@ -16,7 +16,7 @@ pub(super) fn describe(scene: &Scene, motion: &FreeMotion) -> String {
 }
 
 /// What would hold it.
-pub(super) fn remedy(scene: &Scene) -> &'static str {
+pub(super) fn remedy(scene: &BeamScene) -> &'static str {
     match (&scene.frame, scene.has_axial) {
         (None, false) => {
             "a beam needs at least a deflection and a rotation, or two deflections, held by supports or links"
@@ -31,7 +31,7 @@ pub(super) fn remedy(scene: &Scene) -> &'static str {
 }
 
 /// `the beam from x = 0 to 1 is free to move along w`; a part is a line, with the ghost points beyond its ends.
-fn of_lines(scene: &Scene, motion: &FreeMotion) -> String {
+fn of_lines(scene: &BeamScene, motion: &FreeMotion) -> String {
     let line = |point: usize| scene.beam.chains()[scene.beam.chain_of(point)].line();
     let parts: Vec<String> = motion
         .parts
@@ -52,7 +52,7 @@ fn of_lines(scene: &Scene, motion: &FreeMotion) -> String {
 }
 
 /// Translation and rotation of a part about its centre.
-fn velocity(scene: &Scene, part: &PartMotion) -> ([f64; 2], f64) {
+fn velocity(scene: &BeamScene, part: &PartMotion) -> ([f64; 2], f64) {
     match (scene.has_axial, part.amounts.as_slice()) {
         (true, &[x, y, turn]) => ([x, y], turn),
         (_, &[y, turn]) => ([0.0, y], turn),
@@ -66,7 +66,7 @@ fn clean(value: f64, other: f64) -> f64 {
 }
 
 /// `move along x`, or `rotate about (1, 2)`.
-fn in_the_plane(scene: &Scene, part: &PartMotion) -> String {
+fn in_the_plane(scene: &BeamScene, part: &PartMotion) -> String {
     let ([x, y], turn) = velocity(scene, part);
     if turn != 0.0 {
         let centre = [part.centre[0] - y / turn, part.centre[1] + x / turn];
@@ -85,7 +85,7 @@ fn in_the_plane(scene: &Scene, part: &PartMotion) -> String {
 }
 
 /// `the members `a` and `b` are free to move along x`; where they move differently, each motion is told.
-fn of_members(scene: &Scene, motion: &FreeMotion) -> String {
+fn of_members(scene: &BeamScene, motion: &FreeMotion) -> String {
     let Some(frame) = &scene.frame else { return String::new() };
     let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
     for (&[first, _], part) in motion.parts.iter().zip(&motion.moves) {

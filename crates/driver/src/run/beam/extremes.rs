@@ -1,8 +1,9 @@
-//! Smallest and largest values of fields, over a state and over its lines.
+//! Smallest and largest values of the fields of a beam, over a state and over its lines.
 
-use super::{StateResult, scan};
+use super::BeamResult;
 use crate::case::FieldName;
-use crate::scene::{MemberLayout, Scene};
+use crate::run::{Range, scan};
+use crate::scene::beam::{BeamScene, MemberLayout};
 use serde::Serialize;
 
 /// Smallest and largest section forces of a member.
@@ -21,39 +22,8 @@ pub struct MemberForces {
     pub moment: [f64; 2],
 }
 
-/// Smallest and largest value so far, each with its place; the first of equal ones stays.
-#[derive(Clone, Debug)]
-pub(crate) struct Range<P>(Option<[(f64, P); 2]>);
-
-impl<P> Default for Range<P> {
-    fn default() -> Self {
-        Self(None)
-    }
-}
-
-impl<P> Range<P> {
-    /// Takes a smallest and a largest value.
-    pub(crate) fn take(&mut self, [a, b]: [(f64, P); 2]) {
-        let Some([low, high]) = &mut self.0 else {
-            self.0 = Some([a, b]);
-            return;
-        };
-        if a.0 < low.0 {
-            *low = a;
-        }
-        if b.0 > high.0 {
-            *high = b;
-        }
-    }
-
-    /// Both; `None` before the first.
-    pub(crate) fn ends(self) -> Option<[(f64, P); 2]> {
-        self.0
-    }
-}
-
 /// Section forces per member of a frame, where they were recovered.
-pub(crate) fn member_forces(scene: &Scene, result: &StateResult) -> Vec<MemberForces> {
+pub(crate) fn member_forces(scene: &BeamScene, result: &BeamResult) -> Vec<MemberForces> {
     let members = scene.frame.iter().flat_map(|f| f.members.iter().enumerate());
     let of = |(line, member): (usize, &MemberLayout)| {
         let range = |field| result.extremes_on(field, line).map(|e| e.map(|(value, _)| value));
@@ -63,7 +33,7 @@ pub(crate) fn member_forces(scene: &Scene, result: &StateResult) -> Vec<MemberFo
     members.filter_map(of).collect()
 }
 
-impl StateResult {
+impl BeamResult {
     /// Smallest and largest value of a field and their positions; both sides of a point where the field may jump.
     pub fn extremes(&self, field: FieldName) -> Option<[(f64, f64); 2]> {
         self.located_extremes(field).map(|extremes| extremes.map(|(value, _, x)| (value, x)))

@@ -1,6 +1,6 @@
 //! The two passes over memory that solve for strains and sum them up.
 
-use super::super::factor::SolveFailure;
+use crate::run::SolveFailure;
 use peristat_assembly::model::timoshenko_beam::{
     ChainLoads, FromLeft, FromRight, PHI, Resultant, STRAIN_BLOCK, StrainAction, StrainBand, StrainChecks,
     StrainForm, W,

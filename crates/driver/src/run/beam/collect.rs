@@ -1,12 +1,13 @@
 //! From a solved state to its result.
 
-use super::{LineFields, LinePoints, SolvedState, StateResult, reaction};
+use super::{BeamResult, LineFields, LinePoints, reaction};
 use crate::case::FieldName;
-use crate::scene::Scene;
+use crate::run::{SolvedState, StateRecord};
+use crate::scene::beam::BeamScene;
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, Grid};
 
 /// Collects the result of a state.
-pub(super) fn result(scene: &Scene, solved: SolvedState, recover: bool) -> StateResult {
+pub(super) fn result(scene: &BeamScene, solved: SolvedState, recover: bool) -> BeamResult {
     let SolvedState { state: index, load, solution, certificate } = solved;
     let state = &scene.states[index];
     let (beam, n) = (&scene.beam, scene.beam.points());
@@ -35,24 +36,21 @@ pub(super) fn result(scene: &Scene, solved: SolvedState, recover: bool) -> State
         (None, true) => &FieldName::STRETCHED,
         (None, false) => &FieldName::LINE,
     };
-    StateResult {
-        index,
-        name: state.name.clone(),
-        load_factor: state.load_factor,
-        u,
+    let (name, load_factor) = (state.name.clone(), state.load_factor);
+    BeamResult {
+        record: StateRecord { index, name, load_factor, u, certificate },
         lines,
         reactions: reaction::of_lines(scene, &held),
         joint_reactions: reaction::of_joints(scene, &held),
         held,
         points: n,
         fields,
-        certificate,
     }
 }
 
 /// Loads and the forces of supports, links and springs, by unknown.
 fn forces_on_points(
-    scene: &Scene,
+    scene: &BeamScene,
     load: &[f64],
     held: &[(usize, f64)],
     multipliers: &[f64],
@@ -77,7 +75,7 @@ fn forces_on_points(
 }
 
 /// Forces on points that stand for what acts all along their parts: lumped loads and foundations.
-fn lumped_forces(scene: &Scene, state: usize, u: &[f64]) -> Option<Vec<f64>> {
+fn lumped_forces(scene: &BeamScene, state: usize, u: &[f64]) -> Option<Vec<f64>> {
     let loads = &scene.states[state].loads;
     let has_loads = loads.lumped && !loads.distributed.is_empty();
     if !has_loads && scene.bedding.is_empty() {

@@ -1,10 +1,10 @@
-//! Results of one state.
+//! Results of one state of a beam.
 
-use super::certificate::Certificate;
 use super::line_points::LinePoints;
 use super::reaction::{HeldForce, JointReaction, Reaction};
 use crate::case::FieldName;
-use crate::scene::SectionAlong;
+use crate::run::StateRecord;
+use crate::scene::beam::SectionAlong;
 use peristat_assembly::model::timoshenko_beam::{BeamFields, PHI, U, W};
 use std::borrow::Cow;
 
@@ -27,17 +27,11 @@ pub struct LineFields {
     pub recovered: Option<BeamFields>,
 }
 
-/// The result of one state.
+/// The result of one state of a beam or frame.
 #[derive(Clone, Debug)]
-pub struct StateResult {
-    /// Index among the states of the scene.
-    pub index: usize,
-    /// Name.
-    pub name: String,
-    /// Load factor.
-    pub load_factor: f64,
-    /// Unknowns, two or three planes (w, φ, u) over all points, ghosts included.
-    pub u: Vec<f64>,
+pub struct BeamResult {
+    /// State, unknowns (two or three planes: w, φ, u) and certificate.
+    pub record: StateRecord,
     /// Fields per line.
     pub lines: Vec<LineFields>,
     /// Reactions of the supports on points of lines, in the order of the case.
@@ -49,8 +43,6 @@ pub struct StateResult {
     pub(super) points: usize,
     /// The fields that its points have, in the order of tables.
     pub(super) fields: &'static [FieldName],
-    /// Certificate.
-    pub certificate: Certificate,
 }
 
 impl LineFields {
@@ -83,7 +75,7 @@ impl LineFields {
     }
 }
 
-impl StateResult {
+impl BeamResult {
     /// The fields that its points have, in the order of tables.
     pub fn fields(&self) -> &'static [FieldName] {
         self.fields
@@ -91,7 +83,7 @@ impl StateResult {
 
     /// Displacement along the line; zero where there are no axial unknowns.
     fn along(&self, number: usize) -> f64 {
-        self.u.get(U * self.points + number).copied().unwrap_or(0.0)
+        self.record.u.get(U * self.points + number).copied().unwrap_or(0.0)
     }
 
     /// Value of a field at a real point of a line; `None` where it was not recovered or does not exist.
@@ -111,11 +103,11 @@ impl StateResult {
         };
         let [c, s] = fields.direction;
         match field {
-            FieldName::W => Some(self.u[number]),
+            FieldName::W => Some(self.record.u[number]),
             FieldName::U => Some(self.along(number)),
-            FieldName::Ux => Some(c * self.along(number) - s * self.u[number]),
-            FieldName::Uy => Some(s * self.along(number) + c * self.u[number]),
-            FieldName::Phi => Some(self.u[n + number]),
+            FieldName::Ux => Some(c * self.along(number) - s * self.record.u[number]),
+            FieldName::Uy => Some(s * self.along(number) + c * self.record.u[number]),
+            FieldName::Phi => Some(self.record.u[n + number]),
             FieldName::M => forces().map(|f| f.0),
             FieldName::V => forces().map(|f| f.1),
             FieldName::N => forces().map(|f| f.2),
@@ -138,7 +130,7 @@ impl StateResult {
             FieldName::U => U,
             _ => return None,
         };
-        self.u.get(plane * self.points + fields.first..)?.get(..fields.x.len())
+        self.record.u.get(plane * self.points + fields.first..)?.get(..fields.x.len())
     }
 
     /// All values of a field along a line.
@@ -154,7 +146,7 @@ impl StateResult {
         self.lines.iter().flat_map(move |line| {
             let [c, s] = line.direction;
             (line.first..line.first + line.x.len()).map(move |k| {
-                let (w, u) = (self.u[k], self.along(k));
+                let (w, u) = (self.record.u[k], self.along(k));
                 [c * u - s * w, s * u + c * w]
             })
         })

@@ -1,6 +1,6 @@
-//! What supports do to the body.
+//! What supports do to a beam.
 
-use crate::scene::{HeldPoint, How, Motion, Scene};
+use crate::scene::beam::{BeamScene, HeldPoint, How, Motion};
 use serde::Serialize;
 
 /// What a support does to a line.
@@ -50,7 +50,7 @@ pub(super) struct HeldForce {
 
 /// Forces of the supports on points, in the order of the case. The first multipliers are those of what they prescribe, in
 /// this order.
-pub(super) fn forces(scene: &Scene, multipliers: &[f64], u: &[f64]) -> Vec<HeldForce> {
+pub(super) fn forces(scene: &BeamScene, multipliers: &[f64], u: &[f64]) -> Vec<HeldForce> {
     let (n, mut multipliers) = (scene.beam.points(), multipliers.iter());
     let mut of = |held: &HeldPoint, point: usize| {
         let mut sum = HeldForce { point, ..Default::default() };
@@ -81,7 +81,7 @@ pub(super) fn forces(scene: &Scene, multipliers: &[f64], u: &[f64]) -> Vec<HeldF
 }
 
 /// The forces as reactions of a line.
-pub(super) fn of_lines(scene: &Scene, forces: &[HeldForce]) -> Vec<Reaction> {
+pub(super) fn of_lines(scene: &BeamScene, forces: &[HeldForce]) -> Vec<Reaction> {
     if scene.frame.is_some() {
         return Vec::new();
     }
@@ -96,7 +96,7 @@ pub(super) fn of_lines(scene: &Scene, forces: &[HeldForce]) -> Vec<Reaction> {
 }
 
 /// The forces as reactions of a frame.
-pub(super) fn of_joints(scene: &Scene, forces: &[HeldForce]) -> Vec<JointReaction> {
+pub(super) fn of_joints(scene: &BeamScene, forces: &[HeldForce]) -> Vec<JointReaction> {
     if scene.frame.is_none() {
         return Vec::new();
     }

@@ -2,8 +2,8 @@
 
 use crate::case::FieldName;
 use crate::output::plot::{Label, Look, Picture, Shape, thin, write_picture};
-use crate::run::{LineFields, StateResult};
-use crate::scene::{FrameLayout, Scene};
+use crate::run::beam::{BeamResult, LineFields};
+use crate::scene::beam::{BeamScene, EndOfMember, FrameLayout, JointLayout};
 use std::io;
 use std::path::Path;
 
@@ -18,9 +18,9 @@ const MOST_POINTS: usize = 12_000;
 /// The folder cannot be written.
 pub(super) fn write(
     folder: &Path,
-    scene: &Scene,
+    scene: &BeamScene,
     frame: &FrameLayout,
-    result: &StateResult,
+    result: &BeamResult,
     title: &str,
 ) -> io::Result<()> {
     let moment = scene.units.moment();
@@ -62,7 +62,7 @@ fn skeleton(frame: &FrameLayout, look: Look) -> Vec<Shape> {
     // A hinge stands beside its joint, on the member that turns.
     let shift = 0.015 * size(frame);
     let hinges = frame.joints.iter().flat_map(|j| j.ends.iter().filter(|e| e.hinged).map(move |e| (j, e)));
-    let circle = |(joint, end): (&crate::scene::JointLayout, &crate::scene::EndOfMember)| {
+    let circle = |(joint, end): (&JointLayout, &EndOfMember)| {
         let sign = if end.side == 0 { shift } else { -shift };
         let [c, s] = frame.members[end.member].direction;
         (joint.position[0] + sign * c, joint.position[1] + sign * s)
@@ -72,19 +72,14 @@ fn skeleton(frame: &FrameLayout, look: Look) -> Vec<Shape> {
 }
 
 /// Both values of every point, where a field may jump.
-fn curve(
-    line: &LineFields,
-    result: &StateResult,
-    field: FieldName,
-    number: usize,
-) -> Option<Vec<(f64, f64)>> {
+fn curve(line: &LineFields, result: &BeamResult, field: FieldName, number: usize) -> Option<Vec<(f64, f64)>> {
     let (left, right) = (result.left_values(field, number)?, result.values(field, number)?);
     let pairs = line.x.iter().zip(left.iter().zip(right.iter()));
     Some(pairs.flat_map(|(&x, (&left, &right))| [(x, left), (x, right)]).collect())
 }
 
 /// A section force across the members, on their left where `side` is 1 and the value positive.
-fn diagram(frame: &FrameLayout, result: &StateResult, field: FieldName, side: f64) -> Option<Picture> {
+fn diagram(frame: &FrameLayout, result: &BeamResult, field: FieldName, side: f64) -> Option<Picture> {
     let [low, high] = result.extremes(field)?;
     let largest = low.0.abs().max(high.0.abs());
     let unit = if largest > 0.0 { side * HEIGHT * size(frame) / largest } else { 0.0 };
@@ -119,7 +114,7 @@ fn extreme(curve: &[(f64, f64)]) -> Option<(f64, f64)> {
 }
 
 /// The deformed shape over the frame as it was, and the round factor on its displacements.
-fn deformed(frame: &FrameLayout, result: &StateResult) -> (Picture, f64) {
+fn deformed(frame: &FrameLayout, result: &BeamResult) -> (Picture, f64) {
     let largest = result.displacements().map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
     let wanted = 0.1 * size(frame) / largest;
     let factor = if wanted.is_finite() { round(wanted) } else { 1.0 };

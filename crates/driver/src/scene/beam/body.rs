@@ -8,7 +8,7 @@ use super::place::{Layout, LayoutLine};
 use super::section::Resolved;
 use super::size::is_special;
 use super::{HeldPoint, RigidBar, root};
-use crate::case::{Case, Model};
+use crate::case::{Beam, Case};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::{
     Axial, BeamParameters, ChainError, Grid, Line, TimoshenkoBeam, VolumeFactor,
@@ -19,9 +19,8 @@ use peristat_assembly::model::timoshenko_beam::{
 pub(super) const MOST_POINTS: usize = 2_000_000_000;
 
 /// The lines with their horizons.
-pub(super) fn layout(case: &Case, faults: &mut Faults) -> Option<Layout> {
-    let Model::TimoshenkoBeam(beam) = &case.model;
-    let treatment = end_treatment::find(beam.end_treatment.as_deref()?)?;
+pub(super) fn layout(case: &Case, model: &Beam, faults: &mut Faults) -> Option<Layout> {
+    let treatment = end_treatment::find(model.end_treatment.as_deref()?)?;
     if let crate::case::Body::Frame(frame) = &case.body {
         return super::frame::layout(case, frame, treatment, faults);
     }

@@ -1,10 +1,11 @@
-//! What a scene was spared, and why.
+//! What a beam was spared, and why.
 
-use super::{RunReport, strain};
-use crate::scene::Scene;
+use super::strain;
+use crate::run::RunReport;
+use crate::scene::beam::BeamScene;
 
 /// Axial unknowns that nothing reads.
-fn spared_axial(scene: &Scene) -> Option<String> {
+fn spared_axial(scene: &BeamScene) -> Option<String> {
     if !scene.has_axial {
         return Some("axial unknowns: no measure of a straight beam reads them".into());
     }
@@ -15,7 +16,7 @@ fn spared_axial(scene: &Scene) -> Option<String> {
 }
 
 /// What the scene was spared.
-pub(super) fn skipped(scene: &Scene, report: &RunReport, recover: bool) -> Vec<String> {
+pub(super) fn skipped(scene: &BeamScene, report: &RunReport, recover: bool) -> Vec<String> {
     let counters = &report.counters;
     let mut skipped = vec!["Newton iterations: every term is linear".to_string()];
     let is_uniform = scene.beam.chains().iter().all(|c| c.is_uniform());

@@ -1,12 +1,11 @@
 //! Reactions, displacements and their evidence, state by state.
 
-use super::super::Timing;
-use super::super::certificate::StrainEvidence;
-use super::super::factor::SolveFailure;
-use super::super::linear::StateSolution;
+use super::evidence::Evidence;
 use super::off;
 use super::passes::Passes;
 use super::reactions::Reactions;
+use crate::run::linear::StateSolution;
+use crate::run::{SolveFailure, Timing};
 use peristat_assembly::condition::Constraints;
 use peristat_assembly::model::timoshenko_beam::{
     BeamLoads, ForceMethod, PHI, StrainForm, StrainSupport, TimoshenkoBeam,
@@ -109,17 +108,14 @@ impl<'a> StrainSolver<'a> {
         &mut self,
         loads: &BeamLoads,
         motion_factor: f64,
-    ) -> Result<(StateSolution, StrainEvidence), SolveFailure> {
+    ) -> Result<(StateSolution, Evidence), SolveFailure> {
         let beam = self.beam;
         let on_chain = loads.on_chain(beam, 0);
         let mut u = self.spare.take().unwrap_or_else(|| vec![0.0; 2 * beam.points()]);
         let mut reactions = Reactions::first(self.method.supports(), self.motions.len(), &on_chain);
         let mut start = self.start(motion_factor);
-        let mut evidence = StrainEvidence {
-            next_correction: f64::INFINITY,
-            loaded: !on_chain.is_empty(),
-            ..Default::default()
-        };
+        let mut evidence =
+            Evidence { next_correction: f64::INFINITY, loaded: !on_chain.is_empty(), ..Default::default() };
         for pass in 0..PASSES {
             let actions = reactions.actions(self.method.supports());
             let resultant = self.passes.leftwards(Some(&on_chain), &actions, &mut u);
@@ -172,7 +168,7 @@ impl<'a> StrainSolver<'a> {
         mut u: Vec<f64>,
         reactions: &Reactions,
         motion_factor: f64,
-        evidence: &mut StrainEvidence,
+        evidence: &mut Evidence,
     ) -> StateSolution {
         let (points, rigid) = (self.beam.points(), self.motions.len());
         let number = |s: &StrainSupport| s.component * points + s.point;

@@ -1,10 +1,11 @@
-//! Diagrams of a state, with its closed form where a check names one.
+//! Diagrams of a state of a beam, with its closed form where a check names one.
 
 use crate::case::FieldName;
 use crate::output::plot::{self, Diagram, Series, Style};
 use crate::reference::{Field, Solution};
-use crate::run::StateResult;
-use crate::scene::{ExpectationKind, Scene};
+use crate::run::beam::BeamResult;
+use crate::scene::ExpectationKind;
+use crate::scene::beam::{BeamComparison, BeamScene};
 use std::io;
 use std::path::Path;
 
@@ -12,10 +13,10 @@ use std::path::Path;
 ///
 /// # Errors
 /// The folder cannot be written.
-pub(super) fn write(folder: &Path, scene: &Scene, result: &StateResult) -> io::Result<()> {
+pub(in crate::results) fn write(folder: &Path, scene: &BeamScene, result: &BeamResult) -> io::Result<()> {
     let title = match scene.states.len() {
         1 => scene.case.title.clone(),
-        _ => format!("{} - {}", scene.case.title, result.name),
+        _ => format!("{} - {}", scene.case.title, result.record.name),
     };
     if let Some(frame) = &scene.frame {
         return super::frame_plots::write(folder, scene, frame, result, &title);
@@ -45,7 +46,7 @@ pub(super) fn write(folder: &Path, scene: &Scene, result: &StateResult) -> io::R
 }
 
 /// A field along the beam; section forces take both values of a point where they jump.
-fn curve(result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
+fn curve(result: &BeamResult, field: Field) -> Option<Vec<(f64, f64)>> {
     let mut points = Vec::new();
     for (line, fields) in result.lines.iter().enumerate() {
         match field {
@@ -66,10 +67,10 @@ fn curve(result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
 }
 
 /// The closed form of a check on this state, for the same field.
-fn closed_form(scene: &Scene, result: &StateResult, field: Field) -> Option<Vec<(f64, f64)>> {
+fn closed_form(scene: &BeamScene, result: &BeamResult, field: Field) -> Option<Vec<(f64, f64)>> {
     let solution =
-        scene.expectations.iter().filter(|e| e.state == result.index).find_map(|e| match &e.kind {
-            ExpectationKind::ClosedForm { solution, .. } => Some(solution),
+        scene.expectations.iter().filter(|e| e.state == result.record.index).find_map(|e| match &e.kind {
+            ExpectationKind::Points(BeamComparison::ClosedForm { solution, .. }) => Some(solution),
             _ => None,
         })?;
     sampled(solution, field, &result.lines[0].x, scene.beam.chains()[0].line().from)

@@ -1,0 +1,81 @@
+//! The files of a beam or frame: its tables, grids and plots.
+
+mod columns;
+mod frame_plots;
+pub(super) mod plots;
+
+pub(super) use columns::fields;
+
+use super::{Column, Envelope, write_table};
+use crate::case::FieldName;
+use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
+use crate::run::beam::BeamResult;
+use crate::scene::beam::BeamScene;
+use std::io;
+use std::path::Path;
+
+/// Fields whose smallest and largest values over all states are written.
+const ENVELOPE: [FieldName; 8] = [
+    FieldName::Ux,
+    FieldName::Uy,
+    FieldName::W,
+    FieldName::U,
+    FieldName::Phi,
+    FieldName::M,
+    FieldName::V,
+    FieldName::N,
+];
+
+/// Writes the fields of a state as a table and as a grid, and widens the envelope by them.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn write(
+    folder: &Path,
+    name: &str,
+    scene: &BeamScene,
+    result: &BeamResult,
+    envelope: Option<&mut Envelope>,
+) -> io::Result<()> {
+    let (places, left) = (columns::places(scene, result), columns::left(scene, result));
+    let fields: Vec<Column> = fields(result).collect();
+    let file = |extension: &str| folder.join("fields").join(format!("{name}.{extension}"));
+    write_table(&file("csv"), places.iter().chain(&fields).chain(&left))?;
+    write_grid(&file("vtu"), &fields, result)?;
+    if let Some(envelope) = envelope {
+        envelope.place(places);
+        widen(envelope, result);
+    }
+    Ok(())
+}
+
+/// Takes both sides of every point into account.
+fn widen(envelope: &mut Envelope, result: &BeamResult) {
+    for field in ENVELOPE.into_iter().filter(|f| result.fields().contains(f)) {
+        let sides = [columns::all(result, field), columns::all_left(result, field)];
+        sides.iter().flatten().for_each(|values| envelope.widen(field.name(), values));
+    }
+}
+
+/// Writes the points, the lines between them and their fields as a grid.
+fn write_grid(file: &Path, fields: &[Column], result: &BeamResult) -> io::Result<()> {
+    let points = columns::positions(result);
+    let mut connectivity: Vec<u32> = Vec::new();
+    let mut first = 0;
+    for line in &result.lines {
+        let count = line.x.len() as u32;
+        connectivity.extend((first..first + count - 1).flat_map(|p| [p, p + 1]));
+        first += count;
+    }
+    // The displacement as a vector, so that viewers can warp the body by it.
+    let displacement: Vec<f64> = result.displacements().flat_map(|[x, y]| [x, y, 0.0]).collect();
+    let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
+    data.extend(fields.iter().map(|(name, values)| DataArray { name, components: 1, values }));
+    let grid = Grid {
+        points: &points,
+        cells: &[Cells { cell_type: CellType::Line, connectivity: &connectivity }],
+        point_data: &data,
+        cell_data: &[],
+    };
+    vtu::write(file, &grid)
+}

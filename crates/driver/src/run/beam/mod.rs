@@ -1,0 +1,96 @@
+//! Running beams and frames: what solving one needs beside the common run, and the fields recovered from it.
+
+mod collect;
+mod comparison;
+mod extremes;
+mod fields;
+mod line_points;
+mod reaction;
+mod skipped;
+mod strain;
+mod verdict;
+
+pub use extremes::MemberForces;
+pub(crate) use extremes::member_forces;
+pub use fields::{BeamResult, LineFields};
+pub use line_points::LinePoints;
+pub use reaction::{JointReaction, Reaction};
+pub(crate) use verdict::{checks, probes};
+
+use super::problem::prepare_within;
+use super::{RunError, RunOptions, RunReport, Sizes, SolvedState, memory, solve_states};
+use crate::scene::beam::BeamScene;
+use peristat_assembly::model::Model;
+use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
+use peristat_assembly::system::System;
+
+/// Solves every state of a beam and hands its result to `sink` as it comes.
+///
+/// # Errors
+/// As [`super::run`].
+pub fn run(
+    scene: &BeamScene,
+    options: &RunOptions,
+    sink: &mut dyn FnMut(BeamResult) -> std::io::Result<()>,
+) -> Result<RunReport, RunError> {
+    let recover = options.recover
+        || scene.probes.iter().any(|p| p.field.is_recovered())
+        || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
+    let options = &RunOptions { recover, ..*options };
+    let mut take = |solved: SolvedState| sink(collect::result(scene, solved, recover));
+    let mut report = match scene.has_axial {
+        true => solve::<3>(scene, options, &mut take)?,
+        false => solve::<2>(scene, options, &mut take)?,
+    };
+    report.skipped = skipped::skipped(scene, &report, recover);
+    Ok(report)
+}
+
+/// Sizes of a beam that can be solved.
+///
+/// # Errors
+/// As [`prepare`].
+pub fn sizes(scene: &BeamScene, options: &RunOptions) -> Result<Sizes, RunError> {
+    match scene.has_axial {
+        true => prepare::<3>(scene, options).map(|p| p.1),
+        false => prepare::<2>(scene, options).map(|p| p.1),
+    }
+}
+
+/// The system of a beam, as [`super::prepare`] checks it, and whether the solver that is asked for applies.
+///
+/// # Errors
+/// As [`super::prepare`]; a solver that does not apply is a fault of the case, too.
+pub(crate) fn prepare<const D: usize>(
+    scene: &BeamScene,
+    options: &RunOptions,
+) -> Result<(System<D>, Sizes), RunError>
+where
+    TimoshenkoBeam: Model<D>,
+{
+    let chosen = strain::chosen(scene);
+    let needed = match &chosen {
+        Ok(Some(parts)) => strain::memory::<D>(scene, &parts.form, options.recover),
+        _ => memory::estimate::<D, _>(scene, options.recover),
+    };
+    let prepared = prepare_within(scene, needed, options)?;
+    // Faults of the beam come before that of its solver.
+    chosen?;
+    Ok(prepared)
+}
+
+/// Solves every state in strains where that is the way to do it, else as any problem.
+fn solve<const D: usize>(
+    scene: &BeamScene,
+    options: &RunOptions,
+    take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
+) -> Result<RunReport, RunError>
+where
+    TimoshenkoBeam: Model<D>,
+{
+    let (system, sizes) = prepare::<D>(scene, options)?;
+    match strain::chosen(scene)? {
+        Some(parts) => strain::solve_states(scene, parts, (&system, sizes), options.recover, take),
+        None => solve_states(scene, (&system, sizes), take),
+    }
+}

@@ -1,0 +1,112 @@
+//! Probes and checks on the result of a beam.
+
+use super::BeamResult;
+use super::comparison::Compared;
+use crate::case::FieldName;
+use crate::reference::{Field, Solution};
+use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
+use crate::scene::Expectation;
+use crate::scene::beam::{BeamComparison, BeamScene, ProbePoint};
+
+/// Values of all probes on one state.
+pub(crate) fn probes(scene: &BeamScene, result: &BeamResult) -> Vec<ProbeResult> {
+    let probe = |p: &ProbePoint| {
+        Some(ProbeResult {
+            name: p.name.clone(),
+            state: result.record.name.clone(),
+            x: p.x,
+            y: None,
+            place: p.place.clone(),
+            field: p.field,
+            value: result.value(p.field, p.local.0, p.local.1)?,
+        })
+    };
+    scene.probes.iter().filter_map(probe).collect()
+}
+
+/// Outcomes of the checks that are made on this state.
+pub(crate) fn checks(scene: &BeamScene, result: &BeamResult) -> Vec<CheckResult> {
+    let mine: Vec<&Expectation<BeamComparison>> =
+        scene.expectations.iter().filter(|e| e.state == result.record.index).collect();
+    let compared = Compared::new(scene, &mine, result);
+    let probed = |probe: usize| {
+        let p = &scene.probes[probe];
+        result.value(p.field, p.local.0, p.local.1).unwrap_or(f64::NAN)
+    };
+    let bounded = |probe: usize| {
+        let (p, right) = (&scene.probes[probe], probed(probe));
+        let left = result.left_values(p.field, p.local.0).map(|values| values[p.local.1]);
+        left.filter(|left| left.abs() > right.abs()).unwrap_or(right)
+    };
+    let check = |expectation: &Expectation<BeamComparison>| {
+        let points = |points: &BeamComparison| compare(&expectation.name, points, scene, result, &compared);
+        verdict::check(expectation, probed, bounded, points)
+    };
+    mine.into_iter().map(check).collect()
+}
+
+/// All points against a closed form or stored values.
+fn compare(
+    name: &str,
+    comparison: &BeamComparison,
+    scene: &BeamScene,
+    result: &BeamResult,
+    compared: &Compared,
+) -> CheckResult {
+    match comparison {
+        BeamComparison::ClosedForm { reference, solution, field, tolerance } => {
+            let displacement = compared.worst(reference, *field);
+            let mut worst = displacement.unwrap_or_else(|| closed_form(scene, solution, *field, result));
+            if worst.scale == 0.0 {
+                worst.scale = fallback_scale(scene, result, *field);
+            }
+            CheckResult::of(name, "closed_form", worst, *tolerance, "closed form")
+        }
+        BeamComparison::Baseline { field, stored, tolerance } => {
+            let worst = baseline(stored, *field, result);
+            CheckResult::of(name, "baseline", worst, *tolerance, "stored baseline")
+        }
+    }
+}
+
+/// Energy or section forces against a closed form.
+fn closed_form(scene: &BeamScene, solution: &Solution, field: Field, result: &BeamResult) -> Worst {
+    if field == Field::Energy {
+        let expected = solution.energy.unwrap_or(f64::NAN);
+        return Worst::of(&[expected], &[result.record.certificate.energy]);
+    }
+    let from = scene.beam.chains()[0].line().from;
+    let at = |x: f64| solution.value(field, x - from).unwrap_or(f64::NAN);
+    let line = &result.lines[0];
+    // Section forces may jump at a point; a reference answers for its left.
+    let forces = line.recovered.as_ref().map(|r| &r.forces);
+    let cells = forces.map_or(&[][..], |f| if field == Field::M { &f.moment } else { &f.shear });
+    let expected: Vec<f64> = line.x[1..].iter().map(|&x| at(x)).collect();
+    let found: Vec<f64> = cells.iter().map(|cell| cell[1]).collect();
+    Worst::of(&expected, &found)
+}
+
+/// Scale for a field whose reference vanishes: what the other fields make of it over the length of the beam.
+fn fallback_scale(scene: &BeamScene, result: &BeamResult, field: Field) -> f64 {
+    let length = scene.beam.chains()[0].line().length;
+    let largest =
+        |field: FieldName| result.extremes(field).map_or(0.0, |[low, high]| low.0.abs().max(high.0.abs()));
+    match field {
+        Field::W => largest(FieldName::Phi) * length,
+        Field::Phi => largest(FieldName::W) / length,
+        Field::M => largest(FieldName::V) * length,
+        Field::V => largest(FieldName::M) / length,
+        Field::Energy => 0.0,
+    }
+}
+
+fn baseline(stored: &[(f64, f64)], field: FieldName, result: &BeamResult) -> Worst {
+    let values = (0..result.lines.len()).map(|line| result.values(field, line).unwrap_or_default());
+    let found = values.collect::<Vec<_>>().concat();
+    let expected: Vec<f64> = stored.iter().map(|s| s.1).collect();
+    if found.len() != expected.len() {
+        let (expected, found) = (expected.len() as f64, found.len() as f64);
+        return Worst { expected, found, difference: f64::NAN, scale: 1.0 };
+    }
+    Worst::of(&expected, &found)
+}

@@ -1,0 +1,77 @@
+//! Loads of a beam: load cases, combinations and steps as right-hand sides.
+
+use super::place::Layout;
+use super::states::Sum;
+use super::{State, distributed_load, point_load};
+use crate::case::{Beam, Case, Load, LoadSharing};
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::model::timoshenko_beam::BeamLoads;
+
+/// Loads of one load case, and the points they split.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ResolvedLoads {
+    /// The loads.
+    pub(super) loads: BeamLoads,
+    /// Line and real point of concentrated loads that act on a point.
+    pub(super) splits: Vec<(usize, usize)>,
+}
+
+/// All load cases; a case with plain `loads` has one. Fills in how the model shares distributed loads.
+pub(super) fn load_cases(
+    case: &Case,
+    model: &mut Beam,
+    layout: &Layout,
+    faults: &mut Faults,
+) -> Vec<ResolvedLoads> {
+    let on_springs = !case.foundation.is_empty();
+    let default = match layout.treatment.covers() && !on_springs {
+        true => LoadSharing::Consistent,
+        false => LoadSharing::Lumped,
+    };
+    let sharing = *model.distributed_loads.get_or_insert(default);
+    if sharing == LoadSharing::Consistent && !layout.treatment.covers() {
+        faults
+            .error(
+                super::beam_path().key("distributed_loads"),
+                "`consistent` loads need bonds whose weights sum to one across every cell",
+            )
+            .hint("use `lumped`, or the end treatment `cover`");
+    }
+    if sharing == LoadSharing::Consistent && on_springs {
+        faults
+            .error(
+                super::beam_path().key("distributed_loads"),
+                "`consistent` loads do not fit a foundation, which acts on the points",
+            )
+            .hint("leave `distributed_loads` out: errors of loads and foundation on the points cancel in part, with `consistent` loads they do not");
+    }
+    let lumped = sharing == LoadSharing::Lumped;
+    let resolve = |loads: &[Load], path: &JsonPath, faults: &mut Faults| {
+        let mut resolved = ResolvedLoads::default();
+        resolved.loads.lumped = lumped;
+        for (k, load) in loads.iter().enumerate() {
+            match load {
+                Load::Point(load) => {
+                    point_load::add(load, layout, &path.index(k).key("point"), &mut resolved, faults)
+                }
+                Load::Distributed(load) => {
+                    let path = path.index(k).key("distributed");
+                    distributed_load::add(load, layout, &path, &mut resolved, faults);
+                }
+            }
+        }
+        resolved
+    };
+    super::states::load_cases(case, resolve, faults)
+}
+
+/// The right-hand sides of the case.
+pub(super) fn states(case: &Case, cases: &[ResolvedLoads], faults: &mut Faults) -> Vec<State> {
+    let lumped = cases.first().is_some_and(|c| c.loads.lumped);
+    let state = |sum: Sum| {
+        let mut loads = BeamLoads { lumped, ..Default::default() };
+        sum.terms.iter().for_each(|&(k, factor)| loads.extend(cases[k].loads.scaled(factor)));
+        State { name: sum.name, load_factor: sum.load_factor, motion_factor: sum.load_factor, loads }
+    };
+    super::states::sums(case, faults).into_iter().map(state).collect()
+}

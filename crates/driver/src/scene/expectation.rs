@@ -1,0 +1,143 @@
+//! What the results of a scene must be.
+
+use super::{numbers, root, words};
+use crate::case::{Baseline, Case, Check, ClosedForm};
+use crate::diagnostic::{Faults, JsonPath};
+
+/// A check, resolved.
+#[derive(Debug)]
+pub struct Expectation<F> {
+    /// Name in results.
+    pub name: String,
+    /// Index of the state it is made on.
+    pub state: usize,
+    /// What is compared.
+    pub kind: ExpectationKind<F>,
+}
+
+/// Kinds of checks; `F` is what a family of models compares at all of its points.
+#[derive(Debug)]
+pub enum ExpectationKind<F> {
+    /// A probe against a number.
+    Value {
+        /// Index of the probe.
+        probe: usize,
+        /// Expected value.
+        expected: f64,
+        /// Relative tolerance.
+        tolerance: f64,
+        /// Where the number comes from.
+        source: String,
+    },
+    /// A bound on the magnitude of a probe.
+    Limit {
+        /// Index of the probe.
+        probe: usize,
+        /// Largest magnitude.
+        at_most: f64,
+        /// Why.
+        why: String,
+    },
+    /// All points against a closed form or stored values.
+    Points(F),
+}
+
+/// A check that compares all points.
+pub(super) enum PointsCheck<'a> {
+    ClosedForm(&'a ClosedForm),
+    Baseline(&'a Baseline),
+}
+
+/// Checks of the case on its states and probes, both given by their names. `of_points` resolves a check that compares all
+/// points, from its path and the index of its state.
+pub(super) fn expectations<F>(
+    case: &Case,
+    states: &[&str],
+    probes: &[&str],
+    of_points: impl Fn(PointsCheck, &JsonPath, usize, &mut Faults) -> Option<F>,
+    faults: &mut Faults,
+) -> Vec<Expectation<F>> {
+    let mut resolve = |(k, check): (usize, &Check)| {
+        let path = root("checks").index(k).key(key(check));
+        let (state, load_case) = state(check, states, &path, faults)?;
+        let (name, kind) = match check {
+            Check::Value(c) => {
+                let probe = probe(case, probes, &c.probe, &path, faults)?;
+                let (expected, tolerance, source) = (c.expected, c.tolerance, c.source.clone());
+                (c.probe.clone(), ExpectationKind::Value { probe, expected, tolerance, source })
+            }
+            Check::Limit(c) => {
+                numbers::positive(c.at_most, "at_most", path.key("at_most"), faults);
+                let probe = probe(case, probes, &c.probe, &path, faults)?;
+                let kind = ExpectationKind::Limit { probe, at_most: c.at_most, why: c.why.clone() };
+                (format!("{} <= {}", c.probe, c.why), kind)
+            }
+            Check::ClosedForm(c) => {
+                let points = of_points(PointsCheck::ClosedForm(c), &path, state, faults)?;
+                (format!("{} {}", c.field.name(), c.name), ExpectationKind::Points(points))
+            }
+            Check::Baseline(c) => {
+                let points = of_points(PointsCheck::Baseline(c), &path, state, faults)?;
+                (format!("{} {}", c.field.name(), c.file), ExpectationKind::Points(points))
+            }
+        };
+        let name = match load_case {
+            Some(load_case) => format!("{name} [{load_case}]"),
+            None => name,
+        };
+        Some(Expectation { name, state, kind })
+    };
+    case.checks.iter().enumerate().filter_map(&mut resolve).collect()
+}
+
+/// The key of a check in its case.
+fn key(check: &Check) -> &'static str {
+    match check {
+        Check::ClosedForm(_) => "closed_form",
+        Check::Value(_) => "value",
+        Check::Limit(_) => "limit",
+        Check::Baseline(_) => "baseline",
+    }
+}
+
+/// Index of the state that a check is made on, with the load case that it names; faults of its tolerance, too.
+fn state<'a>(
+    check: &'a Check,
+    states: &[&str],
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(usize, Option<&'a String>)> {
+    let (load_case, tolerance) = match check {
+        Check::ClosedForm(c) => (&c.load_case, Some(c.tolerance)),
+        Check::Value(c) => (&c.load_case, Some(c.tolerance)),
+        Check::Limit(c) => (&c.load_case, None),
+        Check::Baseline(c) => (&c.load_case, Some(c.tolerance)),
+    };
+    if let Some(tolerance) = tolerance {
+        numbers::positive(tolerance, "tolerance", path.key("tolerance"), faults);
+    }
+    let Some(name) = load_case else {
+        return Some((states.len().checked_sub(1)?, None));
+    };
+    let found = states.iter().position(|s| s == name);
+    if found.is_none() {
+        faults
+            .error(path.key("load_case"), format!("there is no load case or combination `{name}`"))
+            .hint(words::suggest(name, states.iter().copied()));
+    }
+    Some((found?, Some(name)))
+}
+
+fn probe(case: &Case, probes: &[&str], name: &str, path: &JsonPath, faults: &mut Faults) -> Option<usize> {
+    let found = probes.iter().position(|p| *p == name);
+    // A probe with a fault of its own is not missing.
+    if found.is_none() && !case.probes.iter().any(|p| p.name == name) {
+        faults.error(path.key("probe"), format!("there is no probe `{name}`")).hint(
+            match case.probes.as_slice() {
+                [] => "the case has no `probes`: add one of this name".into(),
+                probes => words::suggest(name, probes.iter().map(|p| p.name.as_str())),
+            },
+        );
+    }
+    found
+}

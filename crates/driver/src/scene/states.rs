@@ -1,0 +1,106 @@
+//! Load steps, load cases and combinations as sums of load cases, whatever the loads are.
+
+use super::{root, words};
+use crate::case::{Case, Load};
+use crate::diagnostic::{Faults, JsonPath};
+use std::collections::HashSet;
+
+/// One right-hand side.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Sum {
+    /// Name in results.
+    pub(super) name: String,
+    /// Factor on the loads as written; 1 for load cases and combinations.
+    pub(super) load_factor: f64,
+    /// Load cases by number, and their factors.
+    pub(super) terms: Vec<(usize, f64)>,
+}
+
+/// Every load case of the case, as `resolve` makes it of its loads and their path; plain `loads` are one load case.
+pub(super) fn load_cases<L>(
+    case: &Case,
+    mut resolve: impl FnMut(&[Load], &JsonPath, &mut Faults) -> L,
+    faults: &mut Faults,
+) -> Vec<L> {
+    if !case.loads.is_empty() && !case.load_cases.is_empty() {
+        faults
+            .error(root("loads"), "`loads` and `load_cases` are both given")
+            .hint("move the loads into a load case");
+    }
+    if case.load_cases.is_empty() {
+        return vec![resolve(&case.loads, &root("loads"), faults)];
+    }
+    let mut names = HashSet::new();
+    let each = case.load_cases.iter().enumerate().map(|(k, c)| {
+        let path = root("load_cases").index(k);
+        if !names.insert(&c.name) {
+            faults.error(path.key("name"), format!("there are two load cases `{}`", c.name));
+        }
+        resolve(&c.loads, &path.key("loads"), faults)
+    });
+    each.collect()
+}
+
+/// The right-hand sides: load steps, or load cases followed by their combinations.
+pub(super) fn sums(case: &Case, faults: &mut Faults) -> Vec<Sum> {
+    if let Some(steps) = &case.steps {
+        let path = root("steps").key("load_factors");
+        if !case.load_cases.is_empty() {
+            faults
+                .error(root("steps"), "`steps` and `load_cases` are both given")
+                .hint("steps apply to plain `loads`; give a load case per step instead");
+        }
+        if steps.load_factors.is_empty() {
+            faults
+                .error(path, "`load_factors` is empty")
+                .hint("for example [0.5, 1.0]; without `steps` the loads act at once");
+        }
+        let step = |(k, &factor): (usize, &f64)| Sum {
+            name: format!("step {}", k + 1),
+            load_factor: factor,
+            terms: vec![(0, factor)],
+        };
+        return steps.load_factors.iter().enumerate().map(step).collect();
+    }
+    if case.load_cases.is_empty() && !case.combinations.is_empty() {
+        faults
+            .error(root("combinations"), "`combinations` need `load_cases`")
+            .hint("a combination is a sum of named load cases: move the loads into some");
+        return Vec::new();
+    }
+    let names: Vec<&str> = match case.load_cases.is_empty() {
+        true => vec!["loads"],
+        false => case.load_cases.iter().map(|c| c.name.as_str()).collect(),
+    };
+    let single =
+        |(k, name): (usize, &&str)| Sum { name: (*name).into(), load_factor: 1.0, terms: vec![(k, 1.0)] };
+    let mut sums: Vec<Sum> = names.iter().enumerate().map(single).collect();
+    sums.extend((0..case.combinations.len()).map(|k| combination(case, k, &names, faults)));
+    sums
+}
+
+fn combination(case: &Case, index: usize, cases: &[&str], faults: &mut Faults) -> Sum {
+    let combination = &case.combinations[index];
+    let path = root("combinations").index(index);
+    let name = combination.name.clone();
+    if cases.contains(&name.as_str()) || case.combinations[..index].iter().any(|c| c.name == name) {
+        faults
+            .error(path.key("name"), format!("the name `{name}` is taken"))
+            .hint("load cases and combinations must differ in their names");
+    }
+    if combination.factors.is_empty() {
+        faults.error(path.key("factors"), "a combination needs the factor of at least one load case");
+    }
+    let mut terms = Vec::new();
+    for (key, &factor) in &combination.factors {
+        match cases.iter().position(|c| c == key) {
+            Some(found) => terms.push((found, factor)),
+            None => {
+                faults
+                    .error(path.key("factors").key(key), format!("there is no load case `{key}`"))
+                    .hint(words::suggest(key, cases.iter().copied()));
+            }
+        }
+    }
+    Sum { name, load_factor: 1.0, terms }
+}

@@ -1,0 +1,185 @@
+//! The record of a run: what `summary.json` holds and `--json` prints.
+
+mod beam;
+
+pub use beam::{BeamForces, BeamSummary};
+
+use crate::case::Units;
+use crate::memory;
+use crate::run::{
+    Certificate, CheckResult, Counters, ProbeResult, Range, RunReport, Sizes, SolverReport, StateResult,
+    Timing,
+};
+use crate::scene::Scene;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Status {
+    /// Everything converged and every check passed.
+    Passed,
+    /// Everything converged, a check failed.
+    CheckFailed,
+    /// A state did not converge.
+    NotConverged,
+}
+
+/// A value and where it is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Located {
+    /// Value.
+    pub value: f64,
+    /// Position on its line, or in the plane.
+    pub x: f64,
+    /// The second coordinate of a point in the plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub y: Option<f64>,
+    /// Member of a frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub member: Option<String>,
+}
+
+/// Smallest and largest value of a field.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Extremes {
+    /// Smallest.
+    pub smallest: Located,
+    /// Largest.
+    pub largest: Located,
+}
+
+/// One state without its fields.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StateSummary {
+    /// Name.
+    pub name: String,
+    /// Load factor.
+    pub load_factor: f64,
+    /// Extreme values by field.
+    pub extremes: BTreeMap<&'static str, Extremes>,
+    /// Forces, of the body and of what holds it.
+    #[serde(flatten)]
+    pub forces: Forces,
+    /// Certificate.
+    pub certificate: Certificate,
+}
+
+/// Forces of a state.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Forces {
+    /// Of a beam or frame.
+    Beam(BeamForces),
+}
+
+/// Model and its derived numbers.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum ModelSummary {
+    /// A beam or frame.
+    Beam(BeamSummary),
+}
+
+/// Everything about a finished run but the fields.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// How it ended.
+    pub status: Status,
+    /// Title of the case.
+    pub title: String,
+    /// Units of all numbers.
+    pub units: Units,
+    /// Model and its derived numbers.
+    pub model: ModelSummary,
+    /// Sizes.
+    #[serde(flatten)]
+    pub sizes: Sizes,
+    /// Checks.
+    pub checks: Vec<CheckResult>,
+    /// Probes.
+    pub probes: Vec<ProbeResult>,
+    /// States: load steps, or load cases and combinations.
+    pub states: Vec<StateSummary>,
+    /// Extreme values over all load cases and combinations, with the name of the state.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub envelope: BTreeMap<&'static str, [(String, Located); 2]>,
+    /// What the scene was spared, and why.
+    pub skipped: Vec<String>,
+    /// Counters.
+    pub counters: Counters,
+    /// Warnings on the case.
+    pub warnings: Vec<String>,
+    /// Method and why it was chosen.
+    pub solver: SolverReport,
+    /// Wall time per stage, s.
+    pub timing_s: Timing,
+    /// Largest resident memory of the process, bytes, where the system tells.
+    pub peak_memory_bytes: Option<u64>,
+    /// Version of peristat.
+    pub version: &'static str,
+}
+
+/// Collects the results of states as they come.
+#[derive(Debug, Default)]
+pub struct Collector {
+    states: Vec<StateSummary>,
+    probes: Vec<ProbeResult>,
+    checks: Vec<CheckResult>,
+}
+
+impl Collector {
+    /// Takes what the summary needs of a state.
+    pub fn take(&mut self, scene: &Scene, result: &StateResult) {
+        let (state, probes, checks) = match (scene, result) {
+            (Scene::Beam(scene), StateResult::Beam(result)) => beam::state(scene, result),
+        };
+        self.states.push(state);
+        self.probes.extend(probes);
+        self.checks.extend(checks);
+    }
+
+    /// The summary of the run.
+    pub fn finish(self, scene: &Scene, report: RunReport, warnings: Vec<String>) -> Summary {
+        let status = match (report.converged, self.checks.iter().all(|c| c.passed)) {
+            (false, _) => Status::NotConverged,
+            (true, false) => Status::CheckFailed,
+            (true, true) => Status::Passed,
+        };
+        let model = match scene {
+            Scene::Beam(scene) => ModelSummary::Beam(beam::model(scene)),
+        };
+        let envelope = if scene.has_envelope() { envelope(&self.states) } else { BTreeMap::new() };
+        Summary {
+            status,
+            title: scene.case().title.clone(),
+            units: scene.case().units,
+            model,
+            sizes: report.sizes,
+            checks: self.checks,
+            probes: self.probes,
+            states: self.states,
+            envelope,
+            skipped: report.skipped,
+            counters: report.counters,
+            warnings,
+            solver: report.solver,
+            timing_s: report.timing,
+            peak_memory_bytes: memory::peak(),
+            version: env!("CARGO_PKG_VERSION"),
+        }
+    }
+}
+
+/// Extreme values over all states.
+fn envelope(states: &[StateSummary]) -> BTreeMap<&'static str, [(String, Located); 2]> {
+    let mut ranges: BTreeMap<&'static str, Range<(String, Located)>> = BTreeMap::new();
+    for state in states {
+        for (&field, Extremes { smallest, largest }) in &state.extremes {
+            let end = |at: &Located| (at.value, (state.name.clone(), at.clone()));
+            ranges.entry(field).or_default().take([end(smallest), end(largest)]);
+        }
+    }
+    ranges.into_iter().filter_map(|(field, range)| Some((field, range.ends()?.map(|(_, at)| at)))).collect()
+}
