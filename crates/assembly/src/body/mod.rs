@@ -1,7 +1,76 @@
 //! Bodies in the plane and what is found on them, before any model.
+//!
+//! An [`Outline`] says where material is, a [`SquareLattice`] or a [`Cloud`] holds its points, a [`Region`] selects some
+//! of them and a [`Crack`] cuts bonds between them. Wherever a position may lie on a border, the border counts, within a
+//! distance far below the spacing and far above rounding ([`BORDER`], [`CRACK_SLACK`]): what belongs to a body, to a
+//! region or to a crack does not depend on how a coordinate was rounded, and mirrored bodies have mirrored points.
 
+mod cloud;
+mod convex;
+mod crack;
+mod fill;
+mod geometry;
 mod lattice;
 mod transfer;
+mod neighbours;
+mod outline;
+mod polygon;
+mod region;
+mod rows;
+mod select;
 
+pub use cloud::{Cloud, CloudError, Group};
+pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
+pub use fill::FillError;
 pub use lattice::{Cell, Run, SquareLattice};
 pub use transfer::Transfer;
+pub use neighbours::Neighbours;
+pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
+pub use polygon::{Polygon, PolygonError};
+pub use region::{Region, RegionError, Regions};
+
+/// Positions this close to a border lie on it, in spacings.
+pub const BORDER: f64 = 1e-9;
+
+/// The points of a body in the plane.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PlaneBody {
+    /// Cells of a square lattice.
+    Lattice(SquareLattice),
+    /// Listed points.
+    Cloud(Cloud),
+}
+
+impl PlaneBody {
+    /// Number of points.
+    pub fn points(&self) -> usize {
+        match self {
+            Self::Lattice(lattice) => lattice.points(),
+            Self::Cloud(cloud) => cloud.points(),
+        }
+    }
+
+    /// Position of a point, m.
+    pub fn position(&self, point: usize) -> [f64; 2] {
+        match self {
+            Self::Lattice(lattice) => lattice.position(point),
+            Self::Cloud(cloud) => cloud.positions()[point],
+        }
+    }
+
+    /// Area of a point, m².
+    pub fn area(&self, point: usize) -> f64 {
+        match self {
+            Self::Lattice(lattice) => lattice.spacing() * lattice.spacing(),
+            Self::Cloud(cloud) => cloud.areas()[point],
+        }
+    }
+
+    /// Side of a cell, or of the mean area of listed points, m.
+    pub fn spacing(&self) -> f64 {
+        match self {
+            Self::Lattice(lattice) => lattice.spacing(),
+            Self::Cloud(cloud) => cloud.spacing(),
+        }
+    }
+}

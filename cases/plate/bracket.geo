@@ -1,0 +1,32 @@
+// An angle bracket, 100 mm × 80 mm, with an eye and a rounded inner corner; lengths in m.
+// Meshed by: gmsh -2 -format msh41 -bin 0 bracket.geo -o bracket.msh
+size = 0.00206;
+Point(1) = {0.000, 0.000, 0, size};
+Point(2) = {0.100, 0.000, 0, size};
+Point(3) = {0.100, 0.040, 0, size};
+Point(4) = {0.050, 0.040, 0, size};
+Point(6) = {0.050, 0.050, 0, size}; // centre of the fillet
+Point(7) = {0.040, 0.050, 0, size};
+Point(8) = {0.040, 0.080, 0, size};
+Point(9) = {0.000, 0.080, 0, size};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Circle(4) = {4, 6, 7};
+Line(5) = {7, 8};
+Line(6) = {8, 9};
+Line(7) = {9, 1};
+Point(10) = {0.080, 0.020, 0, size}; // centre of the eye
+Point(11) = {0.090, 0.020, 0, size};
+Point(12) = {0.070, 0.020, 0, size};
+Circle(8) = {11, 10, 12};
+Circle(9) = {12, 10, 11};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6, 7};
+Curve Loop(2) = {8, 9};
+Plane Surface(1) = {1, 2};
+Physical Curve("fixed") = {6};
+Physical Curve("loaded") = {8, 9};
+Physical Surface("steel") = {1};
+Mesh.MshFileVersion = 4.1;
+Mesh.Binary = 0;
+Mesh.Algorithm = 6;

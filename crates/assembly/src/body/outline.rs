@@ -1,0 +1,238 @@
+//! Outlines of bodies: a polygon with holes and named edges.
+
+use super::geometry::{Point, meet, to_segment};
+use super::polygon::{Polygon, PolygonError};
+use thiserror::Error;
+
+/// A straight edge of an outline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// `left`, `right`, `bottom`, `top` of a rectangle; `edge_1`, … of a polygon, from vertex 1 to vertex 2, ….
+    pub name: String,
+    /// First end, m.
+    pub from: [f64; 2],
+    /// Second end, m.
+    pub to: [f64; 2],
+    /// Unit normal that points out of the body.
+    pub normal: [f64; 2],
+}
+
+/// Where a hole is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// All positions nearer than `radius` to `centre`, m.
+    Circle {
+        /// Its middle.
+        centre: [f64; 2],
+        /// Its radius.
+        radius: f64,
+    },
+    /// All positions nearer than `radius` to a segment, m; a circle if its ends are the same.
+    Slot {
+        /// Centre of the one round end.
+        from: [f64; 2],
+        /// Centre of the other.
+        to: [f64; 2],
+        /// Half the width.
+        radius: f64,
+    },
+    /// The inside of a simple polygon.
+    Polygon(Polygon),
+}
+
+/// A hole, or a notch if it crosses the outline. Its border belongs to the body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hole {
+    /// What regions call it.
+    pub name: Option<String>,
+    /// Where it is.
+    pub shape: Shape,
+}
+
+/// Why a rectangle or polygon is no outline.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum OutlineError {
+    /// A size of a rectangle is not above zero.
+    #[error("the {} of a rectangle must be above zero, found {found}", ["width", "height"][*.axis])]
+    Size {
+        /// 0 along x, 1 along y.
+        axis: usize,
+        /// What was given.
+        found: f64,
+    },
+    /// The place of a rectangle is infinite or no number.
+    #[error("the corner of a rectangle must be finite")]
+    Corner,
+    /// The vertices are not those of a simple polygon.
+    #[error(transparent)]
+    Polygon(#[from] PolygonError),
+}
+
+/// Why a shape is no hole of an outline.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum HoleError {
+    /// A radius is not above zero.
+    #[error("the radius of a hole must be above zero, found {found}")]
+    Radius {
+        /// What was given.
+        found: f64,
+    },
+    /// A coordinate is infinite or no number.
+    #[error("the position of a hole must be finite")]
+    NotFinite,
+    /// It shares no position with the inside of the outline.
+    #[error("the hole is outside of the body")]
+    Outside,
+    /// Another hole has its name.
+    #[error("there is another hole of the name `{name}`")]
+    SameName {
+        /// The name.
+        name: String,
+    },
+}
+
+/// A simple polygon with holes, in the plane. Borders belong to the body. Holes may overlap each other and the outline.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    polygon: Polygon,
+    edges: Vec<Edge>,
+    holes: Vec<Hole>,
+    rectangle: bool,
+}
+
+impl Outline {
+    /// A rectangle with edges `bottom`, `right`, `top`, `left`; lower left corner and size in m.
+    ///
+    /// # Errors
+    /// [`OutlineError::Size`] and [`OutlineError::Corner`].
+    pub fn rectangle(from: [f64; 2], size: [f64; 2]) -> Result<Self, OutlineError> {
+        if let Some(axis) = (0..2).find(|&k| !(size[k] > 0.0 && size[k].is_finite())) {
+            return Err(OutlineError::Size { axis, found: size[axis] });
+        }
+        let to = [from[0] + size[0], from[1] + size[1]];
+        if !(from.iter().chain(&to).all(|x| x.is_finite())) {
+            return Err(OutlineError::Corner);
+        }
+        let polygon = Polygon::new(vec![from, [to[0], from[1]], to, [from[0], to[1]]])?;
+        let names = ["bottom", "right", "top", "left"].map(String::from);
+        Ok(Self { edges: edges(&polygon, names), polygon, holes: Vec::new(), rectangle: true })
+    }
+
+    /// A polygon with edges `edge_1`, …; edge `k` goes from vertex `k` to the next one, vertices count from one.
+    ///
+    /// # Errors
+    /// [`OutlineError::Polygon`].
+    pub fn polygon(vertices: Vec<[f64; 2]>) -> Result<Self, OutlineError> {
+        let polygon = Polygon::new(vertices)?;
+        let names = (1..=polygon.vertices().len()).map(|k| format!("edge_{k}"));
+        Ok(Self { edges: edges(&polygon, names), polygon, holes: Vec::new(), rectangle: false })
+    }
+
+    /// Cuts a hole.
+    ///
+    /// # Errors
+    /// [`HoleError`]; the outline stays as it was.
+    pub fn cut(&mut self, hole: Hole) -> Result<(), HoleError> {
+        hole.shape.check()?;
+        if let Some(name) = hole.name.as_deref().filter(|name| self.hole(name).is_some()) {
+            return Err(HoleError::SameName { name: name.into() });
+        }
+        if !hole.shape.meets(&self.polygon) {
+            return Err(HoleError::Outside);
+        }
+        self.holes.push(hole);
+        Ok(())
+    }
+
+    /// Straight edges; where a hole crosses one, it still has its whole length.
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// The edge of a name.
+    pub fn edge(&self, name: &str) -> Option<&Edge> {
+        self.edges.iter().find(|e| e.name == name)
+    }
+
+    /// Holes in the order in which they were cut.
+    pub fn holes(&self) -> &[Hole] {
+        &self.holes
+    }
+
+    /// The hole of a name.
+    pub fn hole(&self, name: &str) -> Option<&Hole> {
+        self.holes.iter().find(|h| h.name.as_deref() == Some(name))
+    }
+
+    /// Its border without the holes.
+    pub fn border(&self) -> &Polygon {
+        &self.polygon
+    }
+
+    /// Whether it was made as a rectangle.
+    pub fn is_rectangle(&self) -> bool {
+        self.rectangle
+    }
+
+    /// Lower left and upper right corner of the box around it, m.
+    pub fn bounds(&self) -> [[f64; 2]; 2] {
+        self.polygon.bounds()
+    }
+
+    /// Whether a position is in the body, borders included.
+    pub fn contains(&self, position: [f64; 2]) -> bool {
+        self.polygon.contains(position) && !self.holes.iter().any(|h| h.shape.removes(position))
+    }
+}
+
+fn edges(polygon: &Polygon, names: impl IntoIterator<Item = String>) -> Vec<Edge> {
+    let named = names.into_iter().enumerate();
+    named
+        .map(|(k, name)| {
+            let [from, to] = polygon.edge(k);
+            Edge { name, from, to, normal: polygon.normal(k) }
+        })
+        .collect()
+}
+
+impl Shape {
+    /// A circle and a slot as segment and radius.
+    pub(super) fn stadium(&self) -> Option<(Point, Point, f64)> {
+        match self {
+            Self::Circle { centre, radius } => Some((*centre, *centre, *radius)),
+            Self::Slot { from, to, radius } => Some((*from, *to, *radius)),
+            Self::Polygon(_) => None,
+        }
+    }
+
+    fn check(&self) -> Result<(), HoleError> {
+        let Some((from, to, radius)) = self.stadium() else { return Ok(()) };
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(HoleError::Radius { found: radius });
+        }
+        let finite = from.iter().chain(&to).all(|x| x.is_finite());
+        if finite { Ok(()) } else { Err(HoleError::NotFinite) }
+    }
+
+    fn meets(&self, body: &Polygon) -> bool {
+        match (self, self.stadium()) {
+            (_, Some((from, to, radius))) => body.distance(from, to) < radius,
+            (Self::Polygon(hole), _) => {
+                hole.edges().any(|[from, to]| body.distance(from, to) == 0.0)
+                    || hole.contains(body.vertices()[0])
+            }
+            _ => false,
+        }
+    }
+
+    fn removes(&self, position: Point) -> bool {
+        match (self, self.stadium()) {
+            (_, Some((from, to, radius))) => to_segment(position, from, to) < radius,
+            (Self::Polygon(hole), _) => {
+                let on_border = hole.edges().any(|[a, b]| meet(a, b, position, position));
+                hole.contains(position) && !on_border
+            }
+            _ => false,
+        }
+    }
+}

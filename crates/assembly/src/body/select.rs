@@ -1,0 +1,64 @@
+//! Points of a body in convex parts of the plane, and nearest to a position.
+
+use super::cloud::Cloud;
+use super::convex::Convex;
+use super::geometry::{Point, distance};
+use super::lattice::SquareLattice;
+use super::{BORDER, PlaneBody};
+
+/// Numbers of the points in a part of the plane, ascending.
+pub(super) fn points_in(body: &PlaneBody, part: &Convex) -> Vec<u32> {
+    match body {
+        PlaneBody::Lattice(lattice) => on_lattice(lattice, part),
+        PlaneBody::Cloud(cloud) => {
+            let inside = |(k, p): (usize, &Point)| part.contains(*p).then_some(k as u32);
+            cloud.positions().iter().enumerate().filter_map(inside).collect()
+        }
+    }
+}
+
+fn on_lattice(lattice: &SquareLattice, part: &Convex) -> Vec<u32> {
+    let (rows, columns) = (lattice.rows(), lattice.columns());
+    let first = |k: usize, x: f64| ((x - lattice.corner()[k]) / lattice.spacing() - 0.5).ceil();
+    let behind = |k: usize, x: f64| ((x - lattice.corner()[k]) / lattice.spacing() - 0.5).floor() + 1.0;
+    // Conversions to integers saturate.
+    let [low, high] = part.rows();
+    let mut found = Vec::new();
+    for row in rows.start.max(first(1, low) as i32)..rows.end.min(behind(1, high) as i32) {
+        let Some([from, to]) = part.row(lattice.centre([0, row])[1]) else { continue };
+        let from = columns.start.max(first(0, from) as i32);
+        let to = columns.end.min(behind(0, to) as i32);
+        for run in lattice.runs_of(row) {
+            let (from, to) = (from.max(run.columns.start), to.min(run.columns.end));
+            if from < to {
+                let number = run.number(from) as u32;
+                found.extend(number..number + (to - from) as u32);
+            }
+        }
+    }
+    found
+}
+
+/// The points nearest to a position: more than one if they are equally far, within [`BORDER`].
+pub(super) fn nearest(body: &PlaneBody, to: Point) -> Vec<u32> {
+    let least = match body {
+        PlaneBody::Lattice(lattice) => nearest_cell(lattice, to),
+        PlaneBody::Cloud(cloud) => nearest_listed(cloud, to),
+    };
+    let radius = least + BORDER * body.spacing();
+    points_in(body, &Convex::Stadium { from: to, to, radius })
+}
+
+/// Least distance of a position from a point: in every run the column nearest to it counts.
+fn nearest_cell(lattice: &SquareLattice, to: Point) -> f64 {
+    let column = ((to[0] - lattice.corner()[0]) / lattice.spacing()).floor() as i32;
+    let near = lattice.runs().iter().map(|run| {
+        let column = column.clamp(run.columns.start, run.columns.end - 1);
+        distance(lattice.centre([column, run.row]), to)
+    });
+    near.fold(f64::INFINITY, f64::min)
+}
+
+fn nearest_listed(cloud: &Cloud, to: Point) -> f64 {
+    cloud.positions().iter().map(|p| distance(*p, to)).fold(f64::INFINITY, f64::min)
+}
