@@ -21,11 +21,15 @@
 
 mod band;
 mod choice;
+mod dissected;
+mod dissection;
 mod error;
 mod hierarchy;
 mod multigrid;
 mod operator;
 mod pcg;
+#[cfg(test)]
+mod plane;
 mod repeating;
 mod sparse;
 mod sums;
@@ -33,10 +37,12 @@ mod vector;
 
 pub use band::{BandCholesky, BandMatrix};
 pub use choice::{Method, Profile, choose};
+pub use dissected::DissectedCholesky;
+pub use dissection::{Dissection, PointGraph, nested_dissection};
 pub use error::FactorError;
 pub use hierarchy::{Hierarchy, Relaxation};
 pub use multigrid::{Multigrid, MultigridOptions};
 pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
 pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};
-pub use sparse::SparseCholesky;
+pub use sparse::{Ordering, SparseCholesky};

@@ -1,16 +1,21 @@
 //! Cholesky factor of a sparse symmetric matrix with a fill-reducing ordering.
 
+mod ordering;
+
 use crate::{FactorError, Preconditioner};
-use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::cholesky::llt::factor::LltError;
+use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky::{
     LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
 };
 use faer::sparse::{FaerError, SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
+pub use ordering::Ordering;
+pub(crate) use ordering::coupled;
 use sprs::CsMat;
 
-/// `A = L L^T` of a sparse matrix, with an approximate minimum degree ordering.
+/// `A = L L^T` of a sparse matrix in a fill-reducing order.
 ///
 /// The ordering and the structure of `L` are found once per pattern; the values
 /// may be replaced as often as wanted without further allocation.
@@ -34,32 +39,18 @@ impl SparseCholesky {
     ///
     /// # Errors
     ///
-    /// [`FactorError::Shape`] if the matrix is not square, [`FactorError::OutOfMemory`].
-    pub fn analyse(pattern: &CsMat<f64>) -> Result<Self, FactorError> {
-        if pattern.rows() != pattern.cols() {
-            return Err(FactorError::Shape {
-                reason: format!("{} rows and {} columns", pattern.rows(), pattern.cols()),
-            });
-        }
-        let symbolic = with_columns(pattern, |matrix| {
-            factorize_symbolic_cholesky(
-                matrix.symbolic(),
-                Side::Upper,
-                SymmetricOrdering::Amd,
-                Default::default(),
-            )
-        })
-        .map_err(|error| out_of_memory(&error, 0))?;
-        let fill = symbolic.len_val();
-        let bytes = fill.saturating_mul(size_of::<f64>());
-        let mut values = Vec::new();
-        values.try_reserve_exact(fill).map_err(|_| FactorError::OutOfMemory { bytes })?;
-        values.resize(fill, 0.0);
+    /// [`FactorError::Shape`] if the matrix is not square or the ordering is not one of its unknowns,
+    /// [`FactorError::OutOfMemory`].
+    pub fn analyse(pattern: &CsMat<f64>, ordering: Ordering<'_>) -> Result<Self, FactorError> {
+        check_square(pattern)?;
+        let order = match ordering {
+            Ordering::MinimumDegree => None,
+            Ordering::Points { order, components } => Some(ordering::unknowns(pattern, order, components)?),
+        };
+        let symbolic = symbolic(pattern, order.as_deref())?;
+        let values = zeros(symbolic.len_val())?;
         let factor_need = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default());
         let solve_need = symbolic.solve_in_place_scratch::<f64>(1, Par::Seq);
-        let buffer = |need: faer::dyn_stack::StackReq| {
-            MemBuffer::try_new(need).map_err(|_| FactorError::OutOfMemory { bytes: need.size_bytes() })
-        };
         Ok(Self {
             fingerprint: fingerprint(pattern),
             values,
@@ -163,6 +154,43 @@ impl Preconditioner for SparseCholesky {
     }
 }
 
+/// Structure of the factor in a given order of the unknowns, or by minimum degree.
+fn symbolic(pattern: &CsMat<f64>, order: Option<&[usize]>) -> Result<SymbolicCholesky<usize>, FactorError> {
+    let mut places = vec![0; order.map_or(0, <[usize]>::len)];
+    for (place, unknown) in order.into_iter().flatten().enumerate() {
+        places[*unknown] = place;
+    }
+    let ordering = match order {
+        None => SymmetricOrdering::Amd,
+        Some(order) => SymmetricOrdering::Custom(PermRef::new_checked(order, &places, order.len())),
+    };
+    with_columns(pattern, |matrix| {
+        factorize_symbolic_cholesky(matrix.symbolic(), Side::Upper, ordering, Default::default())
+    })
+    .map_err(|error| out_of_memory(&error, 0))
+}
+
+pub(crate) fn check_square(pattern: &CsMat<f64>) -> Result<(), FactorError> {
+    let (rows, columns) = pattern.shape();
+    if rows == columns {
+        return Ok(());
+    }
+    Err(FactorError::Shape { reason: format!("{rows} rows and {columns} columns") })
+}
+
+/// Zeros, if there is memory for them; it is taken when they are first written.
+pub(crate) fn zeros(count: usize) -> Result<Vec<f64>, FactorError> {
+    let bytes = count.saturating_mul(size_of::<f64>());
+    let mut values: Vec<f64> = Vec::new();
+    values.try_reserve_exact(count).map_err(|_| FactorError::OutOfMemory { bytes })?;
+    drop(values);
+    Ok(vec![0.0; count])
+}
+
+pub(crate) fn buffer(need: StackReq) -> Result<MemBuffer, FactorError> {
+    MemBuffer::try_new(need).map_err(|_| FactorError::OutOfMemory { bytes: need.size_bytes() })
+}
+
 /// Compressed rows of the lower triangle are compressed columns of the upper one.
 fn with_columns<T>(matrix: &CsMat<f64>, then: impl FnOnce(SparseColMatRef<'_, usize, f64>) -> T) -> T {
     let starts = matrix.proper_indptr();
@@ -171,7 +199,7 @@ fn with_columns<T>(matrix: &CsMat<f64>, then: impl FnOnce(SparseColMatRef<'_, us
     then(SparseColMatRef::new(pattern, matrix.data()))
 }
 
-fn check_finite(matrix: &CsMat<f64>) -> Result<(), FactorError> {
+pub(crate) fn check_finite(matrix: &CsMat<f64>) -> Result<(), FactorError> {
     for (index, row) in matrix.outer_iterator().enumerate() {
         let mut lower = row.iter().take_while(|(column, _)| *column <= index);
         if lower.any(|(_, value)| !value.is_finite()) {
@@ -182,7 +210,7 @@ fn check_finite(matrix: &CsMat<f64>) -> Result<(), FactorError> {
 }
 
 /// A number that tells patterns apart, cheaper to keep than the pattern.
-fn fingerprint(matrix: &CsMat<f64>) -> u64 {
+pub(crate) fn fingerprint(matrix: &CsMat<f64>) -> u64 {
     // Multiplication by an odd number and a rotation: no entry is lost.
     let mix =
         |sum: u64, value: usize| (sum ^ value as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
@@ -191,7 +219,7 @@ fn fingerprint(matrix: &CsMat<f64>) -> u64 {
     matrix.indices().iter().fold(sum, |s, v| mix(s, *v))
 }
 
-fn out_of_memory(error: &FaerError, bytes: usize) -> FactorError {
+pub(crate) fn out_of_memory(error: &FaerError, bytes: usize) -> FactorError {
     match error {
         FaerError::OutOfMemory => FactorError::OutOfMemory { bytes },
         other => FactorError::Shape { reason: format!("{other:?}") },

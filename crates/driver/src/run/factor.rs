@@ -4,7 +4,7 @@ use super::{Counters, Timing};
 use crate::case::Solver;
 use peristat_assembly::system::System;
 use peristat_solve::{
-    BandCholesky, BandMatrix, FactorError, Method, Preconditioner, Profile, SparseCholesky, choose,
+    BandCholesky, BandMatrix, FactorError, Method, Ordering, Preconditioner, Profile, SparseCholesky, choose,
 };
 use sprs::CsMat;
 use std::time::Instant;
@@ -91,7 +91,8 @@ pub(super) fn factor<const D: usize>(
         }
         Matrix::Sparse(mut matrix) => {
             counters.analyses = 1;
-            let mut factor = SparseCholesky::analyse(&matrix).map_err(SolveFailure::Factor)?;
+            let mut factor =
+                SparseCholesky::analyse(&matrix, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
             let diagonal = matrix.diag();
             let done = lifted(counters, |lift| {
                 for (k, value) in diagonal.iter() {

@@ -32,7 +32,7 @@ fn full(n: usize, diagonal: impl Fn(usize) -> f64) -> CsMat<f64> {
 }
 
 fn factored(matrix: &CsMat<f64>) -> SparseCholesky {
-    let mut factor = SparseCholesky::analyse(matrix).unwrap();
+    let mut factor = SparseCholesky::analyse(matrix, Ordering::MinimumDegree).unwrap();
     factor.refactor(matrix).unwrap();
     factor
 }
@@ -81,7 +81,7 @@ fn the_bad_pivot_is_named_in_the_callers_numbering() {
         for bad in [0, n / 3, n - 1] {
             let diagonal = |i| if i == bad { -50.0 } else { 5.0 };
             let matrix = if supernodal { full(n, diagonal) } else { grid(5, false, diagonal) };
-            let mut factor = SparseCholesky::analyse(&matrix).unwrap();
+            let mut factor = SparseCholesky::analyse(&matrix, Ordering::MinimumDegree).unwrap();
             let kind = matches!(factor.symbolic.raw(), SymbolicCholeskyRaw::Supernodal(_));
             assert_eq!(kind, supernodal);
             let expected = FactorError::NonPositivePivot { index: bad, count: 1 };
@@ -113,7 +113,10 @@ fn another_pattern_is_a_mistake() {
 #[test]
 fn shape_and_size() {
     let oblong = CsMat::<f64>::zero((2, 3));
-    assert!(matches!(SparseCholesky::analyse(&oblong), Err(FactorError::Shape { .. })));
+    assert!(matches!(
+        SparseCholesky::analyse(&oblong, Ordering::MinimumDegree),
+        Err(FactorError::Shape { .. })
+    ));
     // A diagonal matrix has no fill.
     let diagonal = CsMat::<f64>::eye(7);
     let mut factor = factored(&diagonal);
