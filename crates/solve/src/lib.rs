@@ -14,10 +14,11 @@
 //! * [`Pcg`] finishes a direct solve whose matrix was rounded: the factor is the
 //!   preconditioner and a [`LinearOperator`] that evaluates the products more
 //!   accurately than the assembled matrix could is the truth;
-//! * a [`Hierarchy`] is the levels of a multigrid cycle.
+//! * [`Multigrid`] is a preconditioner for matrices too large to factor, given the levels of a [`Hierarchy`].
 //!
-//! All results are the same on every machine: sums have a fixed order and no
-//! multiplication is fused with an addition.
+//! All results are the same on every machine and any number of threads: sums have a
+//! fixed order and no multiplication is fused with an addition. Long vectors are
+//! dealt out to the threads of the current `rayon` pool.
 
 mod band;
 mod choice;

@@ -1,10 +1,12 @@
-//! Conjugate gradients for one right-hand side, preconditioned with a factor.
+//! Conjugate gradients for one right-hand side, preconditioned with a factor or a multigrid cycle.
 //!
-//! The intended use is the finish of a direct solve whose matrix was rounded when
+//! One use is the finish of a direct solve whose matrix was rounded when
 //! it was assembled. The operator evaluates the products without that rounding,
 //! the factor of the rounded matrix is the preconditioner, and the iteration
 //! converges to the solution of the operator even where the factor alone has no
-//! correct digit.
+//! correct digit. The other is the whole solve where the matrix is too large to factor; a step
+//! leaves a tenth to a hundredth of `r . z` then, and a wanted number of digits is asked for by [`PcgOptions::energy_drop`] or
+//! [`PcgOptions::residual_drop`].
 //!
 //! Two details concern rounding:
 //!

@@ -4,9 +4,12 @@
 //! neighbours; in two dimensions the stiffness of a bond does not depend on the spacing. A coarse cell is in the plate
 //! if any of its four children is. Cells outside and clamped ones keep their unknowns, held at zero.
 
+mod transfer;
+
 use peristat_solve::{BandCholesky, BandMatrix, Hierarchy, LinearOperator, Preconditioner};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use transfer::sources;
 
 /// What is missing from a plate of height 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +27,7 @@ type Bond = ([isize; 2], [f64; 3]);
 struct Level {
     width: usize,
     spacing: f64,
+    flaw: Flaw,
     /// Neither outside nor clamped.
     free: Vec<bool>,
     inside: Vec<bool>,
@@ -108,7 +112,9 @@ impl Plate {
                 target[0] = 1.0;
             }
         }
-        Box::new(BandCholesky::factor(BandMatrix { order, half_bandwidth, values }, 1).unwrap())
+        Box::new(
+            BandCholesky::factor(BandMatrix { order, half_bandwidth, values }, 1).expect("positive definite"),
+        )
     }
 
     /// Products with a level since the last call.
@@ -122,16 +128,7 @@ impl Level {
         let height = inside.len() / width;
         let free = |p: usize| inside[p] && ((p % width) as f64 + 0.5) * spacing > 1.0 / 16.0;
         let free = (0..inside.len()).map(free).collect();
-        let centre = 0.5 * width as f64 + 1.0e-9;
-        let cut = |i: usize, j: usize, [di, dj]: [isize; 2]| match flaw {
-            Flaw::Cut(top) => {
-                let (from, to) = (i as f64 + 0.5 - centre, i as f64 + 0.5 - centre + di as f64);
-                let crossing = j as f64 + 0.5 + from / (from - to) * dj as f64;
-                from * to < 0.0 && crossing * spacing < top
-            }
-            _ => false,
-        };
-        let mut level = Self { width, spacing, free, inside, bonds: Vec::new(), inverse: Vec::new() };
+        let mut level = Self { width, spacing, flaw, free, inside, bonds: Vec::new(), inverse: Vec::new() };
         for p in 0..level.inside.len() {
             let (i, j) = (p % width, p / width);
             let (mut bonds, mut own) = (0, [0.0; 3]);
@@ -139,7 +136,13 @@ impl Level {
                 let there = i.checked_add_signed(offset[0]).filter(|i| *i < width);
                 let there = there.zip(j.checked_add_signed(offset[1]).filter(|j| *j < height));
                 let there = there.is_some_and(|(i, j)| level.inside[j * width + i]);
-                if level.inside[p] && there && !cut(i, j, *offset) {
+                if level.inside[p]
+                    && there
+                    && !level.cut(
+                        level.centre(p),
+                        level.centre(p.wrapping_add_signed(offset[0] + offset[1] * width as isize)),
+                    )
+                {
                     bonds |= 1 << k;
                     (0..3).for_each(|c| own[c] += stiffness[c]);
                 }
@@ -156,6 +159,18 @@ impl Level {
 
     fn height(&self) -> usize {
         self.free.len() / self.width
+    }
+
+    /// Of a cell, measured from the middle of the lower edge.
+    fn centre(&self, p: usize) -> [f64; 2] {
+        let x = (p % self.width) as f64 + 0.5 - 0.5 * self.width as f64;
+        [x * self.spacing, ((p / self.width) as f64 + 0.5) * self.spacing]
+    }
+
+    /// Whether the cut runs between these points.
+    fn cut(&self, [x, y]: [f64; 2], [to_x, to_y]: [f64; 2]) -> bool {
+        let Flaw::Cut(top) = self.flaw else { return false };
+        (x < 0.0) != (to_x < 0.0) && y + x / (x - to_x) * (to_y - y) < top
     }
 
     fn coarser(&self, stencil: &[Bond], flaw: Flaw) -> Self {
@@ -192,27 +207,6 @@ impl Level {
             }
         });
     }
-}
-
-/// The coarse cells whose values a fine one takes, bilinear between centres, with their shares; those outside count
-/// nothing and the others more.
-fn sources(fine: &Level, coarse: &Level, p: usize) -> ([usize; 4], [f64; 4]) {
-    let axis = |i: usize, n: usize| {
-        let other = if i.is_multiple_of(2) { (i / 2).checked_sub(1) } else { Some(i / 2 + 1) };
-        let other = other.filter(|o| *o < n);
-        [(i / 2, 0.75), (other.unwrap_or(i / 2), 0.25)]
-    };
-    let (mut cells, mut shares) = ([0; 4], [0.0; 4]);
-    let mut all = 0.0;
-    for (b, (j, v)) in axis(p / fine.width, coarse.height()).into_iter().enumerate() {
-        for (a, (i, u)) in axis(p % fine.width, coarse.width).into_iter().enumerate() {
-            let q = j * coarse.width + i;
-            cells[2 * b + a] = q;
-            shares[2 * b + a] = if coarse.inside[q] { u * v } else { 0.0 };
-            all += shares[2 * b + a];
-        }
-    }
-    (cells, shares.map(|s| if all > 0.0 { s / all } else { 0.0 }))
 }
 
 impl Hierarchy for Plate {
