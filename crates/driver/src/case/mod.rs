@@ -127,13 +127,18 @@ impl Units {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Solver {
-    /// The strain form where it applies; else chosen from the pattern of the stiffness.
+    /// For beams the strain form where it applies, else chosen from the pattern of the stiffness; for bodies in the plane
+    /// chosen from their size.
     #[default]
     Auto,
     /// Strain form: well conditioned whatever the slenderness; straight beams with few supports.
     Strain,
-    /// Band Cholesky factor and conjugate gradients on the bonds.
+    /// Band Cholesky factor and conjugate gradients on the bonds; beams.
     Band,
     /// Sparse Cholesky factor and conjugate gradients on the bonds.
     Sparse,
+    /// Conjugate gradients on the bonds, preconditioned by coarser lattices; bodies in the plane that fill a lattice.
+    Multigrid,
+    /// Conjugate gradients on the bonds, preconditioned by the blocks of the points; bodies in the plane.
+    Pcg,
 }

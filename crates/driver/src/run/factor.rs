@@ -4,7 +4,8 @@ use super::{Counters, Timing};
 use crate::case::Solver;
 use peristat_assembly::system::System;
 use peristat_solve::{
-    BandCholesky, BandMatrix, FactorError, Method, Ordering, Preconditioner, Profile, SparseCholesky, choose,
+    BandCholesky, BandMatrix, DissectedCholesky, FactorError, Method, Ordering, PointGraph, Preconditioner, Profile,
+    SparseCholesky, choose, nested_dissection,
 };
 use sprs::CsMat;
 use std::time::Instant;
@@ -23,6 +24,12 @@ pub enum SolveFailure {
         /// Component of the first.
         component: usize,
         /// Point of the first.
+        point: usize,
+    },
+    /// The bonds of a point do not hold it.
+    #[error("the bonds of point {point} do not hold it in all directions")]
+    Loose {
+        /// The point.
         point: usize,
     },
     /// The supports do not determine the reactions.
@@ -54,13 +61,14 @@ enum Matrix {
     Sparse(CsMat<f64>),
 }
 
-/// Assembles and factors the constrained stiffness.
+/// Assembles and factors the constrained stiffness; `positions` are those of points that spread in a plane.
 ///
 /// # Errors
 /// [`SolveFailure`] if it has no factor.
 pub(super) fn factor<const D: usize>(
     system: &System<D>,
     solver: Solver,
+    positions: Option<&[[f64; 2]]>,
     timing: &mut Timing,
     counters: &mut Counters,
 ) -> Result<(Box<dyn Preconditioner>, SolverReport), SolveFailure> {
@@ -91,8 +99,7 @@ pub(super) fn factor<const D: usize>(
         }
         Matrix::Sparse(mut matrix) => {
             counters.analyses = 1;
-            let mut factor =
-                SparseCholesky::analyse(&matrix, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
+            let mut factor = SparseFactor::analyse::<D>(&matrix, positions).map_err(SolveFailure::Factor)?;
             let diagonal = matrix.diag();
             let done = lifted(counters, |lift| {
                 for (k, value) in diagonal.iter() {
@@ -102,13 +109,60 @@ pub(super) fn factor<const D: usize>(
             });
             done.map_err(|e| failure(system, e))?;
             let bytes = factor.bytes();
-            (Box::new(factor), bytes)
+            (factor.into_preconditioner(), bytes)
         }
     };
     timing.factor = begin.elapsed().as_secs_f64();
     counters.factor_bytes = bytes;
     let report = SolverReport { method, reason, factor_entries: bytes / 8, iterations: Vec::new() };
     Ok((factor, report))
+}
+
+/// A factor of a sparse matrix.
+enum SparseFactor {
+    Whole(SparseCholesky),
+    /// Halves side by side.
+    Dissected(DissectedCholesky),
+}
+
+impl SparseFactor {
+    /// Points in a plane below which two threads cost more than they bring.
+    const FEW: usize = 5000;
+
+    fn analyse<const D: usize>(matrix: &CsMat<f64>, positions: Option<&[[f64; 2]]>) -> Result<Self, FactorError> {
+        let Some(positions) = positions else {
+            return SparseCholesky::analyse(matrix, Ordering::MinimumDegree).map(Self::Whole);
+        };
+        let dissection = nested_dissection(positions, &PointGraph::from_matrix(matrix, D));
+        match rayon::current_num_threads() > 1 && positions.len() > Self::FEW {
+            true => DissectedCholesky::analyse(matrix, &dissection, D).map(Self::Dissected),
+            false => {
+                let ordering = Ordering::Points { order: dissection.order(), components: D };
+                SparseCholesky::analyse(matrix, ordering).map(Self::Whole)
+            }
+        }
+    }
+
+    fn refactor(&mut self, matrix: &CsMat<f64>) -> Result<(), FactorError> {
+        match self {
+            Self::Whole(factor) => factor.refactor(matrix),
+            Self::Dissected(factor) => factor.refactor(matrix),
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Whole(factor) => factor.bytes(),
+            Self::Dissected(factor) => factor.bytes(),
+        }
+    }
+
+    fn into_preconditioner(self) -> Box<dyn Preconditioner> {
+        match self {
+            Self::Whole(factor) => Box::new(factor),
+            Self::Dissected(factor) => Box::new(factor),
+        }
+    }
 }
 
 /// Relative lifts of the diagonal, tried in this order: the smallest that makes the factor exist costs the fewest
@@ -146,7 +200,7 @@ fn assemble<const D: usize>(system: &System<D>, solver: Solver) -> (Matrix, Stri
         },
     };
     let (method, reason) = match solver {
-        Solver::Auto | Solver::Strain => choose(&profile),
+        Solver::Auto | Solver::Strain | Solver::Multigrid | Solver::Pcg => choose(&profile),
         Solver::Band => (Method::Band, "the case asks for it".into()),
         Solver::Sparse => (Method::Sparse, "the case asks for it".into()),
     };

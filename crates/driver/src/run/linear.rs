@@ -1,11 +1,12 @@
 //! A factored system and its solutions.
 
-use super::factor::{self, SolveFailure, SolverReport};
+use super::factor::{SolveFailure, SolverReport};
+use super::method::{self, Finish, Method};
+use super::multigrid::Coarser;
 use super::scan::largest;
-use super::{Counters, Timing};
-use crate::case::Solver;
+use super::{Counters, Problem, Timing, extent};
 use peristat_assembly::system::System;
-use peristat_solve::{LinearOperator, Pcg, PcgOptions, PcgStatus, Preconditioner};
+use peristat_solve::{LinearOperator, Pcg, PcgStatus, Preconditioner};
 use std::collections::HashMap;
 
 /// The element-wise stiffness of a system as the solver sees it.
@@ -34,9 +35,9 @@ pub(super) struct StateSolution {
     pub(super) multipliers: Vec<f64>,
     /// Largest element-wise residual per component, constrained unknowns left out.
     pub(super) residual: Vec<f64>,
-    /// The correction that one more solve with the factor would make, relative to the unknowns.
+    /// The correction that one more solve with the preconditioner would make, relative to the unknowns.
     pub(super) next_correction: f64,
-    /// Size of all corrections after the first solve with the factor, relative to the solution, in energy norm.
+    /// Size of all corrections after the first solve with the preconditioner, relative to the solution, in energy norm.
     pub(super) first_correction: f64,
     /// Iterations of all passes.
     pub(super) iterations: usize,
@@ -44,10 +45,11 @@ pub(super) struct StateSolution {
     pub(super) status: PcgStatus,
 }
 
-/// A system with its factor: one factorisation, any number of right-hand sides.
+/// A system with its method: one factorisation or hierarchy of levels, any number of right-hand sides.
 pub struct LinearSolver<'a, const D: usize> {
     system: &'a System<D>,
-    factor: Box<dyn Preconditioner>,
+    preconditioner: Box<dyn Preconditioner + 'a>,
+    finish: Finish,
     pcg: Pcg,
     residual: Vec<f64>,
     scales: [f64; D],
@@ -57,31 +59,36 @@ pub struct LinearSolver<'a, const D: usize> {
 
 /// Passes of conjugate gradients on the true residual.
 const PASSES: usize = 4;
-/// A next correction below this ends the passes: rounding of the unknowns themselves.
-const SETTLED: f64 = 1e-13;
 
 impl<'a, const D: usize> LinearSolver<'a, D> {
-    /// Assembles and factors. `scales` are displacements of each component that count as equally large.
+    /// Chooses the method of a problem and sets it up; `coarser` are its coarser levels, where it takes any.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
-    pub fn new(
+    pub(super) fn new<P: Problem<D>>(
+        problem: &P,
         system: &'a System<D>,
-        scales: [f64; D],
-        solver: Solver,
+        coarser: Option<&'a Coarser<D>>,
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
         let mut counters = Counters::default();
-        let (factor, report) = factor::factor(system, solver, timing, &mut counters)?;
+        let Method { preconditioner, report, finish } =
+            method::method(problem, system, coarser, timing, &mut counters)?;
         Ok(Self {
             system,
-            factor,
+            preconditioner,
+            finish,
             pcg: Pcg::new(system.size()),
             residual: vec![0.0; system.size()],
-            scales,
+            scales: extent::scales(problem.model()),
             report,
             counters,
         })
+    }
+
+    /// Displacements of each component that count as equally large.
+    pub(super) fn scales(&self) -> &[f64; D] {
+        &self.scales
     }
 
     /// Method, reason and iterations so far.
@@ -122,8 +129,9 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         }
         constraints.restrict(&mut self.residual);
         for pass in 0..PASSES {
-            let (factor, options) = (&mut *self.factor, PcgOptions::default());
-            let report = self.pcg.solve(&operator, factor, &mut self.residual, &mut solution.u, &options);
+            let (preconditioner, options) = (&mut *self.preconditioner, &self.finish.options);
+            let report =
+                self.pcg.solve(&operator, preconditioner, &mut self.residual, &mut solution.u, options);
             if pass == 0 {
                 solution.first_correction = report.first_correction;
             }
@@ -137,10 +145,10 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             solution.held = self.constraint_forces();
             solution.multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
             constraints.restrict(&mut self.residual);
-            let correction = self.pcg.precondition(&mut *self.factor, &self.residual);
+            let correction = self.pcg.precondition(&mut *self.preconditioner, &self.residual);
             let next =
                 size(correction, &self.scales) / size(&solution.u, &self.scales).max(f64::MIN_POSITIVE);
-            let settled = next <= SETTLED && !(pass == 0 && constraints.moves());
+            let settled = next <= self.finish.settled && !(pass == 0 && constraints.moves());
             let stalled = next >= 0.1 * solution.next_correction;
             solution.next_correction = next;
             if settled || stalled || !next.is_finite() {

@@ -6,6 +6,8 @@ mod extent;
 mod factor;
 mod linear;
 mod memory;
+mod method;
+mod multigrid;
 mod problem;
 mod range;
 mod scan;
@@ -15,6 +17,7 @@ pub use beam::BeamResult;
 pub use certificate::{Balance, Certificate};
 pub use factor::{SolveFailure, SolverReport};
 pub use linear::LinearSolver;
+pub use multigrid::Coarser;
 pub use problem::{Problem, Sizes, prepare};
 pub(crate) use range::Range;
 pub use verdict::{CheckResult, ProbeResult};
@@ -58,9 +61,9 @@ pub struct Counters {
 /// Wall time per stage, s.
 #[derive(Clone, Debug, Default, serde::Serialize)]
 pub struct Timing {
-    /// Assembly of the stiffness.
+    /// Assembly of the stiffness, or of the coarser levels.
     pub assemble: f64,
-    /// Factorisation.
+    /// Factorisation, or set-up of the levels.
     pub factor: f64,
     /// Conjugate gradients and refinement of all states.
     pub solve: f64,
@@ -179,26 +182,28 @@ fn solve_states<const D: usize, P: Problem<D>>(
     take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
     let mut timing = Timing::default();
-    let scales = extent::scales(problem.model());
-    let mut factored = Some(LinearSolver::new(system, scales, problem.solver(), &mut timing)?);
+    let begin = Instant::now();
+    let coarser = method::coarser(problem);
+    timing.assemble = begin.elapsed().as_secs_f64();
+    let mut ready = Some(LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?);
     let (mut report, mut counters) = (SolverReport::default(), Counters::default());
     let mut load = vec![0.0; system.size()];
     let mut converged = true;
     for state in 0..problem.states() {
-        let Some(solver) = &mut factored else { break };
+        let Some(solver) = &mut ready else { break };
         load.fill(0.0);
         let motion_factor = problem.add_load(state, &mut load);
         let begin = Instant::now();
         let solution = solver.solve(&load, motion_factor);
         timing.solve += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let certificate = certificate::certify(problem.model(), system, &load, &solution, &scales);
+        let certificate = certificate::certify(problem.model(), system, &load, &solution, solver.scales());
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         // The factor is the largest thing in memory: the last state is recorded without it.
         if state + 1 == problem.states() {
             (report, counters) = (solver.report().clone(), solver.counters().clone());
-            factored = None;
+            ready = None;
         }
         let begin = Instant::now();
         take(SolvedState { state, load: &load, solution, certificate })?;

@@ -3,7 +3,7 @@
 use super::factor::SolveFailure;
 use peristat_assembly::body::Transfer;
 use peristat_assembly::system::{Level, System};
-use peristat_solve::{Hierarchy, Multigrid, MultigridOptions, Relaxation, SparseCholesky};
+use peristat_solve::{Hierarchy, Multigrid, MultigridOptions, Ordering, Relaxation, SparseCholesky};
 
 /// The coarser levels of a problem: the same body and conditions at twice the spacing, again and again.
 pub struct Coarser<const D: usize> {
@@ -31,7 +31,7 @@ pub(super) fn cycle<'a, const D: usize>(
     let levels: Result<Vec<Level<D>>, usize> = systems.map(Level::new).collect();
     let levels = levels.map_err(|point| SolveFailure::Loose { point })?;
     let coarsest = levels.last().expect("there is a finest level").system().assemble_sparse();
-    let mut factor = SparseCholesky::analyse(&coarsest).map_err(SolveFailure::Factor)?;
+    let mut factor = SparseCholesky::analyse(&coarsest, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
     factor.refactor(&coarsest).map_err(SolveFailure::Factor)?;
     let entries = factor.fill();
     let levels = Levels { levels, transfers: &coarser.transfers };

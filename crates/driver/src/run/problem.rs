@@ -1,5 +1,6 @@
 //! What a run needs of a scene, whatever its model, and the system it becomes.
 
+use super::multigrid::Coarser;
 use super::{RunError, RunOptions, memory};
 use crate::case::Solver;
 use crate::diagnostic::{Faults, JsonPath};
@@ -34,6 +35,16 @@ pub trait Problem<const D: usize> {
 
     /// Adds the loads of a state to `force`, `D` planes, and returns the factor on prescribed motions.
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64;
+
+    /// Positions of the points, where they spread in a plane: their factor is ordered by them.
+    fn positions(&self) -> Option<Vec<[f64; 2]>> {
+        None
+    }
+
+    /// The coarser levels of a multigrid cycle, where the points are those of a lattice.
+    fn coarser(&self) -> Option<Coarser<D>> {
+        None
+    }
 
     /// A free motion in words, such as `the beam from x = 0 to 1 is free to move along w: no support or link prevents it`.
     fn describe(&self, motion: &FreeMotion) -> String;

@@ -44,7 +44,7 @@ fn applies(scene: &BeamScene) -> Result<StrainProblem<'_>, String> {
 pub(in super::super) fn chosen(scene: &BeamScene) -> Result<Option<StrainProblem<'_>>, RunError> {
     match scene.solver {
         Solver::Auto => Ok(applies(scene).ok().filter(|parts| parts.form.least_eigenvalue() >= LEAST)),
-        Solver::Band | Solver::Sparse => Ok(None),
+        Solver::Band | Solver::Sparse | Solver::Multigrid | Solver::Pcg => Ok(None),
         Solver::Strain => applies(scene).map(Some).map_err(|reason| {
             let mut faults = Faults::default();
             faults

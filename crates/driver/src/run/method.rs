@@ -1,0 +1,139 @@
+//! Which method solves a problem, why, and when its answer is good enough.
+
+use super::factor::{self, SolveFailure, SolverReport};
+use super::multigrid::{self, Coarser};
+use super::{Counters, Problem, Timing};
+use crate::case::Solver;
+use peristat_assembly::system::{Level, System};
+use peristat_solve::{PcgOptions, Preconditioner};
+use std::time::Instant;
+
+/// Points from which a multigrid cycle is faster than a factor for one right-hand side, measured on squares.
+const MANY_POINTS: usize = 3000;
+/// Right-hand sides that share a factor from which it is faster than as many multigrid solves, measured at 1e5 points.
+const MANY_SIDES: usize = 12;
+/// Points beyond which a factor takes more memory than most machines have.
+const TOO_MANY_POINTS: usize = 500_000;
+
+/// What a right-hand side is solved with.
+pub(super) struct Method<'a> {
+    pub(super) preconditioner: Box<dyn Preconditioner + 'a>,
+    pub(super) report: SolverReport,
+    pub(super) finish: Finish,
+}
+
+/// When conjugate gradients have done enough.
+pub(super) struct Finish {
+    pub(super) options: PcgOptions,
+    /// A next correction below this ends the passes.
+    pub(super) settled: f64,
+}
+
+impl Finish {
+    /// With a factor: until nothing is left but the rounding of the unknowns themselves.
+    fn of_factor() -> Self {
+        Self { options: PcgOptions::default(), settled: 1e-13 }
+    }
+
+    /// With an approximate inverse: every digit costs iterations, and ten are more than a discretisation has.
+    fn of_iteration(max_iterations: usize) -> Self {
+        let options = PcgOptions {
+            max_iterations,
+            residual_drop: 1e-10,
+            stagnation_window: max_iterations,
+            ..PcgOptions::default()
+        };
+        Self { options, settled: 1e-9 }
+    }
+}
+
+/// The coarser levels of a problem, where a multigrid cycle is its method.
+pub(super) fn coarser<const D: usize, P: Problem<D>>(problem: &P) -> Option<Coarser<D>> {
+    let points = peristat_assembly::model::Model::points(problem.model());
+    let few_sides = problem.states() < MANY_SIDES || points > TOO_MANY_POINTS;
+    match problem.solver() {
+        Solver::Multigrid => problem.coarser(),
+        Solver::Auto if points >= MANY_POINTS && few_sides => problem.coarser(),
+        _ => None,
+    }
+}
+
+/// The method of a problem.
+///
+/// # Errors
+/// [`SolveFailure`] if a point is not held by its bonds, or a matrix has no factor.
+pub(super) fn method<'a, const D: usize, P: Problem<D>>(
+    problem: &P,
+    system: &'a System<D>,
+    coarser: Option<&'a Coarser<D>>,
+    timing: &mut Timing,
+    counters: &mut Counters,
+) -> Result<Method<'a>, SolveFailure> {
+    let asked = problem.solver();
+    let points = system.points();
+    if let Some(coarser) = coarser {
+        let reason = match asked {
+            Solver::Auto => format!(
+                "{points} points of a lattice: coarser lattices are a better preconditioner than a factor"
+            ),
+            _ => "the case asks for it".into(),
+        };
+        return of_cycle(system, coarser, reason, timing, counters);
+    }
+    let positions = problem.positions();
+    let huge = positions.is_some() && points > TOO_MANY_POINTS;
+    if asked == Solver::Pcg || (asked == Solver::Auto && huge) {
+        let reason = match asked {
+            Solver::Auto => format!("{points} points, not of a lattice: a factor would take too much memory"),
+            _ => "the case asks for it".into(),
+        };
+        return of_blocks(system, reason, timing);
+    }
+    let (preconditioner, report) = factor::factor(system, asked, positions.as_deref(), timing, counters)?;
+    Ok(Method { preconditioner, report, finish: Finish::of_factor() })
+}
+
+fn of_cycle<'a, const D: usize>(
+    system: &'a System<D>,
+    coarser: &'a Coarser<D>,
+    reason: String,
+    timing: &mut Timing,
+    counters: &mut Counters,
+) -> Result<Method<'a>, SolveFailure> {
+    let begin = Instant::now();
+    let (cycle, factor_entries) = multigrid::cycle(system, coarser)?;
+    timing.factor = begin.elapsed().as_secs_f64();
+    (counters.analyses, counters.factorisations) = (1, 1);
+    counters.factor_bytes = factor_entries * size_of::<f64>();
+    let report = SolverReport { method: "multigrid".into(), reason, factor_entries, iterations: Vec::new() };
+    Ok(Method { preconditioner: Box::new(cycle), report, finish: Finish::of_iteration(200) })
+}
+
+fn of_blocks<'a, const D: usize>(
+    system: &'a System<D>,
+    reason: String,
+    timing: &mut Timing,
+) -> Result<Method<'a>, SolveFailure> {
+    let begin = Instant::now();
+    let level = Level::new(system).map_err(|point| SolveFailure::Loose { point })?;
+    timing.factor = begin.elapsed().as_secs_f64();
+    let report =
+        SolverReport { method: "block_jacobi".into(), reason, factor_entries: 0, iterations: Vec::new() };
+    // About 1300 iterations at 1e5 points in the plane, growing with the number of points along a side.
+    let limit = 1000 + 20 * (system.points() as f64).sqrt() as usize;
+    Ok(Method { preconditioner: Box::new(Blocks(level)), report, finish: Finish::of_iteration(limit) })
+}
+
+/// The inverse of the diagonal blocks.
+struct Blocks<'a, const D: usize>(Level<'a, D>);
+
+impl<const D: usize> Preconditioner for Blocks<'_, D> {
+    fn size(&self) -> usize {
+        self.0.system().size()
+    }
+
+    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+        z.fill(0.0);
+        self.0.smooth(1.0, r, z);
+    }
+}
