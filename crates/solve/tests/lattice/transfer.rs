@@ -1,6 +1,6 @@
 //! Bilinear interpolation between the centres of cells that are joined.
 
-use super::Level;
+use super::level::Level;
 
 /// The coarse cells whose values a fine one takes, bilinear between centres, with their shares; those outside or
 /// behind the cut count nothing and the others more.
