@@ -25,6 +25,7 @@
 pub mod case;
 pub mod cli;
 pub mod diagnostic;
+pub mod input;
 mod memory;
 pub mod output;
 pub mod reference;

@@ -1,0 +1,129 @@
+use super::*;
+use proptest::prelude::*;
+
+/// Half of the offsets no longer than `reach` cells: one of each pair of opposite ones.
+fn half_steps(reach: f64) -> Vec<Cell> {
+    let n = reach as i32;
+    let all = (0..=n).flat_map(|j| (-n..=n).map(move |i| [i, j]));
+    all.filter(|[i, j]| (*j > 0 || *i > 0) && f64::from(i * i + j * j) <= reach * reach).collect()
+}
+
+fn every_cut_bond(lattice: &SquareLattice, steps: &[Cell], cracks: &[Crack]) -> Vec<(usize, usize)> {
+    let mut found = Vec::new();
+    for (class, step) in steps.iter().enumerate() {
+        for p in 0..lattice.points() {
+            let cell = lattice.cell(p);
+            let other = [cell[0] + step[0], cell[1] + step[1]];
+            let [a, b] = [cell, other].map(|c| lattice.centre(c));
+            let slack = CRACK_SLACK * lattice.spacing();
+            if lattice.number(other).is_some() && cracks.iter().any(|c| c.cuts(a, b, slack)) {
+                found.push((class, p));
+            }
+        }
+    }
+    found
+}
+
+/// The compact-tension specimen of ductile.md §2.1, cut as in §2.2; the numbers of cut bonds are those of A8 there
+/// (neighbours within 3.5 spacings). The tip is on the border of two columns, so ties decide.
+#[test]
+fn cut_bonds_of_the_compact_tension_specimen() {
+    let width = 50.0;
+    for (k, expected) in [(5, 380), (10, 770), (15, 1160), (20, 1550)] {
+        for unit in [1.0, 1e-3, 1.0 / 3.0] {
+            let h = width * unit / f64::from(4 * k);
+            let corner = [-0.25 * width * unit, -0.6 * width * unit];
+            let lattice = SquareLattice::rectangle(h, corner, [5 * k, 24 * k / 5]);
+            let crack = Crack::new(vec![[corner[0] - h, 0.0], [0.5 * width * unit, 0.0]]).unwrap();
+            let steps = half_steps(3.5);
+            let cut = cut_bonds(&lattice, &steps, std::slice::from_ref(&crack));
+            assert_eq!(cut.len(), expected, "k = {k}, unit {unit}");
+            assert_eq!(cut, every_cut_bond(&lattice, &steps, &[crack]));
+        }
+    }
+}
+
+#[test]
+fn ties_count_as_cut() {
+    let crack = Crack::new(vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]).unwrap();
+    let cuts = |a, b| crack.cuts(a, b, 1e-6);
+    assert!(cuts([0.5, -1.0], [0.5, 1.0]));
+    // Through a tip, to the crack, along it, through the bend.
+    assert!(cuts([-0.5, 0.5], [0.5, -0.5]));
+    assert!(cuts([0.5, 0.0], [0.5, 1.0]));
+    assert!(cuts([-1.0, 0.0], [0.25, 0.0]));
+    assert!(cuts([0.5, -0.5], [1.5, 0.5]));
+    // Beyond the tip by less than the slack, and by more.
+    assert!(cuts([-9e-7, -1.0], [-9e-7, 1.0]));
+    assert!(!cuts([-2e-6, -1.0], [-2e-6, 1.0]));
+    assert!(!cuts([0.5, 0.1], [0.9, 0.9]));
+}
+
+#[test]
+fn vertices_are_checked() {
+    assert_eq!(Crack::new(vec![[0.0; 2]]), Err(CrackError::TooFewVertices { found: 1 }));
+    assert_eq!(Crack::new(vec![[0.0; 2], [f64::NAN, 0.0]]), Err(CrackError::NotFinite { vertex: 2 }));
+    assert_eq!(Crack::new(vec![[0.0; 2], [1.0; 2], [1.0; 2]]), Err(CrackError::Repeated { vertex: 2 }));
+}
+
+#[test]
+fn listed_bonds_are_cut_alike() {
+    let positions = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]];
+    let crack = Crack::new(vec![[-1.0, 0.5], [0.5, 0.5]]).unwrap();
+    let pairs = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
+    assert_eq!(cut_pairs(&positions, pairs, 1e-6, &[crack]), [0, 2, 3]);
+}
+
+#[test]
+fn a_long_crack_in_a_large_lattice_visits_few_points() {
+    let lattice = SquareLattice::rectangle(1.0, [0.0; 2], [1000, 1000]);
+    let crack = Crack::new(vec![[-1.0, 500.0], [500.0, 500.0]]).unwrap();
+    let steps = half_steps(3.5);
+    let cut = cut_bonds(&lattice, &steps, std::slice::from_ref(&crack));
+    // A step crosses in as many rows as it rises, in every column but a few at the tip.
+    let rising: i32 = steps.iter().map(|s| s[1]).sum();
+    assert!(cut.len() as i32 > 500 * rising - 100 && (cut.len() as i32) < 500 * rising + 100);
+}
+
+proptest! {
+    #[test]
+    fn cutting_does_not_depend_on_directions(
+        a in [-2..3i32, -2..3], b in [-2..3i32, -2..3], c in [-4..5i32, -4..5], d in [-4..5i32, -4..5],
+        h in 0.01..10.0f64, angle in 0.0..6.3f64,
+    ) {
+        prop_assume!(c != d);
+        let turned = |[x, y]: [i32; 2]| {
+            let (x, y) = (f64::from(x) * h, f64::from(y) * h / 2.0);
+            [x * angle.cos() - y * angle.sin(), x * angle.sin() + y * angle.cos()]
+        };
+        let [a1, b1, c1, d1] = [a, b, c, d].map(turned);
+        let crack = Crack::new(vec![c1, d1]).unwrap();
+        let back = Crack::new(vec![d1, c1]).unwrap();
+        let slack = 1e-6 * h;
+        let cut = crack.cuts(a1, b1, slack);
+        prop_assert_eq!(cut, crack.cuts(b1, a1, slack));
+        prop_assert_eq!(cut, back.cuts(a1, b1, slack));
+        // Turning moves ties off by rounding; the answer is that of whole numbers.
+        let whole = [a, b, c, d].map(|p| p.map(f64::from));
+        prop_assert_eq!(cut, crate::body::geometry::meet(whole[0], whole[1], whole[2], whole[3]));
+    }
+
+    #[test]
+    fn visiting_near_points_finds_all_cut_bonds(
+        vertices in proptest::collection::vec([-3..30i32, -3..24], 2..6), m in 2.0..4.0f64, h in 0.1..4.0f64,
+        coarser: bool,
+    ) {
+        prop_assume!(vertices.windows(2).all(|w| w[0] != w[1]));
+        let hole = |[i, j]: Cell| (5..9).contains(&i) && (4..12).contains(&j);
+        let mut lattice = SquareLattice::new(h, [0.3, -0.7], 0..14, 0..11, |c| !hole(c));
+        if coarser {
+            lattice = lattice.coarser();
+        }
+        // Half cells: through centres, along rows and borders of cells.
+        let place = |v: &[i32; 2]| [0.3 + 0.5 * h * f64::from(v[0]), -0.7 + 0.5 * h * f64::from(v[1])];
+        let crack = Crack::new(vertices.iter().map(place).collect()).unwrap();
+        let steps = half_steps(m);
+        let near = cut_bonds(&lattice, &steps, std::slice::from_ref(&crack));
+        prop_assert_eq!(near, every_cut_bond(&lattice, &steps, &[crack]));
+    }
+}

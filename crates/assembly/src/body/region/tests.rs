@@ -1,0 +1,127 @@
+use super::*;
+use crate::body::geometry::{distance, to_segment};
+use crate::body::outline::Hole;
+use crate::body::polygon::Polygon;
+use crate::body::{Cloud, Group};
+use proptest::prelude::*;
+
+fn plate() -> (Outline, PlaneBody) {
+    let mut outline = Outline::rectangle([0.0; 2], [2.0, 1.0]).unwrap();
+    let shape = Shape::Circle { centre: [0.5, 0.5], radius: 0.2 };
+    outline.cut(Hole { name: Some("pin".into()), shape }).unwrap();
+    let square = vec![[1.4, 0.4], [1.6, 0.4], [1.6, 0.6], [1.4, 0.6]];
+    let shape = Shape::Polygon(Polygon::new(square).unwrap());
+    outline.cut(Hole { name: Some("window".into()), shape }).unwrap();
+    let lattice = outline.fill(0.1).unwrap();
+    (outline, PlaneBody::Lattice(lattice))
+}
+
+fn as_cloud(body: &PlaneBody) -> PlaneBody {
+    let all = 0..body.points();
+    let positions = all.clone().map(|p| body.position(p)).collect();
+    let group = Group { name: "some".into(), points: vec![7, 3, 3] };
+    PlaneBody::Cloud(Cloud::new(positions, all.map(|p| body.area(p)).collect(), vec![group]).unwrap())
+}
+
+fn select(region: &Region) -> Result<Vec<u32>, RegionError> {
+    let (outline, body) = plate();
+    let named = BTreeMap::from([
+        ("corners".into(), Region::Union { of: vec!["a".into(), "b".into()] }),
+        ("a".into(), Region::Corner { at: [0.0, 0.0] }),
+        ("b".into(), Region::Corner { at: [9.0, 0.5] }),
+        ("loop".into(), Region::Union { of: vec!["a".into(), "loop".into()] }),
+    ]);
+    let regions = Regions { body: &body, outline: Some(&outline), named: &named };
+    let found = regions.select(region);
+    // Listed points give the same answer, though another code finds it.
+    let cloud = as_cloud(&body);
+    if !matches!(region, Region::Group { .. }) {
+        let listed = Regions { body: &cloud, ..regions };
+        assert_eq!(found, listed.select(region));
+        return found;
+    }
+    Regions { body: &cloud, ..regions }.select(region)
+}
+
+fn edge(name: &str, depth: Option<f64>) -> Region {
+    Region::Edge { name: name.into(), depth }
+}
+
+#[test]
+fn edges_corners_and_holes() {
+    let count = |region: &Region| select(region).unwrap().len();
+    for (name, cells) in [("left", 10), ("right", 10), ("bottom", 20), ("top", 20)] {
+        assert_eq!(count(&edge(name, None)), cells, "{name}");
+        assert_eq!(count(&edge(name, Some(0.25))), 3 * cells, "{name}");
+        assert_eq!(count(&edge(name, Some(0.049))), 0, "{name}");
+    }
+    assert_eq!(select(&edge("bottom", None)).unwrap(), (0..20).collect::<Vec<u32>>());
+    assert_eq!(select(&Region::Corner { at: [2.0, 0.0] }).unwrap(), [19]);
+    // Amid four cells, and on the line between two.
+    assert_eq!(count(&Region::Corner { at: [1.0, 0.5] }), 4);
+    assert_eq!(count(&Region::Corner { at: [1.0, -3.0] }), 2);
+    // Between circles of radius 2 and 3 around a corner of cells: 32 − 12 centres of cells.
+    assert_eq!(count(&Region::Hole { name: "pin".into(), depth: None }), 20);
+    // The layer of cells around a square of 2 × 2: the nearest centres are half a spacing off.
+    assert_eq!(count(&Region::Hole { name: "window".into(), depth: Some(0.08) }), 12);
+}
+
+#[test]
+fn boxes_discs_half_planes_and_groups() {
+    let count = |region: &Region| select(region).unwrap().len();
+    // Centres of cells as corners: borders count.
+    let on_centres = Region::Box { from: [0.35, 0.15], to: [0.05, 0.05] };
+    assert_eq!(select(&on_centres).unwrap(), [0, 1, 2, 3, 20, 21, 22, 23]);
+    assert_eq!(count(&Region::Box { from: [1.05, 0.0], to: [1.05, 1.0] }), 10);
+    assert_eq!(count(&Region::Disc { centre: [1.05, 0.45], radius: 0.2 }), 13);
+    assert_eq!(count(&Region::HalfPlane { point: [1.95, 0.0], normal: [3.0, 0.0] }), 10);
+    assert_eq!(count(&Region::HalfPlane { point: [0.0, 0.95], normal: [0.0, 2.0] }), 20);
+    // x + y ≤ 0.3 through centres.
+    assert_eq!(count(&Region::HalfPlane { point: [0.15, 0.15], normal: [-1.0, -1.0] }), 6);
+    assert_eq!(select(&Region::Group { name: "some".into() }).unwrap(), [3, 7]);
+    assert_eq!(select(&Region::Union { of: vec!["corners".into(), "a".into()] }).unwrap().len(), 3);
+}
+
+#[test]
+fn faults_are_named() {
+    let unknown = select(&edge("lefft", None)).unwrap_err();
+    assert_eq!(unknown.to_string(), "there is no edge `lefft`, only bottom, right, top, left");
+    assert!(matches!(
+        select(&Region::Hole { name: "x".into(), depth: None }),
+        Err(RegionError::Unknown { kind: "hole", .. })
+    ));
+    let looped = Region::Union { of: vec!["loop".into()] };
+    assert_eq!(select(&looped), Err(RegionError::Cycle { name: "loop".into() }));
+    assert_eq!(
+        select(&edge("left", Some(-1.0))),
+        Err(RegionError::NotPositive { what: "depth", found: -1.0 })
+    );
+    let flat = Region::HalfPlane { point: [0.0; 2], normal: [0.0; 2] };
+    assert_eq!(select(&flat), Err(RegionError::Position { what: "normal" }));
+}
+
+proptest! {
+    #[test]
+    fn edges_of_polygons_are_measured_along_their_normal(
+        turn in 0.0..6.3f64, depth in 0.3..3.0f64, reverse: bool, which in 0..4usize,
+    ) {
+        let place = |x: f64, y: f64| [x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos()];
+        let mut vertices = vec![place(0.0, 0.0), place(7.0, 0.0), place(6.0, 5.0), place(1.0, 4.0)];
+        if reverse {
+            vertices.reverse();
+        }
+        let outline = Outline::polygon(vertices).unwrap();
+        let body = PlaneBody::Lattice(outline.fill(0.31).unwrap());
+        let regions = Regions { body: &body, outline: Some(&outline), named: &BTreeMap::new() };
+        let found = regions.select(&edge(&format!("edge_{}", which + 1), Some(depth))).unwrap();
+        let e = &outline.edges()[which];
+        for p in 0..body.points() {
+            let at = body.position(p);
+            let along = crate::body::geometry::dot(
+                crate::body::geometry::minus(at, e.from), crate::body::geometry::minus(e.to, e.from),
+            ) / distance(e.from, e.to);
+            let inside = to_segment(at, e.from, e.to) <= depth && (0.0..=distance(e.from, e.to)).contains(&along);
+            prop_assert_eq!(found.binary_search(&(p as u32)).is_ok(), inside, "{:?}", at);
+        }
+    }
+}
