@@ -4,7 +4,7 @@ use super::edges::{EdgeFactors, Overlay, edge_factors, overlay};
 use super::mirrors::Mirrors;
 use super::near::{at, near_points};
 use super::neighbourhood::Neighbourhood;
-use super::{CentralBond, Edges, PlaneParameters};
+use super::{CentralBond, Edges, FindCuts, PlaneParameters};
 use crate::body::SquareLattice;
 use crate::stiffness::{Exception, Families, GridBonds, Offset};
 use std::collections::HashSet;
@@ -86,11 +86,7 @@ impl LatticeBody {
     }
 
     /// The body at twice the spacing.
-    pub(super) fn coarser(
-        &self,
-        parameters: &PlaneParameters,
-        cuts: &mut dyn FnMut(&SquareLattice, &[crate::body::Cell]) -> Vec<(usize, usize)>,
-    ) -> Self {
+    pub(super) fn coarser(&self, parameters: &PlaneParameters, cuts: &FindCuts) -> Self {
         let coarse = match self.mirrors.is_none() {
             true => self.lattice.coarser(),
             false => self.mirrors.real(&self.lattice).coarser(),

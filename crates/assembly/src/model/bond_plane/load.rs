@@ -58,12 +58,15 @@ impl BondPlane {
         let Some(points) = points else {
             return rows.map(|_| body.lattice.columns()).collect();
         };
-        let mut spans = vec![i32::MAX..i32::MIN; rows.len()];
+        let mut spans = vec![0..0; rows.len()];
         for &point in points {
             let [column, row] = body.lattice.cell(point);
-            let span = &mut spans[(row - rows.start) as usize];
-            *span = span.start.min(column)..span.end.max(column + 1);
+            let span: &mut Range<i32> = &mut spans[(row - rows.start) as usize];
+            *span = match span.start >= span.end {
+                true => column..column + 1,
+                false => span.start.min(column)..span.end.max(column + 1),
+            };
         }
-        spans.into_iter().map(|s| if s.start < s.end { s } else { 0..0 }).collect()
+        spans
     }
 }

@@ -150,10 +150,10 @@ mod tests {
         let hole = |c: Cell| c != [1, 1];
         let real = SquareLattice::new(1.0, [0.0; 2], 0..5, 0..4, hole);
         let mirrors = Mirrors { columns: [None, Some(5)], rows: [Some(0), None] };
-        let extended = mirrors.extended(&real, 3);
-        assert_eq!(extended.points(), 8 * 7 - 2 - 2);
-        assert_eq!(extended.number([8, 1]), None);
-        assert_eq!(extended.number([1, -2]), None);
+        let extended = mirrors.extended(&real, 4);
+        // The hole and its three images.
+        assert_eq!(extended.points(), 9 * 8 - 4);
+        assert_eq!(extended.number([8, -2]), None);
         assert_eq!(mirrors.real(&extended).runs(), real.runs());
         assert_eq!(mirrors.ghosts(&extended).len(), extended.points() - real.points());
     }

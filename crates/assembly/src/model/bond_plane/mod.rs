@@ -45,6 +45,9 @@ pub const UX: usize = 0;
 /// Component of the displacement along y.
 pub const UY: usize = 1;
 
+/// Finds the cuts on a lattice: indices into the offsets, and lower points.
+pub type FindCuts<'a> = dyn Fn(&SquareLattice, &[Cell]) -> Vec<(usize, usize)> + 'a;
+
 /// A plate of central bonds.
 #[derive(Clone, Debug)]
 pub struct BondPlane {
@@ -60,7 +63,7 @@ enum Body {
 
 impl BondPlane {
     /// One of each pair of opposite offsets to the neighbours of a point on a lattice: the first number of a cut is an
-    /// index into them. They hold those of all bonds and the sides of triangles of next neighbours.
+    /// index into them. They hold those of all bonds and the possible sides of triangles.
     ///
     /// # Errors
     /// [`BondPlaneError`], all that does not speak of clouds.
@@ -113,10 +116,7 @@ impl BondPlane {
 
     /// The same body on a lattice of twice the spacing with the same horizon ratio; none of a cloud. `cuts` finds the cuts
     /// on a lattice, given the offsets. A line of symmetry through coarse cells moves outwards.
-    pub fn coarser(
-        &self,
-        cuts: &mut dyn FnMut(&SquareLattice, &[Cell]) -> Vec<(usize, usize)>,
-    ) -> Option<Self> {
+    pub fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
         let Body::Lattice(body) = &self.body else { return None };
         let body = body.coarser(&self.parameters, cuts);
         Some(Self { parameters: self.parameters, body: Body::Lattice(body) })

@@ -3,7 +3,7 @@
 use super::{Body, BondPlane};
 use crate::bonds::Point;
 use crate::condition::Equation;
-use crate::model::Model;
+use crate::model::{Model, ModelSizes};
 use crate::stiffness::Term;
 
 impl Model<2> for BondPlane {
@@ -30,6 +30,21 @@ impl Model<2> for BondPlane {
             terms.push(Box::new(self.overlay().clone()));
         }
         terms
+    }
+
+    fn sizes(&self) -> ModelSizes {
+        let of = |term: &dyn Term<2>, couplings: usize| ModelSizes {
+            reach: term.reach(),
+            elements: term.elements(),
+            // Blocks of 2 × 2.
+            entries: 4 * couplings * term.elements(),
+            bytes: size_of::<f64>() * term.stored_factors(),
+        };
+        let bonds = match &self.body {
+            Body::Lattice(body) => of(&body.bonds, 1),
+            Body::Cloud(body) => of(&body.bonds, 1),
+        };
+        bonds.join(of(self.overlay(), 3))
     }
 
     fn relations(&self) -> Vec<Equation> {

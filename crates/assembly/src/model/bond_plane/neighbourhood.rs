@@ -4,13 +4,13 @@ use super::calibration::{matched, published};
 use super::{BondPlaneError, Calibration, Edges, PlaneParameters, VolumeFactor};
 use crate::body::Cell;
 
-/// Offsets whose bonds are the sides of triangles of next neighbours.
-const NEXT: [Cell; 4] = [[1, 0], [0, 1], [1, 1], [-1, 1]];
+/// Square of the length of offsets that always can be sides of triangles, spacings: two rows and columns.
+const NEXT: i32 = 8;
 
 /// One of each pair of opposite offsets to the neighbours of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Neighbourhood {
-    /// Upwards, or to the right in the same row; those of next neighbours always belong to it.
+    /// Upwards, or to the right in the same row; those of the next two rows and columns always belong to it.
     pub(super) offsets: Vec<Cell>,
     /// `a`, Pa, per offset: the stiffness of a bond is `a V/ξ²` with the volume V of a point. None is negative.
     pub(super) weights: Vec<f64>,
@@ -44,9 +44,8 @@ impl Neighbourhood {
 
     /// Drops offsets without bonds.
     fn retain(&mut self) {
-        let kept: Vec<usize> = (0..self.offsets.len())
-            .filter(|&k| self.weights[k] > 0.0 || NEXT.contains(&self.offsets[k]))
-            .collect();
+        let kept: Vec<usize> =
+            (0..self.offsets.len()).filter(|&k| self.weights[k] > 0.0 || is_next(self.offsets[k])).collect();
         self.offsets = kept.iter().map(|&k| self.offsets[k]).collect();
         self.weights = kept.iter().map(|&k| self.weights[k]).collect();
         self.parts = kept.iter().map(|&k| self.parts[k]).collect();
@@ -83,12 +82,17 @@ fn reach_of(parameters: &PlaneParameters) -> f64 {
     m + beyond
 }
 
-/// One of each pair of opposite offsets of at most `reach` spacings and those of next neighbours, row by row.
+/// One of each pair of opposite offsets of at most `reach` spacings and those of the next
+/// two rows and columns, row by row.
 fn half_offsets(reach: f64) -> Vec<Cell> {
-    let most = reach.floor().max(1.0) as i32;
+    let most = reach.floor().max(2.0) as i32;
     let inside = |[a, b]: Cell| f64::from(a * a + b * b) <= reach * reach * (1.0 + 1e-9);
     let all = (0..=most).flat_map(|b| (-most..=most).map(move |a| [a, b]));
-    all.filter(|&step| step[1] > 0 || step[0] > 0).filter(|&s| inside(s) || NEXT.contains(&s)).collect()
+    all.filter(|&step| step[1] > 0 || step[0] > 0).filter(|&s| inside(s) || is_next(s)).collect()
+}
+
+fn is_next([a, b]: Cell) -> bool {
+    a * a + b * b <= NEXT
 }
 
 /// Length of an offset, spacings.

@@ -145,7 +145,12 @@ fn the_product_of_the_assembled_matrix_is_the_force() {
     let mut force = vec![0.0; 3 * n];
     terms[0].add_force(&u, &mut force);
     let mut product = vec![0.0; 3 * n];
+    let mut blocks = vec![[[0.0; 3]; 3]; n];
+    terms[0].add_diagonal(&mut blocks);
     k.for_each_entry(|[i, r], [j, c], value| {
+        if i == j {
+            assert!((blocks[i][r][c] - value).abs() < 1e-13 && (blocks[i][c][r] - value).abs() < 1e-13);
+        }
         let (a, b) = (r * n + i, c * n + j);
         product[a] += value * u[b];
         if a != b {

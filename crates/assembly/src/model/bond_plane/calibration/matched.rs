@@ -5,7 +5,7 @@
 
 use super::super::neighbourhood::{direction_product, length};
 use super::super::{BondPlaneError, PlaneParameters};
-use super::{Projection, project};
+use super::project;
 use crate::body::Cell;
 use nalgebra::{DMatrix, DVector};
 
@@ -47,7 +47,7 @@ pub(in super::super) fn weights(
     start *= 2.0 * (rhs[0] + rhs[2]) / start.sum().max(f64::MIN_POSITIVE);
     let least = 0.3 * start.mean();
     let scales = start.map(|a| a.max(least));
-    let Projection { mut weights, .. } = project(&matrix, &rhs, &start, &scales);
+    let mut weights = project(&matrix, &rhs, &start, &scales);
     equalise(&mut weights, &inside.iter().map(|&k| offsets[k]).collect::<Vec<_>>());
     let residual = (&matrix * &weights - &rhs).amax();
     if residual.is_nan() || residual > EXACT {

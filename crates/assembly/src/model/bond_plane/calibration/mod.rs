@@ -5,4 +5,4 @@ mod overlap;
 mod projection;
 pub(super) mod published;
 
-pub(super) use projection::{Projection, project};
+pub(super) use projection::project;

@@ -82,30 +82,28 @@ fn quadrants(lattice: &SquareLattice, cell: Cell) -> Vec<Corners> {
     all.filter(|corners| corners.iter().all(exists)).collect()
 }
 
-/// The nearest, best shaped triangles of neighbours within the horizon: all that are equally good, so that images in a
-/// mirror choose images.
+/// Triangles are as good as the best if they are so up to this factor.
+const AS_GOOD: f64 = 4.0;
+
+/// The nearest, best shaped triangles of neighbours within the horizon: all that are about equally good, so that images in
+/// a mirror choose images, and that a point is not a hinge between the triangles on its sides.
 fn nearest(lattice: &SquareLattice, hood: &Neighbourhood, cell: Cell) -> Vec<Corners> {
     let steps = hood.offsets.iter().flat_map(|&[a, b]| [[a, b], [-a, -b]]);
     let near: Vec<Cell> = steps.filter(|&s| lattice.number(at(cell, s, true)).is_some()).collect();
-    let (mut best, mut least) = (Vec::new(), f64::INFINITY);
+    let mut found: Vec<(f64, Corners)> = Vec::new();
     for (k, &a) in near.iter().enumerate() {
         for &b in &near[k + 1..] {
             let twice_area = (a[0] * b[1] - a[1] * b[0]).abs();
-            if twice_area == 0 || hood.between(a, b).is_none() {
-                continue;
-            }
-            let squared = |[x, y]: Cell| f64::from(x * x + y * y);
-            let sides = squared(a) + squared(b) + squared([b[0] - a[0], b[1] - a[1]]);
-            let badness = sides * sides / f64::from(twice_area);
-            if badness < least {
-                (best, least) = (Vec::new(), badness);
-            }
-            if badness == least {
-                best.push([at(cell, a, true), at(cell, b, true)]);
+            if twice_area != 0 && hood.between(a, b).is_some() {
+                let squared = |[x, y]: Cell| f64::from(x * x + y * y);
+                let sides = squared(a) + squared(b) + squared([b[0] - a[0], b[1] - a[1]]);
+                let badness = sides * sides / f64::from(twice_area);
+                found.push((badness, [at(cell, a, true), at(cell, b, true)]));
             }
         }
     }
-    best
+    let least = found.iter().map(|f| f.0).fold(f64::INFINITY, f64::min);
+    found.into_iter().filter(|f| f.0 <= AS_GOOD * least).map(|f| f.1).collect()
 }
 
 /// Whether the bond between two cells is cut.

@@ -1,1 +1,9 @@
+//! What holds for every plate.
 
+mod bodies;
+mod cloud;
+mod lattice;
+mod mirrors;
+mod patch;
+mod properties;
+mod prototypes;

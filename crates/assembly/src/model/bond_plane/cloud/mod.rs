@@ -1,0 +1,184 @@
+//! Bonds of a body that is a cloud of points.
+//!
+//! No weights are exact at every point of any cloud. So every point has a scale g, the largest with which its bonds are
+//! nowhere stiffer than the material, `C − g M >= 0` with the moment M of its bonds; a bond takes the smaller scale of its
+//! ends, and the overlay gives every point what it lacks of C.
+
+mod neighbours;
+mod stiffness;
+mod triangles;
+
+use super::calibration::published::{micromodulus, radial_part};
+use super::{BondPlaneError, Calibration, Edges, PlaneParameters, VolumeFactor};
+use crate::bonds::Rows;
+use crate::stiffness::{Bond, Bonds, Families};
+use std::sync::Arc;
+
+/// A cloud with its bonds.
+#[derive(Clone, Debug)]
+pub(super) struct CloudBody {
+    pub(super) positions: Vec<[f64; 2]>,
+    pub(super) areas: Vec<f64>,
+    pub(super) bonds: Arc<Bonds<2, 1>>,
+    pub(super) triangles: Arc<Families<2, 3, 2>>,
+    pub(super) uncorrected: usize,
+    pub(super) damage: Vec<(usize, f64)>,
+}
+
+/// Two neighbours and the bond between them.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    points: [u32; 2],
+    /// Unit vector from the first to the second.
+    direction: [f64; 2],
+    /// Distance, m.
+    length: f64,
+    /// Part of their volumes that counts.
+    part: f64,
+    /// N/m.
+    stiffness: f64,
+}
+
+impl Pair {
+    fn ends(&self) -> [usize; 2] {
+        self.points.map(|p| p as usize)
+    }
+
+    /// `N = (n_x², n_y², n_x n_y)`.
+    fn product(&self) -> [f64; 3] {
+        product(self.direction)
+    }
+}
+
+fn product([x, y]: [f64; 2]) -> [f64; 3] {
+    [x * x, y * y, x * y]
+}
+
+impl CloudBody {
+    pub(super) fn new(
+        positions: Vec<[f64; 2]>,
+        areas: Vec<f64>,
+        horizon: f64,
+        parameters: &PlaneParameters,
+        cut: &dyn Fn([f64; 2], [f64; 2]) -> bool,
+    ) -> Result<Self, BondPlaneError> {
+        let (mut pairs, volumes) = pairs(&positions, &areas, horizon, parameters)?;
+        if parameters.calibration == Calibration::Matched {
+            stiffness::scale(&mut pairs, &volumes, &parameters.material.stiffness());
+        }
+        stiffness::treat(&mut pairs, &volumes, horizon, parameters);
+        let n = positions.len();
+        let triangles = match parameters.edges {
+            Edges::Overlay => {
+                let deficits = stiffness::deficits(&pairs, &volumes, &parameters.material.stiffness());
+                triangles::overlay(&positions, &pairs, &deficits, &volumes, cut)
+            }
+            _ => triangles::Overlay::default(),
+        };
+        let is_cut = |pair: &Pair| {
+            let [i, j] = pair.ends();
+            cut(positions[i], positions[j])
+        };
+        let (mut family, mut lost) = (vec![0.0; n], vec![0.0; n]);
+        let mut intact = Vec::with_capacity(pairs.len());
+        for pair in &pairs {
+            let broken = is_cut(pair);
+            for (end, other) in [(0, 1), (1, 0)] {
+                let part = pair.part * volumes[pair.ends()[other]];
+                family[pair.ends()[end]] += part;
+                lost[pair.ends()[end]] += if broken { part } else { 0.0 };
+            }
+            if !broken {
+                intact.push(Bond {
+                    points: pair.points,
+                    rows: Rows { difference: [pair.direction], mean: [[0.0; 2]] },
+                    moduli: [pair.stiffness],
+                });
+            }
+        }
+        let damage = (0..n).filter(|&p| lost[p] > 0.0).map(|p| (p, lost[p] / family[p])).collect();
+        Ok(Self {
+            positions,
+            areas,
+            bonds: Arc::new(Bonds::new(n, intact.into_iter())),
+            triangles: Arc::new(Families::new(n, triangles.triangles)),
+            uncorrected: triangles.uncorrected,
+            damage,
+        })
+    }
+
+    /// Distance of the points of a bond, m.
+    fn length(&self, bond: &Bond<2, 1>) -> f64 {
+        let [a, b] = bond.points.map(|p| self.positions[p as usize]);
+        (b[0] - a[0]).hypot(b[1] - a[1])
+    }
+
+    /// Stresses and energy densities from the bonds alone: four planes.
+    pub(super) fn sums(&self, u: &[f64], thickness: f64) -> Vec<f64> {
+        let n = self.positions.len();
+        let mut sums = vec![0.0; 4 * n];
+        for bond in self.bonds.list() {
+            let (products, half) = (product(bond.rows.difference[0]), 0.5 * self.length(bond));
+            let ([e], [force]) = bond.response(n, u);
+            for p in bond.points.map(|p| p as usize) {
+                let volume = self.areas[p] * thickness;
+                (0..3).for_each(|q| sums[q * n + p] += half * products[q] * force / volume);
+                sums[3 * n + p] += 0.25 * e * force / volume;
+            }
+        }
+        sums
+    }
+
+    /// Adds the forces of the bonds that do the work `Σ t·V σ`.
+    pub(super) fn add_work(&self, t: &[f64], force: &mut [f64]) {
+        let n = self.positions.len();
+        for bond in self.bonds.list() {
+            let [i, j] = bond.points.map(|p| p as usize);
+            let products = product(bond.rows.difference[0]);
+            let both: f64 = (0..3).map(|q| products[q] * (t[q * n + i] + t[q * n + j])).sum();
+            let action = 0.5 * self.length(bond) * bond.moduli[0] * both;
+            for c in 0..2 {
+                force[c * n + i] -= bond.rows.difference[0][c] * action;
+                force[c * n + j] += bond.rows.difference[0][c] * action;
+            }
+        }
+    }
+}
+
+/// Neighbours with `k = c ω β V_i V_j/ξ` and the volumes of all points.
+fn pairs(
+    positions: &[[f64; 2]],
+    areas: &[f64],
+    horizon: f64,
+    parameters: &PlaneParameters,
+) -> Result<(Vec<Pair>, Vec<f64>), BondPlaneError> {
+    let published = parameters.calibration == Calibration::Published;
+    if published && parameters.edges == Edges::Overlay {
+        return Err(BondPlaneError::OverlayNeedsMatched);
+    }
+    if published && parameters.volume_factor == VolumeFactor::Area {
+        return Err(BondPlaneError::AreaNeedsCells);
+    }
+    let factor = if published { parameters.volume_factor } else { VolumeFactor::Full };
+    let widths: Vec<f64> = areas.iter().map(|a| a.sqrt()).collect();
+    let beyond = match factor {
+        VolumeFactor::Ramp => 0.5 * widths.iter().copied().fold(0.0, f64::max),
+        _ => 0.0,
+    };
+    let volumes: Vec<f64> = areas.iter().map(|a| a * parameters.material.thickness).collect();
+    let c = micromodulus(parameters, horizon);
+    let mut pairs = Vec::new();
+    for [i, j] in neighbours::within(positions, (horizon + beyond) * (1.0 + 1e-9))? {
+        let (a, b) = (positions[i as usize], positions[j as usize]);
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let part = |p: u32| radial_part(factor, length, horizon, widths[p as usize]);
+        let part = 0.5 * (part(i) + part(j));
+        let influence = parameters.influence.at((length / horizon).min(1.0));
+        let stiffness = c * influence * part * volumes[i as usize] * volumes[j as usize] / length;
+        if stiffness > 0.0 {
+            let direction = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+            pairs.push(Pair { points: [i, j], direction, length, part, stiffness });
+        }
+    }
+    Ok((pairs, volumes))
+}

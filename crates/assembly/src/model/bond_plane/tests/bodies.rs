@@ -1,0 +1,113 @@
+//! Bodies and helpers of the tests.
+
+use super::super::*;
+use crate::model::Model;
+use crate::stiffness::{BlockMatrix, Term};
+use nalgebra::{DMatrix, DVector};
+
+pub(super) const MM_MPA: [f64; 3] = [1.0, 73100.0, 25.0];
+/// A unit of length, Young's modulus and thickness: mm and MPa, m and Pa.
+pub(super) const UNITS: [[f64; 3]; 2] = [MM_MPA, [1e-3, 73.1e9, 0.025]];
+
+pub(super) fn parameters(m: f64, [_, youngs_modulus, thickness]: [f64; 3]) -> PlaneParameters {
+    PlaneParameters {
+        material: PlaneMaterial { youngs_modulus, thickness, state: PlaneState::Stress },
+        horizon_ratio: m,
+        influence: Influence::Constant,
+        calibration: Calibration::Matched,
+        volume_factor: VolumeFactor::Ramp,
+        edges: Edges::Overlay,
+    }
+}
+
+/// A rectangle with a hole, an L, a disc and a triangle with a sharp tip, of cells of size `h`.
+pub(super) fn bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
+    let make = |columns: i32, rows: i32, inside: &dyn Fn(f64, f64) -> bool| {
+        let centre = |k: i32| f64::from(k) + 0.5;
+        let at = |[i, j]: Cell| inside(centre(i), centre(j));
+        Arc::new(SquareLattice::new(h, [0.3 * h, -2.0 * h], 0..columns, 0..rows, at))
+    };
+    vec![
+        ("hole", make(18, 13, &|x, y| (x - 9.0).hypot(y - 6.0) > 2.6)),
+        ("L", make(14, 14, &|x, y| x < 6.0 || y < 5.0)),
+        ("disc", make(13, 13, &|x, y| (x - 6.5).hypot(y - 6.5) < 6.4)),
+        // One cell per row at the tip: cells without neighbours on three sides.
+        ("wedge", make(20, 14, &|x, y| y < 0.62 * x && y > 0.3 * x)),
+    ]
+}
+
+pub(super) fn plane(lattice: &Arc<SquareLattice>, parameters: PlaneParameters) -> BondPlane {
+    BondPlane::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &[]).unwrap()
+}
+
+/// Displacement `g x` of all points.
+pub(super) fn linear(plane: &BondPlane, g: [[f64; 2]; 2]) -> Vec<f64> {
+    let n = plane.points();
+    let mut u = vec![0.0; 2 * n];
+    for p in 0..n {
+        let [x, y] = plane.place(p);
+        (0..2).for_each(|c| u[c * n + p] = g[c][0] * x + g[c][1] * y);
+    }
+    u
+}
+
+pub(super) fn force(plane: &BondPlane, u: &[f64]) -> Vec<f64> {
+    let mut force = vec![0.0; u.len()];
+    plane.terms().iter().for_each(|t| t.add_force(u, &mut force));
+    force
+}
+
+pub(super) fn energy(plane: &BondPlane, u: &[f64]) -> f64 {
+    plane.terms().iter().map(|t| t.survey(u).energy).sum()
+}
+
+pub(super) fn matrix(plane: &BondPlane) -> DMatrix<f64> {
+    let n = plane.points();
+    let terms: Vec<Box<dyn Term<2>>> = plane.terms();
+    let mut k = BlockMatrix::sparse(n, &terms);
+    terms.iter().for_each(|t| t.add_tangent(&mut k));
+    let mut dense = DMatrix::zeros(2 * n, 2 * n);
+    k.for_each_entry(|[i, r], [j, c], value| {
+        dense[(r * n + i, c * n + j)] = value;
+        dense[(c * n + j, r * n + i)] = value;
+    });
+    dense
+}
+
+/// Solves `K u = f` with three unknowns prescribed as in `exact`; refined with the forces of the elements.
+pub(super) fn solve(plane: &BondPlane, f: &[f64], exact: &[f64]) -> Vec<f64> {
+    let n = plane.points();
+    // Two points far apart.
+    let far = (0..n).max_by(|&a, &b| (plane.place(a)[0]).total_cmp(&plane.place(b)[0])).unwrap();
+    let held = [0, n, n + far];
+    let mut k = matrix(plane);
+    let scale = k.diagonal().amax();
+    for h in held {
+        k.row_mut(h).fill(0.0);
+        k.column_mut(h).fill(0.0);
+        k[(h, h)] = scale;
+    }
+    let factor = k.cholesky().expect("three supports hold a body");
+    let mut u = vec![0.0; 2 * n];
+    held.iter().for_each(|&h| u[h] = exact[h]);
+    for _ in 0..4 {
+        let internal = force(plane, &u);
+        let mut r = DVector::from_iterator(2 * n, f.iter().zip(&internal).map(|(a, b)| a - b));
+        held.iter().for_each(|&h| r[h] = 0.0);
+        let step = factor.solve(&r);
+        u.iter_mut().zip(step.iter()).for_each(|(u, s)| *u += s);
+    }
+    u
+}
+
+pub(super) fn largest(v: &[f64]) -> f64 {
+    v.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
+}
+
+pub(super) fn difference(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+pub(super) fn random(size: usize) -> Vec<f64> {
+    (0..size).map(|i| ((i * 7919 % 1013) as f64) / 1013.0 - 0.5).collect()
+}
