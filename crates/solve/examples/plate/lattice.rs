@@ -59,6 +59,28 @@ impl Plate {
     }
 }
 
+impl Plate {
+    /// Whether an unknown belongs to a clamped point.
+    pub(crate) fn clamped(&self, unknown: usize) -> bool {
+        self.positions[unknown % self.positions.len()][0] == 0.0
+    }
+
+    /// Backward error of a solution, `|A x - b| / (|A| |x| + |b|)` in the largest row sum and entries.
+    pub(crate) fn residual(&self, x: &[f64], b: &[f64]) -> f64 {
+        let (mut left, mut sums) = (b.to_vec(), vec![0.0; b.len()]);
+        for (value, (i, j)) in &self.matrix {
+            left[i] -= value * x[j];
+            sums[i] += value.abs();
+            if i != j {
+                left[j] -= value * x[i];
+                sums[j] += value.abs();
+            }
+        }
+        let largest = |v: &[f64]| v.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        largest(&left) / (largest(&sums) * largest(x) + largest(b))
+    }
+}
+
 /// Writes `order` and `entries` (u64), row starts (u64), columns (u32), values (f64), little endian.
 pub(crate) fn write(matrix: &CsMat<f64>, path: &Path) -> std::io::Result<()> {
     let mut file = BufWriter::new(std::fs::File::create(path)?);
