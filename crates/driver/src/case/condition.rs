@@ -1,16 +1,28 @@
 //! Supports, links and loads of a case.
 
+use super::{BodyForce, Traction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// A place: `{ "x": … }` on a line, `{ "joint": … }` or `{ "member": …, "x": … }` on a frame.
+/// A place: `{ "x": … }` on a line, `{ "joint": … }` or `{ "member": …, "x": … }` on a frame, `{ "x": …, "y": … }` or
+/// `{ "region": … }` in the plane.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct At {
-    /// Position along the beam; on a member its distance from the joint `from`.
+    /// Position along the beam, or in the plane; on a member its distance from the joint `from`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub x: Option<f64>,
+    /// Position in the plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub y: Option<f64>,
+    /// Name of a region, an edge, a hole or a group of a mesh, in the plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub region: Option<String>,
+    /// For a probe on an edge in the plane: direction into the body, [±1, 0] or [0, ±1], along which the field is
+    /// extrapolated to the place from the three nearest points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inward: Option<[i8; 2]>,
     /// Name of a joint.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint: Option<String>,
@@ -19,11 +31,11 @@ pub struct At {
     pub member: Option<String>,
 }
 
-/// What holds a point: prescribed values, springs to the ground, or one of each.
+/// What holds a point or the points of a region: prescribed values, springs to the ground, or one of each.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
-    /// Where; a point of the grid, the end of a line, or a joint.
+    /// Where; a point of the grid, the end of a line, a joint, or a region.
     pub at: At,
     /// Prescribed deflection of a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -31,22 +43,22 @@ pub struct Support {
     /// Prescribed displacement along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ux: Option<f64>,
-    /// Prescribed displacement along y, on a frame.
+    /// Prescribed displacement along y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uy: Option<f64>,
     /// Prescribed rotation, rad.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi: Option<f64>,
-    /// Prescribed displacement in one direction that is neither x nor y, on a frame.
+    /// Prescribed displacement in one direction that is neither x nor y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inclined: Option<Inclined>,
     /// Stiffness of a spring against deflection of a line, force per length, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub w_spring: Option<f64>,
-    /// Stiffness of a spring against displacement along x, force per length, > 0.
+    /// Stiffness of a spring against displacement along x, force per length, > 0; all points of a region share it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ux_spring: Option<f64>,
-    /// Stiffness of a spring against displacement along y, on a frame, force per length, > 0.
+    /// Stiffness of a spring against displacement along y, on a frame or in the plane, force per length, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uy_spring: Option<f64>,
     /// Stiffness of a spring against rotation, moment per radian, > 0.
@@ -89,8 +101,12 @@ pub struct RigidLink {
 pub enum Load {
     /// A concentrated force and moment.
     Point(PointLoad),
-    /// A force or moment per length.
+    /// A force or moment per length of a beam.
     Distributed(Distributed),
+    /// A force per area on an edge in the plane.
+    Traction(Traction),
+    /// A force on the points of a region in the plane.
+    BodyForce(BodyForce),
 }
 
 /// A concentrated force and moment.
@@ -105,10 +121,10 @@ pub struct PointLoad {
     /// Force along a line or member, in the direction in which its position grows.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub axial: f64,
-    /// Force along x, on a frame.
+    /// Force along x, on a frame or in the plane, where the points of a region share it.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force_x: f64,
-    /// Force along y, on a frame.
+    /// Force along y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force_y: f64,
     /// Moment along phi.

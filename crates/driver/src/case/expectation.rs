@@ -14,13 +14,13 @@ pub enum FieldName {
     /// Displacement along the line or member.
     #[serde(rename = "u")]
     U,
-    /// Displacement along x, on a frame.
+    /// Displacement along x, on a frame or in the plane.
     #[serde(rename = "ux")]
     Ux,
-    /// Displacement along y, on a frame.
+    /// Displacement along y, on a frame or in the plane.
     #[serde(rename = "uy")]
     Uy,
-    /// Rotation, rad.
+    /// Rotation, rad; in the plane that of a rigid region.
     #[serde(rename = "phi")]
     Phi,
     /// Bending moment.
@@ -35,16 +35,40 @@ pub enum FieldName {
     /// Normal stress at the extreme fibre on the side of −w.
     #[serde(rename = "stress_bottom")]
     StressBottom,
+    /// Normal strain along x, in the plane.
+    #[serde(rename = "strain_xx")]
+    StrainXx,
+    /// Normal strain along y, in the plane.
+    #[serde(rename = "strain_yy")]
+    StrainYy,
+    /// Shear strain ε_xy, half the change of the right angle, in the plane.
+    #[serde(rename = "strain_xy")]
+    StrainXy,
+    /// Normal stress along x, in the plane.
+    #[serde(rename = "stress_xx")]
+    StressXx,
+    /// Normal stress along y, in the plane.
+    #[serde(rename = "stress_yy")]
+    StressYy,
+    /// Shear stress, in the plane.
+    #[serde(rename = "stress_xy")]
+    StressXy,
+    /// Von Mises stress, in the plane.
+    #[serde(rename = "von_mises")]
+    VonMises,
+    /// Share of the bonds of a point that cracks cut, in the plane.
+    #[serde(rename = "damage")]
+    Damage,
     /// Strain energy density.
     #[serde(rename = "energy_density")]
     EnergyDensity,
     /// Force of the support at the point on the beam, along w.
     #[serde(rename = "reaction_force")]
     ReactionForce,
-    /// Force of the support at the point on the body, along x.
+    /// Force of the support at the point, or of those in the region, on the body, along x.
     #[serde(rename = "reaction_x")]
     ReactionX,
-    /// Force of the support at the point on the frame, along y.
+    /// Force of the support at the point, or of those in the region, on the body, along y.
     #[serde(rename = "reaction_y")]
     ReactionY,
     /// Moment of the support at the point on the beam, along phi.
@@ -85,6 +109,21 @@ impl FieldName {
         Self::EnergyDensity,
     ];
 
+    /// The fields that every point of a body in the plane has, in the order of tables; `damage` where there are cracks.
+    pub const PLANE: [Self; 11] = [
+        Self::Ux,
+        Self::Uy,
+        Self::StrainXx,
+        Self::StrainYy,
+        Self::StrainXy,
+        Self::StressXx,
+        Self::StressYy,
+        Self::StressXy,
+        Self::VonMises,
+        Self::EnergyDensity,
+        Self::Damage,
+    ];
+
     /// The name in case files.
     pub fn name(self) -> &'static str {
         match self {
@@ -98,6 +137,14 @@ impl FieldName {
             Self::N => "N",
             Self::StressTop => "stress_top",
             Self::StressBottom => "stress_bottom",
+            Self::StrainXx => "strain_xx",
+            Self::StrainYy => "strain_yy",
+            Self::StrainXy => "strain_xy",
+            Self::StressXx => "stress_xx",
+            Self::StressYy => "stress_yy",
+            Self::StressXy => "stress_xy",
+            Self::VonMises => "von_mises",
+            Self::Damage => "damage",
             Self::EnergyDensity => "energy_density",
             Self::ReactionForce => "reaction_force",
             Self::ReactionX => "reaction_x",
@@ -123,7 +170,8 @@ impl FieldName {
 pub struct Probe {
     /// Name, unique.
     pub name: String,
-    /// Where: a point of the grid, or a joint. M, V and N are those to its right, at the right end those to its left.
+    /// Where: a point of the grid, a joint, a place in the plane or a region. M, V and N are those to its right, at the right
+    /// end those to its left; of a region it is the mean by volume, of reactions the sum.
     pub at: At,
     /// What.
     pub field: FieldName,
@@ -194,7 +242,7 @@ pub struct Limit {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Baseline {
-    /// CSV file with columns `x` (`s` for a frame) and the field, relative to the case: a file of the folder `fields` of an earlier run will do.
+    /// CSV file with columns `x` (`s` for a frame, `x` and `y` in the plane) and the field, relative to the case: a file of the folder `fields` of an earlier run will do.
     pub file: String,
     /// Field that is compared.
     pub field: FieldName,

@@ -6,7 +6,12 @@ mod foundation;
 mod frame;
 mod grading;
 mod model;
+mod plane;
+mod plane_body;
+mod plane_load;
+mod plane_output;
 mod read;
+mod region;
 mod section;
 
 pub use condition::{
@@ -18,11 +23,22 @@ pub use foundation::Foundation;
 pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
 pub use model::{Beam, Body, Line, LoadSharing, Model};
+pub use plane::{Plane, PlaneState};
+pub use plane_body::{
+    CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
+    SlotHole,
+};
+pub use plane_load::{BodyForce, Traction};
+pub use plane_output::{LineOutput, StressIntensity, Tips};
 pub use read::{Source, from_text, read};
+pub use region::{
+    BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid,
+};
 pub use section::{PowerLaw, Stiffness};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A problem for peristat. Lengths, forces and stresses are in the units that `units` names.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -43,20 +59,32 @@ pub struct Case {
     pub model: Model,
     /// Geometry and discretisation.
     pub body: Body,
-    /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side. Give this or `horizon`;
-    /// without both it is 3.
+    /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side; of listed points the
+    /// spacing is the root of their mean area. Give this or `horizon`; without both it is 3.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizon_ratio: Option<f64>,
     /// Horizon δ, a length; not on a graded grid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizon: Option<f64>,
+    /// Edges of a body in the plane that are mirrors: `left`, `right`, `bottom`, `top`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub symmetry: Vec<String>,
+    /// Cracks of a body in the plane.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cracks: Vec<CrackPath>,
+    /// Regions of a body in the plane by name. Edges, named holes and groups of a mesh are regions of their own.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub regions: BTreeMap<String, Region>,
     /// What holds the body.
     #[serde(default)]
     pub supports: Vec<Support>,
-    /// Winkler foundations under the body.
+    /// Regions of a body in the plane that move as rigid bodies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rigid: Vec<Rigid>,
+    /// Winkler foundations under a beam.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub foundation: Vec<Foundation>,
-    /// What joins points of the body.
+    /// What joins points of a beam.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub links: Vec<Link>,
     /// The loads, where there is one load case.
@@ -77,6 +105,12 @@ pub struct Case {
     /// Values to report.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub probes: Vec<Probe>,
+    /// Lines through a body in the plane along which all fields are written.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lines: Vec<LineOutput>,
+    /// Stress intensities of cracks.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stress_intensity: Vec<StressIntensity>,
     /// What the results must be.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub checks: Vec<Check>,

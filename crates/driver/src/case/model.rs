@@ -1,6 +1,6 @@
 //! Model and body of a case.
 
-use super::{Frame, Grading, PowerLaw, Stiffness};
+use super::{Frame, Grading, MeshBody, OutlineBody, Plane, PointsBody, PowerLaw, RectangleBody, Stiffness};
 use peristat_assembly::material::{Section, ShearCorrection};
 use peristat_assembly::model::timoshenko_beam::{Grid, VolumeFactor, bond_law, end_treatment};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -12,6 +12,8 @@ use serde::{Deserialize, Serialize};
 pub enum Model {
     /// Peridynamic Timoshenko beam: deflection, rotation and, where something moves along the axis, axial displacement.
     TimoshenkoBeam(Beam),
+    /// Isotropic body in the plane of central bonds: displacements along x and y.
+    BondPlane(Plane),
 }
 
 /// A Timoshenko beam. What its sections are is said by `section`, `stiffness` or `power_law`, one of them.
@@ -72,13 +74,13 @@ fn end_treatments(_: &mut SchemaGenerator) -> Schema {
     one_of(end_treatment::TABLE.iter().map(|t| t.name))
 }
 
-/// How a distributed load becomes forces on points.
+/// How a distributed load or a traction becomes forces on points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum LoadSharing {
-    /// Every bond carries its share to its points with exact fixed-end forces.
+    /// By the bonds: on a beam with exact fixed-end forces, in the plane by a field of stress that is in equilibrium with it.
     Consistent,
-    /// Every point takes its value times its tributary length.
+    /// Every point takes what acts on its own length or cell.
     Lumped,
 }
 
@@ -92,6 +94,14 @@ pub enum Body {
     Lines(Vec<Line>),
     /// Straight members between joints in the plane of x and y.
     Frame(Frame),
+    /// A rectangle in the plane.
+    Rectangle(RectangleBody),
+    /// A polygon in the plane.
+    Outline(OutlineBody),
+    /// Points in the plane that a file lists.
+    Points(PointsBody),
+    /// A mesh in the plane.
+    Mesh(MeshBody),
 }
 
 /// A straight line along x.
@@ -114,12 +124,12 @@ pub struct Line {
 }
 
 impl Body {
-    /// The lines; a frame has none.
+    /// The lines; frames and bodies in the plane have none.
     pub fn lines(&self) -> &[Line] {
         match self {
             Self::Line(line) => std::slice::from_ref(line),
             Self::Lines(lines) => lines,
-            Self::Frame(_) => &[],
+            _ => &[],
         }
     }
 }

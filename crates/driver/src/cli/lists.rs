@@ -8,18 +8,25 @@ use crate::reference;
 use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};
 use serde_json::json;
 
-const MODELS: [(&str, &str); 1] = [(
-    "timoshenko_beam",
-    "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
-)];
-
-/// What `new` prints, by name.
-const STARTS: [(&str, &str); 2] = [
-    ("timoshenko_beam", include_str!("new_timoshenko_beam.json")),
-    ("plane_frame", include_str!("new_plane_frame.json")),
+const MODELS: [(&str, &str); 2] = [
+    (
+        "timoshenko_beam",
+        "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
+    ),
+    (
+        "bond_plane",
+        "isotropic plate of central bonds, plane stress or plane strain: rectangle, outline, points, mesh",
+    ),
 ];
 
-const LOADS: [(&str, &str); 9] = [
+/// What `new` prints, by name.
+const STARTS: [(&str, &str); 3] = [
+    ("timoshenko_beam", include_str!("new_timoshenko_beam.json")),
+    ("plane_frame", include_str!("new_plane_frame.json")),
+    ("bond_plane", include_str!("new_bond_plane.json")),
+];
+
+const LOADS: [(&str, &str); 13] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame",
@@ -31,10 +38,20 @@ const LOADS: [(&str, &str); 9] = [
     ("hinges", "ends of the members of a frame that turn freely"),
     ("foundation", "springs per length against deflection under a part of a line, uniform or not"),
     ("rigid", "a rigid link between two points"),
+    (
+        "traction",
+        "a force per area on an edge or hole in the plane: uniform, linear, parabolic, pressure or total",
+    ),
+    ("body_force", "a force per volume on a region in the plane, or its total"),
+    ("symmetry", "edges in the plane that are mirrors"),
+    (
+        "rigid regions",
+        "regions in the plane that move as rigid bodies: held, moved or free to turn, such as pins",
+    ),
     ("load_cases, combinations, steps", "several right-hand sides on one factorisation"),
 ];
 
-const SOLVERS: [(&str, &str); 4] = [
+const SOLVERS: [(&str, &str); 6] = [
     (
         "auto",
         "the strain form where it applies, else chosen from the pattern of the stiffness; the summary says why (default)",
@@ -45,6 +62,14 @@ const SOLVERS: [(&str, &str); 4] = [
     ),
     ("band", "band Cholesky factor, finished by conjugate gradients on the bonds"),
     ("sparse", "sparse Cholesky factor with AMD ordering, finished by conjugate gradients on the bonds"),
+    (
+        "multigrid",
+        "conjugate gradients on the bonds of a lattice in the plane, preconditioned by coarser lattices",
+    ),
+    (
+        "pcg",
+        "conjugate gradients on the bonds of a body in the plane, preconditioned by the blocks of its points",
+    ),
 ];
 
 /// Prints a starting case.

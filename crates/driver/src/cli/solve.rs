@@ -4,7 +4,7 @@ use super::args::{Global, Run};
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use crate::output::matrix_market;
 use crate::results::{Results, admit, finite};
-use crate::run::{RunError, RunOptions, Sizes, beam, sizes};
+use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
 use crate::scene::Scene;
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
@@ -137,6 +137,11 @@ fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
                     write_stiffness(loaded, system, file, &format!("w_0, phi_0, w_1, phi_1, ... {points}"))
                 }
             }
+        }
+        Scene::Plane(scene) => {
+            let system = prepare::<2, _>(&**scene, &RunOptions::default());
+            let order = "ux_0, uy_0, ux_1, uy_1, ... of the points row by row from the lower left";
+            write_stiffness(loaded, system, file, order)
         }
     }
 }

@@ -126,6 +126,7 @@ impl Results {
                 }
                 crate::run::beam::probes(scene, result)
             }
+            (Scene::Plane(_), _) => Vec::new(),
         };
         self.steps.push((step_time(scene, record), format!("fields/{name}.vtu")));
         let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();

@@ -22,7 +22,7 @@ pub use problem::{Problem, Sizes, prepare};
 pub(crate) use range::Range;
 pub use verdict::{CheckResult, ProbeResult};
 
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, JsonPath};
 use crate::memory::words;
 use crate::scene::Scene;
 use linear::StateSolution;
@@ -154,6 +154,12 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     match scene {
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink(StateResult::Beam(result))),
+        Scene::Plane(scene) => {
+            prepare(&**scene, options)?;
+            let mut faults = Faults::default();
+            faults.error(JsonPath::default().key("model"), "bodies in the plane cannot be solved yet");
+            Err(RunError::Case(faults))
+        }
     }
 }
 
@@ -164,6 +170,7 @@ pub fn run(
 pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
     match scene {
         Scene::Beam(scene) => beam::sizes(scene, options),
+        Scene::Plane(scene) => prepare(&**scene, options).map(|p| p.1),
     }
 }
 

@@ -4,15 +4,18 @@
 
 pub mod beam;
 mod expectation;
+mod horizon;
 mod numbers;
+pub mod plane;
 mod probes;
 mod states;
 mod words;
 
 pub use beam::BeamScene;
 pub use expectation::{Expectation, ExpectationKind};
+pub use plane::PlaneScene;
 
-use crate::case::{Case, Check, Model};
+use crate::case::{Body, Case, Check, Model};
 use crate::diagnostic::{Faults, JsonPath, Report};
 use std::path::Path;
 
@@ -21,6 +24,8 @@ use std::path::Path;
 pub enum Scene {
     /// A beam, or a frame of beams.
     Beam(BeamScene),
+    /// A body in the plane.
+    Plane(Box<PlaneScene>),
 }
 
 /// Path of a key at the root of a case.
@@ -29,13 +34,21 @@ fn root(key: &str) -> JsonPath {
 }
 
 /// Names the files of a case by their full paths, so that the case can be run again from another folder.
-fn keep_baselines(case: &mut Case, folder: &Path) {
-    for check in &mut case.checks {
-        if let Check::Baseline(baseline) = check
-            && let Ok(path) = folder.join(&baseline.file).canonicalize()
-        {
-            baseline.file = path.display().to_string();
+fn keep_files(case: &mut Case, folder: &Path) {
+    let keep = |file: &mut String| {
+        if let Ok(path) = folder.join(&*file).canonicalize() {
+            *file = path.display().to_string();
         }
+    };
+    for check in &mut case.checks {
+        if let Check::Baseline(baseline) = check {
+            keep(&mut baseline.file);
+        }
+    }
+    match &mut case.body {
+        Body::Points(body) => keep(&mut body.file),
+        Body::Mesh(body) => keep(&mut body.file),
+        _ => {}
     }
 }
 
@@ -65,6 +78,8 @@ impl Scene {
             Model::TimoshenkoBeam(model) => {
                 BeamScene::new(case, model, folder, max_memory, faults).map(Self::Beam)
             }
+            Model::BondPlane(model) => PlaneScene::new(case, model, folder, max_memory, faults)
+                .map(|scene| Self::Plane(Box::new(scene))),
         };
         resolved.map_err(|faults| faults.into_report(file, text))
     }
@@ -73,6 +88,7 @@ impl Scene {
     pub fn case(&self) -> &Case {
         match self {
             Self::Beam(scene) => &scene.case,
+            Self::Plane(scene) => &scene.case,
         }
     }
 
@@ -80,6 +96,7 @@ impl Scene {
     pub fn warnings(&self) -> &Faults {
         match self {
             Self::Beam(scene) => &scene.warnings,
+            Self::Plane(scene) => &scene.warnings,
         }
     }
 
@@ -87,6 +104,7 @@ impl Scene {
     pub fn states(&self) -> usize {
         match self {
             Self::Beam(scene) => scene.states.len(),
+            Self::Plane(scene) => scene.states.len(),
         }
     }
 
@@ -99,6 +117,15 @@ impl Scene {
     pub fn into_beam(self) -> Option<BeamScene> {
         match self {
             Self::Beam(scene) => Some(scene),
+            Self::Plane(_) => None,
+        }
+    }
+
+    /// The scene of a body in the plane.
+    pub fn into_plane(self) -> Option<PlaneScene> {
+        match self {
+            Self::Beam(_) => None,
+            Self::Plane(scene) => Some(*scene),
         }
     }
 }

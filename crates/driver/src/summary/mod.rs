@@ -134,6 +134,7 @@ impl Collector {
     pub fn take(&mut self, scene: &Scene, result: &StateResult) {
         let (state, probes, checks) = match (scene, result) {
             (Scene::Beam(scene), StateResult::Beam(result)) => beam::state(scene, result),
+            (Scene::Plane(_), _) => return,
         };
         self.states.push(state);
         self.probes.extend(probes);
@@ -149,6 +150,7 @@ impl Collector {
         };
         let model = match scene {
             Scene::Beam(scene) => ModelSummary::Beam(beam::model(scene)),
+            Scene::Plane(_) => unreachable!("bodies in the plane have no results yet"),
         };
         let envelope = if scene.has_envelope() { envelope(&self.states) } else { BTreeMap::new() };
         Summary {

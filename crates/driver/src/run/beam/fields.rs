@@ -118,6 +118,8 @@ impl BeamResult {
             FieldName::ReactionX => reaction(|r| r.force[0]),
             FieldName::ReactionForce | FieldName::ReactionY => reaction(|r| r.force[1]),
             FieldName::ReactionMoment => reaction(|r| r.moment),
+            // Fields of bodies in the plane.
+            _ => None,
         }
     }
 

@@ -1,5 +1,6 @@
 //! Lines and points of a scene.
 
+use super::super::horizon::horizon_ratio;
 use super::beam_path;
 use super::grading::stations;
 use super::loads::ResolvedLoads;
@@ -132,40 +133,6 @@ fn apart(lines: &[crate::case::Line], path: impl Fn(usize) -> JsonPath, faults: 
         }
     }
     fine
-}
-
-/// Horizon over spacing.
-pub(super) fn horizon_ratio(case: &Case, spacing: f64, faults: &mut Faults) -> Option<f64> {
-    let (ratio, key, found) = match (case.horizon_ratio, case.horizon) {
-        (Some(_), Some(_)) => {
-            faults
-                .error(root("horizon"), "`horizon_ratio` and `horizon` are both given")
-                .hint("the horizon is horizon_ratio times the spacing: remove one");
-            return None;
-        }
-        (None, Some(horizon)) => (
-            horizon / spacing,
-            "horizon",
-            format!("the horizon {horizon} is shorter than the spacing {spacing}"),
-        ),
-        (ratio, None) => {
-            let ratio = ratio.unwrap_or(3.0);
-            (ratio, "horizon_ratio", format!("`horizon_ratio` must be at least 1, found {ratio}"))
-        }
-    };
-    if !ratio.is_finite() || ratio < 1.0 - 1e-9 {
-        faults
-            .error(root(key), format!("{found}, so no point has a bond"))
-            .hint("use 3 spacings, the usual choice");
-        return None;
-    }
-    if ratio > 2e3 {
-        faults
-            .error(root(key), format!("a horizon of {ratio} spacings has too many bonds per point"))
-            .hint("the largest horizon ratio is 2000; more than 12 never pays");
-        return None;
-    }
-    Some(ratio)
 }
 
 /// Points that no bond may span: interior supports, ends of links and point loads.

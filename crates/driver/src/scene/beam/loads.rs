@@ -54,6 +54,9 @@ pub(super) fn load_cases(
                 Load::Point(load) => {
                     point_load::add(load, layout, &path.index(k).key("point"), &mut resolved, faults)
                 }
+                Load::Traction(_) | Load::BodyForce(_) => {
+                    super::foreign::refuse(load, &path.index(k), faults)
+                }
                 Load::Distributed(load) => {
                     let path = path.index(k).key("distributed");
                     distributed_load::add(load, layout, &path, &mut resolved, faults);

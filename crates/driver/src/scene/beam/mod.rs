@@ -7,6 +7,7 @@ mod checks;
 mod distributed_load;
 mod extent;
 mod facts;
+mod foreign;
 mod foundation;
 mod frame;
 mod frame_checks;
@@ -37,7 +38,7 @@ pub use probes::ProbePoint;
 pub use section::SectionAlong;
 pub use supports::HeldPoint;
 
-use super::{Expectation, expectation, keep_baselines, numbers, root, states, words};
+use super::{Expectation, expectation, keep_files, numbers, root, states, words};
 use crate::case::{Beam, Case, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::condition::Equation;
@@ -135,7 +136,7 @@ impl BeamScene {
         match resolved {
             Some(scene) if !faults.has_errors() => {
                 case.model = Model::TimoshenkoBeam(model);
-                keep_baselines(&mut case, folder);
+                keep_files(&mut case, folder);
                 Ok(Self { warnings: faults, case, ..scene })
             }
             _ => Err(faults),
@@ -150,6 +151,9 @@ impl BeamScene {
         max_memory: Option<u64>,
         faults: &mut Faults,
     ) -> Option<Self> {
+        if !foreign::check(case, faults) {
+            return None;
+        }
         let material = material::material(case, model, faults);
         let layout = body::layout(case, model, faults)?;
         let (held, ends) = supports::held(case, &layout, faults);

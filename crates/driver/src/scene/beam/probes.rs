@@ -79,9 +79,14 @@ fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Fault
 
 /// Whether a field exists on a body of this kind.
 fn fits_body(field: FieldName, context: &Context, path: &JsonPath, faults: &mut Faults) -> bool {
+    use FieldName::{Damage, StrainXx, StrainXy, StrainYy, StressXx, StressXy, StressYy, VonMises};
     use FieldName::{N, ReactionForce, ReactionX, ReactionY, U, Ux, Uy};
     let name = field.name();
     let misfit = match (context.layout.frame.is_some(), field) {
+        (_, StrainXx | StrainYy | StrainXy | StressXx | StressYy | StressXy | VonMises | Damage) => Some((
+            format!("`{name}` is for bodies in the plane"),
+            "on beams there are `stress_top` and `stress_bottom`",
+        )),
         (true, ReactionForce) => {
             Some((format!("`{name}` is for lines"), "on a frame take `reaction_x` and `reaction_y`"))
         }

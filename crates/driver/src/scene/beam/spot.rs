@@ -35,6 +35,9 @@ pub(super) fn find(
 }
 
 fn on_line(at: &At, layout: &Layout, path: &JsonPath, what: &str, faults: &mut Faults) -> Option<Spot> {
+    if !super::foreign::check_place(at, path, r#"a place on a line is written { "x": 1.0 }"#, faults) {
+        return None;
+    }
     for (key, given) in [("joint", &at.joint), ("member", &at.member)] {
         if given.is_some() {
             faults
@@ -58,6 +61,9 @@ fn on_frame(
     what: &str,
     faults: &mut Faults,
 ) -> Option<Spot> {
+    if !super::foreign::check_place(at, path, ON_A_FRAME, faults) {
+        return None;
+    }
     match (&at.joint, &at.member, at.x) {
         (Some(name), None, None) => {
             let found = frame.joints.iter().position(|j| j.name == *name);

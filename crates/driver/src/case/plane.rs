@@ -1,0 +1,48 @@
+//! The model `bond_plane` of a case.
+
+use peristat_assembly::model::bond_plane::{Calibration, Edges, Influence, VolumeFactor};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A body in the plane of isotropic central bonds.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plane {
+    /// Young's modulus E, > 0.
+    pub youngs_modulus: f64,
+    /// What is zero across the plane.
+    pub state: PlaneState,
+    /// Thickness, > 0.
+    #[serde(default = "one")]
+    pub thickness: f64,
+    /// Poisson's ratio ν: 1/3 in plane stress, 1/4 in plane strain. Central bonds have no other; it need not be given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub poisson_ratio: Option<f64>,
+    /// Stiffness of bonds over their length.
+    #[serde(default)]
+    pub influence: Influence,
+    /// Where the stiffness of bonds comes from.
+    #[serde(default)]
+    pub calibration: Calibration,
+    /// Volume of points at the edge of the horizon, with the calibration `published`; `ramp` if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume_factor: Option<VolumeFactor>,
+    /// What is done about the bonds that points near edges lack; `overlay` with the calibration `matched`, `none` with
+    /// `published`, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<Edges>,
+}
+
+/// What is zero across the plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum PlaneState {
+    /// No stress across the plane: thin plates; ν = 1/3.
+    PlaneStress,
+    /// No strain across the plane: thick bodies; ν = 1/4.
+    PlaneStrain,
+}
+
+fn one() -> f64 {
+    1.0
+}

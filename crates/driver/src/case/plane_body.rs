@@ -1,0 +1,168 @@
+//! Bodies in the plane, their holes and their cracks.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{Deserializer, Error, Visitor};
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::fmt;
+
+/// A rectangle of square cells with a point in the middle of each. Its edges are `left`, `right`, `bottom` and `top`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RectangleBody {
+    /// Lower left corner; the origin if not given.
+    #[serde(default)]
+    pub from: [f64; 2],
+    /// Width and height, whole multiples of the spacing.
+    pub size: [f64; 2],
+    /// Side of a cell, > 0.
+    pub spacing: f64,
+    /// Holes, and notches where they cross the outline.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub holes: Vec<Hole>,
+}
+
+/// A polygon filled with square cells with a point in the middle of each. Its edges are `edge_1` from the first vertex to
+/// the second, `edge_2`, ….
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OutlineBody {
+    /// Vertices in either direction, the first not repeated at the end.
+    pub vertices: Vec<[f64; 2]>,
+    /// Side of a cell, > 0.
+    pub spacing: f64,
+    /// Holes, and notches where they cross the outline.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub holes: Vec<Hole>,
+}
+
+/// Points that a file lists.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointsBody {
+    /// CSV file with the columns `x`, `y` and `area` or `volume`, relative to the case.
+    pub file: String,
+}
+
+/// The elements of a mesh, a point each; its named groups are regions.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshBody {
+    /// Gmsh file (MSH 4.1, ASCII), relative to the case.
+    pub file: String,
+}
+
+/// A part of the outline where there is no body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Hole {
+    /// A disc.
+    Circle(CircleHole),
+    /// A straight slot with round ends.
+    Slot(SlotHole),
+    /// A polygon.
+    Polygon(PolygonHole),
+}
+
+/// A round hole.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CircleHole {
+    /// Name, for regions and tractions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Its middle.
+    pub centre: [f64; 2],
+    /// Its radius, > 0.
+    pub radius: f64,
+}
+
+/// A slot with round ends.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SlotHole {
+    /// Name, for regions and tractions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Centre of one round end.
+    pub from: [f64; 2],
+    /// Centre of the other.
+    pub to: [f64; 2],
+    /// Half its width, > 0.
+    pub radius: f64,
+}
+
+/// A hole with straight edges.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PolygonHole {
+    /// Name, for regions and tractions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Vertices in either direction, the first not repeated at the end.
+    pub vertices: Vec<[f64; 2]>,
+}
+
+impl Hole {
+    /// Its name.
+    pub fn name(&self) -> Option<&str> {
+        match self {
+            Self::Circle(hole) => hole.name.as_deref(),
+            Self::Slot(hole) => hole.name.as_deref(),
+            Self::Polygon(hole) => hole.name.as_deref(),
+        }
+    }
+}
+
+/// A crack that is there from the start: it cuts all bonds that it meets.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CrackPath {
+    /// Name; a crack without one is called by its number, the first is 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Positions from end to end. A crack that opens an edge starts outside the body.
+    pub path: Vec<[f64; 2]>,
+}
+
+/// Which crack: its name, or its number, the first is 1.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct CrackName(pub String);
+
+impl<'de> Deserialize<'de> for CrackName {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NameOrNumber;
+
+        impl Visitor<'_> for NameOrNumber {
+            type Value = CrackName;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the name of a crack, or its number")
+            }
+
+            fn visit_str<E: Error>(self, name: &str) -> Result<CrackName, E> {
+                Ok(CrackName(name.into()))
+            }
+
+            fn visit_u64<E: Error>(self, number: u64) -> Result<CrackName, E> {
+                Ok(CrackName(number.to_string()))
+            }
+        }
+
+        deserializer.deserialize_any(NameOrNumber)
+    }
+}
+
+impl JsonSchema for CrackName {
+    fn schema_name() -> Cow<'static, str> {
+        "CrackName".into()
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": ["string", "integer"] })
+    }
+}

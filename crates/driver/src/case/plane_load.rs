@@ -1,0 +1,48 @@
+//! Loads on bodies in the plane.
+
+use super::LoadSharing;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Forces per area on an edge. How they vary is said by `uniform`, `linear`, `parabolic`, `pressure` or `total`, one of
+/// them. An edge of a rectangle starts at its left or lower end, one of a polygon at the vertex that has its number.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Traction {
+    /// Name of a straight edge or of a hole.
+    pub edge: String,
+    /// Force per area along x and y, the same everywhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uniform: Option<[f64; 2]>,
+    /// Straight from the first value at the start of the edge to the second at its end.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub linear: Option<[[f64; 2]; 2]>,
+    /// This value in the middle of the edge, zero at both ends, a parabola between.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub parabolic: Option<[f64; 2]>,
+    /// Force per area against the edge, into the body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressure: Option<f64>,
+    /// Force along x and y, spread evenly over the edge.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub total: Option<[f64; 2]>,
+    /// How it reaches the points: `consistent` on straight edges along the lattice with the calibration `matched`, else
+    /// `lumped`, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sharing: Option<LoadSharing>,
+}
+
+/// A force on every point of a region; `density` or `total`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BodyForce {
+    /// Name of the region; the whole body if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub region: Option<String>,
+    /// Force per volume along x and y.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub density: Option<[f64; 2]>,
+    /// Force along x and y, shared by volume.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub total: Option<[f64; 2]>,
+}

@@ -1,0 +1,44 @@
+//! What is reported of bodies in the plane, beside probes.
+
+use super::CrackName;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// All fields along a straight line.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LineOutput {
+    /// Name, unique; part of the name of its file.
+    pub name: String,
+    /// First end.
+    pub from: [f64; 2],
+    /// Second end.
+    pub to: [f64; 2],
+    /// Number of positions, ends included, >= 2.
+    pub points: usize,
+}
+
+/// The stress intensity `K_I = √(E' G)` at tips of a crack, G from the energies of the crack made longer and shorter by one
+/// spacing. It is reported as a probe of this name.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StressIntensity {
+    /// Name, unique among probes.
+    pub name: String,
+    /// Name of the crack, or its number, the first is 1.
+    pub crack: CrackName,
+    /// Which of its tips are in the body.
+    pub tips: Tips,
+}
+
+/// Tips of a crack.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Tips {
+    /// The first position of its path.
+    Start,
+    /// The last position of its path.
+    End,
+    /// Both, moved together.
+    Both,
+}

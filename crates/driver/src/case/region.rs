@@ -1,0 +1,98 @@
+//! Named regions of bodies in the plane, and what moves as a rigid body.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Points of a body. Borders belong to a region.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Region {
+    /// Points beside a straight edge.
+    Edge(EdgeRegion),
+    /// The point nearest to a position; several where they are equally near.
+    Corner([f64; 2]),
+    /// Points in a box.
+    Box(BoxRegion),
+    /// Points in a disc.
+    Disc(DiscRegion),
+    /// Points on one side of a line.
+    HalfPlane(HalfPlaneRegion),
+    /// Points around a hole.
+    Hole(HoleRegion),
+    /// Points of a group of the mesh.
+    Group(String),
+    /// Points of any of several regions.
+    Union(Vec<String>),
+}
+
+/// Points beside a straight edge.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EdgeRegion {
+    /// Name of the edge.
+    pub name: String,
+    /// How far inwards; one spacing, the outermost points, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth: Option<f64>,
+}
+
+/// Points in a box.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoxRegion {
+    /// One corner.
+    pub from: [f64; 2],
+    /// The opposite corner.
+    pub to: [f64; 2],
+}
+
+/// Points in a disc.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DiscRegion {
+    /// Its middle.
+    pub centre: [f64; 2],
+    /// Its radius, > 0.
+    pub radius: f64,
+}
+
+/// Points on one side of a line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HalfPlaneRegion {
+    /// A position on the line.
+    pub point: [f64; 2],
+    /// Direction from the line into the region, of any length.
+    pub normal: [f64; 2],
+}
+
+/// Points around a hole.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HoleRegion {
+    /// Name of the hole.
+    pub name: String,
+    /// How far from its border; one spacing if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth: Option<f64>,
+}
+
+/// A region that moves as a rigid body. What is not prescribed is free: with `ux` and `uy` alone it is a pin that turns.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rigid {
+    /// Name of the region; it cannot share points with another rigid one.
+    pub region: String,
+    /// What its rotation is about and its displacements are of; the centroid of its points if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub centre: Option<[f64; 2]>,
+    /// Prescribed displacement of the centre along x.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ux: Option<f64>,
+    /// Prescribed displacement of the centre along y.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uy: Option<f64>,
+    /// Prescribed rotation, rad.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi: Option<f64>,
+}

@@ -1,0 +1,63 @@
+//! Keys of a case that have no meaning for a beam.
+
+use super::root;
+use crate::case::{At, Body, Case, Load, Solver};
+use crate::diagnostic::{Faults, JsonPath};
+
+/// Adds a fault for every key that is for bodies in the plane, places aside; whether the body is one for beams.
+pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
+    let keys = [
+        ("symmetry", !case.symmetry.is_empty(), "hold the motions that the symmetry excludes by a support"),
+        ("cracks", !case.cracks.is_empty(), "a beam is a line: cracks need the model `bond_plane`"),
+        (
+            "regions",
+            !case.regions.is_empty(),
+            "places on beams are written by `x`, or by `joint` and `member`",
+        ),
+        ("rigid", !case.rigid.is_empty(), "points of a beam that move together are joined by `links`"),
+        ("lines", !case.lines.is_empty(), "all points of a beam are written anyway"),
+        (
+            "stress_intensity",
+            !case.stress_intensity.is_empty(),
+            "stress intensities are those of `cracks`, which need the model `bond_plane`",
+        ),
+    ];
+    for (key, _, hint) in keys.iter().filter(|k| k.1) {
+        faults.error(root(key), format!("`{key}` is for bodies in the plane")).hint(*hint);
+    }
+    if matches!(case.solver, Solver::Multigrid | Solver::Pcg) {
+        let name = if case.solver == Solver::Multigrid { "multigrid" } else { "pcg" };
+        faults
+            .error(root("solver"), format!("the solver `{name}` is for bodies in the plane"))
+            .hint("use `auto`, `strain`, `band` or `sparse`");
+    }
+    let fits = matches!(case.body, Body::Line(_) | Body::Lines(_) | Body::Frame(_));
+    if !fits {
+        faults
+            .error(root("body"), "the model `timoshenko_beam` needs a body of lines")
+            .hint("take `line`, `lines` or `frame`; bodies in the plane are for `bond_plane`");
+    }
+    fits
+}
+
+/// Adds a fault for every key of a place that is for bodies in the plane.
+pub(super) fn check_place(at: &At, path: &JsonPath, hint: &str, faults: &mut Faults) -> bool {
+    let keys = [("y", at.y.is_some()), ("region", at.region.is_some()), ("inward", at.inward.is_some())];
+    let found = keys.iter().find(|k| k.1);
+    if let Some((key, _)) = found {
+        faults.error(path.key(*key), format!("`{key}` is for bodies in the plane")).hint(hint);
+    }
+    found.is_none()
+}
+
+/// Adds a fault for a load that is for bodies in the plane.
+pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
+    let key = match load {
+        Load::Traction(_) => "traction",
+        Load::BodyForce(_) => "body_force",
+        Load::Point(_) | Load::Distributed(_) => return,
+    };
+    faults
+        .error(path.key(key), format!("`{key}` is for bodies in the plane"))
+        .hint("on a beam forces per length are `distributed`, others `point`");
+}

@@ -1,0 +1,203 @@
+//! The points of a body in the plane and its outline.
+
+use super::super::words::tidy;
+use super::{files, root};
+use crate::case::{Body, Case, Hole};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::input::gmsh::Curve;
+use crate::memory;
+use peristat_assembly::body::{self, FillError, HoleError, Outline, OutlineError, PlaneBody, Polygon, Shape};
+use std::path::Path;
+
+/// Memory per point of what a scene keeps of a lattice and its model, bytes.
+const PER_POINT: f64 = 150.0;
+
+/// Path of the body in a case, with the key of its kind.
+pub(super) fn path(case: &Case) -> JsonPath {
+    let body = root("body");
+    match &case.body {
+        Body::Rectangle(_) => body.key("rectangle"),
+        Body::Outline(_) => body.key("outline"),
+        Body::Points(_) => body.key("points"),
+        Body::Mesh(_) => body.key("mesh"),
+        _ => body,
+    }
+}
+
+/// A body, its outline if it has one, and the named curves of a mesh.
+pub(super) struct Built {
+    pub(super) body: PlaneBody,
+    pub(super) outline: Option<Outline>,
+    pub(super) curves: Vec<Curve>,
+}
+
+/// The body of the case, of this thickness.
+pub(super) fn build(
+    case: &Case,
+    thickness: f64,
+    folder: &Path,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Built> {
+    let path = path(case);
+    let (outline, spacing) = match &case.body {
+        Body::Rectangle(b) => {
+            let made = Outline::rectangle(b.from, b.size);
+            (cut(made, &b.holes, &path, faults)?, b.spacing)
+        }
+        Body::Outline(b) => {
+            let made = Outline::polygon(b.vertices.clone());
+            (cut(made, &b.holes, &path, faults)?, b.spacing)
+        }
+        Body::Points(b) => {
+            let body = files::points(folder, &b.file, thickness, &path, faults)?;
+            return Some(Built { body, outline: None, curves: Vec::new() });
+        }
+        Body::Mesh(b) => {
+            let (body, curves) = files::mesh(folder, &b.file, &path, faults)?;
+            return Some(Built { body, outline: None, curves });
+        }
+        Body::Line(_) | Body::Lines(_) | Body::Frame(_) => {
+            faults.error(root("body"), "the model `bond_plane` needs a body in the plane").hint(
+                "take `rectangle`, `outline`, `points` or `mesh`; lines and frames are for `timoshenko_beam`",
+            );
+            return None;
+        }
+    };
+    let filled = outline.cells(spacing).and_then(|cells| {
+        let box_points = f64::from(cells[0]) * f64::from(cells[1]);
+        Ok(if fits(&outline, box_points, max_memory, &path, faults) {
+            Some(outline.fill(spacing)?)
+        } else {
+            None
+        })
+    });
+    match filled {
+        Ok(lattice) => {
+            let body = PlaneBody::Lattice(lattice?);
+            Some(Built { body, outline: Some(outline), curves: Vec::new() })
+        }
+        Err(error) => {
+            unfilled(&error, case, &path, faults);
+            None
+        }
+    }
+}
+
+/// The outline with its holes.
+fn cut(
+    made: Result<Outline, OutlineError>,
+    holes: &[Hole],
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Outline> {
+    let mut outline = match made {
+        Ok(outline) => Some(outline),
+        Err(error) => {
+            let place = match &error {
+                OutlineError::Size { axis, .. } => path.key("size").index(*axis),
+                OutlineError::Corner => path.key("from"),
+                OutlineError::Polygon(_) => path.key("vertices"),
+            };
+            faults.error(place, error.to_string());
+            None
+        }
+    };
+    for (k, hole) in holes.iter().enumerate() {
+        let path = path.key("holes").index(k);
+        let (key, shape) = match hole {
+            Hole::Circle(c) => ("circle", Ok(Shape::Circle { centre: c.centre, radius: c.radius })),
+            Hole::Slot(s) => ("slot", Ok(Shape::Slot { from: s.from, to: s.to, radius: s.radius })),
+            Hole::Polygon(p) => ("polygon", Polygon::new(p.vertices.clone()).map(Shape::Polygon)),
+        };
+        let path = path.key(key);
+        let shape = match shape {
+            Ok(shape) => shape,
+            Err(error) => {
+                faults.error(path.key("vertices"), error.to_string());
+                continue;
+            }
+        };
+        let hole = body::Hole { name: hole.name().map(Into::into), shape };
+        if let Some(Err(error)) = outline.as_mut().map(|outline| outline.cut(hole)) {
+            let place = match &error {
+                HoleError::Radius { .. } => path.key("radius"),
+                HoleError::SameName { .. } => path.key("name"),
+                HoleError::NotFinite | HoleError::Outside => path,
+            };
+            faults.error(place, error.to_string());
+        }
+    }
+    outline
+}
+
+/// Whether the points of an outline fit into memory; `box_points` are those of the box around it.
+fn fits(
+    outline: &Outline,
+    box_points: f64,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> bool {
+    let [low, high] = outline.bounds();
+    let share = outline.border().area() / ((high[0] - low[0]) * (high[1] - low[1]));
+    let points = (box_points * share).round();
+    let needed = (points * PER_POINT) as u64;
+    let Some(allowed) = memory::allowed(max_memory).filter(|&allowed| needed > allowed) else { return true };
+    let [needed, allowed] = [needed, allowed].map(memory::words);
+    faults
+        .error(
+            path.key("spacing"),
+            format!("about {needed} of memory would be needed for {points:e} points, {allowed} may be used"),
+        )
+        .hint("use a larger spacing, or raise `--max-memory`");
+    false
+}
+
+/// A fault for an outline that cells do not fill.
+fn unfilled(error: &FillError, case: &Case, path: &JsonPath, faults: &mut Faults) {
+    match error {
+        FillError::Spacing { found } => {
+            faults.error(path.key("spacing"), format!("`spacing` must be greater than zero, found {found}"));
+        }
+        FillError::NotWhole { cells, fitting } => {
+            let [a, b] = cells.map(tidy);
+            let fault = faults.error(
+                path.key("size"),
+                format!("the rectangle is {a} × {b} cells, which are not whole numbers"),
+            );
+            let numbers: Vec<String> = fitting.iter().map(|s| tidy(*s)).collect();
+            match numbers.is_empty() {
+                true => fault.hint("both sides must be whole multiples of the spacing"),
+                false => fault.hint(format!("the nearest spacings that fit are {}", numbers.join(" and "))),
+            };
+        }
+        FillError::TooManyCells { cells } => {
+            faults
+                .error(path.key("spacing"), format!("{cells:e} cells are too many to number"))
+                .hint(format!("at most {} fit into the box around the body", u32::MAX));
+        }
+        FillError::NoPoints => {
+            faults
+                .error(path.key("spacing"), "no cell has its centre in the body: the spacing is too large")
+                .hint("use a smaller spacing");
+        }
+        FillError::NoCellInHole { hole } => {
+            let holes = match &case.body {
+                Body::Rectangle(b) => &b.holes[..],
+                Body::Outline(b) => &b.holes,
+                _ => &[],
+            };
+            let called = match holes.get(*hole).and_then(Hole::name) {
+                Some(name) => format!("the hole `{name}`"),
+                None => "this hole".into(),
+            };
+            faults
+                .error(
+                    path.key("holes").index(*hole),
+                    format!("no cell has its centre in {called}: it would do nothing"),
+                )
+                .hint("use a smaller spacing; a hole needs several cells to be one");
+        }
+    }
+}

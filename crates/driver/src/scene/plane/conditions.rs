@@ -1,0 +1,282 @@
+//! What holds a body in the plane, by points: equations for its lattice and for any coarser one are made of it.
+
+use peristat_assembly::body::SquareLattice;
+use peristat_assembly::condition::{Equation, Unknown};
+use peristat_assembly::stiffness::Spring;
+use std::collections::BTreeMap;
+
+/// What holds a body.
+#[derive(Clone, Debug, Default)]
+pub struct Conditions {
+    /// Points with prescribed motions.
+    pub holds: Vec<HeldPoints>,
+    /// Regions that move as rigid bodies.
+    pub rigid: Vec<RigidPoints>,
+    /// Springs to the ground.
+    pub springs: Vec<Spring>,
+}
+
+/// Points with the same prescribed motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeldPoints {
+    /// Numbers of the points, ascending.
+    pub points: Vec<u32>,
+    /// Direction that is held, a unit vector.
+    pub direction: [f64; 2],
+    /// Displacement in this direction at a factor of one.
+    pub value: f64,
+    /// Where it stands in the case.
+    pub origin: String,
+}
+
+/// Points that move as a rigid body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidPoints {
+    /// Numbers of the points, ascending.
+    pub points: Vec<u32>,
+    /// What prescribed displacements are of.
+    pub centre: [f64; 2],
+    /// Prescribed displacements along x and y, and rotation; what is not given is free.
+    pub prescribed: [Option<f64>; 3],
+    /// Where it stands in the case.
+    pub origin: String,
+}
+
+/// Keys of [`RigidPoints::prescribed`].
+pub const RIGID_KEYS: [&str; 3] = ["ux", "uy", "phi"];
+
+impl Conditions {
+    /// All equations: of every hold one per point, in their order, then of every rigid region one per prescribed motion,
+    /// in the order of [`RIGID_KEYS`], then those that make them rigid.
+    pub fn equations(&self, position: &dyn Fn(usize) -> [f64; 2]) -> Vec<Equation> {
+        let mut equations: Vec<Equation> = self.holds.iter().flat_map(HeldPoints::equations).collect();
+        let bodies: Vec<Basis> = self.rigid.iter().map(|r| Basis::new(r, position)).collect();
+        for (rigid, basis) in self.rigid.iter().zip(&bodies) {
+            equations.extend(rigid.prescribed_equations(basis));
+        }
+        for (rigid, basis) in self.rigid.iter().zip(&bodies) {
+            equations.extend(rigid.shape_equations(basis, position));
+        }
+        equations
+    }
+
+    /// The same on the next coarser lattice, without motion: a coarse point is held where any point in its cell is, it is
+    /// rigid with all others that hold a point of the same region, and springs add up.
+    ///
+    /// Points that a lattice does not have are left out; there are none if `coarse` is the coarser one of `fine`.
+    pub fn coarser(&self, fine: &SquareLattice, coarse: &SquareLattice) -> Self {
+        let parent = |point: u32| {
+            let number = coarse.number(SquareLattice::parent(fine.cell(point as usize)));
+            number.map(|p| p as u32)
+        };
+        let parents = |points: &[u32]| {
+            let mut parents: Vec<u32> = points.iter().filter_map(|&p| parent(p)).collect();
+            parents.sort_unstable();
+            parents.dedup();
+            parents
+        };
+        let holds =
+            self.holds.iter().map(|h| HeldPoints { points: parents(&h.points), value: 0.0, ..h.clone() });
+        let rigid = self.rigid.iter().map(|r| RigidPoints {
+            points: parents(&r.points),
+            prescribed: r.prescribed.map(|p| p.map(|_| 0.0)),
+            ..r.clone()
+        });
+        let mut springs: BTreeMap<(usize, [(usize, u64); 2]), Spring> = BTreeMap::new();
+        for spring in &self.springs {
+            let Some(point) = parent(spring.point as u32).map(|p| p as usize) else { continue };
+            let key = (point, spring.shares.map(|(component, share)| (component, share.to_bits())));
+            let sum = springs.entry(key).or_insert(Spring { point, stiffness: 0.0, ..*spring });
+            sum.stiffness += spring.stiffness;
+        }
+        Self { holds: holds.collect(), rigid: rigid.collect(), springs: springs.into_values().collect() }
+    }
+
+    /// Whether nothing holds the body.
+    pub fn is_empty(&self) -> bool {
+        self.holds.is_empty() && self.rigid.is_empty() && self.springs.is_empty()
+    }
+}
+
+impl HeldPoints {
+    fn equations(&self) -> impl Iterator<Item = Equation> + '_ {
+        let [x, y] = self.direction;
+        // The larger share first: it is the one to divide by.
+        let shares = if x.abs() >= y.abs() { [(0, x), (1, y)] } else { [(1, y), (0, x)] };
+        self.points.iter().map(move |&point| {
+            let term = |&(component, c): &(usize, f64)| (Unknown { component, point: point as usize }, c);
+            let terms = shares.iter().filter(|s| s.1 != 0.0).map(term).collect();
+            Equation { terms, value: self.value, origin: self.origin.clone() }
+        })
+    }
+}
+
+/// Three unknowns of two points that say how a rigid region moves.
+struct Basis {
+    /// A point of the region and its position.
+    first: (usize, [f64; 2]),
+    /// The component of the first point and of another one whose difference over a distance is the rotation; none if the
+    /// region is one point.
+    turn: Option<Turn>,
+}
+
+struct Turn {
+    other: usize,
+    component: usize,
+    /// Signed distance: rotation = difference / arm.
+    arm: f64,
+}
+
+impl Basis {
+    /// The two points that are farthest from each other along an axis.
+    fn new(rigid: &RigidPoints, position: &dyn Fn(usize) -> [f64; 2]) -> Self {
+        let ends = |axis: usize| {
+            let key = |p: &&u32| position(**p as usize)[axis];
+            let order = |a: &&u32, b: &&u32| key(a).total_cmp(&key(b));
+            let low = rigid.points.iter().min_by(order).map_or(0, |p| *p as usize);
+            let high = rigid.points.iter().max_by(order).map_or(0, |p| *p as usize);
+            (low, high, position(high)[axis] - position(low)[axis])
+        };
+        let (along_x, along_y) = (ends(0), ends(1));
+        // u_y grows along x by the rotation, u_x falls along y.
+        let ((first, other, length), component) =
+            if along_x.2 >= along_y.2 { (along_x, 1) } else { (along_y, 0) };
+        let arm = if component == 1 { length } else { -length };
+        let turn = (length > 0.0).then_some(Turn { other, component, arm });
+        Self { first: (first, position(first)), turn }
+    }
+
+    /// Rotation as a sum of unknowns.
+    fn rotation(&self, factor: f64) -> Vec<(Unknown, f64)> {
+        let Some(Turn { other, component, arm }) = self.turn else { return Vec::new() };
+        let share = factor / arm;
+        vec![
+            (Unknown { component, point: other }, share),
+            (Unknown { component, point: self.first.0 }, -share),
+        ]
+    }
+
+    /// Displacement of the body at a position as a sum of unknowns.
+    fn displacement(&self, component: usize, at: [f64; 2]) -> Vec<(Unknown, f64)> {
+        let arm = [self.first.1[1] - at[1], at[0] - self.first.1[0]][component];
+        let mut terms = vec![(Unknown { component, point: self.first.0 }, 1.0)];
+        terms.extend(self.rotation(arm).into_iter().filter(|t| t.1 != 0.0));
+        terms
+    }
+}
+
+impl RigidPoints {
+    fn prescribed_equations(&self, basis: &Basis) -> Vec<Equation> {
+        let equation = |(k, key): (usize, &&str)| {
+            let value = self.prescribed[k]?;
+            let terms = match k {
+                2 => basis.rotation(1.0),
+                component => basis.displacement(component, self.centre),
+            };
+            let origin = format!("{}.{key}", self.origin);
+            (!terms.is_empty()).then(|| Equation { terms: merged(terms), value, origin })
+        };
+        RIGID_KEYS.iter().enumerate().filter_map(equation).collect()
+    }
+
+    fn shape_equations<'a>(
+        &'a self,
+        basis: &'a Basis,
+        position: &'a dyn Fn(usize) -> [f64; 2],
+    ) -> impl Iterator<Item = Equation> + 'a {
+        let both = self.points.iter().flat_map(|&p| [0, 1].map(|component| (p as usize, component)));
+        let is_basis = |point: usize, component: usize| {
+            let turns = basis.turn.as_ref().is_some_and(|t| (t.other, t.component) == (point, component));
+            point == basis.first.0 || turns
+        };
+        both.filter(move |&(point, component)| !is_basis(point, component)).map(move |(point, component)| {
+            let mut terms = vec![(Unknown { component, point }, 1.0)];
+            let rest = basis.displacement(component, position(point));
+            terms.extend(merged(rest).into_iter().map(|(unknown, c)| (unknown, -c)));
+            Equation { terms, value: 0.0, origin: self.origin.clone() }
+        })
+    }
+}
+
+/// The same sum with every unknown once, without those that drop out.
+fn merged(terms: Vec<(Unknown, f64)>) -> Vec<(Unknown, f64)> {
+    let mut sum: Vec<(Unknown, f64)> = Vec::new();
+    for (unknown, c) in terms {
+        match sum.iter_mut().find(|t| t.0 == unknown) {
+            Some(t) => t.1 += c,
+            None => sum.push((unknown, c)),
+        }
+    }
+    sum.retain(|t| t.1 != 0.0);
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use peristat_assembly::condition::Constraints;
+
+    fn region(lattice: &SquareLattice, prescribed: [Option<f64>; 3]) -> Conditions {
+        let points = (0..lattice.points() as u32).collect();
+        let rigid = RigidPoints { points, centre: [0.7, -0.2], prescribed, origin: "rigid[0]".into() };
+        Conditions { rigid: vec![rigid], ..Default::default() }
+    }
+
+    /// Displacements of a rigid motion about a centre.
+    fn motion(lattice: &SquareLattice, [a, b, turn]: [f64; 3], centre: [f64; 2]) -> Vec<f64> {
+        let at = |p: usize| lattice.position(p);
+        let x = (0..lattice.points()).map(|p| a - turn * (at(p)[1] - centre[1]));
+        let y = (0..lattice.points()).map(|p| b + turn * (at(p)[0] - centre[0]));
+        x.chain(y).collect()
+    }
+
+    #[test]
+    fn a_rigid_region_moves_by_three_numbers() {
+        for size in [[3, 2], [2, 5], [4, 1], [1, 3]] {
+            let lattice = SquareLattice::rectangle(0.3, [1.0, 2.0], size);
+            let conditions = region(&lattice, [None; 3]);
+            let constraints =
+                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.position(p))).unwrap();
+            assert_eq!(constraints.rows().len(), 2 * lattice.points() - 3, "{size:?}");
+            // What a rigid motion leaves of the equations is rounding.
+            let expected = motion(&lattice, [0.3, -0.5, 0.8], [0.1, 0.2]);
+            let mut u = expected.clone();
+            constraints.rows().iter().for_each(|r| u[r.unknown] = f64::NAN);
+            constraints.expand(1.0, &mut u);
+            for (found, expected) in u.iter().zip(&expected) {
+                assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn prescribed_motions_are_those_of_the_centre() {
+        let lattice = SquareLattice::rectangle(0.5, [0.0; 2], [3, 4]);
+        let conditions = region(&lattice, [Some(0.1), Some(-0.2), Some(0.3)]);
+        let equations = conditions.equations(&|p| lattice.position(p));
+        let constraints = Constraints::new(lattice.points(), &equations).unwrap();
+        let mut u = vec![0.0; 2 * lattice.points()];
+        constraints.expand(1.0, &mut u);
+        let expected = motion(&lattice, [0.1, -0.2, 0.3], [0.7, -0.2]);
+        assert!(u.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-14), "{u:?} {expected:?}");
+        // A pin turns: ux and uy of its centre leave one unknown.
+        let pin = region(&lattice, [Some(0.1), Some(-0.2), None]).equations(&|p| lattice.position(p));
+        let rows = Constraints::new(lattice.points(), &pin).unwrap().rows().len();
+        assert_eq!(rows, 2 * lattice.points() - 1);
+    }
+
+    #[test]
+    fn coarse_points_are_held_where_a_child_is_and_springs_add_up() {
+        let fine = SquareLattice::rectangle(1.0, [0.0; 2], [4, 2]);
+        let hold =
+            HeldPoints { points: vec![1, 2, 5], direction: [1.0, 0.0], value: 3.0, origin: String::new() };
+        let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };
+        let springs = vec![spring(2), spring(3), spring(0)];
+        let conditions = Conditions { holds: vec![hold], springs, ..region(&fine, [Some(1.0), None, None]) };
+        let coarse = conditions.coarser(&fine, &fine.coarser());
+        assert_eq!((&coarse.holds[0].points[..], coarse.holds[0].value), (&[0, 1][..], 0.0));
+        assert_eq!((&coarse.rigid[0].points[..], coarse.rigid[0].prescribed[0]), (&[0, 1][..], Some(0.0)));
+        let sums: Vec<(usize, f64)> = coarse.springs.iter().map(|s| (s.point, s.stiffness)).collect();
+        assert_eq!(sums, [(0, 2.0), (1, 4.0)]);
+    }
+}

@@ -1,0 +1,179 @@
+//! A stress that has the traction of an edge and fades inwards.
+
+use super::boundary::{self, Border};
+use super::loads::Context;
+use super::lump::{self, Resultant};
+use super::traction::{OnBorder, Profile, StressField, is_aligned, may_be_consistent, of_edge};
+use super::uniform_stress::traction_of;
+use crate::diagnostic::Faults;
+use peristat_assembly::body::{Edge, Region, Regions};
+use std::collections::BTreeMap;
+
+/// `S = w(d) (t⊗n + n⊗t − (t·n) n⊗n)` at a distance d from an edge, w a cubic from 1 to 0 with flat ends.
+#[derive(Clone, Debug)]
+pub(super) struct Fading {
+    from: [f64; 2],
+    /// Unit vector from start to end.
+    tangent: [f64; 2],
+    length: f64,
+    normal: [f64; 2],
+    profile: Profile,
+    /// Where it has faded, m.
+    depth: f64,
+    spacing: f64,
+}
+
+impl Fading {
+    /// Distance from the edge and place along it, if it is in the strip.
+    fn place(&self, position: [f64; 2]) -> Option<(f64, f64)> {
+        let r = [0, 1].map(|k| position[k] - self.from[k]);
+        let along = |n: [f64; 2]| r[0] * n[0] + r[1] * n[1];
+        let (depth, s) = (-along(self.normal), along(self.tangent));
+        let slack = 1e-6 * self.spacing;
+        let inside = |v: f64, end: f64| -slack <= v && v <= end + slack;
+        (inside(depth, self.depth) && inside(s, self.length)).then_some((depth, s / self.length))
+    }
+
+    fn weight(&self, depth: f64) -> f64 {
+        let q = (depth / self.depth).clamp(0.0, 1.0);
+        1.0 + q * q * (2.0 * q - 3.0)
+    }
+
+    /// `[S_xx, S_yy, S_xy]`, Pa.
+    pub(super) fn stress(&self, position: [f64; 2]) -> [f64; 3] {
+        let Some((depth, place)) = self.place(position) else { return [0.0; 3] };
+        let (w, [x, y]) = (self.weight(depth), self.normal);
+        let [a, b] = self.profile.at(place, self.normal);
+        let along = a * x + b * y;
+        [
+            w * (2.0 * a * x - along * x * x),
+            w * (2.0 * b * y - along * y * y),
+            w * (a * y + b * x - along * x * y),
+        ]
+    }
+
+    /// `div S` as a mean over a cell, N/m³: `−w' t + w n (dt/ds·τ)`, with a difference of w whose sum over cells is exact.
+    fn divergence(&self, position: [f64; 2]) -> [f64; 2] {
+        let Some((depth, place)) = self.place(position) else { return [0.0; 2] };
+        let half = 0.5 * self.spacing;
+        let fall = (self.weight(depth - half) - self.weight(depth + half)) / self.spacing;
+        let (t, slope) = (self.profile.at(place, self.normal), self.profile.slope(place));
+        let shear = (slope[0] * self.tangent[0] + slope[1] * self.tangent[1]) / self.length;
+        [0, 1].map(|k| fall * t[k] + self.weight(depth) * shear * self.normal[k])
+    }
+}
+
+/// The stress of a traction and the forces that belong to it, by numbers of the body; `None` where it must be lumped.
+pub(super) fn fade(traction: &OnBorder, context: &Context) -> Option<(StressField, Vec<(u32, [f64; 2])>)> {
+    let outline = context.ground.outline?;
+    let Border::Edge(edge) = &traction.border else { return None };
+    if !is_aligned(edge) || !may_be_consistent(traction, context) {
+        return None;
+    }
+    let length = (edge.to[0] - edge.from[0]).hypot(edge.to[1] - edge.from[1]);
+    let tangent = [0, 1].map(|k| (edge.to[k] - edge.from[k]) / length);
+    // Where the body goes on beyond an end of the edge, shear would jump there.
+    let shears = |q: &f64| {
+        let t = traction.profile.at(*q, edge.normal);
+        t[0] * tangent[0] + t[1] * tangent[1] != 0.0
+    };
+    if !outline.is_rectangle() && [0.0, 0.25, 0.5, 1.0].iter().any(shears) {
+        return None;
+    }
+    let [low, high] = outline.bounds();
+    let axis = usize::from(edge.normal[0] == 0.0);
+    let spacing = context.ground.body.spacing();
+    let cells = (2.0 * context.horizon / spacing).ceil();
+    let depth = (cells * spacing).min(high[axis] - low[axis]);
+    let fading = Fading {
+        from: edge.from,
+        tangent,
+        length,
+        normal: edge.normal,
+        profile: traction.profile,
+        depth,
+        spacing,
+    };
+    let inner = [0, 1].map(|k| edge.to[k] - depth * edge.normal[k]);
+    if context.cracks.iter().any(|c| in_box(c.crack.vertices(), edge.from, inner)) {
+        return None;
+    }
+    let regions = Regions { body: context.ground.body, outline: None, named: &BTreeMap::new() };
+    let points = regions.select(&Region::Box { from: edge.from, to: inner }).ok()?;
+    let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
+    for &p in &points {
+        let divergence = fading.divergence(context.ground.body.position(p as usize));
+        if divergence != [0.0; 2] {
+            forces.insert(p, divergence.map(|b| b * context.volume(p)));
+        }
+    }
+    for (point, force) in elsewhere(&fading, edge, context) {
+        let sum = forces.entry(point).or_default();
+        (0..2).for_each(|k| sum[k] += force[k]);
+    }
+    let mut forces: Vec<(u32, [f64; 2])> = forces.into_iter().collect();
+    forces.extend(missing(&forces, traction, context));
+    let points = points.into_iter().map(|p| p as usize).collect();
+    Some((StressField::faded(points, fading), forces))
+}
+
+/// Whether a polyline comes into the box of two corners.
+fn in_box(vertices: &[[f64; 2]], a: [f64; 2], b: [f64; 2]) -> bool {
+    let apart = |p: &[f64; 2], q: &[f64; 2]| {
+        (0..2).any(|k| p[k].max(q[k]) < a[k].min(b[k]) || p[k].min(q[k]) > a[k].max(b[k]))
+    };
+    vertices.windows(2).any(|w| !apart(&w[0], &w[1]))
+}
+
+/// What the stress does on other borders, taken back there.
+fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Vec<(u32, [f64; 2])> {
+    let Some(outline) = context.ground.outline else { return Vec::new() };
+    let spacing = context.ground.body.spacing();
+    let region = |name: &str| context.ground.region(name, &Default::default(), &mut Faults::default());
+    let mut forces = Vec::new();
+    let edges = outline.edges().iter().filter(|e| e.name != own.name);
+    let borders = edges.map(|e| (of_edge(e, spacing), region(&e.name), context.symmetry.replaces(&e.name)));
+    let holes = outline.holes().iter().map(|h| (boundary::around(&h.shape, spacing / 8.0), None, false));
+    for (stretches, points, is_mirror) in borders.chain(holes) {
+        let met: Vec<boundary::Stretch> =
+            stretches.into_iter().filter(|s| fading.stress(s.middle) != [0.0; 3]).collect();
+        for stretch in met {
+            let [x, y] = stretch.normal;
+            let mut t = traction_of(fading.stress(stretch.middle), stretch.normal).map(|t| -t);
+            if is_mirror {
+                // The mirror takes what is normal to it.
+                let along = t[0] * x + t[1] * y;
+                t = [t[0] - along * x, t[1] - along * y];
+            }
+            if t.iter().any(|v| v.abs() > 0.0) {
+                let points = points.as_deref().unwrap_or(&[]);
+                forces.extend(lump::on_points(&[stretch], &|_, _| t, points, context));
+            }
+        }
+    }
+    forces
+}
+
+/// Small forces along the edge that make force and moment exact, as far as no mirror takes part in them.
+fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -> Vec<(u32, [f64; 2])> {
+    let at = |p: u32| context.ground.body.position(p as usize);
+    let mut rest = Resultant::default();
+    forces.iter().for_each(|&(p, f)| rest.add(f.map(|f| -f), at(p)));
+    let lumped = lump::forces(traction, context);
+    lumped.iter().for_each(|&(p, f)| rest.add(f, at(p)));
+    let mirrors = context.symmetry.mirrors;
+    for (axis, lines) in [mirrors.columns, mirrors.rows].into_iter().enumerate() {
+        if lines != [None; 2] {
+            rest.force[axis] = 0.0;
+        }
+    }
+    let mut small: Vec<(u32, [f64; 2])> = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
+    if !mirrors.is_none() {
+        // Only the force: its moment about the middle of the points is left to the mirror.
+        let count = small.len() as f64;
+        small.iter_mut().for_each(|f| f.1 = rest.force.map(|f| f / count));
+        return small;
+    }
+    lump::add_resultant(&mut small, rest, context);
+    small
+}

@@ -1,0 +1,171 @@
+//! Values at any position as sums over points.
+
+use super::NamedCrack;
+use peristat_assembly::body::{CRACK_SLACK, Cell, PlaneBody, Region, Regions, SquareLattice};
+use std::collections::BTreeMap;
+
+/// Points and their shares; the shares sum to one.
+pub type Weights = Vec<(u32, f64)>;
+
+/// Points of a cloud among which a triangle is looked for.
+const NEAREST: usize = 16;
+
+/// What values are interpolated on.
+pub(super) struct Interpolation<'a> {
+    pub(super) body: &'a PlaneBody,
+    pub(super) cracks: &'a [NamedCrack],
+}
+
+impl Interpolation<'_> {
+    /// Weights at a position in the body: bilinear between the four points of a lattice around it, or next to it near an
+    /// edge; linear in a triangle of listed points; else those of the nearest point. No crack runs in between.
+    pub(super) fn at(&self, position: [f64; 2], nearest: u32) -> Weights {
+        let found = match self.body {
+            PlaneBody::Lattice(lattice) => self.bilinear(lattice, position),
+            PlaneBody::Cloud(cloud) => {
+                let slack = 4.0 * self.body.spacing();
+                let regions = Regions { body: self.body, outline: None, named: &BTreeMap::new() };
+                let near = regions.select(&Region::Disc { centre: position, radius: slack });
+                self.in_triangle(cloud.positions(), near.unwrap_or_default(), position)
+            }
+        };
+        found.unwrap_or_else(|| vec![(nearest, 1.0)])
+    }
+
+    fn sees(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        let slack = CRACK_SLACK * self.body.spacing();
+        !self.cracks.iter().any(|c| c.crack.cuts(a, b, slack))
+    }
+
+    fn bilinear(&self, lattice: &SquareLattice, position: [f64; 2]) -> Option<Weights> {
+        let at = [0, 1].map(|k| (position[k] - lattice.corner()[k]) / lattice.spacing() - 0.5);
+        let low = at.map(f64::floor);
+        let steps = [0.0, -1.0, 1.0];
+        let mut blocks: Vec<[f64; 2]> =
+            steps.iter().flat_map(|a| steps.map(|b| [low[0] + a, low[1] + b])).collect();
+        // Beyond the outermost points lies half a cell at most.
+        blocks.retain(|b| (0..2).all(|k| (at[k] - b[k] - 0.5).abs() <= 1.0 + 1e-6));
+        let far = |b: &[f64; 2]| (at[0] - b[0] - 0.5).hypot(at[1] - b[1] - 0.5);
+        blocks.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        blocks.into_iter().find_map(|block| {
+            let share = [0, 1].map(|k| at[k] - block[k]);
+            let corner = |[i, j]: [usize; 2]| {
+                let cell: Cell = [block[0] as i32 + i as i32, block[1] as i32 + j as i32];
+                let point = lattice.number(cell)?;
+                let seen = self.sees(position, lattice.centre(cell));
+                let along = |k: usize, side: usize| if side == 1 { share[k] } else { 1.0 - share[k] };
+                seen.then_some((point as u32, along(0, i) * along(1, j)))
+            };
+            let corners: Option<Weights> = [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().map(corner).collect();
+            corners.map(|all| all.into_iter().filter(|w| w.1 != 0.0).collect())
+        })
+    }
+
+    fn in_triangle(&self, positions: &[[f64; 2]], mut near: Vec<u32>, position: [f64; 2]) -> Option<Weights> {
+        let at = |p: u32| positions[p as usize];
+        let distance = |p: u32| (at(p)[0] - position[0]).hypot(at(p)[1] - position[1]);
+        near.retain(|&p| self.sees(position, at(p)));
+        near.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+        near.truncate(NEAREST);
+        let cross = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        };
+        let mut best: Option<(f64, Weights)> = None;
+        for (i, &a) in near.iter().enumerate() {
+            for (j, &b) in near.iter().enumerate().skip(i + 1) {
+                for &c in &near[j + 1..] {
+                    let area = cross(at(a), at(b), at(c));
+                    if area.abs() < 1e-3 * self.body.spacing().powi(2) {
+                        continue;
+                    }
+                    let shares = [
+                        cross(position, at(b), at(c)) / area,
+                        cross(at(a), position, at(c)) / area,
+                        cross(at(a), at(b), position) / area,
+                    ];
+                    let size = distance(a) + distance(b) + distance(c);
+                    let inside = shares.iter().all(|s| *s >= -1e-9);
+                    if inside && best.as_ref().is_none_or(|(least, _)| size < *least) {
+                        best = Some((size, vec![(a, shares[0]), (b, shares[1]), (c, shares[2])]));
+                    }
+                }
+            }
+        }
+        best.map(|b| b.1)
+    }
+
+    /// Weights at a position on an edge: a parabola through the three nearest points on each of the two lattice lines
+    /// beside it that go inward. `None` where a line has fewer.
+    pub(super) fn inward(&self, position: [f64; 2], inward: [i8; 2]) -> Option<Weights> {
+        let PlaneBody::Lattice(lattice) = self.body else { return None };
+        let axis = usize::from(inward[0] == 0);
+        let sign = i32::from(inward[axis]);
+        let at = [0, 1].map(|k| (position[k] - lattice.corner()[k]) / lattice.spacing() - 0.5);
+        let across = at[1 - axis];
+        let low = across.floor();
+        let lines = [(low, 1.0 - (across - low)), (low + 1.0, across - low)];
+        let line = |column: f64| {
+            let cell = |k: i32| {
+                let mut cell = [column as i32; 2];
+                cell[axis] = k;
+                cell
+            };
+            let start = if sign > 0 { (at[axis] - 1e-6).ceil() } else { (at[axis] + 1e-6).floor() } as i32;
+            let first = (0..3).map(|k| start + sign * k).find(|&k| lattice.number(cell(k)).is_some())?;
+            let distance = |k: i32| f64::from(sign) * (f64::from(k) - at[axis]);
+            let cells = [0, 1, 2].map(|k| first + sign * k);
+            let weight = |k: usize| {
+                let others = (0..3).filter(|j| *j != k);
+                others
+                    .map(|j| distance(cells[j]) / (distance(cells[j]) - distance(cells[k])))
+                    .product::<f64>()
+            };
+            let points: Option<Weights> =
+                (0..3).map(|k| Some((lattice.number(cell(cells[k]))? as u32, weight(k)))).collect();
+            points
+        };
+        let found: Vec<(Weights, f64)> =
+            lines.iter().filter(|l| l.1 > 1e-9).filter_map(|l| Some((line(l.0)?, l.1))).collect();
+        let whole: f64 = found.iter().map(|f| f.1).sum();
+        let shared =
+            found.iter().flat_map(|(weights, share)| weights.iter().map(move |w| (w.0, w.1 * share / whole)));
+        (whole > 0.0).then(|| shared.collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(body: &PlaneBody, weights: &Weights, field: impl Fn([f64; 2]) -> f64) -> f64 {
+        weights.iter().map(|w| w.1 * field(body.position(w.0 as usize))).sum()
+    }
+
+    #[test]
+    fn linear_fields_are_exact_everywhere_and_parabolas_inwards_from_edges() {
+        let body = PlaneBody::Lattice(SquareLattice::rectangle(0.1, [1.0, 2.0], [10, 6]));
+        let interpolation = Interpolation { body: &body, cracks: &[] };
+        let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5 * x * y;
+        for position in [[1.0, 2.0], [1.33, 2.21], [2.0, 2.3], [1.55, 2.55], [1.5, 2.6]] {
+            let found = value(&body, &interpolation.at(position, 0), field);
+            assert!((found - field(position)).abs() < 1e-13, "{position:?}");
+        }
+        let field = |[x, y]: [f64; 2]| x * x - 3.0 * x + 2.0 * y + 1.0;
+        for (position, inward) in [([1.0, 2.3], [1, 0]), ([2.0, 2.33], [-1, 0]), ([2.0, 2.0], [-1, 0])] {
+            let found = value(&body, &interpolation.inward(position, inward).unwrap(), field);
+            assert!((found - field(position)).abs() < 1e-12, "{position:?} {found}");
+        }
+        assert_eq!(interpolation.inward([3.0, 2.3], [1, 0]), None);
+    }
+
+    #[test]
+    fn nothing_is_taken_from_behind_a_crack() {
+        let body = PlaneBody::Lattice(SquareLattice::rectangle(1.0, [0.0; 2], [4, 4]));
+        let crack = peristat_assembly::body::Crack::new(vec![[-1.0, 2.0], [5.0, 2.0]]).unwrap();
+        let cracks = [NamedCrack { name: "1".into(), crack }];
+        let interpolation = Interpolation { body: &body, cracks: &cracks };
+        let weights = interpolation.at([1.7, 1.9], 0);
+        assert!(weights.iter().all(|w| body.position(w.0 as usize)[1] < 2.0));
+        assert!((value(&body, &weights, |p| p[1]) - 1.9).abs() < 1e-14);
+    }
+}

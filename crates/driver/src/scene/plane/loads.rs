@@ -1,0 +1,205 @@
+//! Loads of a body in the plane as forces and stresses on its points.
+
+use super::super::states;
+use super::ground::{Ground, PLACE};
+use super::symmetry::Symmetry;
+use super::traction::{self, StressField};
+use super::{Held, root};
+use crate::case::{BodyForce, Load, PointLoad};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::input::gmsh::Curve;
+use peristat_assembly::model::bond_plane::{BondPlane, PlaneParameters};
+
+/// The loads of one load case.
+#[derive(Clone, Debug, Default)]
+pub struct PlaneLoads {
+    /// Forces on points of the model, N.
+    pub(super) forces: Vec<(u32, [f64; 2])>,
+    /// Force on every point per volume, N/m³.
+    pub(super) density: [f64; 2],
+    /// Stresses that act by the rows of the bonds.
+    pub(super) stresses: Vec<StressField>,
+}
+
+/// What the resolution of loads looks at.
+pub(super) struct Context<'a> {
+    pub(super) ground: &'a Ground<'a>,
+    pub(super) symmetry: &'a Symmetry,
+    pub(super) curves: &'a [Curve],
+    pub(super) parameters: &'a PlaneParameters,
+    pub(super) horizon: f64,
+    pub(super) held: &'a [Held],
+    /// Paths of cracks, images left out.
+    pub(super) cracks: &'a [super::NamedCrack],
+}
+
+impl Context<'_> {
+    /// Volume of a point of the body, m³.
+    pub(super) fn volume(&self, point: u32) -> f64 {
+        self.ground.body.area(point as usize) * self.parameters.material.thickness
+    }
+}
+
+/// All load cases, by numbers of the body.
+pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoads> {
+    let resolve = |loads: &[Load], path: &JsonPath, faults: &mut Faults| {
+        let mut resolved = PlaneLoads::default();
+        let mut tractions = Vec::new();
+        for (k, load) in loads.iter().enumerate() {
+            let path = path.index(k);
+            match load {
+                Load::Point(load) => point(load, context, &path.key("point"), &mut resolved, faults),
+                Load::BodyForce(load) => {
+                    body_force(load, context, &path.key("body_force"), &mut resolved, faults)
+                }
+                Load::Traction(load) => {
+                    tractions.extend(traction::resolve(load, context, path.key("traction"), faults))
+                }
+                Load::Distributed(_) => {
+                    faults
+                        .error(path.key("distributed"), "`distributed` loads are for beams")
+                        .hint("in the plane a force per area on an edge is a `traction`, one per volume a `body_force`");
+                }
+            }
+        }
+        traction::add(&tractions, context, &mut resolved);
+        resolved
+    };
+    states::load_cases(context.ground.case, resolve, faults)
+}
+
+fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoads, faults: &mut Faults) {
+    let foreign = [
+        ("force", load.force != 0.0, "use `force_x` and `force_y`"),
+        ("axial", load.axial != 0.0, "use `force_x` and `force_y`"),
+        (
+            "moment",
+            load.moment != 0.0,
+            "points do not turn: use two forces, or a `linear` traction on an edge",
+        ),
+        ("spread", load.spread, "give a region as the place to spread a force"),
+    ];
+    for (key, _, hint) in foreign.iter().filter(|f| f.1) {
+        faults.error(path.key(*key), format!("`{key}` is for beams")).hint(*hint);
+    }
+    let force = [load.force_x, load.force_y];
+    if force == [0.0; 2] && !foreign.iter().any(|f| f.1) {
+        faults.error(path.clone(), "this load is zero").hint("give `force_x` or `force_y`");
+    }
+    let at = path.key("at");
+    if load.at.inward.is_some() {
+        faults.error(at.key("inward"), "`inward` is for probes").hint(PLACE);
+    }
+    super::supports::not_mirrored(load.at.region.as_deref(), &at.key("region"), context.symmetry, faults);
+    let Some(spot) = context.ground.spot(&load.at, &at, "the load", faults) else { return };
+    if (0..2).all(|c| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held))) {
+        faults
+            .warning(at, format!("supports hold {} against this force: it deforms nothing", spot.words))
+            .hint("it only adds to the reaction of the support");
+    }
+    let share = force.map(|f| f / spot.points.len() as f64);
+    to.forces.extend(spot.points.iter().map(|&p| (p, share)));
+}
+
+/// Whether supports prescribe a component of a point of the body.
+pub(super) fn is_held(point: u32, component: usize, held: &[Held]) -> bool {
+    held.iter().any(|h| {
+        let direct = h.motions.iter().any(|m| m.0[component].abs() == 1.0);
+        direct && h.points.binary_search(&point).is_ok()
+    })
+}
+
+fn body_force(
+    load: &BodyForce,
+    context: &Context,
+    path: &JsonPath,
+    to: &mut PlaneLoads,
+    faults: &mut Faults,
+) {
+    let (value, is_total) = match (load.density, load.total) {
+        (Some(density), None) => (density, false),
+        (None, Some(total)) => (total, true),
+        (None, None) => {
+            faults.error(path.clone(), "neither `density` nor `total` is given").hint(
+                "`density` is a force per volume, such as that of gravity; `total` the force on all points together",
+            );
+            return;
+        }
+        (Some(_), Some(_)) => {
+            faults
+                .error(path.key("total"), "`density` and `total` are both given")
+                .hint("remove one of them");
+            return;
+        }
+    };
+    if value == [0.0; 2] {
+        faults.error(path.clone(), "this load is zero");
+    }
+    let points = match &load.region {
+        Some(name) => match context.ground.region(name, &path.key("region"), faults) {
+            Some(points) => Some(points),
+            None => return,
+        },
+        None => None,
+    };
+    let all = 0..context.ground.body.points() as u32;
+    let volume: f64 = match &points {
+        Some(points) => points.iter().map(|&p| context.volume(p)).sum(),
+        None => all.map(|p| context.volume(p)).sum(),
+    };
+    let density = if is_total { value.map(|f| f / volume) } else { value };
+    match points {
+        None => (0..2).for_each(|k| to.density[k] += density[k]),
+        Some(points) => {
+            let force = |&p: &u32| (p, density.map(|b| b * context.volume(p)));
+            to.forces.extend(points.iter().map(force));
+        }
+    }
+}
+
+impl PlaneLoads {
+    /// The same with the numbers that points have in the model.
+    pub(super) fn numbered(mut self, number: &dyn Fn(u32) -> u32) -> Self {
+        self.forces.iter_mut().for_each(|f| f.0 = number(f.0));
+        for field in &mut self.stresses {
+            if let Some(points) = &mut field.points {
+                points.iter_mut().for_each(|p| *p = number(*p as u32) as usize);
+            }
+        }
+        self
+    }
+
+    /// Whether nothing acts.
+    pub fn is_zero(&self) -> bool {
+        self.forces.is_empty() && self.density == [0.0; 2] && self.stresses.is_empty()
+    }
+
+    /// Adds the loads times a factor to `force`, N, the plane of x first.
+    pub fn add_to(&self, model: &BondPlane, factor: f64, force: &mut [f64]) {
+        let n = model.points();
+        for &(point, f) in &self.forces {
+            (0..2).for_each(|c| force[c * n + point as usize] += factor * f[c]);
+        }
+        if self.density != [0.0; 2] {
+            for point in 0..n {
+                let volume = factor * model.volume(point);
+                (0..2).for_each(|c| force[c * n + point] += volume * self.density[c]);
+            }
+        }
+        for field in &self.stresses {
+            let at = |position: [f64; 2]| field.at(position).map(|s| factor * s);
+            model.add_stress_load(field.points.as_deref(), &at, force);
+        }
+    }
+}
+
+/// Sums of load cases that are solved, with no load among them that is missing.
+pub(super) fn check_loaded(ground: &Ground, cases: &[PlaneLoads], moves: bool, faults: &mut Faults) {
+    let case = ground.case;
+    if cases.iter().all(PlaneLoads::is_zero) && !moves && !faults.has_errors() {
+        let key = if case.load_cases.is_empty() { "loads" } else { "load_cases" };
+        faults
+            .warning(root(key), "nothing acts on the body: all results will be zero")
+            .hint("give `loads`, or a support with a displacement that is not zero");
+    }
+}

@@ -1,0 +1,60 @@
+//! Points that their bonds do not hold: with one bond, or bonds on one line, they can move without any force.
+
+use super::super::words::tidy;
+use super::conditions::Conditions;
+use super::{PlaneScene, body, root};
+use crate::diagnostic::Faults;
+use peristat_assembly::model::Model;
+use std::collections::BTreeSet;
+
+/// Points that are told one by one, at most.
+const MOST: usize = 5;
+
+/// A block is singular if its determinant is this small beside the square of its trace.
+const SINGULAR: f64 = 1e-10;
+
+/// Adds a fault for every point whose own stiffness is singular and that conditions do not hold.
+pub(super) fn check(scene: &PlaneScene, faults: &mut Faults) {
+    let model = &scene.model;
+    let mut blocks = vec![[[0.0; 2]; 2]; model.points()];
+    model.terms().iter().for_each(|term| term.add_diagonal(&mut blocks));
+    let held = held_points(&scene.conditions);
+    let is_loose = |point: &usize| {
+        let [[a, b], [_, d]] = blocks[*point];
+        let trace = a + d;
+        a * d - b * b <= SINGULAR * trace * trace && !held.contains(&(*point as u32))
+    };
+    let loose: Vec<usize> = scene.real_points().filter(is_loose).collect();
+    let path = if scene.case.cracks.is_empty() { body::path(&scene.case) } else { root("cracks") };
+    for &point in loose.iter().take(MOST) {
+        let [x, y] = model.place(point).map(tidy);
+        let [[a, _], [_, d]] = blocks[point];
+        let why = if a + d > 0.0 { "has bonds on one line only" } else { "has no bonds" };
+        faults.error(path.clone(), format!("the point at ({x}, {y}) {why}, so nothing holds it")).hint(
+            match scene.case.cracks.is_empty() {
+                true => "use a smaller spacing or a longer horizon where the body is thin",
+                false => {
+                    "cracks meet all its other bonds: move them away from the point, or use a smaller spacing"
+                }
+            },
+        );
+    }
+    if let Some(more @ 1..) = loose.len().checked_sub(MOST) {
+        let s = if more == 1 { "" } else { "s" };
+        faults.error(path, format!("{more} more point{s} of this kind"));
+    }
+}
+
+/// Points that supports hold in two directions or that belong to rigid regions.
+fn held_points(conditions: &Conditions) -> BTreeSet<u32> {
+    let mut held: BTreeSet<u32> = conditions.rigid.iter().flat_map(|r| r.points.iter().copied()).collect();
+    let mut once = BTreeSet::new();
+    for hold in &conditions.holds {
+        for &point in &hold.points {
+            if !once.insert(point) {
+                held.insert(point);
+            }
+        }
+    }
+    held
+}

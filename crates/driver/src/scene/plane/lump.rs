@@ -1,0 +1,127 @@
+//! Tractions as forces on the nearest points.
+
+use super::boundary::{Border, Stretch};
+use super::loads::Context;
+use super::traction::OnBorder;
+use std::collections::BTreeMap;
+
+/// Force and moment about the origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Resultant {
+    pub(super) force: [f64; 2],
+    pub(super) moment: f64,
+}
+
+impl Resultant {
+    /// Adds a force at a position.
+    pub(super) fn add(&mut self, force: [f64; 2], at: [f64; 2]) {
+        (0..2).for_each(|k| self.force[k] += force[k]);
+        self.moment += at[0] * force[1] - at[1] * force[0];
+    }
+}
+
+/// Forces of a traction on points of the body, each stretch of its border on the nearest point, with the exact force and
+/// moment.
+pub(super) fn forces(traction: &OnBorder, context: &Context) -> Vec<(u32, [f64; 2])> {
+    let stretches = traction.stretches(context.ground.body.spacing());
+    let candidates = candidates(traction, context);
+    let profile = |place: f64, normal: [f64; 2]| traction.profile.at(place, normal);
+    on_points(&stretches, &profile, &candidates, context)
+}
+
+/// Points that a border can act on.
+fn candidates(traction: &OnBorder, context: &Context) -> Vec<u32> {
+    let unfound = &mut crate::diagnostic::Faults::default();
+    match &traction.border {
+        Border::Curved { hole: None, .. } => Vec::new(),
+        _ => context.ground.region(&traction.name, &Default::default(), unfound).unwrap_or_default(),
+    }
+}
+
+/// The same for any stretches and any traction by place and normal, Pa; curves of meshes know their points, other
+/// stretches take the nearest of the candidates.
+pub(super) fn on_points(
+    stretches: &[Stretch],
+    traction: &dyn Fn(f64, [f64; 2]) -> [f64; 2],
+    candidates: &[u32],
+    context: &Context,
+) -> Vec<(u32, [f64; 2])> {
+    let thickness = context.parameters.material.thickness;
+    let whole: f64 = stretches.iter().map(|s| s.length).sum();
+    let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
+    let mut wanted = Resultant::default();
+    for stretch in stretches {
+        let Some(point) = nearest(stretch, candidates, context) else { continue };
+        let (area, half) = (thickness * stretch.length, 0.5 * stretch.length / whole);
+        let ends = [(-half, 1.0 / 6.0), (0.0, 4.0 / 6.0), (half, 1.0 / 6.0)];
+        let force = forces.entry(point).or_default();
+        // Simpson's rule is exact for parabolas and their moments.
+        for (step, weight) in ends {
+            let t = traction(stretch.place + step, stretch.normal);
+            let share = t.map(|t| weight * area * t);
+            let tangent = [-stretch.normal[1], stretch.normal[0]];
+            let along = tangent_sign(stretches, tangent) * step * whole;
+            let at = [0, 1].map(|k| stretch.middle[k] + along * tangent[k]);
+            (0..2).for_each(|k| force[k] += share[k]);
+            wanted.add(share, at);
+        }
+    }
+    let mut forces: Vec<(u32, [f64; 2])> = forces.into_iter().collect();
+    settle(&mut forces, wanted, context);
+    forces
+}
+
+/// Whether places grow along a tangent, 1, or against it, −1.
+fn tangent_sign(stretches: &[Stretch], tangent: [f64; 2]) -> f64 {
+    let [Some(first), Some(last)] = [stretches.first(), stretches.last()] else { return 1.0 };
+    let along =
+        (last.middle[0] - first.middle[0]) * tangent[0] + (last.middle[1] - first.middle[1]) * tangent[1];
+    if along < 0.0 { -1.0 } else { 1.0 }
+}
+
+/// The point that takes the force of a stretch: the one in whose cell it is, half a spacing inwards, else the nearest.
+fn nearest(stretch: &Stretch, candidates: &[u32], context: &Context) -> Option<u32> {
+    if stretch.point.is_some() {
+        return stretch.point;
+    }
+    let body = context.ground.body;
+    if let peristat_assembly::body::PlaneBody::Lattice(lattice) = body {
+        let inside = [0, 1].map(|k| stretch.middle[k] - 0.5 * lattice.spacing() * stretch.normal[k]);
+        if let Some(point) = lattice.number(lattice.cell_at(inside)) {
+            return Some(point as u32);
+        }
+    }
+    let distance = |p: &u32| {
+        let [x, y] = body.position(*p as usize);
+        (x - stretch.middle[0]).hypot(y - stretch.middle[1])
+    };
+    candidates.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+/// Adds small forces to those of some points so that force and moment are the wanted ones.
+pub(super) fn settle(forces: &mut [(u32, [f64; 2])], wanted: Resultant, context: &Context) {
+    let at = |p: u32| context.ground.body.position(p as usize);
+    let mut found = Resultant::default();
+    forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
+    let missing = Resultant {
+        force: [0, 1].map(|k| wanted.force[k] - found.force[k]),
+        moment: wanted.moment - found.moment,
+    };
+    add_resultant(forces, missing, context);
+}
+
+/// Adds a resultant to forces on points: a uniform part, and one that turns about the middle of the points.
+pub(super) fn add_resultant(forces: &mut [(u32, [f64; 2])], missing: Resultant, context: &Context) {
+    let count = forces.len() as f64;
+    let at = |p: u32| context.ground.body.position(p as usize);
+    let middle = [0, 1].map(|k| forces.iter().map(|f| at(f.0)[k] / count).sum::<f64>());
+    let arm = |p: u32| [0, 1].map(|k| at(p)[k] - middle[k]);
+    let inertia: f64 = forces.iter().map(|f| arm(f.0)[0].powi(2) + arm(f.0)[1].powi(2)).sum();
+    let about_middle = missing.moment - (middle[0] * missing.force[1] - middle[1] * missing.force[0]);
+    let turn = if inertia > 0.0 { about_middle / inertia } else { 0.0 };
+    for (point, force) in forces {
+        let [x, y] = arm(*point);
+        force[0] += missing.force[0] / count - turn * y;
+        force[1] += missing.force[1] / count + turn * x;
+    }
+}

@@ -1,0 +1,71 @@
+//! Material and bonds of a body in the plane.
+
+use super::super::numbers::positive;
+use super::super::words::tidy;
+use super::model_path;
+use crate::case::{self, Plane};
+use crate::diagnostic::Faults;
+use peristat_assembly::model::bond_plane::{
+    Calibration, Edges, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+};
+
+/// How far a Poisson ratio may be off: 0.333 is a third.
+const POISSON_SLACK: f64 = 1e-3;
+
+/// The parameters, filling in the defaults of the case; the horizon ratio is to be set.
+pub(super) fn parameters(model: &mut Plane, is_cloud: bool, faults: &mut Faults) -> Option<PlaneParameters> {
+    let path = model_path();
+    let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
+    fine &= positive(model.thickness, "thickness", path.key("thickness"), faults);
+    let (state, words) = match model.state {
+        case::PlaneState::PlaneStress => (PlaneState::Stress, "plane stress"),
+        case::PlaneState::PlaneStrain => (PlaneState::Strain, "plane strain"),
+    };
+    if let Some(nu) = model.poisson_ratio.filter(|nu| (nu - state.poisson_ratio()).abs() > POISSON_SLACK) {
+        let own = if state == PlaneState::Stress { "1/3" } else { "1/4" };
+        faults
+            .error(
+                path.key("poisson_ratio"),
+                format!("a body of central bonds has the Poisson ratio {own} in {words}, found {}", tidy(nu)),
+            )
+            .hint("leave `poisson_ratio` out; another one needs a model with more than central bonds, such as state-based or beam bonds");
+        fine = false;
+    }
+    let published = model.calibration == Calibration::Published;
+    if model.volume_factor.is_some() && !published {
+        faults
+            .error(
+                path.key("volume_factor"),
+                "the calibration `matched` has no volume factors: its bonds are exact without them",
+            )
+            .hint(r#"remove `volume_factor`, or take "calibration": "published""#);
+        fine = false;
+    }
+    if model.volume_factor == Some(VolumeFactor::Area) && is_cloud {
+        faults
+            .error(path.key("volume_factor"), "the volume factor `area` needs the cells of a lattice")
+            .hint("use `ramp`");
+        fine = false;
+    }
+    if model.edges == Some(Edges::Overlay) && published {
+        faults
+            .error(
+                path.key("edges"),
+                "the edges `overlay` complete exact bonds, and those of the calibration `published` are not",
+            )
+            .hint("use `none`, `volume` or `energy`, or the calibration `matched`");
+        fine = false;
+    }
+    if published {
+        model.volume_factor.get_or_insert_default();
+    }
+    let edges = *model.edges.get_or_insert(if published { Edges::None } else { Edges::Overlay });
+    fine.then(|| PlaneParameters {
+        material: PlaneMaterial { youngs_modulus: model.youngs_modulus, thickness: model.thickness, state },
+        horizon_ratio: 0.0,
+        influence: model.influence,
+        calibration: model.calibration,
+        volume_factor: model.volume_factor.unwrap_or_default(),
+        edges,
+    })
+}

@@ -1,0 +1,377 @@
+//! Scenes of bodies in the plane.
+
+mod body;
+mod boundary;
+mod checks;
+mod conditions;
+mod cracks;
+mod fading;
+mod files;
+mod foreign;
+mod ground;
+mod interpolate;
+mod loads;
+mod loose;
+mod lump;
+mod material;
+mod model;
+mod motions;
+mod outputs;
+mod probes;
+mod problem;
+mod supports;
+mod symmetry;
+#[cfg(test)]
+mod tests;
+mod traction;
+mod uniform_stress;
+mod warnings;
+
+pub use checks::PlaneComparison;
+pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
+pub use cracks::NamedCrack;
+pub use interpolate::Weights;
+pub use loads::PlaneLoads;
+pub use outputs::{Intensity, LinePoint, OutputLine};
+pub use probes::{PlaneProbe, Quantity};
+
+use super::states::{self, Sum};
+use super::{Expectation, horizon, keep_files, root};
+use crate::case::{Case, Model, Plane, Solver, Units};
+use crate::diagnostic::{Faults, JsonPath};
+use ground::Ground;
+use interpolate::Interpolation;
+use model::Recipe;
+use peristat_assembly::body::{Cell, Crack, Outline, PlaneBody, SquareLattice};
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError};
+use std::ops::Range;
+use std::path::Path;
+use supports::Held;
+
+/// A body in the plane, resolved. Points have the numbers of the model, images in mirrors among them, wherever nothing
+/// else is said.
+#[derive(Debug)]
+pub struct PlaneScene {
+    /// The case with its defaults filled in.
+    pub case: Case,
+    /// Units of all numbers.
+    pub units: Units,
+    /// The discretised body.
+    pub model: BondPlane,
+    /// Cracks.
+    pub cracks: Vec<NamedCrack>,
+    /// What holds the body, by points.
+    pub conditions: Conditions,
+    /// Supports, as they were written, with their equations and springs.
+    pub supports: Vec<PlaneSupport>,
+    /// The same as equations: those of supports, then those of rigid regions.
+    pub equations: Vec<Equation>,
+    /// Loads of every load case at a factor of one.
+    pub load_cases: Vec<PlaneLoads>,
+    /// What is solved, in this order.
+    pub states: Vec<PlaneState>,
+    /// How to solve.
+    pub solver: Solver,
+    /// Values to report: probes, then stress intensities.
+    pub probes: Vec<PlaneProbe>,
+    /// Lines along which all fields are written.
+    pub lines: Vec<OutputLine>,
+    /// Stress intensities that are asked for.
+    pub intensities: Vec<Intensity>,
+    /// What the results must be.
+    pub expectations: Vec<Expectation<PlaneComparison>>,
+    /// Faults that do not keep the case from running.
+    pub warnings: Faults,
+    recipe: Recipe,
+    outline: Option<Outline>,
+}
+
+/// One right-hand side: a load step, a load case or a combination.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlaneState {
+    /// Name in results.
+    pub name: String,
+    /// Factor on the loads as written; 1 for load cases and combinations.
+    pub load_factor: f64,
+    /// Factor on prescribed motions.
+    pub motion_factor: f64,
+    /// Load cases by number, and their factors.
+    pub terms: Vec<(usize, f64)>,
+}
+
+/// A support, or what is prescribed of a rigid region.
+#[derive(Clone, Debug)]
+pub struct PlaneSupport {
+    /// What the user calls the place.
+    pub name: String,
+    /// Where it stands in the case.
+    pub path: JsonPath,
+    /// Its equations among those of the scene with the direction that each holds, or none for a rotation.
+    pub equations: Vec<(Range<usize>, Option<[f64; 2]>)>,
+    /// Its springs among those of the conditions.
+    pub springs: Range<usize>,
+}
+
+/// Path of the model in a case.
+fn model_path() -> JsonPath {
+    root("model").key("bond_plane")
+}
+
+/// What a case says of its body, before it has points in a model.
+struct Parts {
+    recipe: Recipe,
+    outline: Option<Outline>,
+    curves: Vec<crate::input::gmsh::Curve>,
+    cracks: Vec<NamedCrack>,
+}
+
+impl PlaneScene {
+    /// Resolves a case of a body in the plane. `folder` is where files that the case names are looked for, `faults` are
+    /// those found so far; `max_memory` is in bytes.
+    ///
+    /// # Errors
+    /// All faults of the case.
+    pub(super) fn new(
+        mut case: Case,
+        mut model: Plane,
+        folder: &Path,
+        max_memory: Option<u64>,
+        mut faults: Faults,
+    ) -> Result<Self, Faults> {
+        let resolved = Self::resolve(&case, &mut model, folder, max_memory, &mut faults);
+        let Some(mut scene) = resolved.filter(|_| !faults.has_errors()) else { return Err(faults) };
+        if scene.outline.is_none() || scene.can_have_loose_points() {
+            loose::check(&scene, &mut faults);
+        }
+        warnings::collect(&scene, &mut faults);
+        if faults.has_errors() {
+            return Err(faults);
+        }
+        case.model = Model::BondPlane(model);
+        keep_files(&mut case, folder);
+        (scene.case, scene.warnings) = (case, faults);
+        Ok(scene)
+    }
+
+    /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model.
+    fn resolve(
+        case: &Case,
+        model: &mut Plane,
+        folder: &Path,
+        max_memory: Option<u64>,
+        faults: &mut Faults,
+    ) -> Option<Self> {
+        foreign::check(case, faults);
+        let Parts { recipe, outline, curves, cracks } = parts(case, model, folder, max_memory, faults)?;
+        let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
+        let held = supports::held(&ground, &recipe.symmetry, faults);
+        let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
+        let context = loads::Context {
+            ground: &ground,
+            symmetry: &recipe.symmetry,
+            curves: &curves,
+            parameters: &recipe.parameters,
+            horizon: recipe.horizon,
+            held: &held,
+            cracks: &cracks,
+        };
+        let load_cases = loads::load_cases(&context, faults);
+        let moves = held.iter().flat_map(|h| &h.motions).any(|m| m.1 != 0.0)
+            || rigid.iter().flat_map(|r| r.prescribed).flatten().any(|v| v != 0.0);
+        loads::check_loaded(&ground, &load_cases, moves, faults);
+        let states = states(case, faults);
+        let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
+        let built = recipe.make(&paths).map_err(|error| model::refuse(&error, faults)).ok();
+        cracks::check(&cracks, &recipe.body, outline.as_ref(), &|crack| recipe.is_cut_by(crack), faults);
+        let built = built?;
+        let (conditions, supports) = conditions(&held, rigid, &recipe, &built);
+        let interpolation = Interpolation { body: &recipe.body, cracks: &cracks };
+        let context = probes::Context {
+            ground: &ground,
+            recipe: &recipe,
+            model: &built,
+            interpolation: &interpolation,
+            held: &held,
+            conditions: &conditions,
+        };
+        let mut probes = probes::probes(&context, faults);
+        let mut lines = outputs::lines(&ground, &interpolation, faults);
+        let number = |p: u32| recipe.number(&built, p);
+        for weights in lines.iter_mut().flat_map(|l| &mut l.points).filter_map(|p| p.weights.as_mut()) {
+            weights.iter_mut().for_each(|w| w.0 = number(w.0));
+        }
+        let contains = |tip: [f64; 2]| {
+            let at = JsonPath::default();
+            let is_near = || ground.point_at(tip, &at, "", &mut Faults::default()).is_some();
+            outline.as_ref().map_or_else(is_near, |o| o.contains(tip))
+        };
+        let intensities = outputs::intensities(case, &cracks, &contains, faults);
+        probes.extend(intensities.iter().enumerate().map(|(k, intensity)| PlaneProbe {
+            name: intensity.name.clone(),
+            quantity: Quantity::StressIntensity(k),
+            place: format!("crack `{}`", cracks[intensity.crack].name),
+        }));
+        let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
+        let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
+        let expectations = checks::expectations(case, &recipe.body, &state_names, &names, folder, faults);
+        Some(Self {
+            case: case.clone(),
+            units: case.units,
+            equations: conditions.equations(&|p| built.place(p)),
+            load_cases: load_cases.into_iter().map(|l| l.numbered(&number)).collect(),
+            conditions,
+            supports,
+            states,
+            solver: case.solver,
+            cracks,
+            probes,
+            lines,
+            intensities,
+            expectations,
+            warnings: Faults::default(),
+            model: built,
+            recipe,
+            outline,
+        })
+    }
+
+    /// Whether bonds can miss at points other than those of a plain edge.
+    fn can_have_loose_points(&self) -> bool {
+        let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty();
+        !self.cracks.is_empty() || !self.outline.as_ref().is_some_and(plain)
+    }
+
+    /// The points without images, in the order of the body.
+    pub fn real_points(&self) -> impl Iterator<Item = usize> + '_ {
+        let ghosts = self.model.ghosts();
+        (0..self.model.points()).filter(move |&p| ghosts.binary_search(&(p as u32)).is_err())
+    }
+
+    /// The points without images, with numbers of their own.
+    pub fn body(&self) -> &PlaneBody {
+        &self.recipe.body
+    }
+
+    /// The outline; listed points have none.
+    pub fn outline(&self) -> Option<&Outline> {
+        self.outline.as_ref()
+    }
+
+    /// Number in the model of a point of the body.
+    pub fn number(&self, point: usize) -> usize {
+        self.recipe.number(&self.model, point as u32) as usize
+    }
+
+    /// Horizon, m.
+    pub fn horizon(&self) -> f64 {
+        self.recipe.horizon
+    }
+
+    /// Side of a cell, or root of the mean area of listed points, m.
+    pub fn spacing(&self) -> f64 {
+        self.recipe.body.spacing()
+    }
+
+    /// Cut bonds of a lattice, for [`BondPlane::coarser`].
+    pub fn cuts(&self, lattice: &SquareLattice, offsets: &[Cell]) -> Vec<(usize, usize)> {
+        self.recipe.cuts(&self.cracks, lattice, offsets)
+    }
+
+    /// The model with the tips of the crack of a stress intensity moved along it by some length, m, outwards if positive;
+    /// `None` where that leaves no crack. Points, conditions and loads stay.
+    ///
+    /// # Errors
+    /// [`BondPlaneError`].
+    pub fn with_moved_tips(
+        &self,
+        intensity: &Intensity,
+        by: f64,
+    ) -> Result<Option<BondPlane>, BondPlaneError> {
+        let mut cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
+        match outputs::moved(&cracks[intensity.crack], intensity.tips, by) {
+            Some(crack) => cracks[intensity.crack] = crack,
+            None => return Ok(None),
+        }
+        self.recipe.make(&cracks).map(Some)
+    }
+}
+
+/// The body of the case, its material and its cracks.
+fn parts(
+    case: &Case,
+    model: &mut Plane,
+    folder: &Path,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Parts> {
+    let listed = matches!(case.body, crate::case::Body::Points(_) | crate::case::Body::Mesh(_));
+    let parameters = material::parameters(model, listed, faults);
+    let cracks = cracks::cracks(case, faults);
+    let built = body::build(case, model.thickness, folder, max_memory, faults);
+    let spacing = built.as_ref().map(|b| b.body.spacing());
+    let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), faults);
+    let body::Built { body, outline, curves } = built?;
+    let lattice = match &body {
+        PlaneBody::Lattice(lattice) => Some(lattice),
+        PlaneBody::Cloud(_) => None,
+    };
+    let symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
+    let (mut parameters, ratio) = (parameters?, ratio?);
+    parameters.horizon_ratio = ratio;
+    let horizon = ratio * body.spacing();
+    let recipe = Recipe { body, symmetry, parameters, horizon };
+    Some(Parts { recipe, outline, curves, cracks: cracks? })
+}
+
+/// The right-hand sides.
+fn states(case: &Case, faults: &mut Faults) -> Vec<PlaneState> {
+    let state = |Sum { name, load_factor, terms }: Sum| PlaneState {
+        name,
+        load_factor,
+        motion_factor: if case.steps.is_some() { load_factor } else { 1.0 },
+        terms,
+    };
+    states::sums(case, faults).into_iter().map(state).collect()
+}
+
+/// Conditions on points of the model, and which of their equations and springs belong to which support.
+fn conditions(
+    held: &[Held],
+    rigid: Vec<RigidPoints>,
+    recipe: &Recipe,
+    model: &BondPlane,
+) -> (Conditions, Vec<PlaneSupport>) {
+    let mut conditions = Conditions::default();
+    let (mut supports, mut next) = (Vec::new(), 0);
+    for h in held {
+        let (holds, springs) = (h.holds(recipe, model), h.spring_list(recipe, model));
+        let mut equations = Vec::new();
+        for hold in &holds {
+            equations.push((next..next + hold.points.len(), Some(hold.direction)));
+            next += hold.points.len();
+        }
+        let first = conditions.springs.len();
+        conditions.holds.extend(holds);
+        conditions.springs.extend(springs);
+        let springs = first..conditions.springs.len();
+        supports.push(PlaneSupport { name: h.name.clone(), path: h.path.clone(), equations, springs });
+    }
+    let end = conditions.springs.len();
+    for (k, region) in rigid.into_iter().enumerate() {
+        let directions = [Some([1.0, 0.0]), Some([0.0, 1.0]), None];
+        let mut equations = Vec::new();
+        for (_, direction) in region.prescribed.iter().zip(directions).filter(|p| p.0.is_some()) {
+            equations.push((next..next + 1, direction));
+            next += 1;
+        }
+        if !equations.is_empty() {
+            let path = root("rigid").index(k);
+            let name = format!("the rigid region {}", k + 1);
+            supports.push(PlaneSupport { name, path, equations, springs: end..end });
+        }
+        let points = region.points.iter().map(|&p| recipe.number(model, p)).collect();
+        conditions.rigid.push(RigidPoints { points, ..region });
+    }
+    (conditions, supports)
+}

@@ -1,0 +1,101 @@
+//! The model of a body in the plane: points of its lattice with images, or its listed points.
+
+use super::cracks::NamedCrack;
+use super::symmetry::Symmetry;
+use super::{model_path, root};
+use crate::diagnostic::Faults;
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
+use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError, PlaneParameters};
+use std::sync::Arc;
+
+/// What a model is made of, to make it again with other cracks.
+#[derive(Clone, Debug)]
+pub(super) struct Recipe {
+    /// The points of the body, without images.
+    pub(super) body: PlaneBody,
+    /// Its mirrors.
+    pub(super) symmetry: Symmetry,
+    /// Material and bonds.
+    pub(super) parameters: PlaneParameters,
+    /// Horizon, m.
+    pub(super) horizon: f64,
+}
+
+impl Recipe {
+    /// The model with some cracks.
+    ///
+    /// # Errors
+    /// [`BondPlaneError`].
+    pub(super) fn make(&self, cracks: &[Crack]) -> Result<BondPlane, BondPlaneError> {
+        let cracks = self.symmetry.with_images(cracks);
+        match &self.body {
+            PlaneBody::Lattice(lattice) => {
+                let mirrors = self.symmetry.mirrors;
+                let lattice = mirrors.extended(lattice, BondPlane::depth(&self.parameters)?);
+                let cuts = cut_bonds(&lattice, &BondPlane::offsets(&self.parameters)?, &cracks);
+                BondPlane::on_lattice(Arc::new(lattice), mirrors, self.parameters, &cuts)
+            }
+            PlaneBody::Cloud(cloud) => {
+                let slack = CRACK_SLACK * cloud.spacing();
+                let cut = |a: [f64; 2], b: [f64; 2]| cracks.iter().any(|c| c.cuts(a, b, slack));
+                let (positions, areas) = (cloud.positions().to_vec(), cloud.areas().to_vec());
+                BondPlane::on_cloud(positions, areas, self.horizon, self.parameters, &cut)
+            }
+        }
+    }
+
+    /// Cut bonds of a lattice, for the coarser ones of this model.
+    pub(super) fn cuts(
+        &self,
+        cracks: &[NamedCrack],
+        lattice: &SquareLattice,
+        offsets: &[Cell],
+    ) -> Vec<(usize, usize)> {
+        let cracks: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
+        cut_bonds(lattice, offsets, &self.symmetry.with_images(&cracks))
+    }
+
+    /// Whether a crack cuts any bond.
+    pub(super) fn is_cut_by(&self, crack: &Crack) -> bool {
+        match &self.body {
+            PlaneBody::Lattice(lattice) => {
+                let offsets = BondPlane::offsets(&self.parameters).unwrap_or_default();
+                !cut_bonds(lattice, &offsets, std::slice::from_ref(crack)).is_empty()
+            }
+            PlaneBody::Cloud(cloud) => {
+                let slack = CRACK_SLACK * cloud.spacing();
+                let neighbours = cloud.neighbours(self.horizon * (1.0 + 1e-9));
+                let at = |p: u32| cloud.positions()[p as usize];
+                neighbours.pairs().any(|[i, j]| crack.cuts(at(i), at(j), slack))
+            }
+        }
+    }
+
+    /// Numbers in the model of points of the body.
+    pub(super) fn number(&self, model: &BondPlane, point: u32) -> u32 {
+        match (&self.body, model.lattice()) {
+            (PlaneBody::Lattice(lattice), Some((extended, _))) if !self.symmetry.mirrors.is_none() => {
+                let number = extended.number(lattice.cell(point as usize));
+                number.map_or(point, |n| n as u32)
+            }
+            _ => point,
+        }
+    }
+}
+
+/// A fault for a model that cannot be made.
+pub(super) fn refuse(error: &BondPlaneError, faults: &mut Faults) {
+    let path = match error {
+        BondPlaneError::NotRepresentable { .. } | BondPlaneError::NoNeighbours { .. } => {
+            root("horizon_ratio")
+        }
+        BondPlaneError::OverlayNeedsMatched => model_path().key("edges"),
+        BondPlaneError::AreaNeedsCells => model_path().key("volume_factor"),
+        BondPlaneError::Coincident { .. } => root("body"),
+    };
+    let text = error.to_string();
+    match text.split_once("; ") {
+        Some((message, hint)) => _ = faults.error(path, message).hint(hint),
+        None => _ = faults.error(path, text),
+    }
+}

@@ -1,0 +1,210 @@
+//! Probes of a body in the plane.
+
+use super::super::words::{suggest, tidy};
+use super::conditions::Conditions;
+use super::ground::{Ground, PLACE};
+use super::interpolate::{Interpolation, Weights};
+use super::{model::Recipe, supports::Held};
+use crate::case::{FieldName, Probe};
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::model::bond_plane::BondPlane;
+
+/// A value to report.
+#[derive(Clone, Debug)]
+pub struct PlaneProbe {
+    /// Name.
+    pub name: String,
+    /// What it is.
+    pub quantity: Quantity,
+    /// What the user calls the place.
+    pub place: String,
+}
+
+/// What a probe reports.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Quantity {
+    /// A sum of the values of a field at points of the model. `von_mises` is that of the summed stresses.
+    Field {
+        /// The field.
+        field: FieldName,
+        /// Points and shares.
+        weights: Weights,
+    },
+    /// What supports do to the body.
+    Reaction {
+        /// Along x, 0, or along y, 1.
+        component: usize,
+        /// Indices of equations of the scene and how much of the force that holds each counts.
+        equations: Vec<(usize, f64)>,
+        /// Indices of springs of the scene along this component.
+        springs: Vec<usize>,
+    },
+    /// Rotation of a rigid region, by its index, rad.
+    Rotation(usize),
+    /// A stress intensity, by its index in the scene.
+    StressIntensity(usize),
+}
+
+impl PlaneProbe {
+    /// Whether it needs stresses.
+    pub fn is_recovered(&self) -> bool {
+        matches!(&self.quantity, Quantity::Field { field, .. } if field.is_recovered())
+    }
+}
+
+/// What the resolution of probes looks at.
+pub(super) struct Context<'a> {
+    pub(super) ground: &'a Ground<'a>,
+    pub(super) recipe: &'a Recipe,
+    pub(super) model: &'a BondPlane,
+    pub(super) interpolation: &'a Interpolation<'a>,
+    pub(super) held: &'a [Held],
+    pub(super) conditions: &'a Conditions,
+}
+
+/// Probes of the case.
+pub(super) fn probes(context: &Context, faults: &mut Faults) -> Vec<PlaneProbe> {
+    let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| {
+        let (quantity, place) = resolve(probe, context, path, faults)?;
+        Some(PlaneProbe { name: probe.name.clone(), quantity, place })
+    };
+    super::super::probes::probes(context.ground.case, resolve, faults)
+}
+
+fn resolve(
+    probe: &Probe,
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(Quantity, String)> {
+    let (at, field) = (path.key("at"), probe.field);
+    let own = FieldName::PLANE.contains(&field);
+    if !own && !matches!(field, FieldName::ReactionX | FieldName::ReactionY | FieldName::Phi) {
+        let names = FieldName::PLANE.iter().map(|f| f.name()).chain(["reaction_x", "reaction_y", "phi"]);
+        let hint = format!("in the plane there are {}", names.collect::<Vec<_>>().join(", "));
+        faults.error(path.key("field"), format!("`{}` is for beams", field.name())).hint(hint);
+        return None;
+    }
+    if field == FieldName::Phi {
+        return rotation(probe, context, path, faults);
+    }
+    let ground = context.ground;
+    if !own {
+        let spot = ground.spot(&probe.at, &at, "the probe", faults)?;
+        let quantity = reaction(field, &spot.points, &spot.words, context, &at, faults)?;
+        return Some((quantity, spot.words));
+    }
+    let number = |weights: Weights| -> Weights {
+        weights.into_iter().map(|(p, w)| (context.recipe.number(context.model, p), w)).collect()
+    };
+    let field = |weights| Quantity::Field { field, weights: number(weights) };
+    if let Some(name) = ground.region_name(&probe.at, &at, faults)? {
+        let points = ground.region(name, &at.key("region"), faults)?;
+        let whole: f64 = points.iter().map(|&p| ground.body.area(p as usize)).sum();
+        let mean = points.iter().map(|&p| (p, ground.body.area(p as usize) / whole)).collect();
+        return Some((field(mean), format!("the region `{name}`")));
+    }
+    let position = ground.position(&probe.at, &at, faults)?;
+    let words = format!("({}, {})", tidy(position[0]), tidy(position[1]));
+    let nearest = ground.point_at(position, &at, "the probe", faults)?;
+    let weights = match probe.at.inward {
+        None => context.interpolation.at(position, nearest),
+        Some(inward) => from_inside(position, inward, context, &at.key("inward"), faults)?,
+    };
+    Some((field(weights), words))
+}
+
+fn from_inside(
+    position: [f64; 2],
+    inward: [i8; 2],
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Weights> {
+    if i32::from(inward[0]).abs() + i32::from(inward[1]).abs() != 1 {
+        faults
+            .error(path.clone(), format!("`inward` must be along x or y, found {inward:?}"))
+            .hint("it is the direction into the body: [1, 0], [-1, 0], [0, 1] or [0, -1]");
+        return None;
+    }
+    let found = context.interpolation.inward(position, inward);
+    if found.is_none() {
+        let hint = match context.ground.body {
+            peristat_assembly::body::PlaneBody::Lattice(_) => {
+                "it needs three points in a row that begin at the place; is this the direction into the body?"
+            }
+            peristat_assembly::body::PlaneBody::Cloud(_) => "listed points have no rows: leave `inward` out",
+        };
+        faults.error(path.clone(), "there are no three points in a row in this direction").hint(hint);
+    }
+    found
+}
+
+fn rotation(
+    probe: &Probe,
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(Quantity, String)> {
+    let rigid = &context.ground.case.rigid;
+    let at = path.key("at");
+    let name = context.ground.region_name(&probe.at, &at, faults)?;
+    let found = name.and_then(|name| rigid.iter().position(|r| r.region == name));
+    let Some(k) = found else {
+        let hint = match (name, rigid.is_empty()) {
+            (_, true) => "there are none: `rigid` is empty".into(),
+            (Some(name), _) => suggest(name, rigid.iter().map(|r| r.region.as_str())),
+            (None, _) => format!("write {{ \"region\": \"{}\" }}", rigid[0].region),
+        };
+        faults.error(at, "`phi` is the rotation of a rigid region, and this is none").hint(hint);
+        return None;
+    };
+    Some((Quantity::Rotation(k), format!("the region `{}`", rigid[k].region)))
+}
+
+/// Everything that holds one of the points along the component of the field.
+fn reaction(
+    field: FieldName,
+    points: &[u32],
+    words: &str,
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Quantity> {
+    let component = usize::from(field == FieldName::ReactionY);
+    let mut numbers: Vec<u32> = points.iter().map(|&p| context.recipe.number(context.model, p)).collect();
+    numbers.sort_unstable();
+    let here = |p: u32| numbers.binary_search(&p).is_ok();
+    let (mut equations, mut next) = (Vec::new(), 0);
+    for hold in &context.conditions.holds {
+        let share = hold.direction[component];
+        let own = hold.points.iter().enumerate().filter(|(_, p)| share != 0.0 && here(**p));
+        equations.extend(own.map(|(k, _)| (next + k, share)));
+        next += hold.points.len();
+    }
+    for rigid in &context.conditions.rigid {
+        let whole = rigid.points.iter().all(|&p| here(p));
+        for (k, _) in rigid.prescribed.iter().enumerate().filter(|p| p.1.is_some()) {
+            if whole && k == component {
+                equations.push((next, 1.0));
+            }
+            next += 1;
+        }
+    }
+    let along = |s: &peristat_assembly::stiffness::Spring| s.shares[0].0 == component && here(s.point as u32);
+    let springs: Vec<usize> =
+        (0..context.conditions.springs.len()).filter(|&k| along(&context.conditions.springs[k])).collect();
+    if equations.is_empty() && springs.is_empty() {
+        let places: Vec<&str> = context.held.iter().map(|h| h.name.as_str()).collect();
+        let hint = match places.is_empty() {
+            true => PLACE.to_string(),
+            false => format!("supports are at {}", places.join(", ")),
+        };
+        let axis = ["x", "y"][component];
+        faults
+            .error(path.clone(), format!("nothing holds {words} along {axis}, so there is no reaction"))
+            .hint(hint);
+        return None;
+    }
+    Some(Quantity::Reaction { component, equations, springs })
+}

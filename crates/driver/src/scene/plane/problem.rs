@@ -1,0 +1,49 @@
+//! A body in the plane as a problem to be solved.
+
+use super::{PlaneScene, motions};
+use crate::case::Solver;
+use crate::run::Problem;
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::bond_plane::BondPlane;
+use peristat_assembly::stiffness::Spring;
+use peristat_assembly::system::FreeMotion;
+
+impl Problem<2> for PlaneScene {
+    type Model = BondPlane;
+
+    fn model(&self) -> &BondPlane {
+        &self.model
+    }
+
+    fn springs(&self) -> &[Spring] {
+        &self.conditions.springs
+    }
+
+    fn equations(&self) -> &[Equation] {
+        &self.equations
+    }
+
+    fn solver(&self) -> Solver {
+        self.solver
+    }
+
+    fn states(&self) -> usize {
+        self.states.len()
+    }
+
+    fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
+        let state = &self.states[state];
+        for &(case, factor) in &state.terms {
+            self.load_cases[case].add_to(&self.model, factor, force);
+        }
+        state.motion_factor
+    }
+
+    fn describe(&self, motion: &FreeMotion) -> String {
+        motions::describe(self, motion)
+    }
+
+    fn remedy(&self) -> &'static str {
+        "a body in the plane needs `ux` and `uy` held on one place and one of them on another, in every part that cracks leave"
+    }
+}

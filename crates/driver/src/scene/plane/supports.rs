@@ -1,0 +1,190 @@
+//! Supports of a body in the plane.
+
+use super::super::numbers::positive;
+use super::conditions::{HeldPoints, RigidPoints};
+use super::ground::{Ground, Spot};
+use super::symmetry::Symmetry;
+use super::{model::Recipe, root};
+use crate::case::{Rigid, Support};
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::model::bond_plane::BondPlane;
+use peristat_assembly::stiffness::Spring;
+
+/// A support, resolved, with what it holds by numbers of the body.
+#[derive(Clone, Debug)]
+pub(super) struct Held {
+    /// What the user calls the place.
+    pub(super) name: String,
+    /// Where it stands in the case.
+    pub(super) path: JsonPath,
+    /// Its points.
+    pub(super) points: Vec<u32>,
+    /// Directions, prescribed displacements and their keys.
+    pub(super) motions: Vec<([f64; 2], f64, &'static str)>,
+    /// Components and total stiffnesses of springs.
+    pub(super) springs: Vec<(usize, f64)>,
+}
+
+/// A support that gives no motion of a line or frame.
+const EXAMPLE: &str =
+    r#"a clamped edge is { "at": { "region": "left" }, "ux": 0.0, "uy": 0.0 }, a roller gives one of them"#;
+
+/// Supports of the case.
+pub(super) fn held(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) -> Vec<Held> {
+    let case = ground.case;
+    if case.supports.is_empty() && case.rigid.is_empty() && case.symmetry.is_empty() {
+        faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(EXAMPLE);
+    }
+    let each = case.supports.iter().enumerate();
+    each.filter_map(|(k, support)| {
+        let path = root("supports").index(k);
+        check_keys(support, &path, faults);
+        let at = path.key("at");
+        if support.at.inward.is_some() {
+            faults.error(at.key("inward"), "`inward` is for probes").hint(super::ground::PLACE);
+        }
+        not_mirrored(support.at.region.as_deref(), &at.key("region"), symmetry, faults);
+        let spot = ground.spot(&support.at, &at, "the support", faults)?;
+        Some(resolve(support, spot, path))
+    })
+    .collect()
+}
+
+/// A fault for an edge that a mirror replaces.
+pub(super) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Symmetry, faults: &mut Faults) {
+    if let Some(name) = region.filter(|name| symmetry.replaces(name)) {
+        faults
+            .error(path.clone(), format!("the edge `{name}` is a mirror by `symmetry`, no edge of the body"))
+            .hint("the mirror holds the displacement across it already, and nothing acts on it: remove one of both");
+    }
+}
+
+/// Keys that do not fit a body in the plane, or each other.
+fn check_keys(support: &Support, path: &JsonPath, faults: &mut Faults) {
+    let foreign = [
+        ("w", support.w.is_some(), "a body in the plane is held by `ux` and `uy`"),
+        (
+            "phi",
+            support.phi.is_some(),
+            "points do not turn: list the region under `rigid` and give its `phi`",
+        ),
+        ("w_spring", support.w_spring.is_some(), "use `ux_spring` and `uy_spring`"),
+        ("phi_spring", support.phi_spring.is_some(), "points do not turn: use `ux_spring` and `uy_spring`"),
+    ];
+    for (key, _, hint) in foreign.iter().filter(|f| f.1) {
+        faults.error(path.key(*key), format!("`{key}` is for the supports of beams")).hint(*hint);
+    }
+    let pairs = [
+        ("ux", support.ux, "ux_spring", support.ux_spring),
+        ("uy", support.uy, "uy_spring", support.uy_spring),
+    ];
+    let holds = pairs.iter().any(|p| p.1.is_some() || p.3.is_some()) || support.inclined.is_some();
+    if !holds && !foreign.iter().any(|f| f.1) {
+        faults
+            .error(path.clone(), "this support holds nothing")
+            .hint("give `ux`, `uy` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support");
+    }
+    if let Some(inclined) = support.inclined.filter(|i| i.degrees.abs() > 360.0) {
+        faults
+            .error(
+                path.key("inclined").key("degrees"),
+                format!("`degrees` must be between -360 and 360, found {}", inclined.degrees),
+            )
+            .hint("it is the direction that is held, counter-clockwise from x");
+    }
+    for (key, value, spring, stiffness) in pairs {
+        let Some(stiffness) = stiffness else { continue };
+        positive(stiffness, spring, path.key(spring), faults);
+        if value.is_some() {
+            faults
+                .error(path.key(spring), format!("`{key}` is prescribed, so `{spring}` would do nothing"))
+                .hint("remove one of them");
+        }
+    }
+}
+
+fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
+    let inclined = support.inclined.map(|inclined| {
+        let angle = inclined.degrees.to_radians();
+        // What rounding leaves of a right angle is no share.
+        let clean = |share: f64| if share.abs() < 1e-15 { 0.0 } else { share };
+        ([clean(angle.cos()), clean(angle.sin())], inclined.displacement, "inclined")
+    });
+    let ux = support.ux.map(|value| ([1.0, 0.0], value, "ux"));
+    let uy = support.uy.map(|value| ([0.0, 1.0], value, "uy"));
+    let springs = [(0, support.ux_spring), (1, support.uy_spring)];
+    Held {
+        name: spot.words,
+        path,
+        points: spot.points,
+        motions: [ux, uy, inclined].into_iter().flatten().collect(),
+        springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
+    }
+}
+
+impl Held {
+    /// What it prescribes, by numbers of the model.
+    pub(super) fn holds(&self, recipe: &Recipe, model: &BondPlane) -> Vec<HeldPoints> {
+        let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
+        let hold = |&(direction, value, key): &([f64; 2], f64, &'static str)| HeldPoints {
+            points: points.clone(),
+            direction,
+            value,
+            origin: self.path.key(key).to_string(),
+        };
+        self.motions.iter().map(hold).collect()
+    }
+
+    /// Its springs, shared by volume.
+    pub(super) fn spring_list(&self, recipe: &Recipe, model: &BondPlane) -> Vec<Spring> {
+        let points: Vec<usize> = self.points.iter().map(|&p| recipe.number(model, p) as usize).collect();
+        let volume: f64 = points.iter().map(|&p| model.volume(p)).sum();
+        let on = |component: usize, stiffness: f64| {
+            let share = move |&p: &usize| Spring::on(component, p, stiffness * model.volume(p) / volume);
+            points.iter().map(share).collect::<Vec<_>>()
+        };
+        self.springs.iter().flat_map(|&(component, stiffness)| on(component, stiffness)).collect()
+    }
+}
+
+/// Rigid regions of the case, by numbers of the body.
+pub(super) fn rigid(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) -> Vec<RigidPoints> {
+    let mut rigid: Vec<RigidPoints> = Vec::new();
+    for (k, given) in ground.case.rigid.iter().enumerate() {
+        let path = root("rigid").index(k);
+        let place = path.key("region");
+        not_mirrored(Some(&given.region), &place, symmetry, faults);
+        let Some(points) = ground.region(&given.region, &place, faults) else { continue };
+        if points.len() < 2 {
+            faults
+                .error(
+                    place.clone(),
+                    format!("the region `{}` is one point, which is rigid by itself", given.region),
+                )
+                .hint("hold a point by `supports`, or make the region larger than the spacing");
+            continue;
+        }
+        let shared = |r: &&RigidPoints| points.iter().any(|p| r.points.binary_search(p).is_ok());
+        if let Some(other) = rigid.iter().find(shared) {
+            faults
+                .error(
+                    place,
+                    format!("the region `{}` shares points with that of `{}`", given.region, other.origin),
+                )
+                .hint("two rigid bodies that share points are one: take the union of both regions");
+        }
+        rigid.push(resolve_rigid(given, points, ground, &path));
+    }
+    rigid
+}
+
+fn resolve_rigid(given: &Rigid, points: Vec<u32>, ground: &Ground, path: &JsonPath) -> RigidPoints {
+    let centre = given.centre.unwrap_or_else(|| {
+        let area = |p: &u32| ground.body.area(*p as usize);
+        let whole: f64 = points.iter().map(area).sum();
+        let moment =
+            |k: usize| points.iter().map(|p| area(p) * ground.body.position(*p as usize)[k]).sum::<f64>();
+        [moment(0) / whole, moment(1) / whole]
+    });
+    RigidPoints { points, centre, prescribed: [given.ux, given.uy, given.phi], origin: path.to_string() }
+}

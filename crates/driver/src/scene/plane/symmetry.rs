@@ -1,0 +1,108 @@
+//! Edges of a body in the plane that are mirrors.
+
+use super::super::words::suggest;
+use super::root;
+use crate::diagnostic::Faults;
+use peristat_assembly::body::{Crack, Edge, Outline, SquareLattice};
+use peristat_assembly::model::bond_plane::Mirrors;
+
+/// The sides that can be mirrors, with the direction in which they look.
+const SIDES: [(&str, [f64; 2]); 4] =
+    [("left", [-1.0, 0.0]), ("right", [1.0, 0.0]), ("bottom", [0.0, -1.0]), ("top", [0.0, 1.0])];
+
+/// Mirrors of a body: their lines, their positions and the edges they replace.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Symmetry {
+    /// Lines on the lattice.
+    pub(super) mirrors: Mirrors,
+    /// Positions of the lines: left, right, bottom, top.
+    pub(super) at: [Option<f64>; 4],
+    /// Names of the edges on them.
+    pub(super) edges: Vec<String>,
+}
+
+/// Mirrors of the case.
+pub(super) fn symmetry(
+    names: &[String],
+    outline: Option<&Outline>,
+    lattice: Option<&SquareLattice>,
+    faults: &mut Faults,
+) -> Symmetry {
+    let mut symmetry = Symmetry::default();
+    for (k, name) in names.iter().enumerate() {
+        let path = root("symmetry").index(k);
+        let Some(side) = SIDES.iter().position(|s| s.0 == name) else {
+            faults
+                .error(path, format!("there is no side `{name}` to be a mirror"))
+                .hint(suggest(name, SIDES.iter().map(|s| s.0)));
+            continue;
+        };
+        let (Some(outline), Some(lattice)) = (outline, lattice) else {
+            faults
+                .error(path, "mirrors need a body that fills a lattice: `rectangle` or `outline`")
+                .hint("hold the displacement across the line of symmetry by a support instead");
+            continue;
+        };
+        let Some((edge, at)) = edge_on(outline, side) else {
+            faults
+                .error(path, format!("the body has no straight edge all along its {name} side"))
+                .hint("a mirror is a whole side of the box around the body");
+            continue;
+        };
+        if symmetry.at[side].replace(at).is_some() {
+            faults.error(path, format!("`{name}` stands twice"));
+            continue;
+        }
+        symmetry.edges.push(edge);
+        let range = if side < 2 { lattice.columns() } else { lattice.rows() };
+        let line = if side % 2 == 0 { range.start } else { range.end };
+        let lines = if side < 2 { &mut symmetry.mirrors.columns } else { &mut symmetry.mirrors.rows };
+        lines[side % 2] = Some(line);
+        let whole = lattice.corner()[side / 2] + f64::from(line) * lattice.spacing();
+        if (whole - at).abs() > 1e-6 * lattice.spacing() {
+            faults
+                .error(root("symmetry").index(k), format!("the {name} side is not on a border of cells"))
+                .hint("make the size of the body a whole multiple of the spacing");
+        }
+    }
+    symmetry
+}
+
+/// The edge that is a whole side of the box around a body, and the position of the side.
+fn edge_on(outline: &Outline, side: usize) -> Option<(String, f64)> {
+    let [low, high] = outline.bounds();
+    let axis = side / 2;
+    let at = if side % 2 == 0 { low[axis] } else { high[axis] };
+    let along = 1 - axis;
+    let whole = |e: &&Edge| {
+        let ends = [e.from[along].min(e.to[along]), e.from[along].max(e.to[along])];
+        e.from[axis] == at && e.to[axis] == at && ends == [low[along], high[along]]
+    };
+    outline.edges().iter().find(whole).map(|e| (e.name.clone(), at))
+}
+
+impl Symmetry {
+    /// Cracks with their images, by one reflection along each axis.
+    pub(super) fn with_images(&self, cracks: &[Crack]) -> Vec<Crack> {
+        let [left, right, below, above] = self.at;
+        let along = |low: Option<f64>, high: Option<f64>| {
+            [None].into_iter().chain([low, high].into_iter().flatten().map(Some)).collect::<Vec<_>>()
+        };
+        let mut all = Vec::new();
+        for crack in cracks {
+            for x in along(left, right) {
+                for y in along(below, above) {
+                    let reflect = |at: Option<f64>, v: f64| at.map_or(v, |at| 2.0 * at - v);
+                    let image = crack.vertices().iter().map(|v| [reflect(x, v[0]), reflect(y, v[1])]);
+                    all.extend(Crack::new(image.collect()).ok());
+                }
+            }
+        }
+        all
+    }
+
+    /// Whether an edge lies on a mirror.
+    pub(super) fn replaces(&self, edge: &str) -> bool {
+        self.edges.iter().any(|e| e == edge)
+    }
+}

@@ -1,0 +1,1 @@
+//! Scenes of bodies in the plane as cases make them.

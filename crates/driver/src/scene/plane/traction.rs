@@ -1,0 +1,240 @@
+//! Tractions on borders of a body in the plane.
+//!
+//! `consistent`: with a smooth stress S that has the traction `t = S n` on its edge, `∫ t·v = ∫ S : ε(v) + ∫ div S·v` for
+//! every displacement v, with the strains that bonds measure (axisymmetric.md §2.1 without hoop). Where the tractions of
+//! all edges are those of one stress, S is that stress everywhere and its linear displacement is the solution to
+//! rounding; else S fades from the edge inwards. What S does on other borders is taken back there.
+//! `lumped`: the force of every stretch of the border goes to the nearest point. Force and moment are exact either way.
+
+use super::super::numbers::positive;
+use super::boundary::{self, Border, Stretch};
+use super::loads::{Context, PlaneLoads};
+use super::lump;
+use super::uniform_stress;
+use crate::case::{LoadSharing, Traction};
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::body::Edge;
+use peristat_assembly::model::bond_plane::Calibration;
+
+/// A stress that acts by the rows of the bonds.
+#[derive(Clone, Debug)]
+pub(super) struct StressField {
+    /// Points where it can be other than zero; none for all.
+    pub(super) points: Option<Vec<usize>>,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
+    Uniform([f64; 3]),
+    Faded(super::fading::Fading),
+}
+
+impl StressField {
+    pub(super) fn uniform(stress: [f64; 3]) -> Self {
+        Self { points: None, kind: Kind::Uniform(stress) }
+    }
+
+    pub(super) fn faded(points: Vec<usize>, fading: super::fading::Fading) -> Self {
+        Self { points: Some(points), kind: Kind::Faded(fading) }
+    }
+
+    /// `[S_xx, S_yy, S_xy]` at a position, Pa.
+    pub(super) fn at(&self, position: [f64; 2]) -> [f64; 3] {
+        match &self.kind {
+            Kind::Uniform(stress) => *stress,
+            Kind::Faded(fading) => fading.stress(position),
+        }
+    }
+}
+
+/// How a traction varies along its border.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Profile {
+    /// Straight between two values, at the start and at the end.
+    Linear([[f64; 2]; 2]),
+    /// This value in the middle.
+    Parabolic([f64; 2]),
+    /// Against the normal.
+    Pressure(f64),
+}
+
+impl Profile {
+    /// Traction at a place of 0 to 1 where the border has this normal, Pa.
+    pub(super) fn at(&self, place: f64, normal: [f64; 2]) -> [f64; 2] {
+        match *self {
+            Self::Linear([from, to]) => [0, 1].map(|k| from[k] + place * (to[k] - from[k])),
+            Self::Parabolic(middle) => middle.map(|t| 4.0 * place * (1.0 - place) * t),
+            Self::Pressure(pressure) => normal.map(|n| -pressure * n),
+        }
+    }
+
+    /// Its derivative by the place.
+    pub(super) fn slope(&self, place: f64) -> [f64; 2] {
+        match *self {
+            Self::Linear([from, to]) => [to[0] - from[0], to[1] - from[1]],
+            Self::Parabolic(middle) => middle.map(|t| 4.0 * (1.0 - 2.0 * place) * t),
+            Self::Pressure(_) => [0.0; 2],
+        }
+    }
+
+    /// The value that it has everywhere on a border of this normal, if it is one.
+    pub(super) fn constant(&self, normal: [f64; 2]) -> Option<[f64; 2]> {
+        match *self {
+            Self::Linear([from, to]) if from == to => Some(from),
+            Self::Pressure(_) => Some(self.at(0.0, normal)),
+            _ => None,
+        }
+    }
+}
+
+/// A traction on its border.
+#[derive(Clone, Debug)]
+pub(super) struct OnBorder {
+    pub(super) name: String,
+    pub(super) border: Border,
+    pub(super) profile: Profile,
+    pub(super) sharing: Option<LoadSharing>,
+}
+
+impl OnBorder {
+    /// Stretches of the border.
+    pub(super) fn stretches(&self, spacing: f64) -> Vec<Stretch> {
+        match &self.border {
+            Border::Edge(edge) => of_edge(edge, spacing),
+            Border::Curved { stretches, .. } => stretches.clone(),
+        }
+    }
+}
+
+/// Stretches of a straight edge: cells of the lattice where it runs along that.
+pub(super) fn of_edge(edge: &Edge, spacing: f64) -> Vec<Stretch> {
+    let most = if is_aligned(edge) { spacing } else { spacing / 8.0 };
+    boundary::along(edge.from, edge.to, edge.normal, most)
+}
+
+/// Whether an edge runs along the lattice.
+pub(super) fn is_aligned(edge: &Edge) -> bool {
+    edge.from[0] == edge.to[0] || edge.from[1] == edge.to[1]
+}
+
+/// The border and the profile of a traction.
+pub(super) fn resolve(
+    load: &Traction,
+    context: &Context,
+    path: JsonPath,
+    faults: &mut Faults,
+) -> Option<OnBorder> {
+    let place = path.key("edge");
+    super::supports::not_mirrored(Some(&load.edge), &place, context.symmetry, faults);
+    let border = boundary::find(&load.edge, context.ground, context.curves, &place, faults);
+    let given = [
+        ("uniform", load.uniform.is_some()),
+        ("linear", load.linear.is_some()),
+        ("parabolic", load.parabolic.is_some()),
+        ("pressure", load.pressure.is_some()),
+        ("total", load.total.is_some()),
+    ];
+    let keys: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
+    match keys[..] {
+        [_] => {}
+        [] => {
+            faults
+                .error(path, "the value of this traction is missing")
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure` and `total`");
+            return None;
+        }
+        [first, second, ..] => {
+            faults
+                .error(path.key(second), format!("`{first}` and `{second}` are both given"))
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure` and `total`");
+            return None;
+        }
+    }
+    let border = border?;
+    let on =
+        OnBorder { name: load.edge.clone(), border, profile: Profile::Pressure(0.0), sharing: load.sharing };
+    let stretches = on.stretches(context.ground.body.spacing());
+    let thickness = context.parameters.material.thickness;
+    let area = thickness * stretches.iter().map(|s| s.length).sum::<f64>();
+    if !positive(area, "area of the border", place.clone(), faults) {
+        return None;
+    }
+    let profile = match load {
+        Traction { uniform: Some(t), .. } => Profile::Linear([*t; 2]),
+        Traction { linear: Some(ends), .. } => Profile::Linear(*ends),
+        Traction { parabolic: Some(t), .. } => Profile::Parabolic(*t),
+        Traction { total: Some(force), .. } => Profile::Linear([force.map(|f| f / area); 2]),
+        _ => Profile::Pressure(load.pressure.unwrap_or(0.0)),
+    };
+    if [0.0, 0.5, 1.0].iter().all(|&q| profile.at(q, [1.0, 0.0]) == [0.0; 2]) {
+        faults.error(path.clone(), "this traction is zero");
+    }
+    if let (Border::Curved { hole: Some(_), .. }, Profile::Linear([a, b])) = (&on.border, &profile)
+        && a != b
+    {
+        faults
+            .error(path.key("linear"), "a hole has neither start nor end")
+            .hint("use `uniform`, `pressure` or `total` on holes");
+    }
+    check_sharing(load, &on, context, &path, faults);
+    Some(OnBorder { profile, ..on })
+}
+
+/// A fault where consistent sharing is asked for and cannot be.
+fn check_sharing(load: &Traction, on: &OnBorder, context: &Context, path: &JsonPath, faults: &mut Faults) {
+    if load.sharing != Some(LoadSharing::Consistent) {
+        return;
+    }
+    let Border::Edge(edge) = &on.border else {
+        faults
+            .error(path.key("sharing"), "`consistent` tractions need a straight edge of an outline")
+            .hint("leave `sharing` out: on holes and meshes tractions are `lumped`");
+        return;
+    };
+    if !is_aligned(edge) {
+        faults.error(path.key("sharing"), "`consistent` tractions need an edge along the lattice").hint(
+            "leave `sharing` out: on slanted edges tractions are `lumped` unless one stress has all of them",
+        );
+    }
+    if context.parameters.calibration == Calibration::Published {
+        faults
+            .warning(
+                path.key("sharing"),
+                "`consistent` tractions hide the wrong moduli of the calibration `published`",
+            )
+            .hint(
+                "the rows of its bonds are wrong in stiffness and load alike: use `lumped` to see the error",
+            );
+    }
+}
+
+/// Adds the tractions of one load case.
+pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads) {
+    if tractions.is_empty() {
+        return;
+    }
+    if let Some(uniform) = uniform_stress::find(tractions, context) {
+        to.stresses.push(StressField::uniform(uniform.stress));
+        to.forces.extend(uniform.on_held_edges);
+        return;
+    }
+    for traction in tractions {
+        match super::fading::fade(traction, context) {
+            Some((field, forces)) => {
+                to.stresses.push(field);
+                to.forces.extend(forces);
+            }
+            None => to.forces.extend(lump::forces(traction, context)),
+        }
+    }
+}
+
+/// Whether a traction may be consistent, by what is asked for and by the calibration.
+pub(super) fn may_be_consistent(traction: &OnBorder, context: &Context) -> bool {
+    let matched = context.parameters.calibration == Calibration::Matched;
+    match traction.sharing {
+        Some(sharing) => sharing == LoadSharing::Consistent,
+        None => matched,
+    }
+}

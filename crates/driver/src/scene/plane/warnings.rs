@@ -1,0 +1,63 @@
+//! Doubts about a body in the plane that can be solved.
+
+use super::super::words::tidy;
+use super::{PlaneScene, model_path, root};
+use crate::case::Units;
+use crate::diagnostic::Faults;
+
+/// Adds all warnings on a scene.
+pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
+    let horizon = root(if scene.case.horizon.is_some() { "horizon" } else { "horizon_ratio" });
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    match scene.outline() {
+        Some(outline) => [low, high] = outline.bounds(),
+        None => {
+            for point in scene.real_points() {
+                let at = scene.model.place(point);
+                (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
+            }
+        }
+    }
+    let width = (high[0] - low[0]).min(high[1] - low[1]);
+    if scene.horizon() > width * (1.0 + 1e-9) {
+        faults
+            .warning(
+                horizon,
+                format!(
+                    "the horizon {} is longer than the body is wide, {}",
+                    tidy(scene.horizon()),
+                    tidy(width)
+                ),
+            )
+            .hint("use a smaller spacing or a shorter horizon");
+    }
+    let uncorrected = scene.model.uncorrected();
+    if uncorrected > 0 {
+        let (s, verb) = if uncorrected == 1 { ("", "is") } else { ("s", "are") };
+        faults
+            .warning(
+                model_path().key("edges"),
+                format!(
+                    "{uncorrected} point{s} {verb} too soft: no triangle of points completes the bonds there"
+                ),
+            )
+            .hint("such points stand in single rows or between cracks: use a smaller spacing");
+    }
+    modulus(scene.model.parameters().material.youngs_modulus, scene.units, faults);
+}
+
+/// Young's moduli that no material has in these units.
+fn modulus(e: f64, units: Units, faults: &mut Faults) {
+    let (low, high) = match units {
+        Units::MetreNewtonPascal => (4e5, 2e12),
+        Units::MillimetreNewtonMegapascal => (4e-1, 2e6),
+    };
+    if !(low..=high).contains(&e) {
+        faults
+            .warning(
+                model_path().key("youngs_modulus"),
+                format!("{e} {} is an unusual Young's modulus", units.stress()),
+            )
+            .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing");
+    }
+}
