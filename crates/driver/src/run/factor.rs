@@ -202,7 +202,7 @@ fn assemble<const D: usize>(system: &System<D>, solver: Solver) -> (Matrix, Stri
     let (method, reason) = match solver {
         Solver::Auto | Solver::Strain | Solver::Multigrid | Solver::Pcg => choose(&profile),
         Solver::Band => (Method::Band, "the case asks for it".into()),
-        Solver::Sparse | Solver::Multigrid | Solver::Pcg => (Method::Sparse, "the case asks for it".into()),
+        Solver::Sparse => (Method::Sparse, "the case asks for it".into()),
     };
     let assembled = match (method, sparse) {
         (Method::Band, None) => {
