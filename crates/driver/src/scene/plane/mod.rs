@@ -10,6 +10,7 @@ mod files;
 mod foreign;
 mod ground;
 mod interpolate;
+mod levels;
 mod loads;
 mod loose;
 mod lump;

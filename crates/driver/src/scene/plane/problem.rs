@@ -2,7 +2,7 @@
 
 use super::{PlaneScene, motions};
 use crate::case::Solver;
-use crate::run::Problem;
+use crate::run::{Coarser, Problem};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::bond_plane::BondPlane;
 use peristat_assembly::stiffness::Spring;
@@ -37,6 +37,14 @@ impl Problem<2> for PlaneScene {
             self.load_cases[case].add_to(&self.model, factor, force);
         }
         state.motion_factor
+    }
+
+    fn positions(&self) -> Option<Vec<[f64; 2]>> {
+        Some((0..self.model.points()).map(|point| self.model.place(point)).collect())
+    }
+
+    fn coarser(&self) -> Option<Coarser<2>> {
+        self.coarser_levels()
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {
