@@ -9,7 +9,7 @@ use peristat_assembly::model::timoshenko_beam::{
     bond_law, end_treatment,
 };
 use peristat_assembly::system::System;
-use peristat_solve::{Preconditioner, SparseCholesky};
+use peristat_solve::{Ordering, Preconditioner, SparseCholesky};
 use serde_json::json;
 
 const CELLS: usize = 96;
@@ -45,7 +45,7 @@ fn deflections(splits: Vec<usize>) -> Vec<f64> {
     let mut load = vec![0.0; 2 * beam.points()];
     BeamLoads { distributed: vec![uniform], ..Default::default() }.add_to(&beam, &mut load);
     let k = system.assemble_sparse();
-    let mut factor = SparseCholesky::analyse(&k).expect("a pattern");
+    let mut factor = SparseCholesky::analyse(&k, Ordering::MinimumDegree).expect("a pattern");
     factor.refactor(&k).expect("positive definite");
     system.constraints().restrict(&mut load);
     let mut u = vec![0.0; load.len()];

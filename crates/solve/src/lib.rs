@@ -10,6 +10,9 @@
 //!   memory that do not depend on how often they repeat;
 //! * [`SparseCholesky`] factors any other sparse matrix and keeps the symbolic
 //!   analysis for the next matrix of the same pattern;
+//! * [`nested_dissection`] orders the unknowns of points in a plane so that it
+//!   fills little, and [`DissectedCholesky`] factors the two halves of such an
+//!   order side by side in two threads;
 //! * [`choose`] says whether a band or a sparse factor suits a matrix, and why;
 //! * [`Pcg`] finishes a direct solve whose matrix was rounded: the factor is the
 //!   preconditioner and a [`LinearOperator`] that evaluates the products more

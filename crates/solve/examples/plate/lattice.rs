@@ -29,7 +29,7 @@ impl Plate {
             let n = [dx as f64 / length, dy as f64 / length];
             Some((y * side + x, move |r: usize, c: usize| n[r] * n[c] / length))
         };
-        let clamped = |p: usize| p % side == 0;
+        let clamped = |p: usize| p.is_multiple_of(side);
         let (mut starts, mut columns, mut values) = (vec![0], Vec::new(), Vec::new());
         for r in 0..2 {
             for p in 0..points {
@@ -65,7 +65,8 @@ impl Plate {
         self.positions[unknown % self.positions.len()][0] == 0.0
     }
 
-    /// Backward error of a solution, `|A x - b| / (|A| |x| + |b|)` in the largest row sum and entries.
+    /// Backward error of a solution, `|A x - b| / (|A| |x| + |b|)` in the largest row sum and
+    /// entries.
     pub(crate) fn residual(&self, x: &[f64], b: &[f64]) -> f64 {
         let (mut left, mut sums) = (b.to_vec(), vec![0.0; b.len()]);
         for (value, (i, j)) in &self.matrix {
@@ -81,7 +82,8 @@ impl Plate {
     }
 }
 
-/// Writes `order` and `entries` (u64), row starts (u64), columns (u32), values (f64), little endian.
+/// Writes `order` and `entries` (u64), row starts (u64), columns (u32), values (f64), little
+/// endian.
 pub(crate) fn write(matrix: &CsMat<f64>, path: &Path) -> std::io::Result<()> {
     let mut file = BufWriter::new(std::fs::File::create(path)?);
     for number in [matrix.rows(), matrix.nnz()].iter().chain(matrix.proper_indptr().iter()) {

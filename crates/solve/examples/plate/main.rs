@@ -1,11 +1,13 @@
-//! Times the direct path on a plate: order, analysis, factor and solve with one and with two threads.
+//! Times the direct path on a plate: order, analysis, factor and solve with one and with two
+//! threads.
 //!
 //! Run with `cargo run --release -p peristat-solve --example plate -- [points] [options]`:
 //!
 //! * `--reach R`: points are coupled up to R spacings (default 3);
 //! * `--rounds N`: how often (default 1); `--threads 1` or `--threads 2`: only this one;
 //! * `--write FILE`: write the matrix, see `lattice.rs` for the format, and time nothing;
-//! * `--order FILE`: count the fill of the order of points in FILE (u32, little endian), and time nothing;
+//! * `--order FILE`: count the fill of the order of points in FILE (u32, little endian), and time
+//!   nothing;
 //! * `--fill`: count the fill of the own order, and time nothing.
 //!
 //! Prints one JSON object per line.

@@ -20,12 +20,13 @@ use sprs::CsMat;
 ///     [ B1'  B2' C  ]
 /// ```
 ///
-/// Two threads factor the principal submatrices `[Ai Bi; Bi' C]`, positive definite as `A` is, with S last. The last
-/// columns `Gi` of these factors give `Gi Gi' = C - Bi' Ai^-1 Bi`, and the Schur complement of S in `A` is
-/// `G1 G1' + G2 G2' - C`, which is factored densely. Solves go through the halves side by side, to S and back.
+/// Two threads factor the principal submatrices `[Ai Bi; Bi' C]`, positive definite as `A` is, with
+/// S last. The last columns `Gi` of these factors give `Gi Gi' = C - Bi' Ai^-1 Bi`, and the Schur
+/// complement of S in `A` is `G1 G1' + G2 G2' - C`, which is factored densely. Solves go through
+/// the halves side by side, to S and back.
 ///
-/// The results do not depend on timing. With one thread, [`SparseCholesky`](crate::SparseCholesky) in the order of the
-/// dissection does a little less work.
+/// The results do not depend on timing. With one thread, [`SparseCholesky`](crate::SparseCholesky)
+/// in the order of the dissection does a little less work.
 pub struct DissectedCholesky {
     parts: [Part; 2],
     /// Unknowns of the separator.
@@ -40,17 +41,17 @@ pub struct DissectedCholesky {
 }
 
 impl DissectedCholesky {
-    /// Finds the structure of the factor. The values are not read; call [`refactor`](Self::refactor) before the first
-    /// solve.
+    /// Finds the structure of the factor. The values are not read; call
+    /// [`refactor`](Self::refactor) before the first solve.
     ///
-    /// The points of the dissection have `components` unknowns each, numbered in component planes: unknown = component
-    /// · points + point. The matrix comes in compressed rows, whole or only the lower triangle; entries above the
-    /// diagonal are not read.
+    /// The points of the dissection have `components` unknowns each, numbered in component planes:
+    /// unknown = component · points + point. The matrix comes in compressed rows, whole or only the
+    /// lower triangle; entries above the diagonal are not read.
     ///
     /// # Errors
     ///
-    /// [`FactorError::Shape`] if the matrix is not square, has other unknowns than the points, has more than 2^32
-    /// entries or couples the halves; [`FactorError::OutOfMemory`].
+    /// [`FactorError::Shape`] if the matrix is not square, has other unknowns than the points, has
+    /// more than 2^32 entries or couples the halves; [`FactorError::OutOfMemory`].
     pub fn analyse(
         pattern: &CsMat<f64>,
         dissection: &Dissection,
@@ -62,8 +63,8 @@ impl DissectedCholesky {
         if order != points * components {
             return wrong(format!("{order} rows, but {points} points of {components} components"));
         }
-        if pattern.nnz() > u32::MAX as usize {
-            return wrong(format!("{} entries", pattern.nnz()));
+        if pattern.nnz().max(order) > u32::MAX as usize {
+            return wrong(format!("{order} rows and {} entries", pattern.nnz()));
         }
         let unknowns = |points: &[usize]| -> Vec<u32> {
             points
@@ -111,7 +112,8 @@ impl DissectedCholesky {
         check_finite(values)?;
         let [first, second] = &mut self.parts;
         let (one, two) = both(|| first.factor(values.data()), || second.factor(values.data()));
-        (one?, two?);
+        one?;
+        two?;
         let (one, two) = (first.complement(), second.complement());
         for j in 0..self.separator.len() {
             let sums = one.col(j).iter().zip(two.col(j).iter()).map(|(a, b)| a + b);
@@ -130,7 +132,8 @@ impl DissectedCholesky {
         Ok(())
     }
 
-    /// Stored entries of the factors, the padding of dense blocks and what the separator has twice included.
+    /// Stored entries of the factors, the padding of dense blocks and what the separator has twice
+    /// included.
     #[must_use]
     pub fn fill(&self) -> usize {
         let size = self.separator.len();
@@ -169,10 +172,9 @@ impl Preconditioner for DissectedCholesky {
         assert_eq!((r.len(), z.len()), (self.order, self.order), "vectors of the order of the matrix");
         let [first, second] = &mut self.parts;
         both(|| first.forward(r), || second.forward(r));
-        for (k, unknown) in self.separator.iter().enumerate() {
-            z[*unknown as usize] = r[*unknown as usize] + first.last()[k] + second.last()[k];
-        }
-        let mut x: Vec<f64> = self.separator.iter().map(|i| z[*i as usize]).collect();
+        let left = first.last().iter().zip(second.last());
+        let sums = self.separator.iter().zip(left).map(|(i, (one, two))| r[*i as usize] + one + two);
+        let mut x: Vec<f64> = sums.collect();
         let size = x.len();
         let mut column = MatMut::from_column_major_slice_mut(&mut x, size, 1);
         solve_lower_triangular_in_place(self.schur.as_ref(), column.as_mut(), Par::Seq);

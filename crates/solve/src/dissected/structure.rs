@@ -40,61 +40,54 @@ impl Structure {
         for (k, unknown) in unknowns.iter().enumerate() {
             place[*unknown as usize] = k as u32;
         }
-        let (rows, columns) = (pattern.proper_indptr(), pattern.indices());
-        let each = |mut entry: Box<dyn FnMut(usize, usize, usize) + '_>| {
-            for (k, unknown) in unknowns.iter().enumerate() {
+        let (starts, columns) = (pattern.proper_indptr(), pattern.indices());
+        // Row, column and source of each entry.
+        let entries = || {
+            unknowns.iter().enumerate().flat_map(|(k, unknown)| {
                 let row = *unknown as usize;
-                for at in rows[row]..rows[row + 1] {
-                    if columns[at] > row {
-                        break;
-                    }
-                    let other = place[columns[at]];
-                    if other != NONE {
-                        entry(k.min(other as usize), k.max(other as usize), at);
-                    }
-                }
-            }
+                let lower = (starts[row]..starts[row + 1]).take_while(move |at| columns[*at] <= row);
+                let inside = lower.map(|at| (place[columns[at]], at)).filter(|(other, _)| *other != NONE);
+                inside.map(move |(other, at)| (k.min(other as usize), k.max(other as usize), at))
+            })
         };
-        let mut starts = vec![0; unknowns.len() + 1];
-        each(Box::new(|_, column, _| starts[column + 1] += 1));
-        for k in 0..unknowns.len() {
+        let mut upper = Self::of_counts(unknowns.len(), entries().map(|(_, column, _)| column));
+        let mut next = upper.starts.clone();
+        for (row, column, at) in entries() {
+            upper.rows[next[column]] = row;
+            upper.sources[next[column]] = at as u32;
+            next[column] += 1;
+        }
+        upper
+    }
+
+    /// Room for entries in the given columns.
+    fn of_counts(order: usize, columns: impl Iterator<Item = usize>) -> Self {
+        let mut starts = vec![0; order + 1];
+        columns.for_each(|column| starts[column + 1] += 1);
+        for k in 0..order {
             starts[k + 1] += starts[k];
         }
-        let mut next = starts.clone();
-        let count = starts[unknowns.len()];
-        let (mut upper, mut sources) = (vec![0; count], vec![0; count]);
-        each(Box::new(|row, column, at| {
-            upper[next[column]] = row;
-            sources[next[column]] = at as u32;
-            next[column] += 1;
-        }));
-        Self { starts, rows: upper, sources }
+        Self { rows: vec![0; starts[order]], sources: vec![0; starts[order]], starts }
     }
 
     fn transposed(&self) -> Self {
         let order = self.starts.len() - 1;
-        let mut starts = vec![0; order + 1];
-        for row in &self.rows {
-            starts[row + 1] += 1;
-        }
-        for k in 0..order {
-            starts[k + 1] += starts[k];
-        }
-        let mut next = starts.clone();
-        let (mut rows, mut sources) = (vec![0; self.rows.len()], vec![0; self.rows.len()]);
+        let mut turned = Self::of_counts(order, self.rows.iter().copied());
+        let mut next = turned.starts.clone();
         for column in 0..order {
             for k in self.starts[column]..self.starts[column + 1] {
                 let to = &mut next[self.rows[k]];
-                rows[*to] = column;
-                sources[*to] = self.sources[k];
+                turned.rows[*to] = column;
+                turned.sources[*to] = self.sources[k];
                 *to += 1;
             }
         }
-        Self { starts, rows, sources }
+        turned
     }
 }
 
-/// Whether two submatrices that share their last `common` rows have all entries of the lower triangle of a matrix.
+/// Whether two submatrices that share their last `common` rows have all entries of the lower
+/// triangle of a matrix.
 pub(super) fn covers(pattern: &CsMat<f64>, parts: [&Structure; 2], common: usize) -> bool {
     let (rows, columns) = (pattern.proper_indptr(), pattern.indices());
     let lower = |row: usize| columns[rows[row]..rows[row + 1]].partition_point(|j| *j <= row);
