@@ -4,6 +4,7 @@ mod args;
 mod lists;
 mod print;
 mod print_beam;
+mod print_plane;
 mod print_state;
 mod solve;
 mod verify;

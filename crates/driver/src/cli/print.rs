@@ -1,6 +1,6 @@
 //! Results as text.
 
-use super::{print_beam, print_state};
+use super::{print_beam, print_plane, print_state};
 use crate::run::{CheckResult, ProbeResult, Sizes};
 use crate::summary::{Forces, Located, ModelSummary, Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
@@ -53,6 +53,7 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
         print_state::extremes(&mut out, state);
         match &state.forces {
             Forces::Beam(forces) => print_beam::forces(&mut out, forces),
+            Forces::Plane(forces) => print_plane::forces(&mut out, forces, summary.units),
         }
         print_state::certificate(&mut out, state);
     }
@@ -79,6 +80,7 @@ fn model(out: &mut String, summary: &Summary) {
     let mut line = |key: &str, text: String| _ = writeln!(out, "  {key:<8} {text}");
     match &summary.model {
         ModelSummary::Beam(model) => print_beam::model(model, summary.units, &mut line),
+        ModelSummary::Plane(model) => print_plane::model(model, summary.units, &mut line),
     }
     let sizes = &summary.sizes;
     line("size", format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns));
@@ -108,8 +110,8 @@ fn envelope(out: &mut String, summary: &Summary) {
 
 fn probes(out: &mut String, summary: &Summary) {
     let row = |p: &ProbeResult| {
-        let place = p.place.clone().unwrap_or_else(|| print_state::position(p.x, p.y));
-        vec![p.name.clone(), p.state.clone(), p.field.name().into(), place, format!("{:?}", p.value)]
+        let place = p.place.clone().or_else(|| Some(print_state::position(p.x?, p.y))).unwrap_or_default();
+        vec![p.name.clone(), p.state.clone(), p.field.into(), place, format!("{:?}", p.value)]
     };
     let rows: Vec<Vec<String>> = summary.probes.iter().map(row).collect();
     let on_lines = summary.probes.iter().all(|p| p.place.is_none() && p.y.is_none());

@@ -2,6 +2,8 @@
 
 mod beam;
 mod envelope;
+mod factor;
+mod plane;
 
 use crate::output::{atomic, csv, pvd};
 use crate::run::{ProbeResult, StateRecord, StateResult};
@@ -73,6 +75,7 @@ pub fn finite(result: &StateResult) -> bool {
     finite(&result.record().u)
         && match result {
             StateResult::Beam(result) => beam::fields(result).all(|(_, values)| finite(&values)),
+            StateResult::Plane(result) => plane::finite(result),
         }
 }
 
@@ -126,7 +129,14 @@ impl Results {
                 }
                 crate::run::beam::probes(scene, result)
             }
-            (Scene::Plane(_), _) => Vec::new(),
+            (Scene::Plane(scene), StateResult::Plane(result)) => {
+                plane::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
+                if is_last {
+                    plane::plots::write(&self.folder.join("plots"), scene, result)?;
+                }
+                crate::run::plane::probes(scene, result)
+            }
+            _ => unreachable!("a scene has results of its own kind"),
         };
         self.steps.push((step_time(scene, record), format!("fields/{name}.vtu")));
         let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();

@@ -8,9 +8,10 @@ mod linear;
 mod memory;
 mod method;
 mod multigrid;
+pub mod plane;
 mod problem;
 mod range;
-mod scan;
+pub(crate) mod scan;
 mod verdict;
 
 pub use beam::BeamResult;
@@ -18,11 +19,12 @@ pub use certificate::{Balance, Certificate};
 pub use factor::{SolveFailure, SolverReport};
 pub use linear::LinearSolver;
 pub use multigrid::Coarser;
+pub use plane::PlaneResult;
 pub use problem::{Problem, Sizes, prepare};
 pub(crate) use range::Range;
 pub use verdict::{CheckResult, ProbeResult};
 
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::Faults;
 use crate::memory::words;
 use crate::scene::Scene;
 use linear::StateSolution;
@@ -132,6 +134,8 @@ pub struct StateRecord {
 pub enum StateResult {
     /// Of a beam or frame.
     Beam(BeamResult),
+    /// Of a body in the plane.
+    Plane(PlaneResult),
 }
 
 impl StateResult {
@@ -139,6 +143,7 @@ impl StateResult {
     pub fn record(&self) -> &StateRecord {
         match self {
             Self::Beam(result) => &result.record,
+            Self::Plane(result) => &result.record,
         }
     }
 }
@@ -154,12 +159,7 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     match scene {
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink(StateResult::Beam(result))),
-        Scene::Plane(scene) => {
-            prepare(&**scene, options)?;
-            let mut faults = Faults::default();
-            faults.error(JsonPath::default().key("model"), "bodies in the plane cannot be solved yet");
-            Err(RunError::Case(faults))
-        }
+        Scene::Plane(scene) => plane::run(scene, options, &mut |result| sink(StateResult::Plane(result))),
     }
 }
 
@@ -170,7 +170,7 @@ pub fn run(
 pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
     match scene {
         Scene::Beam(scene) => beam::sizes(scene, options),
-        Scene::Plane(scene) => prepare(&**scene, options).map(|p| p.1),
+        Scene::Plane(scene) => plane::sizes(scene, options),
     }
 }
 

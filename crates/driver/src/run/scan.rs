@@ -6,7 +6,7 @@ const LANES: usize = 8;
 
 /// Index of the first of the smallest and of the largest values; `None` if there are none. What is not a number is passed
 /// over behind the first value.
-pub(super) fn extremes(values: &[f64]) -> Option<[usize; 2]> {
+pub(crate) fn extremes(values: &[f64]) -> Option<[usize; 2]> {
     let (mut low, mut high) = (0, 0);
     let (mut smallest, mut largest) = (*values.first()?, *values.first()?);
     for (number, chunk) in values.chunks(CHUNK).enumerate() {

@@ -1,7 +1,6 @@
 //! Probes and checks on results: values against what they should be.
 
 use super::scan;
-use crate::case::FieldName;
 use crate::scene::{Expectation, ExpectationKind};
 use serde::Serialize;
 
@@ -12,16 +11,17 @@ pub struct ProbeResult {
     pub name: String,
     /// Name of the state.
     pub state: String,
-    /// Position of the point that answered, on its line or in the plane.
-    pub x: f64,
-    /// The second coordinate of a point in the plane.
+    /// Position of the point that answered on its line, or the place in the plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub x: Option<f64>,
+    /// The second coordinate of a place in the plane.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub y: Option<f64>,
-    /// Joint, or member and position, on a frame.
+    /// Joint, or member and position, on a frame; region or crack in the plane.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<String>,
-    /// Field.
-    pub field: FieldName,
+    /// Name of the field, or `stress_intensity`.
+    pub field: &'static str,
     /// Value.
     pub value: f64,
 }

@@ -1,7 +1,7 @@
 //! Words of messages.
 
 /// A number for a message: without the last digits, which rounding left, and not longer than it must be.
-pub(super) fn tidy(value: f64) -> String {
+pub(crate) fn tidy(value: f64) -> String {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     let (plain, scientific) = (rounded.to_string(), format!("{rounded:e}"));
     if plain.len() <= scientific.len() + 6 { plain } else { scientific }

@@ -1,8 +1,10 @@
 //! The record of a run: what `summary.json` holds and `--json` prints.
 
 mod beam;
+mod plane;
 
 pub use beam::{BeamForces, BeamSummary};
+pub use plane::{PlaneForces, PlaneSummary};
 
 use crate::case::Units;
 use crate::memory;
@@ -72,6 +74,8 @@ pub struct StateSummary {
 pub enum Forces {
     /// Of a beam or frame.
     Beam(BeamForces),
+    /// Of a body in the plane.
+    Plane(PlaneForces),
 }
 
 /// Model and its derived numbers.
@@ -80,6 +84,8 @@ pub enum Forces {
 pub enum ModelSummary {
     /// A beam or frame.
     Beam(BeamSummary),
+    /// A body in the plane.
+    Plane(PlaneSummary),
 }
 
 /// Everything about a finished run but the fields.
@@ -134,7 +140,8 @@ impl Collector {
     pub fn take(&mut self, scene: &Scene, result: &StateResult) {
         let (state, probes, checks) = match (scene, result) {
             (Scene::Beam(scene), StateResult::Beam(result)) => beam::state(scene, result),
-            (Scene::Plane(_), _) => return,
+            (Scene::Plane(scene), StateResult::Plane(result)) => plane::state(scene, result),
+            _ => unreachable!("a scene has results of its own kind"),
         };
         self.states.push(state);
         self.probes.extend(probes);
@@ -150,7 +157,7 @@ impl Collector {
         };
         let model = match scene {
             Scene::Beam(scene) => ModelSummary::Beam(beam::model(scene)),
-            Scene::Plane(_) => unreachable!("bodies in the plane have no results yet"),
+            Scene::Plane(scene) => ModelSummary::Plane(plane::model(scene)),
         };
         let envelope = if scene.has_envelope() { envelope(&self.states) } else { BTreeMap::new() };
         Summary {

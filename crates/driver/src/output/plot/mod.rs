@@ -1,10 +1,12 @@
-//! Diagrams of lines over lines, and pictures of frames, as SVG made to stand in a report or a README as they are.
+//! Diagrams of lines over lines, pictures of frames and maps of bodies in the plane, as SVG made to stand in a report or a README as they are.
 
 mod draw;
+mod map;
 mod picture;
 mod scale;
 mod thin;
 
+pub use map::{Map, Patch, render_map, write_map};
 pub use picture::{Label, Look, Picture, Shape, write_picture};
 pub(crate) use thin::thin;
 

@@ -7,6 +7,7 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use miniz_oxide::deflate::compress_to_vec_zlib;
+use rayon::prelude::*;
 
 /// Bytes of a block before compression.
 const BLOCK: usize = 1 << 20;
@@ -14,8 +15,7 @@ const BLOCK: usize = 1 << 20;
 const LEVEL: u8 = 3;
 
 pub(super) fn encode(bytes: &[u8]) -> String {
-    let blocks = bytes.chunks(BLOCK).map(|block| compress_to_vec_zlib(block, LEVEL));
-    let blocks: Vec<_> = blocks.collect();
+    let blocks: Vec<_> = bytes.par_chunks(BLOCK).map(|block| compress_to_vec_zlib(block, LEVEL)).collect();
     let counts = [blocks.len(), BLOCK, bytes.len() % BLOCK];
     let sizes = counts.into_iter().chain(blocks.iter().map(Vec::len));
     let header: Vec<_> = sizes.flat_map(|size| (size as u64).to_le_bytes()).collect();

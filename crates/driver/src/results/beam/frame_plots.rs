@@ -2,6 +2,7 @@
 
 use crate::case::FieldName;
 use crate::output::plot::{Label, Look, Picture, Shape, thin, write_picture};
+use crate::results::factor::magnification;
 use crate::run::beam::{BeamResult, LineFields};
 use crate::scene::beam::{BeamScene, EndOfMember, FrameLayout, JointLayout};
 use std::io;
@@ -116,8 +117,7 @@ fn extreme(curve: &[(f64, f64)]) -> Option<(f64, f64)> {
 /// The deformed shape over the frame as it was, and the round factor on its displacements.
 fn deformed(frame: &FrameLayout, result: &BeamResult) -> (Picture, f64) {
     let largest = result.displacements().map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
-    let wanted = 0.1 * size(frame) / largest;
-    let factor = if wanted.is_finite() { round(wanted) } else { 1.0 };
+    let factor = magnification(size(frame), largest);
     let mut shapes = skeleton(frame, Look::Ghost);
     let mut displacements = result.displacements();
     let most = (MOST_POINTS / result.lines.len()).max(8);
@@ -135,22 +135,4 @@ fn deformed(frame: &FrameLayout, result: &BeamResult) -> (Picture, f64) {
             .push(Shape { look: Look::Line, points: moved.into_iter().step_by(step).chain(last).collect() });
     }
     (Picture { shapes, ..Picture::default() }, factor)
-}
-
-/// The largest of 1, 2, 5 times a power of ten that is not above `value`.
-fn round(value: f64) -> f64 {
-    let power = value.log10().floor() as i32;
-    // Negative powers by division: their own rounding would show.
-    let scaled = |lead: f64| if power < 0 { lead / 10_f64.powi(-power) } else { lead * 10_f64.powi(power) };
-    [5.0, 2.0, 1.0].into_iter().map(scaled).find(|v| *v <= value).unwrap_or(value)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::round;
-
-    #[test]
-    fn factors_are_round_numbers() {
-        assert_eq!([1.0, 3.7, 640.0, 0.093, 9.99e-7].map(round), [1.0, 2.0, 500.0, 0.05, 5e-7]);
-    }
 }

@@ -14,10 +14,10 @@ pub(crate) fn probes(scene: &BeamScene, result: &BeamResult) -> Vec<ProbeResult>
         Some(ProbeResult {
             name: p.name.clone(),
             state: result.record.name.clone(),
-            x: p.x,
+            x: Some(p.x),
             y: None,
             place: p.place.clone(),
-            field: p.field,
+            field: p.field.name(),
             value: result.value(p.field, p.local.0, p.local.1)?,
         })
     };

@@ -1,6 +1,6 @@
 //! The coarser levels of a body on a lattice: the same body, cracks and conditions at twice the spacing, again and again.
 
-use super::PlaneScene;
+use super::conditions::Conditions;
 use crate::run::Coarser;
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
 use peristat_assembly::model::bond_plane::BondPlane;
@@ -12,40 +12,37 @@ const COARSEST: usize = 1500;
 /// Rows or columns that a coarsest lattice keeps: with fewer, all of its points are at an edge.
 const NARROW: usize = 12;
 
-impl PlaneScene {
-    /// The coarser levels; none of a cloud, or of a lattice that is coarse itself.
-    pub(super) fn coarser_levels(&self) -> Option<Coarser<2>> {
-        let cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
-        let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
-        let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new() };
-        let (mut coarsest, mut conditions): (Option<BondPlane>, _) = (None, self.conditions.clone());
-        loop {
-            let fine = coarsest.as_ref().unwrap_or(&self.model);
-            let (lattice, _) = fine.lattice()?;
-            let narrow = lattice.rows().len().min(lattice.columns().len()) < 2 * NARROW;
-            if lattice.points() <= COARSEST || narrow {
-                break;
-            }
-            let coarse = fine.coarser(&find)?;
-            let (coarse_lattice, _) = coarse.lattice()?;
-            let damage = if cracks.is_empty() { Vec::new() } else { fine.damage() };
-            let slack = CRACK_SLACK * lattice.spacing();
-            levels.transfers.push(Transfer::new(
-                lattice,
-                coarse_lattice,
-                &|point| damage.get(point).is_some_and(|damage| *damage > 0.0),
-                &|a, b| !cracks.iter().any(|crack| crack.cuts(a, b, slack)),
-            ));
-            conditions = conditions.coarser(lattice, coarse_lattice);
-            let mut springs: Vec<Box<dyn Term<2>>> = Vec::new();
-            if !conditions.springs.is_empty() {
-                springs.push(Box::new(Springs::new(coarse.points(), conditions.springs.clone())));
-            }
-            let equations = conditions.equations(&|point| coarse.place(point));
-            // Conditions at rest contradict each other nowhere; if they do, there are no coarser levels.
-            levels.systems.push(System::new(&coarse, springs, equations).ok()?);
-            coarsest = Some(coarse);
+/// The coarser levels of a model; none of a cloud, or of a lattice that is coarse itself.
+pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditions) -> Option<Coarser<2>> {
+    let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, cracks);
+    let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new() };
+    let (mut coarsest, mut conditions): (Option<BondPlane>, _) = (None, conditions.clone());
+    loop {
+        let fine = coarsest.as_ref().unwrap_or(model);
+        let (lattice, _) = fine.lattice()?;
+        let narrow = lattice.rows().len().min(lattice.columns().len()) < 2 * NARROW;
+        if lattice.points() <= COARSEST || narrow {
+            break;
         }
-        (!levels.systems.is_empty()).then_some(levels)
+        let coarse = fine.coarser(&find)?;
+        let (coarse_lattice, _) = coarse.lattice()?;
+        let damage = if cracks.is_empty() { Vec::new() } else { fine.damage() };
+        let slack = CRACK_SLACK * lattice.spacing();
+        levels.transfers.push(Transfer::new(
+            lattice,
+            coarse_lattice,
+            &|point| damage.get(point).is_some_and(|damage| *damage > 0.0),
+            &|a, b| !cracks.iter().any(|crack| crack.cuts(a, b, slack)),
+        ));
+        conditions = conditions.coarser(lattice, coarse_lattice);
+        let mut springs: Vec<Box<dyn Term<2>>> = Vec::new();
+        if !conditions.springs.is_empty() {
+            springs.push(Box::new(Springs::new(coarse.points(), conditions.springs.clone())));
+        }
+        let equations = conditions.equations(&|point| coarse.place(point));
+        // Conditions at rest contradict each other nowhere; if they do, there are no coarser levels.
+        levels.systems.push(System::new(&coarse, springs, equations).ok()?);
+        coarsest = Some(coarse);
     }
+    (!levels.systems.is_empty()).then_some(levels)
 }

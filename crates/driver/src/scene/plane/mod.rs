@@ -17,6 +17,7 @@ mod lump;
 mod material;
 mod model;
 mod motions;
+mod moved;
 mod outputs;
 mod probes;
 mod problem;
@@ -33,6 +34,7 @@ pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
 pub use cracks::NamedCrack;
 pub use interpolate::Weights;
 pub use loads::PlaneLoads;
+pub use moved::MovedTips;
 pub use outputs::{Intensity, LinePoint, OutputLine};
 pub use probes::{PlaneProbe, Quantity};
 
@@ -212,6 +214,7 @@ impl PlaneScene {
             name: intensity.name.clone(),
             quantity: Quantity::StressIntensity(k),
             place: format!("crack `{}`", cracks[intensity.crack].name),
+            position: None,
         }));
         let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
@@ -279,7 +282,7 @@ impl PlaneScene {
         self.recipe.cuts(&self.cracks, lattice, offsets)
     }
 
-    /// The model with the tips of the crack of a stress intensity moved along it by some length, m, outwards if positive;
+    /// The problem with the tips of the crack of a stress intensity moved along it by some length, m, outwards if positive;
     /// `None` where that leaves no crack. Points, conditions and loads stay.
     ///
     /// # Errors
@@ -288,13 +291,14 @@ impl PlaneScene {
         &self,
         intensity: &Intensity,
         by: f64,
-    ) -> Result<Option<BondPlane>, BondPlaneError> {
+    ) -> Result<Option<MovedTips<'_>>, BondPlaneError> {
         let mut cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
         match outputs::moved(&cracks[intensity.crack], intensity.tips, by) {
             Some(crack) => cracks[intensity.crack] = crack,
             None => return Ok(None),
         }
-        self.recipe.make(&cracks).map(Some)
+        let model = self.recipe.make(&cracks)?;
+        Ok(Some(MovedTips { scene: self, model, cracks }))
     }
 }
 

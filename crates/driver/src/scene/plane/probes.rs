@@ -18,6 +18,8 @@ pub struct PlaneProbe {
     pub quantity: Quantity,
     /// What the user calls the place.
     pub place: String,
+    /// Where it is, unless the place is a region or a crack.
+    pub position: Option<[f64; 2]>,
 }
 
 /// What a probe reports.
@@ -46,6 +48,17 @@ pub enum Quantity {
 }
 
 impl PlaneProbe {
+    /// Name of the field in case files, or `stress_intensity`.
+    pub fn field_name(&self) -> &'static str {
+        match &self.quantity {
+            Quantity::Field { field, .. } => field.name(),
+            Quantity::Reaction { component: 0, .. } => FieldName::ReactionX.name(),
+            Quantity::Reaction { .. } => FieldName::ReactionY.name(),
+            Quantity::Rotation(_) => FieldName::Phi.name(),
+            Quantity::StressIntensity(_) => "stress_intensity",
+        }
+    }
+
     /// Whether it needs stresses.
     pub fn is_recovered(&self) -> bool {
         matches!(&self.quantity, Quantity::Field { field, .. } if field.is_recovered())
@@ -66,7 +79,8 @@ pub(super) struct Context<'a> {
 pub(super) fn probes(context: &Context, faults: &mut Faults) -> Vec<PlaneProbe> {
     let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| {
         let (quantity, place) = resolve(probe, context, path, faults)?;
-        Some(PlaneProbe { name: probe.name.clone(), quantity, place })
+        let position = probe.at.x.zip(probe.at.y).map(|(x, y)| [x, y]);
+        Some(PlaneProbe { name: probe.name.clone(), quantity, place, position })
     };
     super::super::probes::probes(context.ground.case, resolve, faults)
 }

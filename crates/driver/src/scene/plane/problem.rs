@@ -1,8 +1,9 @@
 //! A body in the plane as a problem to be solved.
 
-use super::{PlaneScene, motions};
+use super::{PlaneScene, levels, motions};
 use crate::case::Solver;
 use crate::run::{Coarser, Problem};
+use peristat_assembly::body::Crack;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::bond_plane::BondPlane;
 use peristat_assembly::stiffness::Spring;
@@ -44,7 +45,8 @@ impl Problem<2> for PlaneScene {
     }
 
     fn coarser(&self) -> Option<Coarser<2>> {
-        self.coarser_levels()
+        let cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
+        levels::coarser(&self.model, &cracks, &self.conditions)
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {

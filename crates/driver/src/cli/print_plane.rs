@@ -1,0 +1,89 @@
+//! Bodies in the plane as text: the model and the forces of what holds it.
+
+use super::print::{number, table};
+use crate::case::Units;
+use crate::run::plane::PlaneReaction;
+use crate::summary::{PlaneForces, PlaneSummary};
+use peristat_assembly::model::bond_plane::{Calibration, Edges, Influence};
+use std::fmt::Write;
+
+/// Tells model, material, horizon and edges, each as a key and a text.
+pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, String)) {
+    let length = units.length();
+    let calibration = match m.calibration {
+        Calibration::Matched => "bonds with the exact moduli of the material",
+        Calibration::Published => "bonds with the published constant",
+    };
+    line("model", format!("{}, {}, {calibration}", m.name, m.state.replace('_', " ")));
+    let nu = if m.state == "plane_stress" { "1/3" } else { "1/4" };
+    let (e, t) = (number(m.youngs_modulus), number(m.thickness));
+    line("material", format!("E = {e} {}, ν = {nu}, thickness {t} {length}", units.stress()));
+    let influence = match m.influence {
+        Influence::Constant => "",
+        Influence::Inverse => ", influence δ/ξ",
+        Influence::Linear => ", influence 1 − ξ/δ",
+    };
+    let (ratio, horizon) = (number(m.horizon_ratio), number(m.horizon_ratio * m.spacing));
+    let kind = if m.lattice { "" } else { " of listed points" };
+    line("horizon", format!("{ratio} spacings{kind} = {horizon} {length}{influence}"));
+    let edges = match m.edges {
+        Edges::Overlay => format!("{} triangles replace missing bonds", m.triangles),
+        Edges::None => "missing bonds are not replaced".into(),
+        Edges::Volume => "bonds are stiffened by the missing volume".into(),
+        Edges::Energy => "bonds are stiffened by the missing energy".into(),
+    };
+    let bare = match m.uncorrected_points {
+        0 => String::new(),
+        1 => ", 1 point has none".into(),
+        points => format!(", {points} points have none"),
+    };
+    line("edges", edges + &bare);
+    if m.images > 0 {
+        line("symmetry", format!("{} points are images", m.images));
+    }
+    if m.cracks > 0 {
+        let s = if m.cracks == 1 { "" } else { "s" };
+        let cut = m.cut_bonds.map_or(String::new(), |cut| format!(", {cut} bonds cut"));
+        line("cracks", format!("{} crack{s}{cut}", m.cracks));
+    }
+}
+
+/// Rows of a table, at most.
+const MOST_ROWS: usize = 40;
+
+/// Forces of supports, rigid regions and lines of symmetry.
+pub(super) fn forces(out: &mut String, forces: &PlaneForces, units: Units) {
+    let of_supports = forces.reactions.iter().flat_map(|r| [r.force_x, r.force_y]);
+    let size =
+        of_supports.chain(forces.mirrors.iter().map(|m| m.force)).fold(0.0, |a: f64, f| a.max(f.abs()));
+    // What is rounding beside the largest force reads as zero.
+    let force = |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
+    let turns = forces.reactions.iter().any(|r| r.moment.is_some());
+    let row = |r: &PlaneReaction| {
+        let place = match r.centre {
+            Some([x, y]) => format!("{} about ({}, {})", r.place, number(x), number(y)),
+            None => r.place.clone(),
+        };
+        let mut cells = vec![place, force(r.force_x), force(r.force_y)];
+        cells.extend(turns.then(|| r.moment.map_or(String::new(), number)));
+        cells
+    };
+    let mut rows: Vec<Vec<String>> = forces.reactions.iter().take(MOST_ROWS).map(row).collect();
+    for mirror in &forces.mirrors {
+        let across = force(mirror.force);
+        let is_x = matches!(mirror.side, "left" | "right");
+        let (x, y) = if is_x { (across, String::new()) } else { (String::new(), across) };
+        let mut cells = vec![format!("symmetry `{}`", mirror.side), x, y];
+        cells.extend(turns.then(String::new));
+        rows.push(cells);
+    }
+    if rows.is_empty() {
+        return;
+    }
+    let moment = format!("moment [{}]", units.moment());
+    let header = ["support", "force x [N]", "force y [N]", moment.as_str()];
+    let _ = write!(out, "\n{}", table(&header[..if turns { 4 } else { 3 }], &rows));
+    if let Some(more @ 1..) = forces.reactions.len().checked_sub(MOST_ROWS) {
+        let _ = writeln!(out, "\n  {more} supports more are in summary.json");
+    }
+}

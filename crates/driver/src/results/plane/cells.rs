@@ -1,0 +1,105 @@
+//! Cells of a grid of points: quads where four points of a lattice are next to each other and no crack runs between them.
+
+use crate::scene::plane::PlaneScene;
+use peristat_assembly::body::{Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
+use std::collections::BTreeSet;
+
+/// Cells of the points of a body, images left out.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct GridCells {
+    /// Four points each, around.
+    pub(super) quads: Vec<u32>,
+    /// Points that are in no quad.
+    pub(super) vertices: Vec<u32>,
+}
+
+/// Sides and diagonals of a quad, from its points.
+const STEPS: [Cell; 4] = [[1, 0], [0, 1], [1, 1], [-1, 1]];
+
+/// Cells of the body of a scene.
+pub(super) fn cells(scene: &PlaneScene) -> GridCells {
+    match scene.body() {
+        PlaneBody::Lattice(lattice) => {
+            let cracks: Vec<Crack> = scene.cracks.iter().map(|c| c.crack.clone()).collect();
+            on_lattice(lattice, &cracks)
+        }
+        PlaneBody::Cloud(cloud) => {
+            GridCells { quads: Vec::new(), vertices: (0..cloud.points() as u32).collect() }
+        }
+    }
+}
+
+fn on_lattice(lattice: &SquareLattice, cracks: &[Crack]) -> GridCells {
+    let torn = torn(lattice, cracks);
+    let mut cells = GridCells::default();
+    let mut in_quad = vec![false; lattice.points()];
+    for run in lattice.runs() {
+        let own = run.columns.start..run.columns.end - 1;
+        // Quads with a point above their first one; those of a stretch follow each other.
+        lattice.shifted(run.row, &own, [0, 1], |columns, first| {
+            for (column, above) in columns.zip(first..) {
+                let point = run.number(column);
+                let has_fourth = lattice.number([column + 1, run.row + 1]).is_some();
+                if has_fourth && !torn.contains(&[column, run.row]) {
+                    let quad = [point, point + 1, above + 1, above];
+                    quad.iter().for_each(|&p| in_quad[p] = true);
+                    cells.quads.extend(quad.map(|p| p as u32));
+                }
+            }
+        });
+    }
+    cells.vertices = (0..lattice.points()).filter(|&p| !in_quad[p]).map(|p| p as u32).collect();
+    cells
+}
+
+/// First cells of quads that a crack meets: it cuts a side or a diagonal.
+fn torn(lattice: &SquareLattice, cracks: &[Crack]) -> BTreeSet<Cell> {
+    let mut torn = BTreeSet::new();
+    for (step, point) in cut_bonds(lattice, &STEPS, cracks) {
+        let [i, j] = lattice.cell(point);
+        let first: &[Cell] = match STEPS[step] {
+            [1, 0] => &[[i, j], [i, j - 1]],
+            [0, 1] => &[[i, j], [i - 1, j]],
+            [-1, 1] => &[[i - 1, j]],
+            _ => &[[i, j]],
+        };
+        torn.extend(first);
+    }
+    torn
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quads_are_missing_at_holes_and_no_point_is_lost() {
+        // 5 × 4 cells without the two in the middle, and one cell that hangs on a corner.
+        let inside = |c: Cell| if c[0] > 4 { c == [5, 3] } else { c != [2, 1] && c != [2, 2] };
+        let lattice = SquareLattice::new(1.0, [0.0; 2], 0..6, 0..4, inside);
+        let cells = on_lattice(&lattice, &[]);
+        // Of 4 × 3 quads those with a missing corner are left out: 2 columns of 3; the outer cell has no quad.
+        assert_eq!(cells.quads.len(), 4 * (12 - 6));
+        assert_eq!(cells.vertices.len(), 3);
+        assert_eq!(&cells.quads[..4], &[0, 1, 6, 5]);
+        for quad in cells.quads.as_chunks::<4>().0 {
+            let [a, b, c, d] = quad.map(|p| lattice.cell(p as usize));
+            assert_eq!([b, c, d], [[a[0] + 1, a[1]], [a[0] + 1, a[1] + 1], [a[0], a[1] + 1]]);
+        }
+    }
+
+    #[test]
+    fn no_quad_lies_across_a_crack() {
+        let lattice = SquareLattice::rectangle(1.0, [0.0; 2], [6, 6]);
+        let crack = Crack::new(vec![[-1.0, 3.0], [3.0, 3.0]]).unwrap();
+        let cells = on_lattice(&lattice, &[crack]);
+        // Between the rows at 2.5 and 3.5 the quads from x = 0.5 to 3.5 are torn, the last one by the tip.
+        assert_eq!(cells.quads.len() / 4, 25 - 3);
+        assert!(cells.vertices.is_empty());
+        let slanted = Crack::new(vec![[1.0, 1.0], [5.0, 4.0]]).unwrap();
+        for quad in on_lattice(&lattice, std::slice::from_ref(&slanted)).quads.as_chunks::<4>().0 {
+            let at = quad.map(|p| lattice.position(p as usize));
+            assert!(!(0..4).any(|k| (0..k).any(|l| slanted.cuts(at[k], at[l], 1e-6))));
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Fields along lines through a body in the plane: a table and two diagrams each.
+
+use crate::case::FieldName;
+use crate::output::csv;
+use crate::output::plot::{self, Diagram, Series, Style};
+use crate::run::plane::PlaneResult;
+use crate::scene::plane::{OutputLine, PlaneScene};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Writes a table per line with the distance `s` from its start; places outside of the body are left out.
+///
+/// # Errors
+/// The file cannot be written.
+pub(super) fn write(
+    file: &dyn Fn(&str) -> PathBuf,
+    scene: &PlaneScene,
+    result: &PlaneResult,
+) -> io::Result<()> {
+    for line in &scene.lines {
+        let inside = || line.points.iter().filter(|p| p.weights.is_some());
+        let mut columns: Vec<(&str, Vec<f64>)> = vec![
+            ("s", inside().map(|p| p.s).collect()),
+            ("x", inside().map(|p| p.position[0]).collect()),
+            ("y", inside().map(|p| p.position[1]).collect()),
+        ];
+        columns.extend(result.fields().map(|f| (f.name(), along(line, scene, result, f))));
+        let columns: Vec<(&str, &[f64])> = columns.iter().map(|(n, v)| (*n, v.as_slice())).collect();
+        csv::write(&file(&line.name), &columns)?;
+    }
+    Ok(())
+}
+
+/// Values of a field at the places of a line that are in the body.
+fn along(line: &OutputLine, scene: &PlaneScene, result: &PlaneResult, field: FieldName) -> Vec<f64> {
+    let weights = line.points.iter().filter_map(|p| p.weights.as_ref());
+    weights.filter_map(|w| result.value(scene, field, w)).collect()
+}
+
+/// Draws displacements and stresses along every line.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn draw(folder: &Path, scene: &PlaneScene, result: &PlaneResult, title: &str) -> io::Result<()> {
+    let (length, stress) = (scene.units.length(), scene.units.stress());
+    let kinds = [
+        ("displacement", format!("displacement [{length}]"), &[FieldName::Ux, FieldName::Uy][..]),
+        (
+            "stress",
+            format!("stress [{stress}]"),
+            &[FieldName::StressXx, FieldName::StressYy, FieldName::StressXy, FieldName::VonMises],
+        ),
+    ];
+    for line in &scene.lines {
+        let s: Vec<f64> = line.points.iter().filter(|p| p.weights.is_some()).map(|p| p.s).collect();
+        for (kind, label, fields) in &kinds {
+            let series = |field: &FieldName| Series {
+                label: field.name().into(),
+                style: Style::Line,
+                points: s.iter().copied().zip(along(line, scene, result, *field)).collect(),
+            };
+            let diagram = Diagram {
+                title: format!("{title} - {}", line.name),
+                x_label: format!("distance along the line [{length}]"),
+                y_label: label.clone(),
+                series: fields.iter().map(series).collect(),
+            };
+            plot::write(&folder.join(format!("line_{}_{kind}.svg", line.name)), &diagram)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,117 @@
+//! The files of a body in the plane: its tables, grids, lines and maps.
+
+mod cells;
+mod lines;
+pub(super) mod plots;
+mod raster;
+
+use super::Envelope;
+use crate::case::FieldName;
+use crate::output::csv;
+use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
+use crate::run::plane::PlaneResult;
+use crate::scene::plane::PlaneScene;
+use std::borrow::Cow;
+use std::io;
+use std::path::Path;
+
+/// A column of a table.
+type Column<'a> = (&'static str, Cow<'a, [f64]>);
+
+/// Fields whose smallest and largest values over all states are written.
+const ENVELOPE: [FieldName; 6] = [
+    FieldName::Ux,
+    FieldName::Uy,
+    FieldName::StressXx,
+    FieldName::StressYy,
+    FieldName::StressXy,
+    FieldName::VonMises,
+];
+
+/// Writes the fields of a state as a table and as a grid, and along lines, and widens the envelope by them.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn write(
+    folder: &Path,
+    name: &str,
+    scene: &PlaneScene,
+    result: &PlaneResult,
+    envelope: Option<&mut Envelope>,
+) -> io::Result<()> {
+    let file = |name: &str, extension: &str| folder.join("fields").join(format!("{name}.{extension}"));
+    let fields: Vec<Column> =
+        result.fields().filter_map(|f| Some((f.name(), result.values(scene, f)?))).collect();
+    let places = places(scene);
+    let columns: Vec<(&str, &[f64])> = places
+        .iter()
+        .map(|(name, values)| (*name, values.as_slice()))
+        .chain(fields.iter().map(|(name, values)| (*name, &values[..])))
+        .collect();
+    csv::write(&file(name, "csv"), &columns)?;
+    if let Some(envelope) = envelope {
+        for field in ENVELOPE {
+            if let Some((_, values)) = fields.iter().find(|f| f.0 == field.name()) {
+                envelope.widen(field.name(), values);
+            }
+        }
+        envelope.place(places);
+    } else {
+        drop(places);
+    }
+    write_grid(&file(name, "vtu"), scene, &fields)?;
+    lines::write(&|line: &str| file(&format!("{name}_{line}"), "csv"), scene, result)
+}
+
+/// Where the points are.
+fn places(scene: &PlaneScene) -> Vec<super::Column> {
+    let body = scene.body();
+    let (mut x, mut y) = (Vec::with_capacity(body.points()), Vec::with_capacity(body.points()));
+    positions(scene, |[a, b]| {
+        x.push(a);
+        y.push(b);
+    });
+    vec![("x", x), ("y", y)]
+}
+
+/// Visits the positions of all points of the body in their order.
+fn positions(scene: &PlaneScene, mut visit: impl FnMut([f64; 2])) {
+    use peristat_assembly::body::PlaneBody;
+    match scene.body() {
+        PlaneBody::Lattice(lattice) => {
+            for run in lattice.runs() {
+                run.columns.clone().for_each(|column| visit(lattice.centre([column, run.row])));
+            }
+        }
+        PlaneBody::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(*at)),
+    }
+}
+
+/// Writes the points, the cells between them and their fields as a grid.
+fn write_grid(file: &Path, scene: &PlaneScene, fields: &[Column]) -> io::Result<()> {
+    let mut points = Vec::with_capacity(scene.body().points());
+    positions(scene, |[x, y]| points.push([x, y, 0.0]));
+    let cells = cells::cells(scene);
+    // The displacement as a vector, so that viewers can warp the body by it.
+    let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| fields.iter().find(|c| c.0 == f.name()));
+    let displacement: Vec<f64> = match (ux, uy) {
+        (Some((_, ux)), Some((_, uy))) => ux.iter().zip(&uy[..]).flat_map(|(x, y)| [*x, *y, 0.0]).collect(),
+        _ => vec![0.0; 3 * points.len()],
+    };
+    let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
+    let others = fields.iter().filter(|c| c.0 != FieldName::Ux.name() && c.0 != FieldName::Uy.name());
+    data.extend(others.map(|(name, values)| DataArray { name, components: 1, values }));
+    let all = [
+        Cells { cell_type: CellType::Quad, connectivity: &cells.quads },
+        Cells { cell_type: CellType::Vertex, connectivity: &cells.vertices },
+    ];
+    vtu::write(file, &Grid { points: &points, cells: &all, point_data: &data, cell_data: &[] })
+}
+
+/// Whether every value of a state is a number.
+pub(super) fn finite(result: &PlaneResult) -> bool {
+    let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+    let recovered = result.recovered.as_ref();
+    recovered.is_none_or(|r| r.stress.iter().all(|s| finite(s)) && finite(&r.energy_density))
+        && finite(&result.intensities)
+}

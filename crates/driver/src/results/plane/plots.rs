@@ -1,0 +1,86 @@
+//! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage; and diagrams of
+//! its lines.
+
+use super::raster::Raster;
+use super::{lines, positions};
+use crate::case::FieldName;
+use crate::output::plot::{Map, Patch, write_map};
+use crate::results::factor::magnification;
+use crate::run::plane::PlaneResult;
+use crate::run::scan;
+use crate::scene::plane::PlaneScene;
+use peristat_assembly::body::Crack;
+use std::io;
+use std::path::Path;
+
+/// Writes the maps and diagrams of a state into a folder.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(in crate::results) fn write(folder: &Path, scene: &PlaneScene, result: &PlaneResult) -> io::Result<()> {
+    let title = match scene.states.len() {
+        1 => scene.case.title.clone(),
+        _ => format!("{} - {}", scene.case.title, result.record.name),
+    };
+    let raster = Raster::new(scene);
+    write_map(&folder.join("displacement.svg"), &displacement(scene, result, &raster, &title))?;
+    let stress = format!("von Mises stress [{}]", scene.units.stress());
+    let fields = [
+        ("von_mises", FieldName::VonMises, stress.as_str()),
+        ("damage", FieldName::Damage, "damage: cut share of the family"),
+    ];
+    for (file, field, label) in fields.into_iter().filter(|f| result.fields().any(|own| own == f.1)) {
+        let Some(values) = result.values(scene, field) else { continue };
+        let patches = raster.corners().zip(raster.means(&values));
+        let (range, note) = range(scene, &values);
+        let map = Map {
+            title: title.clone(),
+            note,
+            label: label.into(),
+            range,
+            patches: patches.map(|(corners, value)| Patch { corners, value }).collect(),
+            lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
+            ..Map::default()
+        };
+        write_map(&folder.join(format!("{file}.svg")), &map)?;
+    }
+    if result.recovered.is_some() {
+        lines::draw(folder, scene, result, &title)?;
+    }
+    Ok(())
+}
+
+/// Smallest and largest value, and a note that says where they are.
+fn range(scene: &PlaneScene, values: &[f64]) -> ([f64; 2], String) {
+    let Some([low, high]) = scan::extremes(values) else { return ([0.0; 2], String::new()) };
+    let place = |point: usize| {
+        let [x, y] = scene.body().position(point);
+        format!("({}, {})", crate::scene::tidy(x), crate::scene::tidy(y))
+    };
+    let note = format!("smallest at {}, largest at {}", place(low), place(high));
+    ([values[low], values[high]], note)
+}
+
+/// The magnitude of the displacement on the deformed shape.
+fn displacement(scene: &PlaneScene, result: &PlaneResult, raster: &Raster, title: &str) -> Map {
+    let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
+    let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
+    let (range, note) = range(scene, &size);
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    positions(scene, |at| {
+        (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
+    });
+    let factor = magnification((high[0] - low[0]).hypot(high[1] - low[1]), range[1]);
+    let cracks: Vec<Crack> = scene.cracks.iter().map(|c| c.crack.clone()).collect();
+    let corners = raster.deformed(&[raster.means(&ux), raster.means(&uy)], factor, &cracks);
+    let patches = corners.into_iter().zip(raster.means(&size));
+    Map {
+        title: title.into(),
+        note: format!("deformed shape, displacements times {factor}; {note}"),
+        label: format!("displacement [{}]", scene.units.length()),
+        range,
+        patches: patches.map(|(corners, value)| Patch { corners, value }).collect(),
+        ghost: raster.corners().collect(),
+        lines: Vec::new(),
+    }
+}

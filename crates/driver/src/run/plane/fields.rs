@@ -1,0 +1,182 @@
+//! Results of one state of a body in the plane.
+
+use super::reaction::{self, MirrorReaction, PlaneReaction};
+use crate::case::FieldName;
+use crate::run::{SolvedState, StateRecord};
+use crate::scene::plane::{PlaneScene, Weights};
+use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneState};
+use std::borrow::Cow;
+
+/// Fields that are recovered from the bonds, with the numbers that points have in the model; images have zeros.
+#[derive(Clone, Debug)]
+pub struct Recovered {
+    /// `[σ_xx, σ_yy, σ_xy]`.
+    pub stress: [Vec<f64>; 3],
+    /// Strain energy density.
+    pub energy_density: Vec<f64>,
+    /// Cut share of the family of every point; none without cracks.
+    pub damage: Option<Vec<f64>>,
+}
+
+/// The result of one state of a body in the plane.
+#[derive(Clone, Debug)]
+pub struct PlaneResult {
+    /// State, unknowns (the planes of ux and uy) and certificate.
+    pub record: StateRecord,
+    /// Stresses and what follows from them, where they were asked for.
+    pub recovered: Option<Recovered>,
+    /// Forces of the supports and of rigid regions on the body, in the order of the case.
+    pub reactions: Vec<PlaneReaction>,
+    /// Forces through lines of symmetry.
+    pub mirrors: Vec<MirrorReaction>,
+    /// Stress intensities, in the order of the case.
+    pub intensities: Vec<f64>,
+    /// Forces that hold the equations of the scene, in their order.
+    pub(super) multipliers: Vec<f64>,
+}
+
+/// Collects the result of a state; `intensities` are those of all states, by stress intensity.
+pub(super) fn collect(
+    scene: &PlaneScene,
+    solved: SolvedState,
+    intensities: &[Vec<f64>],
+    recover: bool,
+) -> PlaneResult {
+    let SolvedState { state: index, solution, certificate, .. } = solved;
+    let state = &scene.states[index];
+    let record = StateRecord {
+        index,
+        name: state.name.clone(),
+        load_factor: state.load_factor,
+        u: solution.u,
+        certificate,
+    };
+    let intensities = intensities.iter().map(|k| k[index]).collect();
+    PlaneResult::new(scene, record, solution.multipliers, intensities, recover)
+}
+
+/// Von Mises stress; in plane strain with `σ_zz = ν (σ_xx + σ_yy)`.
+fn von_mises(material: &PlaneMaterial, [x, y, shear]: [f64; 3]) -> f64 {
+    let z = match material.state {
+        PlaneState::Stress => 0.0,
+        PlaneState::Strain => material.state.poisson_ratio() * (x + y),
+    };
+    let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
+    (0.5 * squares + 3.0 * shear * shear).sqrt()
+}
+
+/// A field as a function of the stresses `[σ_xx, σ_yy, σ_xy]` of a point.
+fn of_stress(material: PlaneMaterial, field: FieldName) -> Option<impl Fn([f64; 3]) -> f64> {
+    let strain = |k: usize, factor: f64| (Some(k), factor);
+    let (component, factor) = match field {
+        FieldName::StrainXx => strain(0, 1.0),
+        FieldName::StrainYy => strain(1, 1.0),
+        // ε_xy is half of γ_xy.
+        FieldName::StrainXy => strain(2, 0.5),
+        FieldName::VonMises => (None, 1.0),
+        _ => return None,
+    };
+    Some(move |stress: [f64; 3]| match component {
+        Some(k) => factor * material.strain(stress)[k],
+        None => von_mises(&material, stress),
+    })
+}
+
+impl PlaneResult {
+    /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model.
+    fn new(
+        scene: &PlaneScene,
+        record: StateRecord,
+        mut multipliers: Vec<f64>,
+        intensities: Vec<f64>,
+        recover: bool,
+    ) -> Self {
+        let recovered = recover.then(|| {
+            let fields = scene.model.fields(&record.u);
+            let damage = (!scene.cracks.is_empty()).then(|| scene.model.damage());
+            Recovered { stress: fields.stress, energy_density: fields.energy_density, damage }
+        });
+        let mirrors = reaction::of_mirrors(scene, &multipliers);
+        multipliers.truncate(scene.equations.len());
+        let reactions = reaction::of_supports(scene, &multipliers, &record.u);
+        Self { record, recovered, reactions, mirrors, intensities, multipliers }
+    }
+
+    /// The fields that all points have, in the order of tables.
+    pub fn fields(&self) -> impl Iterator<Item = FieldName> {
+        FieldName::PLANE.into_iter().filter(|f| match f {
+            FieldName::Ux | FieldName::Uy => true,
+            FieldName::Damage => self.recovered.as_ref().is_some_and(|r| r.damage.is_some()),
+            _ => self.recovered.is_some(),
+        })
+    }
+
+    /// Values that are kept, with the numbers that points have in the model.
+    fn kept(&self, field: FieldName) -> Option<&[f64]> {
+        let (n, recovered) = (self.record.u.len() / 2, self.recovered.as_ref());
+        match field {
+            FieldName::Ux => Some(&self.record.u[..n]),
+            FieldName::Uy => Some(&self.record.u[n..]),
+            FieldName::StressXx => Some(&recovered?.stress[0]),
+            FieldName::StressYy => Some(&recovered?.stress[1]),
+            FieldName::StressXy => Some(&recovered?.stress[2]),
+            FieldName::EnergyDensity => Some(&recovered?.energy_density),
+            FieldName::Damage => recovered?.damage.as_deref(),
+            _ => None,
+        }
+    }
+
+    /// Values of a field at the points of the body, images left out.
+    pub fn values(&self, scene: &PlaneScene, field: FieldName) -> Option<Cow<'_, [f64]>> {
+        let whole = scene.model.ghosts().is_empty();
+        if let Some(kept) = self.kept(field) {
+            return Some(match whole {
+                true => kept.into(),
+                false => scene.real_points().map(|p| kept[p]).collect(),
+            });
+        }
+        let of = of_stress(scene.model.parameters().material, field)?;
+        let [x, y, shear] = &self.recovered.as_ref()?.stress;
+        let at = |p: usize| of([x[p], y[p], shear[p]]);
+        Some(match whole {
+            true => (0..x.len()).map(at).collect(),
+            false => scene.real_points().map(at).collect(),
+        })
+    }
+
+    /// Value of a field as a sum over points. What is no linear function of the stresses is that of the summed stresses.
+    pub fn value(&self, scene: &PlaneScene, field: FieldName, weights: &Weights) -> Option<f64> {
+        let sum = |values: &[f64]| weights.iter().map(|&(p, w)| w * values[p as usize]).sum::<f64>();
+        if let Some(kept) = self.kept(field) {
+            return Some(sum(kept));
+        }
+        let of = of_stress(scene.model.parameters().material, field)?;
+        let [x, y, shear] = &self.recovered.as_ref()?.stress;
+        Some(of([sum(x), sum(y), sum(shear)]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn von_mises_is_that_of_the_three_dimensional_stress() {
+        let material = |state| PlaneMaterial { youngs_modulus: 1.0, thickness: 1.0, state };
+        let stress = material(PlaneState::Stress);
+        assert_eq!(von_mises(&stress, [-3.0, 0.0, 0.0]), 3.0);
+        assert!((von_mises(&stress, [0.0, 0.0, 2.0]) - 12.0_f64.sqrt()).abs() < 1e-15);
+        // Equal biaxial stress 1 with σ_zz = 1/2: the deviator is that of a uniaxial stress of 1/2.
+        assert_eq!(von_mises(&material(PlaneState::Strain), [1.0, 1.0, 0.0]), 0.5);
+    }
+
+    #[test]
+    fn strains_are_components_of_the_tensor() {
+        let material = PlaneMaterial { youngs_modulus: 3.0, thickness: 1.0, state: PlaneState::Stress };
+        let at = |field, stress| of_stress(material, field).unwrap()(stress);
+        assert!((at(FieldName::StrainXx, [3.0, 0.0, 0.0]) - 1.0).abs() < 1e-15);
+        assert!((at(FieldName::StrainYy, [3.0, 0.0, 0.0]) + 1.0 / 3.0).abs() < 1e-15);
+        // ε_xy = σ_xy/(2G), 2G = E/(1 + ν) = 9/4.
+        assert!((at(FieldName::StrainXy, [0.0, 0.0, 9.0]) - 4.0).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,62 @@
+//! Running bodies in the plane: the common run, the stress intensities of their cracks, and the fields recovered.
+
+mod fields;
+mod intensity;
+mod reaction;
+mod skipped;
+mod verdict;
+
+pub use fields::{PlaneResult, Recovered};
+pub use reaction::{MirrorReaction, PlaneReaction};
+pub(crate) use verdict::{checks, probes};
+
+use super::{Counters, RunError, RunOptions, RunReport, Sizes, SolvedState, prepare, solve_states};
+use crate::scene::plane::PlaneScene;
+
+/// Solves every state of a body in the plane and hands its result to `sink` as it comes.
+///
+/// # Errors
+/// As [`super::run`].
+pub fn run(
+    scene: &PlaneScene,
+    options: &RunOptions,
+    sink: &mut dyn FnMut(PlaneResult) -> std::io::Result<()>,
+) -> Result<RunReport, RunError> {
+    let recover = options.recover || asks_for_stresses(scene);
+    let options = &RunOptions { recover, ..*options };
+    let (system, sizes) = prepare(scene, options)?;
+    let found = intensity::of_states(scene, options)?;
+    let mut take = |solved: SolvedState| sink(fields::collect(scene, solved, &found.values, recover));
+    let mut report = solve_states(scene, (&system, sizes), &mut take)?;
+    // What is stored per bond: triangles and springs are no bonds.
+    report.counters.stored_bond_factors = system.terms()[0].stored_factors();
+    report.skipped = skipped::skipped(scene, &report, recover);
+    report.converged &= found.converged;
+    add(&mut report.counters, &found.counters);
+    report.timing.solve += found.seconds;
+    Ok(report)
+}
+
+/// Whether a probe, a check or a line reads more than displacements and reactions.
+fn asks_for_stresses(scene: &PlaneScene) -> bool {
+    !scene.lines.is_empty()
+        || scene.probes.iter().any(|p| p.is_recovered())
+        || scene.expectations.iter().any(verdict::is_recovered)
+}
+
+/// Sizes of a body that can be solved.
+///
+/// # Errors
+/// As [`prepare`].
+pub fn sizes(scene: &PlaneScene, options: &RunOptions) -> Result<Sizes, RunError> {
+    prepare(scene, options).map(|p| p.1)
+}
+
+/// Adds what other solves have cost.
+fn add(to: &mut Counters, other: &Counters) {
+    to.factorisations += other.factorisations;
+    to.analyses += other.analyses;
+    to.pcg_iterations += other.pcg_iterations;
+    to.right_hand_sides += other.right_hand_sides;
+    to.bond_evaluations += other.bond_evaluations;
+}

@@ -1,0 +1,96 @@
+//! What supports, rigid regions and lines of symmetry do to a body in the plane.
+
+use crate::scene::plane::{PlaneScene, PlaneSupport};
+use peristat_assembly::sum::Sum;
+use serde::Serialize;
+
+/// Force of a support, or of what is prescribed of a rigid region, on the body.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlaneReaction {
+    /// What is held, such as ``the region `left` ``.
+    pub place: String,
+    /// Force along x.
+    pub force_x: f64,
+    /// Force along y.
+    pub force_y: f64,
+    /// Moment about the centre of a rigid region that cannot turn, counter-clockwise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
+    /// Centre of a rigid region.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre: Option<[f64; 2]>,
+}
+
+/// Force of the mirrored half on the body, across a line of symmetry.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MirrorReaction {
+    /// The side of the body: `left`, `right`, `bottom` or `top`.
+    pub side: &'static str,
+    /// Force across the line, along x or y as that is.
+    pub force: f64,
+}
+
+/// Sides in the order of the lines of mirrors.
+const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
+
+/// Forces of supports from the multipliers of all equations and the unknowns.
+pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) -> Vec<PlaneReaction> {
+    let n = scene.model.points();
+    let of = |support: &PlaneSupport| {
+        let (mut force, mut moment) = ([Sum::default(), Sum::default()], None);
+        for (equations, direction) in &support.equations {
+            let held = &multipliers[equations.clone()];
+            match direction {
+                Some(direction) => {
+                    for (sum, share) in force.iter_mut().zip(direction).filter(|(_, share)| **share != 0.0) {
+                        held.iter().for_each(|m| sum.add(share * m));
+                    }
+                }
+                None => moment = held.first().copied(),
+            }
+        }
+        for spring in &scene.conditions.springs[support.springs.clone()] {
+            spring.forces(n, u).into_iter().for_each(|(unknown, f)| force[unknown / n].add(-f));
+        }
+        let origin = support.path.to_string();
+        let rigid = scene.conditions.rigid.iter().find(|r| r.origin == origin);
+        PlaneReaction {
+            place: support.name.clone(),
+            force_x: force[0].total(),
+            force_y: force[1].total(),
+            moment,
+            centre: rigid.map(|r| r.centre),
+        }
+    };
+    scene.supports.iter().map(of).collect()
+}
+
+/// Forces through lines of symmetry: the equation `u_ghost + u_real = 0` of the component across a line holds with the same
+/// force on both of its points.
+pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64]) -> Vec<MirrorReaction> {
+    let Some((lattice, mirrors)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
+        return Vec::new();
+    };
+    let lines = [mirrors.columns, mirrors.rows];
+    let mut sums = [const { None }; 4];
+    for (k, line) in lines.as_flattened().iter().enumerate() {
+        sums[k] = line.map(|_| Sum::default());
+    }
+    let of_ghosts = &multipliers[scene.equations.len()..];
+    for (&ghost, held) in scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(2)) {
+        let cell = lattice.cell(ghost as usize);
+        let (_, signs) = mirrors.image(cell);
+        for axis in 0..2 {
+            let beyond = match lines[axis] {
+                [Some(low), _] if cell[axis] < low => 0,
+                [_, Some(high)] if cell[axis] >= high => 1,
+                _ => continue,
+            };
+            if let Some(sum) = &mut sums[2 * axis + beyond] {
+                sum.add((1.0 - signs[axis]) * held[axis]);
+            }
+        }
+    }
+    let named = SIDES.into_iter().zip(sums);
+    named.filter_map(|(side, sum)| Some(MirrorReaction { side, force: sum?.total() })).collect()
+}

@@ -1,0 +1,42 @@
+//! What a body in the plane was spared, and why.
+
+use crate::run::RunReport;
+use crate::scene::plane::PlaneScene;
+
+/// What the scene was spared.
+pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> Vec<String> {
+    let (counters, model) = (&report.counters, &scene.model);
+    let points = model.points();
+    let mut skipped = vec![
+        "Newton iterations: every term is linear".to_string(),
+        format!("{points} rotations: bonds along their own direction read none"),
+    ];
+    if model.lattice().is_some() {
+        let bonds = report.sizes.bonds - model.triangles() - scene.conditions.springs.len();
+        skipped.push(match counters.stored_bond_factors {
+            0 => format!("a list of {bonds} bonds and their factors: those of one offset of the lattice are alike"),
+            stored => format!(
+                "a list of {bonds} bonds: those of one offset are alike; {stored} factors are stored, where images, cracks and corrections make a difference"
+            ),
+        });
+    }
+    if model.triangles() > 0 {
+        let (own, triangles) = (points - model.ghosts().len(), model.triangles());
+        skipped.push(format!(
+            "triangles at most of {own} points: {triangles} of them replace all bonds that are missing"
+        ));
+    }
+    if counters.right_hand_sides > counters.factorisations {
+        let spared = counters.right_hand_sides - counters.factorisations;
+        let s = if spared == 1 { "" } else { "s" };
+        skipped.push(format!("{spared} factorisation{s}: the stiffness does not depend on the load"));
+    }
+    if !recover {
+        skipped.push(format!(
+            "stresses, strains and energy densities of {points} points: no output or check asks for them"
+        ));
+    } else if scene.cracks.is_empty() {
+        skipped.push(format!("damage of {points} points: there are no cracks"));
+    }
+    skipped
+}

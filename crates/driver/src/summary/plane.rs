@@ -1,0 +1,139 @@
+//! What the record of a run says of bodies in the plane.
+
+use super::{Extremes, Forces, Located, StateSummary};
+use crate::run::plane::{MirrorReaction, PlaneReaction, PlaneResult, checks, probes};
+use crate::run::{CheckResult, ProbeResult, scan};
+use crate::scene::plane::PlaneScene;
+use peristat_assembly::body::PlaneBody;
+use peristat_assembly::model::bond_plane::{
+    BondPlane, Calibration, Edges, Influence, PlaneState, VolumeFactor,
+};
+use serde::Serialize;
+
+/// Forces of what holds a body in the plane.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlaneForces {
+    /// Forces of supports and rigid regions on the body, in the order of the case.
+    pub reactions: Vec<PlaneReaction>,
+    /// Forces across lines of symmetry.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub mirrors: Vec<MirrorReaction>,
+}
+
+/// The body that was solved.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlaneSummary {
+    /// Name of the model.
+    pub name: &'static str,
+    /// `plane_stress` or `plane_strain`.
+    pub state: &'static str,
+    /// Young's modulus.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio.
+    pub poisson_ratio: f64,
+    /// Thickness.
+    pub thickness: f64,
+    /// Stiffness of bonds over their length.
+    pub influence: Influence,
+    /// Where the stiffness of bonds comes from.
+    pub calibration: Calibration,
+    /// Volume of points at the edge of the horizon, with the calibration `published`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub volume_factor: Option<VolumeFactor>,
+    /// What is done about the bonds that points near edges lack.
+    pub edges: Edges,
+    /// Horizon over spacing.
+    pub horizon_ratio: f64,
+    /// Side of a cell, or root of the mean area of listed points.
+    pub spacing: f64,
+    /// Whether the points fill a lattice.
+    pub lattice: bool,
+    /// Points that are images in lines of symmetry.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub images: usize,
+    /// Cracks.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub cracks: usize,
+    /// Bonds of a lattice that cracks cut.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cut_bonds: Option<usize>,
+    /// Overlay triangles near edges.
+    pub triangles: usize,
+    /// Points that lack bonds for which there is no triangle.
+    pub uncorrected_points: usize,
+}
+
+fn is_zero(number: &usize) -> bool {
+    *number == 0
+}
+
+/// What the summary needs of a state.
+pub(super) fn state(
+    scene: &PlaneScene,
+    result: &PlaneResult,
+) -> (StateSummary, Vec<ProbeResult>, Vec<CheckResult>) {
+    let extremes = result.fields().filter_map(|field| {
+        let values = result.values(scene, field)?;
+        let located = scan::extremes(&values)?.map(|point| {
+            let [x, y] = scene.body().position(point);
+            Located { value: values[point], x, y: Some(y), member: None }
+        });
+        let [smallest, largest] = located;
+        Some((field.name(), Extremes { smallest, largest }))
+    });
+    let state = StateSummary {
+        name: result.record.name.clone(),
+        load_factor: result.record.load_factor,
+        extremes: extremes.collect(),
+        forces: Forces::Plane(PlaneForces {
+            reactions: result.reactions.clone(),
+            mirrors: result.mirrors.clone(),
+        }),
+        certificate: result.record.certificate.clone(),
+    };
+    (state, probes(scene, result), checks(scene, result))
+}
+
+/// The model of a body and its derived numbers.
+pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
+    let parameters = scene.model.parameters();
+    let material = parameters.material;
+    PlaneSummary {
+        name: "bond_plane",
+        state: match material.state {
+            PlaneState::Stress => "plane_stress",
+            PlaneState::Strain => "plane_strain",
+        },
+        youngs_modulus: material.youngs_modulus,
+        poisson_ratio: material.state.poisson_ratio(),
+        thickness: material.thickness,
+        influence: parameters.influence,
+        calibration: parameters.calibration,
+        volume_factor: (parameters.calibration == Calibration::Published).then_some(parameters.volume_factor),
+        edges: parameters.edges,
+        horizon_ratio: scene.horizon() / scene.spacing(),
+        spacing: scene.spacing(),
+        lattice: scene.model.lattice().is_some(),
+        images: scene.model.ghosts().len(),
+        cracks: scene.cracks.len(),
+        cut_bonds: cut_bonds(scene),
+        triangles: scene.model.triangles(),
+        uncorrected_points: scene.model.uncorrected(),
+    }
+}
+
+/// Number of bonds that cracks cut on a lattice, those of images left out.
+fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
+    let PlaneBody::Lattice(lattice) = scene.body() else { return None };
+    if scene.cracks.is_empty() {
+        return None;
+    }
+    let parameters = scene.model.parameters();
+    // The calibration `published` has neighbours of which a part lies inside the horizon.
+    let partial = parameters.calibration == Calibration::Published
+        && matches!(parameters.volume_factor, VolumeFactor::Ramp | VolumeFactor::Area);
+    let reach = parameters.horizon_ratio + if partial { 0.5 } else { 0.0 } + 1e-9;
+    let mut offsets = BondPlane::offsets(parameters).ok()?;
+    offsets.retain(|[i, j]| f64::from(*i).hypot(f64::from(*j)) <= reach);
+    Some(scene.cuts(lattice, &offsets).len())
+}
