@@ -57,6 +57,14 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
         });
     }
     let mut elimination = Elimination::new(count * kinds);
+    // The rotation of a part of one point that has no unknown for it is no motion.
+    for part in (0..count).filter(|&part| spans[part][0] == spans[part][1]) {
+        let moves =
+            |kind: usize| model.rigid_motion(kind, spans[part][0], centres[part]).iter().any(|v| *v != 0.0);
+        for kind in (0..kinds).filter(|&kind| !moves(kind)) {
+            elimination.add(&[(kind * count + part, 1.0)]);
+        }
+    }
     for equation in &held {
         let mut terms: Vec<(usize, f64)> =
             equation.iter().flat_map(|&(unknown, c)| amounts(unknown, c)).collect();

@@ -95,7 +95,7 @@ impl Interpolation<'_> {
     }
 
     /// Weights at a position on an edge: a parabola through the three nearest points on each of the two lattice lines
-    /// beside it that go inward. `None` where a line has fewer.
+    /// beside it that go inward. `None` where no line has three.
     pub(super) fn inward(&self, position: [f64; 2], inward: [i8; 2]) -> Option<Weights> {
         let PlaneBody::Lattice(lattice) = self.body else { return None };
         let axis = usize::from(inward[0] == 0);
@@ -103,7 +103,6 @@ impl Interpolation<'_> {
         let at = [0, 1].map(|k| (position[k] - lattice.corner()[k]) / lattice.spacing() - 0.5);
         let across = at[1 - axis];
         let low = across.floor();
-        let lines = [(low, 1.0 - (across - low)), (low + 1.0, across - low)];
         let line = |column: f64| {
             let cell = |k: i32| {
                 let mut cell = [column as i32; 2];
@@ -124,12 +123,24 @@ impl Interpolation<'_> {
                 (0..3).map(|k| Some((lattice.number(cell(cells[k]))? as u32, weight(k)))).collect();
             points
         };
-        let found: Vec<(Weights, f64)> =
-            lines.iter().filter(|l| l.1 > 1e-9).filter_map(|l| Some((line(l.0)?, l.1))).collect();
-        let whole: f64 = found.iter().map(|f| f.1).sum();
-        let shared =
-            found.iter().flat_map(|(weights, share)| weights.iter().map(move |w| (w.0, w.1 * share / whole)));
-        (whole > 0.0).then(|| shared.collect())
+        // The two lines around the position, or beside it next to another edge, or the one that there is.
+        let pair = |first: f64| {
+            let share = across - first;
+            let both = [(first, 1.0 - share), (first + 1.0, share)];
+            both.into_iter()
+                .filter(|l| l.1.abs() > 1e-9)
+                .map(|(at, share)| Some((line(at)?, share)))
+                .collect()
+        };
+        let pairs = [low, low + 1.0, low - 1.0];
+        let alone = || [low, low + 1.0].into_iter().find_map(|at| Some(vec![(line(at)?, 1.0)]));
+        let found: Vec<(Weights, f64)> = pairs.into_iter().find_map(pair).or_else(alone)?;
+        Some(
+            found
+                .iter()
+                .flat_map(|(weights, share)| weights.iter().map(move |w| (w.0, w.1 * share)))
+                .collect(),
+        )
     }
 }
 
