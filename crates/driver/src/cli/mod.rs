@@ -27,6 +27,10 @@ const USAGE: u8 = 2;
 pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let global = arguments.global.clone();
+    if let Some(threads) = global.threads {
+        // A pool that is there already, in a process that runs more than this, keeps its size.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+    }
     let outcome = match arguments.command {
         Command::Run(run) => solve::run(&run, &global),
         Command::Check { cases, overrides } => solve::check(&cases, &overrides, &global),
