@@ -11,23 +11,23 @@ mod crack;
 mod fill;
 mod geometry;
 mod lattice;
-mod transfer;
 mod neighbours;
 mod outline;
 mod polygon;
 mod region;
 mod rows;
 mod select;
+mod transfer;
 
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
 pub use fill::FillError;
 pub use lattice::{Cell, Run, SquareLattice};
-pub use transfer::Transfer;
 pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};
 pub use region::{Region, RegionError, Regions};
+pub use transfer::Transfer;
 
 /// Positions this close to a border lie on it, in spacings.
 pub const BORDER: f64 = 1e-9;

@@ -20,7 +20,7 @@ pub struct At {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
     /// For a probe on an edge in the plane: direction into the body, [±1, 0] or [0, ±1], along which the field is
-    /// extrapolated to the place from the three nearest points.
+    /// extrapolated to the place from three points, one, two and three horizons behind the outermost one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inward: Option<[i8; 2]>,
     /// Name of a joint.
@@ -35,7 +35,8 @@ pub struct At {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
-    /// Where; a point of the grid, the end of a line, a joint, or a region.
+    /// Where; a point of the grid, the end of a line, or a joint; in the plane a region or a point. A straight edge along
+    /// the lattice is held on its line, by extrapolation from its two outermost points; of other regions the points are.
     pub at: At,
     /// Prescribed deflection of a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -31,9 +31,7 @@ pub use plane_body::{
 pub use plane_load::{BodyForce, Traction};
 pub use plane_output::{LineOutput, StressIntensity, Tips};
 pub use read::{Source, from_text, read};
-pub use region::{
-    BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid,
-};
+pub use region::{BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
 pub use section::{PowerLaw, Stiffness};
 
 use schemars::JsonSchema;

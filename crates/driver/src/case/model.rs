@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "snake_case")]
 pub enum Model {
     /// Peridynamic Timoshenko beam: deflection, rotation and, where something moves along the axis, axial displacement.
-    TimoshenkoBeam(Beam),
+    TimoshenkoBeam(Box<Beam>),
     /// Isotropic body in the plane of central bonds: displacements along x and y.
     BondPlane(Plane),
 }

@@ -15,7 +15,8 @@ pub(super) fn extremes(out: &mut String, state: &StateSummary) {
         .map(|(field, e)| {
             // What is rounding beside the largest field of its kind, such as `stress`, reads as zero.
             let size = state.extremes.iter().filter(|other| kind(other.0) == kind(field));
-            let size = size.map(|(_, e)| e.smallest.value.abs().max(e.largest.value.abs())).fold(0.0, f64::max);
+            let size =
+                size.map(|(_, e)| e.smallest.value.abs().max(e.largest.value.abs())).fold(0.0, f64::max);
             let clean = |value: f64| if value.abs() < 1e-11 * size { 0.0 } else { value };
             let cells = [&e.smallest, &e.largest].map(|l| [number(clean(l.value)), place(l)]);
             std::iter::once((*field).to_string()).chain(cells.into_iter().flatten()).collect()

@@ -139,7 +139,7 @@ fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
             }
         }
         Scene::Plane(scene) => {
-            let system = prepare::<2, _>(&**scene, &RunOptions::default());
+            let system = prepare::<2, _>(scene, &RunOptions::default());
             let order = "ux_0, uy_0, ux_1, uy_1, ... of the points row by row from the lower left";
             write_stiffness(loaded, system, file, order)
         }

@@ -4,8 +4,8 @@ use super::{Counters, Timing};
 use crate::case::Solver;
 use peristat_assembly::system::System;
 use peristat_solve::{
-    BandCholesky, BandMatrix, DissectedCholesky, FactorError, Method, Ordering, PointGraph, Preconditioner, Profile,
-    SparseCholesky, choose, nested_dissection,
+    BandCholesky, BandMatrix, DissectedCholesky, FactorError, Method, Ordering, PointGraph, Preconditioner,
+    Profile, SparseCholesky, choose, nested_dissection,
 };
 use sprs::CsMat;
 use std::time::Instant;
@@ -129,7 +129,10 @@ impl SparseFactor {
     /// Points in a plane below which two threads cost more than they bring.
     const FEW: usize = 5000;
 
-    fn analyse<const D: usize>(matrix: &CsMat<f64>, positions: Option<&[[f64; 2]]>) -> Result<Self, FactorError> {
+    fn analyse<const D: usize>(
+        matrix: &CsMat<f64>,
+        positions: Option<&[[f64; 2]]>,
+    ) -> Result<Self, FactorError> {
         let Some(positions) = positions else {
             return SparseCholesky::analyse(matrix, Ordering::MinimumDegree).map(Self::Whole);
         };

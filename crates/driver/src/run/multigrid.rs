@@ -31,7 +31,8 @@ pub(super) fn cycle<'a, const D: usize>(
     let levels: Result<Vec<Level<D>>, usize> = systems.map(Level::new).collect();
     let levels = levels.map_err(|point| SolveFailure::Loose { point })?;
     let coarsest = levels.last().expect("there is a finest level").system().assemble_sparse();
-    let mut factor = SparseCholesky::analyse(&coarsest, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
+    let mut factor =
+        SparseCholesky::analyse(&coarsest, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
     factor.refactor(&coarsest).map_err(SolveFailure::Factor)?;
     let entries = factor.fill();
     let levels = Levels { levels, transfers: &coarser.transfers };

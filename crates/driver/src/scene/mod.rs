@@ -26,7 +26,7 @@ pub enum Scene {
     /// A beam, or a frame of beams.
     Beam(BeamScene),
     /// A body in the plane.
-    Plane(Box<PlaneScene>),
+    Plane(PlaneScene),
 }
 
 /// Path of a key at the root of a case.
@@ -77,10 +77,11 @@ impl Scene {
         check_title(&case.title, &mut faults);
         let resolved = match case.model.clone() {
             Model::TimoshenkoBeam(model) => {
-                BeamScene::new(case, model, folder, max_memory, faults).map(Self::Beam)
+                BeamScene::new(case, *model, folder, max_memory, faults).map(Self::Beam)
             }
-            Model::BondPlane(model) => PlaneScene::new(case, model, folder, max_memory, faults)
-                .map(|scene| Self::Plane(Box::new(scene))),
+            Model::BondPlane(model) => {
+                PlaneScene::new(case, model, folder, max_memory, faults).map(Self::Plane)
+            }
         };
         resolved.map_err(|faults| faults.into_report(file, text))
     }
@@ -126,7 +127,7 @@ impl Scene {
     pub fn into_plane(self) -> Option<PlaneScene> {
         match self {
             Self::Beam(_) => None,
-            Self::Plane(scene) => Some(*scene),
+            Self::Plane(scene) => Some(scene),
         }
     }
 }

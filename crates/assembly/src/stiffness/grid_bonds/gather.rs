@@ -35,7 +35,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
                     || self.gather_chunk(chunk, &u, &mut forces),
                 );
                 let width = chunk.width as usize;
-                take(chunk.first as usize, forces.each_ref().map(|f| &f[..width]), take_front(&mut own, width));
+                take(
+                    chunk.first as usize,
+                    forces.each_ref().map(|f| &f[..width]),
+                    take_front(&mut own, width),
+                );
             }
         };
         match n < FEW {

@@ -3,8 +3,8 @@
 use super::chunks::{CHUNK, Chunk};
 use super::gather::push;
 use super::{Class, GridBonds};
-use crate::stiffness::planes::{planes, planes_mut, take_front};
 use crate::bonds::{BondModel, Mat};
+use crate::stiffness::planes::{planes, planes_mut, take_front};
 use rayon::prelude::*;
 use std::array::from_fn;
 use std::ops::Range;

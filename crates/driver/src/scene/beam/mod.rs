@@ -135,7 +135,7 @@ impl BeamScene {
         let resolved = Self::resolve(&case, &mut model, folder, max_memory, &mut faults);
         match resolved {
             Some(scene) if !faults.has_errors() => {
-                case.model = Model::TimoshenkoBeam(model);
+                case.model = Model::TimoshenkoBeam(Box::new(model));
                 keep_files(&mut case, folder);
                 Ok(Self { warnings: faults, case, ..scene })
             }

@@ -169,6 +169,9 @@ fn unfilled(error: &FillError, case: &Case, path: &JsonPath, faults: &mut Faults
             let numbers: Vec<String> = fitting.iter().map(|s| tidy(*s)).collect();
             match numbers.is_empty() {
                 true => fault.hint("both sides must be whole multiples of the spacing"),
+                false if numbers.len() == 1 => {
+                    fault.hint(format!("the nearest spacing that fits is {}", numbers[0]))
+                }
                 false => fault.hint(format!("the nearest spacings that fit are {}", numbers.join(" and "))),
             };
         }

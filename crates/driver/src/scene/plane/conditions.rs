@@ -21,6 +21,9 @@ pub struct Conditions {
 pub struct HeldPoints {
     /// Numbers of the points, ascending.
     pub points: Vec<u32>,
+    /// Where an edge is held and not its points: per point the next one behind it, and the distance of the edge over that
+    /// of the two points. The displacement of the edge is extrapolated from both.
+    pub behind: Vec<Option<(u32, f64)>>,
     /// Direction that is held, a unit vector.
     pub direction: [f64; 2],
     /// Displacement in this direction at a factor of one.
@@ -75,8 +78,12 @@ impl Conditions {
             parents.dedup();
             parents
         };
-        let holds =
-            self.holds.iter().map(|h| HeldPoints { points: parents(&h.points), value: 0.0, ..h.clone() });
+        let holds = self.holds.iter().map(|h| HeldPoints {
+            points: parents(&h.points),
+            behind: Vec::new(),
+            value: 0.0,
+            ..h.clone()
+        });
         let rigid = self.rigid.iter().map(|r| RigidPoints {
             points: parents(&r.points),
             prescribed: r.prescribed.map(|p| p.map(|_| 0.0)),
@@ -103,9 +110,17 @@ impl HeldPoints {
         let [x, y] = self.direction;
         // The larger share first: it is the one to divide by.
         let shares = if x.abs() >= y.abs() { [(0, x), (1, y)] } else { [(1, y), (0, x)] };
-        self.points.iter().map(move |&point| {
-            let term = |&(component, c): &(usize, f64)| (Unknown { component, point: point as usize }, c);
-            let terms = shares.iter().filter(|s| s.1 != 0.0).map(term).collect();
+        self.points.iter().enumerate().map(move |(k, &point)| {
+            let behind = self.behind.get(k).copied().flatten();
+            let beyond = behind.map_or(0.0, |(_, beyond)| beyond);
+            let term = |point: u32, factor: f64| {
+                let of = move |&(component, c): &(usize, f64)| {
+                    (Unknown { component, point: point as usize }, factor * c)
+                };
+                shares.iter().filter(|s| s.1 != 0.0).map(of).collect::<Vec<_>>()
+            };
+            let mut terms = term(point, 1.0 + beyond);
+            terms.extend(behind.into_iter().flat_map(|(point, beyond)| term(point, -beyond)));
             Equation { terms, value: self.value, origin: self.origin.clone() }
         })
     }
@@ -268,8 +283,9 @@ mod tests {
     #[test]
     fn coarse_points_are_held_where_a_child_is_and_springs_add_up() {
         let fine = SquareLattice::rectangle(1.0, [0.0; 2], [4, 2]);
-        let hold =
-            HeldPoints { points: vec![1, 2, 5], direction: [1.0, 0.0], value: 3.0, origin: String::new() };
+        let (points, behind) = (vec![1, 2, 5], vec![None, Some((6, 0.5)), None]);
+        let hold = HeldPoints { points, behind, direction: [1.0, 0.0], value: 3.0, origin: String::new() };
+        assert_eq!(hold.equations().map(|e| e.terms.len()).collect::<Vec<_>>(), [1, 2, 1]);
         let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };
         let springs = vec![spring(2), spring(3), spring(0)];
         let conditions = Conditions { holds: vec![hold], springs, ..region(&fine, [Some(1.0), None, None]) };

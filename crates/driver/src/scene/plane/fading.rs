@@ -2,7 +2,7 @@
 
 use super::boundary::{self, Border};
 use super::loads::Context;
-use super::lump::{self, Resultant};
+use super::lump::{self, Forces, Resultant};
 use super::traction::{OnBorder, Profile, StressField, is_aligned, may_be_consistent, of_edge};
 use super::uniform_stress::traction_of;
 use crate::diagnostic::Faults;
@@ -64,7 +64,7 @@ impl Fading {
 }
 
 /// The stress of a traction and the forces that belong to it, by numbers of the body; `None` where it must be lumped.
-pub(super) fn fade(traction: &OnBorder, context: &Context) -> Option<(StressField, Vec<(u32, [f64; 2])>)> {
+pub(super) fn fade(traction: &OnBorder, context: &Context) -> Option<(StressField, Forces)> {
     let outline = context.ground.outline?;
     let Border::Edge(edge) = &traction.border else { return None };
     if !is_aligned(edge) || !may_be_consistent(traction, context) {
@@ -111,7 +111,7 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Option<(StressFiel
         let sum = forces.entry(point).or_default();
         (0..2).for_each(|k| sum[k] += force[k]);
     }
-    let mut forces: Vec<(u32, [f64; 2])> = forces.into_iter().collect();
+    let mut forces: Forces = forces.into_iter().collect();
     forces.extend(missing(&forces, traction, context));
     let points = points.into_iter().map(|p| p as usize).collect();
     Some((StressField::faded(points, fading), forces))
@@ -126,7 +126,7 @@ fn in_box(vertices: &[[f64; 2]], a: [f64; 2], b: [f64; 2]) -> bool {
 }
 
 /// What the stress does on other borders, taken back there.
-fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Vec<(u32, [f64; 2])> {
+fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Forces {
     let Some(outline) = context.ground.outline else { return Vec::new() };
     let spacing = context.ground.body.spacing();
     let region = |name: &str| context.ground.region(name, &Default::default(), &mut Faults::default());
@@ -155,7 +155,7 @@ fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Vec<(u32, [f64; 
 }
 
 /// Small forces along the edge that make force and moment exact, as far as no mirror takes part in them.
-fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -> Vec<(u32, [f64; 2])> {
+fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -> Forces {
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut rest = Resultant::default();
     forces.iter().for_each(|&(p, f)| rest.add(f.map(|f| -f), at(p)));
@@ -167,7 +167,7 @@ fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -
             rest.force[axis] = 0.0;
         }
     }
-    let mut small: Vec<(u32, [f64; 2])> = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
+    let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
     if !mirrors.is_none() {
         // Only the force: its moment about the middle of the points is left to the mirror.
         let count = small.len() as f64;

@@ -14,6 +14,8 @@ const NEAREST: usize = 16;
 pub(super) struct Interpolation<'a> {
     pub(super) body: &'a PlaneBody,
     pub(super) cracks: &'a [NamedCrack],
+    /// The horizon, in spacings of a lattice.
+    pub(super) reach: i32,
 }
 
 impl Interpolation<'_> {
@@ -94,8 +96,9 @@ impl Interpolation<'_> {
         best.map(|b| b.1)
     }
 
-    /// Weights at a position on an edge: a parabola through the three nearest points on each of the two lattice lines
-    /// beside it that go inward. `None` where no line has three.
+    /// Weights at a position on an edge: a parabola through three points on each of the two lattice lines beside it that go
+    /// inward, one, two and three horizons behind the first: what lies closer sees the steps of the edge. On narrow bodies
+    /// the three are closer together; `None` where no line has three points behind the first.
     pub(super) fn inward(&self, position: [f64; 2], inward: [i8; 2]) -> Option<Weights> {
         let PlaneBody::Lattice(lattice) = self.body else { return None };
         let axis = usize::from(inward[0] == 0);
@@ -112,7 +115,10 @@ impl Interpolation<'_> {
             let start = if sign > 0 { (at[axis] - 1e-6).ceil() } else { (at[axis] + 1e-6).floor() } as i32;
             let first = (0..3).map(|k| start + sign * k).find(|&k| lattice.number(cell(k)).is_some())?;
             let distance = |k: i32| f64::from(sign) * (f64::from(k) - at[axis]);
-            let cells = [0, 1, 2].map(|k| first + sign * k);
+            let exists = |k: i32| lattice.number(cell(k)).is_some();
+            let step =
+                (1..=self.reach).rev().find(|step| (1..=3).all(|k| exists(first + sign * k * step)))?;
+            let cells = [1, 2, 3].map(|k| first + sign * k * step);
             let weight = |k: usize| {
                 let others = (0..3).filter(|j| *j != k);
                 others
@@ -155,7 +161,7 @@ mod tests {
     #[test]
     fn linear_fields_are_exact_everywhere_and_parabolas_inwards_from_edges() {
         let body = PlaneBody::Lattice(SquareLattice::rectangle(0.1, [1.0, 2.0], [10, 6]));
-        let interpolation = Interpolation { body: &body, cracks: &[] };
+        let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
         let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5 * x * y;
         for position in [[1.0, 2.0], [1.33, 2.21], [2.0, 2.3], [1.55, 2.55], [1.5, 2.6]] {
             let found = value(&body, &interpolation.at(position, 0), field);
@@ -174,7 +180,7 @@ mod tests {
         let body = PlaneBody::Lattice(SquareLattice::rectangle(1.0, [0.0; 2], [4, 4]));
         let crack = peristat_assembly::body::Crack::new(vec![[-1.0, 2.0], [5.0, 2.0]]).unwrap();
         let cracks = [NamedCrack { name: "1".into(), crack }];
-        let interpolation = Interpolation { body: &body, cracks: &cracks };
+        let interpolation = Interpolation { body: &body, cracks: &cracks, reach: 3 };
         let weights = interpolation.at([1.7, 1.9], 0);
         assert!(weights.iter().all(|w| body.position(w.0 as usize)[1] < 2.0));
         assert!((value(&body, &weights, |p| p[1]) - 1.9).abs() < 1e-14);

@@ -92,7 +92,8 @@ fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoa
     }
     super::supports::not_mirrored(load.at.region.as_deref(), &at.key("region"), context.symmetry, faults);
     let Some(spot) = context.ground.spot(&load.at, &at, "the load", faults) else { return };
-    if (0..2).all(|c| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held))) {
+    let acts = force != [0.0; 2];
+    if acts && (0..2).all(|c| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held))) {
         faults
             .warning(at, format!("supports hold {} against this force: it deforms nothing", spot.words))
             .hint("it only adds to the reaction of the support");

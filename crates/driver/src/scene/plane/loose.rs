@@ -34,7 +34,7 @@ pub(super) fn check(scene: &PlaneScene, faults: &mut Faults) {
             match scene.case.cracks.is_empty() {
                 true => "use a smaller spacing or a longer horizon where the body is thin",
                 false => {
-                    "cracks meet all its other bonds: move them away from the point, or use a smaller spacing"
+                    "cracks cut what else would hold it: move them away from the point, or use a smaller spacing"
                 }
             },
         );

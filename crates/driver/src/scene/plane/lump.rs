@@ -5,6 +5,9 @@ use super::loads::Context;
 use super::traction::OnBorder;
 use std::collections::BTreeMap;
 
+/// Forces on points of the body, N.
+pub(super) type Forces = Vec<(u32, [f64; 2])>;
+
 /// Force and moment about the origin.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Resultant {
@@ -22,7 +25,7 @@ impl Resultant {
 
 /// Forces of a traction on points of the body, each stretch of its border on the nearest point, with the exact force and
 /// moment.
-pub(super) fn forces(traction: &OnBorder, context: &Context) -> Vec<(u32, [f64; 2])> {
+pub(super) fn forces(traction: &OnBorder, context: &Context) -> Forces {
     let stretches = traction.stretches(context.ground.body.spacing());
     let candidates = candidates(traction, context);
     let profile = |place: f64, normal: [f64; 2]| traction.profile.at(place, normal);
@@ -45,7 +48,7 @@ pub(super) fn on_points(
     traction: &dyn Fn(f64, [f64; 2]) -> [f64; 2],
     candidates: &[u32],
     context: &Context,
-) -> Vec<(u32, [f64; 2])> {
+) -> Forces {
     let thickness = context.parameters.material.thickness;
     let whole: f64 = stretches.iter().map(|s| s.length).sum();
     let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
@@ -66,7 +69,7 @@ pub(super) fn on_points(
             wanted.add(share, at);
         }
     }
-    let mut forces: Vec<(u32, [f64; 2])> = forces.into_iter().collect();
+    let mut forces: Forces = forces.into_iter().collect();
     settle(&mut forces, wanted, context);
     forces
 }

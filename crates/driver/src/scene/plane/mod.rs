@@ -86,8 +86,8 @@ pub struct PlaneScene {
     pub expectations: Vec<Expectation<PlaneComparison>>,
     /// Faults that do not keep the case from running.
     pub warnings: Faults,
-    recipe: Recipe,
-    outline: Option<Outline>,
+    recipe: Box<Recipe>,
+    outline: Option<Box<Outline>>,
 }
 
 /// One right-hand side: a load step, a load case or a combination.
@@ -189,7 +189,8 @@ impl PlaneScene {
         cracks::check(&cracks, &recipe.body, outline.as_ref(), &|crack| recipe.is_cut_by(crack), faults);
         let built = built?;
         let (conditions, supports) = conditions(&held, rigid, &recipe, &built);
-        let interpolation = Interpolation { body: &recipe.body, cracks: &cracks };
+        let reach = (recipe.parameters.horizon_ratio + 1e-9).floor() as i32;
+        let interpolation = Interpolation { body: &recipe.body, cracks: &cracks, reach };
         let context = probes::Context {
             ground: &ground,
             recipe: &recipe,
@@ -235,15 +236,15 @@ impl PlaneScene {
             expectations,
             warnings: Faults::default(),
             model: built,
-            recipe,
-            outline,
+            recipe: Box::new(recipe),
+            outline: outline.map(Box::new),
         })
     }
 
     /// Whether bonds can miss at points other than those of a plain edge.
     fn can_have_loose_points(&self) -> bool {
         let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty();
-        !self.cracks.is_empty() || !self.outline.as_ref().is_some_and(plain)
+        !self.cracks.is_empty() || !self.outline().is_some_and(plain)
     }
 
     /// The points without images, in the order of the body.
@@ -259,7 +260,7 @@ impl PlaneScene {
 
     /// The outline; listed points have none.
     pub fn outline(&self) -> Option<&Outline> {
-        self.outline.as_ref()
+        self.outline.as_deref()
     }
 
     /// Number in the model of a point of the body.

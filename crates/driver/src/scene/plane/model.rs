@@ -59,8 +59,11 @@ impl Recipe {
     pub(super) fn is_cut_by(&self, crack: &Crack) -> bool {
         match &self.body {
             PlaneBody::Lattice(lattice) => {
+                let depth = BondPlane::depth(&self.parameters).unwrap_or(0);
                 let offsets = BondPlane::offsets(&self.parameters).unwrap_or_default();
-                !cut_bonds(lattice, &offsets, std::slice::from_ref(crack)).is_empty()
+                // A crack along a mirror cuts bonds to images only.
+                let lattice = self.symmetry.mirrors.extended(lattice, depth);
+                !cut_bonds(&lattice, &offsets, std::slice::from_ref(crack)).is_empty()
             }
             PlaneBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();

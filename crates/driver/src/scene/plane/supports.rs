@@ -7,6 +7,7 @@ use super::symmetry::Symmetry;
 use super::{model::Recipe, root};
 use crate::case::{Rigid, Support};
 use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::bond_plane::BondPlane;
 use peristat_assembly::stiffness::Spring;
 
@@ -19,6 +20,8 @@ pub(super) struct Held {
     pub(super) path: JsonPath,
     /// Its points.
     pub(super) points: Vec<u32>,
+    /// Per point the next one behind it and how far the edge lies before them, where an edge is held on its line.
+    behind: Vec<Option<(u32, f64)>>,
     /// Directions, prescribed displacements and their keys.
     pub(super) motions: Vec<([f64; 2], f64, &'static str)>,
     /// Components and total stiffnesses of springs.
@@ -45,7 +48,8 @@ pub(super) fn held(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) ->
         }
         not_mirrored(support.at.region.as_deref(), &at.key("region"), symmetry, faults);
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
-        Some(resolve(support, spot, path))
+        let behind = behind(ground, support.at.region.as_deref(), &spot.points);
+        Some(resolve(support, spot, behind, path))
     })
     .collect()
 }
@@ -103,7 +107,26 @@ fn check_keys(support: &Support, path: &JsonPath, faults: &mut Faults) {
     }
 }
 
-fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
+/// The points behind those of a straight edge along the lattice: points lie half a spacing or less behind their edge, and
+/// what holds the edge itself is the extrapolation from two of them. Nothing for other regions: their points are held.
+fn behind(ground: &Ground, region: Option<&str>, points: &[u32]) -> Vec<Option<(u32, f64)>> {
+    let PlaneBody::Lattice(lattice) = ground.body else { return Vec::new() };
+    let edge = region.and_then(|name| ground.outline?.edge(name));
+    let Some(edge) = edge.filter(|e| e.normal.iter().any(|n| n.abs() > 1.0 - 1e-12)) else {
+        return Vec::new();
+    };
+    let inward = edge.normal.map(|n| -n.round() as i32);
+    let of = |&point: &u32| {
+        let [column, row] = lattice.cell(point as usize);
+        let next = lattice.number([column + inward[0], row + inward[1]])? as u32;
+        let at = lattice.position(point as usize);
+        let distance: f64 = (0..2).map(|k| (edge.from[k] - at[k]) * edge.normal[k]).sum();
+        points.binary_search(&next).is_err().then_some((next, distance / lattice.spacing()))
+    };
+    points.iter().map(of).collect()
+}
+
+fn resolve(support: &Support, spot: Spot, behind: Vec<Option<(u32, f64)>>, path: JsonPath) -> Held {
     let inclined = support.inclined.map(|inclined| {
         let angle = inclined.degrees.to_radians();
         // What rounding leaves of a right angle is no share.
@@ -117,6 +140,7 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
         name: spot.words,
         path,
         points: spot.points,
+        behind,
         motions: [ux, uy, inclined].into_iter().flatten().collect(),
         springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
     }
@@ -126,8 +150,11 @@ impl Held {
     /// What it prescribes, by numbers of the model.
     pub(super) fn holds(&self, recipe: &Recipe, model: &BondPlane) -> Vec<HeldPoints> {
         let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
+        let number = |&(point, beyond): &(u32, f64)| (recipe.number(model, point), beyond);
+        let behind: Vec<Option<(u32, f64)>> = self.behind.iter().map(|b| b.as_ref().map(number)).collect();
         let hold = |&(direction, value, key): &([f64; 2], f64, &'static str)| HeldPoints {
             points: points.clone(),
+            behind: behind.clone(),
             direction,
             value,
             origin: self.path.key(key).to_string(),

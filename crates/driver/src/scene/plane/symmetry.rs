@@ -55,7 +55,7 @@ pub(super) fn symmetry(
         }
         symmetry.edges.push(edge);
         let range = if side < 2 { lattice.columns() } else { lattice.rows() };
-        let line = if side % 2 == 0 { range.start } else { range.end };
+        let line = if side.is_multiple_of(2) { range.start } else { range.end };
         let lines = if side < 2 { &mut symmetry.mirrors.columns } else { &mut symmetry.mirrors.rows };
         lines[side % 2] = Some(line);
         let whole = lattice.corner()[side / 2] + f64::from(line) * lattice.spacing();
@@ -72,7 +72,7 @@ pub(super) fn symmetry(
 fn edge_on(outline: &Outline, side: usize) -> Option<(String, f64)> {
     let [low, high] = outline.bounds();
     let axis = side / 2;
-    let at = if side % 2 == 0 { low[axis] } else { high[axis] };
+    let at = if side.is_multiple_of(2) { low[axis] } else { high[axis] };
     let along = 1 - axis;
     let whole = |e: &&Edge| {
         let ends = [e.from[along].min(e.to[along]), e.from[along].max(e.to[along])];

@@ -2,7 +2,7 @@
 
 use super::boundary::{self, Border};
 use super::loads::{Context, is_held};
-use super::lump;
+use super::lump::{self, Forces};
 use super::traction::{OnBorder, Profile, may_be_consistent, of_edge};
 use crate::diagnostic::Faults;
 use peristat_assembly::body::Edge;
@@ -15,7 +15,7 @@ pub(super) struct UniformStress {
     /// `[S_xx, S_yy, S_xy]`, Pa.
     pub(super) stress: [f64; 3],
     /// What it does to edges that supports hold, taken back there.
-    pub(super) on_held_edges: Vec<(u32, [f64; 2])>,
+    pub(super) on_held_edges: Forces,
 }
 
 /// Linear conditions on a stress, met one after the other by the smallest change.
@@ -132,7 +132,7 @@ fn held_components(edge: &Edge, context: &Context) -> [bool; 2] {
 }
 
 /// Forces of what acts on a held edge beyond the stress.
-fn taken_back(edge: &Edge, t: [f64; 2], stress: [f64; 3], context: &Context) -> Vec<(u32, [f64; 2])> {
+fn taken_back(edge: &Edge, t: [f64; 2], stress: [f64; 3], context: &Context) -> Forces {
     let own = traction_of(stress, edge.normal);
     let rest = [0, 1].map(|k| t[k] - own[k]);
     let points = context.ground.region(&edge.name, &Default::default(), &mut Faults::default());
