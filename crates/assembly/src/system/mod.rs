@@ -1,7 +1,6 @@
 //! A body ready to be solved: terms, constraints, operator, reactions.
 
 mod elimination;
-mod fold;
 mod level;
 mod mobility;
 mod scatter;

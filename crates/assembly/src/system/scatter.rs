@@ -1,9 +1,11 @@
-//! The constrained stiffness in compressed rows where no unknown depends on others: blocks go straight to their places.
+//! The constrained stiffness `TᵀKT` in compressed rows: blocks of independent unknowns go straight to their places, the few
+//! of unknowns that depend on others are added to them.
 
 use super::System;
 use crate::bonds::Mat;
+use crate::condition::Row;
 use crate::stiffness::BlockMatrix;
-use sprs::CsMat;
+use sprs::{CsMat, TriMat};
 
 /// Blocks of every point with all points that it is coupled to, itself among them, in order.
 struct Rows<const D: usize> {
@@ -44,38 +46,86 @@ impl<const D: usize> Rows<D> {
     }
 }
 
+/// Independent unknowns behind an unknown, with their coefficients.
+struct Masters<'a> {
+    /// Per unknown: number of its row plus one, zero if it is independent.
+    row: Vec<u32>,
+    rows: &'a [Row],
+}
+
+impl<'a> Masters<'a> {
+    fn new(size: usize, rows: &'a [Row]) -> Self {
+        let mut row = vec![0; size];
+        rows.iter().zip(1..).for_each(|(r, number)| row[r.unknown] = number);
+        Self { row, rows }
+    }
+
+    fn is_free(&self, unknown: usize) -> bool {
+        self.row[unknown] == 0
+    }
+
+    /// Whether an unknown depends on others.
+    fn has_some(&self, unknown: usize) -> bool {
+        let row = self.row[unknown];
+        row > 0 && !self.rows[row as usize - 1].masters.is_empty()
+    }
+
+    /// Adds what an entry of the lower triangle of the stiffness is on independent unknowns.
+    fn fold(&self, [row, column]: [usize; 2], value: f64, sum: &mut TriMat<f64>) {
+        self.each(row, |a, ca| {
+            self.each(column, |b, cb| {
+                // Of a symmetric pair only one entry is visited; both may fall on one diagonal place.
+                let both = if a == b && row != column { 2.0 } else { 1.0 };
+                if row != column || b <= a {
+                    sum.add_triplet(a.max(b), a.min(b), both * ca * cb * value);
+                }
+            });
+        });
+    }
+
+    fn each(&self, unknown: usize, mut visit: impl FnMut(usize, f64)) {
+        match self.row[unknown] {
+            0 => visit(unknown, 1.0),
+            row => self.rows[row as usize - 1].masters.iter().for_each(|&(m, c)| visit(m, c)),
+        }
+    }
+}
+
 impl<const D: usize> System<D> {
-    /// The lower triangle without the rows and columns of constrained unknowns, which keep a positive diagonal.
-    pub(super) fn scatter(&self) -> CsMat<f64> {
+    /// The lower triangle of the constrained stiffness `TᵀKT` in compressed rows; unknowns that are constrained or that
+    /// nothing reads keep a positive diagonal and couple to nothing.
+    pub fn assemble_sparse(&self) -> CsMat<f64> {
         let (n, size) = (self.points, self.size());
-        let mut free = vec![true; size];
-        self.constraints.rows().iter().for_each(|row| free[row.unknown] = false);
+        let masters = Masters::new(size, self.constraints.rows());
         let rows = Rows::new(n, &self.stiffness());
         let room: usize = rows.entries.len() * D * (D + 1) / 2;
         let (mut pointers, mut indices, mut values) =
             (Vec::with_capacity(size + 1), Vec::with_capacity(room), Vec::with_capacity(room));
+        let mut folded = TriMat::new((size, size));
         pointers.push(0);
-        for c in 0..D {
-            for j in 0..n {
-                let row = c * n + j;
-                let mut diagonal = 0.0;
-                for r in 0..=c {
-                    for (i, block) in rows.of(j).iter().take_while(|(i, _)| r < c || *i as usize <= j) {
-                        let (column, value) = (r * n + *i as usize, block[c][r]);
-                        if column == row {
-                            diagonal = value;
-                        } else if free[row] && free[column] {
-                            indices.push(column);
-                            values.push(value);
-                        }
+        for (c, j) in (0..D).flat_map(|c| (0..n).map(move |j| (c, j))) {
+            let row = c * n + j;
+            let mut diagonal = 0.0;
+            for r in 0..=c {
+                for (i, block) in rows.of(j).iter().take_while(|(i, _)| r < c || *i as usize <= j) {
+                    let (column, value) = (r * n + *i as usize, block[c][r]);
+                    if column == row {
+                        diagonal = value;
+                    } else if masters.is_free(row) && masters.is_free(column) {
+                        indices.push(column);
+                        values.push(value);
+                    }
+                    if value != 0.0 && (masters.has_some(row) || masters.has_some(column)) {
+                        masters.fold([row, column], value, &mut folded);
                     }
                 }
-                // An unknown that nothing reads has no stiffness.
-                indices.push(row);
-                values.push(if diagonal == 0.0 { 1.0 } else { diagonal });
-                pointers.push(indices.len());
             }
+            // An unknown that nothing reads has no stiffness.
+            indices.push(row);
+            values.push(if diagonal == 0.0 { 1.0 } else { diagonal });
+            pointers.push(indices.len());
         }
-        CsMat::new((size, size), pointers, indices, values)
+        let direct = CsMat::new((size, size), pointers, indices, values);
+        if folded.nnz() == 0 { direct } else { &direct + &folded.to_csr() }
     }
 }
