@@ -19,8 +19,10 @@ mod model;
 mod motions;
 mod moved;
 mod outputs;
+mod parts;
 mod probes;
 mod problem;
+mod supported;
 mod supports;
 mod symmetry;
 #[cfg(test)]
@@ -37,9 +39,10 @@ pub use loads::PlaneLoads;
 pub use moved::MovedTips;
 pub use outputs::{Intensity, LinePoint, OutputLine};
 pub use probes::{PlaneProbe, Quantity};
+pub use supported::PlaneSupport;
 
 use super::states::{self, Sum};
-use super::{Expectation, horizon, keep_files, root};
+use super::{Expectation, keep_files, root};
 use crate::case::{Case, Model, Plane, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use ground::Ground;
@@ -48,7 +51,6 @@ use model::Recipe;
 use peristat_assembly::body::{Cell, Crack, Outline, PlaneBody, SquareLattice};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError};
-use std::ops::Range;
 use std::path::Path;
 use supports::Held;
 
@@ -103,30 +105,9 @@ pub struct PlaneState {
     pub terms: Vec<(usize, f64)>,
 }
 
-/// A support, or what is prescribed of a rigid region.
-#[derive(Clone, Debug)]
-pub struct PlaneSupport {
-    /// What the user calls the place.
-    pub name: String,
-    /// Where it stands in the case.
-    pub path: JsonPath,
-    /// Its equations among those of the scene with the direction that each holds, or none for a rotation.
-    pub equations: Vec<(Range<usize>, Option<[f64; 2]>)>,
-    /// Its springs among those of the conditions.
-    pub springs: Range<usize>,
-}
-
 /// Path of the model in a case.
 fn model_path() -> JsonPath {
     root("model").key("bond_plane")
-}
-
-/// What a case says of its body, before it has points in a model.
-struct Parts {
-    recipe: Recipe,
-    outline: Option<Outline>,
-    curves: Vec<crate::input::gmsh::Curve>,
-    cracks: Vec<NamedCrack>,
 }
 
 impl PlaneScene {
@@ -166,7 +147,8 @@ impl PlaneScene {
         faults: &mut Faults,
     ) -> Option<Self> {
         foreign::check(case, faults);
-        let Parts { recipe, outline, curves, cracks } = parts(case, model, folder, max_memory, faults)?;
+        let parts::Parts { recipe, outline, curves, cracks } =
+            parts::parts(case, model, folder, max_memory, faults)?;
         let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
         let held = supports::held(&ground, &recipe.symmetry, faults);
         let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
@@ -188,7 +170,7 @@ impl PlaneScene {
         let built = recipe.make(&paths).map_err(|error| model::refuse(&error, faults)).ok();
         cracks::check(&cracks, &recipe.body, outline.as_ref(), &|crack| recipe.is_cut_by(crack), faults);
         let built = built?;
-        let (conditions, supports) = conditions(&held, rigid, &recipe, &built);
+        let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &built);
         let reach = (recipe.parameters.horizon_ratio + 1e-9).floor() as i32;
         let interpolation = Interpolation { body: &recipe.body, cracks: &cracks, reach };
         let context = probes::Context {
@@ -303,33 +285,6 @@ impl PlaneScene {
     }
 }
 
-/// The body of the case, its material and its cracks.
-fn parts(
-    case: &Case,
-    model: &mut Plane,
-    folder: &Path,
-    max_memory: Option<u64>,
-    faults: &mut Faults,
-) -> Option<Parts> {
-    let listed = matches!(case.body, crate::case::Body::Points(_) | crate::case::Body::Mesh(_));
-    let parameters = material::parameters(model, listed, faults);
-    let cracks = cracks::cracks(case, faults);
-    let built = body::build(case, model.thickness, folder, max_memory, faults);
-    let spacing = built.as_ref().map(|b| b.body.spacing());
-    let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), faults);
-    let body::Built { body, outline, curves } = built?;
-    let lattice = match &body {
-        PlaneBody::Lattice(lattice) => Some(lattice),
-        PlaneBody::Cloud(_) => None,
-    };
-    let symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
-    let (mut parameters, ratio) = (parameters?, ratio?);
-    parameters.horizon_ratio = ratio;
-    let horizon = ratio * body.spacing();
-    let recipe = Recipe { body, symmetry, parameters, horizon };
-    Some(Parts { recipe, outline, curves, cracks: cracks? })
-}
-
 /// The right-hand sides.
 fn states(case: &Case, faults: &mut Faults) -> Vec<PlaneState> {
     let state = |Sum { name, load_factor, terms }: Sum| PlaneState {
@@ -339,45 +294,4 @@ fn states(case: &Case, faults: &mut Faults) -> Vec<PlaneState> {
         terms,
     };
     states::sums(case, faults).into_iter().map(state).collect()
-}
-
-/// Conditions on points of the model, and which of their equations and springs belong to which support.
-fn conditions(
-    held: &[Held],
-    rigid: Vec<RigidPoints>,
-    recipe: &Recipe,
-    model: &BondPlane,
-) -> (Conditions, Vec<PlaneSupport>) {
-    let mut conditions = Conditions::default();
-    let (mut supports, mut next) = (Vec::new(), 0);
-    for h in held {
-        let (holds, springs) = (h.holds(recipe, model), h.spring_list(recipe, model));
-        let mut equations = Vec::new();
-        for hold in &holds {
-            equations.push((next..next + hold.points.len(), Some(hold.direction)));
-            next += hold.points.len();
-        }
-        let first = conditions.springs.len();
-        conditions.holds.extend(holds);
-        conditions.springs.extend(springs);
-        let springs = first..conditions.springs.len();
-        supports.push(PlaneSupport { name: h.name.clone(), path: h.path.clone(), equations, springs });
-    }
-    let end = conditions.springs.len();
-    for (k, region) in rigid.into_iter().enumerate() {
-        let directions = [Some([1.0, 0.0]), Some([0.0, 1.0]), None];
-        let mut equations = Vec::new();
-        for (_, direction) in region.prescribed.iter().zip(directions).filter(|p| p.0.is_some()) {
-            equations.push((next..next + 1, direction));
-            next += 1;
-        }
-        if !equations.is_empty() {
-            let path = root("rigid").index(k);
-            let name = format!("the rigid region {}", k + 1);
-            supports.push(PlaneSupport { name, path, equations, springs: end..end });
-        }
-        let points = region.points.iter().map(|&p| recipe.number(model, p)).collect();
-        conditions.rigid.push(RigidPoints { points, ..region });
-    }
-    (conditions, supports)
 }

@@ -1,0 +1,45 @@
+//! The body of a case in the plane, its material, mirrors and cracks.
+
+use super::super::horizon;
+use super::model::Recipe;
+use super::{NamedCrack, body, cracks, material, symmetry};
+use crate::case::{Case, Plane};
+use crate::diagnostic::Faults;
+use crate::input::gmsh::Curve;
+use peristat_assembly::body::{Outline, PlaneBody};
+use std::path::Path;
+
+/// What a case says of its body, before it has points in a model.
+pub(super) struct Parts {
+    pub(super) recipe: Recipe,
+    pub(super) outline: Option<Outline>,
+    pub(super) curves: Vec<Curve>,
+    pub(super) cracks: Vec<NamedCrack>,
+}
+
+/// The body of the case, its material and its cracks.
+pub(super) fn parts(
+    case: &Case,
+    model: &mut Plane,
+    folder: &Path,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Parts> {
+    let listed = matches!(case.body, crate::case::Body::Points(_) | crate::case::Body::Mesh(_));
+    let parameters = material::parameters(model, listed, faults);
+    let cracks = cracks::cracks(case, faults);
+    let built = body::build(case, model.thickness, folder, max_memory, faults);
+    let spacing = built.as_ref().map(|b| b.body.spacing());
+    let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), faults);
+    let body::Built { body, outline, curves } = built?;
+    let lattice = match &body {
+        PlaneBody::Lattice(lattice) => Some(lattice),
+        PlaneBody::Cloud(_) => None,
+    };
+    let symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
+    let (mut parameters, ratio) = (parameters?, ratio?);
+    parameters.horizon_ratio = ratio;
+    let horizon = ratio * body.spacing();
+    let recipe = Recipe { body, symmetry, parameters, horizon };
+    Some(Parts { recipe, outline, curves, cracks: cracks? })
+}

@@ -1,0 +1,62 @@
+//! Supports of a body in the plane with their equations and springs.
+
+use super::model::Recipe;
+use super::supports::Held;
+use super::{Conditions, RigidPoints, root};
+use crate::diagnostic::JsonPath;
+use peristat_assembly::model::bond_plane::BondPlane;
+use std::ops::Range;
+
+/// A support, or what is prescribed of a rigid region.
+#[derive(Clone, Debug)]
+pub struct PlaneSupport {
+    /// What the user calls the place.
+    pub name: String,
+    /// Where it stands in the case.
+    pub path: JsonPath,
+    /// Its equations among those of the scene with the direction that each holds, or none for a rotation.
+    pub equations: Vec<(Range<usize>, Option<[f64; 2]>)>,
+    /// Its springs among those of the conditions.
+    pub springs: Range<usize>,
+}
+
+/// Conditions on points of the model, and which of their equations and springs belong to which support.
+pub(super) fn conditions(
+    held: &[Held],
+    rigid: Vec<RigidPoints>,
+    recipe: &Recipe,
+    model: &BondPlane,
+) -> (Conditions, Vec<PlaneSupport>) {
+    let mut conditions = Conditions::default();
+    let (mut supports, mut next) = (Vec::new(), 0);
+    for h in held {
+        let (holds, springs) = (h.holds(recipe, model), h.spring_list(recipe, model));
+        let mut equations = Vec::new();
+        for hold in &holds {
+            equations.push((next..next + hold.points.len(), Some(hold.direction)));
+            next += hold.points.len();
+        }
+        let first = conditions.springs.len();
+        conditions.holds.extend(holds);
+        conditions.springs.extend(springs);
+        let springs = first..conditions.springs.len();
+        supports.push(PlaneSupport { name: h.name.clone(), path: h.path.clone(), equations, springs });
+    }
+    let end = conditions.springs.len();
+    for (k, region) in rigid.into_iter().enumerate() {
+        let directions = [Some([1.0, 0.0]), Some([0.0, 1.0]), None];
+        let mut equations = Vec::new();
+        for (_, direction) in region.prescribed.iter().zip(directions).filter(|p| p.0.is_some()) {
+            equations.push((next..next + 1, direction));
+            next += 1;
+        }
+        if !equations.is_empty() {
+            let path = root("rigid").index(k);
+            let name = format!("the rigid region {}", k + 1);
+            supports.push(PlaneSupport { name, path, equations, springs: end..end });
+        }
+        let points = region.points.iter().map(|&p| recipe.number(model, p)).collect();
+        conditions.rigid.push(RigidPoints { points, ..region });
+    }
+    (conditions, supports)
+}
