@@ -7,6 +7,7 @@ mod memory;
 mod meshio;
 mod messages;
 mod numbers;
+mod plane_folder;
 mod readme;
 mod results_folder;
 mod schema;

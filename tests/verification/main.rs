@@ -17,6 +17,7 @@ mod frames;
 mod grading;
 mod literature;
 mod plain_factor;
+mod plane_results;
 mod reactions;
 mod section_forces;
 mod sections;
