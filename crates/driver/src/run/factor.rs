@@ -120,9 +120,9 @@ pub(super) fn factor<const D: usize>(
 
 /// A factor of a sparse matrix.
 enum SparseFactor {
-    Whole(SparseCholesky),
+    Whole(Box<SparseCholesky>),
     /// Halves side by side.
-    Dissected(DissectedCholesky),
+    Dissected(Box<DissectedCholesky>),
 }
 
 impl SparseFactor {
@@ -134,14 +134,14 @@ impl SparseFactor {
         positions: Option<&[[f64; 2]]>,
     ) -> Result<Self, FactorError> {
         let Some(positions) = positions else {
-            return SparseCholesky::analyse(matrix, Ordering::MinimumDegree).map(Self::Whole);
+            return SparseCholesky::analyse(matrix, Ordering::MinimumDegree).map(Box::new).map(Self::Whole);
         };
         let dissection = nested_dissection(positions, &PointGraph::from_matrix(matrix, D));
         match rayon::current_num_threads() > 1 && positions.len() > Self::FEW {
-            true => DissectedCholesky::analyse(matrix, &dissection, D).map(Self::Dissected),
+            true => DissectedCholesky::analyse(matrix, &dissection, D).map(Box::new).map(Self::Dissected),
             false => {
                 let ordering = Ordering::Points { order: dissection.order(), components: D };
-                SparseCholesky::analyse(matrix, ordering).map(Self::Whole)
+                SparseCholesky::analyse(matrix, ordering).map(Box::new).map(Self::Whole)
             }
         }
     }
@@ -162,8 +162,8 @@ impl SparseFactor {
 
     fn into_preconditioner(self) -> Box<dyn Preconditioner> {
         match self {
-            Self::Whole(factor) => Box::new(factor),
-            Self::Dissected(factor) => Box::new(factor),
+            Self::Whole(factor) => factor,
+            Self::Dissected(factor) => factor,
         }
     }
 }
