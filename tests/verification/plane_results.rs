@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// Solves a case with all fields.
 fn solve(case: &Value) -> (Summary, PlaneResult) {
-    let solved = peristat::solve_text(&format!("{case:#}")).unwrap();
+    let solved = peristat::solve_text(&format!("{case:#}")).expect("a case that can be solved");
     assert!(solved.summary.states.iter().all(|s| s.certificate.converged));
     match solved.states.into_iter().next_back() {
         Some(StateResult::Plane(result)) => (solved.summary, result),
@@ -20,8 +20,9 @@ fn solve(case: &Value) -> (Summary, PlaneResult) {
 /// Solves a case without fields that nobody asks for.
 fn report(case: &Value) -> (RunReport, Vec<PlaneResult>) {
     let text = format!("{case:#}");
-    let source = peristat::case::from_text("case", text.clone(), &[]).unwrap();
-    let scene = Scene::new(source.case, Path::new("."), "case", &text, None).unwrap();
+    let source = peristat::case::from_text("case", text.clone(), &[]).expect("a case that can be solved");
+    let scene =
+        Scene::new(source.case, Path::new("."), "case", &text, None).expect("a case that can be solved");
     let mut results = Vec::new();
     let mut take = |result: StateResult| {
         if let StateResult::Plane(result) = result {
@@ -29,12 +30,13 @@ fn report(case: &Value) -> (RunReport, Vec<PlaneResult>) {
         }
         Ok(())
     };
-    let report = peristat::run::run(&scene, &RunOptions::default(), &mut take).unwrap();
+    let report =
+        peristat::run::run(&scene, &RunOptions::default(), &mut take).expect("a case that can be solved");
     (report, results)
 }
 
 fn probe(summary: &Summary, name: &str) -> f64 {
-    summary.probes.iter().find(|p| p.name == name).unwrap().value
+    summary.probes.iter().find(|p| p.name == name).expect("a probe of this name").value
 }
 
 /// A plate of 12 × 8 with a hole.

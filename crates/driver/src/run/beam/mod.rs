@@ -49,7 +49,7 @@ pub fn run(
 /// Sizes of a beam that can be solved.
 ///
 /// # Errors
-/// As [`prepare`].
+/// As that of a run: its memory, contradictions of its supports, motions that nothing holds.
 pub fn sizes(scene: &BeamScene, options: &RunOptions) -> Result<Sizes, RunError> {
     match scene.has_axial {
         true => prepare::<3>(scene, options).map(|p| p.1),
