@@ -2,8 +2,10 @@
 
 use super::factor::{self, SolveFailure, SolverReport};
 use super::multigrid::{self, Coarser};
+use super::problem::Spread;
 use super::{Counters, Problem, Timing};
 use crate::case::Solver;
+use peristat_assembly::model::Model;
 use peristat_assembly::system::{Level, System};
 use peristat_solve::{PcgOptions, Preconditioner};
 use std::time::Instant;
@@ -47,14 +49,28 @@ impl Finish {
     }
 }
 
-/// The coarser levels of a problem, where a multigrid cycle is its method.
-pub(super) fn coarser<const D: usize, P: Problem<D>>(problem: &P) -> Option<Coarser<D>> {
-    let points = peristat_assembly::model::Model::points(problem.model());
+/// What a problem is going to be solved with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Plan {
+    /// A multigrid cycle.
+    Cycle,
+    /// The blocks of the points.
+    Blocks,
+    /// A factor.
+    Factor,
+}
+
+/// The plan for a problem, from its size and from what the case asks for.
+pub(super) fn plan<const D: usize, P: Problem<D>>(problem: &P) -> Plan {
+    let points = problem.model().points();
     let few_sides = problem.states() < MANY_SIDES || points > TOO_MANY_POINTS;
-    match problem.solver() {
-        Solver::Multigrid => problem.coarser(),
-        Solver::Auto if points >= MANY_POINTS && few_sides => problem.coarser(),
-        _ => None,
+    match (problem.solver(), problem.spread()) {
+        (_, Spread::Chain) => Plan::Factor,
+        (Solver::Pcg, _) => Plan::Blocks,
+        (Solver::Multigrid, Spread::Lattice) => Plan::Cycle,
+        (Solver::Auto, Spread::Lattice) if points >= MANY_POINTS && few_sides => Plan::Cycle,
+        (Solver::Auto, Spread::Plane) if points > TOO_MANY_POINTS => Plan::Blocks,
+        _ => Plan::Factor,
     }
 }
 
@@ -69,28 +85,26 @@ pub(super) fn method<'a, const D: usize, P: Problem<D>>(
     timing: &mut Timing,
     counters: &mut Counters,
 ) -> Result<Method<'a>, SolveFailure> {
-    let asked = problem.solver();
-    let points = system.points();
-    if let Some(coarser) = coarser {
-        let reason = match asked {
-            Solver::Auto => format!(
+    let (asked, points) = (problem.solver(), system.points());
+    let because = |reason: String| if asked == Solver::Auto { reason } else { "the case asks for it".into() };
+    match (plan(problem), coarser) {
+        (Plan::Cycle, Some(coarser)) => {
+            let reason = format!(
                 "{points} points of a lattice: coarser lattices are a better preconditioner than a factor"
-            ),
-            _ => "the case asks for it".into(),
-        };
-        return of_cycle(system, coarser, reason, timing, counters);
+            );
+            of_cycle(system, coarser, because(reason), timing, counters)
+        }
+        (Plan::Blocks, _) => {
+            let reason = format!("{points} points, not of a lattice: a factor would take too much memory");
+            of_blocks(system, because(reason), timing)
+        }
+        _ => {
+            let positions = problem.positions();
+            let (preconditioner, report) =
+                factor::factor(system, asked, positions.as_deref(), timing, counters)?;
+            Ok(Method { preconditioner, report, finish: Finish::of_factor() })
+        }
     }
-    let positions = problem.positions();
-    let huge = positions.is_some() && points > TOO_MANY_POINTS;
-    if asked == Solver::Pcg || (asked == Solver::Auto && huge) {
-        let reason = match asked {
-            Solver::Auto => format!("{points} points, not of a lattice: a factor would take too much memory"),
-            _ => "the case asks for it".into(),
-        };
-        return of_blocks(system, reason, timing);
-    }
-    let (preconditioner, report) = factor::factor(system, asked, positions.as_deref(), timing, counters)?;
-    Ok(Method { preconditioner, report, finish: Finish::of_factor() })
 }
 
 fn of_cycle<'a, const D: usize>(

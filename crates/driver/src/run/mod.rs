@@ -20,7 +20,7 @@ pub use factor::{SolveFailure, SolverReport};
 pub use linear::LinearSolver;
 pub use multigrid::Coarser;
 pub use plane::PlaneResult;
-pub use problem::{Problem, Sizes, prepare};
+pub use problem::{Problem, Sizes, Spread, prepare};
 pub(crate) use range::Range;
 pub use verdict::{CheckResult, ProbeResult};
 
@@ -190,7 +190,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
 ) -> Result<RunReport, RunError> {
     let mut timing = Timing::default();
     let begin = Instant::now();
-    let coarser = method::coarser(problem);
+    let coarser = if method::plan(problem) == method::Plan::Cycle { problem.coarser() } else { None };
     timing.assemble = begin.elapsed().as_secs_f64();
     let mut ready = Some(LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?);
     let (mut report, mut counters) = (SolverReport::default(), Counters::default());

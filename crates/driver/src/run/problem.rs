@@ -36,6 +36,11 @@ pub trait Problem<const D: usize> {
     /// Adds the loads of a state to `force`, `D` planes, and returns the factor on prescribed motions.
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64;
 
+    /// How its points lie.
+    fn spread(&self) -> Spread {
+        Spread::Chain
+    }
+
     /// Positions of the points, where they spread in a plane: their factor is ordered by them.
     fn positions(&self) -> Option<Vec<[f64; 2]>> {
         None
@@ -51,6 +56,17 @@ pub trait Problem<const D: usize> {
 
     /// What would hold a free motion, for a hint.
     fn remedy(&self) -> &'static str;
+}
+
+/// How the points of a problem lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spread {
+    /// Along lines.
+    Chain,
+    /// In a plane.
+    Plane,
+    /// In a plane, on a lattice that has coarser ones.
+    Lattice,
 }
 
 /// Sizes of a scene, known before it is solved.

@@ -1,7 +1,7 @@
 //! The coarser levels of a body on a lattice: the same body, cracks and conditions at twice the spacing, again and again.
 
 use super::conditions::Conditions;
-use crate::run::Coarser;
+use crate::run::{Coarser, Spread};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
 use peristat_assembly::model::bond_plane::BondPlane;
 use peristat_assembly::stiffness::{Springs, Term};
@@ -12,6 +12,20 @@ const COARSEST: usize = 1500;
 /// Rows or columns that a coarsest lattice keeps: with fewer, all of its points are at an edge.
 const NARROW: usize = 12;
 
+/// How the points of a body lie.
+pub(super) fn spread(model: &BondPlane) -> Spread {
+    match model.lattice() {
+        Some((lattice, _)) if !is_coarsest(lattice) => Spread::Lattice,
+        _ => Spread::Plane,
+    }
+}
+
+/// Whether a lattice has no coarser one that would help.
+fn is_coarsest(lattice: &SquareLattice) -> bool {
+    let narrow = lattice.rows().len().min(lattice.columns().len()) < 2 * NARROW;
+    lattice.points() <= COARSEST || narrow
+}
+
 /// The coarser levels of a model; none of a cloud, or of a lattice that is coarse itself.
 pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditions) -> Option<Coarser<2>> {
     let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, cracks);
@@ -20,8 +34,7 @@ pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditio
     loop {
         let fine = coarsest.as_ref().unwrap_or(model);
         let (lattice, _) = fine.lattice()?;
-        let narrow = lattice.rows().len().min(lattice.columns().len()) < 2 * NARROW;
-        if lattice.points() <= COARSEST || narrow {
+        if is_coarsest(lattice) {
             break;
         }
         let coarse = fine.coarser(&find)?;

@@ -3,7 +3,7 @@
 
 use super::{PlaneScene, levels};
 use crate::case::Solver;
-use crate::run::{Coarser, Problem};
+use crate::run::{Coarser, Problem, Spread};
 use peristat_assembly::body::Crack;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::bond_plane::BondPlane;
@@ -47,6 +47,10 @@ impl Problem<2> for MovedTips<'_> {
             self.scene.load_cases[case].add_to(&self.model, factor, force);
         }
         state.motion_factor
+    }
+
+    fn spread(&self) -> Spread {
+        levels::spread(&self.model)
     }
 
     fn positions(&self) -> Option<Vec<[f64; 2]>> {

@@ -2,7 +2,7 @@
 
 use super::{PlaneScene, levels, motions};
 use crate::case::Solver;
-use crate::run::{Coarser, Problem};
+use crate::run::{Coarser, Problem, Spread};
 use peristat_assembly::body::Crack;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::bond_plane::BondPlane;
@@ -38,6 +38,10 @@ impl Problem<2> for PlaneScene {
             self.load_cases[case].add_to(&self.model, factor, force);
         }
         state.motion_factor
+    }
+
+    fn spread(&self) -> Spread {
+        levels::spread(&self.model)
     }
 
     fn positions(&self) -> Option<Vec<[f64; 2]>> {
