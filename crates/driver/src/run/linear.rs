@@ -86,6 +86,24 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         })
     }
 
+    /// Takes a factor instead of a method that did not converge.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if the stiffness has none.
+    pub(super) fn fall_back<P: Problem<D>>(
+        &mut self,
+        problem: &P,
+        timing: &mut Timing,
+    ) -> Result<(), SolveFailure> {
+        let Method { preconditioner, report, finish } =
+            method::of_factor(problem, self.system, timing, &mut self.counters)?;
+        let reason = format!("{} did not converge; {}", self.report.method, report.reason);
+        let iterations = std::mem::take(&mut self.report.iterations);
+        self.report = SolverReport { reason, iterations, ..report };
+        (self.preconditioner, self.finish) = (preconditioner, finish);
+        Ok(())
+    }
+
     /// Displacements of each component that count as equally large.
     pub(super) fn scales(&self) -> &[f64; D] {
         &self.scales

@@ -93,18 +93,37 @@ pub(super) fn method<'a, const D: usize, P: Problem<D>>(
                 "{points} points of a lattice: coarser lattices are a better preconditioner than a factor"
             );
             of_cycle(system, coarser, because(reason), timing, counters)
+                .or_else(|_| of_factor(problem, system, timing, counters))
         }
         (Plan::Blocks, _) => {
             let reason = format!("{points} points, not of a lattice: a factor would take too much memory");
             of_blocks(system, because(reason), timing)
         }
-        _ => {
-            let positions = problem.positions();
-            let (preconditioner, report) =
-                factor::factor(system, asked, positions.as_deref(), timing, counters)?;
-            Ok(Method { preconditioner, report, finish: Finish::of_factor() })
-        }
+        _ => of_factor(problem, system, timing, counters),
     }
+}
+
+/// A factor of the stiffness.
+///
+/// # Errors
+/// [`SolveFailure`] if it has none.
+pub(super) fn of_factor<'a, const D: usize, P: Problem<D>>(
+    problem: &P,
+    system: &System<D>,
+    timing: &mut Timing,
+    counters: &mut Counters,
+) -> Result<Method<'a>, SolveFailure> {
+    let positions = problem.positions();
+    let (preconditioner, report) =
+        factor::factor(system, problem.solver(), positions.as_deref(), timing, counters)?;
+    Ok(Method { preconditioner, report, finish: Finish::of_factor() })
+}
+
+/// Whether a problem whose cycle did not converge is worth a factor: the case leaves the choice, and there is room.
+pub(super) fn can_fall_back<const D: usize, P: Problem<D>>(problem: &P) -> bool {
+    plan(problem) == Plan::Cycle
+        && problem.solver() == Solver::Auto
+        && problem.model().points() <= TOO_MANY_POINTS
 }
 
 fn of_cycle<'a, const D: usize>(

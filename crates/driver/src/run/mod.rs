@@ -182,6 +182,23 @@ struct SolvedState<'a> {
     certificate: Certificate,
 }
 
+/// Solution of a load and a factor on prescribed motions, with its certificate.
+fn certified<const D: usize, P: Problem<D>>(
+    problem: &P,
+    system: &System<D>,
+    solver: &mut LinearSolver<D>,
+    (load, motion_factor): (&[f64], f64),
+    timing: &mut Timing,
+) -> (StateSolution, Certificate) {
+    let begin = Instant::now();
+    let solution = solver.solve(load, motion_factor);
+    timing.solve += begin.elapsed().as_secs_f64();
+    let begin = Instant::now();
+    let certificate = certificate::certify(problem.model(), system, load, &solution, solver.scales());
+    timing.certify += begin.elapsed().as_secs_f64();
+    (solution, certificate)
+}
+
 /// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`.
 fn solve_states<const D: usize, P: Problem<D>>(
     problem: &P,
@@ -200,12 +217,12 @@ fn solve_states<const D: usize, P: Problem<D>>(
         let Some(solver) = &mut ready else { break };
         load.fill(0.0);
         let motion_factor = problem.add_load(state, &mut load);
-        let begin = Instant::now();
-        let solution = solver.solve(&load, motion_factor);
-        timing.solve += begin.elapsed().as_secs_f64();
-        let begin = Instant::now();
-        let certificate = certificate::certify(problem.model(), system, &load, &solution, solver.scales());
-        timing.certify += begin.elapsed().as_secs_f64();
+        let (mut solution, mut certificate) =
+            certified(problem, system, solver, (&load, motion_factor), &mut timing);
+        if !certificate.converged && method::can_fall_back(problem) {
+            solver.fall_back(problem, &mut timing)?;
+            (solution, certificate) = certified(problem, system, solver, (&load, motion_factor), &mut timing);
+        }
         converged &= certificate.converged;
         // The factor is the largest thing in memory: the last state is recorded without it.
         if state + 1 == problem.states() {
