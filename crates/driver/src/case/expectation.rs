@@ -56,10 +56,10 @@ pub enum FieldName {
     /// Von Mises stress, in the plane.
     #[serde(rename = "von_mises")]
     VonMises,
-    /// Share of the bonds of a point that cracks cut, in the plane.
+    /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane.
     #[serde(rename = "damage")]
     Damage,
-    /// Strain energy density.
+    /// Strain energy density, per volume.
     #[serde(rename = "energy_density")]
     EnergyDensity,
     /// Force of the support at the point on the beam, along w.

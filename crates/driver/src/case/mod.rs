@@ -53,7 +53,7 @@ pub struct Case {
     /// The consistent units of all numbers. They label axes and feed plausibility warnings; nothing is converted.
     #[serde(default)]
     pub units: Units,
-    /// Material, section and bond law.
+    /// What the body is made of: a beam or a plate, with its material.
     pub model: Model,
     /// Geometry and discretisation.
     pub body: Body,
@@ -64,7 +64,8 @@ pub struct Case {
     /// Horizon δ, a length; not on a graded grid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizon: Option<f64>,
-    /// Edges of a body in the plane that are mirrors: `left`, `right`, `bottom`, `top`.
+    /// Sides of a body in the plane that are lines of symmetry: `left`, `right`, `bottom`, `top`. The body is the part on one
+    /// side of them, and nothing else holds or loads these edges.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub symmetry: Vec<String>,
     /// Cracks of a body in the plane.
@@ -88,7 +89,7 @@ pub struct Case {
     /// The loads, where there is one load case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<Load>,
-    /// Several load cases, solved with one factorisation.
+    /// Several load cases, instead of `loads`, solved with one factorisation.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub load_cases: Vec<LoadCase>,
     /// Sums of load cases with factors; prescribed motions of supports count once.
@@ -159,8 +160,8 @@ impl Units {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Solver {
-    /// For beams the strain form where it applies, else chosen from the pattern of the stiffness; for bodies in the plane
-    /// chosen from their size.
+    /// For beams the strain form where it applies, else a factor that suits the pattern of the stiffness; for bodies in
+    /// the plane multigrid, a factor or `pcg`, by their size and the number of load cases.
     #[default]
     Auto,
     /// Strain form: well conditioned whatever the slenderness; straight beams with few supports.

@@ -10,18 +10,18 @@ use serde::{Deserialize, Serialize};
 pub struct Plane {
     /// Young's modulus E, > 0.
     pub youngs_modulus: f64,
-    /// What is zero across the plane.
+    /// Plane stress or plane strain.
     pub state: PlaneState,
-    /// Thickness, > 0.
+    /// Thickness, > 0; 1 if not given.
     #[serde(default = "one")]
     pub thickness: f64,
     /// Poisson's ratio ν: 1/3 in plane stress, 1/4 in plane strain. Central bonds have no other; it need not be given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub poisson_ratio: Option<f64>,
-    /// Stiffness of bonds over their length.
+    /// How the stiffness of bonds depends on their length; `constant` if not given.
     #[serde(default)]
     pub influence: Influence,
-    /// Where the stiffness of bonds comes from.
+    /// Where the stiffness of bonds comes from; `matched` if not given.
     #[serde(default)]
     pub calibration: Calibration,
     /// Volume of points at the edge of the horizon, with the calibration `published`; `ramp` if not given.
@@ -33,7 +33,7 @@ pub struct Plane {
     pub edges: Option<Edges>,
 }
 
-/// What is zero across the plane.
+/// Plane stress or plane strain: what is zero across the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PlaneState {

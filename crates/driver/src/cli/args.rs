@@ -3,7 +3,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
-/// Implicit static peridynamics: beams and plane frames.
+/// Implicit static peridynamics: plates, beams and plane frames.
 ///
 /// Exit codes: 0 done and all checks passed; 1 ran, but did not converge or a check failed; 2 bad input or usage; 130
 /// interrupted.
@@ -33,7 +33,7 @@ pub(super) struct Global {
     /// When to colour messages.
     #[arg(long, global = true, value_enum, default_value = "auto")]
     pub(super) color: Color,
-    /// Threads that solve cases side by side in `verify`; all cores if not given.
+    /// Threads that solve a plate, and cases that `verify` solves side by side; all cores if not given.
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) threads: Option<u16>,
     /// Memory that a case may need, such as `2GB`; it is estimated before anything is allocated.
@@ -83,7 +83,7 @@ pub(super) enum Command {
     },
     /// Print a case to begin with.
     New {
-        /// `timoshenko_beam`, a straight line, or `plane_frame`.
+        /// `timoshenko_beam`, a straight line; `plane_frame`, one with joints and members; `bond_plane`, a plate with a hole.
         model: String,
     },
     /// List models, loads, references and solvers.
@@ -123,11 +123,11 @@ pub(super) struct Run {
 /// What can be listed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(super) enum Kind {
-    /// Models with their sections, bond laws and end treatments.
+    /// Models with their bond laws and end treatments, calibrations and edge treatments.
     Models,
     /// Loads and supports.
     Loads,
-    /// Closed forms for checks.
+    /// Closed forms of beams for checks.
     References,
     /// Solvers.
     Solvers,

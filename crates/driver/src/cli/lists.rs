@@ -8,15 +8,34 @@ use crate::reference;
 use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};
 use serde_json::json;
 
-const MODELS: [(&str, &str); 2] = [
-    (
-        "timoshenko_beam",
-        "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
-    ),
+const BEAM: (&str, &str) = (
+    "timoshenko_beam",
+    "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
+);
+
+const PLATE: [(&str, &str); 10] = [
     (
         "bond_plane",
-        "isotropic plate of central bonds, plane stress or plane strain: rectangle, outline, points, mesh",
+        "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh",
     ),
+    (
+        "  calibration matched",
+        "bonds with which a lattice has the moduli of the material to rounding (default)",
+    ),
+    (
+        "  calibration published",
+        "the constants of the continuum; moduli of a lattice are off by percents; with volume_factor full, clip, ramp, area",
+    ),
+    ("  influence constant", "ω = 1, how the stiffness of bonds depends on their length (default)"),
+    ("  influence inverse", "ω = δ/ξ"),
+    ("  influence linear", "ω = 1 − ξ/δ"),
+    (
+        "  edges overlay",
+        "triangles replace missing bonds: exact for every uniform strain at every point (default of matched)",
+    ),
+    ("  edges none", "bonds beyond an edge are missing (default of published)"),
+    ("  edges volume", "bonds are stiffened by the volumes of the families of their ends"),
+    ("  edges energy", "bonds are stiffened by the energies of their ends in stretches along x and y"),
 ];
 
 /// What `new` prints, by name.
@@ -29,12 +48,18 @@ const STARTS: [(&str, &str); 3] = [
 const LOADS: [(&str, &str); 13] = [
     (
         "point",
-        "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame",
+        "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, shared by the points of a region",
     ),
     ("distributed", "the same per length: uniform, linear or sine, over a line or a part of it"),
     ("w, phi, ux", "prescribed displacements of a support of a line, zero or not"),
-    ("ux, uy, phi, inclined", "prescribed displacements of a support of a frame, zero or not"),
-    ("w_spring, phi_spring, ux_spring, uy_spring", "springs from a point to the ground"),
+    (
+        "ux, uy, phi, inclined",
+        "prescribed displacements of a support of a frame, zero or not; in the plane without phi, of a region or a point",
+    ),
+    (
+        "w_spring, phi_spring, ux_spring, uy_spring",
+        "springs from a point to the ground; in the plane ux_spring and uy_spring, shared by the points of a region",
+    ),
     ("hinges", "ends of the members of a frame that turn freely"),
     ("foundation", "springs per length against deflection under a part of a line, uniform or not"),
     ("rigid", "a rigid link between two points"),
@@ -54,14 +79,17 @@ const LOADS: [(&str, &str); 13] = [
 const SOLVERS: [(&str, &str); 6] = [
     (
         "auto",
-        "the strain form where it applies, else chosen from the pattern of the stiffness; the summary says why (default)",
+        "beams: the strain form where it applies, else a factor; plates: multigrid, a factor or pcg by their size; the summary says why (default)",
     ),
     (
         "strain",
         "strains of a straight beam with few supports: well conditioned whatever cells and slenderness",
     ),
-    ("band", "band Cholesky factor, finished by conjugate gradients on the bonds"),
-    ("sparse", "sparse Cholesky factor with AMD ordering, finished by conjugate gradients on the bonds"),
+    ("band", "band Cholesky factor of a beam, finished by conjugate gradients on the bonds"),
+    (
+        "sparse",
+        "sparse Cholesky factor, ordered by minimum degree, in the plane by nested dissection, finished by conjugate gradients on the bonds",
+    ),
     (
         "multigrid",
         "conjugate gradients on the bonds of a lattice in the plane, preconditioned by coarser lattices",
@@ -92,14 +120,15 @@ pub(super) fn new(name: &str) -> Result<u8, Error> {
 
 /// All entries of a kind: name and what it is.
 fn entries(kind: Kind) -> Vec<(String, String)> {
-    let own = |pairs: &[(&str, &str)]| pairs.iter().map(|(a, b)| ((*a).into(), (*b).into())).collect();
+    let own = |pairs: &[(&str, &str)]| -> Vec<(String, String)> {
+        pairs.iter().map(|(a, b)| ((*a).into(), (*b).into())).collect()
+    };
     match kind {
         Kind::Models => {
-            let models = MODELS.iter().map(|(name, about)| ((*name).into(), (*about).into()));
             let laws = bond_law::TABLE.iter().map(|l| (format!("  bond_law {}", l.name), l.about.into()));
             let ends =
                 end_treatment::TABLE.iter().map(|t| (format!("  end_treatment {}", t.name), t.about.into()));
-            models.chain(laws).chain(ends).collect()
+            own(&[BEAM]).into_iter().chain(laws).chain(ends).chain(own(&PLATE)).collect()
         }
         Kind::Loads => own(&LOADS),
         Kind::References => reference::TABLE.iter().map(|r| (r.name.into(), r.about.into())).collect(),

@@ -43,7 +43,7 @@ pub enum SolveFailure {
 /// What was taken to solve, and why.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
 pub struct SolverReport {
-    /// `strain_form`; or `band_cholesky` or `sparse_cholesky`, finished by conjugate gradients.
+    /// `strain_form`; or `band_cholesky`, `sparse_cholesky`, `multigrid` or `block_jacobi`, finished by conjugate gradients.
     pub method: String,
     /// Why.
     pub reason: String,

@@ -3,7 +3,7 @@
 use super::PlaneMaterial;
 use serde::{Deserialize, Serialize};
 
-/// Stiffness of bonds over their length ξ, δ the horizon.
+/// How the stiffness of bonds depends on their length ξ: the influence function ω; δ is the horizon.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
@@ -42,7 +42,7 @@ impl Influence {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Calibration {
-    /// Every bond of the lattice has the stiffness with which the lattice has the moduli of the material to rounding.
+    /// Bonds with which a lattice has the moduli of the material to rounding.
     #[default]
     Matched,
     /// The constant of the continuum, as published; the moduli of a lattice are then off by a few percent.
@@ -72,11 +72,11 @@ pub enum VolumeFactor {
 pub enum Edges {
     /// Triangles with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.
     Overlay,
-    /// Nothing.
+    /// Nothing: points near edges are too soft.
     None,
     /// Bonds are stiffened by the ratio of the full family's volume to the mean volume of both families.
     Volume,
-    /// Bonds are stiffened so that uniform stretches along x and along y have the right energy, about.
+    /// Bonds are stiffened so that uniform stretches along x and along y have about the right energy.
     Energy,
 }
 
