@@ -27,8 +27,20 @@ impl<'a, const D: usize> Level<'a, D> {
     /// # Errors
     /// The first point whose block is singular: its bonds do not hold it.
     pub fn new(system: &'a System<D>) -> Result<Self, usize> {
+        let (level, loose) = Self::with_loose(system);
+        loose.map_or(Ok(level), Err)
+    }
+
+    /// The same for a coarse level, where points with a singular block stay at rest.
+    pub fn coarse(system: &'a System<D>) -> Self {
+        Self::with_loose(system).0
+    }
+
+    /// The level and the first point whose block is singular.
+    fn with_loose(system: &'a System<D>) -> (Self, Option<usize>) {
         let others = BlockRows::new(system.points(), &system.terms()[1..]);
-        Ok(Self { system, others, inverse: system.inverse_blocks()? })
+        let (inverse, loose) = system.inverse_blocks();
+        (Self { system, others, inverse }, loose)
     }
 
     /// The system.
@@ -148,23 +160,26 @@ impl<const D: usize> System<D> {
         blocks
     }
 
-    /// Their inverses on the components that are free, in planes; or the first point whose block is singular.
-    fn inverse_blocks(&self) -> Result<Vec<f64>, usize> {
+    /// Their inverses on the components that are free, in planes, zero where a block is singular; the first such point.
+    fn inverse_blocks(&self) -> (Vec<f64>, Option<usize>) {
         let n = self.points;
         let mut constrained = vec![[false; D]; n];
         self.constraints.rows().iter().for_each(|row| constrained[row.unknown % n][row.unknown / n] = true);
         let mut inverse = vec![0.0; D * D * n];
+        let mut loose = None;
         let mut last = ([[0.0; D]; D], [[0.0; D]; D]);
         for (point, block) in self.diagonal_blocks().into_iter().enumerate() {
             // Inside a body all blocks are the same.
             if block != last.0 || constrained[point].contains(&true) {
-                last = (block, invert(block, &constrained[point]).ok_or(point)?);
+                let inverse = invert(block, &constrained[point]);
+                loose = loose.or(inverse.is_none().then_some(point));
+                last = (block, inverse.unwrap_or([[0.0; D]; D]));
             }
             for (k, value) in last.1.as_flattened().iter().enumerate() {
                 inverse[k * n + point] = *value;
             }
         }
-        Ok(inverse)
+        (inverse, loose)
     }
 }
 

@@ -3,7 +3,9 @@
 use super::factor::SolveFailure;
 use peristat_assembly::body::Transfer;
 use peristat_assembly::system::{Level, System};
-use peristat_solve::{Hierarchy, Multigrid, MultigridOptions, Ordering, Relaxation, SparseCholesky};
+use peristat_solve::{
+    FactorError, Hierarchy, Multigrid, MultigridOptions, Ordering, Relaxation, SparseCholesky,
+};
 
 /// The coarser levels of a problem: the same body and conditions at twice the spacing, again and again.
 pub struct Coarser<const D: usize> {
@@ -19,21 +21,30 @@ pub(super) struct Levels<'a, const D: usize> {
     transfers: &'a [Transfer],
 }
 
+/// Relative lifts of the diagonal of the coarsest level, where points that cracks leave a bond or two make it singular.
+const LIFTS: [f64; 2] = [1e-8, 1e-4];
+
 /// The cycle as a preconditioner of `system`; also the entries of the factor of the coarsest level.
 ///
 /// # Errors
-/// [`SolveFailure`] if a point is not held by its bonds, or the coarsest level has no factor.
+/// [`SolveFailure`] if a point of the finest level is not held by its bonds, or the coarsest level has no factor.
 pub(super) fn cycle<'a, const D: usize>(
     system: &'a System<D>,
     coarser: &'a Coarser<D>,
 ) -> Result<(Multigrid<Levels<'a, D>>, usize), SolveFailure> {
-    let systems = std::iter::once(system).chain(&coarser.systems);
-    let levels: Result<Vec<Level<D>>, usize> = systems.map(Level::new).collect();
-    let levels = levels.map_err(|point| SolveFailure::Loose { point })?;
-    let coarsest = levels.last().expect("there is a finest level").system().assemble_sparse();
+    let mut levels = vec![Level::new(system).map_err(|point| SolveFailure::Loose { point })?];
+    levels.extend(coarser.systems.iter().map(Level::coarse));
+    let mut coarsest = levels.last().expect("there is a finest level").system().assemble_sparse();
     let mut factor =
         SparseCholesky::analyse(&coarsest, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
-    factor.refactor(&coarsest).map_err(SolveFailure::Factor)?;
+    let diagonal = coarsest.diag();
+    let mut outcome = factor.refactor(&coarsest);
+    for lift in LIFTS {
+        let Err(FactorError::NonPositivePivot { .. }) = outcome else { break };
+        diagonal.iter().for_each(|(k, value)| coarsest.set(k, k, value * (1.0 + lift)));
+        outcome = factor.refactor(&coarsest);
+    }
+    outcome.map_err(SolveFailure::Factor)?;
     let entries = factor.fill();
     let levels = Levels { levels, transfers: &coarser.transfers };
     Ok((Multigrid::new(levels, Box::new(factor), &MultigridOptions::default()), entries))

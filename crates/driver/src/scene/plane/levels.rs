@@ -28,7 +28,8 @@ fn is_coarsest(lattice: &SquareLattice) -> bool {
 
 /// The coarser levels of a model; none of a cloud, or of a lattice that is coarse itself.
 pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditions) -> Option<Coarser<2>> {
-    let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, cracks);
+    let cracks: Vec<Crack> = model.lattice().map_or(Vec::new(), |(lattice, _)| beside(cracks, lattice));
+    let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
     let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new() };
     let (mut coarsest, mut conditions): (Option<BondPlane>, _) = (None, conditions.clone());
     loop {
@@ -58,4 +59,16 @@ pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditio
         coarsest = Some(coarse);
     }
     (!levels.systems.is_empty()).then_some(levels)
+}
+
+/// Cracks moved by a small part of the spacing. A crack between the points of a lattice may run right through those of
+/// a coarser one and cut all of their bonds; moved, it leaves them on one of its sides.
+fn beside(cracks: &[Crack], lattice: &SquareLattice) -> Vec<Crack> {
+    /// In spacings, in no direction that cracks are likely to have.
+    const SHIFT: [f64; 2] = [0.047, 0.029];
+    let moved = |crack: &Crack| {
+        let shift = |v: &[f64; 2]| [0, 1].map(|k| v[k] + SHIFT[k] * lattice.spacing());
+        Crack::new(crack.vertices().iter().map(shift).collect()).unwrap_or_else(|_| crack.clone())
+    };
+    cracks.iter().map(moved).collect()
 }
