@@ -9,12 +9,10 @@ of points; a frame. Competitors alternate and medians are compared, so that what
 import argparse
 import json
 import os
-import platform
 import re
 import subprocess
 import sys
 import time
-from pathlib import Path
 from statistics import median
 
 os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy is loaded: peristat uses one thread, too
@@ -22,12 +20,10 @@ os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy is loaded: peristat use
 import numpy as np
 import scipy
 from scipy.io import mmread
+from measure import EXAMPLES, PERISTAT, WORK, Report, processor, run
 from scipy.linalg.lapack import dpbtrf, dpbtrs
 
-ROOT = Path(__file__).resolve().parent.parent
-WORK = ROOT / "target" / "bench"
-PERISTAT = ROOT / "target" / "release" / "peristat"
-KERNEL = ROOT / "target" / "release" / "examples" / "timing"
+KERNEL = EXAMPLES / "timing"
 MILLION = 1_000_000
 SIZES = [10_000, 31_623, 100_000, 316_228, MILLION]
 LONG = [*SIZES, 3_162_278, 10 * MILLION]
@@ -113,19 +109,6 @@ class Beam:
         return abs(u[::2] - w).max() / w[-1]
 
 
-def run(*command):
-    """Runs a process to its end: output, CPU and wall seconds, peak memory in bytes."""
-    begin = time.perf_counter()
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
-    output = process.stdout.read()
-    _, status, usage = os.wait4(process.pid, 0)  # this child's usage alone
-    wall = time.perf_counter() - begin
-    process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))} ended with {process.returncode}:\n{output}")
-    return output, (usage.ru_utime + usage.ru_stime, wall), usage.ru_maxrss * 1024
-
-
 def lapack(band, load, work):
     """Factors and solves in place, on memory already mapped: solution, info, CPU and wall, wall of the factor."""
     np.copyto(work, band)
@@ -138,28 +121,6 @@ def lapack(band, load, work):
     if not (np.shares_memory(factor, work) and np.shares_memory(x, u)):
         sys.exit("SciPy copied the matrix: LAPACK was not timed in place")
     return x, info, (cpu, wall), factored
-
-
-class Report:
-    """Rows of the table, notes below it, and how many targets were missed."""
-
-    def __init__(self):
-        self.rows, self.notes, self.missed = [], [], 0
-
-    def row(self, what, ours="", theirs="", value="", measured=None, target=None, least=None):
-        verdict = ""
-        if target is not None:
-            met = measured <= target and (least is None or measured >= least)
-            self.missed += not met
-            limits = f"<= {target:g}" if least is None else f"{least:g} to {target:g}"
-            verdict = f"{limits}: {'met' if met else '**missed**'}"
-        self.rows.append([what, ours, theirs, value, verdict])
-        print(f"{what}: {' | '.join(filter(None, (ours, theirs, value, verdict)))}", file=sys.stderr)
-
-    def markdown(self):
-        head = ["", "peristat", "LAPACK", "ratio or value", "target"]
-        table = [head, ["---"] * len(head), *self.rows]
-        return "".join(f"| {' | '.join(row)} |\n" for row in table) + "".join(f"\n{note}\n" for note in self.notes)
 
 
 def same_matrix(report, beams):
@@ -283,11 +244,8 @@ def kernels(report, rounds):
 
 
 def machine():
-    info = Path("/proc/cpuinfo")
-    names = re.findall(r"model name\s*: (.*)", info.read_text()) if info.exists() else []
     lib = scipy.show_config(mode="dicts")["Build Dependencies"]["lapack"]
-    cpu = f"{names[0] if names else platform.processor()}, {os.cpu_count()} cores, {platform.system()}"
-    return f"{cpu}; SciPy {scipy.__version__} with {lib['name']} {lib['version']}, one thread"
+    return f"{processor()}; SciPy {scipy.__version__} with {lib['name']} {lib['version']}, one thread"
 
 
 def main():
@@ -296,7 +254,7 @@ def main():
     parser.add_argument("--rounds", type=int, default=9, help="repeats that medians are taken of")
     options = parser.parse_args()
     WORK.mkdir(parents=True, exist_ok=True)
-    report, loads = Report(), {20: 1e4, 1e4: 1e-4}
+    report, loads = Report("LAPACK"), {20: 1e4, 1e4: 1e-4}
     stocky, slender = (Beam(slenderness, load) for slenderness, load in loads.items())
     band = [Beam(slenderness, load, solver="band") for slenderness, load in loads.items()]
     memory(report, stocky, 120)

@@ -7,4 +7,4 @@ venv=target/bench-venv
 "$venv/bin/python" -c 'import numpy, scipy' 2>/dev/null || "$venv/bin/pip" install --quiet numpy scipy
 cargo build --release --quiet -p peristat
 cargo build --release --quiet -p peristat-solve --example timing
-exec "$venv/bin/python" bench/beam_lapack.py "$@"
+exec "$venv/bin/python" -B bench/beam_lapack.py "$@"
