@@ -117,6 +117,8 @@ fn the_first_case_of_a_newcomer_is_the_one_of_the_gallery() {
     assert_eq!(new, fs::read_to_string(gallery("cantilever.json")).unwrap());
     let frame = run(&root(), &["new", "plane_frame"]).stdout;
     assert_eq!(frame, fs::read_to_string(root().join("cases/frame/steel_portal.json")).unwrap());
+    let plane = run(&root(), &["new", "bond_plane"]).stdout;
+    assert_eq!(plane, fs::read_to_string(root().join("cases/plate/steel_plate.json")).unwrap());
 }
 
 #[test]
@@ -128,6 +130,9 @@ fn every_list_is_printed_alone_and_with_the_others() {
         assert!(alone.starts_with(kind) && all.contains(&alone), "{kind}");
     }
     assert!(all.contains("cantilever_tip_force") && all.contains("bond_law corrected"));
+    // What belongs to a model stands below it.
+    let place = |word: &str| all.find(word).unwrap();
+    assert!(place("bond_law corrected") < place("bond_plane "));
 }
 
 #[test]

@@ -52,6 +52,10 @@ fn visit(root: &Value, schema: &Value, name: &str, value: &Value, found: &mut BT
     for value in value.as_array().into_iter().flatten() {
         visit(root, &schema["items"], name, value, found);
     }
+    // Maps such as `regions` hold values by names of the author.
+    for value in value.as_object().into_iter().flat_map(|map| map.values()) {
+        visit(root, &schema["additionalProperties"], name, value, found);
+    }
 }
 
 #[test]

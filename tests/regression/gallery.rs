@@ -37,7 +37,7 @@ fn all_pass(folder: &str) {
 }
 
 /// Folders with a test below.
-const FOLDERS: [&str; 3] = ["beam", "frame", "bench"];
+const FOLDERS: [&str; 4] = ["beam", "frame", "plate", "bench"];
 
 #[test]
 fn beams_pass_their_checks() {
@@ -47,6 +47,11 @@ fn beams_pass_their_checks() {
 #[test]
 fn frames_pass_their_checks() {
     all_pass("frame");
+}
+
+#[test]
+fn plates_pass_their_checks() {
+    all_pass("plate");
 }
 
 #[test]

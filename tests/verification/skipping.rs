@@ -1,5 +1,6 @@
 //! What a scene does not need is not done, and the counters of a run say so.
 
+use crate::support::plane::{clamped_square, displacements};
 use crate::support::run;
 use crate::support::standard::{SECTIONS, Standard, steel};
 use serde_json::json;
@@ -72,4 +73,30 @@ fn the_finish_takes_a_few_sweeps_over_the_bonds() {
     assert!(counters.pcg_iterations <= 4, "{counters:?}");
     assert!(sweeps <= 10, "{counters:?}");
     assert_eq!(counters.bond_evaluations % sizes.bonds as u64, 0, "whole sweeps only");
+}
+
+#[test]
+fn load_cases_and_steps_of_a_plate_share_one_analysis_and_one_factor() {
+    for solver in ["sparse", "multigrid"] {
+        let mut case = clamped_square(48);
+        case["solver"] = json!(solver);
+        let load = |x: f64, y: f64| json!([{ "traction": { "edge": "right", "uniform": [x, y] } }]);
+        let mut steps = case.clone();
+        case["loads"] = json!([]);
+        case["load_cases"] = json!([{ "name": "pull", "loads": load(1e3, 0.0) }, { "name": "shear", "loads": load(0.0, 1e3) }]);
+        case["combinations"] = json!([{ "name": "both", "factors": { "pull": 1.35, "shear": 1.5 } }]);
+        steps["steps"] = json!({ "load_factors": [0.5, 1.0, 2.0] });
+        for case in [case, steps] {
+            let report = displacements(&case).report;
+            let counters = &report.counters;
+            assert_eq!(
+                (counters.right_hand_sides, counters.factorisations, counters.analyses),
+                (3, 1, 1),
+                "{solver}"
+            );
+            assert_eq!(counters.stored_bond_factors, 0, "{solver}");
+            let said = "2 factorisations: the stiffness does not depend on the load";
+            assert!(report.skipped.iter().any(|s| s == said), "{:?}", report.skipped);
+        }
+    }
 }

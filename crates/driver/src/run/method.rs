@@ -114,8 +114,13 @@ pub(super) fn of_factor<'a, const D: usize, P: Problem<D>>(
     counters: &mut Counters,
 ) -> Result<Method<'a>, SolveFailure> {
     let positions = problem.positions();
-    let (preconditioner, report) =
+    let (preconditioner, mut report) =
         factor::factor(system, problem.solver(), positions.as_deref(), timing, counters)?;
+    if problem.solver() == Solver::Multigrid {
+        let points = system.points();
+        report.reason =
+            format!("multigrid is asked for, but a lattice of {points} points has no coarser one that helps");
+    }
     Ok(Method { preconditioner, report, finish: Finish::of_factor() })
 }
 

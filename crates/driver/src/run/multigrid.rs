@@ -13,6 +13,8 @@ pub struct Coarser<const D: usize> {
     pub systems: Vec<System<D>>,
     /// Interpolation to every level that has a coarser one, the finest level of all first.
     pub transfers: Vec<Transfer>,
+    /// Whether the coarsest one can move as a body: supports that are close to each other fall together there.
+    pub is_loose: bool,
 }
 
 /// All levels of a problem.
@@ -21,8 +23,9 @@ pub(super) struct Levels<'a, const D: usize> {
     transfers: &'a [Transfer],
 }
 
-/// Relative lifts of the diagonal of the coarsest level, where points that cracks leave a bond or two make it singular.
-const LIFTS: [f64; 2] = [1e-8, 1e-4];
+/// Relative lifts of the diagonal of the coarsest level, where supports that fall together, or points that cracks leave a
+/// bond or two, make it singular.
+const LIFTS: [f64; 2] = [1e-6, 1e-4];
 
 /// The cycle as a preconditioner of `system`; also the entries of the factor of the coarsest level.
 ///
@@ -38,6 +41,9 @@ pub(super) fn cycle<'a, const D: usize>(
     let mut factor =
         SparseCholesky::analyse(&coarsest, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
     let diagonal = coarsest.diag();
+    if coarser.is_loose {
+        diagonal.iter().for_each(|(k, value)| coarsest.set(k, k, value * (1.0 + LIFTS[0])));
+    }
     let mut outcome = factor.refactor(&coarsest);
     for lift in LIFTS {
         let Err(FactorError::NonPositivePivot { .. }) = outcome else { break };

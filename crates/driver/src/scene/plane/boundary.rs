@@ -18,6 +18,8 @@ pub(super) struct Stretch {
     pub(super) normal: [f64; 2],
     /// Place of the middle along the whole border, 0 to 1.
     pub(super) place: f64,
+    /// Half its own share of the whole border.
+    pub(super) half: f64,
     /// The point that takes its force, where it is known.
     pub(super) point: Option<u32>,
 }
@@ -54,7 +56,8 @@ pub(super) fn find(
         }
         let hole = outline.holes().iter().position(|h| h.name.as_deref() == Some(name));
         if let Some(k) = hole {
-            let stretches = around(&outline.holes()[k].shape, spacing / PER_SPACING);
+            let mut stretches = of_hole(k, outline, spacing);
+            place_along(&mut stretches);
             return Some(Border::Curved { stretches, hole: Some(k) });
         }
     }
@@ -82,19 +85,47 @@ fn directed(edge: Edge, outline: &Outline) -> Edge {
 }
 
 /// Equal stretches of a segment, not longer than `most`.
-pub(super) fn along(from: [f64; 2], to: [f64; 2], normal: [f64; 2], most: f64) -> Vec<Stretch> {
+fn along(from: [f64; 2], to: [f64; 2], normal: [f64; 2], most: f64) -> Vec<Stretch> {
     let length = (to[0] - from[0]).hypot(to[1] - from[1]);
     let count = (length / most - 1e-6).ceil().max(1.0);
     let stretch = |k: usize| {
         let place = (k as f64 + 0.5) / count;
         let middle = [0, 1].map(|c| from[c] + place * (to[c] - from[c]));
-        Stretch { middle, length: length / count, normal, place, point: None }
+        Stretch { middle, length: length / count, normal, place, half: 0.5 / count, point: None }
     };
     (0..count as usize).map(stretch).collect()
 }
 
+/// Stretches of a hole that border on the body: a hole may cross the outline or another hole.
+pub(super) fn of_hole(hole: usize, outline: &Outline, spacing: f64) -> Vec<Stretch> {
+    let mut stretches = around(&outline.holes()[hole].shape, spacing / PER_SPACING);
+    keep_borders(&mut stretches, outline, spacing);
+    stretches
+}
+
+/// Stretches of a straight edge that border on the body: cells of the lattice where it runs along that.
+pub(super) fn of_edge(edge: &Edge, outline: Option<&Outline>, spacing: f64) -> Vec<Stretch> {
+    let most = if is_aligned(edge) { spacing } else { spacing / PER_SPACING };
+    let mut stretches = along(edge.from, edge.to, edge.normal, most);
+    if let Some(outline) = outline.filter(|o| !o.holes().is_empty()) {
+        keep_borders(&mut stretches, outline, spacing);
+    }
+    stretches
+}
+
+/// Whether an edge runs along the lattice.
+pub(super) fn is_aligned(edge: &Edge) -> bool {
+    edge.from[0] == edge.to[0] || edge.from[1] == edge.to[1]
+}
+
+/// Leaves out the stretches behind which there is no body.
+fn keep_borders(stretches: &mut Vec<Stretch>, outline: &Outline, spacing: f64) {
+    let behind = |s: &Stretch| [0, 1].map(|k| s.middle[k] - 1e-6 * spacing * s.normal[k]);
+    stretches.retain(|s| outline.contains(behind(s)));
+}
+
 /// Stretches around a hole; normals point into the hole.
-pub(super) fn around(shape: &Shape, most: f64) -> Vec<Stretch> {
+fn around(shape: &Shape, most: f64) -> Vec<Stretch> {
     let mut stretches = match shape {
         Shape::Circle { centre, radius } => arc(*centre, *radius, 0.0, TAU, most),
         Shape::Slot { from, to, radius } => {
@@ -135,6 +166,7 @@ fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64, most: f64) -> Vec<Stre
             length: radius * step,
             normal: [-cos, -sin],
             place: 0.0,
+            half: 0.0,
             point: None,
         }
     };
@@ -151,6 +183,7 @@ fn of_curve(curve: &Curve) -> Vec<Stretch> {
             length,
             normal: [d[1] / length, -d[0] / length],
             place: 0.0,
+            half: 0.0,
             point: Some(s.point),
         }
     };
@@ -164,6 +197,7 @@ fn place_along(stretches: &mut [Stretch]) {
     let mut before = 0.0;
     for stretch in stretches {
         stretch.place = (before + 0.5 * stretch.length) / whole;
+        stretch.half = 0.5 * stretch.length / whole;
         before += stretch.length;
     }
 }

@@ -1,9 +1,9 @@
 //! A stress that has the traction of an edge and fades inwards.
 
-use super::boundary::{self, Border};
+use super::boundary::{self, Border, is_aligned};
 use super::loads::Context;
 use super::lump::{self, Forces, Resultant};
-use super::traction::{OnBorder, Profile, StressField, is_aligned, may_be_consistent, of_edge};
+use super::traction::{OnBorder, Profile, StressField, may_be_consistent};
 use super::uniform_stress::traction_of;
 use crate::diagnostic::Faults;
 use peristat_assembly::body::{Edge, Region, Regions};
@@ -132,8 +132,10 @@ fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Forces {
     let region = |name: &str| context.ground.region(name, &Default::default(), &mut Faults::default());
     let mut forces = Vec::new();
     let edges = outline.edges().iter().filter(|e| e.name != own.name);
-    let borders = edges.map(|e| (of_edge(e, spacing), region(&e.name), context.symmetry.replaces(&e.name)));
-    let holes = outline.holes().iter().map(|h| (boundary::around(&h.shape, spacing / 8.0), None, false));
+    let borders = edges.map(|e| {
+        (boundary::of_edge(e, Some(outline), spacing), region(&e.name), context.symmetry.replaces(&e.name))
+    });
+    let holes = (0..outline.holes().len()).map(|k| (boundary::of_hole(k, outline, spacing), None, false));
     for (stretches, points, is_mirror) in borders.chain(holes) {
         let met: Vec<boundary::Stretch> =
             stretches.into_iter().filter(|s| fading.stress(s.middle) != [0.0; 3]).collect();

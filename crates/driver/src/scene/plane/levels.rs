@@ -5,7 +5,7 @@ use crate::run::{Coarser, Spread};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
 use peristat_assembly::model::bond_plane::BondPlane;
 use peristat_assembly::stiffness::{Springs, Term};
-use peristat_assembly::system::System;
+use peristat_assembly::system::{System, free_motions};
 
 /// Points that a direct factor takes in no time.
 const COARSEST: usize = 1500;
@@ -30,7 +30,7 @@ fn is_coarsest(lattice: &SquareLattice) -> bool {
 pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditions) -> Option<Coarser<2>> {
     let cracks: Vec<Crack> = model.lattice().map_or(Vec::new(), |(lattice, _)| beside(cracks, lattice));
     let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
-    let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new() };
+    let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new(), is_loose: false };
     let (mut coarsest, mut conditions): (Option<BondPlane>, _) = (None, conditions.clone());
     loop {
         let fine = coarsest.as_ref().unwrap_or(model);
@@ -58,7 +58,9 @@ pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditio
         levels.systems.push(System::new(&coarse, springs, equations).ok()?);
         coarsest = Some(coarse);
     }
-    (!levels.systems.is_empty()).then_some(levels)
+    let last = levels.systems.last()?;
+    levels.is_loose = !free_motions(&coarsest?, last).is_empty();
+    Some(levels)
 }
 
 /// Cracks moved by a small part of the spacing. A crack between the points of a lattice may run right through those of

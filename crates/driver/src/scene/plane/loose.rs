@@ -33,6 +33,7 @@ pub(super) fn check(scene: &PlaneScene, faults: &mut Faults) {
         faults.error(path.clone(), format!("the point at ({x}, {y}) {why}, so nothing holds it")).hint(
             match scene.case.cracks.is_empty() {
                 true => "use a smaller spacing or a longer horizon where the body is thin",
+                false if a + d == 0.0 => "a crack through a point cuts all of its bonds: move the crack by half a spacing",
                 false => {
                     "cracks cut what else would hold it: move them away from the point, or use a smaller spacing"
                 }

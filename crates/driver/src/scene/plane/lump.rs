@@ -26,7 +26,7 @@ impl Resultant {
 /// Forces of a traction on points of the body, each stretch of its border on the nearest point, with the exact force and
 /// moment.
 pub(super) fn forces(traction: &OnBorder, context: &Context) -> Forces {
-    let stretches = traction.stretches(context.ground.body.spacing());
+    let stretches = traction.stretches(context.ground);
     let candidates = candidates(traction, context);
     let profile = |place: f64, normal: [f64; 2]| traction.profile.at(place, normal);
     on_points(&stretches, &profile, &candidates, context)
@@ -50,20 +50,19 @@ pub(super) fn on_points(
     context: &Context,
 ) -> Forces {
     let thickness = context.parameters.material.thickness;
-    let whole: f64 = stretches.iter().map(|s| s.length).sum();
     let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
     let mut wanted = Resultant::default();
     for stretch in stretches {
         let Some(point) = nearest(stretch, candidates, context) else { continue };
-        let (area, half) = (thickness * stretch.length, 0.5 * stretch.length / whole);
-        let ends = [(-half, 1.0 / 6.0), (0.0, 4.0 / 6.0), (half, 1.0 / 6.0)];
+        let area = thickness * stretch.length;
+        let ends = [(-1.0, 1.0 / 6.0), (0.0, 4.0 / 6.0), (1.0, 1.0 / 6.0)];
         let force = forces.entry(point).or_default();
         // Simpson's rule is exact for parabolas and their moments.
         for (step, weight) in ends {
-            let t = traction(stretch.place + step, stretch.normal);
+            let t = traction(stretch.place + step * stretch.half, stretch.normal);
             let share = t.map(|t| weight * area * t);
             let tangent = [-stretch.normal[1], stretch.normal[0]];
-            let along = tangent_sign(stretches, tangent) * step * whole;
+            let along = tangent_sign(stretches, tangent) * step * 0.5 * stretch.length;
             let at = [0, 1].map(|k| stretch.middle[k] + along * tangent[k]);
             (0..2).for_each(|k| force[k] += share[k]);
             wanted.add(share, at);

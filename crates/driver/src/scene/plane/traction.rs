@@ -7,13 +7,13 @@
 //! `lumped`: the force of every stretch of the border goes to the nearest point. Force and moment are exact either way.
 
 use super::super::numbers::positive;
-use super::boundary::{self, Border, Stretch};
+use super::boundary::{self, Border, Stretch, is_aligned};
+use super::ground::Ground;
 use super::loads::{Context, PlaneLoads};
 use super::lump;
 use super::uniform_stress;
 use crate::case::{LoadSharing, Traction};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::body::Edge;
 use peristat_assembly::model::bond_plane::Calibration;
 
 /// A stress that acts by the rows of the bonds.
@@ -99,23 +99,12 @@ pub(super) struct OnBorder {
 
 impl OnBorder {
     /// Stretches of the border.
-    pub(super) fn stretches(&self, spacing: f64) -> Vec<Stretch> {
+    pub(super) fn stretches(&self, ground: &Ground) -> Vec<Stretch> {
         match &self.border {
-            Border::Edge(edge) => of_edge(edge, spacing),
+            Border::Edge(edge) => boundary::of_edge(edge, ground.outline, ground.body.spacing()),
             Border::Curved { stretches, .. } => stretches.clone(),
         }
     }
-}
-
-/// Stretches of a straight edge: cells of the lattice where it runs along that.
-pub(super) fn of_edge(edge: &Edge, spacing: f64) -> Vec<Stretch> {
-    let most = if is_aligned(edge) { spacing } else { spacing / 8.0 };
-    boundary::along(edge.from, edge.to, edge.normal, most)
-}
-
-/// Whether an edge runs along the lattice.
-pub(super) fn is_aligned(edge: &Edge) -> bool {
-    edge.from[0] == edge.to[0] || edge.from[1] == edge.to[1]
 }
 
 /// The border and the profile of a traction.
@@ -154,7 +143,7 @@ pub(super) fn resolve(
     let border = border?;
     let on =
         OnBorder { name: load.edge.clone(), border, profile: Profile::Pressure(0.0), sharing: load.sharing };
-    let stretches = on.stretches(context.ground.body.spacing());
+    let stretches = on.stretches(context.ground);
     let thickness = context.parameters.material.thickness;
     let area = thickness * stretches.iter().map(|s| s.length).sum::<f64>();
     if !positive(area, "area of the border", place.clone(), faults) {

@@ -3,7 +3,7 @@
 use super::boundary::{self, Border};
 use super::loads::{Context, is_held};
 use super::lump::{self, Forces};
-use super::traction::{OnBorder, Profile, may_be_consistent, of_edge};
+use super::traction::{OnBorder, Profile, may_be_consistent};
 use crate::diagnostic::Faults;
 use peristat_assembly::body::Edge;
 
@@ -136,7 +136,8 @@ fn taken_back(edge: &Edge, t: [f64; 2], stress: [f64; 3], context: &Context) -> 
     let own = traction_of(stress, edge.normal);
     let rest = [0, 1].map(|k| t[k] - own[k]);
     let points = context.ground.region(&edge.name, &Default::default(), &mut Faults::default());
-    let stretches: Vec<boundary::Stretch> = of_edge(edge, context.ground.body.spacing());
+    let stretches: Vec<boundary::Stretch> =
+        boundary::of_edge(edge, context.ground.outline, context.ground.body.spacing());
     lump::on_points(&stretches, &|_, _| rest, &points.unwrap_or_default(), context)
 }
 

@@ -1,0 +1,97 @@
+//! Iterations of conjugate gradients with a multigrid cycle, to a residual of 1e-10, on growing lattices and on bodies that
+//! are hard for cycles.
+
+use crate::support::largest;
+use crate::support::plane::{clamped_square, displacements};
+use serde_json::{Value, json};
+
+fn iterations(case: &Value) -> usize {
+    let run = displacements(case);
+    assert_eq!(run.report.solver.method, "multigrid");
+    run.iterations()
+}
+
+/// Bodies of n points along their longer side, clamped on the left, by name.
+fn hard(n: u32) -> [(&'static str, Value); 4] {
+    let side = f64::from(n);
+    let hole = json!([{ "circle": { "centre": [0.5 * side, 0.5 * side], "radius": 0.2 * side } }]);
+    let crack = json!([{ "path": [[0.75 * side, -1.0], [0.75 * side, 0.5 * side]] }]);
+    let mut cantilever = clamped_square(n as usize);
+    cantilever["body"]["rectangle"]["size"] = json!([n, n / 8]);
+    let mut holed = clamped_square(n as usize);
+    holed["body"]["rectangle"]["holes"] = hole;
+    let mut cracked = clamped_square(n as usize);
+    cracked["cracks"] = json!([{ "path": [[0.5 * side, -1.0], [0.5 * side, 0.5 * side]] }]);
+    let mut both = holed.clone();
+    both["cracks"] = crack;
+    [
+        ("8:1 cantilever", cantilever),
+        ("hole", holed),
+        ("crack over half the height", cracked),
+        ("hole and crack", both),
+    ]
+}
+
+fn check_squares(sides: &[usize]) {
+    let found: Vec<usize> = sides.iter().map(|n| iterations(&clamped_square(*n))).collect();
+    let [least, most] = [found.iter().min(), found.iter().max()].map(|n| *n.expect("there are sides"));
+    assert!(most - least <= 3, "{sides:?}: {found:?}");
+    // 16 at 100 points a side, 18 at 316.
+    assert!(most <= 20, "{found:?}");
+}
+
+fn check_hard(n: u32) {
+    for (name, case) in hard(n) {
+        // 16, 18, 20 and 21 at 256 points a side.
+        let found = iterations(&case);
+        assert!(found <= 25, "{name}: {found}");
+    }
+}
+
+#[test]
+fn iterations_do_not_grow_with_the_lattice() {
+    check_squares(&[100, 200, 316]);
+}
+
+#[test]
+#[ignore = "a million points; part of the long suite"]
+fn iterations_do_not_grow_to_a_million_points() {
+    check_squares(&[100, 316, 1000]);
+}
+
+#[test]
+fn cantilevers_holes_and_cracks_take_at_most_25_iterations() {
+    check_hard(256);
+}
+
+#[test]
+#[ignore = "512 points a side; part of the long suite"]
+fn cantilevers_holes_and_cracks_take_at_most_25_iterations_at_512() {
+    check_hard(512);
+}
+
+#[test]
+fn supports_that_fall_together_on_coarser_lattices_still_hold_the_body() {
+    // Two points a spacing apart are one point of a coarser lattice, which can turn about it.
+    let mut case = clamped_square(80);
+    case["supports"] = json!([
+        { "at": { "x": 78.5, "y": 0.5 }, "uy": 0 }, { "at": { "x": 79.5, "y": 0.5 }, "ux": 0, "uy": 0 }
+    ]);
+    case["loads"] = json!([
+        { "traction": { "edge": "right", "parabolic": [1e3, 0] } },
+        { "traction": { "edge": "left", "parabolic": [-1e3, 0] } }
+    ]);
+    let cycle = displacements(&case);
+    assert_eq!(cycle.report.solver.method, "multigrid");
+    // 19 are found.
+    assert!(cycle.iterations() <= 25, "{}", cycle.iterations());
+    case["solver"] = json!("sparse");
+    let direct = displacements(&case);
+    let size = largest(&direct.states[0].record.u);
+    let error = difference(&cycle.states[0].record.u, &direct.states[0].record.u);
+    assert!(error <= 1e-8 * size, "{error} of {size}");
+}
+
+fn difference(a: &[f64], b: &[f64]) -> f64 {
+    largest(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<f64>>())
+}

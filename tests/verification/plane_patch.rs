@@ -1,0 +1,249 @@
+//! Patch tests of bodies in the plane through the whole program: uniform strains and rigid motions are exact at every point,
+//! at edges, around holes and in sharp corners, for every horizon and in any units.
+
+use crate::support::largest;
+use crate::support::plane::{PlaneRun, solve};
+use peristat::case::FieldName;
+use serde_json::{Value, json};
+
+/// Horizons over spacing.
+const RATIOS: [f64; 5] = [2.0, 3.0, 3.015, 4.0, 6.0];
+/// Units of length, m, and of stress, Pa: mm and MPa as numbers, m and Pa as numbers of a body of the same size.
+const UNITS: [[f64; 2]; 2] = [[1.0, 1.0], [1e-3, 1e6]];
+/// What rounding may do; 3e-14 is found at most.
+const EXACT: f64 = 1e-12;
+/// Relative stresses `[σ_xx, σ_yy, σ_xy]`.
+const STRESSES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// MPa.
+const MODULUS: f64 = 70_000.0;
+
+/// Outlines, mm: a rectangle, an angle with a re-entrant corner, a wedge with a sharp tip.
+const OUTLINES: [&[[f64; 2]]; 3] = [
+    &[[0.0, 0.0], [24.0, 0.0], [24.0, 16.0], [0.0, 16.0]],
+    &[[0.0, 0.0], [26.0, 0.0], [26.0, 10.0], [11.0, 10.0], [11.0, 22.0], [0.0, 22.0]],
+    &[[0.0, 0.0], [36.0, 0.0], [30.0, 14.0], [7.0, 19.0]],
+];
+
+fn body(vertices: &[[f64; 2]], state: &str, ratio: f64, [length, stress]: [f64; 2]) -> Value {
+    let vertices: Vec<[f64; 2]> = vertices.iter().map(|v| v.map(|x| x * length)).collect();
+    json!({
+        "title": "patch",
+        "model": { "bond_plane": { "youngs_modulus": MODULUS * stress, "state": state } },
+        "body": { "outline": { "vertices": vertices, "spacing": length } },
+        "horizon_ratio": ratio, "solver": "sparse"
+    })
+}
+
+fn poisson_ratio(state: &str) -> f64 {
+    if state == "plane_stress" { 1.0 / 3.0 } else { 0.25 }
+}
+
+/// Displacement gradient of a stress over E without rotation.
+fn gradient(state: &str, [x, y, shear]: [f64; 3]) -> [[f64; 2]; 2] {
+    let nu = poisson_ratio(state);
+    // Plane strain is plane stress with other constants.
+    let (e, nu) = if state == "plane_stress" { (1.0, nu) } else { (1.0 / (1.0 - nu * nu), nu / (1.0 - nu)) };
+    let half = (1.0 + nu) / e * shear;
+    [[(x - nu * y) / e, half], [half, (y - nu * x) / e]]
+}
+
+fn linear(g: [[f64; 2]; 2], origin: [f64; 2]) -> impl Fn([f64; 2]) -> [f64; 2] {
+    move |at| g.map(|row| row[0] * (at[0] - origin[0]) + row[1] * (at[1] - origin[1]))
+}
+
+/// Tractions of a stress on all edges of a polygon in counter-clockwise order.
+fn tractions(vertices: &[[f64; 2]], [x, y, shear]: [f64; 3]) -> Value {
+    let on = |k: usize| {
+        let (a, b) = (vertices[k], vertices[(k + 1) % vertices.len()]);
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let n = [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
+        let t = [x * n[0] + shear * n[1], shear * n[0] + y * n[1]];
+        let load = json!({ "traction": { "edge": format!("edge_{}", k + 1), "uniform": t } });
+        (t != [0.0; 2]).then_some(load)
+    };
+    (0..vertices.len()).filter_map(on).collect()
+}
+
+/// Holds what is left of a plate, three components of two points, at this displacement.
+fn held(places: [[f64; 2]; 2], u: impl Fn([f64; 2]) -> [f64; 2]) -> Value {
+    let [first, second] = places.map(&u);
+    json!([
+        { "at": { "x": places[0][0], "y": places[0][1] }, "ux": first[0], "uy": first[1] },
+        { "at": { "x": places[1][0], "y": places[1][1] }, "uy": second[1] }
+    ])
+}
+
+/// Stresses and energy densities of a uniform stress at every point, relative to their sizes.
+fn check_fields(run: &PlaneRun, state: usize, expected: [f64; 3], tolerance: f64, name: &str) {
+    let fields = [FieldName::StressXx, FieldName::StressYy, FieldName::StressXy];
+    let size = largest(&expected);
+    for (field, expected) in fields.into_iter().zip(expected) {
+        for (p, found) in run.field(state, field).into_iter().enumerate() {
+            let at = run.scene.body().position(p);
+            assert!((found - expected).abs() <= tolerance * size, "{name}: {field:?} at {at:?} is {found}");
+        }
+    }
+    let energy = run.field(state, FieldName::EnergyDensity);
+    let strains =
+        [FieldName::StrainXx, FieldName::StrainYy, FieldName::StrainXy].map(|f| run.field(state, f)[0]);
+    let whole = 0.5 * (strains[0] * expected[0] + strains[1] * expected[1]) + strains[2] * expected[2];
+    let worst = energy.iter().map(|e| (e - whole).abs()).fold(0.0, f64::max);
+    assert!(worst <= tolerance * whole, "{name}: energy density off by {worst} of {whole}");
+}
+
+#[test]
+fn tractions_of_a_uniform_stress_are_exact_at_every_point() {
+    for (vertices, state) in OUTLINES.into_iter().zip(["plane_stress", "plane_strain", "plane_stress"]) {
+        for (ratio, units) in RATIOS.iter().flat_map(|m| UNITS.map(|u| (*m, u))) {
+            let [length, stress] = units;
+            let mut case = body(vertices, state, ratio, units);
+            let places = [[0.5, 0.5], [9.5, 0.5]].map(|p| p.map(|x| x * length));
+            case["supports"] = held(places, |_| [0.0; 2]);
+            let loads = |k: usize| {
+                let s = STRESSES[k].map(|s| 100.0 * s * stress);
+                json!({ "name": k.to_string(), "loads": tractions(vertices, s) })
+            };
+            case["load_cases"] = (0..3).map(loads).collect();
+            let run = solve(&case);
+            for (k, relative) in STRESSES.into_iter().enumerate() {
+                let name = format!("{state}, m = {ratio}, {units:?}, {relative:?}");
+                let s = relative.map(|s| 100.0 * s * stress);
+                check_fields(&run, k, s, EXACT, &name);
+                // The second place keeps its height: the body turns.
+                let mut g = gradient(state, relative.map(|s| 100.0 / MODULUS * s));
+                let turn = g[1][0];
+                (g[1][0], g[0][1]) = (g[1][0] - turn, g[0][1] + turn);
+                let error = run.error(k, linear(g, places[0]));
+                assert!(error <= EXACT, "{name}: displacement {error}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rigid_motions_strain_nothing() {
+    let gradients = [[[0.0; 2]; 2], [[0.0; 2]; 2], [[0.0, -1e-3], [1e-3, 0.0]]];
+    let moves = [[1e-3, 0.0], [0.0, -2e-3], [0.0, 0.0]];
+    for (vertices, ratio) in OUTLINES.into_iter().flat_map(|v| RATIOS.map(|m| (v, m))) {
+        for (units, (g, by)) in UNITS.iter().flat_map(|u| gradients.into_iter().zip(moves).map(|m| (*u, m))) {
+            let [length, stress] = units;
+            let mut case = body(vertices, "plane_stress", ratio, units);
+            let exact = |at: [f64; 2]| {
+                let u = linear(g, [0.0; 2])(at);
+                [0, 1].map(|k| u[k] + by[k] * length)
+            };
+            case["supports"] = held([[0.5, 0.5], [9.5, 0.5]].map(|p| p.map(|x| x * length)), exact);
+            let run = solve(&case);
+            let error = run.error(0, exact);
+            assert!(error <= EXACT, "m = {ratio}, {units:?}: {error}");
+            // 1e-3 is the size of the motion over that of the body, or more.
+            let largest_stress = 1e-3 * MODULUS * stress;
+            for field in [FieldName::StressXx, FieldName::StressYy, FieldName::StressXy] {
+                let found = largest(&run.field(0, field)) / largest_stress;
+                assert!(found <= EXACT, "m = {ratio}, {units:?}: {field:?} {found}");
+            }
+        }
+    }
+}
+
+/// A rectangle of 44 × 30 with a round hole and a square one, of which all points near borders follow a linear displacement,
+/// one support each.
+fn with_holes(g: [[f64; 2]; 2], ratio: f64, [length, stress]: [f64; 2]) -> Value {
+    let reach = 2.0 * ratio.floor() + 0.5;
+    let near = |[x, y]: [f64; 2]| {
+        let to_edge = x.min(44.0 - x).min(y).min(30.0 - y);
+        let to_circle = (x - 12.0).hypot(y - 15.0) - 3.2;
+        let to_square = (x - 33.0).abs().max((y - 15.0).abs()) - 3.0;
+        to_edge.min(to_circle).min(to_square) < reach
+    };
+    let inside = |[x, y]: [f64; 2]| {
+        (x - 12.0).hypot(y - 15.0) > 3.2 && ((x - 33.0).abs() > 3.0 || (y - 15.0).abs() > 3.0)
+    };
+    let places = (0..44 * 30).map(|k| [f64::from(k % 44) + 0.5, f64::from(k / 44) + 0.5]);
+    let held = places.filter(|p| inside(*p) && near(*p)).map(|p| {
+        let at = p.map(|x| x * length);
+        let u = linear(g, [0.0; 2])(at);
+        json!({ "at": { "x": at[0], "y": at[1] }, "ux": u[0], "uy": u[1] })
+    });
+    let square = [[30, 12], [36, 12], [36, 18], [30, 18]].map(|p| p.map(|x| f64::from(x) * length));
+    json!({
+        "title": "patch with holes",
+        "model": { "bond_plane": { "youngs_modulus": MODULUS * stress, "state": "plane_strain" } },
+        "body": { "rectangle": { "size": [44.0 * length, 30.0 * length], "spacing": length, "holes": [
+            { "circle": { "centre": [12.0 * length, 15.0 * length], "radius": 3.2 * length } },
+            { "polygon": { "vertices": square } } ] } },
+        "horizon_ratio": ratio, "solver": "sparse",
+        "supports": held.collect::<Vec<Value>>()
+    })
+}
+
+#[test]
+fn uniform_strains_are_exact_around_holes() {
+    for (ratio, units) in RATIOS[..4].iter().flat_map(|m| UNITS.map(|u| (*m, u))) {
+        for relative in STRESSES {
+            let g = gradient("plane_strain", relative.map(|s| 100.0 / MODULUS * s));
+            let run = solve(&with_holes(g, ratio, units));
+            assert!(run.report.sizes.unknowns > 0 || ratio > 3.5, "nothing is free to be wrong");
+            let name = format!("m = {ratio}, {units:?}, {relative:?}");
+            check_fields(&run, 0, relative.map(|s| 100.0 * s * units[1]), EXACT, &name);
+            let error = run.error(0, linear(g, [0.0; 2]));
+            assert!(error <= EXACT, "{name}: displacement {error}");
+        }
+    }
+}
+
+#[test]
+fn pressure_on_every_border_is_exact_around_holes() {
+    for (ratio, solver, tolerance) in
+        [(2.0, "sparse", EXACT), (3.0, "sparse", EXACT), (3.0, "multigrid", 1e-9)]
+    {
+        let pressure = |edge: &str| json!({ "traction": { "edge": edge, "pressure": 50.0 } });
+        let edges = ["left", "right", "bottom", "top", "eye", "slot"];
+        let case = json!({
+            "title": "pressure",
+            "model": { "bond_plane": { "youngs_modulus": MODULUS, "state": "plane_stress" } },
+            "body": { "rectangle": { "size": [64, 48], "spacing": 1, "holes": [
+                { "circle": { "name": "eye", "centre": [16, 20], "radius": 6 } },
+                { "slot": { "name": "slot", "from": [36, 14], "to": [52, 34], "radius": 2.5 } } ] } },
+            "horizon_ratio": ratio, "solver": solver,
+            "supports": held([[0.5, 0.5], [63.5, 0.5]], |_| [0.0; 2]),
+            "loads": edges.map(pressure)
+        });
+        let run = solve(&case);
+        assert_eq!(run.report.solver.method.contains("multigrid"), solver == "multigrid");
+        check_fields(&run, 0, [-50.0, -50.0, 0.0], tolerance, solver);
+        let strain = gradient("plane_stress", [-50.0 / MODULUS, -50.0 / MODULUS, 0.0]);
+        let error = run.error(0, linear(strain, [0.5, 0.5]));
+        assert!(error <= tolerance, "{solver}: displacement {error}");
+    }
+}
+
+#[test]
+fn multigrid_passes_the_patch_test_to_its_tolerance() {
+    for ratio in RATIOS {
+        let vertices = [[0.0, 0.0], [60.0, 0.0], [60.0, 40.0], [0.0, 40.0]];
+        let mut case = body(&vertices, "plane_stress", ratio, [1.0; 2]);
+        case["solver"] = json!("multigrid");
+        case["supports"] = held([[0.5, 0.5], [59.5, 0.5]], |_| [0.0; 2]);
+        let loads = |k: usize| json!({ "name": k.to_string(), "loads": tractions(&vertices, STRESSES[k]) });
+        case["load_cases"] = (0..3).map(loads).collect();
+        let run = solve(&case);
+        assert_eq!(run.report.solver.method, "multigrid");
+        for (k, stress) in STRESSES.into_iter().enumerate() {
+            check_fields(&run, k, stress, 1e-9, &format!("m = {ratio}"));
+        }
+    }
+}
+
+#[test]
+fn without_overlay_the_patch_test_fails() {
+    let vertices = [[0.0, 0.0], [24.0, 0.0], [24.0, 16.0], [0.0, 16.0]];
+    let mut case = body(&vertices, "plane_stress", 3.0, [1.0; 2]);
+    case["model"]["bond_plane"]["edges"] = json!("none");
+    case["supports"] = held([[0.5, 0.5], [9.5, 0.5]], |_| [0.0; 2]);
+    case["loads"] = tractions(&vertices, STRESSES[0]);
+    // Points at edges lack bonds: the displacement is off by per cents.
+    let g = gradient("plane_stress", [1.0 / MODULUS, 0.0, 0.0]);
+    let error = solve(&case).error(0, linear(g, [0.5, 0.5]));
+    assert!(error > 1e-3, "{error}");
+}
