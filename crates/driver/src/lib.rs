@@ -137,7 +137,9 @@ impl Loaded {
             sink(&self.scene, result)
         };
         let report = run::run(&self.scene, options, &mut take).map_err(|e| self.explain(e))?;
-        Ok(collector.finish(&self.scene, report, warning_texts(self.scene.warnings(), &self.file)))
+        let mut warnings = warning_texts(self.scene.warnings(), &self.file);
+        warnings.extend(warning_texts(&report.warnings, &self.file));
+        Ok(collector.finish(&self.scene, report, warnings))
     }
 }
 

@@ -18,8 +18,10 @@ pub struct LineOutput {
     pub points: usize,
 }
 
-/// The stress intensity `K_I = √(E' G)` at tips of a crack, G from the energies of the crack made longer and shorter by one
-/// spacing. It is reported as a probe of this name.
+/// The energy release rate G at tips of a crack as a stress intensity `√(E' G)`, from the energies of the crack made longer
+/// and shorter by one spacing. It is a magnitude: K_I where loads open the crack symmetrically, `√(K_I² + K_II²)` where its
+/// faces also slide; for faces that overlap it has no meaning. The last two are warned of. It is reported as a probe of
+/// this name.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StressIntensity {

@@ -45,6 +45,14 @@ pub fn main() -> ExitCode {
     };
     ExitCode::from(outcome.unwrap_or_else(|error| {
         complain(&error, &global);
+        if global.json {
+            // Machines read one object whatever happens; where stdout is gone, the exit code tells.
+            let text = match &error {
+                Error::Case(report) => report.render(false).trim_end().to_string(),
+                other => other.to_string(),
+            };
+            let _ = say(&format!("{:#}\n", serde_json::json!({ "error": text })));
+        }
         USAGE
     }))
 }

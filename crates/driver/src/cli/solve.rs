@@ -23,7 +23,10 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     admit(&folder, arguments.force).map_err(|error| {
         io::Error::new(
             error.kind(),
-            format!("{error}\nhint: choose another folder with `-o`, or add `--force`"),
+            match folder.exists() && !folder.is_dir() {
+                true => format!("{error}\nhint: choose a folder with `-o`"),
+                false => format!("{error}\nhint: choose another folder with `-o`, or add `--force`"),
+            },
         )
     })?;
     // Faults of the case come before the first file.
@@ -36,6 +39,11 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         write_matrix(&loaded, file)?;
     }
     let summary = solve_into(&loaded, &folder, global)?;
+    if !global.quiet {
+        // Those of the case have been shown.
+        let shown = loaded.warnings().map_or(0, |report| report.diagnostics.len());
+        summary.warnings.iter().skip(shown).for_each(|text| note(&format!("warning: {text}\n\n")));
+    }
     if global.json {
         say(&print::json(&summary))?;
     } else if !global.quiet {

@@ -88,6 +88,8 @@ pub struct RunReport {
     pub timing: Timing,
     /// What this scene was spared, and why.
     pub skipped: Vec<String>,
+    /// Doubts about results that are known only with them.
+    pub warnings: Faults,
     /// Whether every state converged.
     pub converged: bool,
 }
@@ -235,5 +237,13 @@ fn solve_states<const D: usize, P: Problem<D>>(
     }
     counters.bond_evaluations = system.evaluations();
     counters.stored_bond_factors = system.terms().iter().map(|t| t.stored_factors()).sum();
-    Ok(RunReport { sizes, solver: report, counters, timing, skipped: Vec::new(), converged })
+    Ok(RunReport {
+        sizes,
+        solver: report,
+        counters,
+        timing,
+        skipped: Vec::new(),
+        warnings: Faults::default(),
+        converged,
+    })
 }

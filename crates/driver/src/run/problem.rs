@@ -113,10 +113,22 @@ pub(super) fn prepare_within<const D: usize, P: Problem<D>>(
         Ok(system) => system,
         Err(contradiction) => {
             let path = JsonPath::from_str(&contradiction.origin).unwrap_or_default();
-            let others: Vec<String> = contradiction.others.iter().map(|o| format!("`{o}`")).collect();
-            faults
-                .error(path, format!("`{}` contradicts {}", contradiction.origin, others.join(", ")))
-                .hint("prescribe each motion once; points that a link or a joint joins move together");
+            let mut others: Vec<String> = contradiction
+                .others
+                .iter()
+                .filter(|o| **o != contradiction.origin)
+                .map(|o| format!("`{o}`"))
+                .collect();
+            others.sort_unstable();
+            others.dedup();
+            let message = match others.is_empty() {
+                true => format!("`{}` contradicts itself", contradiction.origin),
+                false => format!("`{}` contradicts {}", contradiction.origin, others.join(", ")),
+            };
+            faults.error(path, message).hint(match problem.spread() {
+                Spread::Chain => "prescribe each motion once; points that a link or a joint joins move together",
+                _ => "prescribe each motion once: edges share the points of their corner, and those of a rigid region move together",
+            });
             return Err(RunError::Case(faults));
         }
     };

@@ -7,7 +7,8 @@ use crate::scene::plane::{PlaneScene, Weights};
 use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneState};
 use std::borrow::Cow;
 
-/// Fields that are recovered from the bonds, with the numbers that points have in the model; images have zeros.
+/// Fields that are recovered from the bonds, with the numbers that points have in the model; images have those of their
+/// points, the shear with its sign.
 #[derive(Clone, Debug)]
 pub struct Recovered {
     /// `[σ_xx, σ_yy, σ_xy]`.
@@ -16,6 +17,25 @@ pub struct Recovered {
     pub energy_density: Vec<f64>,
     /// Cut share of the family of every point; none without cracks.
     pub damage: Option<Vec<f64>>,
+}
+
+impl Recovered {
+    /// Gives images the values of their points.
+    fn fill_images(&mut self, scene: &PlaneScene) {
+        let Some((lattice, mirrors)) = scene.model.lattice() else { return };
+        for &ghost in scene.model.ghosts() {
+            let ghost = ghost as usize;
+            let (cell, [x, y]) = mirrors.image(lattice.cell(ghost));
+            let Some(real) = lattice.number(cell) else { continue };
+            for (values, sign) in self.stress.iter_mut().zip([1.0, 1.0, x * y]) {
+                values[ghost] = sign * values[real];
+            }
+            self.energy_density[ghost] = self.energy_density[real];
+            if let Some(damage) = &mut self.damage {
+                damage[ghost] = damage[real];
+            }
+        }
+    }
 }
 
 /// The result of one state of a body in the plane.
@@ -94,7 +114,10 @@ impl PlaneResult {
         let recovered = recover.then(|| {
             let fields = scene.model.fields(&record.u);
             let damage = (!scene.cracks.is_empty()).then(|| scene.model.damage());
-            Recovered { stress: fields.stress, energy_density: fields.energy_density, damage }
+            let mut found =
+                Recovered { stress: fields.stress, energy_density: fields.energy_density, damage };
+            found.fill_images(scene);
+            found
         });
         let mirrors = reaction::of_mirrors(scene, &multipliers);
         multipliers.truncate(scene.equations.len());

@@ -1,6 +1,6 @@
 //! Stress intensities of cracks from the energy that their growth releases.
 //!
-//! `K_I = √(E' G)`, `G = −dΠ/dA` at constant loads and prescribed motions, `Π` the stored energy less the work of the loads.
+//! `√(E' G)`, `G = −dΠ/dA` at constant loads and prescribed motions, `Π` the stored energy less the work of the loads.
 //! The derivative is a central difference of two more solves, the tips moved by one spacing back and forth along the last
 //! segments of the crack (`E' = E` in plane stress, `E/(1 − ν²)` in plane strain). Mode II, if there is any, is in G, too.
 

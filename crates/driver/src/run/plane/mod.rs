@@ -4,6 +4,7 @@ mod fields;
 mod intensity;
 mod reaction;
 mod skipped;
+mod tips;
 mod verdict;
 
 pub use fields::{PlaneResult, Recovered};
@@ -11,6 +12,7 @@ pub use reaction::{MirrorReaction, PlaneReaction};
 pub(crate) use verdict::{checks, probes};
 
 use super::{Counters, RunError, RunOptions, RunReport, Sizes, SolvedState, prepare, solve_states};
+use crate::diagnostic::Faults;
 use crate::scene::plane::PlaneScene;
 
 /// Solves every state of a body in the plane and hands its result to `sink` as it comes.
@@ -26,12 +28,18 @@ pub fn run(
     let options = &RunOptions { recover, ..*options };
     let (system, sizes) = prepare(scene, options)?;
     let found = intensity::of_states(scene, options)?;
-    let mut take = |solved: SolvedState| sink(fields::collect(scene, solved, &found.values, recover));
+    let tips = tips::Tips::of(scene);
+    let mut warnings = Faults::default();
+    let mut take = |solved: SolvedState| {
+        tips.check(scene, solved.state, &solved.solution.u, &mut warnings);
+        sink(fields::collect(scene, solved, &found.values, recover))
+    };
     let mut report = solve_states(scene, (&system, sizes), &mut take)?;
     // What is stored per bond: triangles and springs are no bonds.
     report.counters.stored_bond_factors = system.terms()[0].stored_factors();
     report.skipped = skipped::skipped(scene, &report, recover);
     report.converged &= found.converged;
+    report.warnings = warnings;
     add(&mut report.counters, &found.counters);
     report.timing.solve += found.seconds;
     Ok(report)

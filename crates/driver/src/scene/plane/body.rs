@@ -50,11 +50,17 @@ pub(super) fn build(
             (cut(made, &b.holes, &path, faults)?, b.spacing)
         }
         Body::Points(b) => {
-            let body = files::points(folder, &b.file, thickness, &path, faults)?;
+            let body = files::points(folder, &b.file, thickness, max_memory, &path, faults)?;
+            if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
+                return None;
+            }
             return Some(Built { body, outline: None, curves: Vec::new() });
         }
         Body::Mesh(b) => {
-            let (body, curves) = files::mesh(folder, &b.file, &path, faults)?;
+            let (body, curves) = files::mesh(folder, &b.file, max_memory, &path, faults)?;
+            if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
+                return None;
+            }
             return Some(Built { body, outline: None, curves });
         }
         Body::Line(_) | Body::Lines(_) | Body::Frame(_) => {
@@ -64,6 +70,10 @@ pub(super) fn build(
             return None;
         }
     };
+    let key = if outline.is_rectangle() { "from" } else { "vertices" };
+    if !resolves(outline.bounds(), spacing, &path.key(key), faults) {
+        return None;
+    }
     let filled = outline.cells(spacing).and_then(|cells| {
         let box_points = f64::from(cells[0]) * f64::from(cells[1]);
         Ok(if fits(&outline, box_points, max_memory, &path, faults) {
@@ -82,6 +92,34 @@ pub(super) fn build(
             None
         }
     }
+}
+
+/// Rounding of coordinates must be below this, in spacings.
+const ROUNDING: f64 = 1e-6;
+
+/// Whether doubles tell positions in a box much finer than the spacing.
+fn resolves(bounds: [[f64; 2]; 2], spacing: f64, path: &JsonPath, faults: &mut Faults) -> bool {
+    let largest = bounds.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    // Spacings that are none have a fault of their own.
+    if !(largest * f64::EPSILON > ROUNDING * spacing && spacing > 0.0) {
+        return true;
+    }
+    let [largest, spacing] = [largest, spacing].map(tidy);
+    faults
+        .error(
+            path.clone(),
+            format!("beside coordinates up to {largest} a spacing of {spacing} is lost in rounding"),
+        )
+        .hint("put the origin near the body");
+    false
+}
+
+/// The box around the points of a body.
+fn bounds(body: &PlaneBody) -> [[f64; 2]; 2] {
+    let points = (0..body.points()).map(|p| body.position(p));
+    points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
+        [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
+    })
 }
 
 /// The outline with its holes.

@@ -155,9 +155,10 @@ fn around(shape: &Shape, most: f64) -> Vec<Stretch> {
     stretches
 }
 
-/// Stretches of an arc around a hole, with its true length.
+/// Stretches of an arc around a hole, with its true length. Their number is a multiple of eight, so that they lie
+/// symmetrically about the axes and diagonals of a circle.
 fn arc(centre: [f64; 2], radius: f64, from: f64, to: f64, most: f64) -> Vec<Stretch> {
-    let count = (radius * (to - from) / most).ceil().max(16.0);
+    let count = 8.0 * (radius * (to - from) / (8.0 * most)).ceil().max(2.0);
     let step = (to - from) / count;
     let stretch = |k: usize| {
         let (sin, cos) = (from + (k as f64 + 0.5) * step).sin_cos();

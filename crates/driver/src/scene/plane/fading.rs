@@ -6,7 +6,7 @@ use super::lump::{self, Forces, Resultant};
 use super::traction::{OnBorder, Profile, StressField, may_be_consistent};
 use super::uniform_stress::traction_of;
 use crate::diagnostic::Faults;
-use peristat_assembly::body::{Edge, Region, Regions};
+use peristat_assembly::body::{Edge, Outline, Region, Regions};
 use std::collections::BTreeMap;
 
 /// `S = w(d) (t⊗n + n⊗t − (t·n) n⊗n)` at a distance d from an edge, w a cubic from 1 to 0 with flat ends.
@@ -63,12 +63,19 @@ impl Fading {
     }
 }
 
-/// The stress of a traction and the forces that belong to it, by numbers of the body; `None` where it must be lumped.
-pub(super) fn fade(traction: &OnBorder, context: &Context) -> Option<(StressField, Forces)> {
-    let outline = context.ground.outline?;
-    let Border::Edge(edge) = &traction.border else { return None };
-    if !is_aligned(edge) || !may_be_consistent(traction, context) {
-        return None;
+/// The stress of a traction and the forces that belong to it, by numbers of the body.
+///
+/// # Errors
+/// Why it must be lumped.
+pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressField, Forces), &'static str> {
+    let (Some(outline), Border::Edge(edge)) = (context.ground.outline, &traction.border) else {
+        return Err("it is no straight edge");
+    };
+    if !is_aligned(edge) {
+        return Err("the edge does not run along the lattice");
+    }
+    if !may_be_consistent(traction, context) {
+        return Err("the calibration is `published`");
     }
     let length = (edge.to[0] - edge.from[0]).hypot(edge.to[1] - edge.from[1]);
     let tangent = [0, 1].map(|k| (edge.to[k] - edge.from[k]) / length);
@@ -77,14 +84,17 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Option<(StressFiel
         let t = traction.profile.at(*q, edge.normal);
         t[0] * tangent[0] + t[1] * tangent[1] != 0.0
     };
-    if !outline.is_rectangle() && [0.0, 0.25, 0.5, 1.0].iter().any(shears) {
-        return None;
-    }
     let [low, high] = outline.bounds();
     let axis = usize::from(edge.normal[0] == 0.0);
     let spacing = context.ground.body.spacing();
     let cells = (2.0 * context.horizon / spacing).ceil();
     let depth = (cells * spacing).min(high[axis] - low[axis]);
+    let slack = 1e-9 * spacing;
+    if [0.0, 0.25, 0.5, 1.0].iter().any(shears) && !goes_straight_back(edge, depth - slack, outline) {
+        return Err(
+            "a shear needs an edge whose neighbours run straight back from it, for two horizons at least",
+        );
+    }
     let fading = Fading {
         from: edge.from,
         tangent,
@@ -96,10 +106,10 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Option<(StressFiel
     };
     let inner = [0, 1].map(|k| edge.to[k] - depth * edge.normal[k]);
     if context.cracks.iter().any(|c| in_box(c.crack.vertices(), edge.from, inner)) {
-        return None;
+        return Err("a crack is within two horizons of the edge");
     }
     let regions = Regions { body: context.ground.body, outline: None, named: &BTreeMap::new() };
-    let points = regions.select(&Region::Box { from: edge.from, to: inner }).ok()?;
+    let points = regions.select(&Region::Box { from: edge.from, to: inner }).unwrap_or_default();
     let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
     for &p in &points {
         let divergence = fading.divergence(context.ground.body.position(p as usize));
@@ -114,7 +124,24 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Option<(StressFiel
     let mut forces: Forces = forces.into_iter().collect();
     forces.extend(missing(&forces, traction, context));
     let points = points.into_iter().map(|p| p as usize).collect();
-    Some((StressField::faded(points, fading), forces))
+    Ok((StressField::faded(points, fading), forces))
+}
+
+/// Whether at both ends of an edge another one goes on against its normal, for this length at least (m).
+fn goes_straight_back(edge: &Edge, length: f64, outline: &Outline) -> bool {
+    let back = |end: [f64; 2]| {
+        outline.edges().iter().filter(|e| e.name != edge.name).any(|e| {
+            let other = match (e.from == end, e.to == end) {
+                (true, _) => e.to,
+                (_, true) => e.from,
+                _ => return false,
+            };
+            let d = [other[0] - end[0], other[1] - end[1]];
+            let along = d[0] * edge.normal[1] - d[1] * edge.normal[0];
+            along == 0.0 && -(d[0] * edge.normal[0] + d[1] * edge.normal[1]) >= length
+        })
+    };
+    back(edge.from) && back(edge.to)
 }
 
 /// Whether a polyline comes into the box of two corners.

@@ -3,8 +3,10 @@
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::{self, Curve};
 use crate::input::{ReadError, points};
+use crate::memory;
 use peristat_assembly::body::PlaneBody;
-use std::io::ErrorKind;
+use std::fs;
+use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
 /// The body of a list of points, of this thickness.
@@ -12,10 +14,11 @@ pub(super) fn points(
     folder: &Path,
     file: &str,
     thickness: f64,
+    max_memory: Option<u64>,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<PlaneBody> {
-    let bytes = bytes(folder, file, "points", path, faults)?;
+    let bytes = bytes(folder, file, "points", max_memory, path, faults)?;
     let cloud = points::read(&bytes).and_then(|points| points.cloud(thickness));
     cloud.map_err(|error| refuse(file, "points", &error, path, faults)).ok().map(PlaneBody::Cloud)
 }
@@ -24,30 +27,65 @@ pub(super) fn points(
 pub(super) fn mesh(
     folder: &Path,
     file: &str,
+    max_memory: Option<u64>,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(PlaneBody, Vec<Curve>)> {
-    let bytes = bytes(folder, file, "mesh", path, faults)?;
+    let bytes = bytes(folder, file, "mesh", max_memory, path, faults)?;
     let mesh = gmsh::read(&bytes).map_err(|error| refuse(file, "mesh", &error, path, faults)).ok()?;
     Some((PlaneBody::Cloud(mesh.cloud), mesh.curves))
 }
 
-fn bytes(folder: &Path, file: &str, what: &str, path: &JsonPath, faults: &mut Faults) -> Option<Vec<u8>> {
-    let full = folder.join(file);
-    match std::fs::read(&full) {
-        Ok(bytes) => Some(bytes),
-        Err(error) => {
-            let reason = match error.kind() {
-                _ if full.is_dir() => "is a folder".into(),
-                ErrorKind::NotFound => "does not exist".into(),
-                _ => format!("cannot be read: {error}"),
-            };
-            faults
-                .error(path.key("file"), format!("the {what} {file} {reason}"))
-                .hint("the path is relative to the case");
-            None
+fn bytes(
+    folder: &Path,
+    file: &str,
+    what: &str,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Vec<u8>> {
+    let most = memory::allowed(max_memory).unwrap_or(u64::MAX - 1);
+    let (reason, hint) = match read(&folder.join(file), most) {
+        Ok(bytes) => return Some(bytes),
+        Err(Unread::Folder) => ("is a folder".to_string(), RELATIVE),
+        Err(Unread::NoFile) => ("is no regular file".into(), "name a file that lies on a disk"),
+        Err(Unread::TooLarge) => (
+            format!("is larger than the {} of memory that may be used", memory::words(most)),
+            "raise `--max-memory`",
+        ),
+        Err(Unread::Other(error)) if error.kind() == ErrorKind::NotFound => {
+            ("does not exist".into(), RELATIVE)
         }
+        Err(Unread::Other(error)) => (format!("cannot be read: {error}"), RELATIVE),
+    };
+    faults.error(path.key("file"), format!("the {what} {file} {reason}")).hint(hint);
+    None
+}
+
+const RELATIVE: &str = "the path is relative to the case";
+
+/// Why a file gives no bytes.
+enum Unread {
+    Folder,
+    /// A device or a pipe, which may have no end.
+    NoFile,
+    TooLarge,
+    Other(io::Error),
+}
+
+/// The bytes of a regular file with `most` bytes at most.
+fn read(file: &Path, most: u64) -> Result<Vec<u8>, Unread> {
+    let kind = fs::metadata(file).map_err(Unread::Other)?;
+    match (kind.is_dir(), kind.is_file()) {
+        (true, _) => return Err(Unread::Folder),
+        (_, false) => return Err(Unread::NoFile),
+        _ if kind.len() > most => return Err(Unread::TooLarge),
+        _ => {}
     }
+    let mut bytes = Vec::new();
+    let mut some = fs::File::open(file).map_err(Unread::Other)?.take(most.saturating_add(1));
+    some.read_to_end(&mut bytes).map_err(Unread::Other)?;
+    if bytes.len() as u64 > most { Err(Unread::TooLarge) } else { Ok(bytes) }
 }
 
 fn refuse(file: &str, what: &str, error: &ReadError, path: &JsonPath, faults: &mut Faults) {

@@ -1,7 +1,6 @@
 //! Values at any position as sums over points.
 
-use super::NamedCrack;
-use peristat_assembly::body::{CRACK_SLACK, Cell, PlaneBody, Region, Regions, SquareLattice};
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, Region, Regions, SquareLattice};
 use std::collections::BTreeMap;
 
 /// Points and their shares; the shares sum to one.
@@ -12,8 +11,10 @@ const NEAREST: usize = 16;
 
 /// What values are interpolated on.
 pub(super) struct Interpolation<'a> {
+    /// The points; images in mirrors are among them.
     pub(super) body: &'a PlaneBody,
-    pub(super) cracks: &'a [NamedCrack],
+    /// Cracks and their images.
+    pub(super) cracks: &'a [Crack],
     /// The horizon, in spacings of a lattice.
     pub(super) reach: i32,
 }
@@ -36,7 +37,7 @@ impl Interpolation<'_> {
 
     fn sees(&self, a: [f64; 2], b: [f64; 2]) -> bool {
         let slack = CRACK_SLACK * self.body.spacing();
-        !self.cracks.iter().any(|c| c.crack.cuts(a, b, slack))
+        !self.cracks.iter().any(|c| c.cuts(a, b, slack))
     }
 
     fn bilinear(&self, lattice: &SquareLattice, position: [f64; 2]) -> Option<Weights> {
@@ -179,8 +180,7 @@ mod tests {
     fn nothing_is_taken_from_behind_a_crack() {
         let body = PlaneBody::Lattice(SquareLattice::rectangle(1.0, [0.0; 2], [4, 4]));
         let crack = peristat_assembly::body::Crack::new(vec![[-1.0, 2.0], [5.0, 2.0]]).unwrap();
-        let cracks = [NamedCrack { name: "1".into(), crack }];
-        let interpolation = Interpolation { body: &body, cracks: &cracks, reach: 3 };
+        let interpolation = Interpolation { body: &body, cracks: &[crack], reach: 3 };
         let weights = interpolation.at([1.7, 1.9], 0);
         assert!(weights.iter().all(|w| body.position(w.0 as usize)[1] < 2.0));
         assert!((value(&body, &weights, |p| p[1]) - 1.9).abs() < 1e-14);

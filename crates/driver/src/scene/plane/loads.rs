@@ -62,7 +62,7 @@ pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoa
                 }
             }
         }
-        traction::add(&tractions, context, &mut resolved);
+        traction::add(&tractions, context, &mut resolved, faults);
         resolved
     };
     states::load_cases(context.ground.case, resolve, faults)

@@ -3,6 +3,7 @@
 use super::boundary::{Border, Stretch};
 use super::loads::Context;
 use super::traction::OnBorder;
+use peristat_assembly::body::PlaneBody;
 use std::collections::BTreeMap;
 
 /// Forces on points of the body, N.
@@ -53,10 +54,10 @@ pub(super) fn on_points(
     let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
     let mut wanted = Resultant::default();
     for stretch in stretches {
-        let Some(point) = nearest(stretch, candidates, context) else { continue };
+        let points = nearest(stretch, candidates, context);
         let area = thickness * stretch.length;
         let ends = [(-1.0, 1.0 / 6.0), (0.0, 4.0 / 6.0), (1.0, 1.0 / 6.0)];
-        let force = forces.entry(point).or_default();
+        let mut force = [0.0; 2];
         // Simpson's rule is exact for parabolas and their moments.
         for (step, weight) in ends {
             let t = traction(stretch.place + step * stretch.half, stretch.normal);
@@ -65,11 +66,17 @@ pub(super) fn on_points(
             let along = tangent_sign(stretches, tangent) * step * 0.5 * stretch.length;
             let at = [0, 1].map(|k| stretch.middle[k] + along * tangent[k]);
             (0..2).for_each(|k| force[k] += share[k]);
-            wanted.add(share, at);
+            if !points.is_empty() {
+                wanted.add(share, at);
+            }
+        }
+        for &point in &points {
+            let sum = forces.entry(point).or_default();
+            (0..2).for_each(|k| sum[k] += force[k] / points.len() as f64);
         }
     }
     let mut forces: Forces = forces.into_iter().collect();
-    settle(&mut forces, wanted, context);
+    settle(&mut forces, wanted, is_halved(stretches, context), context);
     forces
 }
 
@@ -81,30 +88,59 @@ fn tangent_sign(stretches: &[Stretch], tangent: [f64; 2]) -> f64 {
     if along < 0.0 { -1.0 } else { 1.0 }
 }
 
-/// The point that takes the force of a stretch: the one in whose cell it is, half a spacing inwards, else the nearest.
-fn nearest(stretch: &Stretch, candidates: &[u32], context: &Context) -> Option<u32> {
-    if stretch.point.is_some() {
-        return stretch.point;
+/// Positions this close to each other, in spacings, are as near.
+const TIE: f64 = 1e-6;
+
+/// The points that take the force of a stretch: the one in whose cell it is, half a spacing inwards, else the nearest; all
+/// of those that are as near share it, so that symmetric borders have symmetric forces.
+fn nearest(stretch: &Stretch, candidates: &[u32], context: &Context) -> Vec<u32> {
+    if let Some(point) = stretch.point {
+        return vec![point];
     }
     let body = context.ground.body;
-    if let peristat_assembly::body::PlaneBody::Lattice(lattice) = body {
+    let tie = TIE * body.spacing();
+    if let PlaneBody::Lattice(lattice) = body {
         let inside = [0, 1].map(|k| stretch.middle[k] - 0.5 * lattice.spacing() * stretch.normal[k]);
-        if let Some(point) = lattice.number(lattice.cell_at(inside)) {
-            return Some(point as u32);
+        let corners = [[-tie, -tie], [tie, -tie], [-tie, tie], [tie, tie]];
+        let cells = corners.map(|d| lattice.cell_at([0, 1].map(|k| inside[k] + d[k])));
+        let mut points: Vec<u32> = cells.iter().filter_map(|c| Some(lattice.number(*c)? as u32)).collect();
+        points.sort_unstable();
+        points.dedup();
+        if !points.is_empty() {
+            return points;
         }
     }
-    let distance = |p: &u32| {
-        let [x, y] = body.position(*p as usize);
+    let distance = |p: u32| {
+        let [x, y] = body.position(p as usize);
         (x - stretch.middle[0]).hypot(y - stretch.middle[1])
     };
-    candidates.iter().copied().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    let least = candidates.iter().map(|&p| distance(p)).fold(f64::INFINITY, f64::min);
+    candidates.iter().copied().filter(|&p| distance(p) <= least + tie).collect()
 }
 
-/// Adds small forces to those of some points so that force and moment are the wanted ones.
-pub(super) fn settle(forces: &mut [(u32, [f64; 2])], wanted: Resultant, context: &Context) {
+/// Whether a border reaches a mirror: then its image continues it, and both together have no moment.
+fn is_halved(stretches: &[Stretch], context: &Context) -> bool {
+    let slack = 1e-6 * context.ground.body.spacing();
+    let [left, right, below, above] = context.symmetry.at;
+    [(0, left), (0, right), (1, below), (1, above)].into_iter().any(|(axis, at)| {
+        let reaches = |at: f64| {
+            let half = |s: &Stretch| 0.5 * s.length * s.normal[1 - axis].abs() + slack;
+            // An arc bends away from its stretch by less than a tenth of its length.
+            stretches.iter().any(|s| (s.middle[axis] - at).abs() <= half(s) + 0.1 * s.length)
+        };
+        at.is_some_and(reaches)
+    })
+}
+
+/// Adds small forces to those of some points so that force and moment are the wanted ones; none where a mirror
+/// halves the border: forces are exact without, and the image has the opposite moment.
+fn settle(forces: &mut [(u32, [f64; 2])], wanted: Resultant, is_halved: bool, context: &Context) {
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut found = Resultant::default();
     forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
+    if is_halved {
+        return;
+    }
     let missing = Resultant {
         force: [0, 1].map(|k| wanted.force[k] - found.force[k]),
         moment: wanted.moment - found.moment,

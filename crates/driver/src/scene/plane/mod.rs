@@ -22,11 +22,13 @@ mod outputs;
 mod parts;
 mod probes;
 mod problem;
+mod rigid_mirror;
 mod supported;
 mod supports;
 mod symmetry;
 #[cfg(test)]
 mod tests;
+mod tips;
 mod traction;
 mod uniform_stress;
 mod warnings;
@@ -152,6 +154,7 @@ impl PlaneScene {
         let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
         let held = supports::held(&ground, &recipe.symmetry, faults);
         let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
+        rigid_mirror::check(&rigid, &recipe, faults);
         let context = loads::Context {
             ground: &ground,
             symmetry: &recipe.symmetry,
@@ -168,11 +171,22 @@ impl PlaneScene {
         let states = states(case, faults);
         let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
         let built = recipe.make(&paths).map_err(|error| model::refuse(&error, faults)).ok();
-        cracks::check(&cracks, &recipe.body, outline.as_ref(), &|crack| recipe.is_cut_by(crack), faults);
+        cracks::check(
+            &cracks,
+            &recipe.body,
+            outline.as_ref(),
+            &|crack| built.is_none() || recipe.is_cut_by(crack),
+            faults,
+        );
         let built = built?;
         let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &built);
         let reach = (recipe.parameters.horizon_ratio + 1e-9).floor() as i32;
-        let interpolation = Interpolation { body: &recipe.body, cracks: &cracks, reach };
+        let number = |p: u32| recipe.number(&built, p);
+        let images = recipe.symmetry.with_images(&paths);
+        let extended = built.lattice().filter(|(_, mirrors)| !mirrors.is_none());
+        let extended = extended.map(|(lattice, _)| PlaneBody::Lattice(lattice.as_ref().clone()));
+        let body = extended.as_ref().unwrap_or(&recipe.body);
+        let interpolation = Interpolation { body, cracks: &images, reach };
         let context = probes::Context {
             ground: &ground,
             recipe: &recipe,
@@ -182,17 +196,14 @@ impl PlaneScene {
             conditions: &conditions,
         };
         let mut probes = probes::probes(&context, faults);
-        let mut lines = outputs::lines(&ground, &interpolation, faults);
-        let number = |p: u32| recipe.number(&built, p);
-        for weights in lines.iter_mut().flat_map(|l| &mut l.points).filter_map(|p| p.weights.as_mut()) {
-            weights.iter_mut().for_each(|w| w.0 = number(w.0));
-        }
+        let lines = outputs::lines(&ground, &interpolation, &number, faults);
         let contains = |tip: [f64; 2]| {
             let at = JsonPath::default();
             let is_near = || ground.point_at(tip, &at, "", &mut Faults::default()).is_some();
             outline.as_ref().map_or_else(is_near, |o| o.contains(tip))
         };
-        let intensities = outputs::intensities(case, &cracks, &contains, faults);
+        let around = tips::Around { symmetry: &recipe.symmetry, spacing: recipe.body.spacing() };
+        let intensities = outputs::intensities(case, &cracks, &contains, &around, faults);
         probes.extend(intensities.iter().enumerate().map(|(k, intensity)| PlaneProbe {
             name: intensity.name.clone(),
             quantity: Quantity::StressIntensity(k),

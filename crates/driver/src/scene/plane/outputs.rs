@@ -3,7 +3,7 @@
 use super::super::words::{suggest, tidy};
 use super::ground::Ground;
 use super::interpolate::{Interpolation, Weights};
-use super::{NamedCrack, root};
+use super::{NamedCrack, root, tips};
 use crate::case::{Case, Tips};
 use crate::diagnostic::Faults;
 use peristat_assembly::body::Crack;
@@ -43,8 +43,13 @@ pub struct Intensity {
 /// Most positions of a line.
 const MOST: usize = 100_000;
 
-/// Lines of the case, by numbers of the body.
-pub(super) fn lines(ground: &Ground, interpolation: &Interpolation, faults: &mut Faults) -> Vec<OutputLine> {
+/// Lines of the case; `number` makes the number in the model of that in the body.
+pub(super) fn lines(
+    ground: &Ground,
+    interpolation: &Interpolation,
+    number: &dyn Fn(u32) -> u32,
+    faults: &mut Faults,
+) -> Vec<OutputLine> {
     let mut names = HashSet::new();
     let mut lines = Vec::new();
     for (k, line) in ground.case.lines.iter().enumerate() {
@@ -75,7 +80,7 @@ pub(super) fn lines(ground: &Ground, interpolation: &Interpolation, faults: &mut
             let position = [0, 1].map(|c| line.from[c] + q * (line.to[c] - line.from[c]));
             let nearest = ground.point_at(position, &path, "", &mut Faults::default());
             let inside = ground.outline.is_none_or(|o| o.contains(position));
-            let weights = nearest.filter(|_| inside).map(|p| interpolation.at(position, p));
+            let weights = nearest.filter(|_| inside).map(|p| interpolation.at(position, number(p)));
             LinePoint { s: q * length, position, weights }
         };
         let points: Vec<LinePoint> = (0..line.points).map(point).collect();
@@ -94,6 +99,7 @@ pub(super) fn intensities(
     case: &Case,
     cracks: &[NamedCrack],
     contains: &dyn Fn([f64; 2]) -> bool,
+    around: &tips::Around,
     faults: &mut Faults,
 ) -> Vec<Intensity> {
     let mut found = Vec::new();
@@ -121,6 +127,15 @@ pub(super) fn intensities(
                     .hint(
                         "name the tips that are: `start` is the first position of the path, `end` the last",
                     );
+            }
+        }
+        for (end, tip, _) in ends.into_iter().filter(|e| given.tips != e.2) {
+            let before = if end == "start" { vertices[1] } else { vertices[vertices.len() - 2] };
+            if let Some(met) = tips::met(tip, before, crack, cracks, around) {
+                let at = format!("({}, {})", tidy(tip[0]), tidy(tip[1]));
+                faults
+                    .error(path.key("tips"), format!("the {end} of the crack at {at} {met}, so it is no tip"))
+                    .hint("a tip needs a spacing of whole body before it, and no other crack along the last spacing");
             }
         }
         found.push(Intensity { name: given.name.clone(), crack, tips: given.tips });

@@ -1,6 +1,6 @@
 //! The body of a case in the plane, its material, mirrors and cracks.
 
-use super::super::horizon;
+use super::super::{horizon, root, words::tidy};
 use super::model::Recipe;
 use super::{NamedCrack, body, cracks, material, symmetry};
 use crate::case::{Case, Plane};
@@ -8,6 +8,9 @@ use crate::diagnostic::Faults;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody};
 use std::path::Path;
+
+/// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
+const MOST_RATIO: f64 = 100.0;
 
 /// What a case says of its body, before it has points in a model.
 pub(super) struct Parts {
@@ -38,6 +41,15 @@ pub(super) fn parts(
     };
     let symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
     let (mut parameters, ratio) = (parameters?, ratio?);
+    if ratio > MOST_RATIO {
+        let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
+        faults
+            .error(root(key), format!("a horizon of {} spacings has too many bonds per point", tidy(ratio)))
+            .hint(format!(
+                "the largest horizon ratio of bodies in the plane is {MOST_RATIO}; more than 12 never pays"
+            ));
+        return None;
+    }
     parameters.horizon_ratio = ratio;
     let horizon = ratio * body.spacing();
     let recipe = Recipe { body, symmetry, parameters, horizon };

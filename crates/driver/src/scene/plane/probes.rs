@@ -108,21 +108,19 @@ fn resolve(
         let quantity = reaction(field, &spot.points, &spot.words, context, &at, faults)?;
         return Some((quantity, spot.words));
     }
-    let number = |weights: Weights| -> Weights {
-        weights.into_iter().map(|(p, w)| (context.recipe.number(context.model, p), w)).collect()
-    };
-    let field = |weights| Quantity::Field { field, weights: number(weights) };
+    let number = |p: u32| context.recipe.number(context.model, p);
+    let field = |weights| Quantity::Field { field, weights };
     if let Some(name) = ground.region_name(&probe.at, &at, faults)? {
         let points = ground.region(name, &at.key("region"), faults)?;
         let whole: f64 = points.iter().map(|&p| ground.body.area(p as usize)).sum();
-        let mean = points.iter().map(|&p| (p, ground.body.area(p as usize) / whole)).collect();
+        let mean = points.iter().map(|&p| (number(p), ground.body.area(p as usize) / whole)).collect();
         return Some((field(mean), format!("the region `{name}`")));
     }
     let position = ground.position(&probe.at, &at, faults)?;
     let words = format!("({}, {})", tidy(position[0]), tidy(position[1]));
     let nearest = ground.point_at(position, &at, "the probe", faults)?;
     let weights = match probe.at.inward {
-        None => context.interpolation.at(position, nearest),
+        None => context.interpolation.at(position, number(nearest)),
         Some(inward) => from_inside(position, inward, context, &at.key("inward"), faults)?,
     };
     Some((field(weights), words))

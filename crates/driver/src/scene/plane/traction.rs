@@ -95,6 +95,8 @@ pub(super) struct OnBorder {
     pub(super) border: Border,
     pub(super) profile: Profile,
     pub(super) sharing: Option<LoadSharing>,
+    /// Where it stands in the case.
+    pub(super) path: JsonPath,
 }
 
 impl OnBorder {
@@ -141,8 +143,13 @@ pub(super) fn resolve(
         }
     }
     let border = border?;
-    let on =
-        OnBorder { name: load.edge.clone(), border, profile: Profile::Pressure(0.0), sharing: load.sharing };
+    let on = OnBorder {
+        name: load.edge.clone(),
+        border,
+        profile: Profile::Pressure(0.0),
+        sharing: load.sharing,
+        path: path.clone(),
+    };
     let stretches = on.stretches(context.ground);
     let thickness = context.parameters.material.thickness;
     let area = thickness * stretches.iter().map(|s| s.length).sum::<f64>();
@@ -199,7 +206,7 @@ fn check_sharing(load: &Traction, on: &OnBorder, context: &Context, path: &JsonP
 }
 
 /// Adds the tractions of one load case.
-pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads) {
+pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads, faults: &mut Faults) {
     if tractions.is_empty() {
         return;
     }
@@ -210,11 +217,21 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
     }
     for traction in tractions {
         match super::fading::fade(traction, context) {
-            Some((field, forces)) => {
+            Ok((field, forces)) => {
                 to.stresses.push(field);
                 to.forces.extend(forces);
             }
-            None => to.forces.extend(lump::forces(traction, context)),
+            Err(why) => {
+                if traction.sharing == Some(LoadSharing::Consistent) && !faults.has_errors() {
+                    faults
+                        .error(
+                            traction.path.key("sharing"),
+                            format!("this traction cannot be `consistent`: {why}"),
+                        )
+                        .hint("leave `sharing` out: it is `lumped` then");
+                }
+                to.forces.extend(lump::forces(traction, context));
+            }
         }
     }
 }

@@ -89,7 +89,15 @@ where
         factor_entries: solver.bytes() / size_of::<f64>(),
         iterations: Vec::new(),
     };
-    Ok(RunReport { sizes, solver: report, counters, timing, skipped: Vec::new(), converged })
+    Ok(RunReport {
+        sizes,
+        solver: report,
+        counters,
+        timing,
+        skipped: Vec::new(),
+        warnings: Default::default(),
+        converged,
+    })
 }
 
 impl From<peristat_solve::FactorError> for SolveFailure {

@@ -1,0 +1,38 @@
+//! Rigid regions that mirrors halve.
+
+use super::conditions::{RIGID_KEYS, RigidPoints};
+use super::model::Recipe;
+use super::root;
+use crate::diagnostic::Faults;
+use peristat_assembly::body::PlaneBody;
+
+/// A fault for every rigid region that reaches a mirror and could turn, or leave the mirror: with its image it is one
+/// rigid body then, which moves along the mirror only.
+pub(super) fn check(rigid: &[RigidPoints], recipe: &Recipe, faults: &mut Faults) {
+    let PlaneBody::Lattice(lattice) = &recipe.body else { return };
+    let mirrors = recipe.symmetry.mirrors;
+    for (k, region) in rigid.iter().enumerate() {
+        let reaches = |axis: usize, lines: [Option<i32>; 2]| {
+            let [low, high] = lines;
+            region.points.iter().any(|&p| {
+                let at = lattice.cell(p as usize)[axis];
+                low.is_some_and(|l| at == l) || high.is_some_and(|h| at + 1 == h)
+            })
+        };
+        let met = [reaches(0, mirrors.columns), reaches(1, mirrors.rows)];
+        if met == [false; 2] {
+            continue;
+        }
+        let needed: Vec<usize> = [0, 1].into_iter().filter(|&axis| met[axis]).chain([2]).collect();
+        if needed.iter().all(|&key| region.prescribed[key] == Some(0.0)) {
+            continue;
+        }
+        let keys: Vec<String> = needed.iter().map(|&key| format!("\"{}\": 0", RIGID_KEYS[key])).collect();
+        faults
+            .error(
+                root("rigid").index(k),
+                "a mirror halves this rigid region: with its image it can neither turn nor move across the mirror",
+            )
+            .hint(format!("add {} to it", keys.join(", ")));
+    }
+}
