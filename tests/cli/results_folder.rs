@@ -182,9 +182,16 @@ fn a_folder_that_cannot_be_made_is_an_error_that_names_it() {
             "{}",
             outcome.stderr
         );
+        if output == "file" {
+            // `--force` does not help, and no hint says so.
+            assert!(!outcome.stderr.contains("--force"), "{}", outcome.stderr);
+        }
         assert_eq!(outcome.stdout, "");
     }
     assert_eq!(names(folder.path()), ["file"]);
+    let machine = run(folder.path(), &["run", &case, "-o", "file", "--json"]);
+    let told: serde_json::Value = serde_json::from_str(&machine.stdout).unwrap();
+    assert!(told["error"].as_str().is_some_and(|text| text.contains("is a file, not a folder")), "{told}");
 }
 
 #[test]

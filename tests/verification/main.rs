@@ -17,6 +17,7 @@ mod frames;
 mod grading;
 mod literature;
 mod plain_factor;
+mod plane_borders;
 mod plane_loose;
 mod plane_multigrid;
 mod plane_orders;
