@@ -87,7 +87,8 @@ impl Outline {
     /// The cells whose centres are in the body; the lower left corner of the first one is that of the box around the body.
     ///
     /// Centres within [`BORDER`] of a border are on it, and borders belong to the body, those of holes as well: bodies that
-    /// are symmetric about lines of the lattice have symmetric cells, whatever the rounding of their coordinates.
+    /// are symmetric about lines of the lattice have symmetric cells, whatever the rounding of their coordinates. Cells that
+    /// a border cuts have the area of the body in them and in next cells whose centres are outside.
     ///
     /// # Errors
     /// [`FillError`].
@@ -121,7 +122,9 @@ impl Outline {
         if rows.is_empty() {
             return Err(FillError::NoPoints);
         }
-        Ok(SquareLattice::new(spacing, corner, 0..size[0], 0..size[1], |cell| rows.contains(cell)))
+        let lattice = SquareLattice::new(spacing, corner, 0..size[0], 0..size[1], |cell| rows.contains(cell));
+        let areas = self.areas(&lattice, size);
+        Ok(lattice.with_areas(&areas))
     }
 }
 

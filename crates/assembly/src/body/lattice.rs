@@ -31,7 +31,7 @@ impl Run {
 /// Centres of the square cells of a body, numbered row by row from the lower left.
 ///
 /// Only cells of the body have points. What is stored grows with the number of runs of consecutive cells, not with the
-/// number of points.
+/// number of points. Points have the area of a cell, but for those that a border of the body cuts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SquareLattice {
     spacing: f64,
@@ -41,6 +41,8 @@ pub struct SquareLattice {
     rows: Vec<u32>,
     runs: Vec<Run>,
     points: usize,
+    /// Points whose areas are not those of a cell, ascending, and their areas per that of a cell.
+    cut: Vec<(u32, f64)>,
 }
 
 impl SquareLattice {
@@ -56,8 +58,15 @@ impl SquareLattice {
         rows: Range<i32>,
         inside: impl Fn(Cell) -> bool,
     ) -> Self {
-        let mut lattice =
-            Self { spacing, corner, first_row: rows.start, rows: vec![0], runs: Vec::new(), points: 0 };
+        let mut lattice = Self {
+            spacing,
+            corner,
+            first_row: rows.start,
+            rows: vec![0],
+            runs: Vec::new(),
+            points: 0,
+            cut: Vec::new(),
+        };
         for row in rows {
             let mut column = columns.start;
             while column < columns.end {
@@ -82,6 +91,35 @@ impl SquareLattice {
             lattice.rows.push(lattice.runs.len() as u32);
         }
         lattice
+    }
+
+    /// The lattice with areas of cells, per that of a whole one; other cells are whole. Cells without points have no area.
+    pub fn with_areas(mut self, areas: &[(Cell, f64)]) -> Self {
+        let numbered = areas.iter().filter(|a| a.1 != 1.0);
+        self.cut = numbered.filter_map(|&(cell, area)| Some((self.number(cell)? as u32, area))).collect();
+        self.cut.sort_unstable_by_key(|c| c.0);
+        self
+    }
+
+    /// The lattice with whole cells.
+    pub fn with_whole_cells(self) -> Self {
+        Self { cut: Vec::new(), ..self }
+    }
+
+    /// Points that have not the area of a cell, ascending, and their areas per that of a cell.
+    pub fn cut_cells(&self) -> &[(u32, f64)] {
+        &self.cut
+    }
+
+    /// Area of a point per that of a whole cell.
+    pub fn fraction(&self, point: usize) -> f64 {
+        let found = self.cut.binary_search_by_key(&point, |c| c.0 as usize);
+        found.map_or(1.0, |index| self.cut[index].1)
+    }
+
+    /// Area of a point, m².
+    pub fn area(&self, point: usize) -> f64 {
+        self.fraction(point) * (self.spacing * self.spacing)
     }
 
     fn push(&mut self, row: i32, columns: Range<i32>) {

@@ -7,12 +7,14 @@
 
 mod cloud;
 mod convex;
+mod cover;
 mod crack;
 mod fill;
 mod geometry;
 mod lattice;
 mod neighbours;
 mod outline;
+mod parts;
 mod polygon;
 mod region;
 mod rows;
@@ -61,7 +63,7 @@ impl PlaneBody {
     /// Area of a point, m².
     pub fn area(&self, point: usize) -> f64 {
         match self {
-            Self::Lattice(lattice) => lattice.spacing() * lattice.spacing(),
+            Self::Lattice(lattice) => lattice.area(point),
             Self::Cloud(cloud) => cloud.areas()[point],
         }
     }

@@ -225,7 +225,8 @@ impl Shape {
         }
     }
 
-    fn removes(&self, position: Point) -> bool {
+    /// Whether a position is in it, its border aside.
+    pub(super) fn removes(&self, position: Point) -> bool {
         match (self, self.stadium()) {
             (_, Some((from, to, radius))) => to_segment(position, from, to) < radius,
             (Self::Polygon(hole), _) => {

@@ -3,8 +3,9 @@
 
 use super::System;
 use crate::bonds::Mat;
+use crate::condition::Row;
+use crate::stiffness::BlockRows;
 use crate::stiffness::planes::for_each_stretch;
-use crate::stiffness::{BlockRows, TakeForces};
 use std::array::from_fn;
 
 /// Points that are taken together, the most that a term hands over at once.
@@ -12,12 +13,15 @@ const STRETCH: usize = 64;
 
 /// A system with the inverse of its diagonal blocks.
 ///
+/// Its vectors hold, at unknowns that depend on others, what these make of them; only right-hand sides and residuals are
+/// zero there.
+///
 /// Only the first term of the system, the bonds of a lattice, is evaluated element by element; the few elements of all
 /// others (overlays, springs) are assembled: that is good enough for a preconditioner.
 pub struct Level<'a, const D: usize> {
     system: &'a System<D>,
     others: BlockRows<D>,
-    /// Inverse blocks in planes `[row · D + column][point]`, zero where a component is constrained.
+    /// Inverse blocks in planes `[row · D + column][point]`, zero where a component is held, one where it depends on others.
     inverse: Vec<f64>,
 }
 
@@ -39,7 +43,11 @@ impl<'a, const D: usize> Level<'a, D> {
     /// The level and the first point whose block is singular.
     fn with_loose(system: &'a System<D>) -> (Self, Option<usize>) {
         let others = BlockRows::new(system.points(), &system.terms()[1..]);
-        let (inverse, loose) = system.inverse_blocks();
+        let (mut inverse, loose) = system.inverse_blocks();
+        for row in system.constraints.rows().iter().filter(|row| !row.masters.is_empty()) {
+            let (point, c) = (row.unknown % system.points, row.unknown / system.points);
+            inverse[(c * D + c) * system.points + point] = 1.0;
+        }
         (Self { system, others, inverse }, loose)
     }
 
@@ -57,11 +65,19 @@ impl<'a, const D: usize> Level<'a, D> {
                 .for_each(|c| at[c][..width].copy_from_slice(&r[c * self.system.points + first..][..width]));
             self.add_inverse(first, scale, &at, own);
         });
+        self.expand(x);
+    }
+
+    /// Writes what dependent unknowns are over them.
+    pub fn expand(&self, x: &mut [f64]) {
+        if self.system.constraints.has_slaves() {
+            self.system.constraints.expand(0.0, x);
+        }
     }
 
     /// Writes `b − A x` over `r`.
     pub fn residual(&self, b: &[f64], x: &[f64], r: &mut [f64]) {
-        let fused = self.sweep(x, r, &|first, forces, own| {
+        let fused = self.system.terms[0].sweep(x, r, &|first, forces, own| {
             let at = self.residual_at(first, b, x, forces);
             own.into_iter().zip(&at).for_each(|(own, r)| own.copy_from_slice(&r[..own.len()]));
         });
@@ -90,13 +106,28 @@ impl<'a, const D: usize> Level<'a, D> {
             }
             self.add_inverse(first, scale, r, own);
         };
-        let fused = self.sweep(x, previous, &|first, forces, own| {
+        let slaves: Vec<&Row> = self.slaves().collect();
+        let moved: Vec<f64> =
+            slaves.iter().map(|s| x[s.unknown] + keep * (x[s.unknown] - previous[s.unknown])).collect();
+        let fused = self.system.terms[0].sweep(x, previous, &|first, forces, own| {
             pulp::Arch::new().dispatch(
                 #[inline(always)]
                 || finish(first, &self.residual_at(first, b, x, forces), own),
             );
         });
-        if !fused {
+        if fused {
+            // At a slave the inverse block is one, so that what was added to it tells its residual: that of its masters.
+            for (slave, moved) in slaves.iter().zip(moved) {
+                let residual = previous[slave.unknown] - moved;
+                slave.masters.iter().for_each(|&(m, share)| {
+                    let (point, column) = (m % n, m / n);
+                    for row in 0..D {
+                        previous[row * n + point] +=
+                            self.inverse[(row * D + column) * n + point] * share * residual;
+                    }
+                });
+            }
+        } else {
             self.residual(b, x, scratch);
             for_each_stretch::<D>(previous, STRETCH, |first, own| {
                 let mut r = [[0.0; STRETCH]; D];
@@ -105,11 +136,12 @@ impl<'a, const D: usize> Level<'a, D> {
                 finish(first, &r, own);
             });
         }
+        self.expand(previous);
     }
 
-    /// Goes through the forces of the first term where no unknown depends on others.
-    fn sweep(&self, x: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {
-        !self.system.constraints.has_slaves() && self.system.terms[0].sweep(x, out, take)
+    /// Rows of unknowns that depend on others.
+    fn slaves(&self) -> impl Iterator<Item = &'a Row> {
+        self.system.constraints.rows().iter().filter(|row| !row.masters.is_empty())
     }
 
     /// `b − A x` on a stretch of points, given the forces of the first term.

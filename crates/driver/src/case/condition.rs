@@ -36,7 +36,7 @@ pub struct At {
 #[serde(deny_unknown_fields)]
 pub struct Support {
     /// Where; a point of the grid, the end of a line, or a joint; in the plane a region or a point. A straight edge along
-    /// the lattice is held on its line, by extrapolation from its two outermost points; of other regions the points are.
+    /// the lattice is held on its line, with forces that reach its points as a uniform traction does; of other regions the points are.
     pub at: At,
     /// Prescribed deflection of a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]

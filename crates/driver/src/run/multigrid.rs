@@ -99,18 +99,17 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
 
     fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
         let [n, m] = [level, level + 1].map(|l| self.levels[l].system().points());
-        let constraints = self.levels[level + 1].system().constraints();
-        let expanded = constraints.has_slaves().then(|| {
-            let mut coarse = coarse.to_vec();
-            constraints.expand(0.0, &mut coarse);
-            coarse
-        });
-        let coarse = expanded.as_deref().unwrap_or(coarse);
+        // A direct factor leaves dependent unknowns at zero.
+        let mut expanded = Vec::new();
+        if self.levels[level + 1].system().constraints().has_slaves() {
+            expanded.extend_from_slice(coarse);
+            self.levels[level + 1].expand(&mut expanded);
+        }
+        let coarse = if expanded.is_empty() { coarse } else { &expanded };
         for (fine, coarse) in fine.chunks_exact_mut(n).zip(coarse.chunks_exact(m)) {
             self.transfers[level].prolong_add(coarse, fine);
         }
-        // Constrained unknowns are inert and zero.
-        let rows = self.levels[level].system().constraints().rows();
-        rows.iter().for_each(|row| fine[row.unknown] = 0.0);
+        // What is held stays at zero, what depends on others follows them.
+        self.levels[level].system().constraints().expand(0.0, fine);
     }
 }

@@ -25,6 +25,9 @@ impl BondPlane {
                 let shares = virial_shares(&body.hood, spacing, 1.0 / volume);
                 let mut sums = body.whole.sums::<3>(u, &shares);
                 sums[3 * n..].par_iter_mut().with_min_len(4096).for_each(|energy| *energy /= volume);
+                for &(point, part) in body.lattice.cut_cells() {
+                    (0..4).for_each(|q| sums[q * n + point as usize] /= part);
+                }
                 body.ghosts.iter().for_each(|&g| (0..4).for_each(|q| sums[q * n + g as usize] = 0.0));
                 sums
             }
@@ -59,7 +62,7 @@ impl BondPlane {
     pub(super) fn real_volume(&self, point: usize) -> f64 {
         let thickness = self.parameters.material.thickness;
         match &self.body {
-            Body::Lattice(body) => body.volume(thickness),
+            Body::Lattice(body) => body.volume(thickness) * body.lattice.fraction(point),
             Body::Cloud(body) => body.areas[point] * thickness,
         }
     }

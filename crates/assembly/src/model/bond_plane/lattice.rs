@@ -1,4 +1,8 @@
 //! Bonds of a body that is a square lattice.
+//!
+//! With the overlay, a point i of a cell that the border cuts has the volume `a_i V`. A bond counts by the smaller part of
+//! its two ends, `f_ij = min(a_i, a_j)`, so that what a point lacks, `a_i C − ½ Σ_j f_ij a N Nᵀ`, is never negative; the
+//! overlay gives it back. Other treatments of edges have whole cells.
 
 use super::edges::{EdgeFactors, Overlay, edge_factors, overlay};
 use super::mirrors::Mirrors;
@@ -40,6 +44,11 @@ impl LatticeBody {
         parameters: &PlaneParameters,
         cuts: &[(usize, usize)],
     ) -> Self {
+        let lattice = match parameters.edges {
+            Edges::Overlay => lattice,
+            _ if lattice.cut_cells().is_empty() => lattice,
+            _ => Arc::new(SquareLattice::clone(&lattice).with_whole_cells()),
+        };
         let near = match parameters.edges {
             Edges::None => Vec::new(),
             _ => near_points(&lattice, hood.reach()),
@@ -54,6 +63,8 @@ impl LatticeBody {
                 factors = edge_factors(&lattice, &mirrors, &hood, parameters, &near);
             }
             Edges::Overlay => {
+                factors.exceptions = reduced(&lattice, &hood);
+                let near = with_neighbours(&lattice, &hood, near);
                 let real =
                     near.iter().copied().filter(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
                 triangles = overlay(&lattice, &hood, real, volume, &cuts);
@@ -80,7 +91,7 @@ impl LatticeBody {
         Self { lattice, mirrors, ghosts, hood, bonds, whole, triangles, uncorrected, damage }
     }
 
-    /// Volume of a real point, m³.
+    /// Volume of a real point with a whole cell, m³.
     pub(super) fn volume(&self, thickness: f64) -> f64 {
         self.lattice.spacing().powi(2) * thickness
     }
@@ -114,6 +125,42 @@ fn grid(
     let known: Vec<Exception> =
         exceptions.iter().filter_map(|e| Some(Exception { offset: class[e.offset]?, ..*e })).collect();
     GridBonds::new(lattice.clone(), &model, &offsets, &known)
+}
+
+/// Factors of the bonds of cells that are not whole: the smaller part of both ends.
+fn reduced(lattice: &SquareLattice, hood: &Neighbourhood) -> Vec<Exception> {
+    let mut exceptions = Vec::new();
+    for &(point, part) in lattice.cut_cells() {
+        let (point, cell) = (point as usize, lattice.cell(point as usize));
+        for k in hood.bonded() {
+            for up in [true, false] {
+                let Some(other) = lattice.number(at(cell, hood.offsets[k], up)) else { continue };
+                let factor = part.min(lattice.fraction(other));
+                // A bond between two such cells is met twice.
+                if up || lattice.fraction(other) == 1.0 {
+                    let lower = if up { point } else { other };
+                    exceptions.push(Exception { offset: k, lower, factor });
+                }
+            }
+        }
+    }
+    exceptions
+}
+
+/// Some points, and those that have a bond to a cell that is not whole, in order.
+fn with_neighbours(lattice: &SquareLattice, hood: &Neighbourhood, mut points: Vec<usize>) -> Vec<usize> {
+    if lattice.cut_cells().is_empty() {
+        return points;
+    }
+    for &(point, _) in lattice.cut_cells() {
+        let cell = lattice.cell(point as usize);
+        let steps = hood.bonded().flat_map(|k| [true, false].map(|up| at(cell, hood.offsets[k], up)));
+        points.push(point as usize);
+        points.extend(steps.filter_map(|other| lattice.number(other)));
+    }
+    points.sort_unstable();
+    points.dedup();
+    points
 }
 
 /// Factors of bonds across lines of symmetry, ½, and beyond them, 0.

@@ -45,7 +45,8 @@ impl Mirrors {
         };
         let (columns, rows) = (clip(self.columns, lattice.columns()), clip(self.rows, lattice.rows()));
         let inside = |cell| lattice.number(cell).is_some();
-        SquareLattice::new(lattice.spacing(), lattice.corner(), columns, rows, inside)
+        let all = SquareLattice::new(lattice.spacing(), lattice.corner(), columns, rows, inside);
+        all.with_areas(&cut_cells(lattice))
     }
 
     /// A lattice of real cells with `depth` columns or rows of images beyond every line.
@@ -58,7 +59,14 @@ impl Mirrors {
         };
         let (columns, rows) = (widen(self.columns, real.columns()), widen(self.rows, real.rows()));
         let inside = |cell| real.number(self.image(cell).0).is_some();
-        SquareLattice::new(real.spacing(), real.corner(), columns, rows, inside)
+        let extended = SquareLattice::new(real.spacing(), real.corner(), columns, rows, inside);
+        let mut areas: Vec<(Cell, f64)> = cut_cells(real);
+        if !areas.is_empty() {
+            let ghosts = self.ghosts(&extended).into_iter().map(|g| extended.cell(g as usize));
+            let area = |cell| Some((cell, real.fraction(real.number(self.image(cell).0)?)));
+            areas.extend(ghosts.filter_map(area));
+        }
+        extended.with_areas(&areas)
     }
 
     /// The lines on a lattice of twice the spacing; one that runs through cells moves outwards.
@@ -99,6 +107,11 @@ impl Mirrors {
         };
         ghosts.iter().flat_map(tie).collect()
     }
+}
+
+/// Cells of a lattice that are not whole, and their areas.
+fn cut_cells(lattice: &SquareLattice) -> Vec<(Cell, f64)> {
+    lattice.cut_cells().iter().map(|&(p, area)| (lattice.cell(p as usize), area)).collect()
 }
 
 fn inside([low, high]: [Option<i32>; 2], k: i32) -> bool {

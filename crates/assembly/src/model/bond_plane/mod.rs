@@ -161,11 +161,9 @@ impl BondPlane {
 
     /// Volume of a point, m³; an image has none.
     pub fn volume(&self, point: usize) -> f64 {
-        let thickness = self.parameters.material.thickness;
         match &self.body {
             Body::Lattice(body) if body.ghosts.binary_search(&(point as u32)).is_ok() => 0.0,
-            Body::Lattice(body) => body.volume(thickness),
-            Body::Cloud(body) => body.areas[point] * thickness,
+            _ => self.real_volume(point),
         }
     }
 

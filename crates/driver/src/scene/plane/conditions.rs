@@ -1,5 +1,6 @@
 //! What holds a body in the plane, by points: equations for its lattice and for any coarser one are made of it.
 
+use super::held_edge::HeldEdge;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::stiffness::Spring;
@@ -21,9 +22,10 @@ pub struct Conditions {
 pub struct HeldPoints {
     /// Numbers of the points, ascending.
     pub points: Vec<u32>,
-    /// Where an edge is held and not its points: per point the next one behind it, and the distance of the edge over that
-    /// of the two points. The displacement of the edge is extrapolated from both.
-    pub behind: Vec<Option<(u32, f64)>>,
+    /// How an edge is held, where it is not its points that are.
+    pub edge: Option<HeldEdge>,
+    /// With an edge, the points behind each point; none where the point itself is held.
+    pub chains: Vec<Vec<u32>>,
     /// Direction that is held, a unit vector.
     pub direction: [f64; 2],
     /// Displacement in this direction at a factor of one.
@@ -78,11 +80,10 @@ impl Conditions {
             parents.dedup();
             parents
         };
-        let holds = self.holds.iter().map(|h| HeldPoints {
-            points: parents(&h.points),
-            behind: Vec::new(),
-            value: 0.0,
-            ..h.clone()
+        let holds = self.holds.iter().map(|h| {
+            let points = parents(&h.points);
+            let chains = h.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(coarse, &points));
+            HeldPoints { points, chains, value: 0.0, ..h.clone() }
         });
         let rigid = self.rigid.iter().map(|r| RigidPoints {
             points: parents(&r.points),
@@ -111,16 +112,19 @@ impl HeldPoints {
         // The larger share first: it is the one to divide by.
         let shares = if x.abs() >= y.abs() { [(0, x), (1, y)] } else { [(1, y), (0, x)] };
         self.points.iter().enumerate().map(move |(k, &point)| {
-            let behind = self.behind.get(k).copied().flatten();
-            let beyond = behind.map_or(0.0, |(_, beyond)| beyond);
-            let term = |point: u32, factor: f64| {
-                let of = move |&(component, c): &(usize, f64)| {
-                    (Unknown { component, point: point as usize }, factor * c)
-                };
-                shares.iter().filter(|s| s.1 != 0.0).map(of).collect::<Vec<_>>()
-            };
-            let mut terms = term(point, 1.0 + beyond);
-            terms.extend(behind.into_iter().flat_map(|(point, beyond)| term(point, -beyond)));
+            let chain = self.chains.get(k).filter(|chain| !chain.is_empty()).zip(self.edge.as_ref());
+            let mut terms = Vec::new();
+            for (component, share) in shares.into_iter().filter(|s| s.1 != 0.0) {
+                let mut term =
+                    |point: u32, c: f64| terms.push((Unknown { component, point: point as usize }, c));
+                match chain {
+                    None => term(point, share),
+                    Some((chain, edge)) => {
+                        let points = std::iter::once(&point).chain(chain);
+                        points.zip(edge.shares(component)).for_each(|(&p, s)| term(p, share * s));
+                    }
+                }
+            }
             Equation { terms, value: self.value, origin: self.origin.clone() }
         })
     }
@@ -283,9 +287,9 @@ mod tests {
     #[test]
     fn coarse_points_are_held_where_a_child_is_and_springs_add_up() {
         let fine = SquareLattice::rectangle(1.0, [0.0; 2], [4, 2]);
-        let (points, behind) = (vec![1, 2, 5], vec![None, Some((6, 0.5)), None]);
-        let hold = HeldPoints { points, behind, direction: [1.0, 0.0], value: 3.0, origin: String::new() };
-        assert_eq!(hold.equations().map(|e| e.terms.len()).collect::<Vec<_>>(), [1, 2, 1]);
+        let (points, direction) = (vec![1, 2, 5], [1.0, 0.0]);
+        let (edge, chains, origin) = (None, Vec::new(), String::new());
+        let hold = HeldPoints { points, edge, chains, direction, value: 3.0, origin };
         let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };
         let springs = vec![spring(2), spring(3), spring(0)];
         let conditions = Conditions { holds: vec![hold], springs, ..region(&fine, [Some(1.0), None, None]) };

@@ -75,9 +75,25 @@ pub(super) fn on_points(
             (0..2).for_each(|k| sum[k] += force[k] / points.len() as f64);
         }
     }
-    let mut forces: Forces = forces.into_iter().collect();
+    let mut forces = on_held_lines(forces, context);
     settle(&mut forces, wanted, is_halved(stretches, context), context);
     forces
+}
+
+/// Forces where an edge is held on its line, shared by the points whose displacements make that of the edge: the support
+/// takes them whole.
+fn on_held_lines(forces: BTreeMap<u32, [f64; 2]>, context: &Context) -> Forces {
+    let mut shared: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
+    for (point, force) in forces {
+        for (component, f) in force.into_iter().enumerate() {
+            let mut add = |point: u32, share: f64| shared.entry(point).or_default()[component] += share * f;
+            match context.held.iter().find_map(|h| h.sharing(point, component)) {
+                Some(shares) => shares.for_each(|(point, share)| add(point, share)),
+                None => add(point, 1.0),
+            }
+        }
+    }
+    shared.into_iter().collect()
 }
 
 /// Whether places grow along a tangent, 1, or against it, −1.

@@ -9,6 +9,7 @@ mod fading;
 mod files;
 mod foreign;
 mod ground;
+mod held_edge;
 mod interpolate;
 mod levels;
 mod loads;
@@ -36,6 +37,7 @@ mod warnings;
 pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
 pub use cracks::NamedCrack;
+pub use held_edge::HeldEdge;
 pub use interpolate::Weights;
 pub use loads::PlaneLoads;
 pub use moved::MovedTips;
@@ -152,7 +154,7 @@ impl PlaneScene {
         let parts::Parts { recipe, outline, curves, cracks } =
             parts::parts(case, model, folder, max_memory, faults)?;
         let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
-        let held = supports::held(&ground, &recipe.symmetry, faults);
+        let held = supports::held(&ground, &recipe.symmetry, &recipe.parameters, faults);
         let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
         rigid_mirror::check(&rigid, &recipe, faults);
         let context = loads::Context {

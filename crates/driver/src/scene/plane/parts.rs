@@ -7,6 +7,7 @@ use crate::case::{Case, Plane};
 use crate::diagnostic::Faults;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody};
+use peristat_assembly::model::bond_plane::Edges;
 use std::path::Path;
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
@@ -52,6 +53,13 @@ pub(super) fn parts(
     }
     parameters.horizon_ratio = ratio;
     let horizon = ratio * body.spacing();
+    // The other treatments of edges know whole cells only, and loads have the volumes of the model.
+    let body = match body {
+        PlaneBody::Lattice(lattice) if parameters.edges != Edges::Overlay => {
+            PlaneBody::Lattice(lattice.with_whole_cells())
+        }
+        body => body,
+    };
     let recipe = Recipe { body, symmetry, parameters, horizon };
     Some(Parts { recipe, outline, curves, cracks: cracks? })
 }

@@ -3,12 +3,13 @@
 use super::super::numbers::positive;
 use super::conditions::{HeldPoints, RigidPoints};
 use super::ground::{Ground, Spot};
+use super::held_edge::HeldEdge;
 use super::symmetry::Symmetry;
 use super::{model::Recipe, root};
 use crate::case::{Rigid, Support};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::PlaneBody;
-use peristat_assembly::model::bond_plane::BondPlane;
+use peristat_assembly::model::bond_plane::{BondPlane, PlaneParameters};
 use peristat_assembly::stiffness::Spring;
 
 /// A support, resolved, with what it holds by numbers of the body.
@@ -20,8 +21,10 @@ pub(super) struct Held {
     pub(super) path: JsonPath,
     /// Its points.
     pub(super) points: Vec<u32>,
-    /// Per point the next one behind it and how far the edge lies before them, where an edge is held on its line.
-    behind: Vec<Option<(u32, f64)>>,
+    /// How an edge is held on its line.
+    edge: Option<HeldEdge>,
+    /// With an edge, the points behind each point; none where the point itself is held.
+    chains: Vec<Vec<u32>>,
     /// Directions, prescribed displacements and their keys.
     pub(super) motions: Vec<([f64; 2], f64, &'static str)>,
     /// Components and total stiffnesses of springs.
@@ -33,7 +36,12 @@ const EXAMPLE: &str =
     r#"a clamped edge is { "at": { "region": "left" }, "ux": 0.0, "uy": 0.0 }, a roller gives one of them"#;
 
 /// Supports of the case.
-pub(super) fn held(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) -> Vec<Held> {
+pub(super) fn held(
+    ground: &Ground,
+    symmetry: &Symmetry,
+    parameters: &PlaneParameters,
+    faults: &mut Faults,
+) -> Vec<Held> {
     let case = ground.case;
     if case.supports.is_empty() && case.rigid.is_empty() && case.symmetry.is_empty() {
         faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(EXAMPLE);
@@ -48,8 +56,13 @@ pub(super) fn held(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) ->
         }
         not_mirrored(support.at.region.as_deref(), &at.key("region"), symmetry, faults);
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
-        let behind = behind(ground, support.at.region.as_deref(), &spot.points);
-        Some(resolve(support, spot, behind, path))
+        let mut held = resolve(support, spot, path);
+        if let (PlaneBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
+            let edge = ground.outline.and_then(|outline| outline.edge(name));
+            held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, parameters));
+            held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
+        }
+        Some(held)
     })
     .collect()
 }
@@ -107,26 +120,7 @@ fn check_keys(support: &Support, path: &JsonPath, faults: &mut Faults) {
     }
 }
 
-/// The points behind those of a straight edge along the lattice: points lie half a spacing or less behind their edge, and
-/// what holds the edge itself is the extrapolation from two of them. Nothing for other regions: their points are held.
-fn behind(ground: &Ground, region: Option<&str>, points: &[u32]) -> Vec<Option<(u32, f64)>> {
-    let PlaneBody::Lattice(lattice) = ground.body else { return Vec::new() };
-    let edge = region.and_then(|name| ground.outline?.edge(name));
-    let Some(edge) = edge.filter(|e| e.normal.iter().any(|n| n.abs() > 1.0 - 1e-12)) else {
-        return Vec::new();
-    };
-    let inward = edge.normal.map(|n| -n.round() as i32);
-    let of = |&point: &u32| {
-        let [column, row] = lattice.cell(point as usize);
-        let next = lattice.number([column + inward[0], row + inward[1]])? as u32;
-        let at = lattice.position(point as usize);
-        let distance: f64 = (0..2).map(|k| (edge.from[k] - at[k]) * edge.normal[k]).sum();
-        points.binary_search(&next).is_err().then_some((next, distance / lattice.spacing()))
-    };
-    points.iter().map(of).collect()
-}
-
-fn resolve(support: &Support, spot: Spot, behind: Vec<Option<(u32, f64)>>, path: JsonPath) -> Held {
+fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
     let inclined = support.inclined.map(|inclined| {
         let angle = inclined.degrees.to_radians();
         // What rounding leaves of a right angle is no share.
@@ -140,21 +134,36 @@ fn resolve(support: &Support, spot: Spot, behind: Vec<Option<(u32, f64)>>, path:
         name: spot.words,
         path,
         points: spot.points,
-        behind,
+        edge: None,
+        chains: Vec::new(),
         motions: [ux, uy, inclined].into_iter().flatten().collect(),
         springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
     }
 }
 
 impl Held {
+    /// Points that share what acts on the edge at a point, with their shares, where the edge is held along a component.
+    pub(super) fn sharing(
+        &self,
+        point: u32,
+        component: usize,
+    ) -> Option<impl Iterator<Item = (u32, f64)> + '_> {
+        let direct = self.motions.iter().any(|m| m.0[component].abs() == 1.0);
+        let k = self.points.binary_search(&point).ok().filter(|_| direct)?;
+        let chain = self.chains.get(k).filter(|chain| !chain.is_empty())?;
+        let points = std::iter::once(point).chain(chain.iter().copied());
+        Some(points.zip(self.edge.as_ref()?.shares(component).iter().copied()))
+    }
+
     /// What it prescribes, by numbers of the model.
     pub(super) fn holds(&self, recipe: &Recipe, model: &BondPlane) -> Vec<HeldPoints> {
         let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
-        let number = |&(point, beyond): &(u32, f64)| (recipe.number(model, point), beyond);
-        let behind: Vec<Option<(u32, f64)>> = self.behind.iter().map(|b| b.as_ref().map(number)).collect();
+        let number = |p: &u32| recipe.number(model, *p);
+        let chains: Vec<Vec<u32>> = self.chains.iter().map(|c| c.iter().map(number).collect()).collect();
         let hold = |&(direction, value, key): &([f64; 2], f64, &'static str)| HeldPoints {
             points: points.clone(),
-            behind: behind.clone(),
+            edge: self.edge.clone(),
+            chains: chains.clone(),
             direction,
             value,
             origin: self.path.key(key).to_string(),

@@ -1,6 +1,7 @@
 //! The deficit overlay: triangles with the stiffness of missing bonds.
 //!
-//! A point whose bonds are missing lacks `D = ½ Σ_missing a N Nᵀ >= 0`. It gets it back as the energy
+//! A point whose bonds are missing lacks `D = ½ Σ_missing a N Nᵀ >= 0`, and one with a part `a_i` of a cell and reduced
+//! bonds `D = ½ Σ (a_i − f_ij) a N Nᵀ` over all bonds that an inner point has. It gets it back as the energy
 //! `½ V/n Eᵀ D E` of each of the n <= 4 triangles that it makes with two next neighbours, E their constant strain: so
 //! every point has exactly the stiffness of the material for every uniform strain, and nothing becomes indefinite.
 
@@ -22,7 +23,7 @@ pub(in super::super) struct Overlay {
 /// Two other corners of a triangle.
 type Corners = [Cell; 2];
 
-/// Builds the triangles of some points, of the volume `volume` each; those with a cut side are left out.
+/// Builds the triangles of some points, but those with a cut side; `volume` is that of a whole cell.
 pub(in super::super) fn overlay(
     lattice: &SquareLattice,
     hood: &Neighbourhood,
@@ -58,16 +59,19 @@ pub(in super::super) fn overlay(
     overlay
 }
 
-/// `½ Σ_missing a N Nᵀ`; none where nothing is missing.
+/// `½ Σ (a_i − f_ij) a N Nᵀ` with the part a_i of its cell and the factors `f_ij = min(a_i, a_j)` of its bonds, zero where
+/// they are missing; none where nothing is missing.
 fn deficit(lattice: &SquareLattice, hood: &Neighbourhood, cell: Cell) -> Option<Mat<3, 3>> {
     let (mut sum, mut lacks) = ([[0.0; 3]; 3], false);
+    let own = lattice.number(cell).map_or(1.0, |p| lattice.fraction(p));
     for k in hood.bonded() {
         let step = hood.offsets[k];
-        let missing =
-            [true, false].iter().filter(|&&side| lattice.number(at(cell, step, side)).is_none()).count();
-        if missing > 0 {
+        let parts =
+            [true, false].map(|side| lattice.number(at(cell, step, side)).map(|p| lattice.fraction(p)));
+        let missing: f64 = parts.iter().map(|other| own - other.map_or(0.0, |o| own.min(o))).sum();
+        if missing > 0.0 {
             lacks = true;
-            let (n, a) = (direction_product(step), 0.5 * missing as f64 * hood.weights[k]);
+            let (n, a) = (direction_product(step), 0.5 * missing * hood.weights[k]);
             (0..3).for_each(|r| (0..3).for_each(|c| sum[r][c] += a * n[r] * n[c]));
         }
     }

@@ -1,6 +1,7 @@
 //! Bodies and helpers of the tests.
 
 use super::super::*;
+use crate::body::{Hole, Outline, Shape};
 use crate::model::Model;
 use crate::stiffness::{BlockMatrix, Term};
 use nalgebra::{DMatrix, DVector};
@@ -20,19 +21,39 @@ pub(super) fn parameters(m: f64, [_, youngs_modulus, thickness]: [f64; 3]) -> Pl
     }
 }
 
-/// A rectangle with a hole, an L, a disc and a triangle with a sharp tip, of cells of size `h`.
+/// A rectangle with a hole, an L, a disc and a triangle with a sharp tip, of cells of size `h`: whole ones, and such that
+/// the border cuts.
 pub(super) fn bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
     let make = |columns: i32, rows: i32, inside: &dyn Fn(f64, f64) -> bool| {
         let centre = |k: i32| f64::from(k) + 0.5;
         let at = |[i, j]: Cell| inside(centre(i), centre(j));
         Arc::new(SquareLattice::new(h, [0.3 * h, -2.0 * h], 0..columns, 0..rows, at))
     };
+    let cut = |outline: &Outline| {
+        let lattice = outline.fill(h).unwrap();
+        assert!(lattice.cut_cells().len() > 10);
+        Arc::new(lattice)
+    };
+    let polygon = |corners: Vec<[f64; 2]>| {
+        Outline::polygon(corners.into_iter().map(|c| c.map(|x| h * x)).collect()).unwrap()
+    };
+    let mut plate = Outline::rectangle([0.3 * h, -2.0 * h], [18.0 * h, 13.0 * h]).unwrap();
+    let circle = Shape::Circle { centre: [9.3 * h, 4.1 * h], radius: 2.9 * h };
+    plate.cut(Hole { name: None, shape: circle }).unwrap();
+    let turn = |k: i32| (f64::from(k) * std::f64::consts::PI / 30.0).sin_cos();
+    let disc = polygon((0..60).map(turn).map(|(s, c)| [6.3 * c, 6.3 * s]).collect());
+    let wedge = polygon(vec![[0.0, 0.0], [20.0, 5.3], [20.0, 12.7]]);
+    let oblique = polygon(vec![[0.0, 3.1], [11.4, 0.0], [14.0, 8.2], [2.2, 11.5]]);
     vec![
         ("hole", make(18, 13, &|x, y| (x - 9.0).hypot(y - 6.0) > 2.6)),
         ("L", make(14, 14, &|x, y| x < 6.0 || y < 5.0)),
         ("disc", make(13, 13, &|x, y| (x - 6.5).hypot(y - 6.5) < 6.4)),
         // One cell per row at the tip: cells without neighbours on three sides.
         ("wedge", make(20, 14, &|x, y| y < 0.62 * x && y > 0.3 * x)),
+        ("cut hole", cut(&plate)),
+        ("cut disc", cut(&disc)),
+        ("cut wedge", cut(&wedge)),
+        ("cut quadrilateral", cut(&oblique)),
     ]
 }
 

@@ -1,0 +1,138 @@
+use crate::body::geometry::Point;
+use crate::body::{Cell, Hole, Outline, Polygon, Shape, SquareLattice};
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+fn with_holes(mut outline: Outline, holes: Vec<Shape>) -> Outline {
+    holes.into_iter().for_each(|shape| outline.cut(Hole { name: None, shape }).unwrap());
+    outline
+}
+
+fn rectangle(from: Point, size: Point, holes: Vec<Shape>) -> Outline {
+    with_holes(Outline::rectangle(from, size).unwrap(), holes)
+}
+
+fn area(lattice: &SquareLattice) -> f64 {
+    (0..lattice.points()).map(|p| lattice.area(p)).sum()
+}
+
+#[test]
+fn whole_cells_stay_whole() {
+    let l = vec![[0.3, 0.0], [1.3, 0.0], [1.3, 0.4], [0.8, 0.4], [0.8, 0.9], [0.3, 0.9]];
+    let hole = Polygon::new(vec![[0.5, 0.1], [0.7, 0.1], [0.7, 0.3], [0.5, 0.3]]).unwrap();
+    let bodies = [
+        rectangle([-0.7, 0.3], [0.9, 0.6], Vec::new()),
+        rectangle([0.3, 0.0], [0.9, 0.6], vec![Shape::Polygon(hole)]),
+        Outline::polygon(l).unwrap(),
+        // Far from the origin a corner is known to 1e-7 cells.
+        rectangle(
+            [1e6, 0.0],
+            [0.4, 0.1],
+            vec![Shape::Polygon(
+                Polygon::new(vec![[1e6 + 0.1, 0.05], [1e6 + 0.2, 0.05], [1e6 + 0.2, 0.2], [1e6 + 0.1, 0.2]])
+                    .unwrap(),
+            )],
+        ),
+    ];
+    for body in bodies {
+        for h in [0.1, 0.05, 0.025] {
+            if let Ok(lattice) = body.fill(h) {
+                assert!(
+                    lattice.cut_cells().len() <= usize::from(h > 0.09) * 9,
+                    "{h} {:?}",
+                    lattice.cut_cells()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn areas_sum_to_that_of_the_body() {
+    let circle = |centre, radius| Shape::Circle { centre, radius };
+    let slot = Shape::Slot { from: [3.0, 2.0], to: [7.0, 5.0], radius: 0.8 };
+    let quarter = rectangle([0.0; 2], [20.0, 8.0], vec![circle([0.0; 2], 2.0)]);
+    let inner = rectangle([0.0; 2], [20.0, 8.0], vec![circle([12.3, 4.1], 2.0), slot]);
+    let oblique = [[0.0, 0.0], [9.0, 2.0], [8.0, 7.0], [5.0, 3.0], [1.0, 6.0]];
+    let polygon = Outline::polygon(oblique.to_vec()).unwrap();
+    let polygon_area = polygon.border().area();
+    let window = Polygon::new(vec![[3.0, 1.2], [4.0, 1.7], [3.5, 2.6]]).unwrap();
+    let window_area = window.area();
+    let disc: Vec<Point> =
+        (0..720).map(|k| (f64::from(k) * PI / 360.0).sin_cos()).map(|(s, c)| [c, s]).collect();
+    let disc = Outline::polygon(disc).unwrap();
+    let disc_area = disc.border().area();
+    let cases = [
+        ("quarter", quarter, 160.0 - PI, 1e-7),
+        ("hole and slot", inner, 160.0 - 4.0 * PI - 8.0 - 0.64 * PI, 1e-6),
+        ("polygon", polygon.clone(), polygon_area, 1e-3),
+        ("window", with_holes(polygon, vec![Shape::Polygon(window)]), polygon_area - window_area, 1e-3),
+        ("disc", disc, disc_area, 1e-9),
+        // The circles overlap in a lens; the cells at its tips are sampled.
+        (
+            "lens",
+            rectangle([0.0; 2], [8.0, 4.0], vec![circle([3.0, 2.0], 1.0), circle([4.0, 2.0], 1.0)]),
+            32.0 - 2.0 * PI + (2.0 * PI / 3.0 - 0.75f64.sqrt()),
+            1e-5,
+        ),
+    ];
+    for (name, outline, exact, error) in cases {
+        for h in [0.25, 0.1, 0.05] {
+            let found = area(&outline.fill(h).unwrap());
+            assert!((found / exact - 1.0).abs() < error, "{name} {h}: {found} {exact}");
+        }
+    }
+}
+
+#[test]
+fn parts_without_points_go_to_the_fullest_neighbour() {
+    // The upper side is 0.3 cells above the third row, the right one 0.4 behind the fourth column.
+    let outline = Outline::polygon(vec![[0.0; 2], [4.4, 0.0], [4.4, 3.3], [0.0, 3.3]]).unwrap();
+    let lattice = outline.fill(1.0).unwrap();
+    assert_eq!(lattice.points(), 12);
+    for p in 0..12 {
+        let expected = match lattice.cell(p) {
+            // The corner, 0.12, goes to the only point across it.
+            [3, 2] => 1.0 + 0.3 + 0.4 + 0.12,
+            [3, _] => 1.4,
+            [_, 2] => 1.3,
+            _ => 1.0,
+        };
+        assert!((lattice.fraction(p) - expected).abs() < 1e-12, "{:?}", lattice.cell(p));
+    }
+}
+
+#[test]
+fn symmetric_bodies_have_symmetric_areas() {
+    for (centre, cells) in [([0.0; 2], [20, 20]), ([1.0 / 3.0, 1e3], [21, 21])] {
+        for radius in [3.0, 5.0, 7.7] {
+            let h = 0.1;
+            let size = cells.map(|n| f64::from(n) * h);
+            let from = [centre[0] - 0.5 * size[0], centre[1] - 0.5 * size[1]];
+            let hole = Shape::Circle { centre, radius: radius * h };
+            let lattice = rectangle(from, size, vec![hole]).fill(h).unwrap();
+            assert!(lattice.cut_cells().len() > 8);
+            let n = cells[0] - 1;
+            for &(point, part) in lattice.cut_cells() {
+                let [i, j] = lattice.cell(point as usize);
+                let images: [Cell; 4] = [[n - i, j], [i, n - j], [j, i], [n - j, n - i]];
+                for image in images {
+                    let other = lattice.fraction(lattice.number(image).unwrap());
+                    assert!((part - other).abs() < 1e-9, "{centre:?} {radius}: {part} {other}");
+                }
+            }
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn areas_of_oblique_boxes_are_exact(turn in 0.0..1.5f64, w in 6.0..9.0f64, t in 3.0..5.0f64) {
+        let (s, c) = turn.sin_cos();
+        let at = |x: f64, y: f64| [c * x - s * y, s * x + c * y];
+        let outline = Outline::polygon(vec![at(0.0, 0.0), at(w, 0.0), at(w, t), at(0.0, t)]).unwrap();
+        let lattice = outline.fill(0.37).unwrap();
+        prop_assert!((area(&lattice) / (w * t) - 1.0).abs() < 1e-4);
+        prop_assert!(lattice.cut_cells().iter().all(|c| (0.3..2.6).contains(&c.1)), "{:?}", lattice.cut_cells());
+    }
+}

@@ -1,0 +1,109 @@
+//! Edges along the lattice, held on their line.
+//!
+//! The force that holds an edge has to reach its points as the traction of a uniform stress does; any other sharing
+//! disturbs the body within a horizon, which moves the held line by most of a spacing. So what is held is the
+//! displacement that this traction does its work on: a weighted sum over the few points behind each other, in every row.
+//! For a linear field this is the displacement of the edge.
+
+use peristat_assembly::body::{Cell, Edge, SquareLattice};
+use peristat_assembly::model::bond_plane::{BondPlane, Edges, Mirrors, PlaneParameters};
+use std::sync::Arc;
+
+/// How an edge is held.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeldEdge {
+    /// From its points to those behind them, cells.
+    inward: Cell,
+    /// Shares of the points behind each other in the displacement of the edge along x and along y, the outermost first.
+    shares: [Vec<f64>; 2],
+}
+
+impl HeldEdge {
+    /// A straight edge along a lattice; `None` for any other.
+    pub(super) fn new(edge: &Edge, lattice: &SquareLattice, parameters: &PlaneParameters) -> Option<Self> {
+        let axis = edge.normal.iter().position(|n| n.abs() > 1.0 - 1e-12)?;
+        let mut inward = [0; 2];
+        inward[axis] = if edge.normal[axis] > 0.0 { -1 } else { 1 };
+        // Where the edge lies between the centres of cells.
+        let at = (edge.from[axis] - lattice.corner()[axis]) / lattice.spacing();
+        let between = (at - at.round()).abs() < 1e-6;
+        let [normal, tangential] = match between && parameters.edges == Edges::Overlay {
+            true => [shares_of(parameters, [1.0, 0.0, 0.0], 0)?, shares_of(parameters, [0.0, 0.0, 1.0], 1)?],
+            // The other treatments are not exact at edges: a line through two points is good enough.
+            false => [vec![1.5, -0.5], vec![1.5, -0.5]],
+        };
+        let shares = if axis == 0 { [normal, tangential] } else { [tangential, normal] };
+        Some(Self { inward, shares })
+    }
+
+    /// The points behind each of some ascending points of the edge; none where there are too few, or where they are points
+    /// of the edge themselves: then the point itself is held.
+    pub(super) fn chains(&self, lattice: &SquareLattice, points: &[u32]) -> Vec<Vec<u32>> {
+        let depth = self.shares.iter().map(Vec::len).max().unwrap_or(1) as i32;
+        let chain = |&point: &u32| {
+            let [column, row] = lattice.cell(point as usize);
+            let behind = |k: i32| lattice.number([column + k * self.inward[0], row + k * self.inward[1]]);
+            let chain: Option<Vec<u32>> = (1..depth).map(|k| behind(k).map(|p| p as u32)).collect();
+            chain.filter(|c| c.iter().all(|p| points.binary_search(p).is_err())).unwrap_or_default()
+        };
+        points.iter().map(chain).collect()
+    }
+
+    /// Shares of the displacement along a component, the outermost point first.
+    pub(super) fn shares(&self, component: usize) -> &[f64] {
+        &self.shares[component]
+    }
+}
+
+/// How the traction of a stress on the left side of a body reaches the points behind each other, far from its other sides.
+fn shares_of(parameters: &PlaneParameters, stress: [f64; 3], component: usize) -> Option<Vec<f64>> {
+    /// Below this part of the whole it is rounding.
+    const ROUNDING: f64 = 1e-12;
+    let depth = BondPlane::depth(parameters).ok()?;
+    let (columns, rows) = (4 * depth + 4, 6 * depth + 7);
+    let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]));
+    let body = BondPlane::on_lattice(lattice.clone(), Mirrors::NONE, *parameters, &[]).ok()?;
+    let mut force = vec![0.0; 2 * lattice.points()];
+    body.add_stress_load(None, &|_| stress, &mut force);
+    let at =
+        |column: i32| lattice.number([column, rows / 2]).map(|p| force[component * lattice.points() + p]);
+    let forces: Vec<f64> = (0..columns / 2).map(at).collect::<Option<_>>()?;
+    let total: f64 = forces.iter().sum();
+    let last = forces.iter().rposition(|f| f.abs() > ROUNDING * total.abs())?;
+    (forces[0] != 0.0).then(|| forces[..=last].iter().map(|f| f / total).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use peristat_assembly::body::Outline;
+    use peristat_assembly::model::bond_plane::{
+        Calibration, Influence, PlaneMaterial, PlaneState, VolumeFactor,
+    };
+
+    #[test]
+    fn shares_are_of_one_force_on_the_line_of_the_edge() {
+        for horizon_ratio in [2.0, 3.0, 4.5] {
+            let parameters = PlaneParameters {
+                material: PlaneMaterial { youngs_modulus: 7.0, thickness: 0.3, state: PlaneState::Stress },
+                horizon_ratio,
+                influence: Influence::Constant,
+                calibration: Calibration::Matched,
+                volume_factor: VolumeFactor::Ramp,
+                edges: Edges::Overlay,
+            };
+            let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
+            let lattice = outline.fill(1.0).unwrap();
+            for (name, inward) in [("left", [1, 0]), ("top", [0, -1])] {
+                let held = HeldEdge::new(outline.edge(name).unwrap(), &lattice, &parameters).unwrap();
+                assert_eq!(held.inward, inward);
+                for shares in &held.shares {
+                    assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+                    // Centres are half a spacing, and more, behind the edge: the moment about it is zero.
+                    let moment: f64 = shares.iter().enumerate().map(|(k, s)| s * (k as f64 + 0.5)).sum();
+                    assert!(moment.abs() < 1e-13, "{moment}");
+                }
+            }
+        }
+    }
+}
