@@ -94,7 +94,7 @@ fn covered_in_row(pieces: &mut [Piece], columns: i32, visit: &mut dyn FnMut(i32,
 const CHORDS: f64 = 16.0;
 
 /// A polygon with the area of all positions within `radius` of a segment, all in cells: arcs are chords whose ends lie
-/// beyond them by so much that their area is exact. Circles have the symmetries of the square.
+/// beyond them by so much that a circle has its exact area, and the symmetries of the square.
 pub(super) fn stadium(from: Point, to: Point, radius: f64) -> Vec<Point> {
     let half = 4.0 * (CHORDS * TAU / 8.0 * radius).ceil().max(8.0);
     let step = 0.5 * TAU / half;
@@ -103,6 +103,9 @@ pub(super) fn stadium(from: Point, to: Point, radius: f64) -> Vec<Point> {
     let arc = |centre: Point, start: f64| {
         (0..=half as usize).map(move |k| {
             let (sin, cos) = (start + k as f64 * step).sin_cos();
+            // The sides of a slot begin at the ends of its arcs.
+            let is_end = from != to && (k == 0 || k == half as usize);
+            let reach = if is_end { radius } else { reach };
             [centre[0] + reach * cos, centre[1] + reach * sin]
         })
     };

@@ -203,7 +203,8 @@ impl SquareLattice {
         [column.div_euclid(2), row.div_euclid(2)]
     }
 
-    /// The lattice of twice the spacing: a cell belongs to it if any of the four that it covers does.
+    /// The lattice of twice the spacing: a cell belongs to it if any of the four that it covers does. If this one has cells
+    /// that are not whole, areas of cells are sums of those that they cover, else all are whole.
     pub fn coarser(&self) -> Self {
         let halved = |range: Range<i32>| range.start.div_euclid(2)..(range.end + 1).div_euclid(2);
         let rows = halved(self.rows());
@@ -222,7 +223,19 @@ impl SquareLattice {
             merged.into_iter().for_each(|columns| coarse.push(row, columns));
             coarse.rows.push(coarse.runs.len() as u32);
         }
+        if !self.cut.is_empty() {
+            coarse.cut = (0..coarse.points)
+                .map(|p| (p as u32, self.area_below(coarse.cell(p))))
+                .filter(|c| c.1 != 1.0)
+                .collect();
+        }
         coarse
+    }
+
+    /// Area of the four cells that a cell of twice the spacing covers, per that of it.
+    fn area_below(&self, [column, row]: Cell) -> f64 {
+        let children = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[a, b]| [2 * column + a, 2 * row + b]);
+        0.25 * children.iter().filter_map(|c| Some(self.fraction(self.number(*c)?))).sum::<f64>()
     }
 
     /// Stretches of points whose neighbours at an offset follow each other, too: for every run of `cells`, columns of the
@@ -279,6 +292,20 @@ mod tests {
         assert_eq!((coarse.spacing(), coarse.corner()), (1.0, [1.0, -2.0]));
         let far = SquareLattice::new(1.0, [0.0; 2], -3..-1, 5..6, |_| true).coarser();
         assert_eq!(far.runs(), [Run { row: 2, columns: -2..0, first: 0 }]);
+    }
+
+    #[test]
+    fn areas_of_coarse_cells_are_sums() {
+        let fine = ring().with_areas(&[([0, 0], 0.5), ([4, 1], 1.25), ([2, 2], 9.0), ([3, 3], 1.0)]);
+        // The cell in the hole is none, and one of area one is whole.
+        assert_eq!(fine.cut_cells(), [(0, 0.5), (7, 1.25)]);
+        assert_eq!((fine.fraction(7), fine.fraction(8), fine.area(0)), (1.25, 1.0, 0.125));
+        let coarse = fine.coarser();
+        let parts: Vec<f64> = (0..coarse.points()).map(|p| coarse.fraction(p)).collect();
+        assert_eq!(parts, [0.625, 0.75, 0.5625, 0.75, 0.75, 0.25]);
+        let area = |l: &SquareLattice| (0..l.points()).map(|p| l.area(p)).sum::<f64>();
+        assert_eq!(area(&coarse), area(&fine));
+        assert_eq!(fine.with_whole_cells(), ring());
     }
 
     #[test]

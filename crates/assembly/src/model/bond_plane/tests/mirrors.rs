@@ -4,6 +4,7 @@ use super::super::*;
 use super::bodies::*;
 use crate::condition::Constraints;
 use crate::model::Model;
+use std::ops::Range;
 
 /// Fills in the images of a displacement.
 fn with_images(plane: &BondPlane, mut u: Vec<f64>) -> Vec<f64> {
@@ -63,7 +64,16 @@ fn half_and_quarter_models_are_the_full_body() {
         for m in [2.0, 3.0, 4.0] {
             let parameters = PlaneParameters { edges, calibration, ..parameters(m, MM_MPA) };
             let offsets = BondPlane::offsets(&parameters).unwrap();
-            let lattice = |columns, rows| SquareLattice::new(1.0, [0.0; 2], columns, rows, inside);
+            // Parts of cells with the symmetries of the body.
+            let part = |[i, j]: Cell| match ((2 * i + 1).abs(), (2 * j + 1).abs()) {
+                (a, b) if (a + 3 * b) % 5 == 0 => ([i, j], 0.5 + f64::from(a + b) / 40.0),
+                _ => ([i, j], 1.0),
+            };
+            let lattice = |columns: Range<i32>, rows: Range<i32>| {
+                let cells = rows.clone().flat_map(|j| columns.clone().map(move |i| part([i, j])));
+                let areas: Vec<(Cell, f64)> = cells.collect();
+                SquareLattice::new(1.0, [0.0; 2], columns, rows, inside).with_areas(&areas)
+            };
             let full = Arc::new(lattice(-12..12, -9..9));
             let cut = cuts(&full, &offsets);
             let full = BondPlane::on_lattice(full, Mirrors::NONE, parameters, &cut).unwrap();
