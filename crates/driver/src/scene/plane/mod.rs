@@ -8,6 +8,7 @@ mod cracks;
 mod fading;
 mod files;
 mod foreign;
+mod gaps;
 mod ground;
 mod held_edge;
 mod interpolate;

@@ -1,7 +1,7 @@
 //! Doubts about a body in the plane that can be solved.
 
 use super::super::words::tidy;
-use super::{PlaneScene, model_path, root};
+use super::{PlaneScene, gaps, model_path, root};
 use crate::case::Units;
 use crate::diagnostic::Faults;
 
@@ -42,6 +42,19 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
                 ),
             )
             .hint("such points stand in single rows or between cracks: use a smaller spacing");
+    }
+    if let Some(([x, y], width)) = gaps::narrow(scene) {
+        let cells = if width == 1 { "one spacing" } else { "less than the horizon" };
+        faults
+            .warning(
+                root("body"),
+                format!(
+                    "bonds reach across a gap of the body {cells} wide, near ({}, {}): it acts as if it were filled",
+                    tidy(x),
+                    tidy(y)
+                ),
+            )
+            .hint("draw a crack along the gap, which cuts these bonds, or use a smaller spacing");
     }
     modulus(scene.model.parameters().material.youngs_modulus, scene.units, faults);
 }
