@@ -1,0 +1,73 @@
+use super::*;
+
+/// A ring of 5 × 4 cells with a hole of 2 × 2 and a notch on the right.
+fn ring() -> SquareLattice {
+    let hole = |[i, j]: Cell| (1..3).contains(&i) && (1..3).contains(&j);
+    SquareLattice::new(0.5, [1.0, -2.0], 0..5, 0..4, |c| !hole(c) && c != [4, 2])
+}
+
+#[test]
+fn numbers_and_cells_are_inverse() {
+    let lattice = ring();
+    assert_eq!(lattice.points(), 15);
+    assert_eq!(lattice.runs().len(), 6);
+    for p in 0..lattice.points() {
+        assert_eq!(lattice.number(lattice.cell(p)), Some(p));
+    }
+    assert_eq!(lattice.number([1, 1]), None);
+    assert_eq!(lattice.number([4, 2]), None);
+    assert_eq!(lattice.number([0, 4]), None);
+    assert_eq!(lattice.position(0), [1.25, -1.75]);
+    assert_eq!(lattice.cell_at([3.4, -1.6]), [4, 0]);
+}
+
+#[test]
+fn a_coarse_cell_exists_if_any_child_does() {
+    let coarse = ring().coarser();
+    let cells: Vec<Cell> = (0..coarse.points()).map(|p| coarse.cell(p)).collect();
+    // The hole covers one child of each of four coarse cells; nothing vanishes.
+    assert_eq!(cells, [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1]]);
+    assert_eq!((coarse.spacing(), coarse.corner()), (1.0, [1.0, -2.0]));
+    let far = SquareLattice::new(1.0, [0.0; 2], -3..-1, 5..6, |_| true).coarser();
+    assert_eq!(far.runs(), [Run { row: 2, columns: -2..0, first: 0 }]);
+}
+
+#[test]
+fn areas_of_coarse_cells_are_sums() {
+    let fine = ring().with_areas(&[([0, 0], 0.5), ([4, 1], 1.25), ([2, 2], 9.0), ([3, 3], 1.0)]);
+    // The cell in the hole is none, and one of area one is whole.
+    assert_eq!(fine.cut_cells(), [(0, 0.5), (7, 1.25)]);
+    assert_eq!((fine.fraction(7), fine.fraction(8), fine.area(0)), (1.25, 1.0, 0.125));
+    let coarse = fine.coarser();
+    let parts: Vec<f64> = (0..coarse.points()).map(|p| coarse.fraction(p)).collect();
+    assert_eq!(parts, [0.625, 0.75, 0.5625, 0.75, 0.75, 0.25]);
+    let area = |l: &SquareLattice| (0..l.points()).map(|p| l.area(p)).sum::<f64>();
+    assert_eq!(area(&coarse), area(&fine));
+    assert_eq!(fine.with_whole_cells(), ring());
+}
+
+#[test]
+fn stretches_of_neighbours_are_complete() {
+    let lattice = ring();
+    for step in [[1, 0], [-2, 1], [0, 2], [3, 1], [1, -1]] {
+        let mut found = Vec::new();
+        for run in lattice.runs() {
+            lattice.shifted(run.row, &run.columns, step, |columns, first| {
+                columns.zip(first..).for_each(|(i, q)| found.push((run.number(i), q)));
+            });
+        }
+        let expected: Vec<(usize, usize)> = (0..lattice.points())
+            .filter_map(|p| {
+                let [i, j] = lattice.cell(p);
+                Some((p, lattice.number([i + step[0], j + step[1]])?))
+            })
+            .collect();
+        assert_eq!(found, expected);
+    }
+}
+
+#[test]
+fn a_rectangle_is_one_run_per_row() {
+    let made = SquareLattice::rectangle(2.0, [0.0; 2], [7, 3]);
+    assert_eq!(made, SquareLattice::new(2.0, [0.0; 2], 0..7, 0..3, |_| true));
+}
