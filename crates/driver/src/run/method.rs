@@ -11,9 +11,9 @@ use peristat_solve::{PcgOptions, Preconditioner};
 use std::time::Instant;
 
 /// Points from which a multigrid cycle is faster than a factor for one right-hand side, measured on squares.
-const MANY_POINTS: usize = 3000;
+const MANY_POINTS: usize = 1501;
 /// Right-hand sides that share a factor from which it is faster than as many multigrid solves, measured at 1e5 points.
-const MANY_SIDES: usize = 12;
+const MANY_SIDES: usize = 30;
 /// Points beyond which a factor takes more memory than most machines have.
 const TOO_MANY_POINTS: usize = 500_000;
 
