@@ -22,6 +22,7 @@ mod plane_loose;
 mod plane_multigrid;
 mod plane_orders;
 mod plane_patch;
+mod plane_patch_holes;
 mod plane_results;
 mod plane_solvers;
 mod reactions;
