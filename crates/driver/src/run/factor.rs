@@ -74,7 +74,7 @@ pub(super) fn factor<const D: usize>(
 ) -> Result<(Box<dyn Preconditioner>, SolverReport), SolveFailure> {
     let begin = Instant::now();
     let (assembled, method, reason) = assemble(system, solver);
-    timing.assemble = begin.elapsed().as_secs_f64();
+    timing.assemble += begin.elapsed().as_secs_f64();
     let begin = Instant::now();
     let (factor, bytes): (Box<dyn Preconditioner>, usize) = match assembled {
         Matrix::Band(half_bandwidth, values) => {
@@ -88,7 +88,7 @@ pub(super) fn factor<const D: usize>(
                     }
                     Matrix::Sparse(_) => unreachable!("the same system has the same layout"),
                 };
-            let factor = lifted(counters, |lift| {
+            let factor = lifted(&LIFTS, counters, |lift| {
                 let mut matrix = matrix();
                 matrix.lift_diagonal(lift);
                 BandCholesky::factor(matrix, D)
@@ -98,10 +98,10 @@ pub(super) fn factor<const D: usize>(
             (Box::new(factor), bytes)
         }
         Matrix::Sparse(mut matrix) => {
-            counters.analyses = 1;
+            counters.analyses += 1;
             let mut factor = SparseFactor::analyse::<D>(&matrix, positions).map_err(SolveFailure::Factor)?;
             let diagonal = matrix.diag();
-            let done = lifted(counters, |lift| {
+            let done = lifted(&LIFTS, counters, |lift| {
                 for (k, value) in diagonal.iter() {
                     matrix.set(k, k, value * (1.0 + lift));
                 }
@@ -112,7 +112,7 @@ pub(super) fn factor<const D: usize>(
             (factor.into_preconditioner(), bytes)
         }
     };
-    timing.factor = begin.elapsed().as_secs_f64();
+    timing.factor += begin.elapsed().as_secs_f64();
     counters.factor_bytes = bytes;
     let report = SolverReport { method, reason, factor_entries: bytes / 8, iterations: Vec::new() };
     Ok((factor, report))
@@ -172,18 +172,20 @@ impl SparseFactor {
 /// iterations.
 const LIFTS: [f64; 5] = [0.0, f64::EPSILON, 2.0 * f64::EPSILON, 4.0 * f64::EPSILON, 8.0 * f64::EPSILON];
 
-/// The first factor that exists when the diagonal is lifted by nothing or by a few units in the last place.
+/// The first factor that exists when the diagonal is lifted by one part of itself after the other, of which there is one at
+/// least: by nothing or by a few units in the last place.
 ///
 /// On a long uniform beam the rounding of equal rows adds up instead of averaging out, and the rounded matrix can have
 /// negative eigenvalues although the stiffness has none. The lift is of the size of that rounding; conjugate gradients
 /// on the bonds take it out again. A matrix that fails all the same is not positive definite.
-fn lifted<T>(
+pub(super) fn lifted<T>(
+    lifts: &[f64],
     counters: &mut Counters,
     mut attempt: impl FnMut(f64) -> Result<T, FactorError>,
 ) -> Result<T, FactorError> {
-    let mut outcome = attempt(LIFTS[0]);
-    counters.factorisations = 1;
-    for lift in &LIFTS[1..] {
+    let mut outcome = attempt(lifts[0]);
+    counters.factorisations += 1;
+    for lift in &lifts[1..] {
         let Err(FactorError::NonPositivePivot { .. }) = outcome else { break };
         counters.factorisations += 1;
         outcome = attempt(*lift);

@@ -18,8 +18,8 @@ const FIELDS: [usize; 2] = [256, 400];
 const ENVELOPE: usize = 64;
 /// Vectors of unknowns that conjugate gradients and the states need.
 const VECTORS: usize = 7;
-/// Memory of an entry of a sparse matrix, bytes: triplets while it is put together; then compressed rows, their order,
-/// and a factor with about as many entries.
+/// Memory of an entry of a sparse matrix of a frame, bytes: its blocks while it is put together; then compressed rows,
+/// their order, and a factor with about as many entries.
 const SPARSE: usize = 64;
 /// Memory of a multigrid solve, bytes per point: the vectors of conjugate gradients, levels with theirs, inverse blocks.
 const CYCLE: usize = 230;

@@ -10,8 +10,6 @@ use peristat_assembly::system::{Level, System};
 use peristat_solve::{PcgOptions, Preconditioner};
 use std::time::Instant;
 
-/// Points from which a multigrid cycle is faster than a factor for one right-hand side, measured on squares.
-const MANY_POINTS: usize = 1501;
 /// Right-hand sides that share a factor from which it is faster than as many multigrid solves, measured at 1e5 points.
 const MANY_SIDES: usize = 30;
 /// Points beyond which a factor takes more memory than most machines have.
@@ -60,7 +58,8 @@ pub(super) enum Plan {
     Factor,
 }
 
-/// The plan for a problem, from its size and from what the case asks for.
+/// The plan for a problem, from its size and from what the case asks for. For one right-hand side a multigrid cycle is
+/// faster than a factor on squares of 1600 points already, about the smallest that have a coarser lattice.
 pub(super) fn plan<const D: usize, P: Problem<D>>(problem: &P) -> Plan {
     let points = problem.model().points();
     let few_sides = problem.states() < MANY_SIDES || points > TOO_MANY_POINTS;
@@ -68,7 +67,7 @@ pub(super) fn plan<const D: usize, P: Problem<D>>(problem: &P) -> Plan {
         (_, Spread::Chain) => Plan::Factor,
         (Solver::Pcg, _) => Plan::Blocks,
         (Solver::Multigrid, Spread::Lattice) => Plan::Cycle,
-        (Solver::Auto, Spread::Lattice) if points >= MANY_POINTS && few_sides => Plan::Cycle,
+        (Solver::Auto, Spread::Lattice) if few_sides => Plan::Cycle,
         (Solver::Auto, Spread::Plane) if points > TOO_MANY_POINTS => Plan::Blocks,
         _ => Plan::Factor,
     }
@@ -118,8 +117,12 @@ pub(super) fn of_factor<'a, const D: usize, P: Problem<D>>(
         factor::factor(system, problem.solver(), positions.as_deref(), timing, counters)?;
     if problem.solver() == Solver::Multigrid {
         let points = system.points();
-        report.reason =
-            format!("multigrid is asked for, but a lattice of {points} points has no coarser one that helps");
+        report.reason = match problem.spread() {
+            Spread::Lattice => "multigrid is asked for, but its coarser levels could not be set up".into(),
+            _ => format!(
+                "multigrid is asked for, but a lattice of {points} points has no coarser one that helps"
+            ),
+        };
     }
     Ok(Method { preconditioner, report, finish: Finish::of_factor() })
 }
@@ -139,9 +142,8 @@ fn of_cycle<'a, const D: usize>(
     counters: &mut Counters,
 ) -> Result<Method<'a>, SolveFailure> {
     let begin = Instant::now();
-    let (cycle, factor_entries) = multigrid::cycle(system, coarser)?;
-    timing.factor = begin.elapsed().as_secs_f64();
-    (counters.analyses, counters.factorisations) = (1, 1);
+    let (cycle, factor_entries) = multigrid::cycle(system, coarser, counters)?;
+    timing.factor += begin.elapsed().as_secs_f64();
     counters.factor_bytes = factor_entries * size_of::<f64>();
     let report = SolverReport { method: "multigrid".into(), reason, factor_entries, iterations: Vec::new() };
     Ok(Method { preconditioner: Box::new(cycle), report, finish: Finish::of_iteration(200) })

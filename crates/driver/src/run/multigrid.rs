@@ -1,11 +1,10 @@
 //! A multigrid cycle over the levels of a lattice: where the algebra of the cycle meets the mechanics of its levels.
 
-use super::factor::SolveFailure;
+use super::Counters;
+use super::factor::{SolveFailure, lifted};
 use peristat_assembly::body::Transfer;
 use peristat_assembly::system::{Level, System};
-use peristat_solve::{
-    FactorError, Hierarchy, Multigrid, MultigridOptions, Ordering, Relaxation, SparseCholesky,
-};
+use peristat_solve::{Hierarchy, Multigrid, MultigridOptions, Ordering, Relaxation, SparseCholesky};
 
 /// The coarser levels of a problem: the same body and conditions at twice the spacing, again and again.
 pub struct Coarser<const D: usize> {
@@ -23,9 +22,9 @@ pub(super) struct Levels<'a, const D: usize> {
     transfers: &'a [Transfer],
 }
 
-/// Relative lifts of the diagonal of the coarsest level, where supports that fall together, or points that cracks leave a
-/// bond or two, make it singular.
-const LIFTS: [f64; 2] = [1e-6, 1e-4];
+/// Relative lifts of the diagonal of the coarsest level, all but the first where supports that fall together, or points
+/// that cracks leave a bond or two, make it singular.
+const LIFTS: [f64; 3] = [0.0, 1e-6, 1e-4];
 
 /// The cycle as a preconditioner of `system`; also the entries of the factor of the coarsest level.
 ///
@@ -34,6 +33,7 @@ const LIFTS: [f64; 2] = [1e-6, 1e-4];
 pub(super) fn cycle<'a, const D: usize>(
     system: &'a System<D>,
     coarser: &'a Coarser<D>,
+    counters: &mut Counters,
 ) -> Result<(Multigrid<Levels<'a, D>>, usize), SolveFailure> {
     let mut levels = vec![Level::new(system).map_err(|point| SolveFailure::Loose { point })?];
     levels.extend(coarser.systems.iter().map(Level::coarse));
@@ -41,16 +41,12 @@ pub(super) fn cycle<'a, const D: usize>(
     let mut factor =
         SparseCholesky::analyse(&coarsest, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
     let diagonal = coarsest.diag();
-    if coarser.is_loose {
-        diagonal.iter().for_each(|(k, value)| coarsest.set(k, k, value * (1.0 + LIFTS[0])));
-    }
-    let mut outcome = factor.refactor(&coarsest);
-    for lift in LIFTS {
-        let Err(FactorError::NonPositivePivot { .. }) = outcome else { break };
+    counters.analyses += 1;
+    lifted(&LIFTS[usize::from(coarser.is_loose)..], counters, |lift| {
         diagonal.iter().for_each(|(k, value)| coarsest.set(k, k, value * (1.0 + lift)));
-        outcome = factor.refactor(&coarsest);
-    }
-    outcome.map_err(SolveFailure::Factor)?;
+        factor.refactor(&coarsest)
+    })
+    .map_err(SolveFailure::Factor)?;
     let entries = factor.fill();
     let levels = Levels { levels, transfers: &coarser.transfers };
     Ok((Multigrid::new(levels, Box::new(factor), &MultigridOptions::default()), entries))
@@ -99,9 +95,9 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
 
     fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
         let [n, m] = [level, level + 1].map(|l| self.levels[l].system().points());
-        // A direct factor leaves dependent unknowns at zero.
+        // The factor of the coarsest level leaves dependent unknowns at zero; the smoother of the others does not.
         let mut expanded = Vec::new();
-        if self.levels[level + 1].system().constraints().has_slaves() {
+        if level + 2 == self.depth() && self.levels[level + 1].system().constraints().has_slaves() {
             expanded.extend_from_slice(coarse);
             self.levels[level + 1].expand(&mut expanded);
         }
