@@ -4,9 +4,9 @@
 use crate::consistency::{Noise, check};
 use peristat_assembly::body::{Cell, SquareLattice};
 use peristat_assembly::model::bond_plane::{
-    BondPlane, Calibration, Edges, Influence, Mirrors, PlaneMaterial, PlaneParameters, PlaneState,
-    VolumeFactor,
+    BondPlane, Calibration, Edges, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
+use peristat_assembly::model::plane::Mirrors;
 use proptest::prelude::*;
 use std::sync::Arc;
 

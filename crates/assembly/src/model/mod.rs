@@ -1,6 +1,7 @@
 //! Models with their bodies: terms of the energy, relations and rigid motions.
 
 pub mod bond_plane;
+pub mod plane;
 pub mod timoshenko_beam;
 
 use crate::bonds::Point;

@@ -4,9 +4,8 @@
 //! its two ends, `f_ij = min(a_i, a_j)`, so that what a point lacks, `a_i C − ½ Σ_j f_ij a N Nᵀ`, is never negative; the
 //! overlay gives it back. Other treatments of edges have whole cells.
 
+use super::super::plane::{Mirrors, at, near_points};
 use super::edges::{EdgeFactors, Overlay, edge_factors, overlay};
-use super::mirrors::Mirrors;
-use super::near::{at, near_points};
 use super::neighbourhood::Neighbourhood;
 use super::{CentralBond, Edges, FindCuts, PlaneParameters};
 use crate::body::SquareLattice;

@@ -19,9 +19,7 @@ mod fields;
 mod lattice;
 mod load;
 mod material;
-mod mirrors;
 mod motion;
-mod near;
 mod neighbourhood;
 mod parameters;
 #[cfg(test)]
@@ -31,19 +29,14 @@ pub use bond::CentralBond;
 pub use error::BondPlaneError;
 pub use fields::PlaneFields;
 pub use material::{PlaneMaterial, PlaneState};
-pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges, Influence, PlaneParameters, VolumeFactor};
 
+use super::plane::Mirrors;
 use crate::body::{Cell, SquareLattice};
 use cloud::CloudBody;
 use lattice::LatticeBody;
 use neighbourhood::Neighbourhood;
 use std::sync::Arc;
-
-/// Component of the displacement along x.
-pub const UX: usize = 0;
-/// Component of the displacement along y.
-pub const UY: usize = 1;
 
 /// Finds the cuts on a lattice: indices into the offsets, and lower points.
 pub type FindCuts<'a> = dyn Fn(&SquareLattice, &[Cell]) -> Vec<(usize, usize)> + 'a;

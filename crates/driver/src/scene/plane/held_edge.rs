@@ -6,7 +6,8 @@
 //! For a linear field this is the displacement of the edge.
 
 use peristat_assembly::body::{Cell, Edge, SquareLattice};
-use peristat_assembly::model::bond_plane::{BondPlane, Edges, Mirrors, PlaneParameters};
+use peristat_assembly::model::bond_plane::{BondPlane, Edges, PlaneParameters};
+use peristat_assembly::model::plane::Mirrors;
 use std::sync::Arc;
 
 /// How an edge is held.

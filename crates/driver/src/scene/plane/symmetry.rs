@@ -4,7 +4,7 @@ use super::super::words::suggest;
 use super::root;
 use crate::diagnostic::Faults;
 use peristat_assembly::body::{Crack, Edge, Outline, SquareLattice};
-use peristat_assembly::model::bond_plane::Mirrors;
+use peristat_assembly::model::plane::Mirrors;
 
 /// The sides that can be mirrors, with the direction in which they look.
 const SIDES: [(&str, [f64; 2]); 4] =

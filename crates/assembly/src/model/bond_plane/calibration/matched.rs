@@ -3,9 +3,9 @@
 //! With a weight `a >= 0` per half offset, `Σ a N Nᵀ = C`, `N = (n_x², n_y², n_x n_y)`: six equations, `C12 = C66` twice.
 //! Of all solutions the one is taken that differs least, relatively, from the weights of the influence function.
 
+use super::super::super::plane::project;
 use super::super::neighbourhood::{direction_product, length};
 use super::super::{BondPlaneError, PlaneParameters};
-use super::project;
 use crate::body::Cell;
 use nalgebra::{DMatrix, DVector};
 

@@ -2,7 +2,4 @@
 
 pub(super) mod matched;
 mod overlap;
-mod projection;
 pub(super) mod published;
-
-pub(super) use projection::project;

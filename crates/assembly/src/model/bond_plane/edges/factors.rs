@@ -1,7 +1,7 @@
 //! Treatments that stiffen the bonds near edges.
 
-use super::super::mirrors::Mirrors;
-use super::super::near::at;
+use super::super::super::plane::Mirrors;
+use super::super::super::plane::at;
 use super::super::neighbourhood::{Neighbourhood, direction_product};
 use super::super::{Edges, PlaneParameters};
 use crate::body::{Cell, SquareLattice};

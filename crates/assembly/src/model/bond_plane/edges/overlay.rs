@@ -5,7 +5,7 @@
 //! `½ V/n Eᵀ D E` of each of the n <= 4 triangles that it makes with two next neighbours, E their constant strain: so
 //! every point has exactly the stiffness of the material for every uniform strain, and nothing becomes indefinite.
 
-use super::super::near::at;
+use super::super::super::plane::at;
 use super::super::neighbourhood::{Neighbourhood, direction_product};
 use super::strain_rows;
 use crate::body::{Cell, SquareLattice};

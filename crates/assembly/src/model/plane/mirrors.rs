@@ -70,7 +70,7 @@ impl Mirrors {
     }
 
     /// The lines on a lattice of twice the spacing; one that runs through cells moves outwards.
-    pub(super) fn coarser(&self) -> Self {
+    pub(in super::super) fn coarser(&self) -> Self {
         let halved = |[low, high]: [Option<i32>; 2]| {
             [low.map(|l| l.div_euclid(2)), high.map(|l| (l + 1).div_euclid(2))]
         };
@@ -78,7 +78,7 @@ impl Mirrors {
     }
 
     /// Numbers of the points that are images.
-    pub(super) fn ghosts(&self, lattice: &SquareLattice) -> Vec<u32> {
+    pub(in super::super) fn ghosts(&self, lattice: &SquareLattice) -> Vec<u32> {
         if self.is_none() {
             return Vec::new();
         }
@@ -91,7 +91,7 @@ impl Mirrors {
     }
 
     /// What ties the unknowns of the images to those of real points.
-    pub(super) fn relations(&self, lattice: &SquareLattice, ghosts: &[u32]) -> Vec<Equation> {
+    pub(in super::super) fn relations(&self, lattice: &SquareLattice, ghosts: &[u32]) -> Vec<Equation> {
         let tie = |&ghost: &u32| {
             let point = ghost as usize;
             let (image, signs) = self.image(lattice.cell(point));

@@ -4,7 +4,7 @@ use crate::body::{Cell, SquareLattice};
 use std::ops::Range;
 
 /// Numbers of the points that lack a cell within `reach` rows and columns, in order.
-pub(super) fn near_points(lattice: &SquareLattice, reach: i32) -> Vec<usize> {
+pub(in super::super) fn near_points(lattice: &SquareLattice, reach: i32) -> Vec<usize> {
     let mut near = Vec::new();
     for run in lattice.runs() {
         let mut inner: Vec<Range<i32>> = vec![run.columns.clone()];
@@ -33,7 +33,7 @@ pub(super) fn near_points(lattice: &SquareLattice, reach: i32) -> Vec<usize> {
 }
 
 /// The cell at an offset, `forwards` or the opposite way.
-pub(super) fn at(cell: Cell, step: Cell, forwards: bool) -> Cell {
+pub(in super::super) fn at(cell: Cell, step: Cell, forwards: bool) -> Cell {
     let sign = if forwards { 1 } else { -1 };
     [cell[0] + sign * step[0], cell[1] + sign * step[1]]
 }
