@@ -4,9 +4,10 @@
 use crate::consistency::{Noise, check};
 use peristat_assembly::body::{Cell, SquareLattice};
 use peristat_assembly::model::bond_plane::{
-    BondPlane, Calibration, Edges, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
-use peristat_assembly::model::plane::Mirrors;
+use peristat_assembly::model::plane::{Calibration, Edges};
+use peristat_assembly::model::plane::{Mirrors, PlaneModel};
 use proptest::prelude::*;
 use std::sync::Arc;
 

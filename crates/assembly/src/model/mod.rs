@@ -6,7 +6,7 @@ pub mod timoshenko_beam;
 
 use crate::bonds::Point;
 use crate::condition::Equation;
-use crate::stiffness::Term;
+use crate::stiffness::{NumberedParts, Parts, Term};
 
 /// Sizes of the terms of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -52,6 +52,13 @@ pub trait Model<const D: usize> {
 
     /// The parts of the energy.
     fn terms(&self) -> Vec<Box<dyn Term<D>>>;
+
+    /// Parts of the body that hang together.
+    fn connected(&self) -> NumberedParts {
+        let mut parts = Parts::new(self.points());
+        self.terms().iter().for_each(|term| term.join(&mut parts));
+        parts.numbered()
+    }
 
     /// Sizes of the terms. A model whose terms take much memory says them without building any.
     fn sizes(&self) -> ModelSizes {

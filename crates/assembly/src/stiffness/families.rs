@@ -5,7 +5,7 @@ use super::{BlockMatrix, Survey, Term};
 use crate::bonds::{Mat, add};
 use std::array::from_fn;
 
-/// A point, `E` others, and the measures `s = Σ_e rows[e]·(u_others[e] − u_point)` that they make together.
+/// A point, `E` others, and the measures `s = own·u_point + Σ_e rows[e]·(u_others[e] − u_point)` that they make together.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Family<const D: usize, const M: usize, const E: usize> {
     /// The point.
@@ -14,6 +14,8 @@ pub struct Family<const D: usize, const M: usize, const E: usize> {
     pub others: [u32; E],
     /// Measures per relative displacement of each other point.
     pub rows: [Mat<M, D>; E],
+    /// Measures per unknown of the point itself.
+    pub own: Mat<M, D>,
     /// Symmetric, positive semidefinite modulus conjugate to the measures.
     pub modulus: Mat<M, M>,
 }
@@ -29,10 +31,11 @@ impl<const D: usize, const M: usize, const E: usize> Family<D, M, E> {
     /// Measures in a body of `points` points.
     #[inline(always)]
     pub fn measures(&self, points: usize, u: &[f64]) -> [f64; M] {
-        let mut s = [0.0; M];
+        let own: [f64; D] = from_fn(|c| u[c * points + self.point as usize]);
+        let mut s: [f64; M] = from_fn(|m| (0..D).map(|c| self.own[m][c] * own[c]).sum());
         for (&other, rows) in self.others.iter().zip(&self.rows) {
             for c in 0..D {
-                let moved = u[c * points + other as usize] - u[c * points + self.point as usize];
+                let moved = u[c * points + other as usize] - own[c];
                 for m in 0..M {
                     s[m] += rows[m][c] * moved;
                 }
@@ -47,7 +50,7 @@ impl<const D: usize, const M: usize, const E: usize> Family<D, M, E> {
         from_fn(|m| (0..M).map(|k| self.modulus[m][k] * s[k]).sum())
     }
 
-    /// Forces on the other points; the point itself gets the negative of their sum.
+    /// Forces on the other points; the point itself gets the negative of their sum, and what its own rows make.
     #[inline(always)]
     fn actions(&self, sigma: &[f64; M]) -> [[f64; D]; E] {
         from_fn(|e| from_fn(|c| (0..M).map(|m| self.rows[e][m][c] * sigma[m]).sum()))
@@ -62,6 +65,10 @@ impl<const D: usize, const M: usize, const E: usize> Family<D, M, E> {
                 force[c * points + self.point as usize] -= action[c];
             }
         }
+        for c in 0..D {
+            let own: f64 = (0..M).map(|m| self.own[m][c] * sigma[m]).sum();
+            force[c * points + self.point as usize] += own;
+        }
     }
 
     /// The block of two of its members.
@@ -73,7 +80,8 @@ impl<const D: usize, const M: usize, const E: usize> Family<D, M, E> {
 
     /// Points and the rows that multiply their unknowns, the point itself first.
     fn members(&self) -> impl Iterator<Item = (usize, Mat<M, D>)> + '_ {
-        let own = from_fn(|m| from_fn(|c| -self.rows.iter().map(|rows| rows[m][c]).sum::<f64>()));
+        let sum = |m: usize, c: usize| self.rows.iter().map(|rows| rows[m][c]).sum::<f64>();
+        let own = from_fn(|m| from_fn(|c| self.own[m][c] - sum(m, c)));
         let others = self.others.iter().zip(&self.rows).map(|(&p, rows)| (p as usize, *rows));
         std::iter::once((self.point as usize, own)).chain(others)
     }
@@ -144,6 +152,6 @@ impl<const D: usize, const M: usize, const E: usize> Term<D> for Families<D, M, 
     }
 
     fn stored_factors(&self) -> usize {
-        self.families.len() * (E * M * D + M * M)
+        self.families.len() * ((E + 1) * M * D + M * M)
     }
 }

@@ -1,6 +1,7 @@
 //! The model `bond_plane` of a case.
 
-use peristat_assembly::model::bond_plane::{Calibration, Edges, Influence, VolumeFactor};
+use peristat_assembly::model::bond_plane::{Influence, VolumeFactor};
+use peristat_assembly::model::plane::{Calibration, Edges};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -4,7 +4,8 @@ use super::print::{number, table};
 use crate::case::Units;
 use crate::run::plane::PlaneReaction;
 use crate::summary::{PlaneForces, PlaneSummary};
-use peristat_assembly::model::bond_plane::{Calibration, Edges, Influence};
+use peristat_assembly::model::bond_plane::Influence;
+use peristat_assembly::model::plane::{Calibration, Edges};
 use std::fmt::Write;
 
 /// Tells model, material, horizon and edges, each as a key and a text.

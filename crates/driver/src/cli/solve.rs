@@ -6,6 +6,7 @@ use crate::output::matrix_market;
 use crate::results::{Results, admit, finite};
 use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
 use crate::scene::Scene;
+use crate::scene::plane::{AnyPlaneModel, PlaneProblem};
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::system::System;
@@ -146,11 +147,14 @@ fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
                 }
             }
         }
-        Scene::Plane(scene) => {
-            let system = prepare::<2, _>(scene, &RunOptions::default());
-            let order = "ux_0, uy_0, ux_1, uy_1, ... of the points row by row from the lower left";
-            write_stiffness(loaded, system, file, order)
-        }
+        Scene::Plane(scene) => match &scene.model {
+            AnyPlaneModel::Central(model) => {
+                let problem = PlaneProblem::new(scene, model.clone());
+                let system = prepare::<2, _>(&problem, &RunOptions::default());
+                let order = "ux_0, uy_0, ux_1, uy_1, ... of the points row by row from the lower left";
+                write_stiffness(loaded, system, file, order)
+            }
+        },
     }
 }
 

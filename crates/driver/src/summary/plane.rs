@@ -3,11 +3,10 @@
 use super::{Extremes, Forces, Located, StateSummary};
 use crate::run::plane::{MirrorReaction, PlaneReaction, PlaneResult, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
-use crate::scene::plane::PlaneScene;
+use crate::scene::plane::{PlaneBonds, PlaneScene};
 use peristat_assembly::body::PlaneBody;
-use peristat_assembly::model::bond_plane::{
-    BondPlane, Calibration, Edges, Influence, PlaneState, VolumeFactor,
-};
+use peristat_assembly::model::bond_plane::{Influence, PlaneState, VolumeFactor};
+use peristat_assembly::model::plane::{Calibration, Edges};
 use serde::Serialize;
 
 /// Forces of what holds a body in the plane.
@@ -96,7 +95,7 @@ pub(super) fn state(
 
 /// The model of a body and its derived numbers.
 pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
-    let parameters = scene.model.parameters();
+    let PlaneBonds::Central(parameters) = scene.bonds();
     let material = parameters.material;
     PlaneSummary {
         name: "bond_plane",
@@ -128,12 +127,12 @@ fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
     if scene.cracks.is_empty() {
         return None;
     }
-    let parameters = scene.model.parameters();
+    let PlaneBonds::Central(parameters) = scene.bonds();
     // The calibration `published` has neighbours of which a part lies inside the horizon.
     let partial = parameters.calibration == Calibration::Published
         && matches!(parameters.volume_factor, VolumeFactor::Ramp | VolumeFactor::Area);
     let reach = parameters.horizon_ratio + if partial { 0.5 } else { 0.0 } + 1e-9;
-    let mut offsets = BondPlane::offsets(parameters).ok()?;
+    let mut offsets = scene.bonds().offsets().ok()?;
     offsets.retain(|[i, j]| f64::from(*i).hypot(f64::from(*j)) <= reach);
     Some(scene.cuts(lattice, &offsets).len())
 }

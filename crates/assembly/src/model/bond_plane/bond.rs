@@ -1,6 +1,7 @@
 //! A bond that resists its elongation alone.
 
-use crate::bonds::{BondGeometry, BondModel, Rows};
+use super::super::plane::{PlaneBond, strain_rows};
+use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 
 /// Measure: elongation `e = n·(u_j − u_i)`, m. Modulus: `V/ξ²` with the volume V of a point, m³; the weight of an offset
 /// is the rest of the stiffness `k = a V/ξ²`, N/m.
@@ -22,5 +23,25 @@ impl BondModel<2, 1> for CentralBond {
     fn moduli(&self, bond: &BondGeometry) -> [f64; 1] {
         let length = bond.length();
         [self.volume / (length * length)]
+    }
+}
+
+impl PlaneBond<2, 1, 3> for CentralBond {
+    /// `e = ξ N·ε`.
+    fn in_uniform_state(&self, bond: &BondGeometry) -> Mat<1, 3> {
+        let ([x, y, _], length) = (bond.xi, bond.length());
+        [[x * x / length, y * y / length, x * y / length]]
+    }
+
+    fn stretch_per_measure(&self, bond: &BondGeometry) -> f64 {
+        1.0 / bond.length()
+    }
+
+    fn coarser(&self) -> Self {
+        Self { volume: 4.0 * self.volume }
+    }
+
+    fn triangle(&self, first: [f64; 2], second: [f64; 2]) -> ([Mat<3, 2>; 2], Mat<3, 2>) {
+        (strain_rows(first, second), [[0.0; 2]; 3])
     }
 }

@@ -13,11 +13,7 @@
 mod bond;
 mod calibration;
 mod cloud;
-mod edges;
 mod error;
-mod fields;
-mod lattice;
-mod load;
 mod material;
 mod motion;
 mod neighbourhood;
@@ -27,19 +23,17 @@ mod tests;
 
 pub use bond::CentralBond;
 pub use error::BondPlaneError;
-pub use fields::PlaneFields;
 pub use material::{PlaneMaterial, PlaneState};
-pub use parameters::{Calibration, Edges, Influence, PlaneParameters, VolumeFactor};
+pub use parameters::{Influence, PlaneParameters, VolumeFactor};
 
-use super::plane::Mirrors;
+use super::plane::{FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles};
 use crate::body::{Cell, SquareLattice};
+use crate::bonds::Mat;
+use crate::model::Model;
+use crate::stiffness::{Families, NumberedParts};
 use cloud::CloudBody;
-use lattice::LatticeBody;
-use neighbourhood::Neighbourhood;
+use neighbourhood::neighbourhood;
 use std::sync::Arc;
-
-/// Finds the cuts on a lattice: indices into the offsets, and lower points.
-pub type FindCuts<'a> = dyn Fn(&SquareLattice, &[Cell]) -> Vec<(usize, usize)> + 'a;
 
 /// A plate of central bonds.
 #[derive(Clone, Debug)]
@@ -50,7 +44,7 @@ pub struct BondPlane {
 
 #[derive(Clone, Debug)]
 enum Body {
-    Lattice(LatticeBody),
+    Lattice(LatticeBody<2, 1, 3, CentralBond>),
     Cloud(CloudBody),
 }
 
@@ -61,7 +55,7 @@ impl BondPlane {
     /// # Errors
     /// [`BondPlaneError`], all that does not speak of clouds.
     pub fn offsets(parameters: &PlaneParameters) -> Result<Vec<Cell>, BondPlaneError> {
-        Ok(Neighbourhood::new(parameters)?.offsets)
+        Ok(neighbourhood(parameters)?.offsets)
     }
 
     /// Rows or columns of images that a lattice needs beyond a line of symmetry: the depth of [`Mirrors::extended`].
@@ -69,7 +63,7 @@ impl BondPlane {
     /// # Errors
     /// As [`offsets`](Self::offsets).
     pub fn depth(parameters: &PlaneParameters) -> Result<i32, BondPlaneError> {
-        Ok(Neighbourhood::new(parameters)?.reach())
+        Ok(neighbourhood(parameters)?.reach())
     }
 
     /// A lattice of points, images in `mirrors` among them ([`Mirrors::extended`] by [`depth`](Self::depth)). A cut is an
@@ -86,8 +80,15 @@ impl BondPlane {
         parameters: PlaneParameters,
         cuts: &[(usize, usize)],
     ) -> Result<Self, BondPlaneError> {
-        let hood = Neighbourhood::new(&parameters)?;
-        let body = LatticeBody::new(lattice, mirrors, hood, &parameters, cuts);
+        let hood = neighbourhood(&parameters)?;
+        let PlaneMaterial { thickness, .. } = parameters.material;
+        let kind = Kind {
+            bond: CentralBond { volume: lattice.spacing().powi(2) * thickness },
+            edges: parameters.edges,
+            thickness,
+            stretch_moduli: [parameters.material.c11(); 2],
+        };
+        let body = LatticeBody::new(lattice, mirrors, hood, kind, cuts);
         Ok(Self { parameters, body: Body::Lattice(body) })
     }
 
@@ -107,88 +108,127 @@ impl BondPlane {
         Ok(Self { parameters, body: Body::Cloud(body) })
     }
 
-    /// The same body on a lattice of twice the spacing with the same horizon ratio; none of a cloud. `cuts` finds the cuts
-    /// on a lattice, given the offsets. A line of symmetry through coarse cells moves outwards.
-    pub fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
-        let Body::Lattice(body) = &self.body else { return None };
-        let body = body.coarser(&self.parameters, cuts);
-        Some(Self { parameters: self.parameters, body: Body::Lattice(body) })
-    }
-
     /// The parameters.
     pub fn parameters(&self) -> &PlaneParameters {
         &self.parameters
     }
 
-    /// The lattice, images included, and its lines of symmetry; none of a cloud.
-    pub fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
+    fn overlay(&self) -> &Arc<Families<2, 3, 2>> {
         match &self.body {
-            Body::Lattice(body) => Some((&body.lattice, &body.mirrors)),
-            Body::Cloud(_) => None,
+            Body::Lattice(body) => &body.triangles,
+            Body::Cloud(body) => &body.triangles,
         }
     }
+}
 
-    /// Numbers of the points that are images, in order.
-    pub fn ghosts(&self) -> &[u32] {
-        match &self.body {
-            Body::Lattice(body) => &body.ghosts,
-            Body::Cloud(_) => &[],
-        }
-    }
-
-    /// Number of points, images included.
-    pub fn points(&self) -> usize {
+impl PlaneModel for BondPlane {
+    fn point_count(&self) -> usize {
         match &self.body {
             Body::Lattice(body) => body.lattice.points(),
             Body::Cloud(body) => body.positions.len(),
         }
     }
 
-    /// Position of a point in the plane, m.
-    pub fn place(&self, point: usize) -> [f64; 2] {
+    fn components(&self) -> usize {
+        2
+    }
+
+    fn turning(&self) -> Option<f64> {
+        None
+    }
+
+    fn place(&self, point: usize) -> [f64; 2] {
         match &self.body {
             Body::Lattice(body) => body.lattice.position(point),
             Body::Cloud(body) => body.positions[point],
         }
     }
 
-    /// Volume of a point, m³; an image has none.
-    pub fn volume(&self, point: usize) -> f64 {
+    fn volume(&self, point: usize) -> f64 {
         match &self.body {
-            Body::Lattice(body) if body.ghosts.binary_search(&(point as u32)).is_ok() => 0.0,
-            _ => self.real_volume(point),
+            Body::Lattice(body) => body.volume(point),
+            Body::Cloud(body) => body.volume(point, self.thickness()),
         }
     }
 
-    /// Number of overlay triangles.
-    pub fn triangles(&self) -> usize {
+    fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
+        match &self.body {
+            Body::Lattice(body) => Some((&body.lattice, &body.mirrors)),
+            Body::Cloud(_) => None,
+        }
+    }
+
+    fn ghosts(&self) -> &[u32] {
+        match &self.body {
+            Body::Lattice(body) => &body.ghosts,
+            Body::Cloud(_) => &[],
+        }
+    }
+
+    fn triangles(&self) -> usize {
         self.overlay().list().len()
     }
 
-    /// Number of points that lack bonds for which the overlay found no triangle: they are too soft. Points by themselves
-    /// or in a single straight row are such, and points whose triangles all are crossed by cracks.
-    pub fn uncorrected(&self) -> usize {
+    fn uncorrected(&self) -> usize {
         match &self.body {
             Body::Lattice(body) => body.uncorrected,
             Body::Cloud(body) => body.uncorrected,
         }
     }
 
-    /// Cut share of the family volume of every point, 0 to 1.
-    pub fn damage(&self) -> Vec<f64> {
-        let damaged = match &self.body {
-            Body::Lattice(body) => &body.damage,
-            Body::Cloud(body) => &body.damage,
-        };
-        let mut damage = vec![0.0; self.points()];
-        damaged.iter().for_each(|&(point, share)| damage[point] = share);
-        damage
+    fn damage(&self) -> Vec<f64> {
+        match &self.body {
+            Body::Lattice(body) => body.damage(),
+            Body::Cloud(body) => body.damage(),
+        }
     }
 
-    fn overlay(&self) -> &Arc<crate::stiffness::Families<2, 3, 2>> {
+    fn thickness(&self) -> f64 {
+        self.parameters.material.thickness
+    }
+
+    fn stiffness(&self) -> Mat<3, 3> {
+        self.parameters.material.stiffness()
+    }
+
+    fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
+        self.parameters.material.strain(stress)
+    }
+
+    fn stress_across(&self, [x, y, _]: [f64; 3]) -> f64 {
+        match self.parameters.material.state {
+            PlaneState::Stress => 0.0,
+            PlaneState::Strain => PlaneState::Strain.poisson_ratio() * (x + y),
+        }
+    }
+
+    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
+        let Body::Lattice(body) = &self.body else { return None };
+        Some(Self { parameters: self.parameters, body: Body::Lattice(body.coarser(cuts)) })
+    }
+
+    fn parts(&self) -> NumberedParts {
+        self.connected()
+    }
+
+    fn fields(&self, u: &[f64]) -> PlaneFields {
         match &self.body {
-            Body::Lattice(body) => &body.triangles,
-            Body::Cloud(body) => &body.triangles,
+            Body::Lattice(body) => body.fields(u),
+            Body::Cloud(body) => {
+                let sums = body.sums(u, self.thickness());
+                let volume = |point: usize| body.volume(point, self.thickness());
+                PlaneFields::with_triangles(sums, &body.triangles, volume, u)
+            }
+        }
+    }
+
+    fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        match &self.body {
+            Body::Lattice(body) => body.add_strain_work(t, points, force),
+            Body::Cloud(body) => {
+                body.add_work(t, force);
+                add_work_of_triangles(&body.triangles, t, force);
+            }
         }
     }
 }

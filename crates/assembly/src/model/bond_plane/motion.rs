@@ -1,5 +1,6 @@
 //! A plate as a model with two unknowns per point.
 
+use super::super::plane::PlaneModel;
 use super::{Body, BondPlane};
 use crate::bonds::Point;
 use crate::condition::Equation;
@@ -13,7 +14,7 @@ impl Model<2> for BondPlane {
     const IS_DISPLACEMENT: [bool; 2] = [true, true];
 
     fn points(&self) -> usize {
-        self.points()
+        self.point_count()
     }
 
     fn position(&self, point: usize) -> Point {
@@ -49,7 +50,7 @@ impl Model<2> for BondPlane {
 
     fn relations(&self) -> Vec<Equation> {
         match &self.body {
-            Body::Lattice(body) => body.mirrors.relations(&body.lattice, &body.ghosts),
+            Body::Lattice(body) => body.mirrors.relations::<2>(&body.lattice, &body.ghosts),
             Body::Cloud(_) => Vec::new(),
         }
     }

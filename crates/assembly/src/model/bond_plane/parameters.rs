@@ -1,5 +1,6 @@
-//! How bonds are made: their stiffness over length, its calibration, what happens near edges.
+//! How bonds are made: their stiffness over length and its calibration.
 
+use super::super::plane::{Calibration, Edges};
 use super::PlaneMaterial;
 use serde::{Deserialize, Serialize};
 
@@ -37,18 +38,6 @@ impl Influence {
     }
 }
 
-/// Where the stiffness of bonds comes from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Calibration {
-    /// Bonds with which a lattice has the moduli of the material to rounding.
-    #[default]
-    Matched,
-    /// The constant of the continuum, as published; the moduli of a lattice are then off by a few percent.
-    Published,
-}
-
 /// Part of the volume of a neighbour that is taken to lie inside the horizon, for the calibration `published`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -63,21 +52,6 @@ pub enum VolumeFactor {
     Ramp,
     /// The exact overlap of its cell with the disc.
     Area,
-}
-
-/// What is done about the bonds that points near edges lack.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Edges {
-    /// Triangles with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.
-    Overlay,
-    /// Nothing: points near edges are too soft.
-    None,
-    /// Bonds are stiffened by the ratio of the full family's volume to the mean volume of both families.
-    Volume,
-    /// Bonds are stiffened so that uniform stretches along x and along y have about the right energy.
-    Energy,
 }
 
 /// Material and bonds of a body in the plane.

@@ -2,6 +2,7 @@
 
 use crate::body::{Cell, SquareLattice};
 use crate::condition::{Equation, Unknown};
+use std::array::from_fn;
 use std::ops::Range;
 
 /// Lines of symmetry between columns and between rows of cells, as the number of the first cell behind the line.
@@ -90,13 +91,18 @@ impl Mirrors {
         lattice.runs().iter().flat_map(of).collect()
     }
 
-    /// What ties the unknowns of the images to those of real points.
-    pub(in super::super) fn relations(&self, lattice: &SquareLattice, ghosts: &[u32]) -> Vec<Equation> {
+    /// What ties the unknowns of the images to those of real points; the third of `D` is a rotation.
+    pub(in super::super) fn relations<const D: usize>(
+        &self,
+        lattice: &SquareLattice,
+        ghosts: &[u32],
+    ) -> Vec<Equation> {
         let tie = |&ghost: &u32| {
             let point = ghost as usize;
             let (image, signs) = self.image(lattice.cell(point));
             let real = lattice.number(image).expect("an image has a real cell");
-            [0, 1].map(|component| Equation {
+            let signs = [signs[0], signs[1], signs[0] * signs[1]];
+            from_fn::<Equation, D, _>(|component| Equation {
                 terms: vec![
                     (Unknown { component, point }, 1.0),
                     (Unknown { component, point: real }, -signs[component]),

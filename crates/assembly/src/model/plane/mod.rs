@@ -1,15 +1,149 @@
-//! What models of bodies in the plane share: images in lines of symmetry, points near edges, the calibration of offsets.
+//! What models of bodies in the plane share: bonds on a square lattice with images in lines of symmetry, what is done about
+//! the bonds that points near edges lack, stresses, and the loads that belong to them.
 
+mod body;
+mod bond;
+mod edges;
+mod fields;
 mod mirrors;
 mod near;
+mod neighbourhood;
+mod parameters;
 mod projection;
 
+pub use bond::PlaneBond;
+pub use fields::PlaneFields;
 pub use mirrors::Mirrors;
+pub use parameters::{Calibration, Edges};
 
-pub(super) use near::{at, near_points};
+pub(super) use body::{Kind, LatticeBody};
+pub(super) use edges::{energy_factor, strain_rows, volume_factor};
+pub(super) use fields::add_work_of_triangles;
+pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_within, length};
 pub(super) use projection::project;
+
+use crate::body::{Cell, SquareLattice};
+use crate::bonds::{BondGeometry, Mat};
+use crate::stiffness::NumberedParts;
+use rayon::prelude::*;
+use std::fmt::Debug;
+use std::sync::Arc;
 
 /// Component of the displacement along x.
 pub const UX: usize = 0;
 /// Component of the displacement along y.
 pub const UY: usize = 1;
+
+/// Finds the cuts on a lattice: indices into the offsets, and lower points.
+pub type FindCuts<'a> = dyn Fn(&SquareLattice, &[Cell]) -> Vec<(usize, usize)> + 'a;
+
+/// A bond of a lattice at an offset.
+fn geometry(lattice: &SquareLattice, [a, b]: Cell) -> BondGeometry {
+    BondGeometry { xi: [lattice.spacing() * f64::from(a), lattice.spacing() * f64::from(b), 0.0] }
+}
+
+/// A body in the plane with its bonds, whatever they are.
+pub trait PlaneModel: Debug + Send + Sync {
+    /// Number of points, images included.
+    fn point_count(&self) -> usize;
+
+    /// Unknowns per point: displacements along x and y and, where points turn, a rotation.
+    fn components(&self) -> usize;
+
+    /// What multiplies rotations to make unknowns of the size of displacements, m; none where points do not turn.
+    fn turning(&self) -> Option<f64>;
+
+    /// Position of a point in the plane, m.
+    fn place(&self, point: usize) -> [f64; 2];
+
+    /// Volume of a point, m³; an image has none.
+    fn volume(&self, point: usize) -> f64;
+
+    /// The lattice, images included, and its lines of symmetry; none of a cloud.
+    fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)>;
+
+    /// Numbers of the points that are images, in order.
+    fn ghosts(&self) -> &[u32];
+
+    /// Number of overlay triangles.
+    fn triangles(&self) -> usize;
+
+    /// Number of points that lack bonds for which the overlay found no triangle: they are too soft. Points by themselves
+    /// or in a single straight row are such, and points whose triangles all are crossed by cracks.
+    fn uncorrected(&self) -> usize;
+
+    /// Cut share of the family volume of every point, 0 to 1.
+    fn damage(&self) -> Vec<f64>;
+
+    /// Thickness, m.
+    fn thickness(&self) -> f64;
+
+    /// Stiffness of the material, Pa, from strains `[ε_xx, ε_yy, γ_xy]` to stresses `[σ_xx, σ_yy, σ_xy]`.
+    fn stiffness(&self) -> Mat<3, 3>;
+
+    /// Strains of stresses: its inverse.
+    fn strain_of(&self, stress: [f64; 3]) -> [f64; 3];
+
+    /// Stress across the plane that belongs to stresses in it.
+    fn stress_across(&self, _stress: [f64; 3]) -> f64 {
+        0.0
+    }
+
+    /// The same body on a lattice of twice the spacing with the same horizon ratio; none of a cloud. `cuts` finds the cuts
+    /// on a lattice, given the offsets. A line of symmetry through coarse cells moves outwards.
+    fn coarser(&self, cuts: &FindCuts) -> Option<Self>
+    where
+        Self: Sized;
+
+    /// Parts of the body that hang together.
+    fn parts(&self) -> NumberedParts;
+
+    /// Stresses and energy densities of a state.
+    fn fields(&self, u: &[f64]) -> PlaneFields;
+
+    /// Adds the forces `Σ_k t_k·V_k σ_k` per unit strain, with the strains `t` in three planes: the adjoint of the stresses.
+    /// `points` are those where t can be other than zero, none for all; images of real points have no part in it, but get
+    /// forces from bonds to them.
+    fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]);
+
+    /// Strains `[ε_xx, ε_yy, γ_xy]` of every point.
+    fn strain(&self, stress: &[Vec<f64>; 3]) -> [Vec<f64>; 3] {
+        let mut strain = stress.clone();
+        let [xx, yy, xy] = &mut strain;
+        let points = xx.par_iter_mut().zip(yy.par_iter_mut()).zip(xy.par_iter_mut()).with_min_len(4096);
+        points.for_each(|((x, y), s)| [*x, *y, *s] = self.strain_of([*x, *y, *s]));
+        strain
+    }
+
+    /// Adds the forces `Σ_k V_k S_k : E_k` of a stress `[S_xx, S_yy, S_xy]`, Pa, with E the strain of a point: with one
+    /// stress for all points and the tractions that it has at the edges, the linear displacement that belongs to it is the
+    /// solution to rounding. Where S varies, `V div S` has to be added. `points` are those where S can be other than zero,
+    /// none for all.
+    fn add_stress_load(
+        &self,
+        points: Option<&[usize]>,
+        stress_at: &(dyn Fn([f64; 2]) -> [f64; 3] + Sync),
+        force: &mut [f64],
+    ) {
+        let n = self.point_count();
+        // V_k S_k : E_k = (C⁻¹ S_k)·(V_k σ_k)
+        let mut t = vec![0.0; 3 * n];
+        let mut enter = |point: usize, position: [f64; 2]| {
+            let strain = self.strain_of(stress_at(position));
+            (0..3).for_each(|q| t[q * n + point] = strain[q]);
+        };
+        match (points, self.lattice()) {
+            (Some(points), _) => points.iter().for_each(|&p| enter(p, self.place(p))),
+            // Run by run: to find the cell of a point takes a search.
+            (None, Some((lattice, _))) => {
+                for run in lattice.runs() {
+                    for column in run.columns.clone() {
+                        enter(run.number(column), lattice.centre([column, run.row]));
+                    }
+                }
+            }
+            (None, None) => (0..n).for_each(|p| enter(p, self.place(p))),
+        }
+        self.add_strain_work(&mut t, points, force);
+    }
+}

@@ -12,16 +12,17 @@ use super::{BlockMatrix, Parts, Survey, TakeForces, Term};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, BondModel, Mat};
 use chunks::Chunks;
+use std::array::from_fn;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
 /// The bonds of one offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Offset {
+pub struct Offset<const M: usize> {
     /// From the lower point of a bond to the other, cells: up, or to the right in the same row.
     pub step: Cell,
-    /// Multiplies the moduli of the bonds, >= 0.
-    pub weight: f64,
+    /// Multiply the moduli of the bonds, >= 0.
+    pub weights: [f64; M],
 }
 
 /// Rows and moduli of the bonds of one offset.
@@ -50,18 +51,23 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     ///
     /// # Panics
     /// An offset does not go up, nor to the right in its row.
-    pub fn new(lattice: Arc<SquareLattice>, model: &B, offsets: &[Offset], exceptions: &[Exception]) -> Self {
+    pub fn new(
+        lattice: Arc<SquareLattice>,
+        model: &B,
+        offsets: &[Offset<M>],
+        exceptions: &[Exception],
+    ) -> Self {
         let h = lattice.spacing();
-        let class = |offset: &Offset| {
+        let class = |offset: &Offset<M>| {
             let [a, b] = offset.step;
             assert!(b > 0 || (b == 0 && a > 0), "an offset goes up, or to the right in its row");
             let bond = BondGeometry { xi: [h * f64::from(a), h * f64::from(b), 0.0] };
-            let rows = model.rows(&bond);
+            let (rows, moduli) = (model.rows(&bond), model.moduli(&bond));
             Class {
                 step: offset.step,
                 difference: rows.difference,
                 half_mean: rows.mean.map(|row| row.map(|v| 0.5 * v)),
-                modulus: model.moduli(&bond).map(|c| offset.weight * c),
+                modulus: from_fn(|m| offset.weights[m] * moduli[m]),
             }
         };
         let classes: Vec<Class<D, M>> = offsets.iter().map(class).collect();

@@ -50,8 +50,8 @@ fn lattice() -> Arc<SquareLattice> {
 
 const STEPS: [Cell; 6] = [[1, 0], [2, 0], [0, 1], [1, 1], [-1, 1], [-2, 1]];
 
-fn offsets() -> Vec<Offset> {
-    STEPS.iter().zip(1..).map(|(&step, k)| Offset { step, weight: f64::from(k) }).collect()
+fn offsets<const M: usize>() -> Vec<Offset<M>> {
+    STEPS.iter().zip(1..).map(|(&step, k)| Offset { step, weights: [f64::from(k); M] }).collect()
 }
 
 /// Some bonds are cut, some are weak, one of them twice.
@@ -74,7 +74,7 @@ fn listed<const D: usize, const M: usize, B: BondModel<D, M>>(
 ) -> Bonds<D, M> {
     let lattice = grid.lattice();
     let mut bonds = Vec::new();
-    for (index, offset) in offsets().iter().enumerate() {
+    for (index, offset) in offsets::<1>().iter().enumerate() {
         for i in 0..lattice.points() {
             let [a, b] = lattice.cell(i);
             let Some(j) = lattice.number([a + offset.step[0], b + offset.step[1]]) else { continue };
@@ -82,7 +82,7 @@ fn listed<const D: usize, const M: usize, B: BondModel<D, M>>(
             let bond =
                 BondGeometry { xi: [h * f64::from(offset.step[0]), h * f64::from(offset.step[1]), 0.0] };
             let mine = exceptions.iter().filter(|e| (e.offset, e.lower) == (index, i));
-            let factor: f64 = offset.weight * mine.map(|e| e.factor).product::<f64>();
+            let factor: f64 = offset.weights[0] * mine.map(|e| e.factor).product::<f64>();
             bonds.push(Bond {
                 points: [i as u32, j as u32],
                 rows: model.rows(&bond),

@@ -4,7 +4,7 @@ use super::reaction::{self, MirrorReaction, PlaneReaction};
 use crate::case::FieldName;
 use crate::run::{SolvedState, StateRecord};
 use crate::scene::plane::{PlaneScene, Weights};
-use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneState};
+use peristat_assembly::model::plane::PlaneModel;
 use std::borrow::Cow;
 
 /// Fields that are recovered from the bonds, with the numbers that points have in the model; images have those of their
@@ -51,6 +51,8 @@ pub struct PlaneResult {
     pub mirrors: Vec<MirrorReaction>,
     /// Stress intensities, in the order of the case.
     pub intensities: Vec<f64>,
+    /// Number of points of the model.
+    points: usize,
     /// Forces that hold the equations of the scene, in their order.
     pub(super) multipliers: Vec<f64>,
 }
@@ -75,18 +77,15 @@ pub(super) fn collect(
     PlaneResult::new(scene, record, solution.multipliers, intensities, recover)
 }
 
-/// Von Mises stress; in plane strain with `σ_zz = ν (σ_xx + σ_yy)`.
-fn von_mises(material: &PlaneMaterial, [x, y, shear]: [f64; 3]) -> f64 {
-    let z = match material.state {
-        PlaneState::Stress => 0.0,
-        PlaneState::Strain => material.state.poisson_ratio() * (x + y),
-    };
+/// Von Mises stress, with the stress across the plane.
+fn von_mises(model: &dyn PlaneModel, stress: [f64; 3]) -> f64 {
+    let ([x, y, shear], z) = (stress, model.stress_across(stress));
     let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
     (0.5 * squares + 3.0 * shear * shear).sqrt()
 }
 
 /// A field as a function of the stresses `[σ_xx, σ_yy, σ_xy]` of a point.
-fn of_stress(material: PlaneMaterial, field: FieldName) -> Option<impl Fn([f64; 3]) -> f64> {
+fn of_stress(model: &dyn PlaneModel, field: FieldName) -> Option<impl Fn([f64; 3]) -> f64> {
     let strain = |k: usize, factor: f64| (Some(k), factor);
     let (component, factor) = match field {
         FieldName::StrainXx => strain(0, 1.0),
@@ -97,8 +96,8 @@ fn of_stress(material: PlaneMaterial, field: FieldName) -> Option<impl Fn([f64; 
         _ => return None,
     };
     Some(move |stress: [f64; 3]| match component {
-        Some(k) => factor * material.strain(stress)[k],
-        None => von_mises(&material, stress),
+        Some(k) => factor * model.strain_of(stress)[k],
+        None => von_mises(model, stress),
     })
 }
 
@@ -122,7 +121,15 @@ impl PlaneResult {
         let mirrors = reaction::of_mirrors(scene, &multipliers);
         multipliers.truncate(scene.equations.len());
         let reactions = reaction::of_supports(scene, &multipliers, &record.u);
-        Self { record, recovered, reactions, mirrors, intensities, multipliers }
+        Self {
+            record,
+            recovered,
+            reactions,
+            mirrors,
+            intensities,
+            points: scene.model.point_count(),
+            multipliers,
+        }
     }
 
     /// The fields that all points have, in the order of tables.
@@ -136,10 +143,10 @@ impl PlaneResult {
 
     /// Values that are kept, with the numbers that points have in the model.
     fn kept(&self, field: FieldName) -> Option<&[f64]> {
-        let (n, recovered) = (self.record.u.len() / 2, self.recovered.as_ref());
+        let (n, recovered) = (self.points, self.recovered.as_ref());
         match field {
             FieldName::Ux => Some(&self.record.u[..n]),
-            FieldName::Uy => Some(&self.record.u[n..]),
+            FieldName::Uy => Some(&self.record.u[n..2 * n]),
             FieldName::StressXx => Some(&recovered?.stress[0]),
             FieldName::StressYy => Some(&recovered?.stress[1]),
             FieldName::StressXy => Some(&recovered?.stress[2]),
@@ -158,7 +165,7 @@ impl PlaneResult {
                 false => scene.real_points().map(|p| kept[p]).collect(),
             });
         }
-        let of = of_stress(scene.model.parameters().material, field)?;
+        let of = of_stress(&*scene.model, field)?;
         let [x, y, shear] = &self.recovered.as_ref()?.stress;
         let at = |p: usize| of([x[p], y[p], shear[p]]);
         Some(match whole {
@@ -173,7 +180,7 @@ impl PlaneResult {
         if let Some(kept) = self.kept(field) {
             return Some(sum(kept));
         }
-        let of = of_stress(scene.model.parameters().material, field)?;
+        let of = of_stress(&*scene.model, field)?;
         let [x, y, shear] = &self.recovered.as_ref()?.stress;
         Some(of([sum(x), sum(y), sum(shear)]))
     }
@@ -182,21 +189,39 @@ impl PlaneResult {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use peristat_assembly::body::SquareLattice;
+    use peristat_assembly::model::bond_plane::{
+        BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    };
+    use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
+    use std::sync::Arc;
+
+    fn model(youngs_modulus: f64, state: PlaneState) -> BondPlane {
+        let parameters = PlaneParameters {
+            material: PlaneMaterial { youngs_modulus, thickness: 1.0, state },
+            horizon_ratio: 2.0,
+            influence: Influence::Constant,
+            calibration: Calibration::Matched,
+            volume_factor: VolumeFactor::Full,
+            edges: Edges::None,
+        };
+        let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [3, 3]));
+        BondPlane::on_lattice(lattice, Mirrors::NONE, parameters, &[]).unwrap()
+    }
 
     #[test]
     fn von_mises_is_that_of_the_three_dimensional_stress() {
-        let material = |state| PlaneMaterial { youngs_modulus: 1.0, thickness: 1.0, state };
-        let stress = material(PlaneState::Stress);
+        let stress = model(1.0, PlaneState::Stress);
         assert_eq!(von_mises(&stress, [-3.0, 0.0, 0.0]), 3.0);
         assert!((von_mises(&stress, [0.0, 0.0, 2.0]) - 12.0_f64.sqrt()).abs() < 1e-15);
         // Equal biaxial stress 1 with σ_zz = 1/2: the deviator is that of a uniaxial stress of 1/2.
-        assert_eq!(von_mises(&material(PlaneState::Strain), [1.0, 1.0, 0.0]), 0.5);
+        assert_eq!(von_mises(&model(1.0, PlaneState::Strain), [1.0, 1.0, 0.0]), 0.5);
     }
 
     #[test]
     fn strains_are_components_of_the_tensor() {
-        let material = PlaneMaterial { youngs_modulus: 3.0, thickness: 1.0, state: PlaneState::Stress };
-        let at = |field, stress| of_stress(material, field).unwrap()(stress);
+        let model = model(3.0, PlaneState::Stress);
+        let at = |field, stress| of_stress(&model, field).unwrap()(stress);
         assert!((at(FieldName::StrainXx, [3.0, 0.0, 0.0]) - 1.0).abs() < 1e-15);
         assert!((at(FieldName::StrainYy, [3.0, 0.0, 0.0]) + 1.0 / 3.0).abs() < 1e-15);
         // ε_xy = σ_xy/(2G), 2G = E/(1 + ν) = 9/4.

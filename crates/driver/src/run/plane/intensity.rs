@@ -7,8 +7,9 @@
 use crate::case::Tips;
 use crate::diagnostic::Faults;
 use crate::run::{Counters, RunError, RunOptions, SolvedState, prepare, solve_states};
-use crate::scene::plane::{Intensity, PlaneScene};
-use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneState};
+use crate::scene::plane::{AnyPlaneModel, Intensity, PlaneProblem, PlaneScene};
+use peristat_assembly::model::Model;
+use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::sum::Sum;
 use std::time::Instant;
 
@@ -35,26 +36,18 @@ pub(super) fn of_states(scene: &PlaneScene, options: &RunOptions) -> Result<Foun
         let step = scene.spacing();
         let longer = potentials(scene, intensity, step, options, &mut found)?;
         let shorter = potentials(scene, intensity, -step, options, &mut found)?;
-        let material = scene.model.parameters().material;
+        // E' of an isotropic material.
+        let stiffness = 1.0 / scene.model.strain_of([1.0, 0.0, 0.0])[0];
         let tips = if intensity.tips == Tips::Both { 2.0 } else { 1.0 };
-        let area = 2.0 * step * tips * material.thickness / sides(scene, intensity);
+        let area = 2.0 * step * tips * scene.model.thickness() / sides(scene, intensity);
         let of = |(longer, shorter): (f64, f64)| {
             let release = (shorter - longer) / area;
-            (stiffness(&material) * release.max(0.0)).sqrt()
+            (stiffness * release.max(0.0)).sqrt()
         };
         found.values.push(longer.into_iter().zip(shorter).map(of).collect());
     }
     found.seconds = begin.elapsed().as_secs_f64();
     Ok(found)
-}
-
-/// E'.
-fn stiffness(material: &PlaneMaterial) -> f64 {
-    let nu = material.state.poisson_ratio();
-    match material.state {
-        PlaneState::Stress => material.youngs_modulus,
-        PlaneState::Strain => material.youngs_modulus / (1.0 - nu * nu),
-    }
 }
 
 /// Sides of a crack that the body has: one if it lies on a line of symmetry, so that the body releases half the energy.
@@ -87,14 +80,27 @@ fn potentials(
             .hint("use a smaller spacing: the crack needs several spacings at each tip");
         RunError::Case(faults)
     };
-    let moved = match scene.with_moved_tips(intensity, by) {
+    let (model, cracks) = match scene.with_moved_tips(intensity, by) {
         Ok(Some(moved)) => moved,
         Ok(None) => {
             return Err(fault("the crack is not longer than the spacing that its tips are moved by".into()));
         }
         Err(error) => return Err(fault(format!("with its tips moved by a spacing: {error}"))),
     };
-    let (system, sizes) = prepare(&moved, options)?;
+    match model {
+        AnyPlaneModel::Central(model) => {
+            of_problem::<2, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
+        }
+    }
+}
+
+/// Potential energies of all states of a problem.
+fn of_problem<const D: usize, M: Model<D> + PlaneModel>(
+    problem: &PlaneProblem<M>,
+    options: &RunOptions,
+    found: &mut Found,
+) -> Result<Vec<f64>, RunError> {
+    let (system, sizes) = prepare(problem, options)?;
     let mut potentials = Vec::new();
     let mut take = |solved: SolvedState| {
         let mut potential = Sum::default();
@@ -103,7 +109,7 @@ fn potentials(
         potentials.push(potential.total());
         Ok(())
     };
-    let report = solve_states(&moved, (&system, sizes), &mut take)?;
+    let report = solve_states(problem, (&system, sizes), &mut take)?;
     super::add(&mut found.counters, &report.counters);
     found.converged &= report.converged;
     Ok(potentials)

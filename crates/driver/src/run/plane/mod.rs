@@ -13,7 +13,9 @@ pub(crate) use verdict::{checks, probes};
 
 use super::{Counters, RunError, RunOptions, RunReport, Sizes, SolvedState, prepare, solve_states};
 use crate::diagnostic::Faults;
-use crate::scene::plane::PlaneScene;
+use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene};
+use peristat_assembly::model::Model;
+use peristat_assembly::model::plane::PlaneModel;
 
 /// Solves every state of a body in the plane and hands its result to `sink` as it comes.
 ///
@@ -26,7 +28,20 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
-    let (system, sizes) = prepare(scene, options)?;
+    match &scene.model {
+        AnyPlaneModel::Central(model) => {
+            run_model::<2, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
+        }
+    }
+}
+
+fn run_model<const D: usize, M: Model<D> + PlaneModel>(
+    problem: &PlaneProblem<M>,
+    options: &RunOptions,
+    sink: &mut dyn FnMut(PlaneResult) -> std::io::Result<()>,
+) -> Result<RunReport, RunError> {
+    let (scene, recover) = (problem.scene, options.recover);
+    let (system, sizes) = prepare(problem, options)?;
     let found = intensity::of_states(scene, options)?;
     let tips = tips::Tips::of(scene);
     let mut warnings = Faults::default();
@@ -34,7 +49,7 @@ pub fn run(
         tips.check(scene, solved.state, &solved.solution.u, &mut warnings);
         sink(fields::collect(scene, solved, &found.values, recover))
     };
-    let mut report = solve_states(scene, (&system, sizes), &mut take)?;
+    let mut report = solve_states(problem, (&system, sizes), &mut take)?;
     // What is stored per bond: triangles and springs are no bonds.
     report.counters.stored_bond_factors = system.terms()[0].stored_factors();
     report.skipped = skipped::skipped(scene, &report, recover);
@@ -57,7 +72,11 @@ fn asks_for_stresses(scene: &PlaneScene) -> bool {
 /// # Errors
 /// As [`prepare`].
 pub fn sizes(scene: &PlaneScene, options: &RunOptions) -> Result<Sizes, RunError> {
-    prepare(scene, options).map(|p| p.1)
+    match &scene.model {
+        AnyPlaneModel::Central(model) => {
+            prepare::<2, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
+        }
+    }
 }
 
 /// Adds what other solves have cost.

@@ -35,7 +35,7 @@ const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
 
 /// Forces of supports from the multipliers of all equations and the unknowns.
 pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) -> Vec<PlaneReaction> {
-    let n = scene.model.points();
+    let n = scene.model.point_count();
     let of = |support: &PlaneSupport| {
         let (mut force, mut moment) = ([Sum::default(), Sum::default()], None);
         for (equations, direction) in &support.equations {
@@ -77,7 +77,7 @@ pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64]) -> Vec<MirrorR
         sums[k] = line.map(|_| Sum::default());
     }
     let of_ghosts = &multipliers[scene.equations.len()..];
-    for (&ghost, held) in scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(2)) {
+    for (&ghost, held) in scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components())) {
         let cell = lattice.cell(ghost as usize);
         let (_, signs) = mirrors.image(cell);
         for axis in 0..2 {

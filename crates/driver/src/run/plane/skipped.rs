@@ -6,7 +6,7 @@ use crate::scene::plane::PlaneScene;
 /// What the scene was spared.
 pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> Vec<String> {
     let (counters, model) = (&report.counters, &scene.model);
-    let points = model.points();
+    let points = model.point_count();
     let mut skipped = vec![
         "Newton iterations: every term is linear".to_string(),
         format!("{points} rotations: bonds along their own direction read none"),

@@ -46,7 +46,8 @@ impl Tips {
     /// Adds a warning for every stress intensity of a state whose tips close or slide.
     pub(super) fn check(&self, scene: &PlaneScene, state: usize, u: &[f64], warnings: &mut Faults) {
         for k in 0..scene.intensities.len() {
-            let parts = self.0.iter().filter(|f| f.intensity == k).map(|f| f.part(u));
+            let parts =
+                self.0.iter().filter(|f| f.intensity == k).map(|f| f.part(scene.model.point_count(), u));
             let (mut closes, mut slides) = (false, false);
             for [opening, sliding] in parts {
                 closes |= opening < -CLOSED * sliding.abs();
@@ -73,8 +74,8 @@ impl Tips {
 
 impl Faces {
     /// Opening and sliding.
-    fn part(&self, u: &[f64]) -> [f64; 2] {
-        let (n, [above, below], [x, y]) = (u.len() / 2, self.points, self.normal);
+    fn part(&self, points: usize, u: &[f64]) -> [f64; 2] {
+        let (n, [above, below], [x, y]) = (points, self.points, self.normal);
         let d = [u[above] - u[below], u[n + above] - u[n + below]];
         [d[0] * x + d[1] * y, d[1] * x - d[0] * y]
     }
@@ -94,7 +95,7 @@ fn faces(scene: &PlaneScene, intensity: usize, tip: [f64; 2], before: [f64; 2]) 
             let off = side * ((x - tip[0]) * normal[0] + (y - tip[1]) * normal[1]);
             (off > 0.0).then(|| (x - at[0]).hypot(y - at[1])).filter(|far| *far < 2.0 * h)
         };
-        let near = (0..scene.model.points()).filter_map(|p| Some((key(p)?, p)));
+        let near = (0..scene.model.point_count()).filter_map(|p| Some((key(p)?, p)));
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, p)| p)
     };
     Some(Faces { intensity, points: [beside(1.0)?, beside(-1.0)?], normal })

@@ -32,7 +32,7 @@ fn value(scene: &PlaneScene, result: &PlaneResult, quantity: &Quantity) -> Optio
     match quantity {
         Quantity::Field { field, weights } => result.value(scene, *field, weights),
         Quantity::Reaction { equations, springs, .. } => {
-            let (n, u) = (scene.model.points(), &result.record.u);
+            let (n, u) = (scene.model.point_count(), &result.record.u);
             let mut sum = Sum::default();
             equations.iter().for_each(|&(k, share)| sum.add(share * result.multipliers[k]));
             let springs = springs.iter().map(|&k| &scene.conditions.springs[k]);
@@ -54,7 +54,7 @@ fn rotation(scene: &PlaneScene, result: &PlaneResult, region: usize) -> Option<f
         Some((*low as usize, *high as usize, at(high)[axis] - at(low)[axis]))
     };
     let (along_x, along_y) = (ends(0)?, ends(1)?);
-    let (n, u) = (scene.model.points(), &result.record.u);
+    let (n, u) = (scene.model.point_count(), &result.record.u);
     Some(match along_x.2 >= along_y.2 {
         true => (u[n + along_x.1] - u[n + along_x.0]) / along_x.2,
         false => -(u[along_y.1] - u[along_y.0]) / along_y.2,

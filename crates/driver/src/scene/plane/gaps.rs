@@ -10,7 +10,7 @@ use peristat_assembly::body::{CRACK_SLACK, Cell, SquareLattice};
 /// The flat top of a round hole is shorter than that.
 pub(super) fn narrow(scene: &PlaneScene) -> Option<([f64; 2], i32)> {
     let (lattice, _) = scene.model.lattice()?;
-    let reach = scene.model.parameters().horizon_ratio.floor() as i32;
+    let reach = scene.recipe.bonds.horizon_ratio().floor() as i32;
     let along = [[1, 0], [0, 1]].map(|step| places(scene, lattice, step, reach));
     let found = along.into_iter().find(|places| places.len() as i32 >= 2 * reach)?;
     found.get(found.len() / 2).copied()

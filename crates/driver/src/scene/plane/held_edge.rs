@@ -5,9 +5,9 @@
 //! displacement that this traction does its work on: a weighted sum over the few points behind each other, in every row.
 //! For a linear field this is the displacement of the edge.
 
+use super::bonds::PlaneBonds;
 use peristat_assembly::body::{Cell, Edge, SquareLattice};
-use peristat_assembly::model::bond_plane::{BondPlane, Edges, PlaneParameters};
-use peristat_assembly::model::plane::Mirrors;
+use peristat_assembly::model::plane::{Edges, Mirrors};
 use std::sync::Arc;
 
 /// How an edge is held.
@@ -21,15 +21,15 @@ pub struct HeldEdge {
 
 impl HeldEdge {
     /// A straight edge along a lattice; `None` for any other.
-    pub(super) fn new(edge: &Edge, lattice: &SquareLattice, parameters: &PlaneParameters) -> Option<Self> {
+    pub(super) fn new(edge: &Edge, lattice: &SquareLattice, bonds: &PlaneBonds) -> Option<Self> {
         let axis = edge.normal.iter().position(|n| n.abs() > 1.0 - 1e-12)?;
         let mut inward = [0; 2];
         inward[axis] = if edge.normal[axis] > 0.0 { -1 } else { 1 };
         // Where the edge lies between the centres of cells.
         let at = (edge.from[axis] - lattice.corner()[axis]) / lattice.spacing();
         let between = (at - at.round()).abs() < 1e-6;
-        let [normal, tangential] = match between && parameters.edges == Edges::Overlay {
-            true => [shares_of(parameters, [1.0, 0.0, 0.0], 0)?, shares_of(parameters, [0.0, 0.0, 1.0], 1)?],
+        let [normal, tangential] = match between && bonds.edges() == Edges::Overlay {
+            true => [shares_of(bonds, [1.0, 0.0, 0.0], 0)?, shares_of(bonds, [0.0, 0.0, 1.0], 1)?],
             // The other treatments are not exact at edges: a line through two points is good enough.
             false => [vec![1.5, -0.5], vec![1.5, -0.5]],
         };
@@ -57,14 +57,14 @@ impl HeldEdge {
 }
 
 /// How the traction of a stress on the left side of a body reaches the points behind each other, far from its other sides.
-fn shares_of(parameters: &PlaneParameters, stress: [f64; 3], component: usize) -> Option<Vec<f64>> {
+fn shares_of(bonds: &PlaneBonds, stress: [f64; 3], component: usize) -> Option<Vec<f64>> {
     /// Below this part of the whole it is rounding.
     const ROUNDING: f64 = 1e-12;
-    let depth = BondPlane::depth(parameters).ok()?;
+    let depth = bonds.depth().ok()?;
     let (columns, rows) = (4 * depth + 4, 6 * depth + 7);
     let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]));
-    let body = BondPlane::on_lattice(lattice.clone(), Mirrors::NONE, *parameters, &[]).ok()?;
-    let mut force = vec![0.0; 2 * lattice.points()];
+    let body = bonds.on_lattice(lattice.clone(), Mirrors::NONE, &[]).ok()?;
+    let mut force = vec![0.0; body.components() * lattice.points()];
     body.add_stress_load(None, &|_| stress, &mut force);
     let at =
         |column: i32| lattice.number([column, rows / 2]).map(|p| force[component * lattice.points() + p]);
@@ -79,24 +79,25 @@ mod tests {
     use super::*;
     use peristat_assembly::body::Outline;
     use peristat_assembly::model::bond_plane::{
-        Calibration, Influence, PlaneMaterial, PlaneState, VolumeFactor,
+        Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
     };
+    use peristat_assembly::model::plane::Calibration;
 
     #[test]
     fn shares_are_of_one_force_on_the_line_of_the_edge() {
         for horizon_ratio in [2.0, 3.0, 4.5] {
-            let parameters = PlaneParameters {
+            let bonds = PlaneBonds::Central(PlaneParameters {
                 material: PlaneMaterial { youngs_modulus: 7.0, thickness: 0.3, state: PlaneState::Stress },
                 horizon_ratio,
                 influence: Influence::Constant,
                 calibration: Calibration::Matched,
                 volume_factor: VolumeFactor::Ramp,
                 edges: Edges::Overlay,
-            };
+            });
             let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
             let lattice = outline.fill(1.0).unwrap();
             for (name, inward) in [("left", [1, 0]), ("top", [0, -1])] {
-                let held = HeldEdge::new(outline.edge(name).unwrap(), &lattice, &parameters).unwrap();
+                let held = HeldEdge::new(outline.edge(name).unwrap(), &lattice, &bonds).unwrap();
                 assert_eq!(held.inward, inward);
                 for shares in &held.shares {
                     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-14);

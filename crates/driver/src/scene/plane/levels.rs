@@ -3,7 +3,8 @@
 use super::conditions::Conditions;
 use crate::run::{Coarser, Spread};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
-use peristat_assembly::model::bond_plane::BondPlane;
+use peristat_assembly::model::Model;
+use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 
@@ -13,7 +14,7 @@ const COARSEST: usize = 1500;
 const NARROW: usize = 12;
 
 /// How the points of a body lie.
-pub(super) fn spread(model: &BondPlane) -> Spread {
+pub(super) fn spread(model: &dyn PlaneModel) -> Spread {
     match model.lattice() {
         Some((lattice, _)) if !is_coarsest(lattice) => Spread::Lattice,
         _ => Spread::Plane,
@@ -27,11 +28,15 @@ fn is_coarsest(lattice: &SquareLattice) -> bool {
 }
 
 /// The coarser levels of a model; none of a cloud, or of a lattice that is coarse itself.
-pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditions) -> Option<Coarser<2>> {
+pub(super) fn coarser<const D: usize, M: Model<D> + PlaneModel>(
+    model: &M,
+    cracks: &[Crack],
+    conditions: &Conditions,
+) -> Option<Coarser<D>> {
     let cracks: Vec<Crack> = model.lattice().map_or(Vec::new(), |(lattice, _)| beside(cracks, lattice));
     let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
     let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new(), is_loose: false };
-    let (mut coarsest, mut conditions): (Option<BondPlane>, _) = (None, conditions.clone());
+    let (mut coarsest, mut conditions): (Option<M>, _) = (None, conditions.clone());
     loop {
         let fine = coarsest.as_ref().unwrap_or(model);
         let (lattice, _) = fine.lattice()?;
@@ -49,9 +54,9 @@ pub(super) fn coarser(model: &BondPlane, cracks: &[Crack], conditions: &Conditio
             &|a, b| !cracks.iter().any(|crack| crack.cuts(a, b, slack)),
         ));
         conditions = conditions.coarser(lattice, coarse_lattice);
-        let mut springs: Vec<Box<dyn Term<2>>> = Vec::new();
+        let mut springs: Vec<Box<dyn Term<D>>> = Vec::new();
         if !conditions.springs.is_empty() {
-            springs.push(Box::new(Springs::new(coarse.points(), conditions.springs.clone())));
+            springs.push(Box::new(Springs::new(coarse.point_count(), conditions.springs.clone())));
         }
         let equations = conditions.equations(&|point| coarse.place(point));
         // Conditions at rest contradict each other nowhere; if they do, there are no coarser levels.

@@ -1,6 +1,7 @@
 //! Loads of a body in the plane as forces and stresses on its points.
 
 use super::super::states;
+use super::bonds::PlaneBonds;
 use super::ground::{Ground, PLACE};
 use super::symmetry::Symmetry;
 use super::traction::{self, StressField};
@@ -8,7 +9,7 @@ use super::{Held, root};
 use crate::case::{BodyForce, Load, PointLoad};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
-use peristat_assembly::model::bond_plane::{BondPlane, PlaneParameters};
+use peristat_assembly::model::plane::PlaneModel;
 
 /// The loads of one load case.
 #[derive(Clone, Debug, Default)]
@@ -26,7 +27,7 @@ pub(super) struct Context<'a> {
     pub(super) ground: &'a Ground<'a>,
     pub(super) symmetry: &'a Symmetry,
     pub(super) curves: &'a [Curve],
-    pub(super) parameters: &'a PlaneParameters,
+    pub(super) bonds: &'a PlaneBonds,
     pub(super) horizon: f64,
     pub(super) held: &'a [Held],
     /// Paths of cracks, images left out.
@@ -36,7 +37,7 @@ pub(super) struct Context<'a> {
 impl Context<'_> {
     /// Volume of a point of the body, m³.
     pub(super) fn volume(&self, point: u32) -> f64 {
-        self.ground.body.area(point as usize) * self.parameters.material.thickness
+        self.ground.body.area(point as usize) * self.bonds.thickness()
     }
 }
 
@@ -176,8 +177,8 @@ impl PlaneLoads {
     }
 
     /// Adds the loads times a factor to `force`, N, the plane of x first.
-    pub fn add_to(&self, model: &BondPlane, factor: f64, force: &mut [f64]) {
-        let n = model.points();
+    pub fn add_to(&self, model: &dyn PlaneModel, factor: f64, force: &mut [f64]) {
+        let n = model.point_count();
         for &(point, f) in &self.forces {
             (0..2).for_each(|c| force[c * n + point as usize] += factor * f[c]);
         }

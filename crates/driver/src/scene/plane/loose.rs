@@ -14,21 +14,22 @@ const MOST: usize = 5;
 const SINGULAR: f64 = 1e-10;
 
 /// Adds a fault for every point whose own stiffness is singular and that conditions do not hold.
-pub(super) fn check(scene: &PlaneScene, faults: &mut Faults) {
-    let model = &scene.model;
-    let mut blocks = vec![[[0.0; 2]; 2]; model.points()];
+pub(super) fn check<const D: usize>(scene: &PlaneScene, model: &impl Model<D>, faults: &mut Faults) {
+    let mut blocks = vec![[[0.0; D]; D]; model.points()];
     model.terms().iter().for_each(|term| term.add_diagonal(&mut blocks));
     let held = held_points(&scene.conditions);
     let is_loose = |point: &usize| {
-        let [[a, b], [_, d]] = blocks[*point];
+        let ([a, b], d) = ([blocks[*point][0][0], blocks[*point][0][1]], blocks[*point][1][1]);
         let trace = a + d;
-        a * d - b * b <= SINGULAR * trace * trace && !held.contains(&(*point as u32))
+        // A single bond that resists turning holds its point.
+        let is_held = D > 2 && trace > 0.0;
+        !is_held && a * d - b * b <= SINGULAR * trace * trace && !held.contains(&(*point as u32))
     };
     let loose: Vec<usize> = scene.real_points().filter(is_loose).collect();
     let path = if scene.case.cracks.is_empty() { body::path(&scene.case) } else { root("cracks") };
     for &point in loose.iter().take(MOST) {
-        let [x, y] = model.place(point).map(tidy);
-        let [[a, _], [_, d]] = blocks[point];
+        let [x, y] = scene.model.place(point).map(tidy);
+        let (a, d) = (blocks[point][0][0], blocks[point][1][1]);
         let why = if a + d > 0.0 { "has bonds on one line only" } else { "has no bonds" };
         faults.error(path.clone(), format!("the point at ({x}, {y}) {why}, so nothing holds it")).hint(
             match scene.case.cracks.is_empty() {

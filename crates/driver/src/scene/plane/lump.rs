@@ -50,7 +50,7 @@ pub(super) fn on_points(
     candidates: &[u32],
     context: &Context,
 ) -> Forces {
-    let thickness = context.parameters.material.thickness;
+    let thickness = context.bonds.thickness();
     let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
     let mut wanted = Resultant::default();
     for stretch in stretches {

@@ -5,9 +5,8 @@ use super::super::words::tidy;
 use super::model_path;
 use crate::case::{self, Plane};
 use crate::diagnostic::Faults;
-use peristat_assembly::model::bond_plane::{
-    Calibration, Edges, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
-};
+use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor};
+use peristat_assembly::model::plane::{Calibration, Edges};
 
 /// How far a Poisson ratio may be off: 0.333 is a third.
 const POISSON_SLACK: f64 = 1e-3;

@@ -1,6 +1,7 @@
 //! Scenes of bodies in the plane.
 
 mod body;
+mod bonds;
 mod boundary;
 mod checks;
 mod conditions;
@@ -19,7 +20,6 @@ mod lump;
 mod material;
 mod model;
 mod motions;
-mod moved;
 mod outputs;
 mod parts;
 mod probes;
@@ -35,15 +35,16 @@ mod traction;
 mod uniform_stress;
 mod warnings;
 
+pub use bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
 pub use cracks::NamedCrack;
 pub use held_edge::HeldEdge;
 pub use interpolate::Weights;
 pub use loads::PlaneLoads;
-pub use moved::MovedTips;
 pub use outputs::{Intensity, LinePoint, OutputLine};
 pub use probes::{PlaneProbe, Quantity};
+pub use problem::PlaneProblem;
 pub use supported::PlaneSupport;
 
 use super::states::{self, Sum};
@@ -55,7 +56,6 @@ use interpolate::Interpolation;
 use model::Recipe;
 use peristat_assembly::body::{Cell, Crack, Outline, PlaneBody, SquareLattice};
 use peristat_assembly::condition::Equation;
-use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError};
 use std::path::Path;
 use supports::Held;
 
@@ -68,7 +68,7 @@ pub struct PlaneScene {
     /// Units of all numbers.
     pub units: Units,
     /// The discretised body.
-    pub model: BondPlane,
+    pub model: AnyPlaneModel,
     /// Cracks.
     pub cracks: Vec<NamedCrack>,
     /// What holds the body, by points.
@@ -131,7 +131,9 @@ impl PlaneScene {
         let resolved = Self::resolve(&case, &mut model, folder, max_memory, &mut faults);
         let Some(mut scene) = resolved.filter(|_| !faults.has_errors()) else { return Err(faults) };
         if scene.outline.is_none() || scene.can_have_loose_points() {
-            loose::check(&scene, &mut faults);
+            match &scene.model {
+                AnyPlaneModel::Central(model) => loose::check::<2>(&scene, model, &mut faults),
+            }
         }
         warnings::collect(&scene, &mut faults);
         if faults.has_errors() {
@@ -155,14 +157,14 @@ impl PlaneScene {
         let parts::Parts { recipe, outline, curves, cracks } =
             parts::parts(case, model, folder, max_memory, faults)?;
         let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
-        let held = supports::held(&ground, &recipe.symmetry, &recipe.parameters, faults);
+        let held = supports::held(&ground, &recipe.symmetry, &recipe.bonds, faults);
         let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
         rigid_mirror::check(&rigid, &recipe, faults);
         let context = loads::Context {
             ground: &ground,
             symmetry: &recipe.symmetry,
             curves: &curves,
-            parameters: &recipe.parameters,
+            bonds: &recipe.bonds,
             horizon: recipe.horizon,
             held: &held,
             cracks: &cracks,
@@ -182,9 +184,9 @@ impl PlaneScene {
             faults,
         );
         let built = built?;
-        let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &built);
-        let reach = (recipe.parameters.horizon_ratio + 1e-9).floor() as i32;
-        let number = |p: u32| recipe.number(&built, p);
+        let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &*built);
+        let reach = (recipe.bonds.horizon_ratio() + 1e-9).floor() as i32;
+        let number = |p: u32| recipe.number(&*built, p);
         let images = recipe.symmetry.with_images(&paths);
         let extended = built.lattice().filter(|(_, mirrors)| !mirrors.is_none());
         let extended = extended.map(|(lattice, _)| PlaneBody::Lattice(lattice.as_ref().clone()));
@@ -193,7 +195,7 @@ impl PlaneScene {
         let context = probes::Context {
             ground: &ground,
             recipe: &recipe,
-            model: &built,
+            model: &*built,
             interpolation: &interpolation,
             held: &held,
             conditions: &conditions,
@@ -246,7 +248,7 @@ impl PlaneScene {
     /// The points without images, in the order of the body.
     pub fn real_points(&self) -> impl Iterator<Item = usize> + '_ {
         let ghosts = self.model.ghosts();
-        (0..self.model.points()).filter(move |&p| ghosts.binary_search(&(p as u32)).is_err())
+        (0..self.model.point_count()).filter(move |&p| ghosts.binary_search(&(p as u32)).is_err())
     }
 
     /// The points without images, with numbers of their own.
@@ -261,7 +263,7 @@ impl PlaneScene {
 
     /// Number in the model of a point of the body.
     pub fn number(&self, point: usize) -> usize {
-        self.recipe.number(&self.model, point as u32) as usize
+        self.recipe.number(&*self.model, point as u32) as usize
     }
 
     /// Horizon, m.
@@ -274,28 +276,32 @@ impl PlaneScene {
         self.recipe.body.spacing()
     }
 
-    /// Cut bonds of a lattice, for [`BondPlane::coarser`].
+    /// Cut bonds of a lattice, for [`PlaneModel::coarser`](peristat_assembly::model::plane::PlaneModel::coarser).
     pub fn cuts(&self, lattice: &SquareLattice, offsets: &[Cell]) -> Vec<(usize, usize)> {
         self.recipe.cuts(&self.cracks, lattice, offsets)
     }
 
-    /// The problem with the tips of the crack of a stress intensity moved along it by some length, m, outwards if positive;
-    /// `None` where that leaves no crack. Points, conditions and loads stay.
+    /// The model and the cracks with the tips of the crack of a stress intensity moved along it by some length, m, outwards
+    /// if positive; `None` where that leaves no crack.
     ///
     /// # Errors
-    /// [`BondPlaneError`].
+    /// [`PlaneModelError`].
     pub fn with_moved_tips(
         &self,
         intensity: &Intensity,
         by: f64,
-    ) -> Result<Option<MovedTips<'_>>, BondPlaneError> {
+    ) -> Result<Option<(AnyPlaneModel, Vec<Crack>)>, PlaneModelError> {
         let mut cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
         match outputs::moved(&cracks[intensity.crack], intensity.tips, by) {
             Some(crack) => cracks[intensity.crack] = crack,
             None => return Ok(None),
         }
-        let model = self.recipe.make(&cracks)?;
-        Ok(Some(MovedTips { scene: self, model, cracks }))
+        Ok(Some((self.recipe.make(&cracks)?, cracks)))
+    }
+
+    /// Material and bonds.
+    pub fn bonds(&self) -> &PlaneBonds {
+        &self.recipe.bonds
     }
 }
 

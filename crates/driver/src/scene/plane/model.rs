@@ -1,11 +1,13 @@
 //! The model of a body in the plane: points of its lattice with images, or its listed points.
 
+use super::bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 use super::cracks::NamedCrack;
 use super::symmetry::Symmetry;
 use super::{model_path, root};
 use crate::diagnostic::Faults;
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
-use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError, PlaneParameters};
+use peristat_assembly::model::bond_plane::BondPlaneError;
+use peristat_assembly::model::plane::PlaneModel;
 use std::sync::Arc;
 
 /// What a model is made of, to make it again with other cracks.
@@ -16,7 +18,7 @@ pub(super) struct Recipe {
     /// Its mirrors.
     pub(super) symmetry: Symmetry,
     /// Material and bonds.
-    pub(super) parameters: PlaneParameters,
+    pub(super) bonds: PlaneBonds,
     /// Horizon, m.
     pub(super) horizon: f64,
 }
@@ -25,21 +27,21 @@ impl Recipe {
     /// The model with some cracks.
     ///
     /// # Errors
-    /// [`BondPlaneError`].
-    pub(super) fn make(&self, cracks: &[Crack]) -> Result<BondPlane, BondPlaneError> {
+    /// [`PlaneModelError`].
+    pub(super) fn make(&self, cracks: &[Crack]) -> Result<AnyPlaneModel, PlaneModelError> {
         let cracks = self.symmetry.with_images(cracks);
         match &self.body {
             PlaneBody::Lattice(lattice) => {
                 let mirrors = self.symmetry.mirrors;
-                let lattice = mirrors.extended(lattice, BondPlane::depth(&self.parameters)?);
-                let cuts = cut_bonds(&lattice, &BondPlane::offsets(&self.parameters)?, &cracks);
-                BondPlane::on_lattice(Arc::new(lattice), mirrors, self.parameters, &cuts)
+                let lattice = mirrors.extended(lattice, self.bonds.depth()?);
+                let cuts = cut_bonds(&lattice, &self.bonds.offsets()?, &cracks);
+                self.bonds.on_lattice(Arc::new(lattice), mirrors, &cuts)
             }
             PlaneBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();
                 let cut = |a: [f64; 2], b: [f64; 2]| cracks.iter().any(|c| c.cuts(a, b, slack));
-                let (positions, areas) = (cloud.positions().to_vec(), cloud.areas().to_vec());
-                BondPlane::on_cloud(positions, areas, self.horizon, self.parameters, &cut)
+                let points = (cloud.positions().to_vec(), cloud.areas().to_vec());
+                self.bonds.on_cloud(points, self.horizon, &cut)
             }
         }
     }
@@ -59,8 +61,8 @@ impl Recipe {
     pub(super) fn is_cut_by(&self, crack: &Crack) -> bool {
         match &self.body {
             PlaneBody::Lattice(lattice) => {
-                let depth = BondPlane::depth(&self.parameters).unwrap_or(0);
-                let offsets = BondPlane::offsets(&self.parameters).unwrap_or_default();
+                let depth = self.bonds.depth().unwrap_or(0);
+                let offsets = self.bonds.offsets().unwrap_or_default();
                 // A crack along a mirror cuts bonds to images only.
                 let lattice = self.symmetry.mirrors.extended(lattice, depth);
                 !cut_bonds(&lattice, &offsets, std::slice::from_ref(crack)).is_empty()
@@ -75,7 +77,7 @@ impl Recipe {
     }
 
     /// Numbers in the model of points of the body.
-    pub(super) fn number(&self, model: &BondPlane, point: u32) -> u32 {
+    pub(super) fn number(&self, model: &dyn PlaneModel, point: u32) -> u32 {
         match (&self.body, model.lattice()) {
             (PlaneBody::Lattice(lattice), Some((extended, _))) if !self.symmetry.mirrors.is_none() => {
                 let number = extended.number(lattice.cell(point as usize));
@@ -87,8 +89,9 @@ impl Recipe {
 }
 
 /// A fault for a model that cannot be made.
-pub(super) fn refuse(error: &BondPlaneError, faults: &mut Faults) {
-    let path = match error {
+pub(super) fn refuse(error: &PlaneModelError, faults: &mut Faults) {
+    let PlaneModelError::Central(central) = error;
+    let path = match central {
         BondPlaneError::NotRepresentable { .. } | BondPlaneError::NoNeighbours { .. } => {
             root("horizon_ratio")
         }

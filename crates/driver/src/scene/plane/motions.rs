@@ -2,16 +2,12 @@
 
 use super::super::words::tidy;
 use super::PlaneScene;
-use peristat_assembly::model::Model;
-use peristat_assembly::stiffness::Parts;
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
 /// What nothing holds, and how it would move.
 pub(super) fn describe(scene: &PlaneScene, motion: &FreeMotion) -> String {
     let model = &scene.model;
-    let mut parts = Parts::new(model.points());
-    model.terms().iter().for_each(|term| term.join(&mut parts));
-    let parts = parts.numbered();
+    let parts = model.parts();
     // Number and sum of the positions of the real points of every part that moves.
     let mut sums = vec![(0_usize, [0.0; 2]); motion.parts.len()];
     let moving: Vec<usize> = motion.parts.iter().map(|span| parts.of(span[0])).collect();

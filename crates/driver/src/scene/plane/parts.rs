@@ -1,13 +1,14 @@
 //! The body of a case in the plane, its material, mirrors and cracks.
 
 use super::super::{horizon, root, words::tidy};
+use super::bonds::PlaneBonds;
 use super::model::Recipe;
 use super::{NamedCrack, body, cracks, material, symmetry};
 use crate::case::{Case, Plane};
 use crate::diagnostic::Faults;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody};
-use peristat_assembly::model::bond_plane::Edges;
+use peristat_assembly::model::plane::Edges;
 use std::path::Path;
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
@@ -41,7 +42,7 @@ pub(super) fn parts(
         PlaneBody::Cloud(_) => None,
     };
     let symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
-    let (mut parameters, ratio) = (parameters?, ratio?);
+    let (parameters, ratio) = (parameters?, ratio?);
     if ratio > MOST_RATIO {
         let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
         faults
@@ -51,15 +52,15 @@ pub(super) fn parts(
             ));
         return None;
     }
-    parameters.horizon_ratio = ratio;
+    let bonds = PlaneBonds::Central(parameters).with_horizon_ratio(ratio);
     let horizon = ratio * body.spacing();
     // The other treatments of edges know whole cells only, and loads have the volumes of the model.
     let body = match body {
-        PlaneBody::Lattice(lattice) if parameters.edges != Edges::Overlay => {
+        PlaneBody::Lattice(lattice) if bonds.edges() != Edges::Overlay => {
             PlaneBody::Lattice(lattice.with_whole_cells())
         }
         body => body,
     };
-    let recipe = Recipe { body, symmetry, parameters, horizon };
+    let recipe = Recipe { body, symmetry, bonds, horizon };
     Some(Parts { recipe, outline, curves, cracks: cracks? })
 }

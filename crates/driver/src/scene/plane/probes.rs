@@ -7,7 +7,7 @@ use super::interpolate::{Interpolation, Weights};
 use super::{model::Recipe, supports::Held};
 use crate::case::{FieldName, Probe};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::model::bond_plane::BondPlane;
+use peristat_assembly::model::plane::PlaneModel;
 
 /// A value to report.
 #[derive(Clone, Debug)]
@@ -69,7 +69,7 @@ impl PlaneProbe {
 pub(super) struct Context<'a> {
     pub(super) ground: &'a Ground<'a>,
     pub(super) recipe: &'a Recipe,
-    pub(super) model: &'a BondPlane,
+    pub(super) model: &'a dyn PlaneModel,
     pub(super) interpolation: &'a Interpolation<'a>,
     pub(super) held: &'a [Held],
     pub(super) conditions: &'a Conditions,

@@ -5,37 +5,60 @@ use crate::case::Solver;
 use crate::run::{Coarser, Problem, Spread};
 use peristat_assembly::body::Crack;
 use peristat_assembly::condition::Equation;
-use peristat_assembly::model::bond_plane::BondPlane;
+use peristat_assembly::model::Model;
+use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::stiffness::Spring;
 use peristat_assembly::system::FreeMotion;
 
-impl Problem<2> for PlaneScene {
-    type Model = BondPlane;
+/// A scene with a model of its body: its own one, or one with other cracks. Points, conditions and loads are those of the
+/// scene.
+#[derive(Debug)]
+pub struct PlaneProblem<'a, M> {
+    /// The scene.
+    pub scene: &'a PlaneScene,
+    /// The model.
+    pub model: M,
+    /// Cracks of the model.
+    pub cracks: Vec<Crack>,
+    /// What the model has that the scene has not, for messages: `with the tip moved by a spacing `.
+    pub(super) apart: &'static str,
+}
 
-    fn model(&self) -> &BondPlane {
+impl<'a, M> PlaneProblem<'a, M> {
+    /// The scene as it is, with its own model.
+    pub fn new(scene: &'a PlaneScene, model: M) -> Self {
+        let cracks = scene.cracks.iter().map(|c| c.crack.clone()).collect();
+        Self { scene, model, cracks, apart: "" }
+    }
+}
+
+impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M> {
+    type Model = M;
+
+    fn model(&self) -> &M {
         &self.model
     }
 
     fn springs(&self) -> &[Spring] {
-        &self.conditions.springs
+        &self.scene.conditions.springs
     }
 
     fn equations(&self) -> &[Equation] {
-        &self.equations
+        &self.scene.equations
     }
 
     fn solver(&self) -> Solver {
-        self.solver
+        self.scene.solver
     }
 
     fn states(&self) -> usize {
-        self.states.len()
+        self.scene.states.len()
     }
 
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
-        let state = &self.states[state];
+        let state = &self.scene.states[state];
         for &(case, factor) in &state.terms {
-            self.load_cases[case].add_to(&self.model, factor, force);
+            self.scene.load_cases[case].add_to(&self.model, factor, force);
         }
         state.motion_factor
     }
@@ -45,19 +68,30 @@ impl Problem<2> for PlaneScene {
     }
 
     fn positions(&self) -> Option<Vec<[f64; 2]>> {
-        Some((0..self.model.points()).map(|point| self.model.place(point)).collect())
+        Some((0..self.model.point_count()).map(|point| self.model.place(point)).collect())
     }
 
-    fn coarser(&self) -> Option<Coarser<2>> {
-        let cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
-        levels::coarser(&self.model, &cracks, &self.conditions)
+    fn coarser(&self) -> Option<Coarser<D>> {
+        levels::coarser(&self.model, &self.cracks, &self.scene.conditions)
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {
-        motions::describe(self, motion)
+        format!("{}{}", self.apart, motions::describe(self.scene, motion))
     }
 
     fn remedy(&self) -> &'static str {
-        "a body in the plane needs `ux` and `uy` held on one place and one of them on another, in every part that cracks leave"
+        match self.apart {
+            "" => {
+                "a body in the plane needs `ux` and `uy` held on one place and one of them on another, in every part that cracks leave"
+            }
+            _ => "a stress intensity needs a ligament of several spacings before the tip",
+        }
+    }
+}
+
+impl<'a, M> PlaneProblem<'a, M> {
+    /// The scene with a model that has the tips of a crack moved.
+    pub fn with_moved_tips(scene: &'a PlaneScene, model: M, cracks: Vec<Crack>) -> Self {
+        Self { scene, model, cracks, apart: "with the tip moved by a spacing " }
     }
 }

@@ -4,7 +4,7 @@ use super::model::Recipe;
 use super::supports::Held;
 use super::{Conditions, RigidPoints, root};
 use crate::diagnostic::JsonPath;
-use peristat_assembly::model::bond_plane::BondPlane;
+use peristat_assembly::model::plane::PlaneModel;
 use std::ops::Range;
 
 /// A support, or what is prescribed of a rigid region.
@@ -25,7 +25,7 @@ pub(super) fn conditions(
     held: &[Held],
     rigid: Vec<RigidPoints>,
     recipe: &Recipe,
-    model: &BondPlane,
+    model: &dyn PlaneModel,
 ) -> (Conditions, Vec<PlaneSupport>) {
     let mut conditions = Conditions::default();
     let (mut supports, mut next) = (Vec::new(), 0);

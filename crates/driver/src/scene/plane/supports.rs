@@ -1,6 +1,7 @@
 //! Supports of a body in the plane.
 
 use super::super::numbers::positive;
+use super::bonds::PlaneBonds;
 use super::conditions::{HeldPoints, RigidPoints};
 use super::ground::{Ground, Spot};
 use super::held_edge::HeldEdge;
@@ -9,7 +10,7 @@ use super::{model::Recipe, root};
 use crate::case::{Rigid, Support};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::PlaneBody;
-use peristat_assembly::model::bond_plane::{BondPlane, PlaneParameters};
+use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::stiffness::Spring;
 
 /// A support, resolved, with what it holds by numbers of the body.
@@ -39,7 +40,7 @@ const EXAMPLE: &str =
 pub(super) fn held(
     ground: &Ground,
     symmetry: &Symmetry,
-    parameters: &PlaneParameters,
+    bonds: &PlaneBonds,
     faults: &mut Faults,
 ) -> Vec<Held> {
     let case = ground.case;
@@ -59,7 +60,7 @@ pub(super) fn held(
         let mut held = resolve(support, spot, path);
         if let (PlaneBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
-            held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, parameters));
+            held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, bonds));
             held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
         }
         Some(held)
@@ -156,7 +157,7 @@ impl Held {
     }
 
     /// What it prescribes, by numbers of the model.
-    pub(super) fn holds(&self, recipe: &Recipe, model: &BondPlane) -> Vec<HeldPoints> {
+    pub(super) fn holds(&self, recipe: &Recipe, model: &dyn PlaneModel) -> Vec<HeldPoints> {
         let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
         let number = |p: &u32| recipe.number(model, *p);
         let chains: Vec<Vec<u32>> = self.chains.iter().map(|c| c.iter().map(number).collect()).collect();
@@ -172,7 +173,7 @@ impl Held {
     }
 
     /// Its springs, shared by volume.
-    pub(super) fn spring_list(&self, recipe: &Recipe, model: &BondPlane) -> Vec<Spring> {
+    pub(super) fn spring_list(&self, recipe: &Recipe, model: &dyn PlaneModel) -> Vec<Spring> {
         let points: Vec<usize> = self.points.iter().map(|&p| recipe.number(model, p) as usize).collect();
         let volume: f64 = points.iter().map(|&p| model.volume(p)).sum();
         let on = |component: usize, stiffness: f64| {

@@ -14,7 +14,7 @@ use super::lump;
 use super::uniform_stress;
 use crate::case::{LoadSharing, Traction};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::model::bond_plane::Calibration;
+use peristat_assembly::model::plane::Calibration;
 
 /// A stress that acts by the rows of the bonds.
 #[derive(Clone, Debug)]
@@ -151,7 +151,7 @@ pub(super) fn resolve(
         path: path.clone(),
     };
     let stretches = on.stretches(context.ground);
-    let thickness = context.parameters.material.thickness;
+    let thickness = context.bonds.thickness();
     let area = thickness * stretches.iter().map(|s| s.length).sum::<f64>();
     if !positive(area, "area of the border", place.clone(), faults) {
         return None;
@@ -193,7 +193,7 @@ fn check_sharing(load: &Traction, on: &OnBorder, context: &Context, path: &JsonP
             "leave `sharing` out: on slanted edges tractions are `lumped` unless one stress has all of them",
         );
     }
-    if context.parameters.calibration == Calibration::Published {
+    if context.bonds.calibration() == Calibration::Published {
         faults
             .warning(
                 path.key("sharing"),
@@ -238,7 +238,7 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
 
 /// Whether a traction may be consistent, by what is asked for and by the calibration.
 pub(super) fn may_be_consistent(traction: &OnBorder, context: &Context) -> bool {
-    let matched = context.parameters.calibration == Calibration::Matched;
+    let matched = context.bonds.calibration() == Calibration::Matched;
     match traction.sharing {
         Some(sharing) => sharing == LoadSharing::Consistent,
         None => matched,

@@ -56,7 +56,8 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             )
             .hint("draw a crack along the gap, which cuts these bonds, or use a smaller spacing");
     }
-    modulus(scene.model.parameters().material.youngs_modulus, scene.units, faults);
+    let stretch = scene.model.strain_of([1.0, 0.0, 0.0])[0];
+    modulus(1.0 / stretch, scene.units, faults);
 }
 
 /// Young's moduli that no material has in these units.

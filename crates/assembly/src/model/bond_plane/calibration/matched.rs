@@ -3,8 +3,7 @@
 //! With a weight `a >= 0` per half offset, `Σ a N Nᵀ = C`, `N = (n_x², n_y², n_x n_y)`: six equations, `C12 = C66` twice.
 //! Of all solutions the one is taken that differs least, relatively, from the weights of the influence function.
 
-use super::super::super::plane::project;
-use super::super::neighbourhood::{direction_product, length};
+use super::super::super::plane::{direction_product, is_within, length, project};
 use super::super::{BondPlaneError, PlaneParameters};
 use crate::body::Cell;
 use nalgebra::{DMatrix, DVector};
@@ -24,8 +23,7 @@ pub(in super::super) fn weights(
     offsets: &[Cell],
 ) -> Result<Vec<f64>, BondPlaneError> {
     let m = parameters.horizon_ratio;
-    let inside: Vec<usize> =
-        (0..offsets.len()).filter(|&k| length(offsets[k]).powi(2) <= m * m * (1.0 + 1e-9)).collect();
+    let inside: Vec<usize> = (0..offsets.len()).filter(|&k| is_within(offsets[k], m)).collect();
     let stiffness = parameters.material.stiffness();
     let refusal = |residual| BondPlaneError::NotRepresentable { horizon_ratio: m, residual };
     if inside.is_empty() {

@@ -1,6 +1,6 @@
 //! The bond constant of the continuum and the factors that lattices use with it.
 
-use super::super::neighbourhood::length;
+use super::super::super::plane::length;
 use super::super::{PlaneParameters, VolumeFactor};
 use super::overlap::cell_in_disc;
 use crate::body::Cell;

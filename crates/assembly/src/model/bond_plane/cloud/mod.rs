@@ -8,8 +8,9 @@ mod neighbours;
 mod stiffness;
 mod triangles;
 
+use super::super::plane::{Calibration, Edges};
 use super::calibration::published::{micromodulus, radial_part};
-use super::{BondPlaneError, Calibration, Edges, PlaneParameters, VolumeFactor};
+use super::{BondPlaneError, PlaneParameters, VolumeFactor};
 use crate::bonds::Rows;
 use crate::stiffness::{Bond, Bonds, Families};
 use std::sync::Arc;
@@ -111,6 +112,18 @@ impl CloudBody {
     fn length(&self, bond: &Bond<2, 1>) -> f64 {
         let [a, b] = bond.points.map(|p| self.positions[p as usize]);
         (b[0] - a[0]).hypot(b[1] - a[1])
+    }
+
+    /// Volume of a point, m³.
+    pub(super) fn volume(&self, point: usize, thickness: f64) -> f64 {
+        self.areas[point] * thickness
+    }
+
+    /// Cut shares of the family volumes of all points.
+    pub(super) fn damage(&self) -> Vec<f64> {
+        let mut damage = vec![0.0; self.positions.len()];
+        self.damage.iter().for_each(|&(point, share)| damage[point] = share);
+        damage
     }
 
     /// Stresses and energy densities from the bonds alone: four planes.

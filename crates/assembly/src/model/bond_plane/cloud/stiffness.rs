@@ -1,7 +1,7 @@
 //! How stiff the bonds of a cloud are, and what its points lack.
 
-use super::super::edges::{energy_factor, volume_factor};
-use super::super::{Edges, PlaneParameters};
+use super::super::super::plane::{Edges, energy_factor, volume_factor};
+use super::super::PlaneParameters;
 use super::Pair;
 use crate::bonds::Mat;
 use nalgebra::Matrix3;

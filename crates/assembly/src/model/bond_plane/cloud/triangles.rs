@@ -1,6 +1,6 @@
 //! Overlay triangles of a cloud.
 
-use super::super::edges::strain_rows;
+use super::super::super::plane::strain_rows;
 use super::Pair;
 use crate::bonds::Mat;
 use crate::stiffness::Family;
@@ -56,7 +56,13 @@ pub(super) fn overlay(
         let modulus = deficits[point].map(|row| row.map(|v| v * share));
         overlay.triangles.extend(chosen.iter().map(|candidate| {
             let [a, b] = candidate.others.map(|p| relative(positions, point, p));
-            Family { point: point as u32, others: candidate.others, rows: strain_rows(a, b), modulus }
+            Family {
+                point: point as u32,
+                others: candidate.others,
+                rows: strain_rows(a, b),
+                own: [[0.0; 2]; 3],
+                modulus,
+            }
         }));
     }
     overlay

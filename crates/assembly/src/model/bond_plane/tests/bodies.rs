@@ -3,6 +3,7 @@
 use super::super::*;
 use crate::body::{Hole, Outline, Shape};
 use crate::model::Model;
+use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
 use crate::stiffness::{BlockMatrix, Term};
 use nalgebra::{DMatrix, DVector};
 
@@ -63,7 +64,7 @@ pub(super) fn plane(lattice: &Arc<SquareLattice>, parameters: PlaneParameters) -
 
 /// Displacement `g x` of all points.
 pub(super) fn linear(plane: &BondPlane, g: [[f64; 2]; 2]) -> Vec<f64> {
-    let n = plane.points();
+    let n = plane.point_count();
     let mut u = vec![0.0; 2 * n];
     for p in 0..n {
         let [x, y] = plane.place(p);
@@ -83,7 +84,7 @@ pub(super) fn energy(plane: &BondPlane, u: &[f64]) -> f64 {
 }
 
 pub(super) fn matrix(plane: &BondPlane) -> DMatrix<f64> {
-    let n = plane.points();
+    let n = plane.point_count();
     let terms: Vec<Box<dyn Term<2>>> = plane.terms();
     let mut k = BlockMatrix::sparse(n, &terms);
     terms.iter().for_each(|t| t.add_tangent(&mut k));
@@ -97,7 +98,7 @@ pub(super) fn matrix(plane: &BondPlane) -> DMatrix<f64> {
 
 /// Solves `K u = f` with three unknowns prescribed as in `exact`; refined with the forces of the elements.
 pub(super) fn solve(plane: &BondPlane, f: &[f64], exact: &[f64]) -> Vec<f64> {
-    let n = plane.points();
+    let n = plane.point_count();
     // Two points far apart.
     let far = (0..n).max_by(|&a, &b| (plane.place(a)[0]).total_cmp(&plane.place(b)[0])).unwrap();
     let held = [0, n, n + far];

@@ -3,6 +3,7 @@
 use super::super::*;
 use super::bodies::*;
 use super::patch::{STRAINS, check_fields, check_rigid, strain_of};
+use crate::model::plane::{Calibration, Edges, PlaneModel};
 
 /// Scattered points in a rectangle with a hole, areas that differ, in a unit of length.
 fn scattered(unit: f64) -> (Vec<[f64; 2]>, Vec<f64>) {
@@ -78,7 +79,7 @@ fn a_published_cloud_of_cells_is_the_published_lattice() {
             let areas = vec![1.0; positions.len()];
             let cloud = BondPlane::on_cloud(positions, areas, 3.0, parameters, &|_, _| false).unwrap();
             let plane = plane(lattice, parameters);
-            let u = random(2 * plane.points());
+            let u = random(2 * plane.point_count());
             let forces = [force(&plane, &u), force(&cloud, &u)];
             assert!(difference(&forces[0], &forces[1]) < 1e-13 * largest(&forces[0]), "{factor:?}");
             let fields = [plane.fields(&u), cloud.fields(&u)];
@@ -94,7 +95,7 @@ fn a_published_cloud_of_cells_is_the_published_lattice() {
 fn what_clouds_cannot_have_is_refused() {
     let of = |parameters, positions: Vec<[f64; 2]>| {
         let areas = vec![1.0; positions.len()];
-        BondPlane::on_cloud(positions, areas, 3.0, parameters, &|_, _| false).map(|p| p.points())
+        BondPlane::on_cloud(positions, areas, 3.0, parameters, &|_, _| false).map(|p| p.point_count())
     };
     let area = PlaneParameters {
         calibration: Calibration::Published,

@@ -4,11 +4,12 @@ use super::super::*;
 use super::bodies::*;
 use crate::condition::Constraints;
 use crate::model::Model;
+use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
 use std::ops::Range;
 
 /// Fills in the images of a displacement.
 fn with_images(plane: &BondPlane, mut u: Vec<f64>) -> Vec<f64> {
-    let constraints = Constraints::new(plane.points(), &plane.relations()).unwrap();
+    let constraints = Constraints::new(plane.point_count(), &plane.relations()).unwrap();
     for row in constraints.rows() {
         u[row.unknown] = row.masters.iter().map(|&(master, c)| c * u[master]).sum();
     }
@@ -17,7 +18,7 @@ fn with_images(plane: &BondPlane, mut u: Vec<f64>) -> Vec<f64> {
 
 /// Forces on real points, those on images brought back.
 fn restricted(plane: &BondPlane, mut f: Vec<f64>) -> Vec<f64> {
-    let constraints = Constraints::new(plane.points(), &plane.relations()).unwrap();
+    let constraints = Constraints::new(plane.point_count(), &plane.relations()).unwrap();
     for row in constraints.rows() {
         let value = std::mem::take(&mut f[row.unknown]);
         row.masters.iter().for_each(|&(master, c)| f[master] += c * value);
@@ -95,7 +96,7 @@ fn half_and_quarter_models_are_the_full_body() {
 fn compare(full: &BondPlane, part: &BondPlane, mirrors: Mirrors) {
     let whole = full.lattice().unwrap().0.clone();
     let lattice = part.lattice().unwrap().0.clone();
-    let (n, np) = (full.points(), part.points());
+    let (n, np) = (full.point_count(), part.point_count());
     // A displacement with the symmetry.
     let values = random(2 * np);
     let mut u = [vec![0.0; 2 * n], vec![0.0; 2 * np]];

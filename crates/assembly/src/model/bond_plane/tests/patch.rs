@@ -2,6 +2,7 @@
 
 use super::super::*;
 use super::bodies::*;
+use crate::model::plane::{Edges, PlaneModel};
 
 pub(super) const STRAINS: [[[f64; 2]; 2]; 4] = [
     [[1e-3, 0.0], [0.0, 0.0]],
@@ -19,7 +20,7 @@ pub(super) fn strain_of(g: [[f64; 2]; 2]) -> [f64; 3] {
 
 /// Stress and energy density of every point, and the load that belongs to the stress.
 pub(super) fn check_fields(name: &str, plane: &BondPlane, g: [[f64; 2]; 2]) {
-    let n = plane.points();
+    let n = plane.point_count();
     let (u, strain, material) = (linear(plane, g), strain_of(g), plane.parameters().material);
     let stress = material.stress(strain);
     let size = largest(&stress);
@@ -47,7 +48,7 @@ pub(super) fn check_fields(name: &str, plane: &BondPlane, g: [[f64; 2]; 2]) {
 
 pub(super) fn check_rigid(name: &str, plane: &BondPlane) {
     let scale = energy(plane, &linear(plane, [[1.0, 0.0], [0.0, 0.0]]));
-    let n = plane.points();
+    let n = plane.point_count();
     for kind in 0..3 {
         let centre = [5.0, -3.0, 0.0];
         let mut u = vec![0.0; 2 * n];
@@ -116,9 +117,9 @@ fn without_overlay_edges_are_too_soft() {
 fn loads_at_some_points_are_those_of_a_stress_that_is_zero_elsewhere() {
     let (_, lattice) = &bodies(1.0)[0];
     let plane = plane(lattice, parameters(3.0, MM_MPA));
-    let points: Vec<usize> = (0..plane.points()).filter(|&p| plane.place(p)[0] < 3.0).collect();
+    let points: Vec<usize> = (0..plane.point_count()).filter(|&p| plane.place(p)[0] < 3.0).collect();
     let stress = |at: [f64; 2]| if at[0] < 3.0 { [1.0, at[1], 0.5] } else { [0.0; 3] };
-    let mut loads = [vec![0.0; 2 * plane.points()], vec![0.0; 2 * plane.points()]];
+    let mut loads = [vec![0.0; 2 * plane.point_count()], vec![0.0; 2 * plane.point_count()]];
     plane.add_stress_load(Some(&points), &stress, &mut loads[0]);
     plane.add_stress_load(None, &stress, &mut loads[1]);
     assert_eq!(loads[0], loads[1]);

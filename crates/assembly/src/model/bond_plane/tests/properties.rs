@@ -3,6 +3,7 @@
 use super::super::*;
 use super::bodies::*;
 use crate::model::Model;
+use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
 
 /// Plates of all kinds, some with a crack that ends inside.
 fn planes() -> Vec<(&'static str, BondPlane)> {
@@ -36,7 +37,7 @@ fn planes() -> Vec<(&'static str, BondPlane)> {
 #[test]
 fn forces_are_derivatives_of_the_energy() {
     for (name, plane) in planes() {
-        let u = random(2 * plane.points());
+        let u = random(2 * plane.point_count());
         let f = force(&plane, &u);
         let scale = largest(&f);
         for k in (0..u.len()).step_by(37) {
@@ -57,11 +58,11 @@ fn forces_are_derivatives_of_the_energy() {
 fn the_stiffness_is_semidefinite_with_the_force_as_its_product() {
     for (name, plane) in planes() {
         let k = matrix(&plane);
-        let u = random(2 * plane.points());
+        let u = random(2 * plane.point_count());
         let product = &k * nalgebra::DVector::from_column_slice(&u);
         let f = force(&plane, &u);
         assert!(difference(product.as_slice(), &f) < 1e-13 * largest(&f), "{name}");
-        let n = plane.points();
+        let n = plane.point_count();
         let mut blocks = vec![[[0.0; 2]; 2]; n];
         plane.terms().iter().for_each(|t| t.add_diagonal(&mut blocks));
         for p in 0..n {
@@ -102,7 +103,7 @@ fn damage_is_the_cut_share_of_the_family() {
     let expected = [(9, 11.0), (8, 6.0), (7, 1.0), (6, 0.0), (10, 11.0), (12, 1.0), (13, 0.0)];
     expected.iter().for_each(|&(row, count)| assert!((at(row) - count / 28.0).abs() < 1e-15, "{row}"));
     // The two halves are held together by nothing: overlay triangles do not bridge a crack.
-    let mut parts = crate::stiffness::Parts::new(plane.points());
+    let mut parts = crate::stiffness::Parts::new(plane.point_count());
     plane.terms().iter().for_each(|t| t.join(&mut parts));
     assert_eq!(parts.numbered().spans().len(), 2);
 }

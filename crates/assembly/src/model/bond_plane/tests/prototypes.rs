@@ -2,14 +2,15 @@
 
 use super::super::*;
 use super::bodies::*;
-use crate::model::bond_plane::neighbourhood::Neighbourhood;
+use crate::model::bond_plane::neighbourhood::neighbourhood;
+use crate::model::plane::{Calibration, Edges, PlaneModel};
 
 /// The rectangle of 18 × 13 cells with a hole, in some treatment, under the displacement `random`.
 fn energy_of(calibration: Calibration, volume_factor: VolumeFactor, edges: Edges) -> (f64, BondPlane) {
     let (_, lattice) = &bodies(1.0)[0];
     let parameters = PlaneParameters { calibration, volume_factor, edges, ..parameters(3.0, MM_MPA) };
     let plane = plane(lattice, parameters);
-    (energy(&plane, &random(2 * plane.points())), plane)
+    (energy(&plane, &random(2 * plane.point_count())), plane)
 }
 
 #[test]
@@ -89,9 +90,9 @@ fn matched_weights_are_those_of_the_prototype() {
     ];
     for (m, influence, expected) in table {
         let units = [1.0, 1.0, 1.0];
-        let hood = Neighbourhood::new(&PlaneParameters { influence, ..parameters(m, units) }).unwrap();
+        let hood = neighbourhood(&PlaneParameters { influence, ..parameters(m, units) }).unwrap();
         for &(step, weight) in expected {
-            let found = hood.offsets.iter().position(|o| *o == step).map_or(0.0, |k| hood.weights[k]);
+            let found = hood.offsets.iter().position(|o| *o == step).map_or(0.0, |k| hood.weights[k][0]);
             assert!((found - weight).abs() < 5e-12, "{m} {influence:?} {step:?}: {found}");
         }
     }

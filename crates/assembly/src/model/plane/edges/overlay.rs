@@ -1,40 +1,52 @@
 //! The deficit overlay: triangles with the stiffness of missing bonds.
 //!
-//! A point whose bonds are missing lacks `D = ½ Σ_missing a N Nᵀ >= 0`, and one with a part `a_i` of a cell and reduced
-//! bonds `D = ½ Σ (a_i − f_ij) a N Nᵀ` over all bonds that an inner point has. It gets it back as the energy
-//! `½ V/n Eᵀ D E` of each of the n <= 4 triangles that it makes with two next neighbours, E their constant strain: so
-//! every point has exactly the stiffness of the material for every uniform strain, and nothing becomes indefinite.
+//! A bond with the moduli c and the measures `U E` in a uniform state E has the energy `½ Eᵀ Uᵀ c U E`, half of it for
+//! either end. A point whose bonds are missing lacks `D = ½ Σ_missing Uᵀ c U >= 0`, and one with a part `a_i` of a cell and
+//! reduced bonds `D = ½ Σ (a_i − f_ij) Uᵀ c U` over all bonds that an inner point has. It gets it back as the energy
+//! `½ Eᵀ D E/n` of each of the n <= 4 triangles that it makes with two next neighbours, E their state: so every point has
+//! exactly the stiffness of the material in every uniform state, and nothing becomes indefinite.
 
-use super::super::super::plane::at;
-use super::super::neighbourhood::{Neighbourhood, direction_product};
-use super::strain_rows;
+use super::super::bond::PlaneBond;
+use super::super::geometry;
+use super::super::near::at;
+use super::super::neighbourhood::Neighbourhood;
 use crate::body::{Cell, SquareLattice};
-use crate::bonds::Mat;
+use crate::bonds::{Mat, block};
 use crate::stiffness::Family;
 use std::collections::HashSet;
 
 /// Triangles and the number of points that lack bonds but have no triangle.
-#[derive(Clone, Debug, Default)]
-pub(in super::super) struct Overlay {
-    pub(in super::super) triangles: Vec<Family<2, 3, 2>>,
+#[derive(Clone, Debug)]
+pub(in super::super) struct Overlay<const D: usize, const S: usize> {
+    pub(in super::super) triangles: Vec<Family<D, S, 2>>,
     pub(in super::super) uncorrected: usize,
 }
 
 /// Two other corners of a triangle.
 type Corners = [Cell; 2];
 
-/// Builds the triangles of some points, but those with a cut side; `volume` is that of a whole cell.
-pub(in super::super) fn overlay(
+/// Builds the triangles of some points, but those with a cut side.
+pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     lattice: &SquareLattice,
-    hood: &Neighbourhood,
+    hood: &Neighbourhood<M>,
+    bond: &B,
     points: impl Iterator<Item = usize>,
-    volume: f64,
     cuts: &HashSet<(usize, usize)>,
-) -> Overlay {
-    let mut overlay = Overlay::default();
+) -> Overlay<D, S> {
+    let shares: Vec<Mat<S, S>> = hood
+        .offsets
+        .iter()
+        .zip(&hood.weights)
+        .map(|(&step, weights)| {
+            let geometry = geometry(lattice, step);
+            let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
+            block(&uniform, &std::array::from_fn(|m| 0.5 * weights[m] * unit[m]), &uniform)
+        })
+        .collect();
+    let mut overlay = Overlay { triangles: Vec::new(), uncorrected: 0 };
     for point in points {
         let cell = lattice.cell(point);
-        let Some(deficit) = deficit(lattice, hood, cell) else { continue };
+        let Some(deficit) = deficit(lattice, hood, &shares, cell) else { continue };
         let mut corners = quadrants(lattice, cell);
         if corners.is_empty() {
             corners = nearest(lattice, hood, cell);
@@ -45,24 +57,29 @@ pub(in super::super) fn overlay(
                 .all(|(from, to)| !is_cut(lattice, hood, cuts, from, to))
         });
         overlay.uncorrected += usize::from(corners.is_empty());
-        let modulus = deficit.map(|row| row.map(|v| v * volume / corners.len().max(1) as f64));
+        let modulus = deficit.map(|row| row.map(|v| v / corners.len().max(1) as f64));
         overlay.triangles.extend(corners.iter().filter_map(|&[a, b]| {
-            let from_point = |c: Cell| [0, 1].map(|k| lattice.spacing() * f64::from(c[k] - cell[k]));
-            Some(Family {
-                point: point as u32,
-                others: [lattice.number(a)? as u32, lattice.number(b)? as u32],
-                rows: strain_rows(from_point(a), from_point(b)),
-                modulus,
-            })
+            let from_point = |c: Cell| {
+                let [x, y, _] = geometry(lattice, [c[0] - cell[0], c[1] - cell[1]]).xi;
+                [x, y]
+            };
+            let (rows, own) = bond.triangle(from_point(a), from_point(b));
+            let others = [lattice.number(a)? as u32, lattice.number(b)? as u32];
+            Some(Family { point: point as u32, others, rows, own, modulus })
         }));
     }
     overlay
 }
 
-/// `½ Σ (a_i − f_ij) a N Nᵀ` with the part a_i of its cell and the factors `f_ij = min(a_i, a_j)` of its bonds, zero where
-/// they are missing; none where nothing is missing.
-fn deficit(lattice: &SquareLattice, hood: &Neighbourhood, cell: Cell) -> Option<Mat<3, 3>> {
-    let (mut sum, mut lacks) = ([[0.0; 3]; 3], false);
+/// `½ Σ (a_i − f_ij) Uᵀ c U` with the part a_i of its cell and the factors `f_ij = min(a_i, a_j)` of its bonds, zero where
+/// they are missing; none where nothing is missing. `shares` are `½ Uᵀ c U` per offset.
+fn deficit<const M: usize, const S: usize>(
+    lattice: &SquareLattice,
+    hood: &Neighbourhood<M>,
+    shares: &[Mat<S, S>],
+    cell: Cell,
+) -> Option<Mat<S, S>> {
+    let (mut sum, mut lacks) = ([[0.0; S]; S], false);
     let own = lattice.number(cell).map_or(1.0, |p| lattice.fraction(p));
     for k in hood.bonded() {
         let step = hood.offsets[k];
@@ -71,8 +88,7 @@ fn deficit(lattice: &SquareLattice, hood: &Neighbourhood, cell: Cell) -> Option<
         let missing: f64 = parts.iter().map(|other| own - other.map_or(0.0, |o| own.min(o))).sum();
         if missing > 0.0 {
             lacks = true;
-            let (n, a) = (direction_product(step), 0.5 * missing * hood.weights[k]);
-            (0..3).for_each(|r| (0..3).for_each(|c| sum[r][c] += a * n[r] * n[c]));
+            (0..S).for_each(|r| (0..S).for_each(|c| sum[r][c] += missing * shares[k][r][c]));
         }
     }
     lacks.then_some(sum)
@@ -91,7 +107,7 @@ const AS_GOOD: f64 = 4.0;
 
 /// The nearest, best shaped triangles of neighbours within the horizon: all that are about equally good, so that images in
 /// a mirror choose images, and that a point is not a hinge between the triangles on its sides.
-fn nearest(lattice: &SquareLattice, hood: &Neighbourhood, cell: Cell) -> Vec<Corners> {
+fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cell: Cell) -> Vec<Corners> {
     let steps = hood.offsets.iter().flat_map(|&[a, b]| [[a, b], [-a, -b]]);
     let near: Vec<Cell> = steps.filter(|&s| lattice.number(at(cell, s, true)).is_some()).collect();
     let mut found: Vec<(f64, Corners)> = Vec::new();
@@ -111,9 +127,9 @@ fn nearest(lattice: &SquareLattice, hood: &Neighbourhood, cell: Cell) -> Vec<Cor
 }
 
 /// Whether the bond between two cells is cut.
-fn is_cut(
+fn is_cut<const M: usize>(
     lattice: &SquareLattice,
-    hood: &Neighbourhood,
+    hood: &Neighbourhood<M>,
     cuts: &HashSet<(usize, usize)>,
     from: Cell,
     to: Cell,

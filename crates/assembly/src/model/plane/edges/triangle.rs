@@ -4,7 +4,7 @@ use crate::bonds::Mat;
 
 /// Rows that make the strains `[ε_xx, ε_yy, γ_xy]` of a triangle from the displacements of two of its points relative to
 /// the third, from which they lie at `first` and `second`, m.
-pub(in super::super) fn strain_rows(first: [f64; 2], second: [f64; 2]) -> [Mat<3, 2>; 2] {
+pub(in super::super::super) fn strain_rows(first: [f64; 2], second: [f64; 2]) -> [Mat<3, 2>; 2] {
     let area = first[0] * second[1] - first[1] * second[0];
     // Gradients of the two shape functions.
     let gradients = [[second[1] / area, -second[0] / area], [-first[1] / area, first[0] / area]];

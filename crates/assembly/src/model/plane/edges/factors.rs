@@ -1,9 +1,10 @@
 //! Treatments that stiffen the bonds near edges.
 
-use super::super::super::plane::Mirrors;
-use super::super::super::plane::at;
-use super::super::neighbourhood::{Neighbourhood, direction_product};
-use super::super::{Edges, PlaneParameters};
+use super::super::body::Kind;
+use super::super::bond::PlaneBond;
+use super::super::near::at;
+use super::super::neighbourhood::Neighbourhood;
+use super::super::{Edges, Mirrors, geometry};
 use crate::body::{Cell, SquareLattice};
 use crate::stiffness::Exception;
 use std::collections::HashMap;
@@ -18,47 +19,62 @@ pub(in super::super) struct EdgeFactors {
 }
 
 /// `2 V/(V_i + V_j)`, V the volume of a full family and V_i, V_j those of the two ends.
-pub(in super::super) fn volume_factor(full: f64, ends: [f64; 2]) -> f64 {
+pub(in super::super::super) fn volume_factor(full: f64, ends: [f64; 2]) -> f64 {
     2.0 * full / (ends[0] + ends[1])
 }
 
 /// `1/√((n_x/g_x)² + (n_y/g_y)²)` with the squares of the direction of the bond and the means of both ends' ratios g of the
 /// energy of the continuum to that of the point, in uniform stretches along x and y.
-pub(in super::super) fn energy_factor(squares: [f64; 2], ends: [[f64; 2]; 2]) -> f64 {
+pub(in super::super::super) fn energy_factor(squares: [f64; 2], ends: [[f64; 2]; 2]) -> f64 {
     let g = |k: usize| 0.5 * (ends[0][k] + ends[1][k]);
     1.0 / (squares[0] / (g(0) * g(0)) + squares[1] / (g(1) * g(1))).sqrt()
 }
 
 /// Factors of the treatments `volume` and `energy` from the uncut body.
-pub(in super::super) fn edge_factors(
+pub(in super::super) fn edge_factors<
+    const D: usize,
+    const M: usize,
+    const S: usize,
+    B: PlaneBond<D, M, S>,
+>(
     lattice: &SquareLattice,
     mirrors: &Mirrors,
-    hood: &Neighbourhood,
-    parameters: &PlaneParameters,
+    hood: &Neighbourhood<M>,
+    kind: &Kind<B>,
     near: &[usize],
 ) -> EdgeFactors {
-    let c11 = parameters.material.c11();
+    // Family volume, and twice the energies in unit stretches along x and y, that a bond brings to either end.
+    let shares: Vec<[f64; 3]> = (0..hood.offsets.len())
+        .map(|k| {
+            let geometry = geometry(lattice, hood.offsets[k]);
+            let (uniform, unit) = (kind.bond.in_uniform_state(&geometry), kind.bond.moduli(&geometry));
+            let energy = |axis: usize| -> f64 {
+                (0..M).map(|m| 0.5 * hood.weights[k][m] * unit[m] * uniform[m][axis].powi(2)).sum()
+            };
+            [hood.parts[k], energy(0), energy(1)]
+        })
+        .collect();
+    let volume = lattice.spacing().powi(2) * kind.thickness;
     // What a point needs to know of itself: its family's volume, or the two ratios of energies.
     let own = |present: &dyn Fn(Cell, bool) -> bool| -> [f64; 2] {
         let mut sums = [0.0; 3];
         for k in hood.bonded() {
-            let (step, n) = (hood.offsets[k], direction_product(hood.offsets[k]));
+            let step = hood.offsets[k];
             let count = [true, false].iter().filter(|&&side| present(step, side)).count() as f64;
-            sums[0] += count * hood.parts[k];
-            sums[1] += 0.5 * count * hood.weights[k] * n[0] * n[0];
-            sums[2] += 0.5 * count * hood.weights[k] * n[1] * n[1];
+            (0..3).for_each(|q| sums[q] += count * shares[k][q]);
         }
-        match parameters.edges {
+        match kind.edges {
             Edges::Volume => [sums[0]; 2],
-            _ => [c11 / sums[1], c11 / sums[2]],
+            _ => [0, 1].map(|axis| kind.stretch_moduli[axis] * volume / sums[1 + axis]),
         }
     };
     let full = own(&|_, _| true);
-    let factor = |k: usize, ends: [[f64; 2]; 2]| match parameters.edges {
+    let factor = |k: usize, ends: [[f64; 2]; 2]| match kind.edges {
         Edges::Volume => volume_factor(full[0], [ends[0][0], ends[1][0]]),
         _ => {
-            let [x, y, _] = direction_product(hood.offsets[k]);
-            energy_factor([x, y], ends)
+            let [x, y, _] = geometry(lattice, hood.offsets[k]).xi;
+            let squared = x * x + y * y;
+            energy_factor([x * x / squared, y * y / squared], ends)
         }
     };
     let base: Vec<f64> = (0..hood.offsets.len()).map(|k| factor(k, [full, full])).collect();

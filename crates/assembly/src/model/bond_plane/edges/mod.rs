@@ -1,9 +1,0 @@
-//! What is done about the bonds that points near edges lack.
-
-mod factors;
-mod overlay;
-mod triangle;
-
-pub(super) use factors::{EdgeFactors, edge_factors, energy_factor, volume_factor};
-pub(super) use overlay::{Overlay, overlay};
-pub(super) use triangle::strain_rows;

@@ -1,0 +1,244 @@
+//! Bonds of a body that is a square lattice.
+//!
+//! With the overlay, a point i of a cell that the border cuts has the volume `a_i V`. A bond counts by the smaller part of
+//! its two ends, `f_ij = min(a_i, a_j)`, so that what a point lacks is never negative; the overlay gives it back. Other
+//! treatments of edges have whole cells.
+
+use super::bond::PlaneBond;
+use super::edges::{EdgeFactors, Overlay, edge_factors, overlay};
+use super::near::{at, near_points};
+use super::neighbourhood::Neighbourhood;
+use super::{Edges, FindCuts, Mirrors};
+use crate::body::SquareLattice;
+use crate::bonds::BondModel;
+use crate::stiffness::{Exception, Families, GridBonds, Offset};
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// What the bonds of a lattice are, whatever its points.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct Kind<B> {
+    pub(in super::super) bond: B,
+    /// Treatment of edges.
+    pub(in super::super) edges: Edges,
+    /// m.
+    pub(in super::super) thickness: f64,
+    /// C11 and C22 along x and y, Pa.
+    pub(in super::super) stretch_moduli: [f64; 2],
+}
+
+/// A lattice with its bonds, of `M` measures each, and its overlay of triangles, of `S` measures each.
+#[derive(Clone, Debug)]
+pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S: usize, B> {
+    pub(in super::super) lattice: Arc<SquareLattice>,
+    pub(in super::super) mirrors: Mirrors,
+    /// Images of real points.
+    pub(in super::super) ghosts: Vec<u32>,
+    pub(in super::super) hood: Neighbourhood<M>,
+    pub(in super::super) kind: Kind<B>,
+    /// Bonds as their energy counts: half across a line of symmetry, not beyond it.
+    pub(in super::super) bonds: Arc<GridBonds<D, M, B>>,
+    /// Bonds as real points feel them, where there are images.
+    pub(super) felt: Option<Arc<GridBonds<D, M, B>>>,
+    pub(in super::super) triangles: Arc<Families<D, S, 2>>,
+    pub(in super::super) uncorrected: usize,
+    /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
+    pub(super) cuts: Vec<(usize, usize)>,
+}
+
+impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
+    /// `cuts` are indices of offsets of the neighbourhood and lower points.
+    pub(in super::super) fn new(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        hood: Neighbourhood<M>,
+        kind: Kind<B>,
+        cuts: &[(usize, usize)],
+    ) -> Self {
+        let lattice = match kind.edges {
+            Edges::Overlay => lattice,
+            _ if lattice.cut_cells().is_empty() => lattice,
+            _ => Arc::new(SquareLattice::clone(&lattice).with_whole_cells()),
+        };
+        let near = match kind.edges {
+            Edges::None => Vec::new(),
+            _ => near_points(&lattice, hood.reach()),
+        };
+        let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
+        let mut factors = EdgeFactors { base: vec![1.0; hood.offsets.len()], exceptions: Vec::new() };
+        let mut triangles = Overlay { triangles: Vec::new(), uncorrected: 0 };
+        match kind.edges {
+            Edges::None => {}
+            Edges::Volume | Edges::Energy => {
+                factors = edge_factors(&lattice, &mirrors, &hood, &kind, &near);
+            }
+            Edges::Overlay => {
+                factors.exceptions = reduced(&lattice, &hood);
+                let near = with_neighbours(&lattice, &hood, near);
+                let real =
+                    near.iter().copied().filter(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
+                triangles = overlay(&lattice, &hood, &kind.bond, real, &known);
+            }
+        }
+        let mut exceptions = factors.exceptions;
+        let mut cuts: Vec<(usize, usize)> = known.into_iter().collect();
+        cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
+        exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
+        let grid =
+            |exceptions: &[Exception]| Arc::new(grid(&lattice, &hood, &factors.base, &kind.bond, exceptions));
+        let ghosts = mirrors.ghosts(&lattice);
+        let mut bonds = grid(&exceptions);
+        let mut felt = None;
+        if !ghosts.is_empty() {
+            exceptions.extend(halved(&lattice, &mirrors, &hood, &ghosts));
+            felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
+        }
+        let uncorrected = triangles.uncorrected;
+        let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
+        Self { lattice, mirrors, ghosts, hood, kind, bonds, felt, triangles, uncorrected, cuts }
+    }
+
+    /// Bonds as real points feel them.
+    pub(super) fn whole(&self) -> &GridBonds<D, M, B> {
+        self.felt.as_ref().unwrap_or(&self.bonds)
+    }
+
+    /// Volume of a real point with a whole cell, m³.
+    pub(super) fn cell_volume(&self) -> f64 {
+        self.lattice.spacing().powi(2) * self.kind.thickness
+    }
+
+    /// Volume of a point, m³; an image has that of its real point.
+    pub(super) fn real_volume(&self, point: usize) -> f64 {
+        self.cell_volume() * self.lattice.fraction(point)
+    }
+
+    /// Volume of a point, m³; an image has none.
+    pub(in super::super) fn volume(&self, point: usize) -> f64 {
+        if self.is_ghost(point) { 0.0 } else { self.real_volume(point) }
+    }
+
+    /// Whether a point is an image.
+    pub(super) fn is_ghost(&self, point: usize) -> bool {
+        self.ghosts.binary_search(&(point as u32)).is_ok()
+    }
+
+    /// The body at twice the spacing.
+    pub(in super::super) fn coarser(&self, cuts: &FindCuts) -> Self {
+        let coarse = match self.mirrors.is_none() {
+            true => self.lattice.coarser(),
+            false => self.mirrors.real(&self.lattice).coarser(),
+        };
+        let mirrors = self.mirrors.coarser();
+        let coarse = mirrors.extended(&coarse, self.hood.reach());
+        let cuts = cuts(&coarse, &self.hood.offsets);
+        let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
+        Self::new(Arc::new(coarse), mirrors, self.hood.clone(), kind, &cuts)
+    }
+
+    /// Cut shares of the family volumes of all points.
+    pub(in super::super) fn damage(&self) -> Vec<f64> {
+        let mut damage = vec![0.0; self.lattice.points()];
+        for &(offset, lower) in self.cuts.iter().filter(|c| self.hood.has_bonds(c.0)) {
+            if let Some(upper) =
+                self.lattice.number(at(self.lattice.cell(lower), self.hood.offsets[offset], true))
+            {
+                [lower, upper].into_iter().for_each(|p| damage[p] += self.hood.parts[offset]);
+            }
+        }
+        let family = |point: usize| -> f64 {
+            let cell = self.lattice.cell(point);
+            let sides = self.hood.bonded().flat_map(|k| [(k, true), (k, false)]);
+            let present =
+                sides.filter(|&(k, up)| self.lattice.number(at(cell, self.hood.offsets[k], up)).is_some());
+            present.map(|(k, _)| self.hood.parts[k]).sum()
+        };
+        for (point, share) in damage.iter_mut().enumerate().filter(|d| *d.1 > 0.0) {
+            *share = if self.is_ghost(point) { 0.0 } else { *share / family(point) };
+        }
+        damage
+    }
+}
+
+/// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.
+fn grid<const D: usize, const M: usize, B: BondModel<D, M>>(
+    lattice: &Arc<SquareLattice>,
+    hood: &Neighbourhood<M>,
+    base: &[f64],
+    bond: &B,
+    exceptions: &[Exception],
+) -> GridBonds<D, M, B> {
+    let bonded: Vec<usize> = hood.bonded().collect();
+    let mut class = vec![None; hood.offsets.len()];
+    bonded.iter().enumerate().for_each(|(index, &k)| class[k] = Some(index));
+    let offset = |&k: &usize| Offset { step: hood.offsets[k], weights: hood.weights[k].map(|w| base[k] * w) };
+    let offsets: Vec<Offset<M>> = bonded.iter().map(offset).collect();
+    let known: Vec<Exception> =
+        exceptions.iter().filter_map(|e| Some(Exception { offset: class[e.offset]?, ..*e })).collect();
+    GridBonds::new(lattice.clone(), bond, &offsets, &known)
+}
+
+/// Factors of the bonds of cells that are not whole: the smaller part of both ends.
+fn reduced<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>) -> Vec<Exception> {
+    let mut exceptions = Vec::new();
+    for &(point, part) in lattice.cut_cells() {
+        let (point, cell) = (point as usize, lattice.cell(point as usize));
+        for k in hood.bonded() {
+            for up in [true, false] {
+                let Some(other) = lattice.number(at(cell, hood.offsets[k], up)) else { continue };
+                let factor = part.min(lattice.fraction(other));
+                // A bond between two such cells is met twice.
+                if up || lattice.fraction(other) == 1.0 {
+                    let lower = if up { point } else { other };
+                    exceptions.push(Exception { offset: k, lower, factor });
+                }
+            }
+        }
+    }
+    exceptions
+}
+
+/// Some points, and those that have a bond to a cell that is not whole, in order.
+fn with_neighbours<const M: usize>(
+    lattice: &SquareLattice,
+    hood: &Neighbourhood<M>,
+    mut points: Vec<usize>,
+) -> Vec<usize> {
+    if lattice.cut_cells().is_empty() {
+        return points;
+    }
+    for &(point, _) in lattice.cut_cells() {
+        let cell = lattice.cell(point as usize);
+        let steps = hood.bonded().flat_map(|k| [true, false].map(|up| at(cell, hood.offsets[k], up)));
+        points.push(point as usize);
+        points.extend(steps.filter_map(|other| lattice.number(other)));
+    }
+    points.sort_unstable();
+    points.dedup();
+    points
+}
+
+/// Factors of bonds across lines of symmetry, ½, and beyond them, 0.
+fn halved<const M: usize>(
+    lattice: &SquareLattice,
+    mirrors: &Mirrors,
+    hood: &Neighbourhood<M>,
+    ghosts: &[u32],
+) -> Vec<Exception> {
+    let mut exceptions = Vec::new();
+    for &ghost in ghosts {
+        let cell = lattice.cell(ghost as usize);
+        for k in hood.bonded() {
+            for up in [true, false] {
+                let other = at(cell, hood.offsets[k], up);
+                let Some(number) = lattice.number(other) else { continue };
+                let is_real = mirrors.is_real(other);
+                if is_real || up {
+                    let lower = if up { ghost as usize } else { number };
+                    exceptions.push(Exception { offset: k, lower, factor: if is_real { 0.5 } else { 0.0 } });
+                }
+            }
+        }
+    }
+    exceptions
+}

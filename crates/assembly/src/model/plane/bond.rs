@@ -1,0 +1,22 @@
+//! What a model says of its bonds in the plane.
+
+use crate::bonds::{BondGeometry, BondModel, Mat};
+
+/// Bonds of a body in the plane: `D` unknowns per point, `M` measures per bond.
+///
+/// A uniform state of a body has `S` numbers: the strains `[ε_xx, ε_yy, γ_xy]` and, for points that turn, how far the
+/// rotation of the body runs ahead of theirs, `r = ω − θ`.
+pub trait PlaneBond<const D: usize, const M: usize, const S: usize>: BondModel<D, M> + Clone {
+    /// Measures of a bond in a uniform state, `[measure][number]`.
+    fn in_uniform_state(&self, bond: &BondGeometry) -> Mat<M, S>;
+
+    /// The stretch of a bond per unit of its first measure.
+    fn stretch_per_measure(&self, bond: &BondGeometry) -> f64;
+
+    /// The same bond on a lattice of twice the spacing; rotations keep the length that multiplies them.
+    fn coarser(&self) -> Self;
+
+    /// Rows that make the numbers of the state of a triangle: from the unknowns of the two points that lie at `first` and
+    /// `second` (m) from its own one, relative to those of the own one, and from these.
+    fn triangle(&self, first: [f64; 2], second: [f64; 2]) -> ([Mat<S, D>; 2], Mat<S, D>);
+}

@@ -1,0 +1,115 @@
+//! Stress and energy density of the points of a lattice, from bonds and triangles, and the load that belongs to a stress.
+
+use super::body::LatticeBody;
+use super::bond::PlaneBond;
+use super::geometry;
+use crate::bonds::Mat;
+use crate::stiffness::Families;
+use rayon::prelude::*;
+use std::array::from_fn;
+use std::ops::Range;
+
+/// Fields by component planes; images have zeros.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlaneFields {
+    /// `[σ_xx, σ_yy, σ_xy]`, Pa, of every point.
+    pub stress: [Vec<f64>; 3],
+    /// Strain energy density, J/m³, of every point.
+    pub energy_density: Vec<f64>,
+}
+
+impl PlaneFields {
+    /// Adds what triangles bring to their points to three planes of stresses and one of energy densities; `volume` is
+    /// that of a point.
+    pub(in super::super) fn with_triangles<const D: usize, const S: usize>(
+        mut sums: Vec<f64>,
+        triangles: &Families<D, S, 2>,
+        volume: impl Fn(usize) -> f64,
+        u: &[f64],
+    ) -> Self {
+        let n = sums.len() / 4;
+        for triangle in triangles.list() {
+            let point = triangle.point as usize;
+            let state = triangle.measures(n, u);
+            let (action, volume) = (triangle.stress(&state), volume(point));
+            (0..3).for_each(|q| sums[q * n + point] += action[q] / volume);
+            let energy: f64 = (0..S).map(|q| 0.5 * state[q] * action[q]).sum();
+            sums[3 * n + point] += energy / volume;
+        }
+        let energy_density = sums.split_off(3 * n);
+        let xy = sums.split_off(2 * n);
+        let yy = sums.split_off(n);
+        Self { stress: [sums, yy, xy], energy_density }
+    }
+}
+
+/// Adds the forces of triangles that do the work of their stresses with the strains `t`, three planes.
+pub(in super::super) fn add_work_of_triangles<const D: usize, const S: usize>(
+    triangles: &Families<D, S, 2>,
+    t: &[f64],
+    force: &mut [f64],
+) {
+    let n = t.len() / 3;
+    for triangle in triangles.list() {
+        let own: [f64; S] = from_fn(|q| if q < 3 { t[q * n + triangle.point as usize] } else { 0.0 });
+        if own != [0.0; S] {
+            triangle.add_work(n, &triangle.stress(&own), force);
+        }
+    }
+}
+
+impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
+    /// Stresses and energy densities of a state: the virial `σ_k = (1/V_k) [½ Σ_j Uᵀ c s + Σ D E/n]` of bonds with the
+    /// measures s, `U E` in a uniform state E, and of triangles.
+    pub(in super::super) fn fields(&self, u: &[f64]) -> PlaneFields {
+        let n = self.lattice.points();
+        let volume = self.cell_volume();
+        let mut sums = self.whole().sums::<3>(u, &self.virial_shares(1.0 / volume));
+        sums[3 * n..].par_iter_mut().with_min_len(4096).for_each(|energy| *energy /= volume);
+        for &(point, part) in self.lattice.cut_cells() {
+            (0..4).for_each(|q| sums[q * n + point as usize] /= part);
+        }
+        self.ghosts.iter().for_each(|&g| (0..4).for_each(|q| sums[q * n + g as usize] = 0.0));
+        PlaneFields::with_triangles(sums, &self.triangles, |point| self.real_volume(point), u)
+    }
+
+    /// Adds the forces that do the work `Σ_k t_k·V_k σ_k` with the strains `t`, three planes, of some points, none for all.
+    pub(in super::super) fn add_strain_work(
+        &self,
+        t: &mut [f64],
+        points: Option<&[usize]>,
+        force: &mut [f64],
+    ) {
+        let n = self.lattice.points();
+        self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
+        self.whole().add_work::<3>(t, &self.spans(points), &self.virial_shares(1.0), force);
+        add_work_of_triangles(&self.triangles, t, force);
+    }
+
+    /// `½ Uᵀ scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.
+    fn virial_shares(&self, scale: f64) -> Vec<Mat<3, M>> {
+        let of = |k: usize| {
+            let uniform = self.kind.bond.in_uniform_state(&geometry(&self.lattice, self.hood.offsets[k]));
+            from_fn(|q| from_fn(|m| 0.5 * scale * uniform[m][q]))
+        };
+        self.hood.bonded().map(of).collect()
+    }
+
+    /// Columns from the first to behind the last of some points, per row of the lattice.
+    fn spans(&self, points: Option<&[usize]>) -> Vec<Range<i32>> {
+        let rows = self.lattice.rows();
+        let Some(points) = points else {
+            return rows.map(|_| self.lattice.columns()).collect();
+        };
+        let mut spans = vec![0..0; rows.len()];
+        for &point in points {
+            let [column, row] = self.lattice.cell(point);
+            let span: &mut Range<i32> = &mut spans[(row - rows.start) as usize];
+            *span = match span.start >= span.end {
+                true => column..column + 1,
+                false => span.start.min(column)..span.end.max(column + 1),
+            };
+        }
+        spans
+    }
+}

@@ -1,0 +1,30 @@
+//! Choices that every model of a body in the plane has.
+
+use serde::{Deserialize, Serialize};
+
+/// Where the stiffness of bonds comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Calibration {
+    /// Bonds with which a lattice has the moduli of the material to rounding.
+    #[default]
+    Matched,
+    /// The constants of the continuum, as published; the moduli of a lattice are then off by a few percent.
+    Published,
+}
+
+/// What is done about the bonds that points near edges lack.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Edges {
+    /// Triangles with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.
+    Overlay,
+    /// Nothing: points near edges are too soft.
+    None,
+    /// Bonds are stiffened by the ratio of the full family's volume to the mean volume of both families.
+    Volume,
+    /// Bonds are stiffened so that uniform stretches along x and along y have about the right energy.
+    Energy,
+}
