@@ -1,7 +1,7 @@
 //! Files of the repository.
 
 use peristat::Loaded;
-use peristat::run::RunOptions;
+use peristat::run::{RunOptions, taking};
 use peristat::summary::Summary;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -48,6 +48,6 @@ pub(crate) fn load(case: &Path) -> Loaded {
 /// The record of a run of a case.
 pub(crate) fn solve(case: &Path) -> Summary {
     let options = RunOptions { recover: false, max_memory: None };
-    let summary = load(case).run(&options, &mut |_, _| Ok(()));
+    let summary = load(case).run(&options, None, &mut taking(|_| Ok(())));
     summary.unwrap_or_else(|error| panic!("{}: {error}", short(case)))
 }

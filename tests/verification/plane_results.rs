@@ -1,7 +1,7 @@
 //! What is told of bodies in the plane after the solve: reactions, forces of mirrors, stress intensities, what was spared.
 
 use peristat::run::plane::PlaneResult;
-use peristat::run::{RunOptions, RunReport, StateResult};
+use peristat::run::{RunOptions, RunReport, StateResult, taking};
 use peristat::scene::Scene;
 use peristat::summary::Summary;
 use serde_json::{Value, json};
@@ -24,14 +24,15 @@ fn report(case: &Value) -> (RunReport, Vec<PlaneResult>) {
     let scene =
         Scene::new(source.case, Path::new("."), "case", &text, None).expect("a case that can be solved");
     let mut results = Vec::new();
-    let mut take = |result: StateResult| {
+    let mut take = taking(|result| {
         if let StateResult::Plane(result) = result {
             results.push(result);
         }
         Ok(())
-    };
-    let report =
-        peristat::run::run(&scene, &RunOptions::default(), &mut take).expect("a case that can be solved");
+    });
+    let report = peristat::run::run(&scene, &RunOptions::default(), None, &mut take);
+    drop(take);
+    let report = report.expect("a case that can be solved");
     (report, results)
 }
 

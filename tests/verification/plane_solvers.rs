@@ -2,7 +2,7 @@
 
 use crate::support::largest;
 use peristat::Loaded;
-use peristat::run::{RunOptions, StateResult};
+use peristat::run::{RunOptions, StateResult, taking};
 use peristat::scene::Scene;
 use peristat::summary::Summary;
 use std::fs;
@@ -23,12 +23,14 @@ fn solve(case: &Path, solver: &str) -> (Vec<Vec<f64>>, Summary) {
     let loaded = Loaded::read(case, &[format!("solver={solver}")], None).unwrap_or_else(|e| panic!("{e}"));
     let options = RunOptions { recover: false, max_memory: None };
     let mut all = Vec::new();
-    let summary = loaded.run(&options, &mut |_, state| {
+    let mut take = taking(|state| {
         if let StateResult::Plane(result) = state {
             all.push(result.record.u);
         }
         Ok(())
     });
+    let summary = loaded.run(&options, None, &mut take);
+    drop(take);
     (all, summary.unwrap_or_else(|e| panic!("{e}")))
 }
 

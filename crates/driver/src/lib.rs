@@ -35,7 +35,8 @@ pub mod scene;
 pub mod summary;
 
 use diagnostic::{Faults, Report, Severity};
-use run::{RunError, RunOptions, StateResult};
+use run::fracture::{Event, Restart};
+use run::{RunError, RunOptions, Sink, StateResult, taking};
 use scene::Scene;
 use std::io;
 use std::path::Path;
@@ -74,10 +75,12 @@ pub fn solve_text(text: &str) -> Result<Solved, Error> {
     let loaded = Loaded::from_source(source, Path::new("."), None)?;
     let mut states = Vec::new();
     let options = RunOptions { recover: true, max_memory: None };
-    let summary = loaded.run(&options, &mut |_, result| {
+    let mut push = taking(|result| {
         states.push(result);
         Ok(())
-    })?;
+    });
+    let summary = loaded.run(&options, None, &mut push)?;
+    drop(push);
     Ok(Solved { summary, states })
 }
 
@@ -122,24 +125,44 @@ impl Loaded {
         (!report.diagnostics.is_empty()).then_some(report)
     }
 
-    /// Solves every state; `sink` gets each result as it comes.
+    /// Solves every state; `sink` gets each result as it comes. A body that breaks goes on from `resume`.
     ///
     /// # Errors
     /// [`enum@Error`]; a failed check or a state that did not converge is an outcome, not an error.
     pub fn run(
         &self,
         options: &RunOptions,
-        sink: &mut dyn FnMut(&Scene, StateResult) -> io::Result<()>,
+        resume: Option<Restart>,
+        sink: &mut dyn Sink,
     ) -> Result<Summary, Error> {
-        let mut collector = Collector::default();
-        let mut take = |result: StateResult| {
-            collector.take(&self.scene, &result);
-            sink(&self.scene, result)
-        };
-        let report = run::run(&self.scene, options, &mut take).map_err(|e| self.explain(e))?;
+        let collector = Collector::default();
+        let mut collecting = Collecting { scene: &self.scene, collector, sink };
+        let report = run::run(&self.scene, options, resume, &mut collecting).map_err(|e| self.explain(e))?;
         let mut warnings = warning_texts(self.scene.warnings(), &self.file);
         warnings.extend(warning_texts(&report.warnings, &self.file));
-        Ok(collector.finish(&self.scene, report, warnings))
+        Ok(collecting.collector.finish(&self.scene, report, warnings))
+    }
+}
+
+/// A sink that keeps what the summary needs of each result before it hands it on.
+struct Collecting<'a> {
+    scene: &'a Scene,
+    collector: Collector,
+    sink: &'a mut dyn Sink,
+}
+
+impl Sink for Collecting<'_> {
+    fn take(&mut self, result: StateResult) -> io::Result<()> {
+        self.collector.take(self.scene, &result);
+        self.sink.take(result)
+    }
+
+    fn advance(&mut self, event: &Event, restart: &dyn Fn() -> Restart) -> io::Result<()> {
+        self.sink.advance(event, restart)
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.sink.is_interrupted()
     }
 }
 

@@ -3,6 +3,7 @@
 mod condition;
 mod expectation;
 mod foundation;
+mod fracture;
 mod frame;
 mod grading;
 mod model;
@@ -20,6 +21,7 @@ pub use condition::{
 };
 pub use expectation::{Baseline, Check, ClosedForm, FieldName, Limit, Probe, Value};
 pub use foundation::Foundation;
+pub use fracture::{Critical, CriticalFormula, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
 pub use model::{Beam, Body, Line, LoadSharing, Model};
@@ -98,6 +100,9 @@ pub struct Case {
     /// Load steps, where `loads` and prescribed motions grow together.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steps: Option<Steps>,
+    /// How a body in the plane breaks under `loads` and prescribed motions that grow, instead of `steps`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fracture: Option<Fracture>,
     /// How to solve; `auto` says what it took and why.
     #[serde(default)]
     pub solver: Solver,

@@ -4,7 +4,7 @@ use super::args::{Global, Run};
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use crate::output::matrix_market;
 use crate::results::{Results, admit, finite};
-use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
+use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes, taking};
 use crate::scene::Scene;
 use crate::scene::plane::{AnyPlaneModel, PlaneProblem};
 use crate::summary::{Status, Summary};
@@ -60,8 +60,7 @@ pub(super) fn solve_into(loaded: &Loaded, folder: &Path, global: &Global) -> Res
         io::Error::new(error.kind(), format!("cannot write {}: {error}", folder.display()))
     };
     let mut results: Option<Results> = None;
-    let options = with_fields(global);
-    let summary = loaded.run(&options, &mut |scene, result| {
+    let mut take = taking(|result| {
         if !finite(&result) {
             return Err(io::Error::new(
                 io::ErrorKind::InvalidData,
@@ -70,10 +69,12 @@ pub(super) fn solve_into(loaded: &Loaded, folder: &Path, global: &Global) -> Res
         }
         let results = match &mut results {
             Some(results) => results,
-            None => results.insert(Results::begin(folder, scene).map_err(at)?),
+            None => results.insert(Results::begin(folder, &loaded.scene).map_err(at)?),
         };
-        results.take(scene, &result).map_err(at)
-    })?;
+        results.take(&loaded.scene, &result).map_err(at)
+    });
+    let summary = loaded.run(&with_fields(global), None, &mut take)?;
+    drop(take);
     if let Some(results) = results {
         results.finish(&summary).map_err(at)?;
     }

@@ -3,7 +3,7 @@
 use super::args::Global;
 use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
 use crate::results::{MARK, admit};
-use crate::run::RunOptions;
+use crate::run::{RunOptions, taking};
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
 use std::fmt::Write;
@@ -148,7 +148,7 @@ fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome>
         }
         None => {
             let options = RunOptions { recover: false, max_memory: global.max_memory };
-            loaded.run(&options, &mut |_, _| Ok(()))
+            loaded.run(&options, None, &mut taking(|_| Ok(())))
         }
     });
     Some(Outcome { case: case.into(), seconds: begin.elapsed().as_secs_f64(), result })

@@ -4,6 +4,7 @@ pub mod beam;
 mod certificate;
 mod extent;
 mod factor;
+pub mod fracture;
 mod linear;
 mod memory;
 mod method;
@@ -12,6 +13,7 @@ pub mod plane;
 mod problem;
 mod range;
 pub(crate) mod scan;
+mod sink;
 mod verdict;
 
 pub use beam::BeamResult;
@@ -22,11 +24,13 @@ pub use multigrid::Coarser;
 pub use plane::PlaneResult;
 pub use problem::{Problem, Sizes, Spread, prepare};
 pub(crate) use range::Range;
+pub use sink::{Sink, taking};
 pub use verdict::{CheckResult, ProbeResult};
 
 use crate::diagnostic::Faults;
 use crate::memory::words;
 use crate::scene::Scene;
+use fracture::Restart;
 use linear::StateSolution;
 use peristat_assembly::system::System;
 use std::time::Instant;
@@ -111,6 +115,12 @@ pub enum RunError {
     /// The stiffness has no factor.
     #[error(transparent)]
     Solve(#[from] SolveFailure),
+    /// The run was asked to end before it was done.
+    #[error("interrupted")]
+    Interrupted,
+    /// There is a restart to go on from, but the scene is not solved in events.
+    #[error("only a run of a body that breaks can be resumed")]
+    NotResumable,
     /// A result could not be taken, for instance written.
     #[error(transparent)]
     Sink(#[from] std::io::Error),
@@ -150,18 +160,24 @@ impl StateResult {
     }
 }
 
-/// Solves every state of a scene and hands its result to `sink` as it comes.
+/// Solves every state of a scene and hands its result to `sink` as it comes; a body that breaks goes on from `resume`.
 ///
 /// # Errors
 /// [`RunError`]; a state that did not converge is no error but an outcome in the report.
 pub fn run(
     scene: &Scene,
     options: &RunOptions,
-    sink: &mut dyn FnMut(StateResult) -> std::io::Result<()>,
+    resume: Option<Restart>,
+    sink: &mut dyn Sink,
 ) -> Result<RunReport, RunError> {
+    if resume.is_some() {
+        return Err(RunError::NotResumable);
+    }
     match scene {
-        Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink(StateResult::Beam(result))),
-        Scene::Plane(scene) => plane::run(scene, options, &mut |result| sink(StateResult::Plane(result))),
+        Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),
+        Scene::Plane(scene) => {
+            plane::run(scene, options, &mut |result| sink.take(StateResult::Plane(result)))
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 
 pub mod beam;
 mod expectation;
+mod fingerprint;
 mod horizon;
 mod numbers;
 pub mod plane;

@@ -1,0 +1,98 @@
+//! How a body in the plane breaks.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Brittle fracture of a body in the plane: the loads and prescribed motions grow from zero, and a bond that is strained to
+/// its critical strain is gone for good. Every equilibrium is found anew with the bonds that are left.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Fracture {
+    /// At what strain bonds break.
+    pub critical: Critical,
+    /// Which of the bonds that are strained beyond their critical strain break before the next equilibrium is found;
+    /// `batch` if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strategy: Option<Strategy>,
+    /// With `batch`, the ratio of strain to critical strain over the largest such ratio from which a bond breaks together
+    /// with the worst, between 0 and 1; 0.9 if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub batch_threshold: Option<f64>,
+    /// Growth of the load factor from step to step, over the load factor at which the first bond breaks, > 0; 0.02 if not
+    /// given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub increment: Option<f64>,
+    /// Regions in which no bond breaks, such as those around supports and loads.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub no_fail: Vec<String>,
+    /// Name of the probe that stands for the load in `curve.csv`, such as a reaction.
+    pub load: String,
+    /// The run ends where the load falls below this part of its largest value so far, between 0 and 1; 0.1 if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stop_below: Option<f64>,
+    /// The run ends after so many equilibria, >= 1; 5000 if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_solves: Option<usize>,
+    /// All fields are written at every equilibrium of this number, and at the last one, >= 1; 10 if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub record_every: Option<usize>,
+}
+
+/// Critical strains of bonds. By their stretch: `stretch`, or `fibre_stretch` and `matrix_stretch`. By the energy it takes to
+/// open a crack: `energy_release_rate`, or `fibre_energy_release_rate` and `matrix_energy_release_rate`. By their bending:
+/// `curvature` and `shear_strain`. One of these is given; which ones apply depends on the model.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Critical {
+    /// Elongation over length at which every bond of a body in the plane breaks, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stretch: Option<f64>,
+    /// Elongation over length at which a bond along the fibres breaks, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fibre_stretch: Option<f64>,
+    /// Elongation over length at which every other bond breaks, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub matrix_stretch: Option<f64>,
+    /// Energy per area of a crack, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy_release_rate: Option<f64>,
+    /// Energy per area of a crack across the fibres, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fibre_energy_release_rate: Option<f64>,
+    /// Energy per area of a crack along the fibres, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub matrix_energy_release_rate: Option<f64>,
+    /// How a stretch follows from an energy release rate; `energy` if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub formula: Option<CriticalFormula>,
+    /// Change of rotation over length at which a bond of a beam breaks, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curvature: Option<f64>,
+    /// Shear strain at which a bond of a beam breaks, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_strain: Option<f64>,
+}
+
+/// How a critical stretch follows from an energy release rate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum CriticalFormula {
+    /// The bonds that a crack on this lattice cuts take up the energy release rate.
+    #[default]
+    Energy,
+    /// The published formula of a full circle of bonds.
+    Published,
+}
+
+/// Which bonds break at an equilibrium.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Strategy {
+    /// Those strained nearly as much as the worst.
+    #[default]
+    Batch,
+    /// The worst, with those that equal it by symmetry.
+    Worst,
+    /// All that are strained beyond their critical strain.
+    All,
+}

@@ -1,0 +1,5 @@
+//! Running bodies that break.
+
+mod event;
+
+pub use event::{Event, Restart};

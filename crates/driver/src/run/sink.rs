@@ -1,0 +1,42 @@
+//! Where the results of a run go.
+
+use super::StateResult;
+use super::fracture::{Event, Restart};
+use std::io;
+
+/// Takes results as they come, and is asked whether to go on.
+pub trait Sink {
+    /// Takes the result of a state.
+    ///
+    /// # Errors
+    /// The result cannot be taken, for instance written; the run ends with this error.
+    fn take(&mut self, result: StateResult) -> io::Result<()>;
+
+    /// An equilibrium of a body that breaks was found; `restart` makes what it takes to go on from there, with as many
+    /// states as were taken before this call.
+    ///
+    /// # Errors
+    /// As [`Sink::take`].
+    fn advance(&mut self, _event: &Event, _restart: &dyn Fn() -> Restart) -> io::Result<()> {
+        Ok(())
+    }
+
+    /// Whether the run is to end after the current equilibrium, with [`super::RunError::Interrupted`].
+    fn is_interrupted(&self) -> bool {
+        false
+    }
+}
+
+/// A sink of a function that takes each result.
+struct Taking<F>(F);
+
+impl<F: FnMut(StateResult) -> io::Result<()>> Sink for Taking<F> {
+    fn take(&mut self, result: StateResult) -> io::Result<()> {
+        (self.0)(result)
+    }
+}
+
+/// A sink that hands every result to a function and is never interrupted.
+pub fn taking(take: impl FnMut(StateResult) -> io::Result<()>) -> impl Sink {
+    Taking(take)
+}
