@@ -1,8 +1,11 @@
 //! Models with their bodies: terms of the energy, relations and rigid motions.
 
 pub mod bond_plane;
+mod breaking;
 pub mod plane;
 pub mod timoshenko_beam;
+
+pub use breaking::Breakable;
 
 use crate::bonds::Point;
 use crate::condition::Equation;

@@ -53,6 +53,11 @@ impl<const D: usize, const M: usize> Bonds<D, M> {
     pub fn list(&self) -> &[Bond<D, M>] {
         &self.bonds
     }
+
+    /// Keeps those that are wanted.
+    pub fn retain(&mut self, wanted: impl Fn(&Bond<D, M>) -> bool) {
+        self.bonds.retain(wanted);
+    }
 }
 
 impl<const D: usize, const M: usize> Term<D> for Bonds<D, M> {

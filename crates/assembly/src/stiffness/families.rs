@@ -97,6 +97,11 @@ impl<const D: usize, const M: usize, const E: usize> Families<D, M, E> {
     pub fn list(&self) -> &[Family<D, M, E>] {
         &self.families
     }
+
+    /// Keeps those that are wanted.
+    pub fn retain(&mut self, wanted: impl Fn(&Family<D, M, E>) -> bool) {
+        self.families.retain(wanted);
+    }
 }
 
 impl<const D: usize, const M: usize, const E: usize> Term<D> for Families<D, M, E> {

@@ -24,6 +24,8 @@ pub struct System<const D: usize> {
     constraints: Constraints,
     /// Room to expand a vector in, used only where some unknown depends on others.
     expanded: Mutex<Vec<f64>>,
+    /// Terms that are not of the model: the last ones.
+    extra: usize,
     elements: usize,
     evaluations: AtomicU64,
 }
@@ -41,16 +43,44 @@ impl<const D: usize> System<D> {
         equations.extend(model.relations());
         let constraints = Constraints::new(model.points(), &equations)?;
         let mut terms = model.terms();
+        let extra = extra_terms.len();
         terms.extend(extra_terms);
         let room = if constraints.has_slaves() { D * model.points() } else { 0 };
         Ok(Self {
             points: model.points(),
             elements: terms.iter().map(|t| t.elements()).sum(),
+            extra,
             terms,
             constraints,
             expanded: Mutex::new(vec![0.0; room]),
             evaluations: AtomicU64::new(0),
         })
+    }
+
+    /// Changes the model, such as by breaking bonds, and takes its terms anew: while it is changed no term of it is alive.
+    pub fn change_model<T: Model<D>>(&mut self, model: &mut T, change: impl FnOnce(&mut T)) {
+        let extra = self.terms.split_off(self.terms.len() - self.extra);
+        self.terms.clear();
+        change(model);
+        self.terms = model.terms();
+        self.terms.extend(extra);
+        self.elements = self.terms.iter().map(|t| t.elements()).sum();
+    }
+
+    /// Replaces all constraints by the relations of the model and `equations`.
+    ///
+    /// # Errors
+    /// [`Contradiction`] between equations.
+    pub fn constrain(
+        &mut self,
+        model: &impl Model<D>,
+        mut equations: Vec<Equation>,
+    ) -> Result<(), Contradiction> {
+        equations.extend(model.relations());
+        self.constraints = Constraints::new(model.points(), &equations)?;
+        let room = if self.constraints.has_slaves() { D * model.points() } else { 0 };
+        self.expanded = Mutex::new(vec![0.0; room]);
+        Ok(())
     }
 
     /// Number of points.

@@ -11,6 +11,7 @@
 //! Not here: bond breaking, finite rotations, other Poisson ratios.
 
 mod bond;
+mod breaking;
 mod calibration;
 mod cloud;
 mod error;

@@ -3,6 +3,7 @@
 
 mod body;
 mod bond;
+mod breaking;
 mod edges;
 mod fields;
 mod mirrors;
@@ -12,11 +13,13 @@ mod parameters;
 mod projection;
 
 pub use bond::PlaneBond;
+pub use breaking::CriticalStretch;
 pub use fields::PlaneFields;
 pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
 
 pub(super) use body::{Kind, LatticeBody};
+pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{energy_factor, strain_rows, volume_factor};
 pub(super) use fields::add_work_of_triangles;
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_within, length};

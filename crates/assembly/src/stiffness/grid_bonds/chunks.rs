@@ -119,14 +119,24 @@ impl Chunks {
         begin as u32
     }
 
-    fn multiply(&mut self, plane: usize, point: usize, factor: f64) {
-        let chunk = self.all.partition_point(|c| c.first as usize <= point) - 1;
-        let chunk = &mut self.all[chunk];
+    pub(super) fn multiply(&mut self, plane: usize, point: usize, factor: f64) {
+        let index = self.index_of(point);
+        let chunk = &mut self.all[index];
         if chunk.factors == NONE {
             chunk.factors = self.factors.len() as u32;
             self.factors.resize(self.factors.len() + 2 * self.classes * CHUNK, 1.0);
         }
         self.factors[chunk.factors as usize + plane * CHUNK + point - chunk.first as usize] *= factor;
+    }
+
+    fn index_of(&self, point: usize) -> usize {
+        self.all.partition_point(|c| c.first as usize <= point) - 1
+    }
+
+    /// Chunk of a point and its place there.
+    pub(super) fn of(&self, point: usize) -> (&Chunk, usize) {
+        let chunk = &self.all[self.index_of(point)];
+        (chunk, point - chunk.first as usize)
     }
 
     pub(super) fn all(&self) -> &[Chunk] {

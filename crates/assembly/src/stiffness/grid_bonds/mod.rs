@@ -1,6 +1,7 @@
 //! Bonds of a square lattice by offset: nothing is stored per bond. One type for every plane lattice and every bond model.
 
 mod assemble;
+mod breaking;
 mod chunks;
 mod gather;
 mod shares;
@@ -11,7 +12,7 @@ pub use chunks::Exception;
 use super::{BlockMatrix, Parts, Survey, TakeForces, Term};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, BondModel, Mat};
-use chunks::Chunks;
+use chunks::{CHUNK, Chunks};
 use std::array::from_fn;
 use std::marker::PhantomData;
 use std::sync::Arc;

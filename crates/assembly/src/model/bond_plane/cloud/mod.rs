@@ -4,6 +4,7 @@
 //! nowhere stiffer than the material, `C − g M >= 0` with the moment M of its bonds; a bond takes the smaller scale of its
 //! ends, and the overlay gives every point what it lacks of C.
 
+mod breaking;
 mod neighbours;
 mod stiffness;
 mod triangles;
@@ -23,7 +24,11 @@ pub(super) struct CloudBody {
     pub(super) bonds: Arc<Bonds<2, 1>>,
     pub(super) triangles: Arc<Families<2, 3, 2>>,
     pub(super) uncorrected: usize,
-    pub(super) damage: Vec<(usize, f64)>,
+    /// Area of the whole family of every point that counts, and of its cut part.
+    family: Vec<f64>,
+    lost: Vec<f64>,
+    horizon: f64,
+    volume_factor: VolumeFactor,
 }
 
 /// Two neighbours and the bond between them.
@@ -85,7 +90,7 @@ impl CloudBody {
         for pair in &pairs {
             let broken = is_cut(pair);
             for (end, other) in [(0, 1), (1, 0)] {
-                let part = pair.part * volumes[pair.ends()[other]];
+                let part = pair.part * areas[pair.ends()[other]];
                 family[pair.ends()[end]] += part;
                 lost[pair.ends()[end]] += if broken { part } else { 0.0 };
             }
@@ -97,14 +102,16 @@ impl CloudBody {
                 });
             }
         }
-        let damage = (0..n).filter(|&p| lost[p] > 0.0).map(|p| (p, lost[p] / family[p])).collect();
         Ok(Self {
             positions,
             areas,
             bonds: Arc::new(Bonds::new(n, intact.into_iter())),
             triangles: Arc::new(Families::new(n, triangles.triangles)),
             uncorrected: triangles.uncorrected,
-            damage,
+            family,
+            lost,
+            horizon,
+            volume_factor: effective_factor(parameters),
         })
     }
 
@@ -121,9 +128,15 @@ impl CloudBody {
 
     /// Cut shares of the family volumes of all points.
     pub(super) fn damage(&self) -> Vec<f64> {
-        let mut damage = vec![0.0; self.positions.len()];
-        self.damage.iter().for_each(|&(point, share)| damage[point] = share);
-        damage
+        let share = |(lost, family): (&f64, &f64)| if *lost > 0.0 { lost / family } else { 0.0 };
+        self.lost.iter().zip(&self.family).map(share).collect()
+    }
+
+    /// Part of their volumes that counts in the bond of two points.
+    fn part_of(&self, i: usize, j: usize) -> f64 {
+        let (a, b) = (self.positions[i], self.positions[j]);
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        part(self.volume_factor, length, self.horizon, [i, j].map(|p| self.areas[p].sqrt()))
     }
 
     /// Stresses and energy densities from the bonds alone: four planes.
@@ -172,7 +185,7 @@ fn pairs(
     if published && parameters.volume_factor == VolumeFactor::Area {
         return Err(BondPlaneError::AreaNeedsCells);
     }
-    let factor = if published { parameters.volume_factor } else { VolumeFactor::Full };
+    let factor = effective_factor(parameters);
     let widths: Vec<f64> = areas.iter().map(|a| a.sqrt()).collect();
     let beyond = match factor {
         VolumeFactor::Ramp => 0.5 * widths.iter().copied().fold(0.0, f64::max),
@@ -184,8 +197,7 @@ fn pairs(
     for [i, j] in neighbours::within(positions, (horizon + beyond) * (1.0 + 1e-9))? {
         let (a, b) = (positions[i as usize], positions[j as usize]);
         let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-        let part = |p: u32| radial_part(factor, length, horizon, widths[p as usize]);
-        let part = 0.5 * (part(i) + part(j));
+        let part = part(factor, length, horizon, [i, j].map(|p| widths[p as usize]));
         let influence = parameters.influence.at((length / horizon).min(1.0));
         let stiffness = c * influence * part * volumes[i as usize] * volumes[j as usize] / length;
         if stiffness > 0.0 {
@@ -194,4 +206,18 @@ fn pairs(
         }
     }
     Ok((pairs, volumes))
+}
+
+/// The volume factors of the calibration `published`; other bonds need none.
+fn effective_factor(parameters: &PlaneParameters) -> VolumeFactor {
+    match parameters.calibration {
+        Calibration::Published => parameters.volume_factor,
+        Calibration::Matched => VolumeFactor::Full,
+    }
+}
+
+/// Part of their volumes that counts in the bond of two points of some widths.
+fn part(factor: VolumeFactor, length: f64, horizon: f64, widths: [f64; 2]) -> f64 {
+    let [a, b] = widths.map(|width| radial_part(factor, length, horizon, width));
+    0.5 * (a + b)
 }

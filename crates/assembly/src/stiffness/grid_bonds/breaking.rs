@@ -1,0 +1,61 @@
+//! Bonds that are measured one by one, and broken.
+
+use super::shares::measure;
+use super::{CHUNK, GridBonds};
+use crate::bonds::{BondModel, Mat, Rows};
+use crate::stiffness::Bond;
+use crate::stiffness::planes::planes;
+use std::array::from_fn;
+
+impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
+    /// Calls `visit` with every bond: index of its offset, its lower point, and its measures.
+    pub fn for_each_measured(&self, u: &[f64], mut visit: impl FnMut(usize, usize, [f64; M])) {
+        let u = planes::<D>(u);
+        for chunk in self.chunks.all() {
+            for (index, class) in self.classes.iter().enumerate() {
+                let factors = self.chunks.factors_of(chunk, index, 0);
+                self.lattice.shifted(chunk.row, &chunk.columns(), class.step, |columns, other| {
+                    let (k, width) = ((columns.start - chunk.from) as usize, columns.len());
+                    let own = chunk.first as usize + k;
+                    let lower: [&[f64]; D] = from_fn(|c| &u[c][own..own + width]);
+                    let upper: [&[f64]; D] = from_fn(|c| &u[c][other..other + width]);
+                    let mut s = [[0.0; CHUNK]; M];
+                    for m in 0..M {
+                        measure::<D, M, B>(class, m, [&lower, &upper], &mut s[m][..width]);
+                    }
+                    for l in 0..width {
+                        if factors.is_none_or(|f| f[k + l] != 0.0) {
+                            visit(index, own + l, from_fn(|m| s[m][l]));
+                        }
+                    }
+                });
+            }
+        }
+    }
+
+    /// One bond, by index of its offset and lower point; none where there is no such bond.
+    pub fn bond(&self, offset: usize, lower: usize) -> Option<Bond<D, M>> {
+        let class = &self.classes[offset];
+        let [column, row] = self.lattice.cell(lower);
+        let upper = self.lattice.number([column + class.step[0], row + class.step[1]])?;
+        let (chunk, k) = self.chunks.of(lower);
+        let factor = self.chunks.factor(chunk, offset, k);
+        let mean: Mat<M, D> = class.half_mean.map(|row| row.map(|v| 2.0 * v));
+        let bond = Bond {
+            points: [lower as u32, upper as u32],
+            rows: Rows { difference: class.difference, mean },
+            moduli: class.modulus.map(|c| factor * c),
+        };
+        (factor != 0.0).then_some(bond)
+    }
+
+    /// Removes bonds, by index of their offset and lower point; those that are not there are ignored.
+    pub fn break_bonds(&mut self, bonds: impl IntoIterator<Item = (usize, usize)>) {
+        for (offset, lower) in bonds {
+            let Some(bond) = self.bond(offset, lower) else { continue };
+            self.chunks.multiply(2 * offset, lower, 0.0);
+            self.chunks.multiply(2 * offset + 1, bond.points[1] as usize, 0.0);
+            self.bonds -= 1;
+        }
+    }
+}
