@@ -45,9 +45,25 @@ pub(super) struct StateSolution {
     pub(super) status: PcgStatus,
 }
 
-/// A system with its method: one factorisation or hierarchy of levels, any number of right-hand sides.
+impl StateSolution {
+    /// Unknowns of which nothing else is known.
+    pub(super) fn of(u: Vec<f64>) -> Self {
+        Self {
+            u,
+            jump_energy: 0.0,
+            held: Vec::new(),
+            multipliers: Vec::new(),
+            residual: Vec::new(),
+            next_correction: f64::INFINITY,
+            first_correction: 0.0,
+            iterations: 0,
+            status: PcgStatus::Converged,
+        }
+    }
+}
+
+/// The method of a system: one factorisation or hierarchy of levels, any number of right-hand sides.
 pub struct LinearSolver<'a, const D: usize> {
-    system: &'a System<D>,
     preconditioner: Box<dyn Preconditioner + 'a>,
     finish: Finish,
     pcg: Pcg,
@@ -75,7 +91,6 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         let Method { preconditioner, report, finish } =
             method::method(problem, system, coarser, timing, &mut counters)?;
         Ok(Self {
-            system,
             preconditioner,
             finish,
             pcg: Pcg::new(system.size()),
@@ -93,10 +108,11 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     pub(super) fn fall_back<P: Problem<D>>(
         &mut self,
         problem: &P,
+        system: &System<D>,
         timing: &mut Timing,
     ) -> Result<(), SolveFailure> {
         let Method { preconditioner, report, finish } =
-            method::of_factor(problem, self.system, timing, &mut self.counters)?;
+            method::of_factor(problem, system, timing, &mut self.counters)?;
         let reason = format!("{} did not converge; {}", self.report.method, report.reason);
         let iterations = std::mem::take(&mut self.report.iterations);
         self.report = SolverReport { reason, iterations, ..report };
@@ -124,24 +140,14 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     /// Every pass solves for the correction of the true, element-wise residual. Without prescribed motions the first
     /// pass is nearly always the last; with them the first residual is that of a sudden jump and carries its rounding,
     /// so a second pass starts from the smooth solution.
-    pub(super) fn solve(&mut self, load: &[f64], motion_factor: f64) -> StateSolution {
-        let constraints = self.system.constraints();
-        let mut solution = StateSolution {
-            u: vec![0.0; self.system.size()],
-            jump_energy: 0.0,
-            held: Vec::new(),
-            multipliers: Vec::new(),
-            residual: Vec::new(),
-            next_correction: f64::INFINITY,
-            first_correction: 0.0,
-            iterations: 0,
-            status: PcgStatus::Converged,
-        };
-        let operator = Elementwise(self.system);
+    pub(super) fn solve(&mut self, system: &System<D>, load: &[f64], motion_factor: f64) -> StateSolution {
+        let constraints = system.constraints();
+        let mut solution = StateSolution::of(vec![0.0; system.size()]);
+        let operator = Elementwise(system);
         if constraints.moves() {
             constraints.expand(motion_factor, &mut solution.u);
-            solution.jump_energy = self.system.survey(&solution.u).energy;
-            self.refresh_residual(load, &solution.u);
+            solution.jump_energy = system.survey(&solution.u).energy;
+            self.refresh_residual(system, load, &solution.u);
         } else {
             self.residual.copy_from_slice(load);
         }
@@ -158,40 +164,52 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             if pass == 0 || report.status == PcgStatus::Converged {
                 solution.status = report.status;
             }
-            constraints.expand(motion_factor, &mut solution.u);
-            self.refresh_residual(load, &solution.u);
-            solution.held = self.constraint_forces();
-            solution.multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
-            constraints.restrict(&mut self.residual);
-            let correction = self.pcg.precondition(&mut *self.preconditioner, &self.residual);
-            let next =
-                size(correction, &self.scales) / size(&solution.u, &self.scales).max(f64::MIN_POSITIVE);
+            let before = solution.next_correction;
+            self.weigh(system, (load, motion_factor), &mut solution);
+            let next = solution.next_correction;
             let settled = next <= self.finish.settled && !(pass == 0 && constraints.moves());
-            let stalled = next >= 0.1 * solution.next_correction;
-            solution.next_correction = next;
-            if settled || stalled || !next.is_finite() {
+            if settled || next >= 0.1 * before || !next.is_finite() {
                 break;
             }
         }
-        let n = self.system.points();
-        solution.residual = (0..D).map(|c| largest(&self.residual[c * n..][..n])).collect();
         self.counters.right_hand_sides += 1;
         self.counters.pcg_iterations += solution.iterations;
         self.report.iterations.push(solution.iterations);
         solution
     }
 
+    /// Finds what belongs to the unknowns of a solution: those that depend on others, forces of constraints, the residual,
+    /// and what one more solve with the preconditioner would correct.
+    pub(super) fn weigh(
+        &mut self,
+        system: &System<D>,
+        (load, motion_factor): (&[f64], f64),
+        solution: &mut StateSolution,
+    ) {
+        let constraints = system.constraints();
+        constraints.expand(motion_factor, &mut solution.u);
+        self.refresh_residual(system, load, &solution.u);
+        solution.held = self.constraint_forces(system);
+        solution.multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
+        constraints.restrict(&mut self.residual);
+        let correction = self.pcg.precondition(&mut *self.preconditioner, &self.residual);
+        let sizes = [size(correction, &self.scales), size(&solution.u, &self.scales)];
+        solution.next_correction = sizes[0] / sizes[1].max(f64::MIN_POSITIVE);
+        let n = system.points();
+        solution.residual = (0..D).map(|c| largest(&self.residual[c * n..][..n])).collect();
+    }
+
     /// The residual `load − F(u)`, whole: forces of constraints, negative, on what they hold.
-    fn refresh_residual(&mut self, load: &[f64], u: &[f64]) {
-        self.system.force(u, &mut self.residual);
+    fn refresh_residual(&mut self, system: &System<D>, load: &[f64], u: &[f64]) {
+        system.force(u, &mut self.residual);
         self.residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
     }
 
     /// Forces of constraints from a whole residual: on every constrained unknown, and shares of it, with the opposite
     /// sign, on the unknowns that move it. So a link balances itself, whatever the rounding of the forces it joins.
-    fn constraint_forces(&self) -> Vec<(usize, f64)> {
+    fn constraint_forces(&self, system: &System<D>) -> Vec<(usize, f64)> {
         let mut forces: HashMap<usize, f64> = HashMap::new();
-        for row in self.system.constraints().rows() {
+        for row in system.constraints().rows() {
             let force = -self.residual[row.unknown];
             *forces.entry(row.unknown).or_default() += force;
             row.masters.iter().for_each(|&(m, c)| *forces.entry(m).or_default() -= c * force);

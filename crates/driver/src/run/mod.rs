@@ -209,7 +209,7 @@ fn certified<const D: usize, P: Problem<D>>(
     timing: &mut Timing,
 ) -> (StateSolution, Certificate) {
     let begin = Instant::now();
-    let solution = solver.solve(load, motion_factor);
+    let solution = solver.solve(system, load, motion_factor);
     timing.solve += begin.elapsed().as_secs_f64();
     let begin = Instant::now();
     let certificate = certificate::certify(problem.model(), system, load, &solution, solver.scales());
@@ -238,7 +238,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
         let (mut solution, mut certificate) =
             certified(problem, system, solver, (&load, motion_factor), &mut timing);
         if !certificate.converged && method::can_fall_back(problem) {
-            solver.fall_back(problem, &mut timing)?;
+            solver.fall_back(problem, system, &mut timing)?;
             (solution, certificate) = certified(problem, system, solver, (&load, motion_factor), &mut timing);
         }
         converged &= certificate.converged;
