@@ -1,5 +1,5 @@
 //! What models of bodies in the plane share: bonds on a square lattice with images in lines of symmetry, what is done about
-//! the bonds that points near edges lack, stresses, and the loads that belong to them.
+//! the bonds that points near edges lack, stresses and the loads that belong to them, critical stretches.
 
 mod body;
 mod bond;
@@ -11,6 +11,7 @@ mod near;
 mod neighbourhood;
 mod parameters;
 mod projection;
+pub mod toughness;
 
 pub use bond::PlaneBond;
 pub use breaking::CriticalStretch;

@@ -1,0 +1,36 @@
+//! A bond that resists elongation, shear and the difference of the rotations of its ends.
+
+use crate::bonds::{BondGeometry, BondModel, Rows};
+
+/// Unknowns of a point: `u`, `v` and `hθ`, all in m, with a length h of about the spacing.
+///
+/// Measures of a bond of length ξ, direction n and transverse direction t, with `d = u_j − u_i`: the stretch `n·d/ξ`, the
+/// shear `t·d/ξ − (θ_i + θ_j)/2`, the bend `θ_j − θ_i`. Modulus of each: the volume V of a point, m³; the three weights of
+/// an offset, Pa, are the rest. Together these are a beam with shear: with its stiffness densities c and d, and
+/// `β = 6EΔ²/(5Gξ²)`, the weights are `c ξ V`, `12 d V/((1 + β) ξ)` and `d V/ξ`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeamBond {
+    /// Volume of a point, m³.
+    pub volume: f64,
+    /// h, m: what multiplies rotations to make unknowns of the size of displacements.
+    pub turning: f64,
+}
+
+impl BondModel<3, 3> for BeamBond {
+    const DIFFERENCE: [[bool; 3]; 3] = [[true, true, false], [true, true, false], [false, false, true]];
+    const MEAN: [[bool; 3]; 3] = [[false; 3], [false, false, true], [false; 3]];
+
+    fn rows(&self, bond: &BondGeometry) -> Rows<3, 3> {
+        let squared = bond.xi[0] * bond.xi[0] + bond.xi[1] * bond.xi[1];
+        let (x, y) = (bond.xi[0] / squared, bond.xi[1] / squared);
+        let turn = 1.0 / self.turning;
+        Rows {
+            difference: [[x, y, 0.0], [-y, x, 0.0], [0.0, 0.0, turn]],
+            mean: [[0.0; 3], [0.0, 0.0, -turn], [0.0; 3]],
+        }
+    }
+
+    fn moduli(&self, _: &BondGeometry) -> [f64; 3] {
+        [self.volume; 3]
+    }
+}

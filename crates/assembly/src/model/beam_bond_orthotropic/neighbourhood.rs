@@ -1,0 +1,112 @@
+//! Neighbours of a point of a lattice and the beam bonds to them.
+
+use super::super::plane::{Calibration, Edges, Neighbourhood, half_offsets, is_within};
+use super::calibration::{Fibres, matched, published};
+use super::{Moments, OrthotropicError, OrthotropicParameters, Start};
+use crate::body::Cell;
+
+/// One of each pair of opposite offsets to the neighbours of a point, with the weights of their bonds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeamNeighbourhood {
+    hood: Neighbourhood<3>,
+    is_fibre: Vec<bool>,
+    direction: [f64; 2],
+    start: Option<Start>,
+    angle: f64,
+    horizon_ratio: f64,
+}
+
+impl BeamNeighbourhood {
+    /// Calibrated bonds.
+    ///
+    /// # Errors
+    /// All of [`OrthotropicError`] that do not speak of energy release rates.
+    pub fn new(parameters: &OrthotropicParameters) -> Result<Self, OrthotropicError> {
+        parameters.material.check()?;
+        let m = parameters.horizon_ratio;
+        let all = half_offsets(m);
+        let offsets: Vec<Cell> = all.iter().copied().filter(|&step| is_within(step, m)).collect();
+        if offsets.is_empty() {
+            return Err(OrthotropicError::NoNeighbours { horizon_ratio: m });
+        }
+        let angle = parameters.relative_angle();
+        let fibres = Fibres::new(angle, &offsets);
+        let (weights, start) = match parameters.calibration {
+            Calibration::Matched => {
+                let (weights, start) = matched::weights(parameters, &offsets, &fibres)?;
+                (weights, Some(start))
+            }
+            Calibration::Published if parameters.edges == Edges::Overlay => {
+                return Err(OrthotropicError::OverlayNeedsMatched);
+            }
+            Calibration::Published if parameters.start.is_some() => {
+                return Err(OrthotropicError::StartNeedsMatched);
+            }
+            Calibration::Published => (published::weights(parameters, &offsets, &fibres)?, None),
+        };
+        // Sides of triangles beyond the horizon have no bonds.
+        let inside = |step: &Cell| offsets.iter().position(|o| o == step);
+        let all_weights: Vec<[f64; 3]> =
+            all.iter().map(|step| inside(step).map_or([0.0; 3], |k| weights[k])).collect();
+        let parts: Vec<f64> = all.iter().map(|step| f64::from(inside(step).is_some())).collect();
+        let hood = Neighbourhood::new(&all, &all_weights, &parts);
+        let is_fibre =
+            hood.offsets.iter().map(|step| inside(step).is_some_and(|k| fibres.along[k])).collect();
+        Ok(Self { hood, is_fibre, direction: fibres.direction, start, angle, horizon_ratio: m })
+    }
+
+    /// The offsets of all bonds and of possible sides of triangles, cells, row by row: upwards, or to the right in the same
+    /// row.
+    pub fn offsets(&self) -> &[Cell] {
+        &self.hood.offsets
+    }
+
+    /// `[a, b, q]`, Pa, per offset: moduli of stretch, shear and bend of its bonds, per volume of a point. None is
+    /// negative; zeros are possible, and beyond the horizon all there is.
+    pub fn weights(&self) -> &[[f64; 3]] {
+        &self.hood.weights
+    }
+
+    /// Per offset, whether its bonds lie exactly along the fibres.
+    pub fn is_fibre(&self) -> &[bool] {
+        &self.is_fibre
+    }
+
+    /// The start that was taken; none of bonds as published.
+    pub fn start(&self) -> Option<Start> {
+        self.start
+    }
+
+    /// Horizon per spacing.
+    pub fn horizon_ratio(&self) -> f64 {
+        self.horizon_ratio
+    }
+
+    /// Angle of the fibres from the rows of the lattice, rad.
+    pub fn relative_angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// Unit vector along the fibres in the axes of the lattice; exactly that of their bonds if there are any.
+    pub fn direction(&self) -> [f64; 2] {
+        self.direction
+    }
+
+    /// What all bonds have together in a uniform strain, in the axes of the lattice.
+    pub fn moments(&self) -> Moments {
+        Moments::new(&self.hood.offsets, &self.hood.weights)
+    }
+
+    /// Shear modulus along the fibres that a body has in equilibrium, Pa: less than G12 where strain and rotation are
+    /// coupled.
+    pub fn effective_shear_modulus(&self) -> f64 {
+        self.moments().effective_along(self.angle)[2][2]
+    }
+
+    /// Whether points of a body in uniform strain turn with it, so that its moduli are those of the bonds.
+    pub fn is_consistent(&self) -> bool {
+        let moments = self.moments();
+        let coupling = moments.coupling.iter().fold(0.0_f64, |most, h| most.max(h.abs()));
+        coupling <= 1e-10 * moments.stiffness[0][0].max(moments.stiffness[1][1])
+    }
+}
