@@ -1,6 +1,7 @@
 //! Convex parts of the plane, cut by rows of points.
 
 use super::geometry::{Point, left_normal, minus, moved};
+use super::turn::Turn;
 
 /// A convex part of the plane with its border.
 #[derive(Clone, Debug)]
@@ -21,6 +22,19 @@ impl Convex {
         let (from, to) = (moved(from, -ends, along), moved(to, ends, along));
         let corner = |p, across| moved(p, across, normal);
         Self::Polygon(vec![corner(from, low), corner(to, low), corner(to, high), corner(from, high)])
+    }
+
+    /// The same part in other axes.
+    pub(super) fn seen_from(&self, axes: &Turn) -> Self {
+        match self {
+            Self::Stadium { from, to, radius } => {
+                Self::Stadium { from: axes.inwards(*from), to: axes.inwards(*to), radius: *radius }
+            }
+            Self::Polygon(corners) => Self::Polygon(corners.iter().map(|c| axes.inwards(*c)).collect()),
+            Self::HalfPlane { point, normal } => {
+                Self::HalfPlane { point: axes.inwards(*point), normal: axes.components(*normal) }
+            }
+        }
     }
 
     /// Lowest and highest y.

@@ -122,7 +122,7 @@ pub fn cut_bonds(lattice: &SquareLattice, steps: &[Cell], cracks: &[Crack]) -> V
 fn near(lattice: &SquareLattice, segment: [Point; 2], step: Cell, mut visit: impl FnMut(i32, Range<i32>)) {
     // Cells far more than the slack, so that no rounding matters.
     const MARGIN: f64 = 1e-3;
-    let [a, b] = segment.map(|p| minus(p, lattice.corner()).map(|x| x / lattice.spacing() - 0.5));
+    let [a, b] = segment.map(|p| lattice.in_cells(p).map(|x| x - 0.5));
     let step = step.map(f64::from);
     let swept = [a, b, minus(b, step), minus(a, step)];
     let heights = swept.map(|p| p[1]);

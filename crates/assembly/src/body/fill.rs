@@ -6,6 +6,7 @@ use super::geometry::Point;
 use super::lattice::SquareLattice;
 use super::outline::{Outline, Shape};
 use super::rows::Rows;
+use super::turn::Turn;
 use thiserror::Error;
 
 /// Why an outline cannot be filled with cells of a size.
@@ -57,31 +58,59 @@ fn fitting_text(fitting: &[f64]) -> String {
 /// Sides of rectangles are whole numbers of cells to this relative error.
 const WHOLE: f64 = 1e-9;
 
+/// Where the cells of an outline are.
+struct Grid {
+    /// Lower left corner of cell `[0, 0]`, m.
+    corner: Point,
+    /// Columns and rows.
+    size: [i32; 2],
+}
+
 impl Outline {
-    /// Columns and rows of cells that cover the box around it.
+    /// Columns and rows of cells that cover the box around it, in axes turned by an angle, rad.
     ///
     /// # Errors
-    /// [`FillError::Spacing`], [`FillError::NotWhole`] for a rectangle, [`FillError::TooManyCells`].
-    pub fn cells(&self, spacing: f64) -> Result<[i32; 2], FillError> {
-        if !(spacing > 0.0 && spacing.is_finite()) {
-            return Err(FillError::Spacing { found: spacing });
+    /// [`FillError::Spacing`], [`FillError::NotWhole`] for a rectangle that is not turned, [`FillError::TooManyCells`].
+    pub fn cells(&self, spacing: f64, angle: f64) -> Result<[i32; 2], FillError> {
+        match Turn::new(angle, self.middle()) {
+            None => Ok(self.grid(spacing)?.size),
+            Some(axes) => Ok(self.seen_from(&axes).centred_grid(spacing)?.size),
         }
+    }
+
+    /// Middle of the box around it.
+    fn middle(&self) -> Point {
+        let [low, high] = self.bounds();
+        [0, 1].map(|k| low[k] + 0.5 * (high[k] - low[k]))
+    }
+
+    /// Cells from the lower left corner of the box.
+    fn grid(&self, spacing: f64) -> Result<Grid, FillError> {
         let [low, high] = self.bounds();
         let size = [0, 1].map(|k| high[k] - low[k]);
-        let cells = size.map(|s| s / spacing);
         // Rounding of the corners of a body far from the origin is no fault of its size.
         let rounding = [0, 1].map(|k| 4.0 * f64::EPSILON * low[k].abs().max(high[k].abs()) / spacing);
-        let whole = |k: usize| {
-            let nearest = cells[k].round();
-            nearest >= 1.0 && (cells[k] - nearest).abs() <= WHOLE * nearest + rounding[k]
-        };
-        if cells[0].ceil() * cells[1].ceil() > f64::from(u32::MAX) || cells.iter().any(|c| *c > 1e9) {
-            return Err(FillError::TooManyCells { cells: cells[0].ceil() * cells[1].ceil() });
-        }
-        if self.is_rectangle() && !(whole(0) && whole(1)) {
+        let cells = size.map(|s| s / spacing);
+        let whole = [0, 1].map(|k| is_whole(cells[k], rounding[k]));
+        countable(cells, spacing)?;
+        if self.is_rectangle() && whole != [true; 2] {
             return Err(FillError::NotWhole { cells, fitting: fitting(size, spacing) });
         }
-        Ok([0, 1].map(|k| if whole(k) { cells[k].round() as i32 } else { cells[k].ceil() as i32 }))
+        let size = [0, 1].map(|k| if whole[k] { cells[k].round() as i32 } else { cells[k].ceil() as i32 });
+        Ok(Grid { corner: low, size })
+    }
+
+    /// Cells of which one has its centre at the origin.
+    fn centred_grid(&self, spacing: f64) -> Result<Grid, FillError> {
+        let [low, high] = self.bounds();
+        countable([0, 1].map(|k| (high[k] - low[k]) / spacing + 1.0), spacing)?;
+        // Halves of cells beside the one in the middle, which rounding shall not begin.
+        let beyond = |length: f64| (length / spacing - 0.5 - WHOLE).ceil().max(0.0);
+        let before = low.map(|x| beyond(-x));
+        Ok(Grid {
+            corner: before.map(|n| -(n + 0.5) * spacing),
+            size: [0, 1].map(|k| (before[k] + beyond(high[k])) as i32 + 1),
+        })
     }
 
     /// The cells whose centres are in the body; the lower left corner of the first one is that of the box around the body.
@@ -93,11 +122,28 @@ impl Outline {
     /// # Errors
     /// [`FillError`].
     pub fn fill(&self, spacing: f64) -> Result<SquareLattice, FillError> {
-        let size = self.cells(spacing)?;
-        let corner = self.bounds()[0];
+        let grid = self.grid(spacing)?;
         if self.is_rectangle() && self.holes().is_empty() {
-            return Ok(SquareLattice::rectangle(spacing, corner, size));
+            return Ok(SquareLattice::rectangle(spacing, grid.corner, grid.size));
         }
+        self.fill_grid(spacing, &grid)
+    }
+
+    /// As [`fill`](Self::fill), with rows turned by an angle, rad, counter-clockwise from x. The centre of a cell is in the
+    /// middle of the box around the body, and rectangles are of any size. Multiples of a right angle turn nothing.
+    ///
+    /// # Errors
+    /// [`FillError`].
+    pub fn fill_turned(&self, spacing: f64, angle: f64) -> Result<SquareLattice, FillError> {
+        let middle = self.middle();
+        let Some(axes) = Turn::new(angle, middle) else { return self.fill(spacing) };
+        // In its own axes the lattice is as any other.
+        let inner = self.seen_from(&axes);
+        let lattice = inner.fill_grid(spacing, &inner.centred_grid(spacing)?)?;
+        Ok(lattice.turned(angle, middle))
+    }
+
+    fn fill_grid(&self, spacing: f64, &Grid { corner, size }: &Grid) -> Result<SquareLattice, FillError> {
         let in_cells = |[x, y]: Point| [(x - corner[0]) / spacing - 0.5, (y - corner[1]) / spacing - 0.5];
         let closed: Vec<Point> = self.border().vertices().iter().map(|v| in_cells(*v)).collect();
         let solid = Rows::inside(size, &closed).or(Rows::border(size, &closed, BORDER));
@@ -126,6 +172,25 @@ impl Outline {
         let areas = self.areas(&lattice, size);
         Ok(lattice.with_areas(&areas))
     }
+}
+
+/// Whether a number of cells is a whole one.
+fn is_whole(cells: f64, rounding: f64) -> bool {
+    let nearest = cells.round();
+    nearest >= 1.0 && (cells - nearest).abs() <= WHOLE * nearest + rounding
+}
+
+/// # Errors
+/// The spacing is none, or there are more cells than can be numbered.
+fn countable(cells: [f64; 2], spacing: f64) -> Result<(), FillError> {
+    if !(spacing > 0.0 && spacing.is_finite()) {
+        return Err(FillError::Spacing { found: spacing });
+    }
+    let all = cells[0].ceil() * cells[1].ceil();
+    if all > f64::from(u32::MAX) || cells.iter().any(|c| *c > 1e9) {
+        return Err(FillError::TooManyCells { cells: all });
+    }
+    Ok(())
 }
 
 /// The nearest spacings below and above one of which both sides are whole multiples.

@@ -1,5 +1,8 @@
 //! Points on a square lattice that fill a body in the plane.
 
+mod place;
+
+use super::turn::Turn;
 use std::ops::Range;
 
 /// Index of a cell: column and row.
@@ -30,12 +33,15 @@ impl Run {
 
 /// Centres of the square cells of a body, numbered row by row from the lower left.
 ///
-/// Only cells of the body have points. What is stored grows with the number of runs of consecutive cells, not with the
+/// Rows run along x, or along any other direction ([`turned`](Self::turned)). Only cells of the body have points. What is stored grows with the number of runs of consecutive cells, not with the
 /// number of points. Points have the area of a cell, but for those that a border of the body cuts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SquareLattice {
     spacing: f64,
+    /// Lower left corner of cell `[0, 0]` in the axes of the lattice, m.
     corner: [f64; 2],
+    /// Axes that are not x and y.
+    turn: Option<Turn>,
     first_row: i32,
     /// Per row: index of its first run; one more at the end.
     rows: Vec<u32>,
@@ -61,6 +67,7 @@ impl SquareLattice {
         let mut lattice = Self {
             spacing,
             corner,
+            turn: None,
             first_row: rows.start,
             rows: vec![0],
             runs: Vec::new(),
@@ -135,11 +142,6 @@ impl SquareLattice {
         self.spacing
     }
 
-    /// Lower left corner of cell `[0, 0]`, m.
-    pub fn corner(&self) -> [f64; 2] {
-        self.corner
-    }
-
     /// Number of points.
     pub fn points(&self) -> usize {
         self.points
@@ -182,33 +184,18 @@ impl SquareLattice {
         [run.columns.start + (point - run.first) as i32, run.row]
     }
 
-    /// Centre of a cell, m.
-    pub fn centre(&self, [column, row]: Cell) -> [f64; 2] {
-        let at = |k: usize, index: i32| self.corner[k] + (f64::from(index) + 0.5) * self.spacing;
-        [at(0, column), at(1, row)]
-    }
-
-    /// Position of a point, m.
-    pub fn position(&self, point: usize) -> [f64; 2] {
-        self.centre(self.cell(point))
-    }
-
-    /// Cell that holds a position, whether or not it belongs to the body.
-    pub fn cell_at(&self, position: [f64; 2]) -> Cell {
-        [0, 1].map(|k| ((position[k] - self.corner[k]) / self.spacing).floor() as i32)
-    }
-
     /// The cell of twice the size that a cell becomes part of.
     pub fn parent([column, row]: Cell) -> Cell {
         [column.div_euclid(2), row.div_euclid(2)]
     }
 
-    /// The lattice of twice the spacing: a cell belongs to it if any of the four that it covers does. If this one has cells
+    /// The lattice of twice the spacing in the same axes: a cell belongs to it if any of the four that it covers does. If this one has cells
     /// that are not whole, areas of cells are sums of those that they cover, else all are whole.
     pub fn coarser(&self) -> Self {
         let halved = |range: Range<i32>| range.start.div_euclid(2)..(range.end + 1).div_euclid(2);
         let rows = halved(self.rows());
         let mut coarse = Self::new(2.0 * self.spacing, self.corner, 0..0, rows.start..rows.start, |_| true);
+        coarse.turn = self.turn;
         for row in rows {
             let fine = self.runs_of(2 * row).iter().chain(self.runs_of(2 * row + 1));
             let mut spans: Vec<Range<i32>> = fine.map(|r| halved(r.columns.clone())).collect();

@@ -20,6 +20,7 @@ mod region;
 mod rows;
 mod select;
 mod transfer;
+mod turn;
 
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};

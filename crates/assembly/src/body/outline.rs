@@ -2,6 +2,7 @@
 
 use super::geometry::{Point, meet, to_segment};
 use super::polygon::{Polygon, PolygonError};
+use super::turn::Turn;
 use thiserror::Error;
 
 /// A straight edge of an outline.
@@ -144,6 +145,18 @@ impl Outline {
         Ok(())
     }
 
+    /// The same outline in other axes, where a rectangle is none along them.
+    pub(super) fn seen_from(&self, axes: &Turn) -> Self {
+        let polygon = self.polygon.seen_from(axes);
+        let holes = self.holes.iter().map(|h| Hole { name: h.name.clone(), shape: h.shape.seen_from(axes) });
+        Self {
+            edges: edges(&polygon, self.edges.iter().map(|e| e.name.clone())),
+            holes: holes.collect(),
+            polygon,
+            rectangle: false,
+        }
+    }
+
     /// Straight edges; where a hole crosses one, it still has its whole length.
     pub fn edges(&self) -> &[Edge] {
         &self.edges
@@ -202,6 +215,18 @@ impl Shape {
             Self::Circle { centre, radius } => Some((*centre, *centre, *radius)),
             Self::Slot { from, to, radius } => Some((*from, *to, *radius)),
             Self::Polygon(_) => None,
+        }
+    }
+
+    fn seen_from(&self, axes: &Turn) -> Self {
+        match self {
+            Self::Circle { centre, radius } => {
+                Self::Circle { centre: axes.inwards(*centre), radius: *radius }
+            }
+            Self::Slot { from, to, radius } => {
+                Self::Slot { from: axes.inwards(*from), to: axes.inwards(*to), radius: *radius }
+            }
+            Self::Polygon(polygon) => Self::Polygon(polygon.seen_from(axes)),
         }
     }
 

@@ -1,6 +1,7 @@
 //! Simple polygons.
 
 use super::geometry::{Point, between_segments, dot, in_box, left_normal, meet, minus, side};
+use super::turn::Turn;
 use thiserror::Error;
 
 /// Why vertices are not those of a simple polygon. Vertices and edges count from one; edge `k` starts at vertex `k`.
@@ -74,6 +75,11 @@ impl Polygon {
         let turn = side(vertices[(k + n - 1) % n], vertices[k], vertices[(k + 1) % n]);
         // A vertex amid a straight left side is no lowest one, so the turn is not zero.
         Ok(Self { counter_clockwise: turn > 0.0, vertices })
+    }
+
+    /// The same polygon in other axes.
+    pub(super) fn seen_from(&self, axes: &Turn) -> Self {
+        Self { vertices: self.vertices.iter().map(|v| axes.inwards(*v)).collect(), ..*self }
     }
 
     /// Vertices in the order given, m.

@@ -19,13 +19,15 @@ pub(super) fn points_in(body: &PlaneBody, part: &Convex) -> Vec<u32> {
 
 fn on_lattice(lattice: &SquareLattice, part: &Convex) -> Vec<u32> {
     let (rows, columns) = (lattice.rows(), lattice.columns());
-    let first = |k: usize, x: f64| ((x - lattice.corner()[k]) / lattice.spacing() - 0.5).ceil();
-    let behind = |k: usize, x: f64| ((x - lattice.corner()[k]) / lattice.spacing() - 0.5).floor() + 1.0;
+    let part = lattice.inner_part(part);
+    let start = lattice.inner_corner();
+    let first = |k: usize, x: f64| ((x - start[k]) / lattice.spacing() - 0.5).ceil();
+    let behind = |k: usize, x: f64| ((x - start[k]) / lattice.spacing() - 0.5).floor() + 1.0;
     // Conversions to integers saturate.
     let [low, high] = part.rows();
     let mut found = Vec::new();
     for row in rows.start.max(first(1, low) as i32)..rows.end.min(behind(1, high) as i32) {
-        let Some([from, to]) = part.row(lattice.centre([0, row])[1]) else { continue };
+        let Some([from, to]) = part.row(lattice.inner_centre([0, row])[1]) else { continue };
         let from = columns.start.max(first(0, from) as i32);
         let to = columns.end.min(behind(0, to) as i32);
         for run in lattice.runs_of(row) {
@@ -51,7 +53,7 @@ pub(super) fn nearest(body: &PlaneBody, to: Point) -> Vec<u32> {
 
 /// Least distance of a position from a point: in every run the column nearest to it counts.
 fn nearest_cell(lattice: &SquareLattice, to: Point) -> f64 {
-    let column = ((to[0] - lattice.corner()[0]) / lattice.spacing()).floor() as i32;
+    let [column, _] = lattice.cell_at(to);
     let near = lattice.runs().iter().map(|run| {
         let column = column.clamp(run.columns.start, run.columns.end - 1);
         distance(lattice.centre([column, run.row]), to)

@@ -1,4 +1,5 @@
 use super::*;
+use crate::body::turn::Turn;
 use proptest::prelude::*;
 
 /// Half of the offsets no longer than `reach` cells: one of each pair of opposite ones.
@@ -111,7 +112,7 @@ proptest! {
     #[test]
     fn visiting_near_points_finds_all_cut_bonds(
         vertices in proptest::collection::vec([-3..30i32, -3..24], 2..6), m in 2.0..4.0f64, h in 0.1..4.0f64,
-        coarser: bool,
+        coarser: bool, angle in prop_oneof![Just(0.0), -4.0..4.0f64],
     ) {
         prop_assume!(vertices.windows(2).all(|w| w[0] != w[1]));
         let hole = |[i, j]: Cell| (5..9).contains(&i) && (4..12).contains(&j);
@@ -120,7 +121,11 @@ proptest! {
             lattice = lattice.coarser();
         }
         // Half cells: through centres, along rows and borders of cells.
-        let place = |v: &[i32; 2]| [0.3 + 0.5 * h * f64::from(v[0]), -0.7 + 0.5 * h * f64::from(v[1])];
+        let place = |v: &[i32; 2]| {
+            let at = [0.3 + 0.5 * h * f64::from(v[0]), -0.7 + 0.5 * h * f64::from(v[1])];
+            Turn::new(angle, [2.0, 5.0]).map_or(at, |turn| turn.outwards(at))
+        };
+        lattice = lattice.turned(angle, [2.0, 5.0]);
         let crack = Crack::new(vertices.iter().map(place).collect()).unwrap();
         let steps = half_steps(m);
         let near = cut_bonds(&lattice, &steps, std::slice::from_ref(&crack));

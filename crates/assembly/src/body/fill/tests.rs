@@ -2,6 +2,7 @@ use super::*;
 use crate::body::geometry::to_segment;
 use crate::body::outline::Hole;
 use proptest::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 fn plate(from: Point, size: Point, holes: &[Shape]) -> Outline {
     let mut outline = Outline::rectangle(from, size).unwrap();
@@ -112,6 +113,69 @@ fn star() -> impl Strategy<Value = Vec<Point>> {
     })
 }
 
+/// A quarter turn, or none, is no turn: not a bit is different.
+#[test]
+fn an_angle_of_zero_fills_as_none() {
+    let hole = Shape::Circle { centre: [0.31, 0.22], radius: 0.1 };
+    let notch = Outline::polygon(vec![[0.1, 0.0], [0.9, 0.2], [0.7, 0.8], [0.5, 0.3]]).unwrap();
+    for outline in [plate([0.1, -0.2], [0.6, 0.7], &[]), plate([0.1, 0.0], [0.6, 0.5], &[hole]), notch] {
+        let plain = outline.fill(0.1 / 3.0).unwrap();
+        for angle in [0.0, FRAC_PI_2, -PI] {
+            let lattice = outline.fill_turned(0.1 / 3.0, angle).unwrap();
+            assert_eq!(lattice, plain);
+            assert_eq!(outline.cells(0.1 / 3.0, angle), outline.cells(0.1 / 3.0, 0.0));
+        }
+    }
+}
+
+#[test]
+fn turned_cells_are_symmetric_about_the_middle() {
+    // No whole numbers of cells: turned, that is no fault.
+    let outline = plate([0.2, -0.3], [3.17, 1.31], &[Shape::Circle { centre: [1.785, 0.355], radius: 0.3 }]);
+    assert!(matches!(outline.fill(0.1), Err(FillError::NotWhole { .. })));
+    for degrees in [30.0f64, -45.0, 71.5] {
+        let lattice = outline.fill_turned(0.1, degrees.to_radians()).unwrap();
+        let middle = lattice.cell_at([1.785, 0.355]);
+        let [x, y] = lattice.centre(middle);
+        assert!((x - 1.785).abs() < 1e-15 && (y - 0.355).abs() < 1e-15);
+        for p in 0..lattice.points() {
+            let [i, j] = lattice.cell(p);
+            let image = lattice.number([2 * middle[0] - i, 2 * middle[1] - j]).unwrap();
+            assert!((lattice.fraction(image) - lattice.fraction(p)).abs() < 1e-9);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// The cells of a lattice in axes of its own are those whose centres are in the body where that is.
+    #[test]
+    fn turned_filling_agrees_with_exact_tests_of_every_centre(
+        vertices in star(), cut in star(), at in [-4.0..4.0f64, -4.0..4.0], angle in -4.0..4.0f64, r in 1.0..3.0f64,
+    ) {
+        let mut outline = Outline::polygon(vertices).unwrap();
+        let moved: Vec<Point> = cut.iter().map(|c| [0.3 * c[0] + at[0], 0.3 * c[1] + at[1]]).collect();
+        let slot = Shape::Slot { from: [at[1], -at[0]], to: [-at[0], at[0]], radius: r };
+        let disc = Shape::Circle { centre: [-at[0], -at[1]], radius: 0.5 * r };
+        for shape in [Shape::Polygon(crate::body::Polygon::new(moved).unwrap()), slot, disc] {
+            prop_assume!(outline.cut(Hole { name: None, shape }).is_ok());
+        }
+        let lattice = match outline.fill_turned(0.37, angle) {
+            Err(FillError::NoCellInHole { .. } | FillError::NoPoints) => return Ok(()),
+            made => made.unwrap(),
+        };
+        let size = outline.cells(0.37, angle).unwrap();
+        for cell in (-2..size[0] + 2).flat_map(|i| (-2..size[1] + 2).map(move |j| [i, j])) {
+            let position = lattice.centre(cell);
+            let borders = outline.border().edges();
+            if borders.map(|[a, b]| to_segment(position, a, b)).all(|d| d > 1e-8) {
+                prop_assert_eq!(lattice.number(cell).is_some(), outline.contains(position), "{:?}", cell);
+            }
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn filling_agrees_with_exact_tests_of_every_centre(
@@ -131,7 +195,7 @@ proptest! {
             Err(FillError::NoCellInHole { .. } | FillError::NoPoints) => return Ok(()),
             made => made.unwrap(),
         };
-        let size = outline.cells(0.37).unwrap();
+        let size = outline.cells(0.37, 0.0).unwrap();
         for cell in (0..size[0]).flat_map(|i| (0..size[1]).map(move |j| [i, j])) {
             let position = lattice.centre(cell);
             let borders = outline.border().edges();

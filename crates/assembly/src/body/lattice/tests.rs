@@ -1,4 +1,6 @@
 use super::*;
+use proptest::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A ring of 5 × 4 cells with a hole of 2 × 2 and a notch on the right.
 fn ring() -> SquareLattice {
@@ -70,4 +72,57 @@ fn stretches_of_neighbours_are_complete() {
 fn a_rectangle_is_one_run_per_row() {
     let made = SquareLattice::rectangle(2.0, [0.0; 2], [7, 3]);
     assert_eq!(made, SquareLattice::new(2.0, [0.0; 2], 0..7, 0..3, |_| true));
+}
+
+#[test]
+fn rows_along_x_have_the_bits_of_corner_and_spacing() {
+    let (h, corner) = (0.1 / 3.0, [1.0 / 3.0, -0.7]);
+    let made = SquareLattice::new(h, corner, -3..4, -2..5, |_| true);
+    for angle in [0.0, -0.0, FRAC_PI_2, -PI, 3.0 * FRAC_PI_2] {
+        let lattice = made.clone().turned(angle, [5.0, 7.0]);
+        assert_eq!(lattice, made);
+        assert_eq!((lattice.is_turned(), lattice.angle()), (false, 0.0));
+        assert_eq!(lattice.axes(), [[1.0, 0.0], [0.0, 1.0]]);
+        assert_eq!(lattice.corner().map(f64::to_bits), corner.map(f64::to_bits));
+        for p in 0..lattice.points() {
+            let cell = lattice.cell(p);
+            let bits = |at: [f64; 2]| at.map(f64::to_bits);
+            let along = |k: usize| corner[k] + (f64::from(cell[k]) + 0.5) * h;
+            assert_eq!(bits(lattice.centre(cell)), bits([along(0), along(1)]));
+            assert_eq!(bits(lattice.vector(cell)), bits(cell.map(|k| h * f64::from(k))));
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn turned_cells_are_found_at_their_centres(
+        angle in -4.0..4.0f64, h in 1e-3..10.0f64, corner in [-9.0..9.0f64, -9.0..9.0], origin in [-9.0..9.0f64, -9.0..9.0],
+    ) {
+        let made = SquareLattice::new(h, corner, -7..8, -5..9, |[i, j]| i != j);
+        let lattice = made.clone().turned(angle, origin);
+        let (sin, cos) = angle.sin_cos();
+        // Rounding of positions, which are below 300.
+        let same = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-12;
+        for p in 0..lattice.points() {
+            let cell = lattice.cell(p);
+            prop_assert_eq!(cell, made.cell(p));
+            prop_assert_eq!(lattice.cell_at(lattice.centre(cell)), cell);
+            let [x, y] = made.position(p);
+            let place = [origin[0] + cos * x - sin * y, origin[1] + sin * x + cos * y];
+            prop_assert!(same(lattice.position(p), place));
+            let next = lattice.centre([cell[0] + 3, cell[1] - 2]);
+            let ([a, b], at) = (lattice.vector([3, -2]), lattice.position(p));
+            prop_assert!(same(next, [at[0] + a, at[1] + b]));
+            let [i, j] = lattice.in_cells(lattice.node(cell));
+            prop_assert!(same([i * h, j * h], cell.map(|k| f64::from(k) * h)));
+        }
+        // Four cells lie around the centre of the coarser one.
+        let coarse = lattice.coarser();
+        prop_assert_eq!(coarse.axes(), lattice.axes());
+        for p in 0..coarse.points() {
+            let [i, j] = coarse.cell(p);
+            prop_assert!(same(coarse.position(p), lattice.node([2 * i + 1, 2 * j + 1])));
+        }
+    }
 }

@@ -101,6 +101,37 @@ fn faults_are_named() {
 }
 
 proptest! {
+    /// Rows of a turned lattice are searched in its own axes, listed points one by one.
+    #[test]
+    fn turned_points_are_those_of_a_list(
+        angle in 0.01..1.56f64, at in [-0.2..2.2f64, -0.2..1.2], to in [-0.2..2.2f64, -0.2..1.2], size in 0.05..0.6f64,
+    ) {
+        let (outline, _) = plate();
+        let body = PlaneBody::Lattice(outline.fill_turned(0.07, angle).unwrap());
+        let cloud = as_cloud(&body);
+        let named = BTreeMap::new();
+        let on = |body| Regions { body, outline: Some(&outline), named: &named };
+        let normal = [to[0] - at[0], to[1] - at[1]];
+        let own = |name: &str| Region::Hole { name: name.into(), depth: Some(size) };
+        let regions = [
+            Region::Corner { at },
+            Region::Box { from: at, to },
+            Region::Disc { centre: at, radius: size },
+            Region::HalfPlane { point: at, normal },
+            edge("left", Some(0.07)),
+            edge("top", Some(size)),
+            own("pin"),
+            own("window"),
+        ];
+        for region in regions {
+            prop_assert_eq!(on(&body).select(&region), on(&cloud).select(&region), "{:?}", region);
+        }
+        // A strip as deep as the spacing has one point per spacing, more or less by the last layer: at 45° one or two layers
+        // of 1/√2 each. Those at the ends are in or out.
+        let found = on(&body).select(&edge("left", None)).unwrap().len() as f64 * 0.07;
+        prop_assert!((0.6..1.5).contains(&found), "{}", found);
+    }
+
     #[test]
     fn edges_of_polygons_are_measured_along_their_normal(
         turn in 0.0..6.3f64, depth in 0.3..3.0f64, reverse: bool, which in 0..4usize,

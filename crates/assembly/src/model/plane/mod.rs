@@ -42,8 +42,9 @@ pub const UY: usize = 1;
 pub type FindCuts<'a> = dyn Fn(&SquareLattice, &[Cell]) -> Vec<(usize, usize)> + 'a;
 
 /// A bond of a lattice at an offset.
-fn geometry(lattice: &SquareLattice, [a, b]: Cell) -> BondGeometry {
-    BondGeometry { xi: [lattice.spacing() * f64::from(a), lattice.spacing() * f64::from(b), 0.0] }
+fn geometry(lattice: &SquareLattice, step: Cell) -> BondGeometry {
+    let [x, y] = lattice.vector(step);
+    BondGeometry { xi: [x, y, 0.0] }
 }
 
 /// A body in the plane with its bonds, whatever they are.

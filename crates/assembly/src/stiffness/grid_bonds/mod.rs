@@ -58,11 +58,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         offsets: &[Offset<M>],
         exceptions: &[Exception],
     ) -> Self {
-        let h = lattice.spacing();
         let class = |offset: &Offset<M>| {
             let [a, b] = offset.step;
             assert!(b > 0 || (b == 0 && a > 0), "an offset goes up, or to the right in its row");
-            let bond = BondGeometry { xi: [h * f64::from(a), h * f64::from(b), 0.0] };
+            let [x, y] = lattice.vector(offset.step);
+            let bond = BondGeometry { xi: [x, y, 0.0] };
             let (rows, moduli) = (model.rows(&bond), model.moduli(&bond));
             Class {
                 step: offset.step,

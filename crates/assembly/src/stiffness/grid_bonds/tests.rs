@@ -78,9 +78,9 @@ fn listed<const D: usize, const M: usize, B: BondModel<D, M>>(
         for i in 0..lattice.points() {
             let [a, b] = lattice.cell(i);
             let Some(j) = lattice.number([a + offset.step[0], b + offset.step[1]]) else { continue };
-            let h = lattice.spacing();
-            let bond =
-                BondGeometry { xi: [h * f64::from(offset.step[0]), h * f64::from(offset.step[1]), 0.0] };
+            let [x, y] = offset.step.map(|k| lattice.spacing() * f64::from(k));
+            let (sin, cos) = lattice.angle().sin_cos();
+            let bond = BondGeometry { xi: [cos * x - sin * y, sin * x + cos * y, 0.0] };
             let mine = exceptions.iter().filter(|e| (e.offset, e.lower) == (index, i));
             let factor: f64 = offset.weights[0] * mine.map(|e| e.factor).product::<f64>();
             bonds.push(Bond {
@@ -98,8 +98,10 @@ fn random(size: usize) -> Vec<f64> {
 }
 
 fn agrees_with_a_list<const D: usize, const M: usize, B: BondModel<D, M>>(model: &B) {
-    let lattice = lattice();
-    for exceptions in [Vec::new(), exceptions(&lattice)] {
+    let plain = lattice();
+    let turned = Arc::new(SquareLattice::clone(&plain).turned(0.4, [1.0, 2.0]));
+    let some = exceptions(&plain);
+    for (lattice, exceptions) in [(&plain, Vec::new()), (&plain, some.clone()), (&turned, some)] {
         let grid = GridBonds::new(lattice.clone(), model, &offsets(), &exceptions);
         let list = listed(&grid, model, &exceptions);
         assert_eq!(grid.elements(), list.elements());

@@ -89,6 +89,20 @@ mod tests {
     }
 
     #[test]
+    fn quads_have_the_sides_of_turned_cells() {
+        let lattice = SquareLattice::rectangle(0.5, [0.0; 2], [6, 4]).turned(0.4, [1.0, 2.0]);
+        let cells = on_lattice(&lattice, &[]);
+        assert_eq!(cells.quads.len(), 4 * 15);
+        for quad in cells.quads.as_chunks::<4>().0 {
+            let at = quad.map(|p| lattice.position(p as usize));
+            for k in 0..4 {
+                let (a, b) = (at[k], at[(k + 1) % 4]);
+                assert!(((a[0] - b[0]).hypot(a[1] - b[1]) - 0.5).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
     fn no_quad_lies_across_a_crack() {
         let lattice = SquareLattice::rectangle(1.0, [0.0; 2], [6, 6]);
         let crack = Crack::new(vec![[-1.0, 3.0], [3.0, 3.0]]).unwrap();

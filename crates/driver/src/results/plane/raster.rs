@@ -9,11 +9,14 @@ use std::ops::Range;
 const MOST: usize = 25_600;
 const LONGEST: usize = 400;
 
+/// From the lower left corner of a block to all of them, around.
+const AROUND: [[i32; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
+
 /// Blocks of a body.
 #[derive(Debug)]
 pub(super) struct Raster {
-    /// Lower left and upper right corner of every block, row by row.
-    pub(super) blocks: Vec<[[f64; 2]; 2]>,
+    /// Corners of every block, around from the lower left, row by row.
+    pub(super) blocks: Vec<[[f64; 2]; 4]>,
     /// Block of every point of the body.
     of: Vec<u32>,
     counts: Vec<f64>,
@@ -52,18 +55,15 @@ impl Raster {
                 let count = |range: &Range<i32>| (range.len() as i32 + step - 1) / step;
                 let size = [count(&columns), count(&rows)];
                 // Blocks at the end may be cut off by the border of the body.
-                let border = |axis: usize, index: i32| {
-                    let range = [&columns, &rows][axis];
-                    let line = (range.start + index * step).min(range.end);
-                    lattice.corner()[axis] + f64::from(line) * lattice.spacing()
-                };
-                Self::on_grid(size, cells, &border)
+                let line = |range: &Range<i32>, index: i32| (range.start + index * step).min(range.end);
+                let node = |[i, j]: [i32; 2]| lattice.node([line(&columns, i), line(&rows, j)]);
+                Self::on_grid(size, cells, &node)
             }
             PlaneBody::Cloud(cloud) if cloud.points() <= MOST => {
                 let half = |k: usize| 0.5 * cloud.areas()[k].sqrt();
                 let block = |k: usize| {
                     let at = cloud.positions()[k];
-                    [at.map(|v| v - half(k)), at.map(|v| v + half(k))]
+                    AROUND.map(|side| [0, 1].map(|c| at[c] + f64::from(2 * side[c] - 1) * half(k)))
                 };
                 Self {
                     blocks: (0..cloud.points()).map(block).collect(),
@@ -80,8 +80,8 @@ impl Raster {
                 const SIDE: i32 = 160;
                 let step = (high[0] - low[0]).max(high[1] - low[1]) / f64::from(SIDE);
                 let cell = |at: &[f64; 2]| [0, 1].map(|k| (((at[k] - low[k]) / step) as i32).min(SIDE - 1));
-                let border = |axis: usize, index: i32| low[axis] + f64::from(index) * step;
-                Self::on_grid([SIDE; 2], cloud.positions().iter().map(cell), &border)
+                let node = |index: [i32; 2]| [0, 1].map(|k| low[k] + f64::from(index[k]) * step);
+                Self::on_grid([SIDE; 2], cloud.positions().iter().map(cell), &node)
             }
         }
     }
@@ -90,7 +90,7 @@ impl Raster {
     fn on_grid(
         [columns, rows]: [i32; 2],
         cells: impl Iterator<Item = [i32; 2]> + Clone,
-        border: &dyn Fn(usize, i32) -> f64,
+        node: &dyn Fn([i32; 2]) -> [f64; 2],
     ) -> Self {
         let place = |[i, j]: [i32; 2]| (j * columns + i) as usize;
         let mut numbers = vec![None; (columns * rows) as usize];
@@ -100,8 +100,7 @@ impl Raster {
             if let Some(number) = &mut numbers[place(cell)] {
                 *number = blocks.len() as u32;
                 own.push(cell);
-                let corner = |step: i32| [0, 1].map(|axis| border(axis, cell[axis] + step));
-                blocks.push([corner(0), corner(1)]);
+                blocks.push(AROUND.map(|[i, j]| node([cell[0] + i, cell[1] + j])));
             }
         }
         let of: Vec<u32> = cells.map(|cell| numbers[place(cell)].unwrap_or(0)).collect();
@@ -120,14 +119,13 @@ impl Raster {
 
     /// Corners of all blocks, around.
     pub(super) fn corners(&self) -> impl Iterator<Item = [[f64; 2]; 4]> + '_ {
-        self.blocks.iter().map(|[a, b]| [*a, [b[0], a[1]], *b, [a[0], b[1]]])
+        self.blocks.iter().copied()
     }
 
     /// Corners of all blocks moved by `factor` times the displacements, means over the blocks. A corner moves with the mean
     /// of the blocks around it that no crack separates from its own.
     pub(super) fn deformed(&self, mean: &[Vec<f64>; 2], factor: f64, cracks: &[Crack]) -> Vec<[[f64; 2]; 4]> {
-        const AROUND: [[i32; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
-        let middle = |b: usize| [0, 1].map(|k| 0.5 * (self.blocks[b][0][k] + self.blocks[b][1][k]));
+        let middle = |b: usize| [0, 1].map(|k| 0.5 * (self.blocks[b][0][k] + self.blocks[b][2][k]));
         let mut all: Vec<[[f64; 2]; 4]> = self.corners().collect();
         for (block, corners) in all.iter_mut().enumerate() {
             for (corner, [right, up]) in corners.iter_mut().zip(AROUND) {
@@ -166,7 +164,7 @@ mod tests {
     /// A grid of 3 × 2 blocks of four points each.
     fn raster() -> Raster {
         let cells = (0..4).flat_map(|j| (0..6).map(move |i| [i / 2, j / 2]));
-        Raster::on_grid([3, 2], cells, &|_, k| f64::from(k))
+        Raster::on_grid([3, 2], cells, &|node| node.map(f64::from))
     }
 
     #[test]
@@ -181,7 +179,7 @@ mod tests {
         let values: Vec<f64> = (0..24).map(f64::from).collect();
         // Points 0, 1, 6, 7 are in the first block.
         assert_eq!(raster.means(&values), [3.5, 5.5, 7.5, 15.5, 17.5, 19.5]);
-        assert_eq!(raster.blocks[4], [[1.0, 1.0], [2.0, 2.0]]);
+        assert_eq!(raster.blocks[4], [[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]]);
     }
 
     #[test]

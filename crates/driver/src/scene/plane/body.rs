@@ -31,10 +31,11 @@ pub(super) struct Built {
     pub(super) curves: Vec<Curve>,
 }
 
-/// The body of the case, of this thickness.
+/// The body of the case, of this thickness; the rows of a lattice run at an angle to x, rad.
 pub(super) fn build(
     case: &Case,
     thickness: f64,
+    angle: f64,
     folder: &Path,
     max_memory: Option<u64>,
     faults: &mut Faults,
@@ -74,10 +75,10 @@ pub(super) fn build(
     if !resolves(outline.bounds(), spacing, &path.key(key), faults) {
         return None;
     }
-    let filled = outline.cells(spacing).and_then(|cells| {
+    let filled = outline.cells(spacing, angle).and_then(|cells| {
         let box_points = f64::from(cells[0]) * f64::from(cells[1]);
         Ok(if fits(&outline, box_points, max_memory, &path, faults) {
-            Some(outline.fill(spacing)?)
+            Some(outline.fill_turned(spacing, angle)?)
         } else {
             None
         })

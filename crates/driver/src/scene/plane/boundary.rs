@@ -4,7 +4,7 @@ use super::super::words::suggest;
 use super::ground::Ground;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
-use peristat_assembly::body::{Edge, Outline, Shape};
+use peristat_assembly::body::{Edge, Outline, PlaneBody, Shape};
 use std::f64::consts::TAU;
 
 /// A short straight part of a border.
@@ -104,18 +104,20 @@ pub(super) fn of_hole(hole: usize, outline: &Outline, spacing: f64) -> Vec<Stret
 }
 
 /// Stretches of a straight edge that border on the body: cells of the lattice where it runs along that.
-pub(super) fn of_edge(edge: &Edge, outline: Option<&Outline>, spacing: f64) -> Vec<Stretch> {
-    let most = if is_aligned(edge) { spacing } else { spacing / PER_SPACING };
+pub(super) fn of_edge(edge: &Edge, ground: &Ground) -> Vec<Stretch> {
+    let spacing = ground.body.spacing();
+    let most = if is_aligned(edge, ground.body) { spacing } else { spacing / PER_SPACING };
     let mut stretches = along(edge.from, edge.to, edge.normal, most);
-    if let Some(outline) = outline.filter(|o| !o.holes().is_empty()) {
+    if let Some(outline) = ground.outline.filter(|o| !o.holes().is_empty()) {
         keep_borders(&mut stretches, outline, spacing);
     }
     stretches
 }
 
-/// Whether an edge runs along the lattice.
-pub(super) fn is_aligned(edge: &Edge) -> bool {
-    edge.from[0] == edge.to[0] || edge.from[1] == edge.to[1]
+/// Whether an edge runs along x or y as the lattice does.
+pub(super) fn is_aligned(edge: &Edge, body: &PlaneBody) -> bool {
+    let turned = matches!(body, PlaneBody::Lattice(lattice) if lattice.is_turned());
+    !turned && (edge.from[0] == edge.to[0] || edge.from[1] == edge.to[1])
 }
 
 /// Leaves out the stretches behind which there is no body.
@@ -215,6 +217,15 @@ mod tests {
         let flux =
             stretches.iter().map(|s| s.length * (s.middle[0] * s.normal[0] + s.middle[1] * s.normal[1]));
         (length, normal, -0.5 * flux.sum::<f64>())
+    }
+
+    #[test]
+    fn no_edge_is_along_turned_rows() {
+        let outline = Outline::rectangle([0.0; 2], [2.0, 1.0]).unwrap();
+        let body = |angle: f64| PlaneBody::Lattice(outline.fill_turned(0.1, angle).unwrap());
+        for edge in outline.edges() {
+            assert!(is_aligned(edge, &body(0.0)) && !is_aligned(edge, &body(0.5)));
+        }
     }
 
     #[test]

@@ -71,7 +71,7 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
     let (Some(outline), Border::Edge(edge)) = (context.ground.outline, &traction.border) else {
         return Err("it is no straight edge");
     };
-    if !is_aligned(edge) {
+    if !is_aligned(edge, context.ground.body) {
         return Err("the edge does not run along the lattice");
     }
     if !may_be_consistent(traction, context) {
@@ -159,9 +159,8 @@ fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Forces {
     let region = |name: &str| context.ground.region(name, &Default::default(), &mut Faults::default());
     let mut forces = Vec::new();
     let edges = outline.edges().iter().filter(|e| e.name != own.name);
-    let borders = edges.map(|e| {
-        (boundary::of_edge(e, Some(outline), spacing), region(&e.name), context.symmetry.replaces(&e.name))
-    });
+    let borders = edges
+        .map(|e| (boundary::of_edge(e, context.ground), region(&e.name), context.symmetry.replaces(&e.name)));
     let holes = (0..outline.holes().len()).map(|k| (boundary::of_hole(k, outline, spacing), None, false));
     for (stretches, points, is_mirror) in borders.chain(holes) {
         let met: Vec<boundary::Stretch> =

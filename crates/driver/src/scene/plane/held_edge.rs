@@ -20,8 +20,11 @@ pub struct HeldEdge {
 }
 
 impl HeldEdge {
-    /// A straight edge along a lattice; `None` for any other.
+    /// A straight edge along a lattice; `None` for any other, and wherever a lattice is turned.
     pub(super) fn new(edge: &Edge, lattice: &SquareLattice, bonds: &PlaneBonds) -> Option<Self> {
+        if lattice.is_turned() {
+            return None;
+        }
         let axis = edge.normal.iter().position(|n| n.abs() > 1.0 - 1e-12)?;
         let mut inward = [0; 2];
         inward[axis] = if edge.normal[axis] > 0.0 { -1 } else { 1 };
@@ -83,17 +86,28 @@ mod tests {
     };
     use peristat_assembly::model::plane::Calibration;
 
+    fn bonds(horizon_ratio: f64) -> PlaneBonds {
+        PlaneBonds::Central(PlaneParameters {
+            material: PlaneMaterial { youngs_modulus: 7.0, thickness: 0.3, state: PlaneState::Stress },
+            horizon_ratio,
+            influence: Influence::Constant,
+            calibration: Calibration::Matched,
+            volume_factor: VolumeFactor::Ramp,
+            edges: Edges::Overlay,
+        })
+    }
+
+    #[test]
+    fn an_edge_beside_turned_rows_is_held_by_its_points() {
+        let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
+        let lattice = outline.fill_turned(1.0, 0.3).unwrap();
+        assert_eq!(HeldEdge::new(outline.edge("left").unwrap(), &lattice, &bonds(3.0)), None);
+    }
+
     #[test]
     fn shares_are_of_one_force_on_the_line_of_the_edge() {
         for horizon_ratio in [2.0, 3.0, 4.5] {
-            let bonds = PlaneBonds::Central(PlaneParameters {
-                material: PlaneMaterial { youngs_modulus: 7.0, thickness: 0.3, state: PlaneState::Stress },
-                horizon_ratio,
-                influence: Influence::Constant,
-                calibration: Calibration::Matched,
-                volume_factor: VolumeFactor::Ramp,
-                edges: Edges::Overlay,
-            });
+            let bonds = bonds(horizon_ratio);
             let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
             let lattice = outline.fill(1.0).unwrap();
             for (name, inward) in [("left", [1, 0]), ("top", [0, -1])] {

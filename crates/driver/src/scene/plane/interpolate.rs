@@ -41,7 +41,7 @@ impl Interpolation<'_> {
     }
 
     fn bilinear(&self, lattice: &SquareLattice, position: [f64; 2]) -> Option<Weights> {
-        let at = [0, 1].map(|k| (position[k] - lattice.corner()[k]) / lattice.spacing() - 0.5);
+        let at = lattice.in_cells(position).map(|x| x - 0.5);
         let low = at.map(f64::floor);
         let steps = [0.0, -1.0, 1.0];
         let mut blocks: Vec<[f64; 2]> =
@@ -99,12 +99,16 @@ impl Interpolation<'_> {
 
     /// Weights at a position on an edge: a parabola through three points on each of the two lattice lines beside it that go
     /// inward, one, two and three horizons behind the first: what lies closer sees the steps of the edge. On narrow bodies
-    /// the three are closer together; `None` where no line has three points behind the first.
+    /// the three are closer together; `None` where no line has three points behind the first, and on a turned lattice,
+    /// whose lines do not go inward.
     pub(super) fn inward(&self, position: [f64; 2], inward: [i8; 2]) -> Option<Weights> {
         let PlaneBody::Lattice(lattice) = self.body else { return None };
+        if lattice.is_turned() {
+            return None;
+        }
         let axis = usize::from(inward[0] == 0);
         let sign = i32::from(inward[axis]);
-        let at = [0, 1].map(|k| (position[k] - lattice.corner()[k]) / lattice.spacing() - 0.5);
+        let at = lattice.in_cells(position).map(|x| x - 0.5);
         let across = at[1 - axis];
         let low = across.floor();
         let line = |column: f64| {
@@ -174,6 +178,21 @@ mod tests {
             assert!((found - field(position)).abs() < 1e-12, "{position:?} {found}");
         }
         assert_eq!(interpolation.inward([3.0, 2.3], [1, 0]), None);
+    }
+
+    #[test]
+    fn linear_fields_are_exact_between_turned_rows() {
+        let outline = peristat_assembly::body::Outline::rectangle([1.0, 2.0], [1.03, 0.61]).unwrap();
+        let body = PlaneBody::Lattice(outline.fill_turned(0.05, 0.4).unwrap());
+        let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
+        let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5;
+        for position in [[1.5, 2.3], [1.33, 2.21], [1.9, 2.1], [1.1, 2.5], [1.515, 2.305]] {
+            let weights = interpolation.at(position, 0);
+            assert!(weights.len() > 1 || position == [1.515, 2.305], "{position:?}");
+            let found = value(&body, &weights, field);
+            assert!((found - field(position)).abs() < 1e-13, "{position:?}");
+        }
+        assert_eq!(interpolation.inward([1.0, 2.3], [1, 0]), None);
     }
 
     #[test]

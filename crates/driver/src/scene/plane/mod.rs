@@ -241,7 +241,8 @@ impl PlaneScene {
 
     /// Whether bonds can miss at points other than those of a plain edge.
     fn can_have_loose_points(&self) -> bool {
-        let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty();
+        let turned = matches!(self.body(), PlaneBody::Lattice(lattice) if lattice.is_turned());
+        let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty() && !turned;
         !self.cracks.is_empty() || !self.outline().is_some_and(plain)
     }
 

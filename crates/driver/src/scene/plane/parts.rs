@@ -33,7 +33,7 @@ pub(super) fn parts(
     let listed = matches!(case.body, crate::case::Body::Points(_) | crate::case::Body::Mesh(_));
     let parameters = material::parameters(model, listed, faults);
     let cracks = cracks::cracks(case, faults);
-    let built = body::build(case, model.thickness, folder, max_memory, faults);
+    let built = body::build(case, model.thickness, 0.0, folder, max_memory, faults);
     let spacing = built.as_ref().map(|b| b.body.spacing());
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), faults);
     let body::Built { body, outline, curves } = built?;

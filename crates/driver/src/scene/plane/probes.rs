@@ -142,6 +142,9 @@ fn from_inside(
     let found = context.interpolation.inward(position, inward);
     if found.is_none() {
         let hint = match context.ground.body {
+            peristat_assembly::body::PlaneBody::Lattice(lattice) if lattice.is_turned() => {
+                "the rows of the lattice run along neither x nor y: leave `inward` out"
+            }
             peristat_assembly::body::PlaneBody::Lattice(_) => {
                 "it needs three points in a row that begin at the place; is this the direction into the body?"
             }

@@ -43,6 +43,15 @@ pub(super) fn symmetry(
                 .hint("hold the displacement across the line of symmetry by a support instead");
             continue;
         };
+        if lattice.is_turned() {
+            faults
+                .error(
+                    path,
+                    "mirrors need a lattice whose rows run along x, and those of this one are turned",
+                )
+                .hint("model the whole body");
+            continue;
+        }
         let Some((edge, at)) = edge_on(outline, side) else {
             faults
                 .error(path, format!("the body has no straight edge all along its {name} side"))
@@ -104,5 +113,21 @@ impl Symmetry {
     /// Whether an edge lies on a mirror.
     pub(super) fn replaces(&self, edge: &str) -> bool {
         self.edges.iter().any(|e| e == edge)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turned_rows_have_no_mirrors() {
+        let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
+        for (angle, fine) in [(0.0, true), (0.3, false)] {
+            let lattice = outline.fill_turned(1.0, angle).unwrap();
+            let mut faults = Faults::default();
+            let found = symmetry(&["left".into()], Some(&outline), Some(&lattice), &mut faults);
+            assert_eq!((faults.has_errors(), found.mirrors.is_none()), (!fine, !fine));
+        }
     }
 }

@@ -103,7 +103,7 @@ impl OnBorder {
     /// Stretches of the border.
     pub(super) fn stretches(&self, ground: &Ground) -> Vec<Stretch> {
         match &self.border {
-            Border::Edge(edge) => boundary::of_edge(edge, ground.outline, ground.body.spacing()),
+            Border::Edge(edge) => boundary::of_edge(edge, ground),
             Border::Curved { stretches, .. } => stretches.clone(),
         }
     }
@@ -188,7 +188,7 @@ fn check_sharing(load: &Traction, on: &OnBorder, context: &Context, path: &JsonP
             .hint("leave `sharing` out: on holes and meshes tractions are `lumped`");
         return;
     };
-    if !is_aligned(edge) {
+    if !is_aligned(edge, context.ground.body) {
         faults.error(path.key("sharing"), "`consistent` tractions need an edge along the lattice").hint(
             "leave `sharing` out: on slanted edges tractions are `lumped` unless one stress has all of them",
         );

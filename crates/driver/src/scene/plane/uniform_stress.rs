@@ -136,8 +136,7 @@ fn taken_back(edge: &Edge, t: [f64; 2], stress: [f64; 3], context: &Context) -> 
     let own = traction_of(stress, edge.normal);
     let rest = [0, 1].map(|k| t[k] - own[k]);
     let points = context.ground.region(&edge.name, &Default::default(), &mut Faults::default());
-    let stretches: Vec<boundary::Stretch> =
-        boundary::of_edge(edge, context.ground.outline, context.ground.body.spacing());
+    let stretches = boundary::of_edge(edge, context.ground);
     lump::on_points(&stretches, &|_, _| rest, &points.unwrap_or_default(), context)
 }
 

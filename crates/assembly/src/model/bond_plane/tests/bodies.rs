@@ -58,6 +58,19 @@ pub(super) fn bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
     ]
 }
 
+/// The same bodies in axes turned by 30°, and a plate that fills turned cells.
+pub(super) fn turned_bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
+    let angle = std::f64::consts::PI / 6.0;
+    let turned =
+        |lattice: Arc<SquareLattice>| Arc::new(lattice.as_ref().clone().turned(angle, [0.4 * h, 0.7 * h]));
+    let mut plate = Outline::rectangle([0.3 * h, -2.0 * h], [18.4 * h, 13.3 * h]).unwrap();
+    let circle = Shape::Circle { centre: [9.3 * h, 4.1 * h], radius: 2.9 * h };
+    plate.cut(Hole { name: None, shape: circle }).unwrap();
+    let mut all: Vec<_> = bodies(h).into_iter().map(|(name, lattice)| (name, turned(lattice))).collect();
+    all.push(("turned cells", Arc::new(plate.fill_turned(h, angle).unwrap())));
+    all
+}
+
 pub(super) fn plane(lattice: &Arc<SquareLattice>, parameters: PlaneParameters) -> BondPlane {
     BondPlane::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &[]).unwrap()
 }

@@ -82,11 +82,28 @@ fn uniform_strains_and_rigid_motions_are_exact_at_every_point() {
     }
 }
 
+/// Weights are found in the axes of the lattice, strains and stresses are those of the plane.
+#[test]
+fn uniform_strains_are_exact_on_turned_lattices() {
+    for units in UNITS {
+        for m in [3.0, 4.0] {
+            for (name, lattice) in turned_bodies(units[0]) {
+                assert!(lattice.is_turned());
+                let plane = plane(&lattice, parameters(m, units));
+                check_rigid(name, &plane);
+                STRAINS.iter().for_each(|&g| check_fields(name, &plane, g));
+                let coarse = plane.coarser(&|_, _| Vec::new()).unwrap();
+                check_fields(name, &coarse, STRAINS[3]);
+            }
+        }
+    }
+}
+
 #[test]
 fn loads_of_a_uniform_stress_are_solved_by_the_linear_displacement() {
     for units in UNITS {
         for m in RATIOS {
-            for (name, lattice) in bodies(units[0]) {
+            for (name, lattice) in bodies(units[0]).into_iter().chain(turned_bodies(units[0]).pop()) {
                 let plane = plane(&lattice, parameters(m, units));
                 let g = STRAINS[3];
                 let stress = plane.parameters().material.stress(strain_of(g));
