@@ -271,3 +271,29 @@ fn a_matrix_does_not_overwrite_a_file_unless_forced() {
     assert_eq!(solve(folder.path(), "cantilever.json", &["--write-matrix", "k.mtx", "--force"]).code, 0);
     assert!(fs::read_to_string(folder.path().join("k.mtx")).unwrap().starts_with("%%MatrixMarket"));
 }
+
+#[test]
+fn only_a_run_of_a_body_that_breaks_is_resumed() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = solve(folder.path(), "cantilever.json", &["--resume"]);
+    assert_eq!(refused.code, 2);
+    let message = "error: only a run with `fracture` can be resumed\n\
+                   hint: leave out `--resume` to run the case\n";
+    assert_eq!(refused.stderr, message);
+    let both = solve(folder.path(), "cantilever.json", &["--resume", "--force"]);
+    assert_eq!(both.code, 2);
+    assert!(both.stderr.contains("cannot be used with"), "{}", both.stderr);
+    assert!(names(folder.path()).is_empty());
+}
+
+#[test]
+fn a_file_that_a_killed_run_was_writing_does_not_stand_in_the_way() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(solve(folder.path(), "cantilever.json", &[]).code, 0);
+    for file in ["out/.a1b2.part", "out/fields/.c3.part", "out/plots/.d4.part"] {
+        fs::write(folder.path().join(file), "half").unwrap();
+    }
+    let again = solve(folder.path(), "cantilever.json", &[]);
+    assert_eq!(again.code, 0, "{}", again.stderr);
+    assert!(files(folder.path(), ".part").is_empty());
+}

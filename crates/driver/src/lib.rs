@@ -135,8 +135,13 @@ impl Loaded {
         resume: Option<Restart>,
         sink: &mut dyn Sink,
     ) -> Result<Summary, Error> {
-        let collector = Collector::default();
-        let mut collecting = Collecting { scene: &self.scene, collector, sink };
+        let collector = match &resume {
+            Some(restart) => Collector::restore(&restart.summaries).map_err(io::Error::from)?,
+            None => Collector::default(),
+        };
+        let breaks = self.scene.case().fracture.is_some();
+        let fingerprint = if breaks { self.scene.fingerprint() } else { String::new() };
+        let mut collecting = Collecting { scene: &self.scene, fingerprint, collector, sink };
         let report = run::run(&self.scene, options, resume, &mut collecting).map_err(|e| self.explain(e))?;
         let mut warnings = warning_texts(self.scene.warnings(), &self.file);
         warnings.extend(warning_texts(&report.warnings, &self.file));
@@ -144,9 +149,10 @@ impl Loaded {
     }
 }
 
-/// A sink that keeps what the summary needs of each result before it hands it on.
+/// A sink that keeps what the summary needs of each result before it hands it on, and adds it to every restart.
 struct Collecting<'a> {
     scene: &'a Scene,
+    fingerprint: String,
     collector: Collector,
     sink: &'a mut dyn Sink,
 }
@@ -158,7 +164,9 @@ impl Sink for Collecting<'_> {
     }
 
     fn advance(&mut self, event: &Event, restart: &dyn Fn() -> Restart) -> io::Result<()> {
-        self.sink.advance(event, restart)
+        let restart =
+            || Restart { case: self.fingerprint.clone(), summaries: self.collector.save(), ..restart() };
+        self.sink.advance(event, &restart)
     }
 
     fn is_interrupted(&self) -> bool {

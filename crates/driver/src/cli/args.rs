@@ -115,6 +115,9 @@ pub(super) struct Run {
     /// Write into a folder that holds other files.
     #[arg(long)]
     pub(super) force: bool,
+    /// Go on with the interrupted run of a body that breaks in the results folder.
+    #[arg(long, conflicts_with = "force")]
+    pub(super) resume: bool,
     /// Write the assembled stiffness, before supports, as a Matrix Market file.
     #[arg(long, value_name = "FILE")]
     pub(super) write_matrix: Option<PathBuf>,

@@ -1,13 +1,16 @@
 //! The command line: parse, dispatch, print, exit code.
 
 mod args;
+mod interrupt;
 mod lists;
 mod print;
 mod print_beam;
 mod print_plane;
 mod print_state;
+mod progress;
 mod solve;
 mod verify;
+mod writing;
 
 use crate::Error;
 use crate::run::RunError;
@@ -22,6 +25,8 @@ const DONE: u8 = 0;
 const FAILED: u8 = 1;
 /// Bad input or usage.
 const USAGE: u8 = 2;
+/// Ended by a signal, as shells number it.
+const INTERRUPTED: u8 = 130;
 
 /// Parses the arguments of the process and does what they say.
 pub fn main() -> ExitCode {
@@ -53,7 +58,10 @@ pub fn main() -> ExitCode {
             };
             let _ = say(&format!("{:#}\n", serde_json::json!({ "error": text })));
         }
-        USAGE
+        match error {
+            Error::Run(RunError::Interrupted) => INTERRUPTED,
+            _ => USAGE,
+        }
     }))
 }
 
@@ -93,6 +101,9 @@ fn complain(error: &Error, global: &Global) {
             note(&format!(
                 "error: {error}\nhint: use fewer cells or a shorter horizon, or raise `--max-memory`\n"
             ));
+        }
+        Error::Run(error @ RunError::Interrupted) => {
+            note(&format!("{error}\nhint: the same command with `--resume` goes on from here\n"));
         }
         other => note(&format!("error: {other}\n")),
     }

@@ -102,7 +102,7 @@ fn envelope(out: &mut String, summary: &Summary) {
         .iter()
         .map(|(field, [low, high])| {
             let place = |e: &(String, Located)| format!("{} at {}", e.0, print_state::place(&e.1));
-            vec![(*field).into(), number(low.1.value), place(low), number(high.1.value), place(high)]
+            vec![field.to_string(), number(low.1.value), place(low), number(high.1.value), place(high)]
         })
         .collect();
     let _ = write!(out, "\nenvelope\n\n{}", table(&["field", "smallest", "in", "largest", "in"], &rows));
@@ -111,7 +111,7 @@ fn envelope(out: &mut String, summary: &Summary) {
 fn probes(out: &mut String, summary: &Summary) {
     let row = |p: &ProbeResult| {
         let place = p.place.clone().or_else(|| Some(print_state::position(p.x?, p.y))).unwrap_or_default();
-        vec![p.name.clone(), p.state.clone(), p.field.into(), place, format!("{:?}", p.value)]
+        vec![p.name.clone(), p.state.clone(), p.field.to_string(), place, format!("{:?}", p.value)]
     };
     let rows: Vec<Vec<String>> = summary.probes.iter().map(row).collect();
     let on_lines = summary.probes.iter().all(|p| p.place.is_none() && p.y.is_none());

@@ -72,7 +72,7 @@ pub(super) fn forces(out: &mut String, forces: &PlaneForces, units: Units) {
     let mut rows: Vec<Vec<String>> = forces.reactions.iter().take(MOST_ROWS).map(row).collect();
     for mirror in &forces.mirrors {
         let across = force(mirror.force);
-        let is_x = matches!(mirror.side, "left" | "right");
+        let is_x = matches!(&*mirror.side, "left" | "right");
         let (x, y) = if is_x { (across, String::new()) } else { (String::new(), across) };
         let mut cells = vec![format!("symmetry `{}`", mirror.side), x, y];
         cells.extend(turns.then(String::new));

@@ -1,10 +1,14 @@
 //! `run` and `check`.
 
 use super::args::{Global, Run};
+use super::interrupt::Interrupt;
+use super::progress::Progress;
+use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use crate::output::matrix_market;
-use crate::results::{Results, admit, finite};
-use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes, taking};
+use crate::results::{Results, admit};
+use crate::run::fracture::Restart;
+use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
 use crate::scene::Scene;
 use crate::scene::plane::{AnyPlaneModel, PlaneProblem};
 use crate::summary::{Status, Summary};
@@ -21,15 +25,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         Some(folder) => folder.clone(),
         None => Path::new("results").join(arguments.case.file_stem().unwrap_or_default()),
     };
-    admit(&folder, arguments.force).map_err(|error| {
-        io::Error::new(
-            error.kind(),
-            match folder.exists() && !folder.is_dir() {
-                true => format!("{error}\nhint: choose a folder with `-o`"),
-                false => format!("{error}\nhint: choose another folder with `-o`, or add `--force`"),
-            },
-        )
-    })?;
+    let restart = restart(arguments, &folder, &loaded)?;
     // Faults of the case come before the first file.
     sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
     if let Some(file) = &arguments.write_matrix {
@@ -39,7 +35,12 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         }
         write_matrix(&loaded, file)?;
     }
-    let summary = solve_into(&loaded, &folder, global)?;
+    let mut writing = Writing::new(&loaded.scene, &folder);
+    // What cannot be resumed is better killed by the first signal.
+    if loaded.scene.case().fracture.is_some() {
+        writing = writing.watched(Progress::new(global), Interrupt::listen(global.quiet)?);
+    }
+    let summary = solve_into(&loaded, restart, writing, global)?;
     if !global.quiet {
         // Those of the case have been shown.
         let shown = loaded.warnings().map_or(0, |report| report.diagnostics.len());
@@ -54,31 +55,33 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     Ok(exit_code(&summary))
 }
 
-/// Solves a scene and writes its folder.
-pub(super) fn solve_into(loaded: &Loaded, folder: &Path, global: &Global) -> Result<Summary, Error> {
-    let at = |error: io::Error| {
-        io::Error::new(error.kind(), format!("cannot write {}: {error}", folder.display()))
-    };
-    let mut results: Option<Results> = None;
-    let mut take = taking(|result| {
-        if !finite(&result) {
-            return Err(io::Error::new(
-                io::ErrorKind::InvalidData,
-                "the results do not fit into double precision\nhint: choose units in which all numbers are moderate",
-            ));
-        }
-        let results = match &mut results {
-            Some(results) => results,
-            None => results.insert(Results::begin(folder, &loaded.scene).map_err(at)?),
-        };
-        results.take(&loaded.scene, &result).map_err(at)
-    });
-    let summary = loaded.run(&with_fields(global), None, &mut take)?;
-    drop(take);
-    if let Some(results) = results {
-        results.finish(&summary).map_err(at)?;
+/// Solves a scene, from a restart if there is one, into its folder.
+pub(super) fn solve_into(
+    loaded: &Loaded,
+    restart: Option<Restart>,
+    mut writing: Writing,
+    global: &Global,
+) -> Result<Summary, Error> {
+    if let Some(restart) = &restart {
+        writing.resume(restart)?;
     }
+    let summary = loaded.run(&with_fields(global), restart, &mut writing)?;
+    writing.finish(&summary)?;
     Ok(summary)
+}
+
+/// Whether there is a folder to write into, and what it holds to go on from.
+fn restart(arguments: &Run, folder: &Path, loaded: &Loaded) -> io::Result<Option<Restart>> {
+    if arguments.resume {
+        return Results::interrupted(folder, &loaded.scene).map(Some);
+    }
+    admit(folder, arguments.force).map(|()| None).map_err(|error| {
+        let hint = match folder.exists() && !folder.is_dir() {
+            true => "choose a folder with `-o`",
+            false => "choose another folder with `-o`, or add `--force`",
+        };
+        io::Error::new(error.kind(), format!("{error}\nhint: {hint}"))
+    })
 }
 
 /// What a run with all its outputs is asked for.

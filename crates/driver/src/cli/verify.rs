@@ -1,6 +1,7 @@
 //! `verify`: the checks of many cases.
 
 use super::args::Global;
+use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
 use crate::results::{MARK, admit};
 use crate::run::{RunOptions, taking};
@@ -144,7 +145,7 @@ fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome>
         Some(folder) => {
             let folder = folder.join(inside(case));
             admit(&folder, false)?;
-            solve::solve_into(&loaded, &folder, global)
+            solve::solve_into(&loaded, None, Writing::new(&loaded.scene, &folder), global)
         }
         None => {
             let options = RunOptions { recover: false, max_memory: global.max_memory };

@@ -1,22 +1,42 @@
-//! The folder of a run, written state by state; `summary.json` comes last and means that the run is finished.
+//! The folder of a run, written state by state; `summary.json` comes last and means that the run is finished. While a body
+//! breaks, `restart.bin` is what the run can go on from.
 
 mod beam;
+mod curve;
 mod envelope;
 mod factor;
 mod plane;
+mod restart;
+mod resume;
 
+use crate::case::Case;
 use crate::output::{atomic, csv, pvd};
+use crate::run::fracture::{Event, Restart};
 use crate::run::{ProbeResult, StateRecord, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
+use curve::Curve;
 use envelope::Envelope;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 /// What peristat writes into a folder.
-const OWN: [&str; 7] =
-    ["case.json", "fields", "fields.pvd", "history.csv", "envelope.csv", "plots", "summary.json"];
+const OWN: [&str; 9] = [
+    "case.json",
+    "fields",
+    "fields.pvd",
+    "history.csv",
+    curve::FILE,
+    "envelope.csv",
+    "plots",
+    restart::FILE,
+    "summary.json",
+];
+
+/// Time between two writes of the restart over the time that one takes: it is to cost no more than a few percent of a run.
+const SELDOM: u32 = 20;
 
 /// A results folder being written.
 #[derive(Debug)]
@@ -25,7 +45,13 @@ pub struct Results {
     steps: Vec<(f64, String)>,
     history: Vec<Vec<f64>>,
     envelope: Option<Envelope>,
+    curve: Option<Curve>,
+    /// When the restart is worth writing again.
+    due: Option<Instant>,
 }
+
+/// The first columns of `history.csv`; those of the probes follow.
+const HISTORY: [&str; 2] = ["step", "load_factor"];
 
 /// A column of a table.
 type Column = (&'static str, Vec<f64>);
@@ -53,10 +79,12 @@ pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
     }
     let names = names_in(folder)?;
     let marked = names.iter().any(|n| n == MARK);
-    let other = names.iter().find(|n| *n != MARK && !(marked && OWN.contains(&n.as_str())));
+    let own = |n: &str| OWN.contains(&n) || is_leftover(n);
+    let other = names.iter().find(|n| *n != MARK && !(marked && own(n)));
     let inside = |part: &str, own: &dyn Fn(&str) -> bool| -> io::Result<Option<String>> {
         let path = folder.join(part);
-        let found = if path.is_dir() { names_in(&path)?.into_iter().find(|n| !own(n)) } else { None };
+        let foreign = |n: &String| !own(n) && !is_leftover(n);
+        let found = if path.is_dir() { names_in(&path)?.into_iter().find(foreign) } else { None };
         Ok(found.map(|n| format!("{part}/{n}")))
     };
     let found = match other {
@@ -77,6 +105,11 @@ pub fn finite(result: &StateResult) -> bool {
             StateResult::Beam(result) => beam::fields(result).all(|(_, values)| finite(&values)),
             StateResult::Plane(result) => plane::finite(result),
         }
+}
+
+/// Whether a file is one that was being written when its run was killed.
+fn is_leftover(name: &str) -> bool {
+    name.starts_with('.') && name.ends_with(".part")
 }
 
 /// Names of what a folder holds.
@@ -100,16 +133,21 @@ impl Results {
                 Err(_) => {}
             }
         }
+        for name in names_in(folder)?.iter().filter(|n| is_leftover(n)) {
+            fs::remove_file(folder.join(name))?;
+        }
         fs::write(folder.join(MARK), "results of peristat\n")?;
-        let case = serde_json::to_string_pretty(scene.case())?;
-        atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())?;
+        write_case(folder, scene)?;
         fs::create_dir(folder.join("fields"))?;
         fs::create_dir(folder.join("plots"))?;
+        let breaks = scene.case().fracture.is_some();
         Ok(Self {
             folder: folder.into(),
             steps: Vec::new(),
             history: Vec::new(),
             envelope: scene.has_envelope().then(Envelope::default),
+            curve: if breaks { Some(Curve::begin(folder, &[])?) } else { None },
+            due: None,
         })
     }
 
@@ -119,8 +157,9 @@ impl Results {
     /// The folder cannot be written.
     pub fn take(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
         let record = result.record();
-        let name = format!("step_{:03}", record.index);
-        let is_last = record.index + 1 == scene.states();
+        let name = step_name(record.index);
+        // Which equilibrium is the last of a body that breaks is known only after it: any may be.
+        let is_last = self.curve.is_some() || record.index + 1 == scene.states();
         let probes = match (scene, result) {
             (Scene::Beam(scene), StateResult::Beam(result)) => {
                 beam::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
@@ -138,30 +177,66 @@ impl Results {
             }
             _ => unreachable!("a scene has results of its own kind"),
         };
-        self.steps.push((step_time(scene, record), format!("fields/{name}.vtu")));
-        let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();
-        pvd::write(&self.folder.join("fields.pvd"), &steps)?;
+        self.steps.push(step(scene, record.index, record.load_factor));
+        self.write_collection()?;
         self.write_history(record, &probes)?;
+        self.draw_curve(scene.case())?;
         match &self.envelope {
             Some(envelope) if is_last => envelope.write(&self.folder.join("envelope.csv")),
             _ => Ok(()),
         }
     }
 
-    /// Writes `summary.json`.
+    /// Writes an equilibrium of a body that breaks, and what the run can go on from: at once if it is about to end, else not
+    /// so often that it takes a notable part of the time.
     ///
     /// # Errors
     /// The folder cannot be written.
-    pub fn finish(self, summary: &Summary) -> io::Result<()> {
+    pub fn advance(&mut self, event: &Event, restart: &dyn Fn() -> Restart, ends: bool) -> io::Result<()> {
+        if let Some(curve) = &mut self.curve {
+            curve.add(event)?;
+        }
+        let begin = Instant::now();
+        if ends || self.due.is_none_or(|due| due <= begin) {
+            restart::write(&self.folder.join(restart::FILE), &restart())?;
+            let end = Instant::now();
+            let pause = (end - begin).saturating_mul(SELDOM);
+            self.due = Some(end.checked_add(pause).unwrap_or(end + Duration::from_secs(60)));
+        }
+        Ok(())
+    }
+
+    /// Writes `summary.json`; there is nothing left to go on with.
+    ///
+    /// # Errors
+    /// The folder cannot be written.
+    pub fn finish(self, summary: &Summary, case: &Case) -> io::Result<()> {
+        self.draw_curve(case)?;
         let text = serde_json::to_string_pretty(summary)?;
-        atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())
+        atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())?;
+        match fs::remove_file(self.folder.join(restart::FILE)) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    fn draw_curve(&self, case: &Case) -> io::Result<()> {
+        match &self.curve {
+            Some(curve) => curve.draw(&self.folder.join("plots"), &case.title, case.units),
+            None => Ok(()),
+        }
+    }
+
+    fn write_collection(&self) -> io::Result<()> {
+        let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();
+        pvd::write(&self.folder.join("fields.pvd"), &steps)
     }
 
     fn write_history(&mut self, record: &StateRecord, probes: &[ProbeResult]) -> io::Result<()> {
         let mut row = vec![record.index as f64, record.load_factor];
         row.extend(probes.iter().map(|p| p.value));
         self.history.push(row);
-        let mut names = vec!["step", "load_factor"];
+        let mut names = HISTORY.to_vec();
         names.extend(probes.iter().map(|p| p.name.as_str()));
         let columns: Vec<Vec<f64>> =
             (0..names.len()).map(|c| self.history.iter().map(|row| row[c]).collect()).collect();
@@ -171,7 +246,20 @@ impl Results {
     }
 }
 
-/// Time of a state in the collection: the load factor of a step, the number of a load case.
-fn step_time(scene: &Scene, record: &StateRecord) -> f64 {
-    if scene.case().steps.is_some() { record.load_factor } else { record.index as f64 }
+/// First part of the names of the files of a state.
+fn step_name(index: usize) -> String {
+    format!("step_{index:03}")
+}
+
+/// A state in the collection: its time, which is the load factor of a step, the number of a load case or equilibrium; and
+/// its file.
+fn step(scene: &Scene, index: usize, load_factor: f64) -> (f64, String) {
+    let time = if scene.case().steps.is_some() { load_factor } else { index as f64 };
+    (time, format!("fields/{}.vtu", step_name(index)))
+}
+
+/// Writes `case.json`.
+fn write_case(folder: &Path, scene: &Scene) -> io::Result<()> {
+    let case = serde_json::to_string_pretty(scene.case())?;
+    atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())
 }

@@ -7,19 +7,20 @@ use peristat_assembly::stiffness::Survey;
 use peristat_assembly::sum::Sum;
 use peristat_assembly::system::System;
 use peristat_solve::PcgStatus;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// Imbalance of one rigid motion.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Balance {
     /// The motion that loads and reactions must do no work on.
-    pub motion: &'static str,
+    pub motion: Cow<'static, str>,
     /// Sum of their works over the sum of the magnitudes.
     pub relative: f64,
 }
 
 /// Numbers that show whether a solution is one.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Certificate {
     /// Whether the solve settled.
     pub converged: bool,
@@ -143,7 +144,7 @@ fn balance<const D: usize, T: Model<D>>(
     let sizes: Vec<f64> = (0..sums.len()).map(|kind| extent::displacement(model, kind, origin)).collect();
     let least = sums.iter().zip(&sizes).map(|(sum, size)| sum.1 / size).fold(0.0, f64::max);
     let balance = |((&motion, (sum, scale)), size): ((&&'static str, (Sum, f64)), &f64)| Balance {
-        motion,
+        motion: motion.into(),
         relative: ratio(sum.total().abs(), scale.max(least * size)),
     };
     T::RIGID_MOTIONS.iter().zip(sums).zip(&sizes).map(balance).collect()

@@ -2,10 +2,11 @@
 
 use super::scan;
 use crate::scene::{Expectation, ExpectationKind};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// A probed value.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProbeResult {
     /// Name of the probe.
     pub name: String,
@@ -21,7 +22,7 @@ pub struct ProbeResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<String>,
     /// Name of the field, or `stress_intensity`.
-    pub field: &'static str,
+    pub field: Cow<'static, str>,
     /// Value.
     pub value: f64,
 }

@@ -67,7 +67,7 @@ pub(super) fn state(
     let located = |(value, line, x): (f64, usize, f64)| Located { value, x, y: None, member: name(line) };
     let extremes = result.fields().iter().filter_map(|&field| {
         let [smallest, largest] = result.located_extremes(field)?;
-        Some((field.name(), Extremes { smallest: located(smallest), largest: located(largest) }))
+        Some((field.name().into(), Extremes { smallest: located(smallest), largest: located(largest) }))
     });
     let state = StateSummary {
         name: result.record.name.clone(),

@@ -13,7 +13,8 @@ use crate::run::{
     Timing,
 };
 use crate::scene::Scene;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// How a run ended.
@@ -29,7 +30,7 @@ pub enum Status {
 }
 
 /// A value and where it is.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Located {
     /// Value.
     pub value: f64,
@@ -44,7 +45,7 @@ pub struct Located {
 }
 
 /// Smallest and largest value of a field.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Extremes {
     /// Smallest.
     pub smallest: Located,
@@ -53,14 +54,14 @@ pub struct Extremes {
 }
 
 /// One state without its fields.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StateSummary {
     /// Name.
     pub name: String,
     /// Load factor.
     pub load_factor: f64,
     /// Extreme values by field.
-    pub extremes: BTreeMap<&'static str, Extremes>,
+    pub extremes: BTreeMap<Cow<'static, str>, Extremes>,
     /// Forces, of the body and of what holds it.
     #[serde(flatten)]
     pub forces: Forces,
@@ -69,10 +70,11 @@ pub struct StateSummary {
 }
 
 /// Forces of a state.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Forces {
-    /// Of a beam or frame.
+    /// Of a beam or frame; they do not break, so that these are never read again.
+    #[serde(skip_deserializing)]
     Beam(BeamForces),
     /// Of a body in the plane.
     Plane(PlaneForces),
@@ -110,7 +112,7 @@ pub struct Summary {
     pub states: Vec<StateSummary>,
     /// Extreme values over all load cases and combinations, with the name of the state.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    pub envelope: BTreeMap<&'static str, [(String, Located); 2]>,
+    pub envelope: BTreeMap<Cow<'static, str>, [(String, Located); 2]>,
     /// What the scene was spared, and why.
     pub skipped: Vec<String>,
     /// Counters.
@@ -148,6 +150,20 @@ impl Collector {
         self.checks.extend(checks);
     }
 
+    /// What the summary says of the states so far, as JSON, for a run that goes on later.
+    pub fn save(&self) -> String {
+        serde_json::json!([self.states, self.probes]).to_string()
+    }
+
+    /// Goes on from what was [saved](Self::save). Checks are made on the last state, which is yet to come.
+    ///
+    /// # Errors
+    /// The text is not what was saved.
+    pub fn restore(saved: &str) -> serde_json::Result<Self> {
+        let (states, probes) = serde_json::from_str(saved)?;
+        Ok(Self { states, probes, checks: Vec::new() })
+    }
+
     /// The summary of the run.
     pub fn finish(self, scene: &Scene, report: RunReport, warnings: Vec<String>) -> Summary {
         let status = match (report.converged, self.checks.iter().all(|c| c.passed)) {
@@ -182,13 +198,45 @@ impl Collector {
 }
 
 /// Extreme values over all states.
-fn envelope(states: &[StateSummary]) -> BTreeMap<&'static str, [(String, Located); 2]> {
-    let mut ranges: BTreeMap<&'static str, Range<(String, Located)>> = BTreeMap::new();
+fn envelope(states: &[StateSummary]) -> BTreeMap<Cow<'static, str>, [(String, Located); 2]> {
+    let mut ranges: BTreeMap<Cow<'static, str>, Range<(String, Located)>> = BTreeMap::new();
     for state in states {
-        for (&field, Extremes { smallest, largest }) in &state.extremes {
+        for (field, Extremes { smallest, largest }) in &state.extremes {
             let end = |at: &Located| (at.value, (state.name.clone(), at.clone()));
-            ranges.entry(field).or_default().take([end(smallest), end(largest)]);
+            ranges.entry(field.clone()).or_default().take([end(smallest), end(largest)]);
         }
     }
     ranges.into_iter().filter_map(|(field, range)| Some((field, range.ends()?.map(|(_, at)| at)))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    #[test]
+    fn a_saved_collector_goes_on_with_the_same_states_and_probes() {
+        let text = include_str!("../cli/new_bond_plane.json").to_string();
+        let coarse = ["body.rectangle.spacing=5.0".to_string(), "checks=[]".to_string()];
+        let source = crate::case::from_text("case", text, &coarse).unwrap();
+        let scene = Scene::new(source.case, Path::new("."), "case", "", None).unwrap();
+        let (mut all, mut first) = (Collector::default(), Collector::default());
+        let mut take = crate::run::taking(|result| {
+            all.take(&scene, &result);
+            all.take(&scene, &result);
+            first.take(&scene, &result);
+            let mut second = Collector::restore(&first.save())?;
+            second.take(&scene, &result);
+            assert_eq!(second.states, all.states);
+            assert_eq!(second.probes, all.probes);
+            Ok(())
+        });
+        let options = crate::run::RunOptions { recover: true, max_memory: None };
+        crate::run::run(&scene, &options, None, &mut take).unwrap();
+        drop(take);
+        assert_eq!((all.states.len(), all.probes.len()), (2, 6));
+        let Forces::Plane(forces) = &all.states[0].forces else { panic!("a plate is in the plane") };
+        assert_eq!(forces.mirrors.len(), 2);
+        assert!(Collector::restore("{}").is_err());
+    }
 }

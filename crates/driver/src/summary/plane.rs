@@ -7,15 +7,15 @@ use crate::scene::plane::{PlaneBonds, PlaneScene};
 use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::bond_plane::{Influence, PlaneState, VolumeFactor};
 use peristat_assembly::model::plane::{Calibration, Edges};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Forces of what holds a body in the plane.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlaneForces {
     /// Forces of supports and rigid regions on the body, in the order of the case.
     pub reactions: Vec<PlaneReaction>,
     /// Forces across lines of symmetry.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub mirrors: Vec<MirrorReaction>,
 }
 
@@ -78,7 +78,7 @@ pub(super) fn state(
             Located { value: values[point], x, y: Some(y), member: None }
         });
         let [smallest, largest] = located;
-        Some((field.name(), Extremes { smallest, largest }))
+        Some((field.name().into(), Extremes { smallest, largest }))
     });
     let state = StateSummary {
         name: result.record.name.clone(),

@@ -21,6 +21,7 @@ const MOST_DOTS: usize = 48;
 /// Widths of strokes in fine units. A dashed line is told from others by its width, see [`svg`].
 const STROKE: u32 = 20;
 const DASHED_STROKE: u32 = 19;
+const THIN_STROKE: u32 = 8;
 /// Left edge of the plot, and with it of title and legend.
 const LEFT: i32 = 88;
 /// Right edge of the plot; the last tick label stands half beyond it.
@@ -177,7 +178,11 @@ pub(super) fn text(
 }
 
 fn stroke(style: Style, color: &RGBColor) -> ShapeStyle {
-    color.stroke_width(if style == Style::Dashed { DASHED_STROKE } else { STROKE })
+    color.stroke_width(match style {
+        Style::Dashed => DASHED_STROKE,
+        Style::Thin => THIN_STROKE,
+        Style::Line | Style::Dots => STROKE,
+    })
 }
 
 /// A pixel on the raster.

@@ -21,6 +21,8 @@ use scale::Scale;
 pub enum Style {
     /// A line.
     Line,
+    /// A thin line, as for what lies behind another one.
+    Thin,
     /// Single points, as for measured or closed-form values.
     Dots,
     /// A dashed line.

@@ -17,7 +17,7 @@ pub(crate) fn probes(scene: &BeamScene, result: &BeamResult) -> Vec<ProbeResult>
             x: Some(p.x),
             y: None,
             place: p.place.clone(),
-            field: p.field.name(),
+            field: p.field.name().into(),
             value: result.value(p.field, p.local.0, p.local.1)?,
         })
     };

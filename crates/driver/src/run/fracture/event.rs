@@ -42,7 +42,7 @@ pub struct Event {
 /// What it takes to go on from an equilibrium of a body that breaks.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Restart {
-    /// The case, [`crate::scene::Scene::fingerprint`].
+    /// The case, [`crate::scene::Scene::fingerprint`]; a run leaves it empty, [`crate::Loaded::run`] fills it in.
     pub case: String,
     /// The equilibria so far.
     pub events: Vec<Event>,
@@ -60,6 +60,6 @@ pub struct Restart {
     pub step: usize,
     /// Load factor.
     pub load_factor: f64,
-    /// What the summary says of the recorded states; a run leaves it empty, [`crate::Loaded::run`] fills it in.
+    /// What the summary says of the recorded states; filled in likewise.
     pub summaries: String,
 }

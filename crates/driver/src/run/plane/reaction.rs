@@ -2,10 +2,11 @@
 
 use crate::scene::plane::{PlaneScene, PlaneSupport};
 use peristat_assembly::sum::Sum;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// Force of a support, or of what is prescribed of a rigid region, on the body.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlaneReaction {
     /// What is held, such as ``the region `left` ``.
     pub place: String,
@@ -22,10 +23,10 @@ pub struct PlaneReaction {
 }
 
 /// Force of the mirrored half on the body, across a line of symmetry.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MirrorReaction {
     /// The side of the body: `left`, `right`, `bottom` or `top`.
-    pub side: &'static str,
+    pub side: Cow<'static, str>,
     /// Force across the line, along x or y as that is.
     pub force: f64,
 }
@@ -92,5 +93,5 @@ pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64]) -> Vec<MirrorR
         }
     }
     let named = SIDES.into_iter().zip(sums);
-    named.filter_map(|(side, sum)| Some(MirrorReaction { side, force: sum?.total() })).collect()
+    named.filter_map(|(side, sum)| Some(MirrorReaction { side: side.into(), force: sum?.total() })).collect()
 }

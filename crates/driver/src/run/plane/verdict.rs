@@ -20,7 +20,7 @@ pub(crate) fn probes(scene: &PlaneScene, result: &PlaneResult) -> Vec<ProbeResul
             x: p.position.map(|at| at[0]),
             y: p.position.map(|at| at[1]),
             place: p.position.is_none().then(|| p.place.clone()),
-            field: p.field_name(),
+            field: p.field_name().into(),
             value: value(scene, result, &p.quantity)?,
         })
     };

@@ -49,7 +49,10 @@ pub(super) fn certify(motions: &[&'static str], evidence: &Evidence) -> Certific
     let sizes = [sizes[0].max(sizes[1] / length), sizes[1].max(sizes[0] * length)];
     let balance = motions.iter().zip(checks.closure).zip(sizes);
     let balance: Vec<Balance> = balance
-        .map(|((&motion, sum), size)| Balance { motion, relative: or_zero(ratio(sum.abs(), size)) })
+        .map(|((&motion, sum), size)| Balance {
+            motion: motion.into(),
+            relative: or_zero(ratio(sum.abs(), size)),
+        })
         .collect();
     let next_correction =
         evidence.next_correction.max(or_zero(ratio(checks.residual, strain * evidence.least_eigenvalue)));

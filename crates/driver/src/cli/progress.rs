@@ -1,0 +1,124 @@
+//! How far a run has come: a line on a terminal that is kept up to date, or a line now and then.
+
+use super::args::Global;
+use super::note;
+use crate::run::fracture::Event;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::{self, IsTerminal};
+use std::time::{Duration, Instant};
+
+/// Time between two lines where there is no terminal.
+const PAUSE: Duration = Duration::from_secs(10);
+/// Time between two turns of the mark that shows that a long solve is alive.
+const TICK: Duration = Duration::from_millis(200);
+
+/// Shows how far a run has come.
+#[derive(Debug, Default)]
+pub(super) enum Progress {
+    /// Shows nothing.
+    #[default]
+    Silent,
+    /// A line on stderr every ten seconds.
+    Lines {
+        /// The last line, or the start.
+        last: Instant,
+    },
+    /// A line on the terminal with a mark that turns. How many equilibria there will be is not known, so that there is no
+    /// bar to fill.
+    Terminal(ProgressBar),
+}
+
+impl Progress {
+    /// As it was asked for, on stderr.
+    pub(super) fn new(global: &Global) -> Self {
+        Self::choose(global, io::stderr().is_terminal())
+    }
+
+    fn choose(global: &Global, terminal: bool) -> Self {
+        match (terminal, global.quiet, global.verbose) {
+            (_, true, _) | (false, _, false) => Self::Silent,
+            (false, false, true) => Self::Lines { last: Instant::now() },
+            (true, false, _) => {
+                let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+                if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {wide_msg}") {
+                    bar.set_style(style);
+                }
+                bar.enable_steady_tick(TICK);
+                Self::Terminal(bar)
+            }
+        }
+    }
+
+    /// An equilibrium was found.
+    pub(super) fn advance(&mut self, event: &Event) {
+        match self {
+            Self::Silent => {}
+            Self::Lines { last } => {
+                if last.elapsed() >= PAUSE {
+                    *last = Instant::now();
+                    note(&format!("{}\n", line(event)));
+                }
+            }
+            Self::Terminal(bar) => bar.set_message(line(event)),
+        }
+    }
+}
+
+impl Drop for Progress {
+    /// Leaves a terminal as if nothing had been shown, whatever ended the run.
+    fn drop(&mut self) {
+        if let Self::Terminal(bar) = self {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+/// An equilibrium in a line.
+fn line(event: &Event) -> String {
+    let Event { step, solve, load_factor, load, broken, islands, .. } = event;
+    let off = if *islands > 0 { format!(", {islands} points off") } else { String::new() };
+    format!(
+        "step {step}, solve {solve}: load factor {load_factor:.4e}, load {load:.4e}, {broken} bonds broken{off}"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::args::Arguments;
+    use super::*;
+    use clap::Parser;
+
+    fn chosen(flags: &[&str], terminal: bool) -> Progress {
+        let arguments = ["peristat", "list"].iter().chain(flags);
+        Progress::choose(&Arguments::try_parse_from(arguments).unwrap().global, terminal)
+    }
+
+    #[test]
+    fn nothing_is_shown_without_a_terminal_unless_it_is_asked_for() {
+        assert!(matches!(chosen(&[], false), Progress::Silent));
+        assert!(matches!(chosen(&["-q"], false), Progress::Silent));
+        assert!(matches!(chosen(&["-q"], true), Progress::Silent));
+        assert!(matches!(chosen(&["-v"], false), Progress::Lines { .. }));
+        assert!(matches!(chosen(&[], true), Progress::Terminal(_)));
+        assert!(matches!(Progress::default(), Progress::Silent));
+    }
+
+    #[test]
+    fn lines_come_one_in_ten_seconds() {
+        let mut progress = chosen(&["-v"], false);
+        let Progress::Lines { last: before } = progress else { panic!("{progress:?}") };
+        progress.advance(&Event::default());
+        assert!(matches!(progress, Progress::Lines { last } if last == before));
+        progress = Progress::Lines { last: before.checked_sub(PAUSE).unwrap() };
+        progress.advance(&Event::default());
+        assert!(matches!(progress, Progress::Lines { last } if last > before));
+    }
+
+    #[test]
+    fn a_line_says_where_the_run_is() {
+        let event =
+            Event { step: 3, solve: 41, load_factor: 1.5, load: -2e4, broken: 12, ..Event::default() };
+        assert_eq!(line(&event), "step 3, solve 41: load factor 1.5000e0, load -2.0000e4, 12 bonds broken");
+        assert!(line(&Event { islands: 5, ..event }).ends_with("12 bonds broken, 5 points off"));
+    }
+}
