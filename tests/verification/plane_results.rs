@@ -108,7 +108,7 @@ fn mirrors_hold_what_comes_through_them() {
         { "traction": { "edge": "top", "uniform": [0.0, -4.0] } }
     ]);
     let (summary, result) = solve(&case);
-    let forces: Vec<(&str, f64)> = result.mirrors.iter().map(|m| (m.side, m.force)).collect();
+    let forces: Vec<(&str, f64)> = result.mirrors.iter().map(|m| (m.side.as_ref(), m.force)).collect();
     // Stress times side times thickness.
     let expected = [("left", -160.0), ("bottom", 96.0)];
     for ((side, found), (wanted, force)) in forces.iter().zip(expected) {

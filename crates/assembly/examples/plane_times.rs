@@ -4,9 +4,9 @@
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::bond_plane::{
-    BondPlane, Calibration, Edges, Influence, Mirrors, PlaneMaterial, PlaneParameters, PlaneState,
-    VolumeFactor,
+    BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
+use peristat_assembly::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;

@@ -106,6 +106,10 @@ impl<const D: usize, T: Term<D> + ?Sized> Term<D> for Arc<T> {
         (**self).add_force(u, force);
     }
 
+    fn sweep(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {
+        (**self).sweep(u, out, take)
+    }
+
     fn survey(&self, u: &[f64]) -> Survey<D> {
         (**self).survey(u)
     }

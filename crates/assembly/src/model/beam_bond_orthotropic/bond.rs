@@ -1,6 +1,7 @@
 //! A bond that resists elongation, shear and the difference of the rotations of its ends.
 
-use crate::bonds::{BondGeometry, BondModel, Rows};
+use super::super::plane::{PlaneBond, strain_rows};
+use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 
 /// Unknowns of a point: `u`, `v` and `hθ`, all in m, with a length h of about the spacing.
 ///
@@ -32,5 +33,34 @@ impl BondModel<3, 3> for BeamBond {
 
     fn moduli(&self, _: &BondGeometry) -> [f64; 3] {
         [self.volume; 3]
+    }
+}
+
+impl PlaneBond<3, 3, 4> for BeamBond {
+    /// `N·ε` and `T·ε + r` with `N = (n_x², n_y², n_x n_y)`, `T = (−n_x n_y, n_x n_y, (n_x² − n_y²)/2)`; nothing bends.
+    fn in_uniform_state(&self, bond: &BondGeometry) -> Mat<3, 4> {
+        let ([x, y, _], squared) = (bond.xi, bond.length().powi(2));
+        let [xx, yy, xy] = [x * x / squared, y * y / squared, x * y / squared];
+        [[xx, yy, xy, 0.0], [-xy, xy, 0.5 * (xx - yy), 1.0], [0.0; 4]]
+    }
+
+    fn stretch_per_measure(&self, _: &BondGeometry) -> f64 {
+        1.0
+    }
+
+    fn coarser(&self) -> Self {
+        Self { volume: 4.0 * self.volume, ..*self }
+    }
+
+    fn triangle(&self, first: [f64; 2], second: [f64; 2]) -> ([Mat<4, 3>; 2], Mat<4, 3>) {
+        // ω = (∂v/∂x − ∂u/∂y)/2; a strain row of u along x is the derivative by x, that of v along y the one by y.
+        let with_rotation = |rows: Mat<3, 2>| {
+            let (by_x, by_y) = (rows[0][0], rows[1][1]);
+            let strain = |k: usize| [rows[k][0], rows[k][1], 0.0];
+            [strain(0), strain(1), strain(2), [-0.5 * by_y, 0.5 * by_x, 0.0]]
+        };
+        let mut own = [[0.0; 3]; 4];
+        own[3][2] = -1.0 / self.turning;
+        (strain_rows(first, second).map(with_rotation), own)
     }
 }

@@ -9,6 +9,7 @@
 //! A crack runs right only if the bonds that carry the fibres lie exactly along them: fracture needs a lattice with such
 //! bonds, turned with the fibres if need be. Exact moduli alone are not enough.
 
+mod body;
 mod bond;
 mod calibration;
 mod error;
@@ -20,6 +21,7 @@ mod parameters;
 mod tests;
 mod toughness;
 
+pub use body::BeamBondOrthotropic;
 pub use bond::BeamBond;
 pub use calibration::PublishedConstants;
 pub use error::OrthotropicError;

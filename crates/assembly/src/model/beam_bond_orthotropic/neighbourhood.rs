@@ -55,6 +55,11 @@ impl BeamNeighbourhood {
         Ok(Self { hood, is_fibre, direction: fibres.direction, start, angle, horizon_ratio: m })
     }
 
+    /// The same as bodies on lattices take it.
+    pub(super) fn hood(&self) -> &Neighbourhood<3> {
+        &self.hood
+    }
+
     /// The offsets of all bonds and of possible sides of triangles, cells, row by row: upwards, or to the right in the same
     /// row.
     pub fn offsets(&self) -> &[Cell] {

@@ -1,0 +1,212 @@
+//! Bodies of beam bonds.
+
+use super::super::plane::{CriticalStretch, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel};
+use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
+use crate::body::{Cell, SquareLattice};
+use crate::bonds::{Mat, Point};
+use crate::condition::Equation;
+use crate::model::{Breakable, Model, ModelSizes};
+use crate::stiffness::{NumberedParts, Term};
+use std::sync::Arc;
+
+/// A plate of beam bonds: unknowns `u`, `v` and `hθ` with the spacing h of its lattice.
+#[derive(Clone, Debug)]
+pub struct BeamBondOrthotropic {
+    parameters: OrthotropicParameters,
+    body: LatticeBody<3, 3, 4, BeamBond>,
+}
+
+impl BeamBondOrthotropic {
+    /// One of each pair of opposite offsets to the neighbours of a point: the first number of a cut is an index into them.
+    ///
+    /// # Errors
+    /// As [`BeamNeighbourhood::new`].
+    pub fn offsets(parameters: &OrthotropicParameters) -> Result<Vec<Cell>, OrthotropicError> {
+        Ok(BeamNeighbourhood::new(parameters)?.offsets().to_vec())
+    }
+
+    /// Rows or columns of images that a lattice needs beyond a line of symmetry.
+    ///
+    /// # Errors
+    /// As [`BeamNeighbourhood::new`].
+    pub fn depth(parameters: &OrthotropicParameters) -> Result<i32, OrthotropicError> {
+        Ok(BeamNeighbourhood::new(parameters)?.hood().reach())
+    }
+
+    /// A body on a lattice with the angle of the parameters, images in `mirrors` among its points
+    /// ([`Mirrors::extended`]). A cut is an index into [`offsets`](Self::offsets) and the lower point of a bond.
+    ///
+    /// # Errors
+    /// As [`BeamNeighbourhood::new`].
+    ///
+    /// # Panics
+    /// A cut has no such offset or point.
+    pub fn on_lattice(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: OrthotropicParameters,
+        cuts: &[(usize, usize)],
+    ) -> Result<Self, OrthotropicError> {
+        let bonds = BeamNeighbourhood::new(&parameters)?;
+        let (spacing, thickness) = (lattice.spacing(), parameters.material.thickness);
+        let stiffness = parameters.material.stiffness_at(parameters.fibre_angle);
+        let kind = Kind {
+            bond: BeamBond { volume: spacing * spacing * thickness, turning: spacing },
+            edges: parameters.edges,
+            thickness,
+            stretch_moduli: [stiffness[0][0], stiffness[1][1]],
+        };
+        let body = LatticeBody::new(lattice, mirrors, bonds.hood().clone(), kind, cuts);
+        Ok(Self { parameters, body })
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &OrthotropicParameters {
+        &self.parameters
+    }
+}
+
+impl PlaneModel for BeamBondOrthotropic {
+    fn point_count(&self) -> usize {
+        self.body.lattice.points()
+    }
+
+    fn components(&self) -> usize {
+        3
+    }
+
+    fn turning(&self) -> Option<f64> {
+        Some(self.body.kind.bond.turning)
+    }
+
+    fn place(&self, point: usize) -> [f64; 2] {
+        self.body.lattice.position(point)
+    }
+
+    fn volume(&self, point: usize) -> f64 {
+        self.body.volume(point)
+    }
+
+    fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
+        Some((&self.body.lattice, &self.body.mirrors))
+    }
+
+    fn ghosts(&self) -> &[u32] {
+        &self.body.ghosts
+    }
+
+    fn triangles(&self) -> usize {
+        self.body.triangles.list().len()
+    }
+
+    fn uncorrected(&self) -> usize {
+        self.body.uncorrected
+    }
+
+    fn damage(&self) -> Vec<f64> {
+        self.body.damage()
+    }
+
+    fn thickness(&self) -> f64 {
+        self.parameters.material.thickness
+    }
+
+    fn stiffness(&self) -> Mat<3, 3> {
+        self.parameters.material.stiffness_at(self.parameters.fibre_angle)
+    }
+
+    fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
+        let compliance = self.parameters.material.compliance_at(self.parameters.fibre_angle);
+        compliance.map(|row| row.iter().zip(&stress).map(|(c, s)| c * s).sum())
+    }
+
+    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
+        Some(Self { parameters: self.parameters, body: self.body.coarser(cuts) })
+    }
+
+    fn parts(&self) -> NumberedParts {
+        self.connected()
+    }
+
+    fn fields(&self, u: &[f64]) -> PlaneFields {
+        self.body.fields(u)
+    }
+
+    fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        self.body.add_strain_work(t, points, force);
+    }
+}
+
+impl Model<3> for BeamBondOrthotropic {
+    const UNKNOWNS: [&'static str; 3] = ["ux", "uy", "phi"];
+    const RIGID_MOTIONS: &'static [&'static str] =
+        &["translation along x", "translation along y", "rotation about z"];
+    const IS_DISPLACEMENT: [bool; 3] = [true, true, false];
+
+    fn points(&self) -> usize {
+        self.point_count()
+    }
+
+    fn position(&self, point: usize) -> Point {
+        let [x, y] = self.place(point);
+        [x, y, 0.0]
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<3>>> {
+        let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.body.bonds.clone())];
+        if self.triangles() > 0 {
+            terms.push(Box::new(self.body.triangles.clone()));
+        }
+        terms
+    }
+
+    fn sizes(&self) -> ModelSizes {
+        let of = |term: &dyn Term<3>, couplings: usize| ModelSizes {
+            reach: term.reach(),
+            elements: term.elements(),
+            // Blocks of 3 × 3.
+            entries: 9 * couplings * term.elements(),
+            bytes: size_of::<f64>() * term.stored_factors(),
+        };
+        of(&self.body.bonds, 1).join(of(&self.body.triangles, 3))
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        self.body.mirrors.relations::<3>(&self.body.lattice, &self.body.ghosts)
+    }
+
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
+        let [x, y] = self.place(point);
+        match kind {
+            0 => [1.0, 0.0, 0.0],
+            1 => [0.0, 1.0, 0.0],
+            _ => [centre[1] - y, x - centre[0], self.body.kind.bond.turning],
+        }
+    }
+}
+
+impl Breakable<3> for BeamBondOrthotropic {
+    type Critical = CriticalStretch;
+
+    fn bond_numbers(&self) -> u64 {
+        self.body.bond_numbers()
+    }
+
+    fn ends(&self, bond: u64) -> [usize; 2] {
+        self.body.ends(bond)
+    }
+
+    fn for_each_ratio(&self, u: &[f64], critical: &CriticalStretch, visit: &mut dyn FnMut(u64, f64)) {
+        self.body.for_each_ratio(u, critical, visit);
+    }
+
+    fn part(&self, bonds: &[u64]) -> Vec<Box<dyn Term<3>>> {
+        self.body.part(bonds)
+    }
+
+    /// # Panics
+    /// The body has images in lines of symmetry.
+    fn break_bonds(&mut self, bonds: &[u64]) {
+        self.body.break_bonds(bonds);
+    }
+}
