@@ -5,8 +5,9 @@ use super::method::{self, Finish, Method};
 use super::multigrid::Coarser;
 use super::scan::largest;
 use super::{Counters, Problem, Timing, extent};
+use peristat_assembly::condition::Row;
 use peristat_assembly::system::System;
-use peristat_solve::{LinearOperator, Pcg, PcgStatus, Preconditioner};
+use peristat_solve::{LinearOperator, Pcg, PcgOptions, PcgStatus, Preconditioner};
 use std::collections::HashMap;
 
 /// The element-wise stiffness of a system as the solver sees it.
@@ -88,9 +89,27 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
         let mut counters = Counters::default();
-        let Method { preconditioner, report, finish } =
-            method::method(problem, system, coarser, timing, &mut counters)?;
-        Ok(Self {
+        let method = method::method(problem, system, coarser, timing, &mut counters)?;
+        Ok(Self::of(problem, system, method, counters))
+    }
+
+    /// A factor, whatever else would do.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if the stiffness has none.
+    pub(super) fn with_factor<P: Problem<D>>(
+        problem: &P,
+        system: &System<D>,
+        timing: &mut Timing,
+    ) -> Result<Self, SolveFailure> {
+        let mut counters = Counters::default();
+        let method = method::of_factor(problem, system, timing, &mut counters)?;
+        Ok(Self::of(problem, system, method, counters))
+    }
+
+    fn of<P: Problem<D>>(problem: &P, system: &System<D>, method: Method<'a>, counters: Counters) -> Self {
+        let Method { preconditioner, report, finish } = method;
+        Self {
             preconditioner,
             finish,
             pcg: Pcg::new(system.size()),
@@ -98,7 +117,22 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             scales: extent::scales(problem.model()),
             report,
             counters,
-        })
+        }
+    }
+
+    /// Makes a factor of a system that has changed.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if the stiffness has none.
+    pub(super) fn refactor<P: Problem<D>>(
+        &mut self,
+        problem: &P,
+        system: &System<D>,
+        timing: &mut Timing,
+    ) -> Result<(), SolveFailure> {
+        self.preconditioner =
+            method::of_factor(problem, system, timing, &mut self.counters)?.preconditioner;
+        Ok(())
     }
 
     /// Takes a factor instead of a method that did not converge.
@@ -178,6 +212,60 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         solution
     }
 
+    /// The 2-norm of the residual of loads and prescribed motions as a sudden jump of the constrained unknowns alone.
+    pub(super) fn jump(&mut self, system: &System<D>, load: &[f64]) -> f64 {
+        let mut u = vec![0.0; system.size()];
+        system.constraints().expand(1.0, &mut u);
+        self.refresh_residual(system, load, &u);
+        system.constraints().restrict(&mut self.residual);
+        norm(&self.residual)
+    }
+
+    /// Improves unknowns under a load and the prescribed motions until the residual is at most `target` in the 2-norm, or
+    /// for some iterations. The preconditioner may be that of another system with the same unknowns.
+    pub(super) fn follow(
+        &mut self,
+        system: &System<D>,
+        load: &[f64],
+        u: &mut [f64],
+        target: f64,
+        max_iterations: usize,
+    ) -> Followed {
+        let constraints = system.constraints();
+        constraints.expand(1.0, u);
+        self.refresh_residual(system, load, u);
+        constraints.restrict(&mut self.residual);
+        let mut residual = norm(&self.residual);
+        let mut iterations = 0;
+        if residual > target {
+            let options = PcgOptions {
+                max_iterations,
+                residual_drop: target / residual,
+                // Only the residual decides: it is that of a few bonds.
+                energy_drop: 0.0,
+                stagnation_window: max_iterations,
+            };
+            let mut preconditioner = Inert { inner: &mut *self.preconditioner, rows: constraints.rows() };
+            let operator = Elementwise(system);
+            let report =
+                self.pcg.solve(&operator, &mut preconditioner, &mut self.residual, u, &options);
+            (iterations, residual) = (report.iterations, norm(&self.residual));
+            constraints.expand(1.0, u);
+        }
+        self.counters.right_hand_sides += 1;
+        self.counters.pcg_iterations += iterations;
+        Followed { iterations, residual, reached: residual <= target }
+    }
+
+    /// Forces that hold the equations, and twice the work of prescribed motions with them.
+    pub(super) fn hold(&mut self, system: &System<D>, load: &[f64], u: &[f64]) -> (Vec<f64>, f64) {
+        self.refresh_residual(system, load, u);
+        let constraints = system.constraints();
+        let multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
+        let work = constraints.rows().iter().map(|row| -self.residual[row.unknown] * row.value).sum();
+        (multipliers, work)
+    }
+
     /// Finds what belongs to the unknowns of a solution: those that depend on others, forces of constraints, the residual,
     /// and what one more solve with the preconditioner would correct.
     pub(super) fn weigh(
@@ -219,6 +307,36 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         forces.sort_by_key(|f| f.0);
         forces
     }
+}
+
+/// How unknowns were improved.
+pub(super) struct Followed {
+    pub(super) iterations: usize,
+    /// The last residual, 2-norm.
+    pub(super) residual: f64,
+    /// Whether it is small enough.
+    pub(super) reached: bool,
+}
+
+/// A preconditioner made before some unknowns were constrained: these stay inert.
+struct Inert<'a> {
+    inner: &'a mut dyn Preconditioner,
+    rows: &'a [Row],
+}
+
+impl Preconditioner for Inert<'_> {
+    fn size(&self) -> usize {
+        self.inner.size()
+    }
+
+    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+        self.inner.apply(r, z);
+        self.rows.iter().for_each(|row| z[row.unknown] = 0.0);
+    }
+}
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
 /// Largest entry of a vector of unknowns with every component in units of its scale.

@@ -1,0 +1,67 @@
+//! Where the energy goes.
+//!
+//! Between two breaks the body is elastic: from the load factor λ₀ to λ the loads and prescribed motions do the work
+//! `(λ² − λ₀²) W`, W that from zero to the unit load. When bonds break at a load factor λ, the loads do the work
+//! `λ² f·(u₁ − u₀)` of the unit displacements before and after. By reciprocity what this and the strain energy give is
+//! `½ λ² Σ k e₀ e₁` over the measures e of the broken bonds, each mode of them: the energy that is released. A bond had
+//! `½ λ² k e₀²` when it failed; the rest is released by the body at a load that does not follow: it would go into motion.
+
+use peristat_assembly::stiffness::Term;
+
+/// Sums since the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Ledger {
+    pub(super) work: f64,
+    pub(super) released: f64,
+    pub(super) bond_energy: f64,
+    load_factor: f64,
+}
+
+/// Energies of an equilibrium at the unit load.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct UnitEnergy {
+    /// Work of loads and prescribed motions from zero to the unit load.
+    pub(super) work: f64,
+    /// Strain energy.
+    pub(super) stored: f64,
+}
+
+impl Ledger {
+    /// Goes on from sums and a load factor.
+    pub(super) fn resume(work: f64, released: f64, bond_energy: f64, load_factor: f64) -> Self {
+        Self { work, released, bond_energy, load_factor }
+    }
+
+    /// The load factor changes with the same bonds.
+    pub(super) fn load(&mut self, load_factor: f64, unit: UnitEnergy) {
+        self.work += (load_factor - self.load_factor) * (load_factor + self.load_factor) * unit.work;
+        self.load_factor = load_factor;
+    }
+
+    /// What is `gone` was part of the body with the unit displacements `before`, and is not with those `after`, under the
+    /// loads.
+    pub(super) fn lose<const D: usize>(
+        &mut self,
+        gone: &[Box<dyn Term<D>>],
+        loads: &[f64],
+        [before, after]: [&[f64]; 2],
+    ) {
+        let squared = self.load_factor * self.load_factor;
+        let energy = |u: &[f64]| gone.iter().map(|term| term.survey(u).energy).sum::<f64>();
+        // A product of two states by the energies of their sum and difference: element by element, so that no rigid
+        // motion costs a digit.
+        let sum: Vec<f64> = before.iter().zip(after).map(|(a, b)| a + b).collect();
+        let difference: Vec<f64> = before.iter().zip(after).map(|(a, b)| a - b).collect();
+        self.released += squared * 0.25 * (energy(&sum) - energy(&difference));
+        self.bond_energy += squared * energy(before);
+        let moved: f64 = loads.iter().zip(before.iter().zip(after)).map(|(f, (a, b))| f * (b - a)).sum();
+        self.work += squared * moved;
+    }
+
+    /// What the balance lacks, relative to the work.
+    pub(super) fn imbalance(&self, stored: f64) -> f64 {
+        let scale = self.work.abs().max(stored + self.released.abs());
+        let lack = self.work - stored - self.released;
+        if lack == 0.0 { 0.0 } else { lack / scale }
+    }
+}

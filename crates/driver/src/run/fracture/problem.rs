@@ -1,0 +1,69 @@
+//! What a run needs of a body that breaks, whatever its model.
+
+use super::super::{Problem, SolvedState};
+use super::Event;
+use crate::scene::fracture::FractureScene;
+use peristat_assembly::model::Breakable;
+use std::io;
+
+/// A problem whose bonds break. Its one state has the loads and motions at a load factor of one.
+pub(in super::super) trait BreakingProblem<const D: usize>: Problem<D, Model: Breakable<D>> {
+    /// How it breaks.
+    fn fracture(&self) -> &FractureScene<<Self::Model as Breakable<D>>::Critical>;
+
+    /// The model, to break its bonds.
+    fn model_mut(&mut self) -> &mut Self::Model;
+
+    /// The load, from unknowns and from the forces that hold the equations.
+    fn load(&self, u: &[f64], multipliers: &[f64]) -> f64;
+
+    /// What is told of the broken bonds beside their number, by name.
+    fn facts(&self, broken: &[u64]) -> Vec<(String, f64)>;
+
+    /// Hands an equilibrium that is to be recorded on.
+    ///
+    /// # Errors
+    /// The result cannot be taken.
+    fn record(&mut self, solved: SolvedState, facts: Facts) -> io::Result<()>;
+}
+
+/// What is known of a body that breaks at one of its equilibria, by name: what checks can ask for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Facts(pub Vec<(String, f64)>);
+
+/// Names of the facts that every body that breaks has, in their order.
+pub const FACTS: [&str; 7] = [
+    "first_break_load_factor",
+    "first_break_load",
+    "peak_load_factor",
+    "peak_load",
+    "load_factor",
+    "broken_bonds",
+    "island_points",
+];
+
+impl Facts {
+    /// Those of the equilibria so far, the last of which is the one at hand.
+    pub(super) fn of(events: &[Event], more: Vec<(String, f64)>) -> Self {
+        let place = |event: Option<&Event>| event.map_or([0.0; 2], |e| [e.load_factor, e.load]);
+        let first = place(events.iter().find(|e| e.broken_now > 0));
+        let peak = place(events.iter().max_by(|a, b| a.load.abs().total_cmp(&b.load.abs())));
+        let last = events.last().copied().unwrap_or_default();
+        let values = [
+            first[0],
+            first[1],
+            peak[0],
+            peak[1],
+            last.load_factor,
+            last.broken as f64,
+            last.islands as f64,
+        ];
+        let named = FACTS.iter().zip(values).map(|(name, value)| (name.to_string(), value));
+        Self(named.chain(more).collect())
+    }
+
+    /// Value of a fact.
+    pub fn value(&self, name: &str) -> Option<f64> {
+        self.0.iter().find(|f| f.0 == name).map(|f| f.1)
+    }
+}

@@ -1,0 +1,122 @@
+//! The equilibrium at the unit load of a body that changes, found again and again: from the last one, with the last factor.
+
+use super::super::certificate::{self, Certificate};
+use super::super::factor::SolveFailure;
+use super::super::linear::{LinearSolver, StateSolution};
+use super::super::{Problem, Timing};
+use super::ledger::UnitEnergy;
+use peristat_assembly::system::System;
+use std::time::Instant;
+
+/// Iterations after which a new factor is cheaper than going on: breaking n bonds of m measures costs about n m of them.
+const REFACTOR: usize = 20;
+/// Attempts with a new factor.
+const ATTEMPTS: usize = 3;
+
+/// The unit load and the displacements under it.
+pub(super) struct Unit<const D: usize> {
+    solver: LinearSolver<'static, D>,
+    /// Loads at a load factor of one.
+    pub(super) loads: Vec<f64>,
+    /// Displacements at a load factor of one.
+    pub(super) u: Vec<f64>,
+    /// Forces that hold the equations.
+    pub(super) multipliers: Vec<f64>,
+    pub(super) energy: UnitEnergy,
+    pub(super) iterations: usize,
+    /// Residual over that of the loads and motions as a sudden jump, both in the 2-norm.
+    pub(super) residual: f64,
+    reference: f64,
+    tolerance: f64,
+}
+
+impl<const D: usize> Unit<D> {
+    /// Factors the system, whose `loads` are those at a load factor of one, and takes `u` for displacements under them.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if there is no factor.
+    pub(super) fn new<P: Problem<D>>(
+        problem: &P,
+        system: &System<D>,
+        (loads, u): (Vec<f64>, Vec<f64>),
+        tolerance: f64,
+        timing: &mut Timing,
+    ) -> Result<Self, SolveFailure> {
+        Ok(Self {
+            solver: LinearSolver::with_factor(problem, system, timing)?,
+            loads,
+            u,
+            multipliers: Vec::new(),
+            energy: UnitEnergy::default(),
+            iterations: 0,
+            residual: f64::INFINITY,
+            reference: 0.0,
+            tolerance,
+        })
+    }
+
+    /// The solver.
+    pub(super) fn solver(&self) -> &LinearSolver<'static, D> {
+        &self.solver
+    }
+
+    /// Finds the displacements of the system as it is now. Whether a new factor was made.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if the stiffness has no factor.
+    pub(super) fn solve<P: Problem<D>>(
+        &mut self,
+        problem: &P,
+        system: &System<D>,
+        timing: &mut Timing,
+    ) -> Result<bool, SolveFailure> {
+        if self.reference == 0.0 {
+            self.reference = self.solver.jump(system, &self.loads);
+        }
+        let begin = Instant::now();
+        let mut refactored = false;
+        self.iterations = 0;
+        for attempt in 0..ATTEMPTS {
+            let target = self.tolerance * self.reference;
+            let followed = self.solver.follow(system, &self.loads, &mut self.u, target, REFACTOR);
+            self.iterations += followed.iterations;
+            self.residual = followed.residual / self.reference.max(f64::MIN_POSITIVE);
+            if followed.reached || attempt + 1 == ATTEMPTS {
+                break;
+            }
+            self.solver.refactor(problem, system, timing)?;
+            refactored = true;
+        }
+        timing.solve += begin.elapsed().as_secs_f64();
+        self.weigh(system);
+        Ok(refactored)
+    }
+
+    /// Finds what follows from the displacements.
+    pub(super) fn weigh(&mut self, system: &System<D>) {
+        let (multipliers, held_work) = self.solver.hold(system, &self.loads, &self.u);
+        let loads_work: f64 = self.loads.iter().zip(&self.u).map(|(f, u)| f * u).sum();
+        self.multipliers = multipliers;
+        self.energy =
+            UnitEnergy { work: 0.5 * (loads_work + held_work), stored: system.survey(&self.u).energy };
+    }
+
+    /// Solution and certificate at a load factor.
+    pub(super) fn certified<P: Problem<D>>(
+        &mut self,
+        problem: &P,
+        system: &System<D>,
+        load_factor: f64,
+        timing: &mut Timing,
+    ) -> (Vec<f64>, StateSolution, Certificate) {
+        let begin = Instant::now();
+        let loads: Vec<f64> = self.loads.iter().map(|f| load_factor * f).collect();
+        let mut solution = StateSolution::of(self.u.iter().map(|u| load_factor * u).collect());
+        solution.iterations = self.iterations;
+        self.solver.weigh(system, (&loads, load_factor), &mut solution);
+        let certificate =
+            certificate::certify(problem.model(), system, &loads, &solution, self.solver.scales());
+        timing.certify += begin.elapsed().as_secs_f64();
+        (loads, solution, certificate)
+    }
+}
