@@ -80,17 +80,19 @@ impl Curve {
     }
 
     fn energies(&self, title: &str, units: Units) -> Diagram {
-        let kinds: [(&str, fn(&Event) -> f64); 3] =
-            [("work", |e| e.work), ("stored", |e| e.stored), ("released", |e| e.released)];
-        let series = kinds.map(|(label, of)| {
+        let series = |label: &str, of: fn(&Event) -> f64| {
             let points = self.events.iter().map(|e| (e.solve as f64, of(e))).collect();
             Series { label: label.into(), style: Style::Line, points }
-        });
+        };
         Diagram {
             title: title.into(),
             x_label: "equilibrium".into(),
             y_label: format!("energy [{}]", units.moment()),
-            series: series.into(),
+            series: vec![
+                series("work", |e| e.work),
+                series("stored", |e| e.stored),
+                series("released", |e| e.released),
+            ],
         }
     }
 }

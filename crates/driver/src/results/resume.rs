@@ -113,6 +113,7 @@ mod tests {
     use crate::case::{Critical, Fracture};
     use crate::run::fracture::Event;
     use crate::run::{RunOptions, StateResult, taking};
+    use std::time::{Duration, Instant};
 
     /// A plate with a crack and a line, of which three steps stand for equilibria as it breaks, and their results.
     fn plate(folder: &Path) -> (Loaded, Vec<StateResult>) {
@@ -195,6 +196,7 @@ mod tests {
         let mut first = Results::begin(&parts, scene).unwrap();
         go_on(&mut first, scene, &states, 0..1);
         // Two equilibria more, of which the restart knows nothing, and a file that was being written.
+        first.due = Some(Instant::now() + Duration::from_secs(3600));
         for k in 1..3 {
             first.take(scene, &states[k]).unwrap();
             first.advance(&event(k), &|| panic!("it is not due"), false).unwrap();
