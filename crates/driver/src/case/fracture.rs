@@ -18,11 +18,13 @@ pub struct Fracture {
     /// with the worst, between 0 and 1; 0.9 if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub batch_threshold: Option<f64>,
-    /// Growth of the load factor from step to step, over the load factor at which the first bond breaks, > 0; 0.02 if not
-    /// given.
+    /// Growth of the load factor from step to step, > 0; 0.02 if not given. The first step is the load factor at which the
+    /// first bond breaks, and the last is 1, the loads and motions as written. Not with `worst`, which goes from break to
+    /// break.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub increment: Option<f64>,
-    /// Regions in which no bond breaks, such as those around supports and loads.
+    /// Regions in which no bond breaks, such as those around supports and loads: bonds with an end there. Bonds of points
+    /// that are held or belong to rigid regions never break.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub no_fail: Vec<String>,
     /// Name of the probe that stands for the load in `curve.csv`, such as a reaction.
@@ -33,9 +35,25 @@ pub struct Fracture {
     /// The run ends after so many equilibria, >= 1; 5000 if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_solves: Option<usize>,
+    /// Parts of the body in which the direction of the crack is found; in the plane.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub directions: Vec<CrackDirection>,
     /// All fields are written at every equilibrium of this number, and at the last one, >= 1; 10 if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub record_every: Option<usize>,
+}
+
+/// A part of a body in which the direction of a crack is found, as that in which the middles of the broken bonds spread most.
+/// Checks know it as `<name>_direction`, degrees from x, 0 to 180, and the number of these bonds as `<name>_bonds`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CrackDirection {
+    /// Name, unique among them.
+    pub name: String,
+    /// Lower left corner of the part.
+    pub from: [f64; 2],
+    /// Upper right corner.
+    pub to: [f64; 2],
 }
 
 /// Critical strains of bonds. By their stretch: `stretch`, or `fibre_stretch` and `matrix_stretch`. By the energy it takes to

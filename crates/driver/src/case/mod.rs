@@ -21,7 +21,7 @@ pub use condition::{
 };
 pub use expectation::{Baseline, Check, ClosedForm, FieldName, Limit, Probe, Value};
 pub use foundation::Foundation;
-pub use fracture::{Critical, CriticalFormula, Fracture, Strategy};
+pub use fracture::{CrackDirection, Critical, CriticalFormula, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
 pub use model::{Beam, Body, Line, LoadSharing, Model};

@@ -29,7 +29,7 @@ pub struct Plane {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_factor: Option<VolumeFactor>,
     /// What is done about the bonds that points near edges lack; `overlay` with the calibration `matched`, `none` with
-    /// `published`, if not given.
+    /// `published` and where bonds break, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edges: Option<Edges>,
 }

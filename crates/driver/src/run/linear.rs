@@ -130,8 +130,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         system: &System<D>,
         timing: &mut Timing,
     ) -> Result<(), SolveFailure> {
-        self.preconditioner =
-            method::of_factor(problem, system, timing, &mut self.counters)?.preconditioner;
+        self.preconditioner = method::of_factor(problem, system, timing, &mut self.counters)?.preconditioner;
         Ok(())
     }
 
@@ -212,15 +211,6 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         solution
     }
 
-    /// The 2-norm of the residual of loads and prescribed motions as a sudden jump of the constrained unknowns alone.
-    pub(super) fn jump(&mut self, system: &System<D>, load: &[f64]) -> f64 {
-        let mut u = vec![0.0; system.size()];
-        system.constraints().expand(1.0, &mut u);
-        self.refresh_residual(system, load, &u);
-        system.constraints().restrict(&mut self.residual);
-        norm(&self.residual)
-    }
-
     /// Improves unknowns under a load and the prescribed motions until the residual is at most `target` in the 2-norm, or
     /// for some iterations. The preconditioner may be that of another system with the same unknowns.
     pub(super) fn follow(
@@ -247,8 +237,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             };
             let mut preconditioner = Inert { inner: &mut *self.preconditioner, rows: constraints.rows() };
             let operator = Elementwise(system);
-            let report =
-                self.pcg.solve(&operator, &mut preconditioner, &mut self.residual, u, &options);
+            let report = self.pcg.solve(&operator, &mut preconditioner, &mut self.residual, u, &options);
             (iterations, residual) = (report.iterations, norm(&self.residual));
             constraints.expand(1.0, u);
         }
@@ -307,6 +296,16 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         forces.sort_by_key(|f| f.0);
         forces
     }
+}
+
+/// The 2-norm of the residual of loads and prescribed motions as a sudden jump of the constrained unknowns alone.
+pub(super) fn jump<const D: usize>(system: &System<D>, load: &[f64]) -> f64 {
+    let (mut u, mut residual) = (vec![0.0; system.size()], vec![0.0; system.size()]);
+    system.constraints().expand(1.0, &mut u);
+    system.force(&u, &mut residual);
+    residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
+    system.constraints().restrict(&mut residual);
+    norm(&residual)
 }
 
 /// How unknowns were improved.

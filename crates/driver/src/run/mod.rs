@@ -96,6 +96,8 @@ pub struct RunReport {
     pub warnings: Faults,
     /// Whether every state converged.
     pub converged: bool,
+    /// How the body broke.
+    pub fracture: Option<fracture::FractureReport>,
 }
 
 /// Why a run has no result.
@@ -139,6 +141,8 @@ pub struct StateRecord {
     pub u: Vec<f64>,
     /// Certificate.
     pub certificate: Certificate,
+    /// What is known of a body that breaks.
+    pub facts: Option<fracture::Facts>,
 }
 
 /// The result of one state.
@@ -160,6 +164,16 @@ impl StateResult {
     }
 }
 
+impl StateResult {
+    /// What it is, whatever the model, to be changed.
+    fn record_mut(&mut self) -> &mut StateRecord {
+        match self {
+            Self::Beam(result) => &mut result.record,
+            Self::Plane(result) => &mut result.record,
+        }
+    }
+}
+
 /// Solves every state of a scene and hands its result to `sink` as it comes; a body that breaks goes on from `resume`.
 ///
 /// # Errors
@@ -170,10 +184,9 @@ pub fn run(
     resume: Option<Restart>,
     sink: &mut dyn Sink,
 ) -> Result<RunReport, RunError> {
-    if resume.is_some() {
-        return Err(RunError::NotResumable);
-    }
     match scene {
+        Scene::Plane(scene) if scene.fracture.is_some() => plane::run_breaking(scene, options, resume, sink),
+        _ if resume.is_some() => Err(RunError::NotResumable),
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),
         Scene::Plane(scene) => {
             plane::run(scene, options, &mut |result| sink.take(StateResult::Plane(result)))
@@ -261,5 +274,6 @@ fn solve_states<const D: usize, P: Problem<D>>(
         skipped: Vec::new(),
         warnings: Faults::default(),
         converged,
+        fracture: None,
     })
 }

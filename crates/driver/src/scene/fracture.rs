@@ -106,7 +106,11 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
     }
     let foreign = [
         ("steps", case.steps.is_some(), "the load factor grows by `fracture.increment`, or as bonds break"),
-        ("load_cases", !case.load_cases.is_empty(), "what has broken depends on the order of loads: use `loads`"),
+        (
+            "load_cases",
+            !case.load_cases.is_empty(),
+            "what has broken depends on the order of loads: use `loads`",
+        ),
         ("symmetry", !case.symmetry.is_empty(), "cracks need not stay symmetric: model the whole body"),
         (
             "stress_intensity",

@@ -5,6 +5,7 @@
 pub mod beam;
 mod expectation;
 mod fingerprint;
+pub mod fracture;
 mod horizon;
 mod numbers;
 pub mod plane;

@@ -8,6 +8,7 @@ pub use plane::{PlaneForces, PlaneSummary};
 
 use crate::case::Units;
 use crate::memory;
+use crate::run::fracture::FractureReport;
 use crate::run::{
     Certificate, CheckResult, Counters, ProbeResult, Range, RunReport, Sizes, SolverReport, StateResult,
     Timing,
@@ -113,6 +114,9 @@ pub struct Summary {
     /// Extreme values over all load cases and combinations, with the name of the state.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub envelope: BTreeMap<Cow<'static, str>, [(String, Located); 2]>,
+    /// How the body broke.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fracture: Option<FractureReport>,
     /// What the scene was spared, and why.
     pub skipped: Vec<String>,
     /// Counters.
@@ -147,7 +151,12 @@ impl Collector {
         };
         self.states.push(state);
         self.probes.extend(probes);
-        self.checks.extend(checks);
+        if scene.case().fracture.is_some() {
+            // Those of the last equilibrium count.
+            self.checks = checks;
+        } else {
+            self.checks.extend(checks);
+        }
     }
 
     /// What the summary says of the states so far, as JSON, for a run that goes on later.
@@ -186,6 +195,7 @@ impl Collector {
             probes: self.probes,
             states: self.states,
             envelope,
+            fracture: report.fracture,
             skipped: report.skipped,
             counters: report.counters,
             warnings,

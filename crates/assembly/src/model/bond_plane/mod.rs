@@ -21,11 +21,13 @@ mod neighbourhood;
 mod parameters;
 #[cfg(test)]
 mod tests;
+mod toughness;
 
 pub use bond::CentralBond;
 pub use error::BondPlaneError;
 pub use material::{PlaneMaterial, PlaneState};
 pub use parameters::{Influence, PlaneParameters, VolumeFactor};
+pub use toughness::{critical_stretch, published_critical_stretch};
 
 use super::plane::{FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles};
 use crate::body::{Cell, SquareLattice};

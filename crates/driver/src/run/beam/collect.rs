@@ -38,7 +38,7 @@ pub(super) fn result(scene: &BeamScene, solved: SolvedState, recover: bool) -> B
     };
     let (name, load_factor) = (state.name.clone(), state.load_factor);
     BeamResult {
-        record: StateRecord { index, name, load_factor, u, certificate },
+        record: StateRecord { index, name, load_factor, u, certificate, facts: None },
         lines,
         reactions: reaction::of_lines(scene, &held),
         joint_reactions: reaction::of_joints(scene, &held),

@@ -13,9 +13,9 @@ pub struct Event {
     pub load_factor: f64,
     /// Value of the probe that stands for the load.
     pub load: f64,
-    /// Bonds that broke here.
+    /// Bonds that break at this equilibrium.
     pub broken_now: usize,
-    /// Bonds that are broken.
+    /// Bonds that were broken before.
     pub broken: usize,
     /// Points in parts that have come off.
     pub islands: usize,
@@ -23,19 +23,20 @@ pub struct Event {
     pub work: f64,
     /// Strain energy.
     pub stored: f64,
-    /// Energy that is gone: work less strain energy.
+    /// Energy that breaking bonds released, from the strains of the bonds before and after; the work is this and the strain
+    /// energy.
     pub released: f64,
     /// Energy of the broken bonds at their failure.
     pub bond_energy: f64,
-    /// Part of the released energy that the breaking of bonds did not take up at a constant load.
+    /// The rest of the released energy: what the body gives at a load that does not follow, and would go into motion.
     pub unstable_release: f64,
-    /// What the balance of energies lacks.
+    /// What work, strain energy and released energy lack of a balance, over the work.
     pub balance: f64,
     /// Iterations of this solve.
     pub iterations: usize,
     /// Factorisations so far.
     pub factorisations: usize,
-    /// Relative residual of this solve.
+    /// Residual of this solve at the unit load, 2-norm.
     pub residual: f64,
 }
 

@@ -72,8 +72,7 @@ impl Islands {
             .collect();
         let points = system.points();
         self.off.resize(points, false);
-        let new: Vec<usize> =
-            (0..points).filter(|&p| !self.off[p] && free.contains(&parts.of(p))).collect();
+        let new: Vec<usize> = (0..points).filter(|&p| !self.off[p] && free.contains(&parts.of(p))).collect();
         for &point in &new {
             self.off[point] = true;
             self.frozen.extend((0..D).map(|c| c * points + point).map(|k| (k as u64, u[k])));

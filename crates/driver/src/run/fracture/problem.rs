@@ -1,13 +1,18 @@
 //! What a run needs of a body that breaks, whatever its model.
 
-use super::super::{Problem, SolvedState};
+use super::super::{Problem, SolvedState, StateResult};
 use super::Event;
 use crate::scene::fracture::FractureScene;
 use peristat_assembly::model::Breakable;
-use std::io;
 
-/// A problem whose bonds break. Its one state has the loads and motions at a load factor of one.
-pub(in super::super) trait BreakingProblem<const D: usize>: Problem<D, Model: Breakable<D>> {
+/// A body that breaks.
+pub(in super::super) trait BreakingBody<const D: usize> {
+    /// Its model.
+    type Model: Breakable<D>;
+
+    /// The problem. Its one state has the loads and motions at a load factor of one.
+    fn problem(&self) -> &impl Problem<D, Model = Self::Model>;
+
     /// How it breaks.
     fn fracture(&self) -> &FractureScene<<Self::Model as Breakable<D>>::Critical>;
 
@@ -20,11 +25,8 @@ pub(in super::super) trait BreakingProblem<const D: usize>: Problem<D, Model: Br
     /// What is told of the broken bonds beside their number, by name.
     fn facts(&self, broken: &[u64]) -> Vec<(String, f64)>;
 
-    /// Hands an equilibrium that is to be recorded on.
-    ///
-    /// # Errors
-    /// The result cannot be taken.
-    fn record(&mut self, solved: SolvedState, facts: Facts) -> io::Result<()>;
+    /// The result of an equilibrium at a load factor.
+    fn result(&mut self, solved: SolvedState, name: String, load_factor: f64, facts: Facts) -> StateResult;
 }
 
 /// What is known of a body that breaks at one of its equilibria, by name: what checks can ask for.
@@ -49,15 +51,8 @@ impl Facts {
         let first = place(events.iter().find(|e| e.broken_now > 0));
         let peak = place(events.iter().max_by(|a, b| a.load.abs().total_cmp(&b.load.abs())));
         let last = events.last().copied().unwrap_or_default();
-        let values = [
-            first[0],
-            first[1],
-            peak[0],
-            peak[1],
-            last.load_factor,
-            last.broken as f64,
-            last.islands as f64,
-        ];
+        let values =
+            [first[0], first[1], peak[0], peak[1], last.load_factor, last.broken as f64, last.islands as f64];
         let named = FACTS.iter().zip(values).map(|(name, value)| (name.to_string(), value));
         Self(named.chain(more).collect())
     }

@@ -24,14 +24,15 @@ pub(super) struct Unit<const D: usize> {
     pub(super) multipliers: Vec<f64>,
     pub(super) energy: UnitEnergy,
     pub(super) iterations: usize,
-    /// Residual over that of the loads and motions as a sudden jump, both in the 2-norm.
+    /// Residual, 2-norm.
     pub(super) residual: f64,
-    reference: f64,
-    tolerance: f64,
+    /// Largest residual, 2-norm.
+    target: f64,
 }
 
 impl<const D: usize> Unit<D> {
-    /// Factors the system, whose `loads` are those at a load factor of one, and takes `u` for displacements under them.
+    /// Factors the system, whose `loads` are those at a load factor of one, and takes `u` for displacements under them; residuals up to
+    /// `target` in the 2-norm will do.
     ///
     /// # Errors
     /// [`SolveFailure`] if there is no factor.
@@ -39,7 +40,7 @@ impl<const D: usize> Unit<D> {
         problem: &P,
         system: &System<D>,
         (loads, u): (Vec<f64>, Vec<f64>),
-        tolerance: f64,
+        target: f64,
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
         Ok(Self {
@@ -50,8 +51,7 @@ impl<const D: usize> Unit<D> {
             energy: UnitEnergy::default(),
             iterations: 0,
             residual: f64::INFINITY,
-            reference: 0.0,
-            tolerance,
+            target,
         })
     }
 
@@ -70,17 +70,13 @@ impl<const D: usize> Unit<D> {
         system: &System<D>,
         timing: &mut Timing,
     ) -> Result<bool, SolveFailure> {
-        if self.reference == 0.0 {
-            self.reference = self.solver.jump(system, &self.loads);
-        }
         let begin = Instant::now();
         let mut refactored = false;
         self.iterations = 0;
         for attempt in 0..ATTEMPTS {
-            let target = self.tolerance * self.reference;
-            let followed = self.solver.follow(system, &self.loads, &mut self.u, target, REFACTOR);
+            let followed = self.solver.follow(system, &self.loads, &mut self.u, self.target, REFACTOR);
             self.iterations += followed.iterations;
-            self.residual = followed.residual / self.reference.max(f64::MIN_POSITIVE);
+            self.residual = followed.residual;
             if followed.reached || attempt + 1 == ATTEMPTS {
                 break;
             }

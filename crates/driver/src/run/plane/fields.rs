@@ -72,9 +72,10 @@ pub(super) fn collect(
         load_factor: state.load_factor,
         u: solution.u,
         certificate,
+        facts: None,
     };
     let intensities = intensities.iter().map(|k| k[index]).collect();
-    PlaneResult::new(scene, record, solution.multipliers, intensities, recover)
+    PlaneResult::new((scene, &*scene.model), record, solution.multipliers, intensities, recover)
 }
 
 /// Von Mises stress, with the stress across the plane.
@@ -103,16 +104,17 @@ fn of_stress(model: &dyn PlaneModel, field: FieldName) -> Option<impl Fn([f64; 3
 
 impl PlaneResult {
     /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model.
-    fn new(
-        scene: &PlaneScene,
+    pub(super) fn new(
+        (scene, model): (&PlaneScene, &dyn PlaneModel),
         record: StateRecord,
         mut multipliers: Vec<f64>,
         intensities: Vec<f64>,
         recover: bool,
     ) -> Self {
         let recovered = recover.then(|| {
-            let fields = scene.model.fields(&record.u);
-            let damage = (!scene.cracks.is_empty()).then(|| scene.model.damage());
+            let fields = model.fields(&record.u);
+            let is_damaged = !scene.cracks.is_empty() || scene.fracture.is_some();
+            let damage = is_damaged.then(|| model.damage());
             let mut found =
                 Recovered { stress: fields.stress, energy_density: fields.energy_density, damage };
             found.fill_images(scene);

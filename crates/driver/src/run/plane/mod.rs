@@ -1,6 +1,7 @@
 //! Running bodies in the plane: the common run, the stress intensities of their cracks, and the fields recovered.
 
 mod fields;
+mod fracture;
 mod intensity;
 mod reaction;
 mod skipped;
@@ -11,11 +12,13 @@ pub use fields::{PlaneResult, Recovered};
 pub use reaction::{MirrorReaction, PlaneReaction};
 pub(crate) use verdict::{checks, probes};
 
-use super::{Counters, RunError, RunOptions, RunReport, Sizes, SolvedState, prepare, solve_states};
+use super::fracture::Restart;
+use super::{Counters, RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, prepare, solve_states};
 use crate::diagnostic::Faults;
 use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene};
-use peristat_assembly::model::Model;
-use peristat_assembly::model::plane::PlaneModel;
+use fracture::BreakingPlane;
+use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
+use peristat_assembly::model::{Breakable, Model};
 
 /// Solves every state of a body in the plane and hands its result to `sink` as it comes.
 ///
@@ -57,6 +60,42 @@ fn run_model<const D: usize, M: Model<D> + PlaneModel>(
     report.warnings = warnings;
     add(&mut report.counters, &found.counters);
     report.timing.solve += found.seconds;
+    Ok(report)
+}
+
+/// Breaks the bonds of a body in the plane, and hands its equilibria to `sink` as they come.
+///
+/// # Errors
+/// As [`super::run`].
+pub fn run_breaking(
+    scene: &PlaneScene,
+    options: &RunOptions,
+    resume: Option<Restart>,
+    sink: &mut dyn Sink,
+) -> Result<RunReport, RunError> {
+    let recover = options.recover || asks_for_stresses(scene);
+    let options = &RunOptions { recover, ..*options };
+    match &scene.model {
+        AnyPlaneModel::Central(model) => break_model::<2, _>(scene, model, options, resume, sink),
+    }
+}
+
+fn break_model<const D: usize, M>(
+    scene: &PlaneScene,
+    model: &M,
+    options: &RunOptions,
+    resume: Option<Restart>,
+    sink: &mut dyn Sink,
+) -> Result<RunReport, RunError>
+where
+    M: Model<D> + PlaneModel + Breakable<D, Critical = CriticalStretch> + Clone,
+{
+    let Some(fracture) = &scene.fracture else { return Err(RunError::NotResumable) };
+    let problem = PlaneProblem::new(scene, model.clone());
+    let prepared = prepare(&problem, options)?;
+    let mut breaking = BreakingPlane { problem, fracture, recover: options.recover };
+    let mut report = super::fracture::run(&mut breaking, prepared, resume, sink)?;
+    report.skipped = skipped::skipped(scene, &report, options.recover);
     Ok(report)
 }
 

@@ -1,6 +1,7 @@
 //! Probes and checks on the result of a body in the plane.
 
 use super::PlaneResult;
+use crate::case::FieldName;
 use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
 use crate::scene::plane::{PlaneComparison, PlaneProbe, PlaneScene, Quantity};
 use crate::scene::{Expectation, ExpectationKind};
@@ -31,16 +32,35 @@ pub(crate) fn probes(scene: &PlaneScene, result: &PlaneResult) -> Vec<ProbeResul
 fn value(scene: &PlaneScene, result: &PlaneResult, quantity: &Quantity) -> Option<f64> {
     match quantity {
         Quantity::Field { field, weights } => result.value(scene, *field, weights),
+        Quantity::Reaction { .. } => mechanical(scene, quantity, &result.record.u, &result.multipliers),
+        Quantity::Rotation(region) => rotation(scene, result, *region),
+        Quantity::StressIntensity(k) => result.intensities.get(*k).copied(),
+    }
+}
+
+/// A reaction or a displacement, from the unknowns and the forces that hold the equations alone.
+pub(super) fn mechanical(
+    scene: &PlaneScene,
+    quantity: &Quantity,
+    u: &[f64],
+    multipliers: &[f64],
+) -> Option<f64> {
+    let n = scene.model.point_count();
+    match quantity {
         Quantity::Reaction { equations, springs, .. } => {
-            let (n, u) = (scene.model.point_count(), &result.record.u);
             let mut sum = Sum::default();
-            equations.iter().for_each(|&(k, share)| sum.add(share * result.multipliers[k]));
+            equations.iter().for_each(|&(k, share)| sum.add(share * multipliers[k]));
             let springs = springs.iter().map(|&k| &scene.conditions.springs[k]);
             springs.flat_map(|s| s.forces(n, u)).for_each(|(_, force)| sum.add(-force));
             Some(sum.total())
         }
-        Quantity::Rotation(region) => rotation(scene, result, *region),
-        Quantity::StressIntensity(k) => result.intensities.get(*k).copied(),
+        Quantity::Field { field: FieldName::Ux, weights } => {
+            Some(weights.iter().map(|&(p, w)| w * u[p as usize]).sum())
+        }
+        Quantity::Field { field: FieldName::Uy, weights } => {
+            Some(weights.iter().map(|&(p, w)| w * u[n + p as usize]).sum())
+        }
+        _ => None,
     }
 }
 
@@ -63,8 +83,18 @@ fn rotation(scene: &PlaneScene, result: &PlaneResult, region: usize) -> Option<f
 
 /// Outcomes of the checks that are made on this state.
 pub(crate) fn checks(scene: &PlaneScene, result: &PlaneResult) -> Vec<CheckResult> {
-    let mine = scene.expectations.iter().filter(|e| e.state == result.record.index);
-    let probed = |k: usize| value(scene, result, &scene.probes[k].quantity).unwrap_or(f64::NAN);
+    // Which equilibrium of a body that breaks is the last is known only after it.
+    let breaks = scene.fracture.is_some();
+    let mine = scene.expectations.iter().filter(|e| breaks || e.state == result.record.index);
+    let names = scene.fracture.as_ref().map_or(Vec::new(), |f| f.facts());
+    let fact = |name: &String| result.record.facts.as_ref()?.value(name);
+    let probed = |k: usize| {
+        let found = match scene.probes.get(k) {
+            Some(probe) => value(scene, result, &probe.quantity),
+            None => names.get(k - scene.probes.len()).and_then(fact),
+        };
+        found.unwrap_or(f64::NAN)
+    };
     let check = |expectation: &Expectation<PlaneComparison>| {
         let points = |points: &PlaneComparison| {
             let found = result.values(scene, points.field).unwrap_or_default();

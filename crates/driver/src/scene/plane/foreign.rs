@@ -17,11 +17,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
     for (key, _, hint) in keys.iter().filter(|k| k.1) {
         faults.error(root(key), format!("`{key}` is for beams")).hint(*hint);
     }
-    if case.fracture.is_some() {
-        faults
-            .error(root("fracture"), "the model `bond_plane` does not break yet")
-            .hint("leave out `fracture`; `limit` checks bound stresses and strains");
-    }
+    super::super::fracture::check(case, faults);
     let listed = matches!(case.body, Body::Points(_) | Body::Mesh(_));
     match case.solver {
         Solver::Band | Solver::Strain => {

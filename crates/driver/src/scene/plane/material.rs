@@ -12,7 +12,11 @@ use peristat_assembly::model::plane::{Calibration, Edges};
 const POISSON_SLACK: f64 = 1e-3;
 
 /// The parameters, filling in the defaults of the case; the horizon ratio is to be set.
-pub(super) fn parameters(model: &mut Plane, is_cloud: bool, faults: &mut Faults) -> Option<PlaneParameters> {
+pub(super) fn parameters(
+    model: &mut Plane,
+    [is_cloud, breaks]: [bool; 2],
+    faults: &mut Faults,
+) -> Option<PlaneParameters> {
     let path = model_path();
     let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= positive(model.thickness, "thickness", path.key("thickness"), faults);
@@ -58,7 +62,7 @@ pub(super) fn parameters(model: &mut Plane, is_cloud: bool, faults: &mut Faults)
     if published {
         model.volume_factor.get_or_insert_default();
     }
-    let edges = *model.edges.get_or_insert(if published { Edges::None } else { Edges::Overlay });
+    let edges = *model.edges.get_or_insert(if published || breaks { Edges::None } else { Edges::Overlay });
     fine.then(|| PlaneParameters {
         material: PlaneMaterial { youngs_modulus: model.youngs_modulus, thickness: model.thickness, state },
         horizon_ratio: 0.0,

@@ -9,6 +9,7 @@ mod cracks;
 mod fading;
 mod files;
 mod foreign;
+mod fracture;
 mod gaps;
 mod ground;
 mod held_edge;
@@ -39,6 +40,7 @@ pub use bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
 pub use cracks::NamedCrack;
+pub use fracture::PlaneFracture;
 pub use held_edge::HeldEdge;
 pub use interpolate::Weights;
 pub use loads::PlaneLoads;
@@ -49,7 +51,7 @@ pub use supported::PlaneSupport;
 
 use super::states::{self, Sum};
 use super::{Expectation, keep_files, root};
-use crate::case::{Case, Model, Plane, Solver, Units};
+use crate::case::{Case, Fracture, Model, Plane, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use ground::Ground;
 use interpolate::Interpolation;
@@ -89,6 +91,8 @@ pub struct PlaneScene {
     pub lines: Vec<OutputLine>,
     /// Stress intensities that are asked for.
     pub intensities: Vec<Intensity>,
+    /// How it breaks.
+    pub fracture: Option<PlaneFracture>,
     /// What the results must be.
     pub expectations: Vec<Expectation<PlaneComparison>>,
     /// Faults that do not keep the case from running.
@@ -128,7 +132,9 @@ impl PlaneScene {
         max_memory: Option<u64>,
         mut faults: Faults,
     ) -> Result<Self, Faults> {
-        let resolved = Self::resolve(&case, &mut model, folder, max_memory, &mut faults);
+        let mut fracture = case.fracture.clone();
+        let filled = (&mut model, &mut fracture);
+        let resolved = Self::resolve(&case, filled, folder, max_memory, &mut faults);
         let Some(mut scene) = resolved.filter(|_| !faults.has_errors()) else { return Err(faults) };
         if scene.outline.is_none() || scene.can_have_loose_points() {
             match &scene.model {
@@ -140,15 +146,17 @@ impl PlaneScene {
             return Err(faults);
         }
         case.model = Model::BondPlane(model);
+        case.fracture = fracture;
         keep_files(&mut case, folder);
         (scene.case, scene.warnings) = (case, faults);
         Ok(scene)
     }
 
-    /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model.
+    /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model and of its
+    /// fracture.
     fn resolve(
         case: &Case,
-        model: &mut Plane,
+        (model, fracture): (&mut Plane, &mut Option<Fracture>),
         folder: &Path,
         max_memory: Option<u64>,
         faults: &mut Faults,
@@ -215,7 +223,12 @@ impl PlaneScene {
             place: format!("crack `{}`", cracks[intensity.crack].name),
             position: None,
         }));
-        let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
+        let mut names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
+        let context =
+            fracture::Context { ground: &ground, recipe: &recipe, conditions: &conditions, probes: &names };
+        let breaks = fracture.as_mut().and_then(|f| fracture::resolve(f, &context, faults));
+        let facts = breaks.as_ref().map_or(Vec::new(), PlaneFracture::facts);
+        names.extend(facts.iter().map(String::as_str));
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
         let expectations = checks::expectations(case, &recipe.body, &state_names, &names, folder, faults);
         Some(Self {
@@ -231,6 +244,7 @@ impl PlaneScene {
             probes,
             lines,
             intensities,
+            fracture: breaks,
             expectations,
             warnings: Faults::default(),
             model: built,

@@ -31,7 +31,7 @@ pub(super) fn parts(
     faults: &mut Faults,
 ) -> Option<Parts> {
     let listed = matches!(case.body, crate::case::Body::Points(_) | crate::case::Body::Mesh(_));
-    let parameters = material::parameters(model, listed, faults);
+    let parameters = material::parameters(model, [listed, case.fracture.is_some()], faults);
     let cracks = cracks::cracks(case, faults);
     let built = body::build(case, model.thickness, 0.0, folder, max_memory, faults);
     let spacing = built.as_ref().map(|b| b.body.spacing());

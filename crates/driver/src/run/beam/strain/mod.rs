@@ -97,6 +97,7 @@ where
         skipped: Vec::new(),
         warnings: Default::default(),
         converged,
+        fracture: None,
     })
 }
 

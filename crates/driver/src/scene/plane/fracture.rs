@@ -1,0 +1,168 @@
+//! How the bonds of a body in the plane break.
+
+use super::super::fracture::{self, FractureScene, needed};
+use super::super::root;
+use super::bonds::PlaneBonds;
+use super::conditions::Conditions;
+use super::ground::Ground;
+use super::model::{self, Recipe};
+use crate::case::{self, CriticalFormula, Fracture};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::run::fracture::FACTS;
+use peristat_assembly::model::bond_plane::{
+    Influence, PlaneParameters, critical_stretch, published_critical_stretch,
+};
+use peristat_assembly::model::plane::CriticalStretch;
+
+/// How a body in the plane breaks.
+#[derive(Clone, Debug)]
+pub struct PlaneFracture {
+    /// Load steps and critical stretches by offset.
+    pub steps: FractureScene<CriticalStretch>,
+    /// Per offset, whether its bonds lie along the fibres; empty if there are none.
+    pub fibres: Vec<bool>,
+    /// Where directions of cracks are found.
+    pub directions: Vec<case::CrackDirection>,
+}
+
+impl PlaneFracture {
+    /// Names of all that checks can ask for.
+    pub fn facts(&self) -> Vec<String> {
+        let mut names: Vec<String> = FACTS.iter().map(ToString::to_string).collect();
+        if !self.fibres.is_empty() {
+            names.push("broken_fibre_bonds".into());
+        }
+        for direction in &self.directions {
+            names.extend([format!("{}_direction", direction.name), format!("{}_bonds", direction.name)]);
+        }
+        names
+    }
+}
+
+/// What resolution looks at.
+pub(super) struct Context<'a> {
+    pub(super) ground: &'a Ground<'a>,
+    pub(super) recipe: &'a Recipe,
+    pub(super) conditions: &'a Conditions,
+    pub(super) probes: &'a [&'a str],
+}
+
+/// The fracture of a case, with its defaults filled in.
+pub(super) fn resolve(
+    fracture: &mut Fracture,
+    context: &Context,
+    faults: &mut Faults,
+) -> Option<PlaneFracture> {
+    let path = root("fracture");
+    let mut exempt = vec![false; context.ground.body.points()];
+    for (k, name) in fracture.no_fail.iter().enumerate() {
+        let points = context.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();
+        points.iter().for_each(|&p| exempt[p as usize] = true);
+    }
+    let conditions = context.conditions;
+    let held = conditions.holds.iter().flat_map(|h| &h.points);
+    let rigid = conditions.rigid.iter().flat_map(|r| &r.points);
+    held.chain(rigid).for_each(|&p| exempt[p as usize] = true);
+    let (critical, fibres) = critical(fracture, context, &path.key("critical"), faults)?;
+    check_directions(fracture, &path.key("directions"), faults);
+    let directions = fracture.directions.clone();
+    let steps = fracture::resolve(fracture, critical, exempt, context.probes, faults)?;
+    Some(PlaneFracture { steps, fibres, directions })
+}
+
+/// Critical stretches by offset, and which offsets are along fibres.
+fn critical(
+    fracture: &mut Fracture,
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(CriticalStretch, Vec<bool>)> {
+    match context.recipe.bonds {
+        PlaneBonds::Central(parameters) => {
+            let stretch = of_central(fracture, &parameters, context, path, faults)?;
+            let offsets = context.recipe.bonds.offsets().map_or(1, |offsets| offsets.len());
+            Some((CriticalStretch(vec![stretch; offsets]), Vec::new()))
+        }
+    }
+}
+
+fn of_central(
+    fracture: &mut Fracture,
+    parameters: &PlaneParameters,
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<f64> {
+    let given = &mut fracture.critical;
+    foreign(
+        &[
+            ("fibre_stretch", given.fibre_stretch),
+            ("matrix_stretch", given.matrix_stretch),
+            ("fibre_energy_release_rate", given.fibre_energy_release_rate),
+            ("matrix_energy_release_rate", given.matrix_energy_release_rate),
+            ("curvature", given.curvature),
+            ("shear_strain", given.shear_strain),
+        ],
+        "central bonds break by `stretch`, or by `energy_release_rate`",
+        path,
+        faults,
+    );
+    if given.stretch.is_some() && given.energy_release_rate.is_some() {
+        faults
+            .error(path.key("energy_release_rate"), "`stretch` and `energy_release_rate` are both given")
+            .hint("the one follows from the other: remove one of them");
+        return None;
+    }
+    let Some(rate) = given.energy_release_rate else {
+        if given.formula.is_some() {
+            faults.error(path.key("formula"), "`formula` is for energy release rates");
+        }
+        return needed(given.stretch, "stretch", path, faults);
+    };
+    needed(Some(rate), "energy_release_rate", path, faults)?;
+    let is_lattice = matches!(context.ground.body, peristat_assembly::body::PlaneBody::Lattice(_));
+    let default = if is_lattice { CriticalFormula::Energy } else { CriticalFormula::Published };
+    match given.formula.get_or_insert(default) {
+        CriticalFormula::Published if parameters.influence != Influence::Constant => {
+            faults
+                .error(path.key("formula"), "the published formula is that of the influence `constant`")
+                .hint("use the formula `energy`, which knows the bonds");
+            None
+        }
+        CriticalFormula::Published => {
+            Some(published_critical_stretch(rate, parameters, context.recipe.horizon))
+        }
+        CriticalFormula::Energy if !is_lattice => {
+            faults
+                .error(path.key("formula"), "the formula `energy` needs the bonds of a lattice")
+                .hint("use `published`, or give `stretch`");
+            None
+        }
+        CriticalFormula::Energy => {
+            let spacing = context.recipe.body.spacing();
+            let found = critical_stretch(rate, parameters, spacing);
+            found.map_err(|error| model::refuse(&error.into(), faults)).ok()
+        }
+    }
+}
+
+/// Faults of keys that are for other models.
+pub(super) fn foreign(keys: &[(&str, Option<f64>)], hint: &str, path: &JsonPath, faults: &mut Faults) {
+    for (key, _) in keys.iter().filter(|k| k.1.is_some()) {
+        faults.error(path.key(*key), format!("`{key}` is for another model")).hint(hint);
+    }
+}
+
+fn check_directions(fracture: &Fracture, path: &JsonPath, faults: &mut Faults) {
+    for (k, direction) in fracture.directions.iter().enumerate() {
+        let path = path.index(k);
+        if fracture.directions[..k].iter().any(|d| d.name == direction.name) {
+            faults.error(path.key("name"), format!("there are two directions `{}`", direction.name));
+        }
+        if (0..2).any(|axis| direction.from[axis] >= direction.to[axis]) {
+            faults
+                .error(path.key("to"), "the part is empty: `to` must be above and to the right of `from`")
+                .hint("`from` is the lower left corner, `to` the upper right one");
+        }
+    }
+}
