@@ -213,7 +213,8 @@ impl<'a> Ground<'a> {
         None
     }
 
-    /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell.
+    /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, or a whole
+    /// one where rows are turned: at an oblique edge and its corners cells have their centres outside.
     pub(super) fn point_at(
         &self,
         position: [f64; 2],
@@ -229,7 +230,9 @@ impl<'a> Ground<'a> {
         let nearest = *self.select(&Region::Corner { at: position }).ok()?.first()?;
         let [x, y] = self.body.position(nearest as usize);
         let distance = (x - position[0]).hypot(y - position[1]);
-        if distance <= std::f64::consts::FRAC_1_SQRT_2 * self.body.spacing() * (1.0 + 1e-6) {
+        let turned = matches!(self.body, PlaneBody::Lattice(lattice) if lattice.is_turned());
+        let most = if turned { std::f64::consts::SQRT_2 } else { std::f64::consts::FRAC_1_SQRT_2 };
+        if distance <= most * self.body.spacing() * (1.0 + 1e-6) {
             return Some(nearest);
         }
         let [a, b] = position.map(tidy);

@@ -43,11 +43,14 @@ impl Interpolation<'_> {
     fn bilinear(&self, lattice: &SquareLattice, position: [f64; 2]) -> Option<Weights> {
         let at = lattice.in_cells(position).map(|x| x - 0.5);
         let low = at.map(f64::floor);
-        let steps = [0.0, -1.0, 1.0];
+        // Beyond the outermost points lies half a cell at most; where an edge runs obliquely to the rows, more.
+        let (steps, most): (&[f64], f64) = match lattice.is_turned() {
+            false => (&[0.0, -1.0, 1.0], 1.0),
+            true => (&[0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0], 3.0),
+        };
         let mut blocks: Vec<[f64; 2]> =
-            steps.iter().flat_map(|a| steps.map(|b| [low[0] + a, low[1] + b])).collect();
-        // Beyond the outermost points lies half a cell at most.
-        blocks.retain(|b| (0..2).all(|k| (at[k] - b[k] - 0.5).abs() <= 1.0 + 1e-6));
+            steps.iter().flat_map(|a| steps.iter().map(move |b| [low[0] + a, low[1] + b])).collect();
+        blocks.retain(|b| (0..2).all(|k| (at[k] - b[k] - 0.5).abs() <= most + 1e-6));
         let far = |b: &[f64; 2]| (at[0] - b[0] - 0.5).hypot(at[1] - b[1] - 0.5);
         blocks.sort_by(|a, b| far(a).total_cmp(&far(b)));
         blocks.into_iter().find_map(|block| {
@@ -183,16 +186,19 @@ mod tests {
     #[test]
     fn linear_fields_are_exact_between_turned_rows() {
         let outline = peristat_assembly::body::Outline::rectangle([1.0, 2.0], [1.03, 0.61]).unwrap();
-        let body = PlaneBody::Lattice(outline.fill_turned(0.05, 0.4).unwrap());
-        let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
         let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5;
-        for position in [[1.5, 2.3], [1.33, 2.21], [1.9, 2.1], [1.1, 2.5], [1.515, 2.305]] {
-            let weights = interpolation.at(position, 0);
-            assert!(weights.len() > 1 || position == [1.515, 2.305], "{position:?}");
-            let found = value(&body, &weights, field);
-            assert!((found - field(position)).abs() < 1e-13, "{position:?}");
+        for angle in [0.1, 0.4, std::f64::consts::FRAC_PI_4, 1.2] {
+            let body = PlaneBody::Lattice(outline.fill_turned(0.05, angle).unwrap());
+            let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
+            // Inside, on edges and in all corners.
+            for k in 0..441 {
+                let along = |k: i32, length: f64| f64::from(k) / 20.0 * length;
+                let position = [1.0 + along(k % 21, 1.03), 2.0 + along(k / 21, 0.61)];
+                let found = value(&body, &interpolation.at(position, 0), field);
+                assert!((found - field(position)).abs() < 1e-13, "{angle} {position:?}");
+            }
+            assert_eq!(interpolation.inward([1.0, 2.3], [1, 0]), None);
         }
-        assert_eq!(interpolation.inward([1.0, 2.3], [1, 0]), None);
     }
 
     #[test]
