@@ -5,6 +5,7 @@ mod interrupt;
 mod lists;
 mod print;
 mod print_beam;
+mod print_fracture;
 mod print_plane;
 mod print_state;
 mod progress;

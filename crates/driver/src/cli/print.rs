@@ -1,6 +1,6 @@
 //! Results as text.
 
-use super::{print_beam, print_plane, print_state};
+use super::{print_beam, print_fracture, print_plane, print_state};
 use crate::run::{CheckResult, ProbeResult, Sizes};
 use crate::summary::{Forces, Located, ModelSummary, Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
@@ -45,7 +45,13 @@ pub(super) fn json(summary: &Summary) -> String {
 pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
     let mut out = format!("{}\n\n", summary.title);
     model(&mut out, summary);
-    for state in &summary.states {
+    if let Some(report) = &summary.fracture {
+        out.push('\n');
+        print_fracture::fracture(&mut out, report);
+    }
+    // Of a body that breaks the last equilibrium tells most; all are in its files.
+    let told = if summary.fracture.is_some() { summary.states.len().saturating_sub(1) } else { 0 };
+    for state in &summary.states[told..] {
         if summary.states.len() > 1 {
             let _ = writeln!(out, "\n{}", state.name);
         }
@@ -60,7 +66,7 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
     if !summary.envelope.is_empty() {
         envelope(&mut out, summary);
     }
-    if !summary.probes.is_empty() {
+    if !summary.probes.is_empty() && summary.fracture.is_none() {
         probes(&mut out, summary);
     }
     if !summary.checks.is_empty() {

@@ -12,7 +12,7 @@ use std::path::Path;
 /// Name of the table.
 pub(super) const FILE: &str = "curve.csv";
 
-const HEADER: &str = "step,solve,load_factor,load,envelope,broken_now,broken,islands,work,stored,released,bond_energy,\
+const HEADER: &str = "step,solve,load_factor,load,envelope_load_factor,envelope_load,broken_now,broken,islands,work,stored,released,bond_energy,\
     unstable_release,balance,iterations,factorisations,residual\n";
 
 /// The table, open, with all of its rows.
@@ -20,7 +20,8 @@ const HEADER: &str = "step,solve,load_factor,load,envelope,broken_now,broken,isl
 pub(super) struct Curve {
     file: File,
     events: Vec<Event>,
-    envelope: f64,
+    /// Largest load factor so far.
+    reached: f64,
 }
 
 impl Curve {
@@ -30,14 +31,14 @@ impl Curve {
     /// What the file system reports.
     pub(super) fn begin(folder: &Path, events: &[Event]) -> io::Result<Self> {
         let path = folder.join(FILE);
-        let (mut text, mut envelope) = (HEADER.to_string(), 0.0);
+        let (mut text, mut reached) = (HEADER.to_string(), 0.0_f64);
         for event in events {
-            envelope = widened(envelope, event.load);
-            text.push_str(&row(event, envelope));
+            reached = reached.max(event.load_factor);
+            text.push_str(&row(event, reached));
         }
         atomic::write_atomically(&path, text.as_bytes())?;
         let file = OpenOptions::new().append(true).open(&path)?;
-        Ok(Self { file, events: events.to_vec(), envelope })
+        Ok(Self { file, events: events.to_vec(), reached })
     }
 
     /// Adds an equilibrium.
@@ -45,10 +46,10 @@ impl Curve {
     /// # Errors
     /// What the file system reports.
     pub(super) fn add(&mut self, event: &Event) -> io::Result<()> {
-        self.envelope = widened(self.envelope, event.load);
+        self.reached = self.reached.max(event.load_factor);
         self.events.push(*event);
         // One write, so that a reader finds whole rows.
-        self.file.write_all(row(event, self.envelope).as_bytes())
+        self.file.write_all(row(event, self.reached).as_bytes())
     }
 
     /// Draws the load over the load factor, and the energies over the equilibria.
@@ -64,14 +65,15 @@ impl Curve {
     }
 
     fn loads(&self, title: &str) -> Diagram {
-        let points: Vec<(f64, f64)> = self.events.iter().map(|e| (e.load_factor, e.load)).collect();
-        let mut largest = 0.0;
-        let grows = |p: &&(f64, f64)| {
-            let before = largest;
-            largest = widened(before, p.1);
-            before != largest
-        };
-        let envelope: Vec<(f64, f64)> = points.iter().filter(grows).copied().collect();
+        let start = std::iter::once((0.0, 0.0));
+        let points = self.events.iter().map(|e| (e.load_factor, e.load));
+        let points: Vec<(f64, f64)> = start.clone().chain(points).collect();
+        let mut reached = 0.0_f64;
+        let envelope = self.events.iter().map(|e| {
+            reached = reached.max(e.load_factor);
+            envelope(e, reached)
+        });
+        let envelope: Vec<(f64, f64)> = start.chain(envelope).collect();
         let series = vec![
             Series { label: "equilibria".into(), style: Style::Thin, points },
             Series { label: "envelope".into(), style: Style::Line, points: envelope },
@@ -97,14 +99,15 @@ impl Curve {
     }
 }
 
-/// The load of the largest magnitude so far.
-fn widened(envelope: f64, load: f64) -> f64 {
-    if load.abs() > envelope.abs() { load } else { envelope }
+/// Where the body is if the load factor never falls: at the largest one so far, with the bonds that are left.
+fn envelope(event: &Event, reached: f64) -> (f64, f64) {
+    let grown = if event.load_factor == 0.0 { 1.0 } else { reached / event.load_factor };
+    (reached, event.load * grown)
 }
 
-fn row(event: &Event, envelope: f64) -> String {
-    let e = event;
-    let mut row = format!("{},{},{:?},{:?},{envelope:?}", e.step, e.solve, e.load_factor, e.load);
+fn row(event: &Event, reached: f64) -> String {
+    let (e, (reached, load)) = (event, envelope(event, reached));
+    let mut row = format!("{},{},{:?},{:?},{reached:?},{load:?}", e.step, e.solve, e.load_factor, e.load);
     let _ = write!(row, ",{},{},{}", e.broken_now, e.broken, e.islands);
     for energy in [e.work, e.stored, e.released, e.bond_energy, e.unstable_release, e.balance] {
         let _ = write!(row, ",{energy:?}");
@@ -136,8 +139,8 @@ mod tests {
         }
         let whole = text(folder.path());
         let columns: Vec<_> = whole.lines().map(|line| line.split(',').count()).collect();
-        assert_eq!(columns, [17; 4]);
-        let last = "0,2,0.6666666666666666,0.2,0.30000000000000004,0,2,0,0.1,0.0,0.0,0.0,0.0,0.0,0,0,0.0";
+        assert_eq!(columns, [18; 4]);
+        let last = "0,2,0.6666666666666666,0.2,0.6666666666666666,0.2,0,2,0,0.1,0.0,0.0,0.0,0.0,0.0,0,0,0.0";
         assert_eq!(whole.lines().last(), Some(last));
         let mut again = Curve::begin(folder.path(), &events[..1]).unwrap();
         events[1..].iter().for_each(|event| again.add(event).unwrap());
@@ -145,16 +148,21 @@ mod tests {
     }
 
     #[test]
-    fn the_envelope_is_the_largest_load_so_far_whatever_its_sign() {
+    fn the_envelope_is_the_curve_of_a_load_factor_that_never_falls() {
         let folder = tempfile::tempdir().unwrap();
-        let loads = [-1.0, -3.0, -2.0, -3.5];
-        let events: Vec<Event> = loads.iter().enumerate().map(|(k, load)| event(k, *load)).collect();
+        let path = [(0.5, 2.0), (0.25, 0.75), (1.0, 2.0)];
+        let at =
+            |(k, &(load_factor, load)): (usize, &(f64, f64))| Event { load_factor, load, ..event(k, load) };
+        let events: Vec<Event> = path.iter().enumerate().map(at).collect();
         let curve = Curve::begin(folder.path(), &events).unwrap();
-        let envelope: Vec<String> =
-            text(folder.path()).lines().skip(1).map(|l| l.split(',').nth(4).unwrap().into()).collect();
-        assert_eq!(envelope, ["-1.0", "-3.0", "-3.0", "-3.5"]);
-        let drawn = &curve.loads("t").series[1].points;
-        assert_eq!(drawn.iter().map(|p| p.1).collect::<Vec<_>>(), [-1.0, -3.0, -3.5]);
+        let found: Vec<String> = text(folder.path())
+            .lines()
+            .skip(1)
+            .map(|l| l.split(',').skip(4).take(2).collect::<Vec<_>>().join(" "))
+            .collect();
+        // Back at the load factor 0.5 the bonds that are left carry 0.75·0.5/0.25.
+        assert_eq!(found, ["0.5 2.0", "0.5 1.5", "1.0 2.0"]);
+        assert_eq!(curve.loads("t").series[1].points, [(0.0, 0.0), (0.5, 2.0), (0.5, 1.5), (1.0, 2.0)]);
         curve.draw(folder.path(), "t", Units::default()).unwrap();
         for (file, words) in [("load_curve.svg", "load factor"), ("energy.svg", "energy [N m]")] {
             let svg = std::fs::read_to_string(folder.path().join(file)).unwrap();

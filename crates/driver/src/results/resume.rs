@@ -145,6 +145,7 @@ mod tests {
             batch_threshold: None,
             increment: None,
             no_fail: Vec::new(),
+            directions: Vec::new(),
             load: "lift".into(),
             stop_below: None,
             max_solves: None,

@@ -1,7 +1,7 @@
 //! What every result is certified with.
 
 use super::extent;
-use super::linear::StateSolution;
+use super::workspace::StateSolution;
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Survey;
 use peristat_assembly::sum::Sum;

@@ -109,7 +109,7 @@ pub(super) fn factor<const D: usize>(
             });
             done.map_err(|e| failure(system, e))?;
             let bytes = factor.bytes();
-            (factor.into_preconditioner(), bytes)
+            (Box::new(factor), bytes)
         }
     };
     timing.factor += begin.elapsed().as_secs_f64();
@@ -119,7 +119,7 @@ pub(super) fn factor<const D: usize>(
 }
 
 /// A factor of a sparse matrix.
-enum SparseFactor {
+pub(super) enum SparseFactor {
     Whole(Box<SparseCholesky>),
     /// Halves side by side.
     Dissected(Box<DissectedCholesky>),
@@ -129,7 +129,7 @@ impl SparseFactor {
     /// Points in a plane below which two threads cost more than they bring.
     const FEW: usize = 5000;
 
-    fn analyse<const D: usize>(
+    pub(super) fn analyse<const D: usize>(
         matrix: &CsMat<f64>,
         positions: Option<&[[f64; 2]]>,
     ) -> Result<Self, FactorError> {
@@ -146,24 +146,33 @@ impl SparseFactor {
         }
     }
 
-    fn refactor(&mut self, matrix: &CsMat<f64>) -> Result<(), FactorError> {
+    pub(super) fn refactor(&mut self, matrix: &CsMat<f64>) -> Result<(), FactorError> {
         match self {
             Self::Whole(factor) => factor.refactor(matrix),
             Self::Dissected(factor) => factor.refactor(matrix),
         }
     }
 
-    fn bytes(&self) -> usize {
+    pub(super) fn bytes(&self) -> usize {
         match self {
             Self::Whole(factor) => factor.bytes(),
             Self::Dissected(factor) => factor.bytes(),
         }
     }
+}
 
-    fn into_preconditioner(self) -> Box<dyn Preconditioner> {
+impl Preconditioner for SparseFactor {
+    fn size(&self) -> usize {
         match self {
-            Self::Whole(factor) => factor,
-            Self::Dissected(factor) => factor,
+            Self::Whole(factor) => factor.size(),
+            Self::Dissected(factor) => factor.size(),
+        }
+    }
+
+    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+        match self {
+            Self::Whole(factor) => factor.apply(r, z),
+            Self::Dissected(factor) => factor.apply(r, z),
         }
     }
 }
@@ -250,7 +259,7 @@ fn band<const D: usize>(k: &CsMat<f64>, half_bandwidth: usize) -> Matrix {
     Matrix::Band(half_bandwidth, values)
 }
 
-fn failure<const D: usize>(system: &System<D>, error: FactorError) -> SolveFailure {
+pub(super) fn failure<const D: usize>(system: &System<D>, error: FactorError) -> SolveFailure {
     match error {
         FactorError::NonPositivePivot { index, count } => SolveFailure::NotPositiveDefinite {
             count,

@@ -3,73 +3,16 @@
 use super::factor::{SolveFailure, SolverReport};
 use super::method::{self, Finish, Method};
 use super::multigrid::Coarser;
-use super::scan::largest;
-use super::{Counters, Problem, Timing, extent};
-use peristat_assembly::condition::Row;
+use super::workspace::{StateSolution, Workspace};
+use super::{Counters, Problem, Timing};
 use peristat_assembly::system::System;
-use peristat_solve::{LinearOperator, Pcg, PcgOptions, PcgStatus, Preconditioner};
-use std::collections::HashMap;
-
-/// The element-wise stiffness of a system as the solver sees it.
-struct Elementwise<'a, const D: usize>(&'a System<D>);
-
-impl<const D: usize> LinearOperator for Elementwise<'_, D> {
-    fn size(&self) -> usize {
-        self.0.size()
-    }
-
-    fn apply(&self, x: &[f64], y: &mut [f64]) {
-        self.0.product(x, y);
-    }
-}
-
-/// Unknowns of one state with the record of how they were found.
-#[derive(Clone, Debug)]
-pub(super) struct StateSolution {
-    /// `D` component planes.
-    pub(super) u: Vec<f64>,
-    /// Energy of the prescribed motions as a sudden jump of the constrained unknowns alone; 0 without such motions.
-    pub(super) jump_energy: f64,
-    /// Forces of the constraints on the unknowns they hold and on their masters, by number of the unknown.
-    pub(super) held: Vec<(usize, f64)>,
-    /// Force that holds each equation, in the order of the system's equations.
-    pub(super) multipliers: Vec<f64>,
-    /// Largest element-wise residual per component, constrained unknowns left out.
-    pub(super) residual: Vec<f64>,
-    /// The correction that one more solve with the preconditioner would make, relative to the unknowns.
-    pub(super) next_correction: f64,
-    /// Size of all corrections after the first solve with the preconditioner, relative to the solution, in energy norm.
-    pub(super) first_correction: f64,
-    /// Iterations of all passes.
-    pub(super) iterations: usize,
-    /// How the last pass ended.
-    pub(super) status: PcgStatus,
-}
-
-impl StateSolution {
-    /// Unknowns of which nothing else is known.
-    pub(super) fn of(u: Vec<f64>) -> Self {
-        Self {
-            u,
-            jump_energy: 0.0,
-            held: Vec::new(),
-            multipliers: Vec::new(),
-            residual: Vec::new(),
-            next_correction: f64::INFINITY,
-            first_correction: 0.0,
-            iterations: 0,
-            status: PcgStatus::Converged,
-        }
-    }
-}
+use peristat_solve::{PcgStatus, Preconditioner};
 
 /// The method of a system: one factorisation or hierarchy of levels, any number of right-hand sides.
 pub struct LinearSolver<'a, const D: usize> {
     preconditioner: Box<dyn Preconditioner + 'a>,
     finish: Finish,
-    pcg: Pcg,
-    residual: Vec<f64>,
-    scales: [f64; D],
+    work: Workspace<D>,
     report: SolverReport,
     counters: Counters,
 }
@@ -90,48 +33,8 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     ) -> Result<Self, SolveFailure> {
         let mut counters = Counters::default();
         let method = method::method(problem, system, coarser, timing, &mut counters)?;
-        Ok(Self::of(problem, system, method, counters))
-    }
-
-    /// A factor, whatever else would do.
-    ///
-    /// # Errors
-    /// [`SolveFailure`] if the stiffness has none.
-    pub(super) fn with_factor<P: Problem<D>>(
-        problem: &P,
-        system: &System<D>,
-        timing: &mut Timing,
-    ) -> Result<Self, SolveFailure> {
-        let mut counters = Counters::default();
-        let method = method::of_factor(problem, system, timing, &mut counters)?;
-        Ok(Self::of(problem, system, method, counters))
-    }
-
-    fn of<P: Problem<D>>(problem: &P, system: &System<D>, method: Method<'a>, counters: Counters) -> Self {
         let Method { preconditioner, report, finish } = method;
-        Self {
-            preconditioner,
-            finish,
-            pcg: Pcg::new(system.size()),
-            residual: vec![0.0; system.size()],
-            scales: extent::scales(problem.model()),
-            report,
-            counters,
-        }
-    }
-
-    /// Makes a factor of a system that has changed.
-    ///
-    /// # Errors
-    /// [`SolveFailure`] if the stiffness has none.
-    pub(super) fn refactor<P: Problem<D>>(
-        &mut self,
-        problem: &P,
-        system: &System<D>,
-        timing: &mut Timing,
-    ) -> Result<(), SolveFailure> {
-        self.preconditioner = method::of_factor(problem, system, timing, &mut self.counters)?.preconditioner;
-        Ok(())
+        Ok(Self { preconditioner, finish, work: Workspace::new(problem, system), report, counters })
     }
 
     /// Takes a factor instead of a method that did not converge.
@@ -155,7 +58,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
 
     /// Displacements of each component that count as equally large.
     pub(super) fn scales(&self) -> &[f64; D] {
-        &self.scales
+        &self.work.scales
     }
 
     /// Method, reason and iterations so far.
@@ -174,21 +77,12 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     /// pass is nearly always the last; with them the first residual is that of a sudden jump and carries its rounding,
     /// so a second pass starts from the smooth solution.
     pub(super) fn solve(&mut self, system: &System<D>, load: &[f64], motion_factor: f64) -> StateSolution {
-        let constraints = system.constraints();
         let mut solution = StateSolution::of(vec![0.0; system.size()]);
-        let operator = Elementwise(system);
-        if constraints.moves() {
-            constraints.expand(motion_factor, &mut solution.u);
-            solution.jump_energy = system.survey(&solution.u).energy;
-            self.refresh_residual(system, load, &solution.u);
-        } else {
-            self.residual.copy_from_slice(load);
-        }
-        constraints.restrict(&mut self.residual);
+        let moves = system.constraints().moves();
+        solution.jump_energy = self.work.start(system, load, motion_factor, &mut solution.u);
         for pass in 0..PASSES {
             let (preconditioner, options) = (&mut *self.preconditioner, &self.finish.options);
-            let report =
-                self.pcg.solve(&operator, preconditioner, &mut self.residual, &mut solution.u, options);
+            let report = self.work.pass(system, preconditioner, options, &mut solution.u);
             if pass == 0 {
                 solution.first_correction = report.first_correction;
             }
@@ -198,9 +92,9 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
                 solution.status = report.status;
             }
             let before = solution.next_correction;
-            self.weigh(system, (load, motion_factor), &mut solution);
+            self.work.weigh(system, preconditioner, (load, motion_factor), &mut solution);
             let next = solution.next_correction;
-            let settled = next <= self.finish.settled && !(pass == 0 && constraints.moves());
+            let settled = next <= self.finish.settled && !(pass == 0 && moves);
             if settled || next >= 0.1 * before || !next.is_finite() {
                 break;
             }
@@ -210,136 +104,4 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         self.report.iterations.push(solution.iterations);
         solution
     }
-
-    /// Improves unknowns under a load and the prescribed motions until the residual is at most `target` in the 2-norm, or
-    /// for some iterations. The preconditioner may be that of another system with the same unknowns.
-    pub(super) fn follow(
-        &mut self,
-        system: &System<D>,
-        load: &[f64],
-        u: &mut [f64],
-        target: f64,
-        max_iterations: usize,
-    ) -> Followed {
-        let constraints = system.constraints();
-        constraints.expand(1.0, u);
-        self.refresh_residual(system, load, u);
-        constraints.restrict(&mut self.residual);
-        let mut residual = norm(&self.residual);
-        let mut iterations = 0;
-        if residual > target {
-            let options = PcgOptions {
-                max_iterations,
-                residual_drop: target / residual,
-                // Only the residual decides: it is that of a few bonds.
-                energy_drop: 0.0,
-                stagnation_window: max_iterations,
-            };
-            let mut preconditioner = Inert { inner: &mut *self.preconditioner, rows: constraints.rows() };
-            let operator = Elementwise(system);
-            let report = self.pcg.solve(&operator, &mut preconditioner, &mut self.residual, u, &options);
-            (iterations, residual) = (report.iterations, norm(&self.residual));
-            constraints.expand(1.0, u);
-        }
-        self.counters.right_hand_sides += 1;
-        self.counters.pcg_iterations += iterations;
-        Followed { iterations, residual, reached: residual <= target }
-    }
-
-    /// Forces that hold the equations, and twice the work of prescribed motions with them.
-    pub(super) fn hold(&mut self, system: &System<D>, load: &[f64], u: &[f64]) -> (Vec<f64>, f64) {
-        self.refresh_residual(system, load, u);
-        let constraints = system.constraints();
-        let multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
-        let work = constraints.rows().iter().map(|row| -self.residual[row.unknown] * row.value).sum();
-        (multipliers, work)
-    }
-
-    /// Finds what belongs to the unknowns of a solution: those that depend on others, forces of constraints, the residual,
-    /// and what one more solve with the preconditioner would correct.
-    pub(super) fn weigh(
-        &mut self,
-        system: &System<D>,
-        (load, motion_factor): (&[f64], f64),
-        solution: &mut StateSolution,
-    ) {
-        let constraints = system.constraints();
-        constraints.expand(motion_factor, &mut solution.u);
-        self.refresh_residual(system, load, &solution.u);
-        solution.held = self.constraint_forces(system);
-        solution.multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
-        constraints.restrict(&mut self.residual);
-        let correction = self.pcg.precondition(&mut *self.preconditioner, &self.residual);
-        let sizes = [size(correction, &self.scales), size(&solution.u, &self.scales)];
-        solution.next_correction = sizes[0] / sizes[1].max(f64::MIN_POSITIVE);
-        let n = system.points();
-        solution.residual = (0..D).map(|c| largest(&self.residual[c * n..][..n])).collect();
-    }
-
-    /// The residual `load − F(u)`, whole: forces of constraints, negative, on what they hold.
-    fn refresh_residual(&mut self, system: &System<D>, load: &[f64], u: &[f64]) {
-        system.force(u, &mut self.residual);
-        self.residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
-    }
-
-    /// Forces of constraints from a whole residual: on every constrained unknown, and shares of it, with the opposite
-    /// sign, on the unknowns that move it. So a link balances itself, whatever the rounding of the forces it joins.
-    fn constraint_forces(&self, system: &System<D>) -> Vec<(usize, f64)> {
-        let mut forces: HashMap<usize, f64> = HashMap::new();
-        for row in system.constraints().rows() {
-            let force = -self.residual[row.unknown];
-            *forces.entry(row.unknown).or_default() += force;
-            row.masters.iter().for_each(|&(m, c)| *forces.entry(m).or_default() -= c * force);
-        }
-        let mut forces: Vec<(usize, f64)> = forces.into_iter().collect();
-        // In the order of the unknowns, so that sums do not depend on the hash.
-        forces.sort_by_key(|f| f.0);
-        forces
-    }
-}
-
-/// The 2-norm of the residual of loads and prescribed motions as a sudden jump of the constrained unknowns alone.
-pub(super) fn jump<const D: usize>(system: &System<D>, load: &[f64]) -> f64 {
-    let (mut u, mut residual) = (vec![0.0; system.size()], vec![0.0; system.size()]);
-    system.constraints().expand(1.0, &mut u);
-    system.force(&u, &mut residual);
-    residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
-    system.constraints().restrict(&mut residual);
-    norm(&residual)
-}
-
-/// How unknowns were improved.
-pub(super) struct Followed {
-    pub(super) iterations: usize,
-    /// The last residual, 2-norm.
-    pub(super) residual: f64,
-    /// Whether it is small enough.
-    pub(super) reached: bool,
-}
-
-/// A preconditioner made before some unknowns were constrained: these stay inert.
-struct Inert<'a> {
-    inner: &'a mut dyn Preconditioner,
-    rows: &'a [Row],
-}
-
-impl Preconditioner for Inert<'_> {
-    fn size(&self) -> usize {
-        self.inner.size()
-    }
-
-    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
-        self.inner.apply(r, z);
-        self.rows.iter().for_each(|row| z[row.unknown] = 0.0);
-    }
-}
-
-fn norm(v: &[f64]) -> f64 {
-    v.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-/// Largest entry of a vector of unknowns with every component in units of its scale.
-fn size<const D: usize>(v: &[f64], scales: &[f64; D]) -> f64 {
-    let n = v.len() / D;
-    (0..D).map(|c| largest(&v[c * n..][..n]) / scales[c]).fold(0.0, f64::max)
 }

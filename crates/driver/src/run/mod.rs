@@ -5,6 +5,7 @@ mod certificate;
 mod extent;
 mod factor;
 pub mod fracture;
+mod kept_factor;
 mod linear;
 mod memory;
 mod method;
@@ -15,6 +16,7 @@ mod range;
 pub(crate) mod scan;
 mod sink;
 mod verdict;
+mod workspace;
 
 pub use beam::BeamResult;
 pub use certificate::{Balance, Certificate};
@@ -31,10 +33,10 @@ use crate::diagnostic::Faults;
 use crate::memory::words;
 use crate::scene::Scene;
 use fracture::Restart;
-use linear::StateSolution;
 use peristat_assembly::system::System;
 use std::time::Instant;
 use thiserror::Error;
+use workspace::StateSolution;
 
 /// What a run is asked for beyond the unknowns.
 #[derive(Clone, Copy, Debug, Default)]

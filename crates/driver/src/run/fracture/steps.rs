@@ -4,7 +4,8 @@
 //! at the unit load: a bond breaks at `λ = 1/ratio` of its strain there. `worst` goes to that of the worst bond, wherever
 //! it is: the load may snap back. The others raise λ step by step and break what is overstrained until nothing is.
 
-use super::super::linear::jump;
+use super::super::factor::SolverReport;
+use super::super::workspace::jump;
 use super::super::{Counters, Problem, RunError, RunReport, Sink, Sizes, SolvedState, Timing};
 use super::islands::Islands;
 use super::ledger::Ledger;
@@ -158,7 +159,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     fn begin(body: &'a mut P, system: System<D>) -> Result<Self, RunError> {
         let u = vec![0.0; system.size()];
         let mut all = Self::new(body, system, &[], u)?;
-        all.unit.solve(all.body.problem(), &all.system, &mut all.timing)?;
+        all.unit.solve(&all.system, &mut all.timing)?;
         Ok(all)
     }
 
@@ -258,7 +259,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             unstable_release: self.ledger.released - self.ledger.bond_energy,
             balance: self.ledger.imbalance(stored),
             iterations: self.unit.iterations,
-            factorisations: self.unit.solver().counters().factorisations,
+            factorisations: self.unit.counters.factorisations,
             residual: self.unit.residual,
         };
         self.events.push(event);
@@ -335,7 +336,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
         let u: Vec<f64> = before.iter().map(|u| load_factor * u).collect();
         self.islands.find(self.body.problem().model(), &mut self.system, self.body.problem().equations(), &u);
-        if self.unit.solve(self.body.problem(), &self.system, &mut self.timing)? {
+        if self.unit.solve(&self.system, &mut self.timing)? {
             self.factored = self.broken.len();
         }
         self.ledger.lose(&gone, &self.unit.loads, [&before, &self.unit.u]);
@@ -344,9 +345,13 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
 
     fn report(self, sizes: Sizes, ending: Ending) -> RunReport {
         let facts = Facts::of(&self.events, self.body.facts(&self.broken));
-        let mut solver = self.unit.solver().report().clone();
-        solver.reason = "bodies that break keep their factor from equilibrium to equilibrium".into();
-        let mut counters: Counters = self.unit.solver().counters().clone();
+        let mut counters: Counters = self.unit.counters.clone();
+        let solver = SolverReport {
+            method: "sparse_cholesky".into(),
+            reason: "a body that breaks keeps its factor from equilibrium to equilibrium".into(),
+            factor_entries: counters.factor_bytes / size_of::<f64>(),
+            iterations: Vec::new(),
+        };
         counters.bond_evaluations = self.system.evaluations();
         counters.stored_bond_factors = self.system.terms().iter().map(|t| t.stored_factors()).sum();
         let iterations: usize = self.events.iter().map(|e| e.iterations).sum();

@@ -2,8 +2,9 @@
 
 use super::super::certificate::{self, Certificate};
 use super::super::factor::SolveFailure;
-use super::super::linear::{LinearSolver, StateSolution};
-use super::super::{Problem, Timing};
+use super::super::kept_factor::KeptFactor;
+use super::super::workspace::{StateSolution, Workspace};
+use super::super::{Counters, Problem, Timing};
 use super::ledger::UnitEnergy;
 use peristat_assembly::system::System;
 use std::time::Instant;
@@ -15,7 +16,9 @@ const ATTEMPTS: usize = 3;
 
 /// The unit load and the displacements under it.
 pub(super) struct Unit<const D: usize> {
-    solver: LinearSolver<'static, D>,
+    factor: KeptFactor,
+    work: Workspace<D>,
+    pub(super) counters: Counters,
     /// Loads at a load factor of one.
     pub(super) loads: Vec<f64>,
     /// Displacements at a load factor of one.
@@ -43,8 +46,11 @@ impl<const D: usize> Unit<D> {
         target: f64,
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
+        let mut counters = Counters::default();
         Ok(Self {
-            solver: LinearSolver::with_factor(problem, system, timing)?,
+            factor: KeptFactor::new(problem, system, timing, &mut counters)?,
+            work: Workspace::new(problem, system),
+            counters,
             loads,
             u,
             multipliers: Vec::new(),
@@ -55,34 +61,27 @@ impl<const D: usize> Unit<D> {
         })
     }
 
-    /// The solver.
-    pub(super) fn solver(&self) -> &LinearSolver<'static, D> {
-        &self.solver
-    }
-
     /// Finds the displacements of the system as it is now. Whether a new factor was made.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
-    pub(super) fn solve<P: Problem<D>>(
-        &mut self,
-        problem: &P,
-        system: &System<D>,
-        timing: &mut Timing,
-    ) -> Result<bool, SolveFailure> {
+    pub(super) fn solve(&mut self, system: &System<D>, timing: &mut Timing) -> Result<bool, SolveFailure> {
         let begin = Instant::now();
         let mut refactored = false;
         self.iterations = 0;
         for attempt in 0..ATTEMPTS {
-            let followed = self.solver.follow(system, &self.loads, &mut self.u, self.target, REFACTOR);
+            let vectors = (&self.loads[..], &mut self.u[..]);
+            let followed = self.work.follow(system, &mut self.factor, vectors, self.target, REFACTOR);
             self.iterations += followed.iterations;
             self.residual = followed.residual;
             if followed.reached || attempt + 1 == ATTEMPTS {
                 break;
             }
-            self.solver.refactor(problem, system, timing)?;
+            self.factor.refill(system, timing, &mut self.counters)?;
             refactored = true;
         }
+        self.counters.right_hand_sides += 1;
+        self.counters.pcg_iterations += self.iterations;
         timing.solve += begin.elapsed().as_secs_f64();
         self.weigh(system);
         Ok(refactored)
@@ -90,7 +89,7 @@ impl<const D: usize> Unit<D> {
 
     /// Finds what follows from the displacements.
     pub(super) fn weigh(&mut self, system: &System<D>) {
-        let (multipliers, held_work) = self.solver.hold(system, &self.loads, &self.u);
+        let (multipliers, held_work) = self.work.hold(system, &self.loads, &self.u);
         let loads_work: f64 = self.loads.iter().zip(&self.u).map(|(f, u)| f * u).sum();
         self.multipliers = multipliers;
         self.energy =
@@ -109,9 +108,8 @@ impl<const D: usize> Unit<D> {
         let loads: Vec<f64> = self.loads.iter().map(|f| load_factor * f).collect();
         let mut solution = StateSolution::of(self.u.iter().map(|u| load_factor * u).collect());
         solution.iterations = self.iterations;
-        self.solver.weigh(system, (&loads, load_factor), &mut solution);
-        let certificate =
-            certificate::certify(problem.model(), system, &loads, &solution, self.solver.scales());
+        self.work.weigh(system, &mut self.factor, (&loads, load_factor), &mut solution);
+        let certificate = certificate::certify(problem.model(), system, &loads, &solution, &self.work.scales);
         timing.certify += begin.elapsed().as_secs_f64();
         (loads, solution, certificate)
     }

@@ -7,10 +7,13 @@ use crate::scene::plane::PlaneScene;
 pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> Vec<String> {
     let (counters, model) = (&report.counters, &scene.model);
     let points = model.point_count();
-    let mut skipped = vec![
-        "Newton iterations: every term is linear".to_string(),
-        format!("{points} rotations: bonds along their own direction read none"),
-    ];
+    let mut skipped = vec![match scene.fracture {
+        None => "Newton iterations: every term is linear".to_string(),
+        Some(_) => "Newton iterations: between two breaks the body is linear in the load".into(),
+    }];
+    if model.turning().is_none() {
+        skipped.push(format!("{points} rotations: bonds along their own direction read none"));
+    }
     if model.lattice().is_some() {
         let bonds = report.sizes.bonds - model.triangles() - scene.conditions.springs.len();
         skipped.push(match counters.stored_bond_factors {
@@ -29,13 +32,16 @@ pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> 
     if counters.right_hand_sides > counters.factorisations {
         let spared = counters.right_hand_sides - counters.factorisations;
         let s = if spared == 1 { "" } else { "s" };
-        skipped.push(format!("{spared} factorisation{s}: the stiffness does not depend on the load"));
+        skipped.push(match scene.fracture {
+            None => format!("{spared} factorisation{s}: the stiffness does not depend on the load"),
+            Some(_) => format!("{spared} factorisation{s}: an old factor is a good preconditioner"),
+        });
     }
     if !recover {
         skipped.push(format!(
             "stresses, strains and energy densities of {points} points: no output or check asks for them"
         ));
-    } else if scene.cracks.is_empty() {
+    } else if scene.cracks.is_empty() && scene.fracture.is_none() {
         skipped.push(format!("damage of {points} points: there are no cracks"));
     }
     skipped

@@ -4,7 +4,7 @@ use super::evidence::Evidence;
 use super::off;
 use super::passes::Passes;
 use super::reactions::Reactions;
-use crate::run::linear::StateSolution;
+use crate::run::workspace::StateSolution;
 use crate::run::{SolveFailure, Timing};
 use peristat_assembly::condition::Constraints;
 use peristat_assembly::model::timoshenko_beam::{
