@@ -91,7 +91,7 @@ impl View {
         let (width, height) = ((x1 - x0).max(f64::MIN_POSITIVE), (y1 - y0).max(f64::MIN_POSITIVE));
         let room = (f64::from(WIDTH - 2 * MARGIN), f64::from(HEIGHTS.1 - TOP - MARGIN));
         let scale = (room.0 / width).min(room.1 / height);
-        let height = ((scale * height) as i32 + TOP + MARGIN).clamp(HEIGHTS.0, HEIGHTS.1);
+        let height = ((scale * height) as i32).saturating_add(TOP + MARGIN).clamp(HEIGHTS.0, HEIGHTS.1);
         let left = 0.5 * (f64::from(WIDTH) - scale * width);
         scale.is_finite().then_some(Self { low: (x0, y0), scale, left, height })
     }
