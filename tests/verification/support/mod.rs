@@ -2,6 +2,7 @@
 
 pub(crate) mod chain;
 pub(crate) mod noise;
+pub(crate) mod orthotropic;
 pub(crate) mod plane;
 pub(crate) mod plane_frame;
 pub(crate) mod sections;

@@ -47,7 +47,7 @@ pub struct Support {
     /// Prescribed displacement along y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uy: Option<f64>,
-    /// Prescribed rotation, rad.
+    /// Prescribed rotation, rad; in the plane where points turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi: Option<f64>,
     /// Prescribed displacement in one direction that is neither x nor y, on a frame or in the plane.
@@ -128,7 +128,7 @@ pub struct PointLoad {
     /// Force along y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force_y: f64,
-    /// Moment along phi.
+    /// Moment along phi; in the plane where points turn, and the points of a region share it.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub moment: f64,
     /// Shared by the bonds that span it. Otherwise the chain is split at the load, which needs a point there; a load

@@ -20,7 +20,7 @@ pub enum FieldName {
     /// Displacement along y, on a frame or in the plane.
     #[serde(rename = "uy")]
     Uy,
-    /// Rotation, rad; in the plane that of a rigid region.
+    /// Rotation, rad; in the plane that of a rigid region, or of a point where points turn.
     #[serde(rename = "phi")]
     Phi,
     /// Bending moment.
@@ -71,7 +71,8 @@ pub enum FieldName {
     /// Force of the support at the point, or of those in the region, on the body, along y.
     #[serde(rename = "reaction_y")]
     ReactionY,
-    /// Moment of the support at the point on the beam, along phi.
+    /// Moment of the support at the point on the beam, along phi; in the plane, where points turn, of all that holds the
+    /// rotations of the points of the region.
     #[serde(rename = "reaction_moment")]
     ReactionMoment,
 }
@@ -109,10 +110,12 @@ impl FieldName {
         Self::EnergyDensity,
     ];
 
-    /// The fields that every point of a body in the plane has, in the order of tables; `damage` where there are cracks.
-    pub const PLANE: [Self; 11] = [
+    /// The fields that every point of a body in the plane has, in the order of tables; `phi` where points turn, `damage`
+    /// where there are cracks.
+    pub const PLANE: [Self; 12] = [
         Self::Ux,
         Self::Uy,
+        Self::Phi,
         Self::StrainXx,
         Self::StrainYy,
         Self::StrainXy,

@@ -7,6 +7,7 @@ mod fracture;
 mod frame;
 mod grading;
 mod model;
+mod orthotropic;
 mod plane;
 mod plane_body;
 mod plane_load;
@@ -25,6 +26,7 @@ pub use fracture::{CrackDirection, Critical, CriticalFormula, Fracture, Strategy
 pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
 pub use model::{Beam, Body, Line, LoadSharing, Model};
+pub use orthotropic::{LatticeRows, Orthotropic};
 pub use plane::{Plane, PlaneState};
 pub use plane_body::{
     CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
@@ -60,7 +62,8 @@ pub struct Case {
     /// Geometry and discretisation.
     pub body: Body,
     /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side; of listed points the
-    /// spacing is the root of their mean area. Give this or `horizon`; without both it is 3.
+    /// spacing is the root of their mean area. Give this or `horizon`; without both it is 3, or 3.2 where no beam bond lies on
+    /// the fibres.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub horizon_ratio: Option<f64>,
     /// Horizon δ, a length; not on a graded grid.

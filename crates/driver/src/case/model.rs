@@ -1,6 +1,8 @@
 //! Model and body of a case.
 
-use super::{Frame, Grading, MeshBody, OutlineBody, Plane, PointsBody, PowerLaw, RectangleBody, Stiffness};
+use super::{
+    Frame, Grading, MeshBody, Orthotropic, OutlineBody, Plane, PointsBody, PowerLaw, RectangleBody, Stiffness,
+};
 use peristat_assembly::material::{Section, ShearCorrection};
 use peristat_assembly::model::timoshenko_beam::{Grid, VolumeFactor, bond_law, end_treatment};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -14,6 +16,19 @@ pub enum Model {
     TimoshenkoBeam(Box<Beam>),
     /// Isotropic body in the plane of central bonds: displacements along x and y.
     BondPlane(Plane),
+    /// Orthotropic body in the plane of beam bonds: displacements along x and y, and rotations.
+    BeamBondOrthotropic(Orthotropic),
+}
+
+impl Model {
+    /// Its name in case files.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::TimoshenkoBeam(_) => "timoshenko_beam",
+            Self::BondPlane(_) => "bond_plane",
+            Self::BeamBondOrthotropic(_) => "beam_bond_orthotropic",
+        }
+    }
 }
 
 /// A Timoshenko beam. What its sections are is said by `section`, `stiffness` or `power_law`, one of them.

@@ -13,7 +13,7 @@ const BEAM: (&str, &str) = (
     "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
 );
 
-const PLATE: [(&str, &str); 10] = [
+const PLATE: [(&str, &str); 15] = [
     (
         "bond_plane",
         "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh",
@@ -36,25 +36,43 @@ const PLATE: [(&str, &str); 10] = [
     ("  edges none", "bonds beyond an edge are missing (default of published)"),
     ("  edges volume", "bonds are stiffened by the volumes of the families of their ends"),
     ("  edges energy", "bonds are stiffened by the energies of their ends in stretches along x and y"),
+    (
+        "beam_bond_orthotropic",
+        "orthotropic plate of beam bonds, plane stress, fibres at any angle: rectangle, outline; points turn; calibrations and edges as bond_plane",
+    ),
+    (
+        "  start aligned",
+        "bonds that lie exactly on the fibres carry what the fibres add (default where there are such bonds)",
+    ),
+    (
+        "  start oblique",
+        "bonds carry the more of it the closer they are to the fibres: elasticity at any angle",
+    ),
+    ("  lattice axes", "rows of the lattice along x (default)"),
+    (
+        "  lattice fibre",
+        "rows of the lattice along the fibres, so that bonds lie on them whatever their angle",
+    ),
 ];
 
 /// What `new` prints, by name.
-const STARTS: [(&str, &str); 3] = [
+const STARTS: [(&str, &str); 4] = [
     ("timoshenko_beam", include_str!("new_timoshenko_beam.json")),
     ("plane_frame", include_str!("new_plane_frame.json")),
     ("bond_plane", include_str!("new_bond_plane.json")),
+    ("beam_bond_orthotropic", include_str!("new_beam_bond_orthotropic.json")),
 ];
 
 const LOADS: [(&str, &str); 13] = [
     (
         "point",
-        "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, shared by the points of a region",
+        "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
     ),
     ("distributed", "the same per length: uniform, linear or sine, over a line or a part of it"),
     ("w, phi, ux", "prescribed displacements of a support of a line, zero or not"),
     (
         "ux, uy, phi, inclined",
-        "prescribed displacements of a support of a frame, zero or not; in the plane without phi, of a region or a point",
+        "prescribed displacements of a support of a frame, zero or not; in the plane of a region or a point, phi where points turn",
     ),
     (
         "w_spring, phi_spring, ux_spring, uy_spring",

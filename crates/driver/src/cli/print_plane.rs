@@ -3,7 +3,8 @@
 use super::print::{number, table};
 use crate::case::Units;
 use crate::run::plane::PlaneReaction;
-use crate::summary::{PlaneForces, PlaneSummary};
+use crate::summary::{OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
+use peristat_assembly::model::beam_bond_orthotropic::Start;
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges};
 use std::fmt::Write;
@@ -15,15 +16,30 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
         Calibration::Matched => "bonds with the exact moduli of the material",
         Calibration::Published => "bonds with the published constant",
     };
-    line("model", format!("{}, {}, {calibration}", m.name, m.state.replace('_', " ")));
-    let nu = if m.state == "plane_stress" { "1/3" } else { "1/4" };
-    let (e, t) = (number(m.youngs_modulus), number(m.thickness));
-    line("material", format!("E = {e} {}, ν = {nu}, thickness {t} {length}", units.stress()));
-    let influence = match m.influence {
-        Influence::Constant => "",
-        Influence::Inverse => ", influence δ/ξ",
-        Influence::Linear => ", influence 1 − ξ/δ",
-    };
+    let (t, stress) = (number(m.thickness), units.stress());
+    let mut influence = "";
+    match &m.material {
+        PlaneMaterialSummary::Central { state, youngs_modulus, influence: law, .. } => {
+            line("model", format!("{}, {}, {calibration}", m.name, state.replace('_', " ")));
+            let nu = if *state == "plane_stress" { "1/3" } else { "1/4" };
+            let e = number(*youngs_modulus);
+            line("material", format!("E = {e} {stress}, ν = {nu}, thickness {t} {length}"));
+            influence = match law {
+                Influence::Constant => "",
+                Influence::Inverse => ", influence δ/ξ",
+                Influence::Linear => ", influence 1 − ξ/δ",
+            };
+        }
+        PlaneMaterialSummary::Beams(of) => {
+            let calibration = match of.start {
+                Some(Start::Aligned) => "bonds with the exact moduli of the material, fibres along bonds",
+                Some(Start::Oblique) => "bonds with the exact moduli of the material, fibres between bonds",
+                None => calibration,
+            };
+            line("model", format!("{}, plane stress, {calibration}", m.name));
+            orthotropic(of, line, &format!("thickness {t} {length}"), stress);
+        }
+    }
     let (ratio, horizon) = (number(m.horizon_ratio), number(m.horizon_ratio * m.spacing));
     let kind = if m.lattice { "" } else { " of listed points" };
     line("horizon", format!("{ratio} spacings{kind} = {horizon} {length}{influence}"));
@@ -46,6 +62,28 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
         let s = if m.cracks == 1 { "" } else { "s" };
         let cut = m.cut_bonds.map_or(String::new(), |cut| format!(", {cut} bonds cut"));
         line("cracks", format!("{} crack{s}{cut}", m.cracks));
+    }
+}
+
+/// Tells an orthotropic material and its fibres.
+fn orthotropic(m: &OrthotropicSummary, line: &mut impl FnMut(&str, String), thickness: &str, stress: &str) {
+    let moduli = [m.youngs_modulus_1, m.youngs_modulus_2, m.shear_modulus_12].map(number);
+    let ([e1, e2, g], nu) = (moduli, number(m.poisson_ratio_12));
+    line(
+        "material",
+        format!("E1 = {e1} {stress}, E2 = {e2} {stress}, ν12 = {nu}, G12 = {g} {stress}, {thickness}"),
+    );
+    let rows = match m.lattice_angle {
+        0.0 => "rows of the lattice along x".into(),
+        angle => format!("rows of the lattice at {}°", number(angle)),
+    };
+    line("fibres", format!("at {}° from x, {rows}", number(m.fibre_angle)));
+    if !m.consistent {
+        let effective = number(m.effective_shear_modulus_12);
+        line(
+            "shear",
+            format!("strain and rotation are coupled: a body acts as if G12 = {effective} {stress}"),
+        );
     }
 }
 

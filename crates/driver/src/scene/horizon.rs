@@ -4,8 +4,8 @@ use super::root;
 use crate::case::Case;
 use crate::diagnostic::Faults;
 
-/// Horizon over spacing.
-pub(super) fn horizon_ratio(case: &Case, spacing: f64, faults: &mut Faults) -> Option<f64> {
+/// Horizon over spacing; `usual` where the case says nothing.
+pub(super) fn horizon_ratio(case: &Case, spacing: f64, usual: f64, faults: &mut Faults) -> Option<f64> {
     let (ratio, key, found) = match (case.horizon_ratio, case.horizon) {
         (Some(_), Some(_)) => {
             faults
@@ -19,7 +19,7 @@ pub(super) fn horizon_ratio(case: &Case, spacing: f64, faults: &mut Faults) -> O
             format!("the horizon {horizon} is shorter than the spacing {spacing}"),
         ),
         (ratio, None) => {
-            let ratio = ratio.unwrap_or(3.0);
+            let ratio = ratio.unwrap_or(usual);
             (ratio, "horizon_ratio", format!("`horizon_ratio` must be at least 1, found {ratio}"))
         }
     };

@@ -82,7 +82,11 @@ impl Scene {
                 BeamScene::new(case, *model, folder, max_memory, faults).map(Self::Beam)
             }
             Model::BondPlane(model) => {
-                PlaneScene::new(case, model, folder, max_memory, faults).map(Self::Plane)
+                PlaneScene::new(case, plane::Given::Central(model), folder, max_memory, faults)
+                    .map(Self::Plane)
+            }
+            Model::BeamBondOrthotropic(model) => {
+                PlaneScene::new(case, plane::Given::Beams(model), folder, max_memory, faults).map(Self::Plane)
             }
         };
         resolved.map_err(|faults| faults.into_report(file, text))

@@ -4,7 +4,7 @@ mod beam;
 mod plane;
 
 pub use beam::{BeamForces, BeamSummary};
-pub use plane::{PlaneForces, PlaneSummary};
+pub use plane::{OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
 
 use crate::case::Units;
 use crate::memory;

@@ -5,6 +5,7 @@ use crate::run::plane::{MirrorReaction, PlaneReaction, PlaneResult, checks, prob
 use crate::run::{CheckResult, ProbeResult, scan};
 use crate::scene::plane::{PlaneBonds, PlaneScene};
 use peristat_assembly::body::PlaneBody;
+use peristat_assembly::model::beam_bond_orthotropic::{BeamNeighbourhood, Start};
 use peristat_assembly::model::bond_plane::{Influence, PlaneState, VolumeFactor};
 use peristat_assembly::model::plane::{Calibration, Edges};
 use serde::{Deserialize, Serialize};
@@ -24,21 +25,13 @@ pub struct PlaneForces {
 pub struct PlaneSummary {
     /// Name of the model.
     pub name: &'static str,
-    /// `plane_stress` or `plane_strain`.
-    pub state: &'static str,
-    /// Young's modulus.
-    pub youngs_modulus: f64,
-    /// Poisson's ratio.
-    pub poisson_ratio: f64,
+    /// What it is made of.
+    #[serde(flatten)]
+    pub material: PlaneMaterialSummary,
     /// Thickness.
     pub thickness: f64,
-    /// Stiffness of bonds over their length.
-    pub influence: Influence,
     /// Where the stiffness of bonds comes from.
     pub calibration: Calibration,
-    /// Volume of points at the edge of the horizon, with the calibration `published`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub volume_factor: Option<VolumeFactor>,
     /// What is done about the bonds that points near edges lack.
     pub edges: Edges,
     /// Horizon over spacing.
@@ -60,6 +53,52 @@ pub struct PlaneSummary {
     pub triangles: usize,
     /// Points that lack bonds for which there is no triangle.
     pub uncorrected_points: usize,
+}
+
+/// Material and bonds of a body.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum PlaneMaterialSummary {
+    /// Isotropic, of central bonds.
+    Central {
+        /// `plane_stress` or `plane_strain`.
+        state: &'static str,
+        /// Young's modulus.
+        youngs_modulus: f64,
+        /// Poisson's ratio.
+        poisson_ratio: f64,
+        /// Stiffness of bonds over their length.
+        influence: Influence,
+        /// Volume of points at the edge of the horizon, with the calibration `published`.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        volume_factor: Option<VolumeFactor>,
+    },
+    /// Orthotropic, of beam bonds.
+    Beams(OrthotropicSummary),
+}
+
+/// An orthotropic material and its bonds.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OrthotropicSummary {
+    /// Young's modulus along the fibres.
+    pub youngs_modulus_1: f64,
+    /// Young's modulus across them.
+    pub youngs_modulus_2: f64,
+    /// Poisson's ratio ν12.
+    pub poisson_ratio_12: f64,
+    /// Shear modulus G12 of the material.
+    pub shear_modulus_12: f64,
+    /// Shear modulus G12 that a body of these bonds has.
+    pub effective_shear_modulus_12: f64,
+    /// Whether strain and rotation are not coupled, so that a body has the moduli of its bonds.
+    pub consistent: bool,
+    /// Angle of the fibres from x, degrees.
+    pub fibre_angle: f64,
+    /// Angle of the rows of the lattice from x, degrees.
+    pub lattice_angle: f64,
+    /// From where the calibration `matched` has found the bonds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start: Option<Start>,
 }
 
 fn is_zero(number: &usize) -> bool {
@@ -95,21 +134,13 @@ pub(super) fn state(
 
 /// The model of a body and its derived numbers.
 pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
-    let PlaneBonds::Central(parameters) = scene.bonds();
-    let material = parameters.material;
+    let bonds = scene.bonds();
     PlaneSummary {
-        name: "bond_plane",
-        state: match material.state {
-            PlaneState::Stress => "plane_stress",
-            PlaneState::Strain => "plane_strain",
-        },
-        youngs_modulus: material.youngs_modulus,
-        poisson_ratio: material.state.poisson_ratio(),
-        thickness: material.thickness,
-        influence: parameters.influence,
-        calibration: parameters.calibration,
-        volume_factor: (parameters.calibration == Calibration::Published).then_some(parameters.volume_factor),
-        edges: parameters.edges,
+        name: bonds.name(),
+        material: material(bonds),
+        thickness: bonds.thickness(),
+        calibration: bonds.calibration(),
+        edges: bonds.edges(),
         horizon_ratio: scene.horizon() / scene.spacing(),
         spacing: scene.spacing(),
         lattice: scene.model.lattice().is_some(),
@@ -121,17 +152,57 @@ pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
     }
 }
 
+/// Material and bonds.
+fn material(bonds: &PlaneBonds) -> PlaneMaterialSummary {
+    match bonds {
+        PlaneBonds::Central(parameters) => {
+            let material = parameters.material;
+            let published = parameters.calibration == Calibration::Published;
+            PlaneMaterialSummary::Central {
+                state: match material.state {
+                    PlaneState::Stress => "plane_stress",
+                    PlaneState::Strain => "plane_strain",
+                },
+                youngs_modulus: material.youngs_modulus,
+                poisson_ratio: material.state.poisson_ratio(),
+                influence: parameters.influence,
+                volume_factor: published.then_some(parameters.volume_factor),
+            }
+        }
+        PlaneBonds::Beams(parameters) => {
+            // The bonds of a scene exist.
+            let hood = BeamNeighbourhood::new(parameters).ok();
+            let material = parameters.material;
+            PlaneMaterialSummary::Beams(OrthotropicSummary {
+                youngs_modulus_1: material.youngs_modulus_1,
+                youngs_modulus_2: material.youngs_modulus_2,
+                poisson_ratio_12: material.poisson_ratio_12,
+                shear_modulus_12: material.shear_modulus_12,
+                effective_shear_modulus_12: hood.as_ref().map_or(f64::NAN, |h| h.effective_shear_modulus()),
+                consistent: hood.as_ref().is_some_and(BeamNeighbourhood::is_consistent),
+                fibre_angle: parameters.fibre_angle.to_degrees(),
+                lattice_angle: parameters.lattice_angle.to_degrees(),
+                start: hood.and_then(|h| h.start()),
+            })
+        }
+    }
+}
+
 /// Number of bonds that cracks cut on a lattice, those of images left out.
 fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
     let PlaneBody::Lattice(lattice) = scene.body() else { return None };
     if scene.cracks.is_empty() {
         return None;
     }
-    let PlaneBonds::Central(parameters) = scene.bonds();
     // The calibration `published` has neighbours of which a part lies inside the horizon.
-    let partial = parameters.calibration == Calibration::Published
-        && matches!(parameters.volume_factor, VolumeFactor::Ramp | VolumeFactor::Area);
-    let reach = parameters.horizon_ratio + if partial { 0.5 } else { 0.0 } + 1e-9;
+    let partial = match scene.bonds() {
+        PlaneBonds::Central(parameters) => {
+            parameters.calibration == Calibration::Published
+                && matches!(parameters.volume_factor, VolumeFactor::Ramp | VolumeFactor::Area)
+        }
+        PlaneBonds::Beams(_) => false,
+    };
+    let reach = scene.bonds().horizon_ratio() + if partial { 0.5 } else { 0.0 } + 1e-9;
     let mut offsets = scene.bonds().offsets().ok()?;
     offsets.retain(|[i, j]| f64::from(*i).hypot(f64::from(*j)) <= reach);
     Some(scene.cuts(lattice, &offsets).len())

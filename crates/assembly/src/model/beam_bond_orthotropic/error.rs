@@ -43,8 +43,8 @@ pub enum OrthotropicError {
     },
     /// The shear modulus is not above C12.
     #[error(
-        "bonds without negative stiffness cannot have a shear modulus of {shear_modulus_12:.6e} Pa; it must exceed \
-         nu12 E2/(1 - nu12 nu21) = {least:.6e} Pa (in an isotropic material: a Poisson ratio below 1/3)"
+        "bonds without negative stiffness cannot have a shear modulus of {shear_modulus_12:.6e}; it must exceed \
+         nu12 E2/(1 - nu12 nu21) = {least:.6e} (in an isotropic material: a Poisson ratio below 1/3)"
     )]
     ShearTooSoft {
         /// G12, Pa.
@@ -96,7 +96,7 @@ pub enum OrthotropicError {
     },
     /// The transverse stiffness of fibre bonds would be negative.
     #[error(
-        "a shear modulus of {shear_modulus_12:.6e} Pa below (1 - nu12) E2/(2 - 2 nu12 nu21) = {least:.6e} Pa makes \
+        "a shear modulus of {shear_modulus_12:.6e} below (1 - nu12) E2/(2 - 2 nu12 nu21) = {least:.6e} makes \
          bonds of the fibres negative in {what}; {hint}"
     )]
     NegativeFibreShear {
@@ -119,8 +119,8 @@ pub enum OrthotropicError {
     OverlayNeedsMatched,
     /// Bonds of the matrix alone release more than the crack across the fibres shall.
     #[error(
-        "bonds of the matrix alone release {matrix:.6e} J/m^2 in a crack across the fibres, not less than the \
-         {required:.6e} J/m^2 wanted in all; increase the fibre energy release rate or decrease that of the matrix"
+        "bonds of the matrix alone release {matrix:.6e} in a crack across the fibres, not less than the \
+         {required:.6e} wanted in all; increase the fibre energy release rate or decrease that of the matrix"
     )]
     FibreReleaseTooSmall {
         /// Released by bonds of the matrix, J/m².

@@ -19,9 +19,10 @@ use std::path::Path;
 type Column<'a> = (&'static str, Cow<'a, [f64]>);
 
 /// Fields whose smallest and largest values over all states are written.
-const ENVELOPE: [FieldName; 6] = [
+const ENVELOPE: [FieldName; 7] = [
     FieldName::Ux,
     FieldName::Uy,
+    FieldName::Phi,
     FieldName::StressXx,
     FieldName::StressYy,
     FieldName::StressXy,

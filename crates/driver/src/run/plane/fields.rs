@@ -41,7 +41,7 @@ impl Recovered {
 /// The result of one state of a body in the plane.
 #[derive(Clone, Debug)]
 pub struct PlaneResult {
-    /// State, unknowns (the planes of ux and uy) and certificate.
+    /// State, unknowns (the planes of ux, uy and, where points turn, of multiples of phi) and certificate.
     pub record: StateRecord,
     /// Stresses and what follows from them, where they were asked for.
     pub recovered: Option<Recovered>,
@@ -138,6 +138,7 @@ impl PlaneResult {
     pub fn fields(&self) -> impl Iterator<Item = FieldName> {
         FieldName::PLANE.into_iter().filter(|f| match f {
             FieldName::Ux | FieldName::Uy => true,
+            FieldName::Phi => self.record.u.len() > 2 * self.points,
             FieldName::Damage => self.recovered.as_ref().is_some_and(|r| r.damage.is_some()),
             _ => self.recovered.is_some(),
         })
@@ -158,9 +159,18 @@ impl PlaneResult {
         }
     }
 
+    /// Multiples of the rotations of the points, and the length that multiplies them, where they turn.
+    fn turned(&self, scene: &PlaneScene) -> Option<(&[f64], f64)> {
+        Some((self.record.u.get(2 * self.points..3 * self.points)?, scene.model.turning()?))
+    }
+
     /// Values of a field at the points of the body, images left out.
     pub fn values(&self, scene: &PlaneScene, field: FieldName) -> Option<Cow<'_, [f64]>> {
         let whole = scene.model.ghosts().is_empty();
+        if field == FieldName::Phi {
+            let (turned, length) = self.turned(scene)?;
+            return Some(scene.real_points().map(|p| turned[p] / length).collect());
+        }
         if let Some(kept) = self.kept(field) {
             return Some(match whole {
                 true => kept.into(),
@@ -179,6 +189,9 @@ impl PlaneResult {
     /// Value of a field as a sum over points. What is no linear function of the stresses is that of the summed stresses.
     pub fn value(&self, scene: &PlaneScene, field: FieldName, weights: &Weights) -> Option<f64> {
         let sum = |values: &[f64]| weights.iter().map(|&(p, w)| w * values[p as usize]).sum::<f64>();
+        if field == FieldName::Phi {
+            return self.turned(scene).map(|(turned, length)| sum(turned) / length);
+        }
         if let Some(kept) = self.kept(field) {
             return Some(sum(kept));
         }

@@ -91,6 +91,9 @@ fn potentials(
         AnyPlaneModel::Central(model) => {
             of_problem::<2, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
         }
+        AnyPlaneModel::Beams(model) => {
+            of_problem::<3, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
+        }
     }
 }
 

@@ -35,6 +35,9 @@ pub fn run(
         AnyPlaneModel::Central(model) => {
             run_model::<2, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
         }
+        AnyPlaneModel::Beams(model) => {
+            run_model::<3, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
+        }
     }
 }
 
@@ -77,6 +80,7 @@ pub fn run_breaking(
     let options = &RunOptions { recover, ..*options };
     match &scene.model {
         AnyPlaneModel::Central(model) => break_model::<2, _>(scene, model, options, resume, sink),
+        AnyPlaneModel::Beams(model) => break_model::<3, _>(scene, model, options, resume, sink),
     }
 }
 
@@ -114,6 +118,9 @@ pub fn sizes(scene: &PlaneScene, options: &RunOptions) -> Result<Sizes, RunError
     match &scene.model {
         AnyPlaneModel::Central(model) => {
             prepare::<2, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
+        }
+        AnyPlaneModel::Beams(model) => {
+            prepare::<3, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
         }
     }
 }

@@ -14,7 +14,8 @@ pub struct PlaneReaction {
     pub force_x: f64,
     /// Force along y.
     pub force_y: f64,
-    /// Moment about the centre of a rigid region that cannot turn, counter-clockwise.
+    /// Moment, counter-clockwise: about the centre of a rigid region that cannot turn; or, of a support that holds
+    /// rotations, the sum of what it does to those of its points, without that of its forces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
     /// Centre of a rigid region.
@@ -38,16 +39,12 @@ const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
 pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) -> Vec<PlaneReaction> {
     let n = scene.model.point_count();
     let of = |support: &PlaneSupport| {
-        let (mut force, mut moment) = ([Sum::default(), Sum::default()], None);
-        for (equations, direction) in &support.equations {
-            let held = &multipliers[equations.clone()];
-            match direction {
-                Some(direction) => {
-                    for (sum, share) in force.iter_mut().zip(direction).filter(|(_, share)| **share != 0.0) {
-                        held.iter().for_each(|m| sum.add(share * m));
-                    }
-                }
-                None => moment = held.first().copied(),
+        let mut force = [Sum::default(), Sum::default(), Sum::default()];
+        let mut turns = false;
+        for (equations, shares) in &support.equations {
+            turns |= shares[2] != 0.0;
+            for (sum, share) in force.iter_mut().zip(shares).filter(|(_, share)| **share != 0.0) {
+                multipliers[equations.clone()].iter().for_each(|m| sum.add(share * m));
             }
         }
         for spring in &scene.conditions.springs[support.springs.clone()] {
@@ -59,7 +56,7 @@ pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) ->
             place: support.name.clone(),
             force_x: force[0].total(),
             force_y: force[1].total(),
-            moment,
+            moment: turns.then(|| force[2].total()),
             centre: rigid.map(|r| r.centre),
         }
     };

@@ -78,7 +78,7 @@ pub(super) fn layout_line(
 ) -> Option<LayoutLine> {
     let (from, length, cells, grid) = (line.from, line.length, line.cells, line.grid);
     let Some(grading) = &line.grading else {
-        let horizon_ratio = horizon_ratio(case, length / cells as f64, faults)?;
+        let horizon_ratio = horizon_ratio(case, length / cells as f64, 3.0, faults)?;
         return Some(LayoutLine { from, length, cells, grid, horizon_ratio, stations: None });
     };
     let horizon_ratio = neighbours(case, faults);
@@ -98,7 +98,7 @@ fn neighbours(case: &Case, faults: &mut Faults) -> Option<f64> {
             .hint("give `horizon_ratio`, the number of neighbours on each side");
         return None;
     }
-    let ratio = horizon_ratio(case, 1.0, faults)?;
+    let ratio = horizon_ratio(case, 1.0, 3.0, faults)?;
     if ratio.fract() != 0.0 {
         faults
             .error(

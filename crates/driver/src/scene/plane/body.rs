@@ -65,7 +65,8 @@ pub(super) fn build(
             return Some(Built { body, outline: None, curves });
         }
         Body::Line(_) | Body::Lines(_) | Body::Frame(_) => {
-            faults.error(root("body"), "the model `bond_plane` needs a body in the plane").hint(
+            let message = format!("the model `{}` needs a body in the plane", case.model.name());
+            faults.error(root("body"), message).hint(
                 "take `rectangle`, `outline`, `points` or `mesh`; lines and frames are for `timoshenko_beam`",
             );
             return None;

@@ -1,6 +1,10 @@
 //! The models of bodies in the plane: what they are made of, and the bodies made of them.
 
+use super::orthotropic;
 use peristat_assembly::body::{Cell, SquareLattice};
+use peristat_assembly::model::beam_bond_orthotropic::{
+    BeamBondOrthotropic, OrthotropicError, OrthotropicParameters,
+};
 use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError, PlaneParameters};
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
 use std::ops::Deref;
@@ -11,6 +15,8 @@ use std::sync::Arc;
 pub enum PlaneBonds {
     /// Central bonds.
     Central(PlaneParameters),
+    /// Beam bonds on a lattice.
+    Beams(OrthotropicParameters),
 }
 
 /// A body in the plane with its bonds.
@@ -18,6 +24,8 @@ pub enum PlaneBonds {
 pub enum AnyPlaneModel {
     /// Of central bonds.
     Central(BondPlane),
+    /// Of beam bonds.
+    Beams(BeamBondOrthotropic),
 }
 
 impl Deref for AnyPlaneModel {
@@ -26,6 +34,7 @@ impl Deref for AnyPlaneModel {
     fn deref(&self) -> &Self::Target {
         match self {
             Self::Central(model) => model,
+            Self::Beams(model) => model,
         }
     }
 }
@@ -36,13 +45,49 @@ pub enum PlaneModelError {
     /// Of central bonds.
     #[error(transparent)]
     Central(#[from] BondPlaneError),
+    /// Of beam bonds.
+    #[error(transparent)]
+    Beams(#[from] OrthotropicError),
+    /// There is no such model of listed points.
+    #[error("beam bonds need a lattice")]
+    NeedsLattice,
 }
 
 impl PlaneBonds {
+    /// Name of the model in case files.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Central(_) => "bond_plane",
+            Self::Beams(_) => "beam_bond_orthotropic",
+        }
+    }
+
+    /// Whether points have rotations of their own.
+    pub fn points_turn(&self) -> bool {
+        matches!(self, Self::Beams(_))
+    }
+
+    /// The same on a lattice whose rows run at an angle to x, rad.
+    pub fn with_lattice_angle(self, lattice_angle: f64) -> Self {
+        match self {
+            Self::Central(_) => self,
+            Self::Beams(parameters) => Self::Beams(OrthotropicParameters { lattice_angle, ..parameters }),
+        }
+    }
+
+    /// Horizon per spacing of a case that gives none.
+    pub(super) fn usual_horizon_ratio(&self) -> f64 {
+        match self {
+            Self::Central(_) => 3.0,
+            Self::Beams(parameters) => orthotropic::horizon_ratio(parameters),
+        }
+    }
+
     /// Horizon per spacing.
     pub fn horizon_ratio(&self) -> f64 {
         match self {
             Self::Central(parameters) => parameters.horizon_ratio,
+            Self::Beams(parameters) => parameters.horizon_ratio,
         }
     }
 
@@ -50,6 +95,7 @@ impl PlaneBonds {
     pub fn with_horizon_ratio(self, horizon_ratio: f64) -> Self {
         match self {
             Self::Central(parameters) => Self::Central(PlaneParameters { horizon_ratio, ..parameters }),
+            Self::Beams(parameters) => Self::Beams(OrthotropicParameters { horizon_ratio, ..parameters }),
         }
     }
 
@@ -57,6 +103,7 @@ impl PlaneBonds {
     pub fn edges(&self) -> Edges {
         match self {
             Self::Central(parameters) => parameters.edges,
+            Self::Beams(parameters) => parameters.edges,
         }
     }
 
@@ -64,6 +111,7 @@ impl PlaneBonds {
     pub fn calibration(&self) -> Calibration {
         match self {
             Self::Central(parameters) => parameters.calibration,
+            Self::Beams(parameters) => parameters.calibration,
         }
     }
 
@@ -71,6 +119,7 @@ impl PlaneBonds {
     pub fn thickness(&self) -> f64 {
         match self {
             Self::Central(parameters) => parameters.material.thickness,
+            Self::Beams(parameters) => parameters.material.thickness,
         }
     }
 
@@ -81,6 +130,7 @@ impl PlaneBonds {
     pub fn offsets(&self) -> Result<Vec<Cell>, PlaneModelError> {
         Ok(match self {
             Self::Central(parameters) => BondPlane::offsets(parameters)?,
+            Self::Beams(parameters) => BeamBondOrthotropic::offsets(parameters)?,
         })
     }
 
@@ -91,6 +141,7 @@ impl PlaneBonds {
     pub fn depth(&self) -> Result<i32, PlaneModelError> {
         Ok(match self {
             Self::Central(parameters) => BondPlane::depth(parameters)?,
+            Self::Beams(parameters) => BeamBondOrthotropic::depth(parameters)?,
         })
     }
 
@@ -108,6 +159,9 @@ impl PlaneBonds {
             Self::Central(parameters) => {
                 AnyPlaneModel::Central(BondPlane::on_lattice(lattice, mirrors, *parameters, cuts)?)
             }
+            Self::Beams(parameters) => {
+                AnyPlaneModel::Beams(BeamBondOrthotropic::on_lattice(lattice, mirrors, *parameters, cuts)?)
+            }
         })
     }
 
@@ -121,10 +175,12 @@ impl PlaneBonds {
         horizon: f64,
         cut: &dyn Fn([f64; 2], [f64; 2]) -> bool,
     ) -> Result<AnyPlaneModel, PlaneModelError> {
-        Ok(match self {
+        match self {
             Self::Central(parameters) => {
-                AnyPlaneModel::Central(BondPlane::on_cloud(positions, areas, horizon, *parameters, cut)?)
+                let model = BondPlane::on_cloud(positions, areas, horizon, *parameters, cut)?;
+                Ok(AnyPlaneModel::Central(model))
             }
-        })
+            Self::Beams(_) => Err(PlaneModelError::NeedsLattice),
+        }
     }
 }

@@ -18,10 +18,10 @@ pub struct PlaneComparison {
     pub tolerance: f64,
 }
 
-/// Checks of the case; states and probes by their names.
+/// Checks of the case on a body whose points may turn; states and probes by their names.
 pub(super) fn expectations(
     case: &Case,
-    body: &PlaneBody,
+    (body, points_turn): (&PlaneBody, bool),
     states: &[&str],
     probes: &[&str],
     folder: &Path,
@@ -34,19 +34,19 @@ pub(super) fn expectations(
                 .hint("compare a probe with a number by a `value` check, or all points by a `baseline`");
             None
         }
-        PointsCheck::Baseline(check) => baseline(check, body, folder, path, faults),
+        PointsCheck::Baseline(check) => baseline(check, (body, points_turn), folder, path, faults),
     };
     expectation::expectations(case, states, probes, compare, faults)
 }
 
 fn baseline(
     check: &Baseline,
-    body: &PlaneBody,
+    (body, points_turn): (&PlaneBody, bool),
     folder: &Path,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<PlaneComparison> {
-    if !FieldName::PLANE.contains(&check.field) {
+    if !FieldName::PLANE.contains(&check.field) || (check.field == FieldName::Phi && !points_turn) {
         faults.error(
             path.key("field"),
             format!("`{}` is no field of all points of a body in the plane", check.field.name()),

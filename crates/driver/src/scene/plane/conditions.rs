@@ -15,6 +15,8 @@ pub struct Conditions {
     pub rigid: Vec<RigidPoints>,
     /// Springs to the ground.
     pub springs: Vec<Spring>,
+    /// What multiplies rotations to make unknowns of them, m; none where points do not turn.
+    pub turning: Option<f64>,
 }
 
 /// Points with the same prescribed motion.
@@ -26,9 +28,9 @@ pub struct HeldPoints {
     pub edge: Option<HeldEdge>,
     /// With an edge, the points behind each point; none where the point itself is held.
     pub chains: Vec<Vec<u32>>,
-    /// Direction that is held, a unit vector.
-    pub direction: [f64; 2],
-    /// Displacement in this direction at a factor of one.
+    /// What is held, a unit vector: a direction, or the rotation, which is the third component.
+    pub direction: [f64; 3],
+    /// The unknown along it at a factor of one: a displacement, or the rotation times [`Conditions::turning`].
     pub value: f64,
     /// Where it stands in the case.
     pub origin: String,
@@ -55,12 +57,12 @@ impl Conditions {
     /// in the order of [`RIGID_KEYS`], then those that make them rigid.
     pub fn equations(&self, position: &dyn Fn(usize) -> [f64; 2]) -> Vec<Equation> {
         let mut equations: Vec<Equation> = self.holds.iter().flat_map(HeldPoints::equations).collect();
-        let bodies: Vec<Basis> = self.rigid.iter().map(|r| Basis::new(r, position)).collect();
+        let bodies: Vec<Basis> = self.rigid.iter().map(|r| Basis::new(r, self.turning, position)).collect();
         for (rigid, basis) in self.rigid.iter().zip(&bodies) {
             equations.extend(rigid.prescribed_equations(basis));
         }
         for (rigid, basis) in self.rigid.iter().zip(&bodies) {
-            equations.extend(rigid.shape_equations(basis, position));
+            equations.extend(rigid.shape_equations(basis, self.turning.is_some(), position));
         }
         equations
     }
@@ -97,7 +99,12 @@ impl Conditions {
             let sum = springs.entry(key).or_insert(Spring { point, stiffness: 0.0, ..*spring });
             sum.stiffness += spring.stiffness;
         }
-        Self { holds: holds.collect(), rigid: rigid.collect(), springs: springs.into_values().collect() }
+        Self {
+            holds: holds.collect(),
+            rigid: rigid.collect(),
+            springs: springs.into_values().collect(),
+            turning: self.turning,
+        }
     }
 
     /// Whether nothing holds the body.
@@ -108,9 +115,10 @@ impl Conditions {
 
 impl HeldPoints {
     fn equations(&self) -> impl Iterator<Item = Equation> + '_ {
-        let [x, y] = self.direction;
+        let [x, y, turn] = self.direction;
         // The larger share first: it is the one to divide by.
-        let shares = if x.abs() >= y.abs() { [(0, x), (1, y)] } else { [(1, y), (0, x)] };
+        let [first, second] = if x.abs() >= y.abs() { [(0, x), (1, y)] } else { [(1, y), (0, x)] };
+        let shares = [first, second, (2, turn)];
         self.points.iter().enumerate().map(move |(k, &point)| {
             let chain = self.chains.get(k).filter(|chain| !chain.is_empty()).zip(self.edge.as_ref());
             let mut terms = Vec::new();
@@ -130,25 +138,25 @@ impl HeldPoints {
     }
 }
 
-/// Three unknowns of two points that say how a rigid region moves.
+/// Three unknowns of one or two points that say how a rigid region moves.
 struct Basis {
     /// A point of the region and its position.
     first: (usize, [f64; 2]),
-    /// The component of the first point and of another one whose difference over a distance is the rotation; none if the
-    /// region is one point.
+    /// Where the rotation is read; none if the region is one point that does not turn.
     turn: Option<Turn>,
 }
 
-struct Turn {
-    other: usize,
-    component: usize,
-    /// Signed distance: rotation = difference / arm.
-    arm: f64,
+/// How the rotation of a rigid region is read.
+enum Turn {
+    /// The rotation of its first point, times this length.
+    Own(f64),
+    /// A component of another point less that of the first one, over a signed distance.
+    Difference { other: usize, component: usize, arm: f64 },
 }
 
 impl Basis {
-    /// The two points that are farthest from each other along an axis.
-    fn new(rigid: &RigidPoints, position: &dyn Fn(usize) -> [f64; 2]) -> Self {
+    /// The two points that are farthest from each other along an axis; where points turn, the first of them.
+    fn new(rigid: &RigidPoints, turning: Option<f64>, position: &dyn Fn(usize) -> [f64; 2]) -> Self {
         let ends = |axis: usize| {
             let key = |p: &&u32| position(**p as usize)[axis];
             let order = |a: &&u32, b: &&u32| key(a).total_cmp(&key(b));
@@ -161,22 +169,29 @@ impl Basis {
         let ((first, other, length), component) =
             if along_x.2 >= along_y.2 { (along_x, 1) } else { (along_y, 0) };
         let arm = if component == 1 { length } else { -length };
-        let turn = (length > 0.0).then_some(Turn { other, component, arm });
+        let difference = (length > 0.0).then_some(Turn::Difference { other, component, arm });
+        let turn = turning.map(Turn::Own).or(difference);
         Self { first: (first, position(first)), turn }
     }
 
     /// Rotation as a sum of unknowns.
     fn rotation(&self, factor: f64) -> Vec<(Unknown, f64)> {
-        let Some(Turn { other, component, arm }) = self.turn else { return Vec::new() };
-        let share = factor / arm;
-        vec![
-            (Unknown { component, point: other }, share),
-            (Unknown { component, point: self.first.0 }, -share),
-        ]
+        let first = |component: usize| Unknown { component, point: self.first.0 };
+        match self.turn {
+            None => Vec::new(),
+            Some(Turn::Own(turning)) => vec![(first(2), factor / turning)],
+            Some(Turn::Difference { other, component, arm }) => {
+                let share = factor / arm;
+                vec![(Unknown { component, point: other }, share), (first(component), -share)]
+            }
+        }
     }
 
-    /// Displacement of the body at a position as a sum of unknowns.
-    fn displacement(&self, component: usize, at: [f64; 2]) -> Vec<(Unknown, f64)> {
+    /// An unknown of a point of the body at a position as a sum of those of the basis.
+    fn unknown(&self, component: usize, at: [f64; 2]) -> Vec<(Unknown, f64)> {
+        if component == 2 {
+            return vec![(Unknown { component, point: self.first.0 }, 1.0)];
+        }
         let arm = [self.first.1[1] - at[1], at[0] - self.first.1[0]][component];
         let mut terms = vec![(Unknown { component, point: self.first.0 }, 1.0)];
         terms.extend(self.rotation(arm).into_iter().filter(|t| t.1 != 0.0));
@@ -190,7 +205,7 @@ impl RigidPoints {
             let value = self.prescribed[k]?;
             let terms = match k {
                 2 => basis.rotation(1.0),
-                component => basis.displacement(component, self.centre),
+                component => basis.unknown(component, self.centre),
             };
             let origin = format!("{}.{key}", self.origin);
             (!terms.is_empty()).then(|| Equation { terms: merged(terms), value, origin })
@@ -201,16 +216,18 @@ impl RigidPoints {
     fn shape_equations<'a>(
         &'a self,
         basis: &'a Basis,
+        points_turn: bool,
         position: &'a dyn Fn(usize) -> [f64; 2],
     ) -> impl Iterator<Item = Equation> + 'a {
-        let both = self.points.iter().flat_map(|&p| [0, 1].map(|component| (p as usize, component)));
-        let is_basis = |point: usize, component: usize| {
-            let turns = basis.turn.as_ref().is_some_and(|t| (t.other, t.component) == (point, component));
-            point == basis.first.0 || turns
+        let components = if points_turn { 3 } else { 2 };
+        let all = self.points.iter().flat_map(move |&p| (0..components).map(move |c| (p as usize, c)));
+        let is_basis = |point: usize, component: usize| match basis.turn {
+            Some(Turn::Difference { other, component: c, .. }) if (other, c) == (point, component) => true,
+            _ => point == basis.first.0,
         };
-        both.filter(move |&(point, component)| !is_basis(point, component)).map(move |(point, component)| {
+        all.filter(move |&(point, component)| !is_basis(point, component)).map(move |(point, component)| {
             let mut terms = vec![(Unknown { component, point }, 1.0)];
-            let rest = basis.displacement(component, position(point));
+            let rest = basis.unknown(component, position(point));
             terms.extend(merged(rest).into_iter().map(|(unknown, c)| (unknown, -c)));
             Equation { terms, value: 0.0, origin: self.origin.clone() }
         })
@@ -269,6 +286,26 @@ mod tests {
     }
 
     #[test]
+    fn points_that_turn_turn_with_their_region() {
+        let (lattice, turning) = (SquareLattice::rectangle(0.3, [1.0, 2.0], [3, 2]), 0.3);
+        for prescribed in [[None; 3], [Some(0.1), Some(-0.2), Some(0.4)]] {
+            let conditions = Conditions { turning: Some(turning), ..region(&lattice, prescribed) };
+            let constraints =
+                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.position(p))).unwrap();
+            let free = prescribed.iter().filter(|p| p.is_none()).count();
+            assert_eq!(constraints.rows().len(), 3 * lattice.points() - free);
+            let mut expected = motion(&lattice, [0.1, -0.2, 0.4], [0.7, -0.2]);
+            expected.extend(vec![turning * 0.4; lattice.points()]);
+            let mut u = expected.clone();
+            constraints.rows().iter().for_each(|r| u[r.unknown] = f64::NAN);
+            constraints.expand(1.0, &mut u);
+            for (found, expected) in u.iter().zip(&expected) {
+                assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+            }
+        }
+    }
+
+    #[test]
     fn prescribed_motions_are_those_of_the_centre() {
         let lattice = SquareLattice::rectangle(0.5, [0.0; 2], [3, 4]);
         let conditions = region(&lattice, [Some(0.1), Some(-0.2), Some(0.3)]);
@@ -287,7 +324,7 @@ mod tests {
     #[test]
     fn coarse_points_are_held_where_a_child_is_and_springs_add_up() {
         let fine = SquareLattice::rectangle(1.0, [0.0; 2], [4, 2]);
-        let (points, direction) = (vec![1, 2, 5], [1.0, 0.0]);
+        let (points, direction) = (vec![1, 2, 5], [1.0, 0.0, 0.0]);
         let (edge, chains, origin) = (None, Vec::new(), String::new());
         let hold = HeldPoints { points, edge, chains, direction, value: 3.0, origin };
         let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };

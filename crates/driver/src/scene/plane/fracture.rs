@@ -9,6 +9,9 @@ use super::model::{self, Recipe};
 use crate::case::{self, CriticalFormula, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::fracture::FACTS;
+use peristat_assembly::model::beam_bond_orthotropic::{
+    BeamNeighbourhood, CriticalStretches, OrthotropicError, OrthotropicParameters, ReleaseRates, Start,
+};
 use peristat_assembly::model::bond_plane::{
     Influence, PlaneParameters, critical_stretch, published_critical_stretch,
 };
@@ -83,6 +86,7 @@ fn critical(
             let offsets = context.recipe.bonds.offsets().map_or(1, |offsets| offsets.len());
             Some((CriticalStretch(vec![stretch; offsets]), Vec::new()))
         }
+        PlaneBonds::Beams(parameters) => of_beams(fracture, &parameters, context, path, faults),
     }
 }
 
@@ -141,9 +145,75 @@ fn of_central(
         CriticalFormula::Energy => {
             let spacing = context.recipe.body.spacing();
             let found = critical_stretch(rate, parameters, spacing);
-            found.map_err(|error| model::refuse(&error.into(), faults)).ok()
+            found.map_err(|error| model::refuse(&error.into(), context.ground.case, faults)).ok()
         }
     }
+}
+
+fn of_beams(
+    fracture: &mut Fracture,
+    parameters: &OrthotropicParameters,
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(CriticalStretch, Vec<bool>)> {
+    let refuse = |error: OrthotropicError, faults: &mut Faults| {
+        model::refuse(&error.into(), context.ground.case, faults);
+    };
+    let bonds = BeamNeighbourhood::new(parameters).map_err(|error| refuse(error, faults)).ok()?;
+    if bonds.start() == Some(Start::Oblique) {
+        faults
+            .error(
+                root("fracture"),
+                "stiff bonds lie beside the fibres, not on them: cracks would run wrong although the moduli are exact",
+            )
+            .hint("turn the lattice with the fibres: \"lattice\": \"fibre\" in the model");
+        return None;
+    }
+    let given = &mut fracture.critical;
+    foreign(
+        &[
+            ("stretch", given.stretch),
+            ("energy_release_rate", given.energy_release_rate),
+            ("curvature", given.curvature),
+            ("shear_strain", given.shear_strain),
+        ],
+        "beam bonds break by `fibre_stretch` and `matrix_stretch`, or by the energy release rates of both",
+        path,
+        faults,
+    );
+    let rates = [given.fibre_energy_release_rate, given.matrix_energy_release_rate];
+    let stretches = [given.fibre_stretch, given.matrix_stretch];
+    if stretches.iter().any(Option::is_some) && rates.iter().any(Option::is_some) {
+        faults
+            .error(path.clone(), "stretches and energy release rates are both given")
+            .hint("the ones follow from the others: remove either");
+        return None;
+    }
+    let critical = if rates.iter().any(Option::is_some) {
+        let fibre = needed(rates[0], "fibre_energy_release_rate", path, faults);
+        let matrix = needed(rates[1], "matrix_energy_release_rate", path, faults);
+        let rates = ReleaseRates { fibre: fibre?, matrix: matrix? };
+        match given.formula.get_or_insert_default() {
+            CriticalFormula::Published => {
+                CriticalStretches::published(rates, &parameters.material, context.recipe.horizon)
+            }
+            CriticalFormula::Energy => {
+                let found = CriticalStretches::by_energy(rates, &bonds, context.recipe.body.spacing());
+                found.map_err(|error| refuse(error, faults)).ok()?
+            }
+        }
+    } else {
+        if given.formula.is_some() {
+            faults.error(path.key("formula"), "`formula` is for energy release rates");
+        }
+        let fibre = needed(stretches[0], "fibre_stretch", path, faults);
+        let matrix = needed(stretches[1], "matrix_stretch", path, faults);
+        CriticalStretches { fibre: fibre?, matrix: matrix? }
+    };
+    let fibres = bonds.is_fibre().to_vec();
+    let by_offset = fibres.iter().map(|&along| if along { critical.fibre } else { critical.matrix });
+    Some((CriticalStretch(by_offset.collect()), fibres))
 }
 
 /// Faults of keys that are for other models.

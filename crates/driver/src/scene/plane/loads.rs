@@ -16,6 +16,8 @@ use peristat_assembly::model::plane::PlaneModel;
 pub struct PlaneLoads {
     /// Forces on points of the model, N.
     pub(super) forces: Vec<(u32, [f64; 2])>,
+    /// Moments on points of the model, N m.
+    pub(super) moments: Vec<(u32, f64)>,
     /// Force on every point per volume, N/m³.
     pub(super) density: [f64; 2],
     /// Stresses that act by the rows of the bonds.
@@ -70,12 +72,13 @@ pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoa
 }
 
 fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoads, faults: &mut Faults) {
+    let points_turn = context.bonds.points_turn();
     let foreign = [
         ("force", load.force != 0.0, "use `force_x` and `force_y`"),
         ("axial", load.axial != 0.0, "use `force_x` and `force_y`"),
         (
             "moment",
-            load.moment != 0.0,
+            load.moment != 0.0 && !points_turn,
             "points do not turn: use two forces, or a `linear` traction on an edge",
         ),
         ("spread", load.spread, "give a region as the place to spread a force"),
@@ -84,8 +87,10 @@ fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoa
         faults.error(path.key(*key), format!("`{key}` is for beams")).hint(*hint);
     }
     let force = [load.force_x, load.force_y];
-    if force == [0.0; 2] && !foreign.iter().any(|f| f.1) {
-        faults.error(path.clone(), "this load is zero").hint("give `force_x` or `force_y`");
+    if force == [0.0; 2] && load.moment == 0.0 && !foreign.iter().any(|f| f.1) {
+        let keys =
+            if points_turn { "give `force_x`, `force_y` or `moment`" } else { "give `force_x` or `force_y`" };
+        faults.error(path.clone(), "this load is zero").hint(keys);
     }
     let at = path.key("at");
     if load.at.inward.is_some() {
@@ -100,7 +105,13 @@ fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoa
             .hint("it only adds to the reaction of the support");
     }
     let share = force.map(|f| f / spot.points.len() as f64);
-    to.forces.extend(spot.points.iter().map(|&p| (p, share)));
+    if acts {
+        to.forces.extend(spot.points.iter().map(|&p| (p, share)));
+    }
+    if load.moment != 0.0 {
+        let share = load.moment / spot.points.len() as f64;
+        to.moments.extend(spot.points.iter().map(|&p| (p, share)));
+    }
 }
 
 /// Whether supports prescribe a component of a point of the body.
@@ -163,6 +174,7 @@ impl PlaneLoads {
     /// The same with the numbers that points have in the model.
     pub(super) fn numbered(mut self, number: &dyn Fn(u32) -> u32) -> Self {
         self.forces.iter_mut().for_each(|f| f.0 = number(f.0));
+        self.moments.iter_mut().for_each(|m| m.0 = number(m.0));
         for field in &mut self.stresses {
             if let Some(points) = &mut field.points {
                 points.iter_mut().for_each(|p| *p = number(*p as u32) as usize);
@@ -173,14 +185,23 @@ impl PlaneLoads {
 
     /// Whether nothing acts.
     pub fn is_zero(&self) -> bool {
-        self.forces.is_empty() && self.density == [0.0; 2] && self.stresses.is_empty()
+        self.forces.is_empty()
+            && self.moments.is_empty()
+            && self.density == [0.0; 2]
+            && self.stresses.is_empty()
     }
 
-    /// Adds the loads times a factor to `force`, N, the plane of x first.
+    /// Adds the loads times a factor to `force`, N, the plane of x first, then that of y and, where points turn, that of
+    /// moments per length by which rotations are multiplied.
     pub fn add_to(&self, model: &dyn PlaneModel, factor: f64, force: &mut [f64]) {
         let n = model.point_count();
         for &(point, f) in &self.forces {
             (0..2).for_each(|c| force[c * n + point as usize] += factor * f[c]);
+        }
+        // A moment does its work on the rotation, the unknown is a multiple of that.
+        let turning = model.turning().unwrap_or(1.0);
+        for &(point, moment) in &self.moments {
+            force[2 * n + point as usize] += factor * moment / turning;
         }
         if self.density != [0.0; 2] {
             for point in 0..n {

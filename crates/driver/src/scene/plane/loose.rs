@@ -5,7 +5,7 @@ use super::conditions::Conditions;
 use super::{PlaneScene, body, root};
 use crate::diagnostic::Faults;
 use peristat_assembly::model::Model;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Points that are told one by one, at most.
 const MOST: usize = 5;
@@ -17,7 +17,7 @@ const SINGULAR: f64 = 1e-10;
 pub(super) fn check<const D: usize>(scene: &PlaneScene, model: &impl Model<D>, faults: &mut Faults) {
     let mut blocks = vec![[[0.0; D]; D]; model.points()];
     model.terms().iter().for_each(|term| term.add_diagonal(&mut blocks));
-    let held = held_points(&scene.conditions);
+    let held = held_points(&scene.conditions, D);
     let is_loose = |point: &usize| {
         let ([a, b], d) = ([blocks[*point][0][0], blocks[*point][0][1]], blocks[*point][1][1]);
         let trace = a + d;
@@ -47,16 +47,13 @@ pub(super) fn check<const D: usize>(scene: &PlaneScene, model: &impl Model<D>, f
     }
 }
 
-/// Points that supports hold in two directions or that belong to rigid regions.
-fn held_points(conditions: &Conditions) -> BTreeSet<u32> {
+/// Points all of whose unknowns supports hold, or that belong to rigid regions.
+fn held_points(conditions: &Conditions, unknowns: usize) -> BTreeSet<u32> {
     let mut held: BTreeSet<u32> = conditions.rigid.iter().flat_map(|r| r.points.iter().copied()).collect();
-    let mut once = BTreeSet::new();
-    for hold in &conditions.holds {
-        for &point in &hold.points {
-            if !once.insert(point) {
-                held.insert(point);
-            }
-        }
+    let mut times: BTreeMap<u32, usize> = BTreeMap::new();
+    for &point in conditions.holds.iter().flat_map(|hold| &hold.points) {
+        *times.entry(point).or_default() += 1;
     }
+    held.extend(times.into_iter().filter(|(_, times)| *times >= unknowns).map(|(point, _)| point));
     held
 }

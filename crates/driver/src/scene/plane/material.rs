@@ -2,7 +2,7 @@
 
 use super::super::numbers::positive;
 use super::super::words::tidy;
-use super::model_path;
+use super::root;
 use crate::case::{self, Plane};
 use crate::diagnostic::Faults;
 use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor};
@@ -17,7 +17,7 @@ pub(super) fn parameters(
     [is_cloud, breaks]: [bool; 2],
     faults: &mut Faults,
 ) -> Option<PlaneParameters> {
-    let path = model_path();
+    let path = root("model").key("bond_plane");
     let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= positive(model.thickness, "thickness", path.key("thickness"), faults);
     let (state, words) = match model.state {

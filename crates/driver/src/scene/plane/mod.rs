@@ -11,6 +11,7 @@ mod files;
 mod foreign;
 mod fracture;
 mod gaps;
+mod given;
 mod ground;
 mod held_edge;
 mod interpolate;
@@ -21,6 +22,7 @@ mod lump;
 mod material;
 mod model;
 mod motions;
+mod orthotropic;
 mod outputs;
 mod parts;
 mod probes;
@@ -41,6 +43,7 @@ pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
 pub use cracks::NamedCrack;
 pub use fracture::PlaneFracture;
+pub(super) use given::Given;
 pub use held_edge::HeldEdge;
 pub use interpolate::Weights;
 pub use loads::PlaneLoads;
@@ -51,7 +54,7 @@ pub use supported::PlaneSupport;
 
 use super::states::{self, Sum};
 use super::{Expectation, keep_files, root};
-use crate::case::{Case, Fracture, Model, Plane, Solver, Units};
+use crate::case::{Case, Fracture, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use ground::Ground;
 use interpolate::Interpolation;
@@ -114,11 +117,6 @@ pub struct PlaneState {
     pub terms: Vec<(usize, f64)>,
 }
 
-/// Path of the model in a case.
-fn model_path() -> JsonPath {
-    root("model").key("bond_plane")
-}
-
 impl PlaneScene {
     /// Resolves a case of a body in the plane. `folder` is where files that the case names are looked for, `faults` are
     /// those found so far; `max_memory` is in bytes.
@@ -127,7 +125,7 @@ impl PlaneScene {
     /// All faults of the case.
     pub(super) fn new(
         mut case: Case,
-        mut model: Plane,
+        mut model: Given,
         folder: &Path,
         max_memory: Option<u64>,
         mut faults: Faults,
@@ -139,13 +137,15 @@ impl PlaneScene {
         if scene.outline.is_none() || scene.can_have_loose_points() {
             match &scene.model {
                 AnyPlaneModel::Central(model) => loose::check::<2>(&scene, model, &mut faults),
+                AnyPlaneModel::Beams(model) => loose::check::<3>(&scene, model, &mut faults),
             }
         }
         warnings::collect(&scene, &mut faults);
         if faults.has_errors() {
             return Err(faults);
         }
-        case.model = Model::BondPlane(model);
+        model.settle(scene.bonds(), &mut case);
+        case.model = model.into();
         case.fracture = fracture;
         keep_files(&mut case, folder);
         (scene.case, scene.warnings) = (case, faults);
@@ -156,7 +156,7 @@ impl PlaneScene {
     /// fracture.
     fn resolve(
         case: &Case,
-        (model, fracture): (&mut Plane, &mut Option<Fracture>),
+        (model, fracture): (&mut Given, &mut Option<Fracture>),
         folder: &Path,
         max_memory: Option<u64>,
         faults: &mut Faults,
@@ -183,7 +183,7 @@ impl PlaneScene {
         loads::check_loaded(&ground, &load_cases, moves, faults);
         let states = states(case, faults);
         let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
-        let built = recipe.make(&paths).map_err(|error| model::refuse(&error, faults)).ok();
+        let built = recipe.make(&paths).map_err(|error| model::refuse(&error, case, faults)).ok();
         cracks::check(
             &cracks,
             &recipe.body,
@@ -230,7 +230,14 @@ impl PlaneScene {
         let facts = breaks.as_ref().map_or(Vec::new(), PlaneFracture::facts);
         names.extend(facts.iter().map(String::as_str));
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
-        let expectations = checks::expectations(case, &recipe.body, &state_names, &names, folder, faults);
+        let expectations = checks::expectations(
+            case,
+            (&recipe.body, recipe.bonds.points_turn()),
+            &state_names,
+            &names,
+            folder,
+            faults,
+        );
         Some(Self {
             case: case.clone(),
             units: case.units,

@@ -3,8 +3,9 @@
 use super::bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 use super::cracks::NamedCrack;
 use super::symmetry::Symmetry;
-use super::{model_path, root};
-use crate::diagnostic::Faults;
+use super::{orthotropic, root};
+use crate::case::Case;
+use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
 use peristat_assembly::model::bond_plane::BondPlaneError;
 use peristat_assembly::model::plane::PlaneModel;
@@ -89,8 +90,13 @@ impl Recipe {
 }
 
 /// A fault for a model that cannot be made.
-pub(super) fn refuse(error: &PlaneModelError, faults: &mut Faults) {
-    let PlaneModelError::Central(central) = error;
+pub(super) fn refuse(error: &PlaneModelError, case: &Case, faults: &mut Faults) {
+    let model_path = || root("model").key(case.model.name());
+    let central = match error {
+        PlaneModelError::Central(central) => central,
+        PlaneModelError::Beams(error) => return orthotropic::refuse(error, case, faults),
+        PlaneModelError::NeedsLattice => return tell(&error.to_string(), root("body"), faults),
+    };
     let path = match central {
         BondPlaneError::NotRepresentable { .. } | BondPlaneError::NoNeighbours { .. } => {
             root("horizon_ratio")
@@ -99,7 +105,11 @@ pub(super) fn refuse(error: &PlaneModelError, faults: &mut Faults) {
         BondPlaneError::AreaNeedsCells => model_path().key("volume_factor"),
         BondPlaneError::Coincident { .. } => root("body"),
     };
-    let text = error.to_string();
+    tell(&error.to_string(), path, faults);
+}
+
+/// A fault from a text that has its hint behind a semicolon.
+pub(super) fn tell(text: &str, path: JsonPath, faults: &mut Faults) {
     match text.split_once("; ") {
         Some((message, hint)) => _ = faults.error(path, message).hint(hint),
         None => _ = faults.error(path, text),

@@ -1,13 +1,13 @@
 //! The body of a case in the plane, its material, mirrors and cracks.
 
 use super::super::{horizon, root, words::tidy};
-use super::bonds::PlaneBonds;
+use super::given::Given;
 use super::model::Recipe;
-use super::{NamedCrack, body, cracks, material, symmetry};
-use crate::case::{Case, Plane};
+use super::{NamedCrack, body, cracks, symmetry};
+use crate::case::Case;
 use crate::diagnostic::Faults;
 use crate::input::gmsh::Curve;
-use peristat_assembly::body::{Outline, PlaneBody};
+use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::Edges;
 use std::path::Path;
 
@@ -25,24 +25,32 @@ pub(super) struct Parts {
 /// The body of the case, its material and its cracks.
 pub(super) fn parts(
     case: &Case,
-    model: &mut Plane,
+    model: &mut Given,
     folder: &Path,
     max_memory: Option<u64>,
     faults: &mut Faults,
 ) -> Option<Parts> {
     let listed = matches!(case.body, crate::case::Body::Points(_) | crate::case::Body::Mesh(_));
-    let parameters = material::parameters(model, [listed, case.fracture.is_some()], faults);
+    let bonds = model.bonds(case, listed, faults);
     let cracks = cracks::cracks(case, faults);
-    let built = body::build(case, model.thickness, 0.0, folder, max_memory, faults);
+    let built = body::build(case, model.thickness(), model.lattice_angle(), folder, max_memory, faults);
     let spacing = built.as_ref().map(|b| b.body.spacing());
-    let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), faults);
+    let lattice = match built.as_ref().map(|b| &b.body) {
+        Some(PlaneBody::Lattice(lattice)) => Some(lattice),
+        _ => None,
+    };
+    // Squares turned by right angles are the same.
+    let angle = if lattice.is_some_and(SquareLattice::is_turned) { model.lattice_angle() } else { 0.0 };
+    let bonds = bonds.map(|bonds| bonds.with_lattice_angle(angle));
+    let usual = bonds.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
+    let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
     let body::Built { body, outline, curves } = built?;
     let lattice = match &body {
         PlaneBody::Lattice(lattice) => Some(lattice),
         PlaneBody::Cloud(_) => None,
     };
     let symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
-    let (parameters, ratio) = (parameters?, ratio?);
+    let (bonds, ratio) = (bonds?, ratio?);
     if ratio > MOST_RATIO {
         let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
         faults
@@ -52,7 +60,7 @@ pub(super) fn parts(
             ));
         return None;
     }
-    let bonds = PlaneBonds::Central(parameters).with_horizon_ratio(ratio);
+    let bonds = bonds.with_horizon_ratio(ratio);
     let horizon = ratio * body.spacing();
     // The other treatments of edges know whole cells only, and loads have the volumes of the model.
     let body = match body {

@@ -22,6 +22,9 @@ pub struct PlaneProbe {
     pub position: Option<[f64; 2]>,
 }
 
+/// Reactions by their components.
+const REACTIONS: [FieldName; 3] = [FieldName::ReactionX, FieldName::ReactionY, FieldName::ReactionMoment];
+
 /// What a probe reports.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Quantity {
@@ -34,7 +37,7 @@ pub enum Quantity {
     },
     /// What supports do to the body.
     Reaction {
-        /// Along x, 0, or along y, 1.
+        /// Along x, 0, or along y, 1; 2 for the moment.
         component: usize,
         /// Indices of equations of the scene and how much of the force that holds each counts.
         equations: Vec<(usize, f64)>,
@@ -52,8 +55,7 @@ impl PlaneProbe {
     pub fn field_name(&self) -> &'static str {
         match &self.quantity {
             Quantity::Field { field, .. } => field.name(),
-            Quantity::Reaction { component: 0, .. } => FieldName::ReactionX.name(),
-            Quantity::Reaction { .. } => FieldName::ReactionY.name(),
+            Quantity::Reaction { component, .. } => REACTIONS[*component].name(),
             Quantity::Rotation(_) => FieldName::Phi.name(),
             Quantity::StressIntensity(_) => "stress_intensity",
         }
@@ -92,14 +94,18 @@ fn resolve(
     faults: &mut Faults,
 ) -> Option<(Quantity, String)> {
     let (at, field) = (path.key("at"), probe.field);
+    let points_turn = context.model.turning().is_some();
     let own = FieldName::PLANE.contains(&field);
-    if !own && !matches!(field, FieldName::ReactionX | FieldName::ReactionY | FieldName::Phi) {
-        let names = FieldName::PLANE.iter().map(|f| f.name()).chain(["reaction_x", "reaction_y", "phi"]);
+    let reactions = if points_turn { &REACTIONS[..] } else { &REACTIONS[..2] };
+    if !own && !reactions.contains(&field) {
+        let names = FieldName::PLANE.iter().filter(|f| **f != FieldName::Phi).chain(reactions);
+        let names = names.map(|f| f.name()).chain(["phi"]);
         let hint = format!("in the plane there are {}", names.collect::<Vec<_>>().join(", "));
         faults.error(path.key("field"), format!("`{}` is for beams", field.name())).hint(hint);
         return None;
     }
-    if field == FieldName::Phi {
+    let is_rigid = |name: &String| context.ground.case.rigid.iter().any(|r| r.region == *name);
+    if field == FieldName::Phi && (!points_turn || probe.at.region.as_ref().is_some_and(is_rigid)) {
         return rotation(probe, context, path, faults);
     }
     let ground = context.ground;
@@ -186,13 +192,14 @@ fn reaction(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Quantity> {
-    let component = usize::from(field == FieldName::ReactionY);
+    let component = REACTIONS.iter().position(|f| *f == field).unwrap_or(0);
+    let unit = if component == 2 { context.model.turning().unwrap_or(1.0) } else { 1.0 };
     let mut numbers: Vec<u32> = points.iter().map(|&p| context.recipe.number(context.model, p)).collect();
     numbers.sort_unstable();
     let here = |p: u32| numbers.binary_search(&p).is_ok();
     let (mut equations, mut next) = (Vec::new(), 0);
     for hold in &context.conditions.holds {
-        let share = hold.direction[component];
+        let share = unit * hold.direction[component];
         let own = hold.points.iter().enumerate().filter(|(_, p)| share != 0.0 && here(**p));
         equations.extend(own.map(|(k, _)| (next + k, share)));
         next += hold.points.len();
@@ -215,9 +222,9 @@ fn reaction(
             true => PLACE.to_string(),
             false => format!("supports are at {}", places.join(", ")),
         };
-        let axis = ["x", "y"][component];
+        let how = ["along x", "along y", "against turning"][component];
         faults
-            .error(path.clone(), format!("nothing holds {words} along {axis}, so there is no reaction"))
+            .error(path.clone(), format!("nothing holds {words} {how}, so there is no reaction"))
             .hint(hint);
         return None;
     }

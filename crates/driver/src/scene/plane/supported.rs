@@ -14,8 +14,9 @@ pub struct PlaneSupport {
     pub name: String,
     /// Where it stands in the case.
     pub path: JsonPath,
-    /// Its equations among those of the scene with the direction that each holds, or none for a rotation.
-    pub equations: Vec<(Range<usize>, Option<[f64; 2]>)>,
+    /// Its equations among those of the scene with how much of the force along x, the force along y and the moment each
+    /// multiplier is.
+    pub equations: Vec<(Range<usize>, [f64; 3])>,
     /// Its springs among those of the conditions.
     pub springs: Range<usize>,
 }
@@ -27,13 +28,15 @@ pub(super) fn conditions(
     recipe: &Recipe,
     model: &dyn PlaneModel,
 ) -> (Conditions, Vec<PlaneSupport>) {
-    let mut conditions = Conditions::default();
+    let mut conditions = Conditions { turning: model.turning(), ..Conditions::default() };
     let (mut supports, mut next) = (Vec::new(), 0);
     for h in held {
         let (holds, springs) = (h.holds(recipe, model), h.spring_list(recipe, model));
         let mut equations = Vec::new();
         for hold in &holds {
-            equations.push((next..next + hold.points.len(), Some(hold.direction)));
+            let [x, y, turn] = hold.direction;
+            let shares = [x, y, turn * model.turning().unwrap_or(1.0)];
+            equations.push((next..next + hold.points.len(), shares));
             next += hold.points.len();
         }
         let first = conditions.springs.len();
@@ -44,7 +47,7 @@ pub(super) fn conditions(
     }
     let end = conditions.springs.len();
     for (k, region) in rigid.into_iter().enumerate() {
-        let directions = [Some([1.0, 0.0]), Some([0.0, 1.0]), None];
+        let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let mut equations = Vec::new();
         for (_, direction) in region.prescribed.iter().zip(directions).filter(|p| p.0.is_some()) {
             equations.push((next..next + 1, direction));

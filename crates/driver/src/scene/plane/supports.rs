@@ -26,8 +26,8 @@ pub(super) struct Held {
     edge: Option<HeldEdge>,
     /// With an edge, the points behind each point; none where the point itself is held.
     chains: Vec<Vec<u32>>,
-    /// Directions, prescribed displacements and their keys.
-    pub(super) motions: Vec<([f64; 2], f64, &'static str)>,
+    /// Directions, or the rotation as the third component, with what is prescribed and their keys.
+    pub(super) motions: Vec<([f64; 3], f64, &'static str)>,
     /// Components and total stiffnesses of springs.
     pub(super) springs: Vec<(usize, f64)>,
 }
@@ -50,7 +50,7 @@ pub(super) fn held(
     let each = case.supports.iter().enumerate();
     each.filter_map(|(k, support)| {
         let path = root("supports").index(k);
-        check_keys(support, &path, faults);
+        check_keys(support, bonds.points_turn(), &path, faults);
         let at = path.key("at");
         if support.at.inward.is_some() {
             faults.error(at.key("inward"), "`inward` is for probes").hint(super::ground::PLACE);
@@ -78,16 +78,24 @@ pub(super) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Sym
 }
 
 /// Keys that do not fit a body in the plane, or each other.
-fn check_keys(support: &Support, path: &JsonPath, faults: &mut Faults) {
+fn check_keys(support: &Support, points_turn: bool, path: &JsonPath, faults: &mut Faults) {
     let foreign = [
         ("w", support.w.is_some(), "a body in the plane is held by `ux` and `uy`"),
         (
             "phi",
-            support.phi.is_some(),
+            support.phi.is_some() && !points_turn,
             "points do not turn: list the region under `rigid` and give its `phi`",
         ),
         ("w_spring", support.w_spring.is_some(), "use `ux_spring` and `uy_spring`"),
-        ("phi_spring", support.phi_spring.is_some(), "points do not turn: use `ux_spring` and `uy_spring`"),
+        (
+            "phi_spring",
+            support.phi_spring.is_some(),
+            if points_turn {
+                "use `ux_spring` and `uy_spring`"
+            } else {
+                "points do not turn: use `ux_spring` and `uy_spring`"
+            },
+        ),
     ];
     for (key, _, hint) in foreign.iter().filter(|f| f.1) {
         faults.error(path.key(*key), format!("`{key}` is for the supports of beams")).hint(*hint);
@@ -96,11 +104,16 @@ fn check_keys(support: &Support, path: &JsonPath, faults: &mut Faults) {
         ("ux", support.ux, "ux_spring", support.ux_spring),
         ("uy", support.uy, "uy_spring", support.uy_spring),
     ];
-    let holds = pairs.iter().any(|p| p.1.is_some() || p.3.is_some()) || support.inclined.is_some();
+    let holds = pairs.iter().any(|p| p.1.is_some() || p.3.is_some())
+        || support.inclined.is_some()
+        || support.phi.is_some();
     if !holds && !foreign.iter().any(|f| f.1) {
-        faults
-            .error(path.clone(), "this support holds nothing")
-            .hint("give `ux`, `uy` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support");
+        faults.error(path.clone(), "this support holds nothing").hint(match points_turn {
+            true => {
+                "give `ux`, `uy`, `phi` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support"
+            }
+            false => "give `ux`, `uy` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support",
+        });
     }
     if let Some(inclined) = support.inclined.filter(|i| i.degrees.abs() > 360.0) {
         faults
@@ -126,10 +139,11 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
         let angle = inclined.degrees.to_radians();
         // What rounding leaves of a right angle is no share.
         let clean = |share: f64| if share.abs() < 1e-15 { 0.0 } else { share };
-        ([clean(angle.cos()), clean(angle.sin())], inclined.displacement, "inclined")
+        ([clean(angle.cos()), clean(angle.sin()), 0.0], inclined.displacement, "inclined")
     });
-    let ux = support.ux.map(|value| ([1.0, 0.0], value, "ux"));
-    let uy = support.uy.map(|value| ([0.0, 1.0], value, "uy"));
+    let ux = support.ux.map(|value| ([1.0, 0.0, 0.0], value, "ux"));
+    let uy = support.uy.map(|value| ([0.0, 1.0, 0.0], value, "uy"));
+    let phi = support.phi.map(|value| ([0.0, 0.0, 1.0], value, "phi"));
     let springs = [(0, support.ux_spring), (1, support.uy_spring)];
     Held {
         name: spot.words,
@@ -137,7 +151,7 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
         points: spot.points,
         edge: None,
         chains: Vec::new(),
-        motions: [ux, uy, inclined].into_iter().flatten().collect(),
+        motions: [ux, uy, inclined, phi].into_iter().flatten().collect(),
         springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
     }
 }
@@ -161,13 +175,17 @@ impl Held {
         let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
         let number = |p: &u32| recipe.number(model, *p);
         let chains: Vec<Vec<u32>> = self.chains.iter().map(|c| c.iter().map(number).collect()).collect();
-        let hold = |&(direction, value, key): &([f64; 2], f64, &'static str)| HeldPoints {
-            points: points.clone(),
-            edge: self.edge.clone(),
-            chains: chains.clone(),
-            direction,
-            value,
-            origin: self.path.key(key).to_string(),
+        let hold = |&(direction, value, key): &([f64; 3], f64, &'static str)| {
+            let turns = direction[2] != 0.0;
+            HeldPoints {
+                points: points.clone(),
+                // Rotations are those of the points, wherever the edge is.
+                edge: self.edge.clone().filter(|_| !turns),
+                chains: if turns { Vec::new() } else { chains.clone() },
+                direction,
+                value: if turns { value * model.turning().unwrap_or(1.0) } else { value },
+                origin: self.path.key(key).to_string(),
+            }
         };
         self.motions.iter().map(hold).collect()
     }

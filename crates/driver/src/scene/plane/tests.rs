@@ -120,7 +120,7 @@ fn linear(scene: &PlaneScene, stress: [f64; 3], shift: [f64; 2], turn: f64) -> V
 
 /// Whether a displacement is in equilibrium with the loads of a case where nothing holds it, to 1e-12 of its forces.
 fn check_equilibrium(scene: &PlaneScene, u: &[f64]) {
-    let AnyPlaneModel::Central(model) = &scene.model;
+    let AnyPlaneModel::Central(model) = &scene.model else { panic!("central bonds") };
     let problem = PlaneProblem::new(scene, model.clone());
     let (system, _) =
         prepare::<2, _>(&problem, &RunOptions::default()).unwrap_or_else(|error| panic!("{error:?}"));

@@ -1,9 +1,9 @@
 //! Doubts about a body in the plane that can be solved.
 
 use super::super::words::tidy;
-use super::{PlaneScene, gaps, model_path, root};
+use super::{PlaneBonds, PlaneScene, gaps, orthotropic, root};
 use crate::case::Units;
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, JsonPath};
 
 /// Adds all warnings on a scene.
 pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
@@ -36,7 +36,7 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
         let (s, verb) = if uncorrected == 1 { ("", "is") } else { ("s", "are") };
         faults
             .warning(
-                model_path().key("edges"),
+                root("model").key(scene.bonds().name()).key("edges"),
                 format!(
                     "{uncorrected} point{s} {verb} too soft: no triangle of points completes the bonds there"
                 ),
@@ -56,22 +56,31 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             )
             .hint("draw a crack along the gap, which cuts these bonds, or use a smaller spacing");
     }
-    let stretch = scene.model.strain_of([1.0, 0.0, 0.0])[0];
-    modulus(1.0 / stretch, scene.units, faults);
+    let moduli = match scene.bonds() {
+        PlaneBonds::Central(parameters) => vec![("youngs_modulus", parameters.material.youngs_modulus)],
+        PlaneBonds::Beams(parameters) => {
+            orthotropic::warn(parameters, faults);
+            let material = &parameters.material;
+            vec![
+                ("youngs_modulus_1", material.youngs_modulus_1),
+                ("youngs_modulus_2", material.youngs_modulus_2),
+            ]
+        }
+    };
+    for (key, value) in moduli {
+        modulus(value, root("model").key(scene.bonds().name()).key(key), scene.units, faults);
+    }
 }
 
 /// Young's moduli that no material has in these units.
-fn modulus(e: f64, units: Units, faults: &mut Faults) {
+fn modulus(e: f64, path: JsonPath, units: Units, faults: &mut Faults) {
     let (low, high) = match units {
         Units::MetreNewtonPascal => (4e5, 2e12),
         Units::MillimetreNewtonMegapascal => (4e-1, 2e6),
     };
     if !(low..=high).contains(&e) {
         faults
-            .warning(
-                model_path().key("youngs_modulus"),
-                format!("{e} {} is an unusual Young's modulus", units.stress()),
-            )
+            .warning(path, format!("{e} {} is an unusual Young's modulus", units.stress()))
             .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing");
     }
 }

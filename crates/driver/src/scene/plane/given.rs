@@ -1,0 +1,64 @@
+//! The models of bodies in the plane as cases give them, with their defaults filled in as they are resolved.
+
+use super::bonds::PlaneBonds;
+use super::{material, orthotropic};
+use crate::case::{Case, LatticeRows, Model, Orthotropic, Plane};
+use crate::diagnostic::Faults;
+
+/// A model of a body in the plane.
+#[derive(Clone, Debug)]
+pub(in super::super) enum Given {
+    /// Of central bonds.
+    Central(Plane),
+    /// Of beam bonds.
+    Beams(Orthotropic),
+}
+
+impl Given {
+    /// Thickness.
+    pub(super) fn thickness(&self) -> f64 {
+        match self {
+            Self::Central(model) => model.thickness,
+            Self::Beams(model) => model.thickness,
+        }
+    }
+
+    /// Angle of the rows of its lattice from x, rad.
+    pub(super) fn lattice_angle(&self) -> f64 {
+        match self {
+            Self::Beams(model) if model.lattice == LatticeRows::Fibre => model.fibre_angle.to_radians(),
+            _ => 0.0,
+        }
+    }
+
+    /// Its material and bonds, filling in its defaults; the horizon ratio is to be set.
+    pub(super) fn bonds(&mut self, case: &Case, is_cloud: bool, faults: &mut Faults) -> Option<PlaneBonds> {
+        match self {
+            Self::Central(model) => {
+                let flags = [is_cloud, case.fracture.is_some()];
+                material::parameters(model, flags, faults).map(PlaneBonds::Central)
+            }
+            Self::Beams(model) => {
+                orthotropic::parameters(model, case, is_cloud, faults).map(PlaneBonds::Beams)
+            }
+        }
+    }
+
+    /// Fills in what only its bonds have told.
+    pub(super) fn settle(&mut self, bonds: &PlaneBonds, case: &mut Case) {
+        let (Self::Beams(model), PlaneBonds::Beams(parameters)) = (self, bonds) else { return };
+        model.start = orthotropic::start(parameters);
+        if case.horizon.is_none() {
+            case.horizon_ratio = Some(parameters.horizon_ratio);
+        }
+    }
+}
+
+impl From<Given> for Model {
+    fn from(given: Given) -> Self {
+        match given {
+            Given::Central(model) => Self::BondPlane(model),
+            Given::Beams(model) => Self::BeamBondOrthotropic(model),
+        }
+    }
+}
