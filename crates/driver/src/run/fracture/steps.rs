@@ -21,7 +21,7 @@ use std::time::Instant;
 /// Residual of an equilibrium over the sudden jump: the energies of `worst` are to balance from event to event.
 const FINE: f64 = 1e-12;
 /// The same where only the order of strains matters.
-const COARSE: f64 = 1e-9;
+const COARSE: f64 = 1e-8;
 /// How far beyond its critical load the first bond is taken, so that rounding does not keep it.
 const BEYOND: f64 = 1e-7;
 /// Rounding of a ratio times the load factor that is its inverse.
