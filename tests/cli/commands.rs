@@ -119,6 +119,8 @@ fn the_first_case_of_a_newcomer_is_the_one_of_the_gallery() {
     assert_eq!(frame, fs::read_to_string(root().join("cases/frame/steel_portal.json")).unwrap());
     let plane = run(&root(), &["new", "bond_plane"]).stdout;
     assert_eq!(plane, fs::read_to_string(root().join("cases/plate/steel_plate.json")).unwrap());
+    let fibres = run(&root(), &["new", "beam_bond_orthotropic"]).stdout;
+    assert_eq!(fibres, fs::read_to_string(root().join("cases/orthotropic/plate_with_hole.json")).unwrap());
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod beam_terms;
 mod consistency;
 mod constraints;
 mod members;
+mod orthotropic_terms;
 mod plane_terms;
 mod random_beam;
 mod random_beams;

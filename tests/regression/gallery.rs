@@ -37,7 +37,7 @@ fn all_pass(folder: &str) {
 }
 
 /// Folders with a test below.
-const FOLDERS: [&str; 4] = ["beam", "frame", "plate", "bench"];
+const FOLDERS: [&str; 5] = ["beam", "frame", "plate", "orthotropic", "bench"];
 
 #[test]
 fn beams_pass_their_checks() {
@@ -52,6 +52,11 @@ fn frames_pass_their_checks() {
 #[test]
 fn plates_pass_their_checks() {
     all_pass("plate");
+}
+
+#[test]
+fn orthotropic_plates_pass_their_checks() {
+    all_pass("orthotropic");
 }
 
 #[test]

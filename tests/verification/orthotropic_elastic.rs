@@ -1,11 +1,12 @@
 //! Beam bonds: free motions, condition, shear moduli of bonds as published, what holds and loads rotations.
 
+use crate::support::largest;
 use crate::support::orthotropic::{A, B, parameters, plate, stiffness};
-use crate::support::plane::{refusal, solve};
+use crate::support::plane::{probe, refusal, solve};
 use nalgebra::DMatrix;
-use peristat::case::FieldName;
+use peristat::case::{FieldName, Model};
 use peristat_assembly::model::beam_bond_orthotropic::{
-    BeamNeighbourhood, OrthotropicMaterial, OrthotropicParameters,
+    BeamNeighbourhood, OrthotropicMaterial, OrthotropicParameters, Start,
 };
 use peristat_assembly::model::plane::{Calibration, Edges};
 use serde_json::{Value, json};
@@ -83,11 +84,6 @@ fn loaded(more: &Value) -> Value {
     case
 }
 
-/// Value of a probe.
-fn probe(case: &Value, name: &str) -> f64 {
-    crate::support::plane::probe(case, name)
-}
-
 #[test]
 fn held_rotations_are_those_prescribed_and_a_rigid_region_turns_its_points() {
     let supports = json!([{ "at": { "region": "clamp" }, "ux": 0, "uy": 0, "phi": 0.002 }]);
@@ -98,11 +94,54 @@ fn held_rotations_are_those_prescribed_and_a_rigid_region_turns_its_points() {
         let is_held = at[0] < 3.0 || at[0] > 28.0;
         assert!(!is_held || (phi - expected).abs() < 1e-15, "{phi} at {at:?}");
     }
-    // Of a support the moment on rotations, of a rigid region the one about its centre.
-    let [first, second] = [0, 1].map(|k| &run.states[0].reactions[k]);
-    let (force, arm) = ([first.force_x, first.force_y], run.positions());
-    assert!((force[0] + second.force_x).abs() < 1e-9 * force[0].abs().max(1.0), "{force:?}");
-    assert!(first.moment.is_some() && second.moment.is_some() && !arm.is_empty());
+}
+
+#[test]
+fn what_holds_rigid_regions_is_in_equilibrium_with_its_moments() {
+    let still = json!({ "region": "clamp", "ux": 0, "uy": 0, "phi": 0 });
+    let moved = json!({ "region": "end", "ux": 0.1, "uy": -0.2, "phi": -0.003 });
+    let run = solve(&loaded(&json!({ "supports": [], "rigid": [still, moved] })));
+    let (mut force, mut moment, mut size) = ([0.0; 2], 0.0, 0.0_f64);
+    for reaction in &run.states[0].reactions {
+        let (own, [x, y]) =
+            (reaction.moment.expect("it cannot turn"), reaction.centre.expect("a rigid region"));
+        force = [force[0] + reaction.force_x, force[1] + reaction.force_y];
+        moment += own + x * reaction.force_y - y * reaction.force_x;
+        size = size.max(own.abs());
+    }
+    // Measured 1e-12.
+    assert!(largest(&[force[0], force[1], moment]) < 1e-10 * size, "{force:?} {moment} of {size}");
+}
+
+#[test]
+fn rollers_on_an_edge_are_exact_for_oblique_fibres() {
+    let supports =
+        json!([{ "at": { "region": "left" }, "ux": 0 }, { "at": { "x": 0.5, "y": 0.5 }, "uy": 0 }]);
+    let loads = json!([{ "traction": { "edge": "right", "uniform": [41.0, 0.0] } }]);
+    let run = solve(&loaded(&json!({ "supports": supports, "loads": loads })));
+    let [xx, yy, xy] = A.compliance_at(30.0_f64.to_radians()).map(|row| 41.0 * row[0]);
+    // The edge is held on its line: no line along y turns.
+    let error = run.error(0, |[x, y]| [xx * x, xy * (x - 0.5) + yy * (y - 0.5)]);
+    // Measured 1e-14.
+    assert!(error < 1e-12, "{error}");
+}
+
+#[test]
+fn the_usual_horizon_and_start_depend_on_the_fibres() {
+    for (degrees, lattice, ratio, start) in [
+        (45.0, "axes", 3.0, Start::Aligned),
+        (30.0, "axes", 3.2, Start::Oblique),
+        (30.0, "fibre", 3.0, Start::Aligned),
+    ] {
+        let mut case =
+            loaded(&json!({ "loads": [{ "traction": { "edge": "right", "uniform": [1.0, 0.0] } }] }));
+        case["model"]["beam_bond_orthotropic"]["fibre_angle"] = json!(degrees);
+        case["model"]["beam_bond_orthotropic"]["lattice"] = json!(lattice);
+        let resolved = solve(&case).scene.case;
+        assert_eq!(resolved.horizon_ratio, Some(ratio));
+        let Model::BeamBondOrthotropic(model) = resolved.model else { panic!("beam bonds") };
+        assert_eq!((model.start, model.edges), (Some(start), Some(Edges::Overlay)));
+    }
 }
 
 #[test]

@@ -95,3 +95,27 @@ fn supports_that_fall_together_on_coarser_lattices_still_hold_the_body() {
 fn difference(a: &[f64], b: &[f64]) -> f64 {
     largest(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<f64>>())
 }
+
+#[test]
+fn plates_of_beam_bonds_take_few_iterations_whatever_their_fibres() {
+    for (degrees, ratio, lattice) in
+        [(0, 3.0, "axes"), (45, 3.0, "axes"), (30, 3.2, "axes"), (30, 3.0, "fibre")]
+    {
+        let found: Vec<usize> =
+            [100, 200].iter().map(|n| iterations(&fibres(*n, degrees, ratio, lattice))).collect();
+        // 22 to 27, as many at 300 points a side: E1/E2 = 12.5.
+        assert!(found.iter().all(|n| *n <= 30), "{degrees} degrees, {lattice}: {found:?}");
+    }
+}
+
+/// A square of n × n points of stiff fibres, clamped on the left and sheared on the right.
+fn fibres(n: usize, degrees: i32, ratio: f64, lattice: &str) -> Value {
+    let mut case = clamped_square(n);
+    case["model"] = json!({ "beam_bond_orthotropic": {
+        "youngs_modulus_1": 105e9, "youngs_modulus_2": 8.4e9, "poisson_ratio_12": 0.32, "shear_modulus_12": 4e9,
+        "fibre_angle": degrees, "lattice": lattice
+    } });
+    case["horizon_ratio"] = json!(ratio);
+    case["supports"][0]["phi"] = json!(0);
+    case
+}

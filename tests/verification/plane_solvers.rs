@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 
 fn cases() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/driver");
-    let entries = fs::read_dir(root.join("cases/plate")).expect("the folder of plates");
+    let folders = ["cases/plate", "cases/orthotropic"].map(|folder| root.join(folder));
+    let entries = folders.into_iter().flat_map(|folder| fs::read_dir(folder).expect("a folder of plates"));
     let paths = entries.map(|e| e.expect("an entry").path());
     let mut cases: Vec<PathBuf> = paths.filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
     cases.sort();

@@ -26,9 +26,9 @@ use std::path::Path;
 #[derive(Debug)]
 pub enum Scene {
     /// A beam, or a frame of beams.
-    Beam(BeamScene),
+    Beam(Box<BeamScene>),
     /// A body in the plane.
-    Plane(PlaneScene),
+    Plane(Box<PlaneScene>),
 }
 
 /// Path of a key at the root of a case.
@@ -78,18 +78,27 @@ impl Scene {
         numbers::check(&case, &mut faults);
         check_title(&case.title, &mut faults);
         let resolved = match case.model.clone() {
-            Model::TimoshenkoBeam(model) => {
-                BeamScene::new(case, *model, folder, max_memory, faults).map(Self::Beam)
-            }
+            Model::TimoshenkoBeam(model) => BeamScene::new(case, *model, folder, max_memory, faults)
+                .map(|scene| Self::Beam(Box::new(scene))),
             Model::BondPlane(model) => {
-                PlaneScene::new(case, plane::Given::Central(model), folder, max_memory, faults)
-                    .map(Self::Plane)
+                Self::in_plane(case, plane::Given::Central(model), folder, max_memory, faults)
             }
             Model::BeamBondOrthotropic(model) => {
-                PlaneScene::new(case, plane::Given::Beams(model), folder, max_memory, faults).map(Self::Plane)
+                Self::in_plane(case, plane::Given::Beams(model), folder, max_memory, faults)
             }
         };
         resolved.map_err(|faults| faults.into_report(file, text))
+    }
+
+    fn in_plane(
+        case: Case,
+        model: plane::Given,
+        folder: &Path,
+        max_memory: Option<u64>,
+        faults: Faults,
+    ) -> Result<Self, Faults> {
+        let scene = PlaneScene::new(case, model, folder, max_memory, faults)?;
+        Ok(Self::Plane(Box::new(scene)))
     }
 
     /// The case with its defaults filled in.
@@ -124,7 +133,7 @@ impl Scene {
     /// The scene of a beam or frame.
     pub fn into_beam(self) -> Option<BeamScene> {
         match self {
-            Self::Beam(scene) => Some(scene),
+            Self::Beam(scene) => Some(*scene),
             Self::Plane(_) => None,
         }
     }
@@ -133,7 +142,7 @@ impl Scene {
     pub fn into_plane(self) -> Option<PlaneScene> {
         match self {
             Self::Beam(_) => None,
-            Self::Plane(scene) => Some(scene),
+            Self::Plane(scene) => Some(*scene),
         }
     }
 }

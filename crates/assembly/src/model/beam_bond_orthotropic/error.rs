@@ -43,7 +43,7 @@ pub enum OrthotropicError {
     },
     /// The shear modulus is not above C12.
     #[error(
-        "bonds without negative stiffness cannot have a shear modulus of {shear_modulus_12:.6e}; it must exceed \
+        "bonds without negative stiffness cannot have a shear modulus of {shear_modulus_12}; it must exceed \
          nu12 E2/(1 - nu12 nu21) = {least:.6e} (in an isotropic material: a Poisson ratio below 1/3)"
     )]
     ShearTooSoft {
@@ -71,7 +71,7 @@ pub enum OrthotropicError {
     },
     /// No bonds lie exactly on the fibres.
     #[error(
-        "no bond of at most {horizon_ratio} spacings lies on fibres at {degrees:.6} degrees to the lattice, which \
+        "no bond of at most {horizon_ratio} spacings lies on fibres at {degrees:.4} degrees to the lattice, which \
          {what} needs; turn the lattice with the fibres"
     )]
     NoFibreBonds {
@@ -96,7 +96,7 @@ pub enum OrthotropicError {
     },
     /// The transverse stiffness of fibre bonds would be negative.
     #[error(
-        "a shear modulus of {shear_modulus_12:.6e} below (1 - nu12) E2/(2 - 2 nu12 nu21) = {least:.6e} makes \
+        "a shear modulus of {shear_modulus_12} below (1 - nu12) E2/(2 - 2 nu12 nu21) = {least:.6e} makes \
          bonds of the fibres negative in {what}; {hint}"
     )]
     NegativeFibreShear {

@@ -2,7 +2,7 @@
 
 use super::super::words::tidy;
 use super::{files, root};
-use crate::case::{Body, Case, Hole};
+use crate::case::{Body, Case, Hole, Model};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
 use crate::memory;
@@ -66,9 +66,12 @@ pub(super) fn build(
         }
         Body::Line(_) | Body::Lines(_) | Body::Frame(_) => {
             let message = format!("the model `{}` needs a body in the plane", case.model.name());
-            faults.error(root("body"), message).hint(
-                "take `rectangle`, `outline`, `points` or `mesh`; lines and frames are for `timoshenko_beam`",
-            );
+            faults.error(root("body"), message).hint(match &case.model {
+                Model::BeamBondOrthotropic(_) => {
+                    "take `rectangle` or `outline`; lines and frames are for `timoshenko_beam`"
+                }
+                _ => "take `rectangle`, `outline`, `points` or `mesh`; lines and frames are for `timoshenko_beam`",
+            });
             return None;
         }
     };

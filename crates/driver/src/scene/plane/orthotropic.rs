@@ -3,7 +3,7 @@
 use super::super::numbers::positive;
 use super::super::words::tidy;
 use super::{body, root};
-use crate::case::{Case, Orthotropic};
+use crate::case::{Case, Model, Orthotropic};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamNeighbourhood, OrthotropicError, OrthotropicMaterial, OrthotropicParameters, Start,
@@ -36,7 +36,7 @@ pub(super) fn parameters(
     ] {
         fine &= positive(value, key, path.key(key), faults);
     }
-    if !(model.fibre_angle.abs() <= TURN) {
+    if model.fibre_angle.abs() > TURN {
         faults
             .error(
                 path.key("fibre_angle"),
@@ -141,10 +141,6 @@ pub(super) fn start(parameters: &OrthotropicParameters) -> Option<Start> {
 /// A fault for bonds that cannot be made.
 pub(super) fn refuse(error: &OrthotropicError, case: &Case, faults: &mut Faults) {
     let model = |key: &str| path().key(key);
-    let by_calibration = |what: &str| {
-        let key = if what.contains("start") { "start" } else { "calibration" };
-        model(key)
-    };
     let place = match error {
         OrthotropicError::NotPositive { .. } | OrthotropicError::Exchanged { .. } => {
             model("youngs_modulus_1")
@@ -158,12 +154,28 @@ pub(super) fn refuse(error: &OrthotropicError, case: &Case, faults: &mut Faults)
         OrthotropicError::NoNeighbours { .. } | OrthotropicError::NotRepresentable { .. } => {
             root(if case.horizon.is_some() { "horizon" } else { "horizon_ratio" })
         }
-        OrthotropicError::NoFibreBonds { what, .. } => by_calibration(what),
+        OrthotropicError::NoFibreBonds { .. } => return no_fibre_bonds(&error.to_string(), case, faults),
         OrthotropicError::StartNeedsMatched => model("start"),
         OrthotropicError::OverlayNeedsMatched => model("edges"),
         OrthotropicError::FibreReleaseTooSmall { .. } => root("fracture").key("critical"),
     };
     super::model::tell(&error.to_string(), place, faults);
+}
+
+/// A fault for what needs bonds along the fibres.
+fn no_fibre_bonds(text: &str, case: &Case, faults: &mut Faults) {
+    let is_published = match &case.model {
+        Model::BeamBondOrthotropic(model) => model.calibration == Calibration::Published,
+        _ => false,
+    };
+    let (key, other) = match is_published {
+        true => ("calibration", "the calibration `matched`"),
+        false => ("start", "the start `oblique`"),
+    };
+    let message = text.split("; ").next().unwrap_or(text);
+    let hint =
+        format!(r#""lattice": "fibre" turns the lattice with the fibres; {other} needs no bonds along them"#);
+    faults.error(path().key(key), message).hint(hint);
 }
 
 /// A warning for bonds that couple strain and rotation.
