@@ -187,6 +187,7 @@ pub fn run(
     sink: &mut dyn Sink,
 ) -> Result<RunReport, RunError> {
     match scene {
+        Scene::Beam(scene) if scene.fracture.is_some() => beam::run_breaking(scene, options, resume, sink),
         Scene::Plane(scene) if scene.fracture.is_some() => plane::run_breaking(scene, options, resume, sink),
         _ if resume.is_some() => Err(RunError::NotResumable),
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),

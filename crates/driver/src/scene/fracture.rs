@@ -133,3 +133,10 @@ pub(super) fn needed(value: Option<f64>, key: &str, path: &JsonPath, faults: &mu
         }
     }
 }
+
+/// Faults of keys that are for other models.
+pub(super) fn foreign(keys: &[(&str, Option<f64>)], hint: &str, path: &JsonPath, faults: &mut Faults) {
+    for (key, _) in keys.iter().filter(|k| k.1.is_some()) {
+        faults.error(path.key(*key), format!("`{key}` is for another model")).hint(hint);
+    }
+}

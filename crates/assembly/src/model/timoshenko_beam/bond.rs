@@ -31,6 +31,8 @@ pub struct BeamBond {
     pub shear_axial: f64,
     /// Share of Δφ in the axial measure, m.
     pub axial_bending: f64,
+    /// Shear strain of the sections over the shear measure, the mean over the length where sections vary, 1/m.
+    pub shear_strain: f64,
 }
 
 /// Integrals of the compliance over a span, by the distance s from its middle.
@@ -89,11 +91,18 @@ impl Flexibility {
             eccentricity: v_gu * v_u - v_g,
             shear_axial: -v_gu,
             axial_bending: -v_u,
+            shear_strain: self.shear / (shear * length),
         }
     }
 }
 
 impl BeamBond {
+    /// Measures `(Δφ, shear, axial)` of points whose unknowns differ by `(Δw, Δφ, Δu)`, with the sum of their rotations.
+    pub(super) fn measures(&self, [dw, dphi, du]: [f64; 3], rotations: f64) -> [f64; 3] {
+        let shear = dw - 0.5 * self.length * rotations + self.eccentricity * dphi + self.shear_axial * du;
+        [dphi, shear, du + self.axial_bending * dphi]
+    }
+
     /// Measures `(Δφ, shear)` for unknowns (w, φ).
     pub(super) fn rows2(&self) -> Rows<2, 2> {
         Rows { difference: [[0.0, 1.0], [1.0, self.eccentricity]], mean: [[0.0, 0.0], [0.0, -self.length]] }
@@ -150,6 +159,7 @@ impl UniformSection {
             eccentricity: 0.0,
             shear_axial: 0.0,
             axial_bending: 0.0,
+            shear_strain: if self.law.is_element { shear / self.shear_stiffness } else { 1.0 } / length,
         }
     }
 }

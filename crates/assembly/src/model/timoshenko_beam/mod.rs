@@ -18,6 +18,7 @@
 
 mod bond;
 pub mod bond_law;
+mod breaking;
 mod chain;
 pub mod end_treatment;
 mod gauss;
@@ -27,9 +28,11 @@ mod recover;
 mod sizes;
 mod strain;
 mod terms;
+mod toughness;
 mod weights;
 
 pub use bond::{BeamBond, UniformBending, UniformSection, UniformStretch};
+pub use breaking::{CriticalStrain, CriticalStrains};
 pub use chain::{Axial, BondTable, Chain, ChainError, Grid, Line};
 pub use load::{Along, BeamLoads, ChainLoads, Distributed, Intensity, PointAction};
 pub use recover::{BeamFields, SectionForces};

@@ -110,10 +110,12 @@ impl TimoshenkoBeam {
     /// Adds to every cell what the crossing bonds carry of their loads beyond the fixed-end forces on their points.
     fn add_fixed_end_forces(&self, chain: usize, fixed_end: &FixedEnd, sections: &mut SectionForces) {
         let c = &self.chains[chain];
-        for class in 0..c.weights.classes() {
-            let step = c.weights.step(class);
+        // Loads were shared before anything broke.
+        let weights = c.intact_weights();
+        for class in 0..weights.classes() {
+            let step = weights.step(class);
             for lower in 0..c.points.saturating_sub(step) {
-                let weight = c.weights.weight(class, lower);
+                let weight = weights.weight(class, lower);
                 if weight == 0.0 {
                     continue;
                 }
@@ -147,12 +149,9 @@ impl TimoshenkoBeam {
                 let weight = c.weights.weight(class, lower);
                 let bond = c.bonds.bond(class, lower);
                 let [i, j] = [first + lower, first + lower + step];
-                let (dw, dphi) = (u[j] - u[i], u[n + j] - u[n + i]);
                 let du = if has_axial { u[U * n + j] - u[U * n + i] } else { 0.0 };
-                let gamma = dw - 0.5 * bond.length * (u[n + i] + u[n + j])
-                    + bond.eccentricity * dphi
-                    + bond.shear_axial * du;
-                let stretch = du + bond.axial_bending * dphi;
+                let difference = [u[j] - u[i], u[n + j] - u[n + i], du];
+                let [dphi, gamma, stretch] = bond.measures(difference, u[n + i] + u[n + j]);
                 let mut density = bond.bending * dphi * dphi + bond.shear * gamma * gamma;
                 if has_axial {
                     density += bond.axial * stretch * stretch;

@@ -67,17 +67,26 @@ impl TimoshenkoBeam {
         let weights = &chain.weights;
         let all =
             (0..weights.points()).flat_map(|lower| (0..weights.classes()).map(move |class| (lower, class)));
-        let bonds = all.filter_map(|(lower, class)| {
-            let weight = weights.weight(class, lower);
-            let bond = chain.bonds.bond(class, lower);
-            let points = [first + lower, first + lower + weights.step(class)].map(|p| p as u32);
-            (weight != 0.0).then(|| Bond {
-                points,
-                rows: rows(bond),
-                moduli: moduli(bond).map(|c| weight * c),
-            })
-        });
+        let bonds = all.filter_map(|(lower, class)| chain.listed(first, class, lower, &rows, &moduli));
         Bonds::new(self.points, bonds)
+    }
+}
+
+impl Chain {
+    /// A bond as one of its own, in a body that gives the line's first point the number `first`; none where there is no
+    /// such bond.
+    pub(super) fn listed<const D: usize, const M: usize>(
+        &self,
+        first: usize,
+        class: usize,
+        lower: usize,
+        rows: impl Fn(&BeamBond) -> Rows<D, M>,
+        moduli: impl Fn(&BeamBond) -> [f64; M],
+    ) -> Option<Bond<D, M>> {
+        let weight = self.weights.weight(class, lower);
+        let bond = self.bonds.bond(class, lower);
+        let points = [first + lower, first + lower + self.weights.step(class)].map(|p| p as u32);
+        (weight != 0.0).then(|| Bond { points, rows: rows(bond), moduli: moduli(bond).map(|c| weight * c) })
     }
 }
 

@@ -20,7 +20,7 @@ pub struct Override {
 
 /// Weights α of the bonds `(p, p + step)` of a lattice, one class per step.
 ///
-/// Factors are stored only for the chunks of 64 points that hold an exception (ends, splits): the interior of a lattice
+/// Factors are stored only for the chunks of 64 points that hold an exception (ends, splits, broken bonds): the interior of a lattice
 /// stores nothing per bond.
 #[derive(Clone, Debug)]
 pub struct Weights {
@@ -35,17 +35,23 @@ impl Weights {
     /// Weights of the classes `(step, weight)` of a lattice of `count` points. Bonds that would leave the lattice do not
     /// exist and need no override.
     pub fn new(count: usize, classes: Vec<(usize, f64)>, overrides: &[Override]) -> Self {
-        let mut chunks = vec![PLAIN; count.div_ceil(CHUNK)];
-        let mut factors = Vec::new();
-        for o in overrides.iter().filter(|o| o.lower < count) {
-            let chunk = &mut chunks[o.lower / CHUNK];
-            if *chunk == PLAIN {
-                *chunk = factors.len() as u32;
-                factors.resize(factors.len() + classes.len() * CHUNK, 1.0);
-            }
-            factors[*chunk as usize + o.class * CHUNK + o.lower % CHUNK] = o.factor;
+        let chunks = vec![PLAIN; count.div_ceil(CHUNK)];
+        let mut weights = Self { count, classes, chunks, factors: Vec::new() };
+        overrides.iter().filter(|o| o.lower < count).for_each(|o| weights.change(*o));
+        weights
+    }
+
+    /// Gives a bond another factor.
+    ///
+    /// # Panics
+    /// The lower point is beyond the lattice, or there is no such class.
+    pub fn change(&mut self, Override { class, lower, factor }: Override) {
+        let chunk = &mut self.chunks[lower / CHUNK];
+        if *chunk == PLAIN {
+            *chunk = self.factors.len() as u32;
+            self.factors.resize(self.factors.len() + self.classes.len() * CHUNK, 1.0);
         }
-        Self { count, classes, chunks, factors }
+        self.factors[*chunk as usize + class * CHUNK + lower % CHUNK] = factor;
     }
 
     /// Points of the lattice.

@@ -3,20 +3,31 @@
 use super::{BeamResult, LineFields, LinePoints, reaction};
 use crate::case::FieldName;
 use crate::run::{SolvedState, StateRecord};
-use crate::scene::beam::BeamScene;
-use peristat_assembly::model::timoshenko_beam::{BeamLoads, Grid};
+use crate::scene::beam::{BeamScene, State};
+use peristat_assembly::model::timoshenko_beam::{BeamLoads, Grid, TimoshenkoBeam};
 
 /// Collects the result of a state.
 pub(super) fn result(scene: &BeamScene, solved: SolvedState, recover: bool) -> BeamResult {
+    let state = &scene.states[solved.state];
+    of_beam(scene, &scene.beam, state, solved, recover)
+}
+
+/// The same for a beam that has broken bonds, maybe, under a state of its own.
+pub(super) fn of_beam(
+    scene: &BeamScene,
+    beam: &TimoshenkoBeam,
+    state: &State,
+    solved: SolvedState,
+    recover: bool,
+) -> BeamResult {
     let SolvedState { state: index, load, solution, certificate } = solved;
-    let state = &scene.states[index];
-    let (beam, n) = (&scene.beam, scene.beam.points());
+    let n = beam.points();
     let mut u = solution.u;
     if scene.has_axial {
         beam.fill_axial(&mut u);
     }
     let all = recover.then(|| forces_on_points(scene, load, &solution.held, &solution.multipliers, &u));
-    let lumped = if recover { lumped_forces(scene, index, &u) } else { None };
+    let lumped = if recover { lumped_forces(scene, &state.loads, &u) } else { None };
     let line = |c: usize| {
         let chain = &beam.chains()[c];
         LineFields {
@@ -58,8 +69,10 @@ fn forces_on_points(
 ) -> Vec<f64> {
     let n = scene.beam.points();
     let mut forces = load.to_vec();
-    if scene.beam.chains().iter().any(|c| c.line().grid == Grid::Cells) {
-        // Ghost points alone hold the ends of a grid of cells: their forces stand for the support.
+    let on_cells = scene.beam.chains().iter().any(|c| c.line().grid == Grid::Cells);
+    if on_cells || scene.fracture.is_some() {
+        // Ghost points alone hold the ends of a grid of cells: their forces stand for the support. What has come off is
+        // held without a support.
         held.iter().for_each(|&(k, force)| forces[k] += force);
     } else {
         for (equation, multiplier) in scene.equations.iter().zip(multipliers) {
@@ -75,8 +88,7 @@ fn forces_on_points(
 }
 
 /// Forces on points that stand for what acts all along their parts: lumped loads and foundations.
-fn lumped_forces(scene: &BeamScene, state: usize, u: &[f64]) -> Option<Vec<f64>> {
-    let loads = &scene.states[state].loads;
+fn lumped_forces(scene: &BeamScene, loads: &BeamLoads, u: &[f64]) -> Option<Vec<f64>> {
     let has_loads = loads.lumped && !loads.distributed.is_empty();
     if !has_loads && scene.bedding.is_empty() {
         return None;

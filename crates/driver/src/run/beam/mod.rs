@@ -4,6 +4,7 @@ mod collect;
 mod comparison;
 mod extremes;
 mod fields;
+mod fracture;
 mod line_points;
 mod reaction;
 mod skipped;
@@ -17,11 +18,13 @@ pub use line_points::LinePoints;
 pub use reaction::{JointReaction, Reaction};
 pub(crate) use verdict::{checks, probes};
 
+use super::fracture::Restart;
 use super::problem::prepare_within;
-use super::{RunError, RunOptions, RunReport, Sizes, SolvedState, memory, solve_states};
+use super::{RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, memory, solve_states};
 use crate::scene::beam::BeamScene;
-use peristat_assembly::model::Model;
-use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
+use fracture::BreakingBeam;
+use peristat_assembly::model::timoshenko_beam::{CriticalStrains, TimoshenkoBeam};
+use peristat_assembly::model::{Breakable, Model};
 use peristat_assembly::system::System;
 
 /// Solves every state of a beam and hands its result to `sink` as it comes.
@@ -33,9 +36,7 @@ pub fn run(
     options: &RunOptions,
     sink: &mut dyn FnMut(BeamResult) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
-    let recover = options.recover
-        || scene.probes.iter().any(|p| p.field.is_recovered())
-        || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes));
+    let recover = recovers(scene, options);
     let options = &RunOptions { recover, ..*options };
     let mut take = |solved: SolvedState| sink(collect::result(scene, solved, recover));
     let mut report = match scene.has_axial {
@@ -44,6 +45,48 @@ pub fn run(
     };
     report.skipped = skipped::skipped(scene, &report, recover);
     Ok(report)
+}
+
+/// Breaks the bonds of a beam, and hands its equilibria to `sink` as they come.
+///
+/// # Errors
+/// As [`super::run`].
+pub fn run_breaking(
+    scene: &BeamScene,
+    options: &RunOptions,
+    resume: Option<Restart>,
+    sink: &mut dyn Sink,
+) -> Result<RunReport, RunError> {
+    let recover = recovers(scene, options);
+    let options = &RunOptions { recover, ..*options };
+    let mut report = match scene.has_axial {
+        true => break_beam::<3>(scene, options, resume, sink)?,
+        false => break_beam::<2>(scene, options, resume, sink)?,
+    };
+    report.skipped = skipped::skipped(scene, &report, recover);
+    Ok(report)
+}
+
+fn break_beam<const D: usize>(
+    scene: &BeamScene,
+    options: &RunOptions,
+    resume: Option<Restart>,
+    sink: &mut dyn Sink,
+) -> Result<RunReport, RunError>
+where
+    TimoshenkoBeam: Breakable<D, Critical = CriticalStrains>,
+{
+    let Some(fracture) = &scene.fracture else { return Err(RunError::NotResumable) };
+    let prepared = prepare::<D>(scene, options)?;
+    let mut breaking = BreakingBeam::new(scene, fracture, options.recover);
+    super::fracture::run(&mut breaking, prepared, resume, sink)
+}
+
+/// Whether anything asks for section forces.
+fn recovers(scene: &BeamScene, options: &RunOptions) -> bool {
+    options.recover
+        || scene.probes.iter().any(|p| p.field.is_recovered())
+        || scene.expectations.iter().any(|e| e.is_recovered(&scene.probes))
 }
 
 /// Sizes of a beam that can be solved.

@@ -4,6 +4,7 @@ use super::BeamResult;
 use super::comparison::Compared;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
+use crate::run::fracture::FACTS;
 use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
 use crate::scene::Expectation;
 use crate::scene::beam::{BeamComparison, BeamScene, ProbePoint};
@@ -26,15 +27,22 @@ pub(crate) fn probes(scene: &BeamScene, result: &BeamResult) -> Vec<ProbeResult>
 
 /// Outcomes of the checks that are made on this state.
 pub(crate) fn checks(scene: &BeamScene, result: &BeamResult) -> Vec<CheckResult> {
+    // Which equilibrium of a beam that breaks is the last is known only after it.
+    let breaks = scene.fracture.is_some();
     let mine: Vec<&Expectation<BeamComparison>> =
-        scene.expectations.iter().filter(|e| e.state == result.record.index).collect();
+        scene.expectations.iter().filter(|e| breaks || e.state == result.record.index).collect();
     let compared = Compared::new(scene, &mine, result);
+    let fact = |name: &&str| result.record.facts.as_ref()?.value(name);
     let probed = |probe: usize| {
-        let p = &scene.probes[probe];
-        result.value(p.field, p.local.0, p.local.1).unwrap_or(f64::NAN)
+        let found = match scene.probes.get(probe) {
+            Some(p) => result.value(p.field, p.local.0, p.local.1),
+            None => FACTS.get(probe - scene.probes.len()).and_then(fact),
+        };
+        found.unwrap_or(f64::NAN)
     };
     let bounded = |probe: usize| {
-        let (p, right) = (&scene.probes[probe], probed(probe));
+        let right = probed(probe);
+        let Some(p) = scene.probes.get(probe) else { return right };
         let left = result.left_values(p.field, p.local.0).map(|values| values[p.local.1]);
         left.filter(|left| left.abs() > right.abs()).unwrap_or(right)
     };

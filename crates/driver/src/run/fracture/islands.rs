@@ -52,6 +52,12 @@ impl Islands {
         self.off.get(i).is_some_and(|off| *off)
     }
 
+    /// Loads without those on what has come off.
+    pub(super) fn left_of(&self, loads: &[f64]) -> Vec<f64> {
+        let is_off = |k: usize| !self.off.is_empty() && self.off[k % self.off.len()];
+        loads.iter().enumerate().map(|(k, f)| if is_off(k) { 0.0 } else { *f }).collect()
+    }
+
     /// Finds what has come off of a changed model and takes it out of the system, which has the equations of the problem;
     /// `u` are the unknowns at this time. Whether there is something new.
     pub(super) fn find<const D: usize, M: Model<D>>(
@@ -90,7 +96,13 @@ impl Islands {
         system: &mut System<D>,
         equations: &[Equation],
     ) {
-        let mut all = equations.to_vec();
+        let is_off = |point: usize| self.off[point];
+        // What only moves or holds a part that has come off must not strain it.
+        let at_rest = |equation: &Equation| match equation.terms.iter().all(|(u, _)| is_off(u.point)) {
+            true => Equation { value: 0.0, ..equation.clone() },
+            false => equation.clone(),
+        };
+        let mut all: Vec<Equation> = equations.iter().map(at_rest).collect();
         let is_named =
             |unknown: &Unknown| equations.iter().any(|e| e.terms.iter().any(|(named, _)| named == unknown));
         let off = self.off.iter().enumerate().filter(|(_, off)| **off).map(|(point, _)| point);

@@ -335,11 +335,16 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         self.broken.extend(bonds);
         let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
         let u: Vec<f64> = before.iter().map(|u| load_factor * u).collect();
-        self.islands.find(self.body.problem().model(), &mut self.system, self.body.problem().equations(), &u);
+        let (problem, stored) = (self.body.problem(), self.unit.energy.stored);
+        let came_off = self.islands.find(problem.model(), &mut self.system, problem.equations(), &u);
         if self.unit.solve(&self.system, &mut self.timing)? {
             self.factored = self.broken.len();
         }
-        self.ledger.lose(&gone, &self.unit.loads, [&before, &self.unit.u]);
+        let (loads, stored) = match came_off {
+            true => (&self.islands.left_of(&self.unit.loads), Some([stored, self.unit.energy.stored])),
+            false => (&self.unit.loads, None),
+        };
+        self.ledger.lose(&gone, loads, [&before, &self.unit.u], stored);
         Ok(())
     }
 

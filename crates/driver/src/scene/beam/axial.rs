@@ -81,8 +81,12 @@ pub(super) fn modes(
     bars: &[RigidBar],
     cases: &[ResolvedLoads],
     sections: &[&SectionStiffness],
-    solver: Solver,
+    case: &Case,
 ) -> Vec<Axial> {
+    // A bar from end to end does not break bond by bond.
+    if case.fracture.is_some() {
+        return vec![Axial::Points; layout.lines.len()];
+    }
     let mut modes = vec![Axial::Ends; layout.lines.len()];
     let inside = |(chain, point): (usize, usize)| point > 0 && point + 1 < layout.lines[chain].points();
     for hold in held.iter().flat_map(|h| &h.holds).filter(|hold| inside(hold.local)) {
@@ -108,7 +112,7 @@ pub(super) fn modes(
     }
     for (mode, section) in modes.iter_mut().zip(sections) {
         // A bar from end to end is no band.
-        if section.plain().is_none() || solver == Solver::Band {
+        if section.plain().is_none() || case.solver == Solver::Band {
             *mode = Axial::Points;
         }
     }

@@ -41,7 +41,7 @@ impl Expectation<BeamComparison> {
     pub fn is_recovered(&self, probes: &[ProbePoint]) -> bool {
         match &self.kind {
             ExpectationKind::Value { probe, .. } | ExpectationKind::Limit { probe, .. } => {
-                probes[*probe].field.is_recovered()
+                probes.get(*probe).is_some_and(|p| p.field.is_recovered())
             }
             ExpectationKind::Points(BeamComparison::ClosedForm { field, .. }) => {
                 matches!(field, Field::M | Field::V)
@@ -53,6 +53,8 @@ impl Expectation<BeamComparison> {
 
 /// What the resolution of checks looks at.
 pub(super) struct Context<'a> {
+    /// Names beside those of the probes that checks can ask for.
+    pub(super) facts: &'a [&'a str],
     pub(super) on_frame: bool,
     pub(super) beam: &'a TimoshenkoBeam,
     pub(super) held: &'a [HeldPoint],
@@ -70,7 +72,8 @@ pub(super) fn expectations(
     faults: &mut Faults,
 ) -> Vec<Expectation<BeamComparison>> {
     let states: Vec<&str> = context.states.iter().map(|s| s.name.as_str()).collect();
-    let probes: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
+    let probes: Vec<&str> =
+        probes.iter().map(|p| p.name.as_str()).chain(context.facts.iter().copied()).collect();
     let compare = |check: PointsCheck, path: &JsonPath, state: usize, faults: &mut Faults| match check {
         PointsCheck::ClosedForm(c) => Some(BeamComparison::ClosedForm {
             reference: c.name.clone(),

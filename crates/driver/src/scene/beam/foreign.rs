@@ -15,11 +15,6 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
             "places on beams are written by `x`, or by `joint` and `member`",
         ),
         ("rigid", !case.rigid.is_empty(), "points of a beam that move together are joined by `links`"),
-        (
-            "fracture",
-            case.fracture.is_some(),
-            "bonds of a beam stay whole: `limit` checks say whether it holds",
-        ),
         ("lines", !case.lines.is_empty(), "all points of a beam are written anyway"),
         (
             "stress_intensity",

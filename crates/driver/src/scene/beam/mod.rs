@@ -9,6 +9,7 @@ mod extent;
 mod facts;
 mod foreign;
 mod foundation;
+mod fracture;
 mod frame;
 mod frame_checks;
 mod grading;
@@ -38,12 +39,13 @@ pub use probes::ProbePoint;
 pub use section::SectionAlong;
 pub use supports::HeldPoint;
 
+use super::fracture::FractureScene;
 use super::{Expectation, expectation, keep_files, numbers, root, states, words};
-use crate::case::{Beam, Case, Model, Solver, Units};
+use crate::case::{Beam, Case, Fracture, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::material::SectionStiffness;
-use peristat_assembly::model::timoshenko_beam::{BeamLoads, TimoshenkoBeam};
+use peristat_assembly::model::timoshenko_beam::{BeamLoads, CriticalStrains, TimoshenkoBeam};
 use peristat_assembly::stiffness::Spring;
 use std::ops::Range;
 use std::path::Path;
@@ -79,6 +81,8 @@ pub struct BeamScene {
     pub solver: Solver,
     /// Values to report.
     pub probes: Vec<ProbePoint>,
+    /// How it breaks, if it does.
+    pub fracture: Option<FractureScene<CriticalStrains>>,
     /// What the results must be.
     pub expectations: Vec<Expectation<BeamComparison>>,
     /// Faults that do not keep the case from running.
@@ -132,10 +136,13 @@ impl BeamScene {
         max_memory: Option<u64>,
         mut faults: Faults,
     ) -> Result<Self, Faults> {
-        let resolved = Self::resolve(&case, &mut model, folder, max_memory, &mut faults);
+        let mut fracture = case.fracture.clone();
+        let filled = (&mut model, &mut fracture);
+        let resolved = Self::resolve(&case, filled, folder, max_memory, &mut faults);
         match resolved {
             Some(scene) if !faults.has_errors() => {
                 case.model = Model::TimoshenkoBeam(Box::new(model));
+                case.fracture = fracture;
                 keep_files(&mut case, folder);
                 Ok(Self { warnings: faults, case, ..scene })
             }
@@ -143,10 +150,11 @@ impl BeamScene {
         }
     }
 
-    /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model.
+    /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model and of its
+    /// fracture.
     fn resolve(
         case: &Case,
-        model: &mut Beam,
+        (model, fracture): (&mut Beam, &mut Option<Fracture>),
         folder: &Path,
         max_memory: Option<u64>,
         faults: &mut Faults,
@@ -156,6 +164,7 @@ impl BeamScene {
         }
         let material = material::material(case, model, faults);
         let layout = body::layout(case, model, faults)?;
+        fracture::check(case, &layout, faults);
         let (held, ends) = supports::held(case, &layout, faults);
         let beds = foundation::beds(case, &layout, faults);
         let bars = links::bars(case, &layout, faults);
@@ -169,7 +178,7 @@ impl BeamScene {
         if faults.has_errors() {
             return None;
         }
-        let axial = axial::modes(&layout, &held, &bars, &cases, &stiffness, case.solver);
+        let axial = axial::modes(&layout, &held, &bars, &cases, &stiffness, case);
         let beam = body::build(&layout, parameters, &resolved, splits, ends, axial, faults)?;
         let sections: Vec<SectionAlong> = resolved.into_iter().map(|r| r.section).collect();
         let numbers: Vec<usize> = (0..beam.chains().len()).map(|c| beam.first_real(c)).collect();
@@ -187,7 +196,10 @@ impl BeamScene {
             has_axial,
         };
         let probes = probes::probes(case, &context, faults);
+        let context = fracture::Context { beam: &beam, sections: &sections, probes: &probes };
+        let breaks = fracture.as_mut().and_then(|f| fracture::resolve(f, &context, faults));
         let context = checks::Context {
+            facts: fracture::facts(breaks.as_ref()),
             on_frame: layout.frame.is_some(),
             beam: &beam,
             held: &held,
@@ -213,6 +225,7 @@ impl BeamScene {
             bars,
             states,
             probes,
+            fracture: breaks,
             expectations,
             warnings: Faults::default(),
         })

@@ -1,6 +1,6 @@
 //! How the bonds of a body in the plane break.
 
-use super::super::fracture::{self, FractureScene, needed};
+use super::super::fracture::{self, FractureScene, foreign, needed};
 use super::super::root;
 use super::bonds::PlaneBonds;
 use super::conditions::Conditions;
@@ -214,13 +214,6 @@ fn of_beams(
     let fibres = bonds.is_fibre().to_vec();
     let by_offset = fibres.iter().map(|&along| if along { critical.fibre } else { critical.matrix });
     Some((CriticalStretch(by_offset.collect()), fibres))
-}
-
-/// Faults of keys that are for other models.
-pub(super) fn foreign(keys: &[(&str, Option<f64>)], hint: &str, path: &JsonPath, faults: &mut Faults) {
-    for (key, _) in keys.iter().filter(|k| k.1.is_some()) {
-        faults.error(path.key(*key), format!("`{key}` is for another model")).hint(hint);
-    }
 }
 
 fn check_directions(fracture: &Fracture, path: &JsonPath, faults: &mut Faults) {

@@ -10,4 +10,5 @@ pub(super) const ENTRY: BondLaw = BondLaw {
     shear_stiffness: |bond| {
         1.0 / (1.0 / bond.shear_stiffness + bond.mean_square_length / (12.0 * bond.bending_stiffness))
     },
+    is_element: false,
 };

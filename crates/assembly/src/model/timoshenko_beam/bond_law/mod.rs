@@ -27,6 +27,9 @@ pub struct BondLaw {
     pub about: &'static str,
     /// Shear stiffness S_b of a bond, N.
     pub shear_stiffness: fn(&BondShear) -> f64,
+    /// Whether a bond is the exact element of its span: the shear strain of its sections is then `V_b/(α S)`, not the
+    /// `γ_b = V_b/(α S_b)` that bending is a part of.
+    pub is_element: bool,
 }
 
 /// The law of a name.

@@ -8,4 +8,5 @@ pub(super) const ENTRY: BondLaw = BondLaw {
     name: "published",
     about: "the constants of Eq. (12); second order, locks when the horizon exceeds 3 section heights",
     shear_stiffness: |bond| bond.shear_stiffness,
+    is_element: false,
 };

@@ -13,7 +13,7 @@ use super::bond::UniformSection;
 use super::end_treatment::{EndKind, EndSupport, EndTreatment};
 use super::weights::bond_weights;
 use crate::material::SectionStiffness;
-use crate::stiffness::Weights;
+use crate::stiffness::{Override, Weights};
 use layout::Layout;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -94,12 +94,14 @@ pub struct Chain {
     pub origin: f64,
     /// Distance of neighbours, m; their mean distance on a graded grid.
     pub spacing: f64,
-    /// Weights α of the bonds over 1, 2, … cells; points are counted from the first ghost.
+    /// Weights α of the bonds over 1, 2, … cells, zero where they are broken; points are counted from the first ghost.
     pub weights: Weights,
     /// Measures and moduli of the bonds.
     pub bonds: BondTable,
     line: Line,
     kinds: [EndKind; 2],
+    /// Weights before the first bond broke.
+    intact: Option<Box<Weights>>,
 }
 
 impl Line {
@@ -173,12 +175,23 @@ impl Chain {
             None => BondTable::of_flexibility(&line, &weights, position),
         };
         let (origin, spacing) = (line.origin(), line.spacing());
-        Ok(Self { points, ghosts, origin, spacing, weights, bonds, line, kinds })
+        Ok(Self { points, ghosts, origin, spacing, weights, bonds, line, kinds, intact: None })
     }
 
     /// How the two ends are treated.
     pub fn ends(&self) -> [EndKind; 2] {
         self.kinds
+    }
+
+    /// Weights with all bonds: loads are shared by them whatever breaks, for the loads themselves stay.
+    pub fn intact_weights(&self) -> &Weights {
+        self.intact.as_deref().unwrap_or(&self.weights)
+    }
+
+    /// Removes a bond, with what it made up for.
+    pub(super) fn break_bond(&mut self, class: usize, lower: usize) {
+        self.intact.get_or_insert_with(|| Box::new(self.weights.clone()));
+        self.weights.change(Override { class, lower, factor: 0.0 });
     }
 
     /// Points with ghosts.

@@ -121,14 +121,14 @@ impl ChainLoads<'_> {
         let (chain, reach) = (self.chain, self.chain.weights.reach());
         range.start >= reach
             && range.end + reach <= chain.extended()
-            && chain.weights.are_ordinary(range.start - reach..range.end)
+            && chain.intact_weights().are_ordinary(range.start - reach..range.end)
             && chain.position(range.start - reach) >= load.from
             && chain.position(range.end - 1 + reach) <= load.to
     }
 
     /// Visits the bonds that end in a range: class, lower point, weight.
     fn each_bond(&self, range: &Range<usize>, mut visit: impl FnMut(usize, usize, f64)) {
-        let weights = &self.chain.weights;
+        let weights = self.chain.intact_weights();
         for class in 0..weights.classes() {
             for lower in range.start.saturating_sub(weights.step(class))..range.end {
                 let weight = weights.weight(class, lower);
@@ -204,7 +204,7 @@ fn place(action: &PointAction, chain: &Chain, nodal: &mut Vec<(usize, usize, f64
         for class in 0..chain.weights.classes() {
             let step = chain.weights.step(class);
             for lower in nearest.saturating_sub(step)..=nearest {
-                let weight = chain.weights.weight(class, lower);
+                let weight = chain.intact_weights().weight(class, lower);
                 let inside = |length: f64| {
                     Span { x: chain.position(lower), length, shear_ratio: 0.0 }.inside(action.x)
                 };

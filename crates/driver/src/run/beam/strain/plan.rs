@@ -16,6 +16,9 @@ const LEAST: f64 = 1e-6;
 
 /// What the strain form needs of a beam, or why it does not apply.
 fn applies(scene: &BeamScene) -> Result<StrainProblem<'_>, String> {
+    if scene.fracture.is_some() {
+        return Err("the beam breaks".into());
+    }
     if scene.has_axial {
         return Err("it is for beams with the unknowns w and phi".into());
     }

@@ -1,0 +1,125 @@
+//! Beams that break.
+
+use super::{collect, reaction};
+use crate::case::{FieldName, Solver};
+use crate::run::fracture::{BreakingBody, Facts};
+use crate::run::{Problem, SolvedState, StateResult};
+use crate::scene::beam::{BeamScene, State};
+use crate::scene::fracture::FractureScene;
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::timoshenko_beam::{CriticalStrains, PHI, TimoshenkoBeam, U, W};
+use peristat_assembly::model::{Breakable, Model};
+use peristat_assembly::stiffness::Spring;
+use peristat_assembly::system::FreeMotion;
+
+/// A scene with a beam some of whose bonds are broken.
+struct BrokenBeam<'a> {
+    scene: &'a BeamScene,
+    beam: TimoshenkoBeam,
+}
+
+/// A beam whose bonds break.
+pub(super) struct BreakingBeam<'a> {
+    problem: BrokenBeam<'a>,
+    fracture: &'a FractureScene<CriticalStrains>,
+    recover: bool,
+}
+
+impl<'a> BreakingBeam<'a> {
+    /// The whole beam of a scene.
+    pub(super) fn new(
+        scene: &'a BeamScene,
+        fracture: &'a FractureScene<CriticalStrains>,
+        recover: bool,
+    ) -> Self {
+        Self { problem: BrokenBeam { scene, beam: scene.beam.clone() }, fracture, recover }
+    }
+}
+
+impl<const D: usize> Problem<D> for BrokenBeam<'_>
+where
+    TimoshenkoBeam: Model<D>,
+{
+    type Model = TimoshenkoBeam;
+
+    fn model(&self) -> &TimoshenkoBeam {
+        &self.beam
+    }
+
+    fn springs(&self) -> &[Spring] {
+        &self.scene.springs
+    }
+
+    fn equations(&self) -> &[Equation] {
+        &self.scene.equations
+    }
+
+    fn solver(&self) -> Solver {
+        self.scene.solver
+    }
+
+    fn states(&self) -> usize {
+        self.scene.states.len()
+    }
+
+    fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
+        Problem::<D>::add_load(self.scene, state, force)
+    }
+
+    fn describe(&self, motion: &FreeMotion) -> String {
+        Problem::<D>::describe(self.scene, motion)
+    }
+
+    fn remedy(&self) -> &'static str {
+        Problem::<D>::remedy(self.scene)
+    }
+}
+
+impl<const D: usize> BreakingBody<D> for BreakingBeam<'_>
+where
+    TimoshenkoBeam: Breakable<D, Critical = CriticalStrains>,
+{
+    type Model = TimoshenkoBeam;
+
+    fn problem(&self) -> &impl Problem<D, Model = TimoshenkoBeam> {
+        &self.problem
+    }
+
+    fn fracture(&self) -> &FractureScene<CriticalStrains> {
+        self.fracture
+    }
+
+    fn model_mut(&mut self) -> &mut TimoshenkoBeam {
+        &mut self.problem.beam
+    }
+
+    fn load(&self, u: &[f64], multipliers: &[f64]) -> f64 {
+        let scene = self.problem.scene;
+        let (probe, n) = (&scene.probes[self.fracture.load], scene.beam.points());
+        let unknown = |component: usize| u.get(component * n + probe.point).copied().unwrap_or(0.0);
+        let held = || reaction::forces(scene, multipliers, u).into_iter().filter(|h| h.point == probe.point);
+        match probe.field {
+            FieldName::W => unknown(W),
+            FieldName::Phi => unknown(PHI),
+            FieldName::U => unknown(U),
+            FieldName::ReactionX => held().map(|h| h.force[0]).sum(),
+            FieldName::ReactionForce => held().map(|h| h.force[1]).sum(),
+            FieldName::ReactionMoment => held().map(|h| h.moment).sum(),
+            // The others are recovered or of frames, and refused.
+            _ => 0.0,
+        }
+    }
+
+    fn facts(&self, _broken: &[u64]) -> Vec<(String, f64)> {
+        Vec::new()
+    }
+
+    fn result(&mut self, solved: SolvedState, name: String, load_factor: f64, facts: Facts) -> StateResult {
+        let BrokenBeam { scene, beam } = &self.problem;
+        let loads = scene.states[0].loads.scaled(load_factor);
+        let state = State { name, load_factor, motion_factor: load_factor, loads };
+        let mut result = collect::of_beam(scene, beam, &state, solved, self.recover);
+        result.record.facts = Some(facts);
+        StateResult::Beam(result)
+    }
+}

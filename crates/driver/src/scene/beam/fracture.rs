@@ -1,0 +1,155 @@
+//! How the bonds of a beam break.
+
+use super::super::fracture::{self, FractureScene, foreign, needed};
+use super::place::Layout;
+use super::{ProbePoint, SectionAlong, beam_path, root};
+use crate::case::{Case, Check, Fracture};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::run::fracture::FACTS;
+use peristat_assembly::model::timoshenko_beam::{CriticalStrain, CriticalStrains, TimoshenkoBeam};
+
+/// What resolution looks at.
+pub(super) struct Context<'a> {
+    pub(super) beam: &'a TimoshenkoBeam,
+    pub(super) sections: &'a [SectionAlong],
+    pub(super) probes: &'a [ProbePoint],
+}
+
+/// Names of all that checks can ask for, of a beam that breaks.
+pub(super) fn facts(fracture: Option<&FractureScene<CriticalStrains>>) -> &'static [&'static str] {
+    if fracture.is_some() { &FACTS } else { &[] }
+}
+
+/// Faults of what a beam that breaks cannot have.
+pub(super) fn check(case: &Case, layout: &Layout, faults: &mut Faults) {
+    fracture::check(case, faults);
+    let Some(fracture) = &case.fracture else { return };
+    let path = root("fracture");
+    let joined = [
+        (
+            "body",
+            layout.frame.is_some(),
+            "members of a frame do not break: a part that comes off could still hang in a joint",
+        ),
+        (
+            "links",
+            !case.links.is_empty(),
+            "beams with `links` do not break: a part that comes off could still hang in one",
+        ),
+    ];
+    for (key, _, reason) in joined.iter().filter(|j| j.1) {
+        faults
+            .error(root(key), *reason)
+            .hint("take a body of lines that nothing joins, or leave out `fracture`");
+    }
+    let named = [("no_fail", !fracture.no_fail.is_empty()), ("directions", !fracture.directions.is_empty())];
+    for (key, _) in named.iter().filter(|n| n.1) {
+        faults
+            .error(path.key(*key), format!("`{key}` is for bodies in the plane"))
+            .hint("a beam breaks across its line, wherever its sections are strained most");
+    }
+    for k in (0..case.checks.len()).filter(|&k| matches!(case.checks[k], Check::ClosedForm(_))) {
+        faults
+            .error(root("checks").index(k).key("closed_form"), "closed forms are for beams that do not break")
+            .hint("compare a probe or a fact, such as `peak_load`, with a number by a `value` check");
+    }
+}
+
+/// The fracture of a case, with its defaults filled in.
+pub(super) fn resolve(
+    fracture: &mut Fracture,
+    context: &Context,
+    faults: &mut Faults,
+) -> Option<FractureScene<CriticalStrains>> {
+    let (beam, path) = (context.beam, root("fracture"));
+    if beam.chains().iter().any(|chain| chain.ghosts != [0; 2]) {
+        let name = beam.parameters().end_treatment.name;
+        faults
+            .error(
+                beam_path().key("end_treatment"),
+                format!("the end treatment `{name}` has images of bonds beyond the ends, which do not break"),
+            )
+            .hint("use `cover`: it needs no bond beyond the end");
+    }
+    let load = context.probes.iter().find(|p| p.name == fracture.load);
+    if let Some(field) = load.map(|p| p.field).filter(|f| f.is_recovered()) {
+        faults
+            .error(path.key("load"), format!("`{}` does not stand for the load", field.name()))
+            .hint("take a probe of a reaction or of a displacement");
+    }
+    let critical = critical(fracture, context, &path.key("critical"), faults)?;
+    let names: Vec<&str> = context.probes.iter().map(|p| p.name.as_str()).collect();
+    // Unlike a body in the plane a beam has no stresses at its supports that are those of the model: it breaks there, too.
+    fracture::resolve(fracture, critical, vec![false; beam.points()], &names, faults)
+}
+
+/// Critical strains of every line.
+fn critical(
+    fracture: &Fracture,
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<CriticalStrains> {
+    let given = &fracture.critical;
+    const HINT: &str = "a beam breaks by `curvature` and `shear_strain`, or by `energy_release_rate`";
+    foreign(
+        &[
+            ("stretch", given.stretch),
+            ("fibre_stretch", given.fibre_stretch),
+            ("matrix_stretch", given.matrix_stretch),
+            ("fibre_energy_release_rate", given.fibre_energy_release_rate),
+            ("matrix_energy_release_rate", given.matrix_energy_release_rate),
+        ],
+        HINT,
+        path,
+        faults,
+    );
+    if given.formula.is_some() {
+        faults.error(path.key("formula"), "`formula` is for bodies in the plane").hint(HINT);
+    }
+    let strains = [("curvature", given.curvature), ("shear_strain", given.shear_strain)];
+    let named = strains.iter().find(|s| s.1.is_some());
+    match (given.energy_release_rate, named) {
+        (Some(rate), None) => of_energy(rate, context, path, faults),
+        (Some(_), Some((key, _))) => {
+            faults
+                .error(
+                    path.key("energy_release_rate"),
+                    format!("`{key}` and `energy_release_rate` are both given"),
+                )
+                .hint("the one follows from the other: remove one of them");
+            None
+        }
+        (None, None) => {
+            faults.error(path.clone(), "`curvature` or `shear_strain` is missing").hint(HINT);
+            None
+        }
+        (None, Some(_)) => {
+            // A strain that is not given never breaks a bond.
+            let [curvature, shear_strain] = strains.map(|(key, value)| match value {
+                Some(_) => needed(value, key, path, faults),
+                None => Some(f64::INFINITY),
+            });
+            let strain = CriticalStrain { curvature: curvature?, shear_strain: shear_strain? };
+            Some(CriticalStrains(vec![strain; context.beam.chains().len()]))
+        }
+    }
+}
+
+/// Critical strains of lines whose sections take up so much energy per area.
+fn of_energy(rate: f64, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<CriticalStrains> {
+    needed(Some(rate), "energy_release_rate", path, faults)?;
+    let mut all = Vec::new();
+    for (chain, section) in context.beam.chains().iter().zip(context.sections) {
+        let strain = CriticalStrain::of_energy(rate, chain).filter(|_| section.area.is_some());
+        if strain.is_none() {
+            let reason = match section.area {
+                None => "`energy_release_rate` needs the area of the section",
+                Some(_) => "`energy_release_rate` is for uniform sections and grids",
+            };
+            faults.error(path.key("energy_release_rate"), reason).hint("give `curvature` and `shear_strain`");
+        }
+        all.push(strain?);
+    }
+    Some(CriticalStrains(all))
+}
