@@ -7,6 +7,7 @@ mod support;
 
 mod axial;
 mod balance;
+mod beam_fracture;
 mod closed_forms;
 mod convergence;
 mod definiteness;

@@ -1,9 +1,9 @@
-//! How a body in the plane breaks.
+//! How a body breaks.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Brittle fracture of a body in the plane: the loads and prescribed motions grow from zero, and a bond that is strained to
+/// Brittle fracture: the loads and prescribed motions grow from zero, and a bond that is strained to
 /// its critical strain is gone for good. Every equilibrium is found anew with the bonds that are left.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -23,8 +23,8 @@ pub struct Fracture {
     /// break.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub increment: Option<f64>,
-    /// Regions in which no bond breaks, such as those around supports and loads: bonds with an end there. Bonds of points
-    /// that are held or belong to rigid regions never break.
+    /// Regions of a body in the plane in which no bond breaks, such as those around supports and loads: bonds with an end
+    /// there. Bonds of points that are held or belong to rigid regions never break; those of a beam do, at clamps above all.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub no_fail: Vec<String>,
     /// Name of the probe that stands for the load in `curve.csv`, such as a reaction.
@@ -71,7 +71,7 @@ pub struct Critical {
     /// Elongation over length at which every other bond breaks, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub matrix_stretch: Option<f64>,
-    /// Energy per area of a crack, > 0.
+    /// Energy per area of a crack, > 0; of a beam per area of its section.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub energy_release_rate: Option<f64>,
     /// Energy per area of a crack across the fibres, > 0.

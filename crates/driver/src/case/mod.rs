@@ -103,7 +103,7 @@ pub struct Case {
     /// Load steps, where `loads` and prescribed motions grow together.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub steps: Option<Steps>,
-    /// How a body in the plane breaks under `loads` and prescribed motions that grow, instead of `steps`.
+    /// How the body breaks under `loads` and prescribed motions that grow, instead of `steps`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fracture: Option<Fracture>,
     /// How to solve; `auto` says what it took and why.

@@ -11,7 +11,7 @@ impl Chain {
     pub fn energy_length(&self) -> Option<f64> {
         let share = |class: usize| (self.weights.step(class) as f64).powi(2) * self.weights.of_class(class);
         let sum: f64 = (0..self.weights.classes()).map(share).sum();
-        self.line().stations.is_none().then(|| self.spacing * sum)
+        self.line().stations.is_none().then_some(self.spacing * sum)
     }
 }
 
