@@ -103,7 +103,7 @@ fn plates_of_beam_bonds_take_few_iterations_whatever_their_fibres() {
     {
         let found: Vec<usize> =
             [100, 200].iter().map(|n| iterations(&fibres(*n, degrees, ratio, lattice))).collect();
-        // 22 to 27, as many at 300 points a side: E1/E2 = 12.5.
+        // E1/E2 = 12.5; 22 to 27 of a like plate with 300 points a side.
         assert!(found.iter().all(|n| *n <= 30), "{degrees} degrees, {lattice}: {found:?}");
     }
 }
