@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests are tests")]
 
 mod commands;
+mod fracture;
 mod hostile_input;
 mod memory;
 mod meshio;

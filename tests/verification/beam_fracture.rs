@@ -28,9 +28,9 @@ impl Sink for Told {
         Ok(())
     }
 
-    fn advance(&mut self, event: &Event, restart: &dyn Fn() -> Restart) -> io::Result<()> {
+    fn advance(&mut self, event: &Event, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
         self.events.push(*event);
-        self.restarts.push(restart());
+        self.restarts.extend(restart.map(|make| make()));
         Ok(())
     }
 }

@@ -163,10 +163,11 @@ impl Sink for Collecting<'_> {
         self.sink.take(result)
     }
 
-    fn advance(&mut self, event: &Event, restart: &dyn Fn() -> Restart) -> io::Result<()> {
+    fn advance(&mut self, event: &Event, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+        let Some(restart) = restart else { return self.sink.advance(event, None) };
         let restart =
             || Restart { case: self.fingerprint.clone(), summaries: self.collector.save(), ..restart() };
-        self.sink.advance(event, &restart)
+        self.sink.advance(event, Some(&restart))
     }
 
     fn is_interrupted(&self) -> bool {

@@ -78,7 +78,7 @@ impl Sink for Writing<'_> {
         written.map_err(|e| self.at(e))
     }
 
-    fn advance(&mut self, event: &Event, restart: &dyn Fn() -> Restart) -> io::Result<()> {
+    fn advance(&mut self, event: &Event, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
         self.progress.advance(event);
         let ends = self.interrupt.is_asked();
         let written = self.results()?.advance(event, restart, ends);

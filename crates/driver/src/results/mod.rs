@@ -192,10 +192,16 @@ impl Results {
     ///
     /// # Errors
     /// The folder cannot be written.
-    pub fn advance(&mut self, event: &Event, restart: &dyn Fn() -> Restart, ends: bool) -> io::Result<()> {
+    pub fn advance(
+        &mut self,
+        event: &Event,
+        restart: Option<&dyn Fn() -> Restart>,
+        ends: bool,
+    ) -> io::Result<()> {
         if let Some(curve) = &mut self.curve {
             curve.add(event)?;
         }
+        let Some(restart) = restart else { return Ok(()) };
         let begin = Instant::now();
         if ends || self.due.is_none_or(|due| due <= begin) {
             restart::write(&self.folder.join(restart::FILE), &restart())?;

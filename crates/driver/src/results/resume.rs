@@ -167,7 +167,7 @@ mod tests {
     fn go_on(results: &mut Results, scene: &Scene, states: &[StateResult], which: std::ops::Range<usize>) {
         for k in which {
             results.take(scene, &states[k]).unwrap();
-            results.advance(&event(k), &|| restart(scene, k + 1), true).unwrap();
+            results.advance(&event(k), Some(&|| restart(scene, k + 1)), true).unwrap();
         }
     }
 
@@ -200,7 +200,7 @@ mod tests {
         first.due = Some(Instant::now() + Duration::from_secs(3600));
         for k in 1..3 {
             first.take(scene, &states[k]).unwrap();
-            first.advance(&event(k), &|| panic!("it is not due"), false).unwrap();
+            first.advance(&event(k), Some(&|| panic!("it is not due")), false).unwrap();
         }
         drop(first);
         fs::write(parts.join("fields/.abc.part"), "half").unwrap();

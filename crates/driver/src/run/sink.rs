@@ -13,11 +13,11 @@ pub trait Sink {
     fn take(&mut self, result: StateResult) -> io::Result<()>;
 
     /// An equilibrium of a body that breaks was found; `restart` makes what it takes to go on from there, with as many
-    /// states as were taken before this call.
+    /// states as were taken before this call. There is none for the last equilibrium: the run is at its end.
     ///
     /// # Errors
     /// As [`Sink::take`].
-    fn advance(&mut self, _event: &Event, _restart: &dyn Fn() -> Restart) -> io::Result<()> {
+    fn advance(&mut self, _event: &Event, _restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
         Ok(())
     }
 

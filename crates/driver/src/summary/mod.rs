@@ -175,7 +175,9 @@ impl Collector {
 
     /// The summary of the run.
     pub fn finish(self, scene: &Scene, report: RunReport, warnings: Vec<String>) -> Summary {
-        let status = match (report.converged, self.checks.iter().all(|c| c.passed)) {
+        // States before a restart are known from it alone.
+        let converged = report.converged && self.states.iter().all(|s| s.certificate.converged);
+        let status = match (converged, self.checks.iter().all(|c| c.passed)) {
             (false, _) => Status::NotConverged,
             (true, false) => Status::CheckFailed,
             (true, true) => Status::Passed,

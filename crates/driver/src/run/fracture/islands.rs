@@ -1,7 +1,8 @@
 //! Parts of a body that have come off.
 //!
 //! Nothing holds such a part any more. Its unknowns are taken out of the system, as if they were held at zero, so that it
-//! is free of strain; where it is drawn it stays where it was when it came off.
+//! is free of strain, and what held or moved parts of it does so no more; where it is drawn it stays where it was when it
+//! came off.
 
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::Model;
@@ -52,12 +53,6 @@ impl Islands {
         self.off.get(i).is_some_and(|off| *off)
     }
 
-    /// Loads without those on what has come off.
-    pub(super) fn left_of(&self, loads: &[f64]) -> Vec<f64> {
-        let is_off = |k: usize| !self.off.is_empty() && self.off[k % self.off.len()];
-        loads.iter().enumerate().map(|(k, f)| if is_off(k) { 0.0 } else { *f }).collect()
-    }
-
     /// Finds what has come off of a changed model and takes it out of the system, which has the equations of the problem;
     /// `u` are the unknowns at this time. Whether there is something new.
     pub(super) fn find<const D: usize, M: Model<D>>(
@@ -72,13 +67,14 @@ impl Islands {
             return false;
         }
         self.parts = parts.spans().len();
-        let free: Vec<usize> = free_motions(model, system)
-            .iter()
-            .flat_map(|motion| motion.parts.iter().map(|span| parts.of(span[0])))
-            .collect();
+        let mut free = vec![false; self.parts];
+        let motions = free_motions(model, system);
+        let moving = motions.iter().flat_map(|motion| motion.parts.iter().map(|span| parts.of(span[0])));
+        moving.for_each(|part| free[part] = true);
+        keep_tied(&mut free, equations, |point| parts.of(point));
         let points = system.points();
         self.off.resize(points, false);
-        let new: Vec<usize> = (0..points).filter(|&p| !self.off[p] && free.contains(&parts.of(p))).collect();
+        let new: Vec<usize> = (0..points).filter(|&p| !self.off[p] && free[parts.of(p)]).collect();
         for &point in &new {
             self.off[point] = true;
             self.frozen.extend((0..D).map(|c| c * points + point).map(|k| (k as u64, u[k])));
@@ -89,30 +85,37 @@ impl Islands {
         !new.is_empty()
     }
 
-    /// Holds what has come off at zero, but for what the problem holds anyway.
+    /// Holds what has come off at zero.
     fn take_out<const D: usize>(
         &self,
         model: &impl Model<D>,
         system: &mut System<D>,
         equations: &[Equation],
     ) {
-        let is_off = |point: usize| self.off[point];
-        // What only moves or holds a part that has come off must not strain it.
-        let at_rest = |equation: &Equation| match equation.terms.iter().all(|(u, _)| is_off(u.point)) {
-            true => Equation { value: 0.0, ..equation.clone() },
-            false => equation.clone(),
-        };
-        let mut all: Vec<Equation> = equations.iter().map(at_rest).collect();
-        let is_named =
-            |unknown: &Unknown| equations.iter().any(|e| e.terms.iter().any(|(named, _)| named == unknown));
+        // In their places, for the sake of the forces that hold them.
+        let mut all = equations.to_vec();
+        let is_off = |equation: &&mut Equation| equation.terms.iter().any(|(named, _)| self.off[named.point]);
+        all.iter_mut().filter(is_off).for_each(|equation| equation.value = 0.0);
         let off = self.off.iter().enumerate().filter(|(_, off)| **off).map(|(point, _)| point);
         let unknowns = off.flat_map(|point| (0..D).map(move |component| Unknown { component, point }));
-        all.extend(unknowns.filter(|unknown| !is_named(unknown)).map(|unknown| Equation {
+        all.extend(unknowns.map(|unknown| Equation {
             terms: vec![(unknown, 1.0)],
             value: 0.0,
             origin: ORIGIN.into(),
         }));
-        // No equation names an unknown of another, so nothing can contradict.
+        // All of an equation is off or nothing, and zero fulfils what has no value: nothing can contradict.
         system.constrain(model, all).expect("what has come off is held apart from all else");
+    }
+}
+
+/// Takes parts that an equation ties to others that are not free from those that are: they can only turn about the tie.
+fn keep_tied(free: &mut [bool], equations: &[Equation], part: impl Fn(usize) -> usize) {
+    let is_free = |free: &[bool], (unknown, _): &(Unknown, f64)| free[part(unknown.point)];
+    // What was tied to such a part is tied with it.
+    while let Some(equation) = equations.iter().find(|equation| {
+        let count = equation.terms.iter().filter(|term| is_free(free, term)).count();
+        0 < count && count < equation.terms.len()
+    }) {
+        equation.terms.iter().for_each(|(unknown, _)| free[part(unknown.point)] = false);
     }
 }

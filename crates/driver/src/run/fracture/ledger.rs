@@ -5,8 +5,6 @@
 //! `λ² f·(u₁ − u₀)` of the unit displacements before and after. By reciprocity what this and the strain energy give is
 //! `½ λ² Σ k e₀ e₁` over the measures e of the broken bonds, each mode of them: the energy that is released. A bond had
 //! `½ λ² k e₀²` when it failed; the rest is released by the body at a load that does not follow: it would go into motion.
-//!
-//! Loads on a part that comes off do no more work, and what it had of strain energy is released with it.
 
 use peristat_assembly::stiffness::Term;
 
@@ -41,13 +39,12 @@ impl Ledger {
     }
 
     /// What is `gone` was part of the body with the unit displacements `before`, and is not with those `after`, under the
-    /// loads that are left; `stored` are the strain energies of both where a part came off with it.
+    /// loads.
     pub(super) fn lose<const D: usize>(
         &mut self,
         gone: &[Box<dyn Term<D>>],
         loads: &[f64],
         [before, after]: [&[f64]; 2],
-        stored: Option<[f64; 2]>,
     ) {
         let squared = self.load_factor * self.load_factor;
         let energy = |u: &[f64]| gone.iter().map(|term| term.survey(u).energy).sum::<f64>();
@@ -55,14 +52,17 @@ impl Ledger {
         // motion costs a digit.
         let sum: Vec<f64> = before.iter().zip(after).map(|(a, b)| a + b).collect();
         let difference: Vec<f64> = before.iter().zip(after).map(|(a, b)| a - b).collect();
+        self.released += squared * 0.25 * (energy(&sum) - energy(&difference));
         self.bond_energy += squared * energy(before);
         let moved: f64 = loads.iter().zip(before.iter().zip(after)).map(|(f, (a, b))| f * (b - a)).sum();
         self.work += squared * moved;
-        self.released += squared
-            * match stored {
-                None => 0.25 * (energy(&sum) - energy(&difference)),
-                Some([before, after]) => moved + before - after,
-            };
+    }
+
+    /// A part comes off: forces of loads and holds on its unknowns, and these, at the unit load. What these forces have done
+    /// from zero on goes with it.
+    pub(super) fn come_off(&mut self, off: impl Iterator<Item = (f64, f64)>) {
+        let work: f64 = off.map(|(force, u)| 0.5 * force * u).sum();
+        self.released += self.load_factor * self.load_factor * work;
     }
 
     /// What the balance lacks, relative to the work.

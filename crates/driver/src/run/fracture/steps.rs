@@ -21,7 +21,7 @@ use std::time::Instant;
 /// Residual of an equilibrium over the sudden jump: the energies of `worst` are to balance from event to event.
 const FINE: f64 = 1e-12;
 /// The same where only the order of strains matters.
-const COARSE: f64 = 1e-8;
+const COARSE: f64 = 1e-9;
 /// How far beyond its critical load the first bond is taken, so that rounding does not keep it.
 const BEYOND: f64 = 1e-7;
 /// Rounding of a ratio times the load factor that is its inverse.
@@ -125,20 +125,15 @@ pub(in super::super) fn run<const D: usize, P: BreakingBody<D>>(
 }
 
 impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
-    /// The body with some bonds broken, factored, with displacements `u` at the unit load.
-    fn new(body: &'a mut P, system: System<D>, broken: &[u64], u: Vec<f64>) -> Result<Self, RunError> {
-        let (mut system, mut timing) = (system, Timing::default());
-        let mut islands = Islands::new(body.problem().model());
+    /// The intact body, factored.
+    fn new(body: &'a mut P, system: System<D>) -> Result<Self, RunError> {
+        let mut timing = Timing::default();
+        let islands = Islands::new(body.problem().model());
         let mut loads = vec![0.0; system.size()];
         body.problem().add_load(0, &mut loads);
         let reference = jump(&system, &loads);
-        if !broken.is_empty() {
-            system.change_model(body.model_mut(), |model| model.break_bonds(broken));
-            let problem = body.problem();
-            islands.find(problem.model(), &mut system, problem.equations(), &u);
-        }
         let tolerance = if body.fracture().strategy == Strategy::Worst { FINE } else { COARSE };
-        let unit = Unit::new(body.problem(), &system, (loads, u), tolerance * reference, &mut timing)?;
+        let unit = Unit::new(body.problem(), &system, loads, tolerance * reference, &mut timing)?;
         Ok(Self {
             body,
             system,
@@ -146,8 +141,8 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             islands,
             ledger: Ledger::default(),
             events: Vec::new(),
-            broken: broken.to_vec(),
-            factored: broken.len(),
+            broken: Vec::new(),
+            factored: 0,
             recorded: 0,
             step: 0,
             timing,
@@ -157,28 +152,40 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
 
     /// From the intact body.
     fn begin(body: &'a mut P, system: System<D>) -> Result<Self, RunError> {
-        let u = vec![0.0; system.size()];
-        let mut all = Self::new(body, system, &[], u)?;
+        let mut all = Self::new(body, system)?;
         all.unit.solve(&all.system, &mut all.timing)?;
         Ok(all)
     }
 
-    /// From a restart: with the factor that there was, so that all goes on to the last bit as if it had not stopped.
+    /// From a restart: with the factor that there was, of the matrix that was analysed, so that all goes on to the last bit
+    /// as if it had not stopped.
     fn resume(body: &'a mut P, system: System<D>, restart: Restart) -> Result<Self, RunError> {
-        let (first, rest) = restart.broken.split_at(restart.factored.min(restart.broken.len()));
-        let mut all = Self::new(body, system, first, restart.unit)?;
-        if !rest.is_empty() {
-            all.system.change_model(all.body.model_mut(), |model| model.break_bonds(rest));
-            let problem = all.body.problem();
-            all.islands.find(problem.model(), &mut all.system, problem.equations(), &all.unit.u);
+        let (factored, later) = restart.broken.split_at(restart.factored.min(restart.broken.len()));
+        let mut all = Self::new(body, system)?;
+        all.unit.u = restart.unit;
+        if !factored.is_empty() {
+            all.remove(factored);
+            all.unit.refactor(&all.system, &mut all.timing)?;
         }
+        all.remove(later);
         all.islands.set_frozen(restart.islands);
-        all.unit.weigh(&all.system);
+        all.unit.resume(&all.system, &restart.events);
         let last = restart.events.last().copied().unwrap_or_default();
         all.ledger = Ledger::resume(last.work, last.released, last.bond_energy, restart.load_factor);
-        (all.events, all.broken) = (restart.events, restart.broken);
+        (all.events, all.broken, all.factored) = (restart.events, restart.broken, restart.factored);
         (all.recorded, all.step) = (restart.recorded, restart.step);
         Ok(all)
+    }
+
+    /// Removes bonds, and takes out what comes off with them: it bears no loads any more. Whether there is such.
+    fn remove(&mut self, bonds: &[u64]) -> bool {
+        self.system.change_model(self.body.model_mut(), |model| model.break_bonds(bonds));
+        let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
+        let u: Vec<f64> = self.unit.u.iter().map(|u| load_factor * u).collect();
+        let problem = self.body.problem();
+        let found = self.islands.find(problem.model(), &mut self.system, problem.equations(), &u);
+        self.islands.frozen().iter().for_each(|&(unknown, _)| self.unit.loads[unknown as usize] = 0.0);
+        found
     }
 
     /// Whether a bond can break.
@@ -268,7 +275,8 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         if is_first || ending.is_some() || event.solve % self.body.fracture().record_every == 0 {
             self.record(next.load_factor, sink)?;
         }
-        sink.advance(&event, &|| self.restart(next.load_factor))?;
+        let restart = || self.restart(next.load_factor);
+        sink.advance(&event, ending.is_none().then_some(&restart))?;
         match ending {
             None if sink.is_interrupted() => Err(RunError::Interrupted),
             ending => Ok(ending),
@@ -331,20 +339,18 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         }
         let gone = self.body.problem().model().part(bonds);
         let before = self.unit.u.clone();
-        self.system.change_model(self.body.model_mut(), |model| model.break_bonds(bonds));
         self.broken.extend(bonds);
-        let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
-        let u: Vec<f64> = before.iter().map(|u| load_factor * u).collect();
-        let (problem, stored) = (self.body.problem(), self.unit.energy.stored);
-        let came_off = self.islands.find(problem.model(), &mut self.system, problem.equations(), &u);
+        if self.remove(bonds) {
+            let mut forces = vec![0.0; self.system.size()];
+            self.system.force(&before, &mut forces);
+            gone.iter().for_each(|term| term.add_force(&before, &mut forces));
+            let off = self.islands.frozen().iter().map(|&(unknown, _)| unknown as usize);
+            self.ledger.come_off(off.map(|k| (forces[k], before[k])));
+        }
         if self.unit.solve(&self.system, &mut self.timing)? {
             self.factored = self.broken.len();
         }
-        let (loads, stored) = match came_off {
-            true => (&self.islands.left_of(&self.unit.loads), Some([stored, self.unit.energy.stored])),
-            false => (&self.unit.loads, None),
-        };
-        self.ledger.lose(&gone, loads, [&before, &self.unit.u], stored);
+        self.ledger.lose(&gone, &self.unit.loads, [&before, &self.unit.u]);
         Ok(())
     }
 

@@ -5,6 +5,7 @@ use super::super::factor::SolveFailure;
 use super::super::kept_factor::KeptFactor;
 use super::super::workspace::{StateSolution, Workspace};
 use super::super::{Counters, Problem, Timing};
+use super::Event;
 use super::ledger::UnitEnergy;
 use peristat_assembly::system::System;
 use std::time::Instant;
@@ -37,15 +38,14 @@ pub(super) struct Unit<const D: usize> {
 }
 
 impl<const D: usize> Unit<D> {
-    /// Factors the system, whose `loads` are those at a load factor of one, and takes `u` for displacements under them; residuals up to
-    /// `target` in the 2-norm will do.
+    /// Factors the system, whose `loads` are those at a load factor of one; residuals up to `target` in the 2-norm will do.
     ///
     /// # Errors
     /// [`SolveFailure`] if there is no factor.
     pub(super) fn new<P: Problem<D>>(
         problem: &P,
         system: &System<D>,
-        (loads, u): (Vec<f64>, Vec<f64>),
+        loads: Vec<f64>,
         target: f64,
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
@@ -55,7 +55,7 @@ impl<const D: usize> Unit<D> {
             work: Workspace::new(problem, system),
             counters,
             loads,
-            u,
+            u: vec![0.0; system.size()],
             multipliers: Vec::new(),
             energy: UnitEnergy::default(),
             iterations: 0,
@@ -80,7 +80,7 @@ impl<const D: usize> Unit<D> {
             if followed.reached || attempt + 1 == ATTEMPTS {
                 break;
             }
-            self.factor.refill(system, timing, &mut self.counters)?;
+            self.refactor(system, timing)?;
             refactored = true;
         }
         self.counters.right_hand_sides += 1;
@@ -90,8 +90,24 @@ impl<const D: usize> Unit<D> {
         Ok(refactored)
     }
 
+    /// Factors the system as it is now.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if the stiffness has no factor.
+    pub(super) fn refactor(&mut self, system: &System<D>, timing: &mut Timing) -> Result<(), SolveFailure> {
+        self.factor.refill(system, timing, &mut self.counters)
+    }
+
+    /// Goes on with the displacements at hand after the equilibria of another run.
+    pub(super) fn resume(&mut self, system: &System<D>, events: &[Event]) {
+        self.counters.factorisations = events.last().map_or(0, |e| e.factorisations);
+        self.counters.right_hand_sides = events.len();
+        self.counters.pcg_iterations = events.iter().map(|e| e.iterations).sum();
+        self.weigh(system);
+    }
+
     /// Finds what follows from the displacements.
-    pub(super) fn weigh(&mut self, system: &System<D>) {
+    fn weigh(&mut self, system: &System<D>) {
         let (multipliers, held_work) = self.work.hold(system, &self.loads, &self.u);
         let loads_work: f64 = self.loads.iter().zip(&self.u).map(|(f, u)| f * u).sum();
         self.multipliers = multipliers;

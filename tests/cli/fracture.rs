@@ -1,0 +1,140 @@
+//! Runs of bodies that break, as a user stops, kills and resumes them.
+
+use crate::support::{Outcome, json, names, run};
+use serde_json::{Value, json};
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// A plate with a crack at its left edge that is pulled apart, bond by bond.
+fn case() -> Value {
+    json!({
+        "title": "Plate that breaks", "units": "mm-N-MPa",
+        "model": { "bond_plane": { "youngs_modulus": 70000, "state": "plane_stress", "thickness": 1.0 } },
+        "body": { "rectangle": { "size": [12, 16], "spacing": 1.0 } },
+        "cracks": [ { "path": [[-1, 8], [3, 8]] } ],
+        "regions": {
+            "low": { "box": { "from": [0, 0], "to": [12, 3] } }, "high": { "box": { "from": [0, 13], "to": [12, 16] } }
+        },
+        "supports": [ { "at": { "region": "low" }, "ux": 0, "uy": 0 }, { "at": { "region": "high" }, "ux": 0, "uy": 0.3 } ],
+        "probes": [ { "name": "pull", "at": { "region": "high" }, "field": "reaction_y" } ],
+        "fracture": { "critical": { "energy_release_rate": 5.0 }, "strategy": "worst", "load": "pull", "record_every": 7 }
+    })
+}
+
+fn solve(folder: &Path, case: &Value, more: &[&str]) -> Outcome {
+    fs::write(folder.join("plate.json"), format!("{case:#}")).unwrap();
+    let mut arguments = vec!["run", "plate.json"];
+    arguments.extend(more);
+    run(folder, &arguments)
+}
+
+/// The run in `out`, to be stopped; it goes on with what is there, if there is anything to go on with.
+fn spawn(folder: &Path) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_peristat"));
+    command.current_dir(folder).args(["run", "plate.json", "-o", "out"]);
+    if folder.join("out/restart.bin").exists() {
+        command.arg("--resume");
+    }
+    command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the command starts")
+}
+
+/// Waits until the table of equilibria has more rows than some number, or the process has ended.
+fn wait_for_rows(folder: &Path, child: &mut Child, rows: usize) {
+    let begin = Instant::now();
+    let count = || fs::read_to_string(folder.join("out/curve.csv")).map_or(0, |text| text.lines().count());
+    while count() <= rows && child.try_wait().unwrap().is_none() {
+        assert!(begin.elapsed() < Duration::from_secs(60), "the run does not get on");
+        sleep(Duration::from_millis(2));
+    }
+}
+
+/// Everything that two runs must have in common: all but wall time, memory and the number of evaluations.
+fn outcome(out: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut found = Vec::new();
+    for part in ["", "fields", "plots"] {
+        for name in names(&out.join(part)) {
+            let path = out.join(part).join(&name);
+            if path.is_file() && name != "summary.json" {
+                found.push((format!("{part}/{name}"), fs::read(path).unwrap()));
+            }
+        }
+    }
+    let mut summary = json(&out.join("summary.json"));
+    let whole = summary.as_object_mut().unwrap();
+    whole.remove("timing_s");
+    whole.remove("peak_memory_bytes");
+    whole["counters"].as_object_mut().unwrap().remove("bond_evaluations");
+    found.push(("summary.json".into(), format!("{summary:#}").into_bytes()));
+    found
+}
+
+fn assert_same(found: &Path, expected: &Path) {
+    let (found, expected) = (outcome(found), outcome(expected));
+    let names = |all: &[(String, Vec<u8>)]| all.iter().map(|f| f.0.clone()).collect::<Vec<_>>();
+    assert_eq!(names(&found), names(&expected));
+    for ((name, found), (_, expected)) in found.iter().zip(&expected) {
+        let [found, expected] = [found, expected].map(|bytes| String::from_utf8_lossy(bytes).into_owned());
+        let differing = found.lines().zip(expected.lines()).find(|(a, b)| a != b);
+        assert!(found == expected, "{name} differs: {differing:?}");
+    }
+}
+
+#[test]
+fn a_run_that_is_killed_again_and_again_ends_like_one_that_was_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let whole = solve(folder.path(), &case(), &["-o", "whole"]);
+    assert_eq!(whole.code, 0, "{}\n{}", whole.stdout, whole.stderr);
+    let rows = fs::read_to_string(folder.path().join("whole/curve.csv")).unwrap().lines().count() - 1;
+    assert!(rows > 40, "{rows} equilibria are too few to be interrupted");
+    // Not at the same place in every run of the test: any place will do.
+    let mut random = u64::from(std::process::id());
+    for kill in 0..5 {
+        random = random.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        let mut child = spawn(folder.path());
+        wait_for_rows(folder.path(), &mut child, kill * rows / 6 + 1);
+        sleep(Duration::from_micros((random >> 33) % 20_000));
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    let last = spawn(folder.path()).wait_with_output().unwrap();
+    assert!(last.status.success(), "{}", String::from_utf8_lossy(&last.stderr));
+    assert_same(&folder.path().join("out"), &folder.path().join("whole"));
+    assert!(!folder.path().join("out/restart.bin").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_says_so_and_goes_on_later() {
+    use std::os::unix::process::ExitStatusExt;
+    let folder = tempfile::tempdir().unwrap();
+    solve(folder.path(), &case(), &["-o", "whole"]);
+    let mut child = spawn(folder.path());
+    wait_for_rows(folder.path(), &mut child, 5);
+    let pid = child.id().to_string();
+    assert!(Command::new("kill").args(["-s", "INT", &pid]).status().unwrap().success());
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!((ended.status.code(), ended.status.signal()), (Some(130), None));
+    let told = String::from_utf8_lossy(&ended.stderr).into_owned();
+    assert!(told.contains("ending after this solve") && told.contains("--resume"), "{told}");
+    let out = folder.path().join("out");
+    assert!(!out.join("summary.json").exists() && out.join("restart.bin").exists());
+    // The last equilibrium is kept.
+    let before = fs::read_to_string(out.join("curve.csv")).unwrap();
+
+    let mut changed = case();
+    changed["fracture"]["critical"] = json!({ "energy_release_rate": 6.0 });
+    let refused = solve(folder.path(), &changed, &["-o", "out", "--resume"]);
+    assert_eq!(refused.code, 2, "{}", refused.stderr);
+    assert!(refused.stderr.contains("is of another case, or the case has been changed since"));
+
+    let resumed = solve(folder.path(), &case(), &["-o", "out", "--resume"]);
+    assert_eq!(resumed.code, 0, "{}\n{}", resumed.stdout, resumed.stderr);
+    assert!(fs::read_to_string(out.join("curve.csv")).unwrap().starts_with(&before));
+    assert_same(&out, &folder.path().join("whole"));
+    let again = solve(folder.path(), &case(), &["-o", "out", "--resume"]);
+    assert_eq!(again.code, 2);
+    assert!(again.stderr.contains("is finished"), "{}", again.stderr);
+}
