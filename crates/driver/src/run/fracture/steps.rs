@@ -272,7 +272,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         self.events.push(event);
         let ending = self.ending(&event);
         let is_first = self.events.iter().filter(|e| e.broken_now > 0).count() == 1 && event.broken_now > 0;
-        if is_first || ending.is_some() || event.solve % self.body.fracture().record_every == 0 {
+        if is_first || ending.is_some() || event.solve.is_multiple_of(self.body.fracture().record_every) {
             self.record(next.load_factor, sink)?;
         }
         let restart = || self.restart(next.load_factor);
