@@ -18,6 +18,7 @@ mod frames;
 mod grading;
 mod literature;
 mod orthotropic_elastic;
+mod orthotropic_fracture;
 mod orthotropic_patch;
 mod orthotropic_strip;
 mod plain_factor;

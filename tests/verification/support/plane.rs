@@ -36,7 +36,8 @@ fn solve_with(case: &Value, recover: bool) -> PlaneRun {
     PlaneRun { scene, states, report }
 }
 
-fn scene(case: &Value) -> Result<PlaneScene, String> {
+/// Resolves a case in the plane, or returns the report of its faults as text.
+pub(crate) fn scene(case: &Value) -> Result<PlaneScene, String> {
     let source = from_text("case", format!("{case:#}"), &[]).map_err(|e| e.to_string())?;
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
     Ok(scene.map_err(|e| e.to_string())?.into_plane().expect("a body in the plane"))
