@@ -13,14 +13,14 @@ fn case() -> Value {
     json!({
         "title": "Plate that breaks", "units": "mm-N-MPa",
         "model": { "bond_plane": { "youngs_modulus": 70000, "state": "plane_stress", "thickness": 1.0 } },
-        "body": { "rectangle": { "size": [12, 16], "spacing": 1.0 } },
-        "cracks": [ { "path": [[-1, 8], [3, 8]] } ],
+        "body": { "rectangle": { "size": [8, 13], "spacing": 1.0 } },
+        "cracks": [ { "path": [[-1, 6.5], [2, 6.5]] } ],
         "regions": {
-            "low": { "box": { "from": [0, 0], "to": [12, 3] } }, "high": { "box": { "from": [0, 13], "to": [12, 16] } }
+            "low": { "box": { "from": [0, 0], "to": [8, 3] } }, "high": { "box": { "from": [0, 10], "to": [8, 13] } }
         },
         "supports": [ { "at": { "region": "low" }, "ux": 0, "uy": 0 }, { "at": { "region": "high" }, "ux": 0, "uy": 0.3 } ],
         "probes": [ { "name": "pull", "at": { "region": "high" }, "field": "reaction_y" } ],
-        "fracture": { "critical": { "energy_release_rate": 5.0 }, "strategy": "worst", "load": "pull", "record_every": 7 }
+        "fracture": { "critical": { "energy_release_rate": 5.0 }, "strategy": "worst", "load": "pull", "record_every": 12 }
     })
 }
 

@@ -1,6 +1,6 @@
 //! `curve.csv`: every equilibrium of a body that breaks, and diagrams of them.
 
-use crate::case::Units;
+use crate::case::{Case, FieldName, Units};
 use crate::output::atomic;
 use crate::output::plot::{self, Diagram, Series, Style};
 use crate::run::fracture::Event;
@@ -56,15 +56,15 @@ impl Curve {
     ///
     /// # Errors
     /// What the file system reports.
-    pub(super) fn draw(&self, plots: &Path, title: &str, units: Units) -> io::Result<()> {
+    pub(super) fn draw(&self, plots: &Path, case: &Case) -> io::Result<()> {
         if self.events.is_empty() {
             return Ok(());
         }
-        plot::write(&plots.join("load_curve.svg"), &self.loads(title))?;
-        plot::write(&plots.join("energy.svg"), &self.energies(title, units))
+        plot::write(&plots.join("load_curve.svg"), &self.loads(&case.title, load_label(case)))?;
+        plot::write(&plots.join("energy.svg"), &self.energies(&case.title, case.units))
     }
 
-    fn loads(&self, title: &str) -> Diagram {
+    fn loads(&self, title: &str, y_label: String) -> Diagram {
         let start = std::iter::once((0.0, 0.0));
         let points = self.events.iter().map(|e| (e.load_factor, e.load));
         let points: Vec<(f64, f64)> = start.clone().chain(points).collect();
@@ -78,7 +78,7 @@ impl Curve {
             Series { label: "equilibria".into(), style: Style::Thin, points },
             Series { label: "envelope".into(), style: Style::Line, points: envelope },
         ];
-        Diagram { title: title.into(), x_label: "load factor".into(), y_label: "load".into(), series }
+        Diagram { title: title.into(), x_label: "load factor".into(), y_label, series }
     }
 
     fn energies(&self, title: &str, units: Units) -> Diagram {
@@ -97,6 +97,18 @@ impl Curve {
             ],
         }
     }
+}
+
+/// Name of the load, with its unit.
+fn load_label(case: &Case) -> String {
+    let name = case.fracture.as_ref().map_or("load", |f| f.load.as_str());
+    let unit = case.probes.iter().find(|p| p.name == name).map(|p| match p.field {
+        FieldName::Ux | FieldName::Uy | FieldName::U | FieldName::W => case.units.length(),
+        FieldName::Phi => "rad",
+        FieldName::ReactionMoment => case.units.moment(),
+        _ => "N",
+    });
+    unit.map_or_else(|| name.to_string(), |unit| format!("{name} [{unit}]"))
 }
 
 /// Where the body is if the load factor never falls: at the largest one so far, with the bonds that are left.
@@ -162,11 +174,21 @@ mod tests {
             .collect();
         // Back at the load factor 0.5 the bonds that are left carry 0.75·0.5/0.25.
         assert_eq!(found, ["0.5 2.0", "0.5 1.5", "1.0 2.0"]);
-        assert_eq!(curve.loads("t").series[1].points, [(0.0, 0.0), (0.5, 2.0), (0.5, 1.5), (1.0, 2.0)]);
-        curve.draw(folder.path(), "t", Units::default()).unwrap();
-        for (file, words) in [("load_curve.svg", "load factor"), ("energy.svg", "energy [N m]")] {
+        assert_eq!(
+            curve.loads("t", "load".into()).series[1].points,
+            [(0.0, 0.0), (0.5, 2.0), (0.5, 1.5), (1.0, 2.0)]
+        );
+        let text = r#"{ "title": "t", "units": "mm-N-MPa",
+            "model": { "bond_plane": { "youngs_modulus": 1.0, "state": "plane_stress" } },
+            "body": { "rectangle": { "size": [8.0, 6.0], "spacing": 1.0 } },
+            "supports": [], "probes": [ { "name": "pull", "at": { "region": "top" }, "field": "reaction_y" } ],
+            "fracture": { "critical": { "stretch": 0.1 }, "load": "pull" } }"#;
+        let case: Case = serde_json::from_str(text).unwrap();
+        curve.draw(folder.path(), &case).unwrap();
+        let words = [("load_curve.svg", "load factor"), ("load_curve.svg", "pull [N]")];
+        for (file, words) in words.into_iter().chain([("energy.svg", "energy [N mm]")]) {
             let svg = std::fs::read_to_string(folder.path().join(file)).unwrap();
-            assert!(svg.contains(words), "{file}");
+            assert!(svg.contains(words), "{file}: {words}");
         }
     }
 }

@@ -228,7 +228,7 @@ impl Results {
 
     fn draw_curve(&self, case: &Case) -> io::Result<()> {
         match &self.curve {
-            Some(curve) => curve.draw(&self.folder.join("plots"), &case.title, case.units),
+            Some(curve) => curve.draw(&self.folder.join("plots"), case),
             None => Ok(()),
         }
     }

@@ -35,8 +35,11 @@ pub(super) fn estimate<const D: usize, P: Problem<D>>(problem: &P, recover: bool
         Plan::Cycle => CYCLE * problem.model().points(),
         Plan::Blocks => BLOCKS * problem.model().points(),
     };
-    // The last state is recorded without the factor.
-    total(problem, if problem.states() > 1 { solving + fields } else { solving.max(fields) })
+    // The last state is recorded without the factor, unless it may not be the last.
+    total(
+        problem,
+        if problem.states() > 1 || problem.breaks() { solving + fields } else { solving.max(fields) },
+    )
 }
 
 /// Memory of the fields of all points and of their files, if they are recovered, bytes.

@@ -65,6 +65,7 @@ pub(super) fn plan<const D: usize, P: Problem<D>>(problem: &P) -> Plan {
     let few_sides = problem.states() < MANY_SIDES || points > TOO_MANY_POINTS;
     match (problem.solver(), problem.spread()) {
         (_, Spread::Chain) => Plan::Factor,
+        _ if problem.breaks() => Plan::Factor,
         (Solver::Pcg, _) => Plan::Blocks,
         (Solver::Multigrid, Spread::Lattice) => Plan::Cycle,
         (Solver::Auto, Spread::Lattice) if few_sides => Plan::Cycle,

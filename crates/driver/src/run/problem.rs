@@ -33,6 +33,11 @@ pub trait Problem<const D: usize> {
     /// Number of right-hand sides.
     fn states(&self) -> usize;
 
+    /// Whether bonds break: a factor is kept to the end.
+    fn breaks(&self) -> bool {
+        false
+    }
+
     /// Adds the loads of a state to `force`, `D` planes, and returns the factor on prescribed motions.
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64;
 

@@ -203,6 +203,16 @@ pub(super) fn jump<const D: usize>(system: &System<D>, load: &[f64]) -> f64 {
     norm(&residual)
 }
 
+/// Energy of the prescribed motions as a sudden jump of the constrained unknowns alone; 0 without such motions.
+pub(super) fn jump_energy<const D: usize>(system: &System<D>) -> f64 {
+    if !system.constraints().moves() {
+        return 0.0;
+    }
+    let mut u = vec![0.0; system.size()];
+    system.constraints().expand(1.0, &mut u);
+    system.survey(&u).energy
+}
+
 /// How unknowns were improved.
 pub(super) struct Followed {
     pub(super) iterations: usize,

@@ -2,7 +2,7 @@
 
 use super::numbers::positive;
 use super::{root, words};
-use crate::case::{Case, Fracture, Strategy};
+use crate::case::{Case, Fracture, Solver, Strategy};
 use crate::diagnostic::{Faults, JsonPath};
 
 /// Load steps of a body whose bonds break at the critical strains `C` of its model.
@@ -120,6 +120,11 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
     ];
     for (key, _, hint) in foreign.iter().filter(|f| f.1) {
         faults.error(root(key), format!("`{key}` and `fracture` do not go together")).hint(*hint);
+    }
+    if matches!(case.solver, Solver::Pcg | Solver::Multigrid) {
+        faults
+            .error(root("solver"), "a body that breaks keeps a factor from equilibrium to equilibrium")
+            .hint("use `auto` or `sparse`");
     }
 }
 

@@ -5,7 +5,6 @@
 //! it is: the load may snap back. The others raise λ step by step and break what is overstrained until nothing is.
 
 use super::super::factor::SolverReport;
-use super::super::workspace::jump;
 use super::super::{Counters, Problem, RunError, RunReport, Sink, Sizes, SolvedState, Timing};
 use super::islands::Islands;
 use super::ledger::Ledger;
@@ -21,7 +20,7 @@ use std::time::Instant;
 /// Residual of an equilibrium over the sudden jump: the energies of `worst` are to balance from event to event.
 const FINE: f64 = 1e-12;
 /// The same where only the order of strains matters.
-const COARSE: f64 = 1e-9;
+const COARSE: f64 = 1e-8;
 /// How far beyond its critical load the first bond is taken, so that rounding does not keep it.
 const BEYOND: f64 = 1e-7;
 /// Rounding of a ratio times the load factor that is its inverse.
@@ -74,6 +73,8 @@ struct Breaking<'a, const D: usize, P> {
     factored: usize,
     recorded: usize,
     step: usize,
+    /// Whether what is left bears loads.
+    bears: bool,
     timing: Timing,
     converged: bool,
 }
@@ -131,9 +132,8 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let islands = Islands::new(body.problem().model());
         let mut loads = vec![0.0; system.size()];
         body.problem().add_load(0, &mut loads);
-        let reference = jump(&system, &loads);
         let tolerance = if body.fracture().strategy == Strategy::Worst { FINE } else { COARSE };
-        let unit = Unit::new(body.problem(), &system, loads, tolerance * reference, &mut timing)?;
+        let unit = Unit::new(body.problem(), &system, loads, tolerance, &mut timing)?;
         Ok(Self {
             body,
             system,
@@ -145,6 +145,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             factored: 0,
             recorded: 0,
             step: 0,
+            bears: true,
             timing,
             converged: true,
         })
@@ -228,6 +229,9 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
 
     /// The next equilibrium: at the load factor that the worst bond bears, or that of the step.
     fn next(&mut self) -> Next {
+        if !self.bears {
+            return Next { load_factor: 0.0, breaking: Vec::new() };
+        }
         let worst = self.worst();
         let bearable = 1.0 / worst;
         let fracture = self.body.fracture();
@@ -273,7 +277,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let ending = self.ending(&event);
         let is_first = self.events.iter().filter(|e| e.broken_now > 0).count() == 1 && event.broken_now > 0;
         if is_first || ending.is_some() || event.solve.is_multiple_of(self.body.fracture().record_every) {
-            self.record(next.load_factor, sink)?;
+            self.record(next.load_factor, ending, sink)?;
         }
         let restart = || self.restart(next.load_factor);
         sink.advance(&event, ending.is_none().then_some(&restart))?;
@@ -287,7 +291,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let fracture = self.body.fracture();
         let peak = self.events.iter().map(|e| e.load.abs()).fold(0.0, f64::max);
         let intact = self.events[0].stored / (self.events[0].load_factor * self.events[0].load_factor);
-        if event.broken > 0 && self.unit.energy.stored <= NOTHING * intact {
+        if event.broken > 0 && (!self.bears || self.unit.energy.stored <= NOTHING * intact) {
             Some(Ending::CameOff)
         } else if event.broken > 0 && event.load.abs() < fracture.stop_below * peak {
             Some(Ending::LoadGone)
@@ -301,9 +305,16 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     }
 
     /// Certifies the present equilibrium and hands it on.
-    fn record(&mut self, load_factor: f64, sink: &mut dyn Sink) -> Result<(), RunError> {
-        let (load, solution, certificate) =
+    fn record(
+        &mut self,
+        load_factor: f64,
+        ending: Option<Ending>,
+        sink: &mut dyn Sink,
+    ) -> Result<(), RunError> {
+        let (load, solution, mut certificate) =
             self.unit.certified(self.body.problem(), &self.system, load_factor, &mut self.timing);
+        // Rounding is all that is left of the forces: it cannot be small against them.
+        certificate.converged |= ending == Some(Ending::CameOff);
         self.converged &= certificate.converged;
         let begin = Instant::now();
         let facts = Facts::of(&self.events, self.body.facts(&self.broken));
@@ -338,7 +349,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             return Ok(());
         }
         let gone = self.body.problem().model().part(bonds);
-        let before = self.unit.u.clone();
+        let (before, ledger, energy) = (self.unit.u.clone(), self.ledger, self.unit.energy);
         self.broken.extend(bonds);
         if self.remove(bonds) {
             let mut forces = vec![0.0; self.system.size()];
@@ -347,8 +358,17 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             let off = self.islands.frozen().iter().map(|&(unknown, _)| unknown as usize);
             self.ledger.come_off(off.map(|k| (forces[k], before[k])));
         }
-        if self.unit.solve(&self.system, &mut self.timing)? {
+        let found = self.unit.solve(&self.system, &mut self.timing)?;
+        if found.refactored {
             self.factored = self.broken.len();
+        }
+        self.bears = found.borne;
+        if !found.borne {
+            // There is no equilibrium at any load: as if all loads went before the bonds.
+            self.unit.rest();
+            self.ledger = ledger;
+            self.ledger.load(0.0, energy);
+            return Ok(());
         }
         self.ledger.lose(&gone, &self.unit.loads, [&before, &self.unit.u]);
         Ok(())

@@ -3,7 +3,7 @@
 use super::super::certificate::{self, Certificate};
 use super::super::factor::SolveFailure;
 use super::super::kept_factor::KeptFactor;
-use super::super::workspace::{StateSolution, Workspace};
+use super::super::workspace::{StateSolution, Workspace, jump, jump_energy};
 use super::super::{Counters, Problem, Timing};
 use super::Event;
 use super::ledger::UnitEnergy;
@@ -17,6 +17,8 @@ const POLISH: f64 = 1e-4;
 const POLISHING: usize = 60;
 /// Attempts with a new factor.
 const ATTEMPTS: usize = 3;
+/// Residual over the sudden jump beyond which displacements are no equilibrium: loads act on a mechanism.
+const LOST: f64 = 1e-6;
 
 /// The unit load and the displacements under it.
 pub(super) struct Unit<const D: usize> {
@@ -35,10 +37,21 @@ pub(super) struct Unit<const D: usize> {
     pub(super) residual: f64,
     /// Largest residual, 2-norm.
     target: f64,
+    /// Residual of a sudden jump, 2-norm.
+    jump: f64,
+}
+
+/// How displacements were found.
+pub(super) struct Found {
+    /// Whether a new factor was made.
+    pub(super) refactored: bool,
+    /// Whether the loads are borne; if not, the displacements mean nothing.
+    pub(super) borne: bool,
 }
 
 impl<const D: usize> Unit<D> {
-    /// Factors the system, whose `loads` are those at a load factor of one; residuals up to `target` in the 2-norm will do.
+    /// Factors the system, whose `loads` are those at a load factor of one; residuals up to `tolerance` times that of a sudden jump
+    /// will do.
     ///
     /// # Errors
     /// [`SolveFailure`] if there is no factor.
@@ -46,9 +59,10 @@ impl<const D: usize> Unit<D> {
         problem: &P,
         system: &System<D>,
         loads: Vec<f64>,
-        target: f64,
+        tolerance: f64,
         timing: &mut Timing,
     ) -> Result<Self, SolveFailure> {
+        let jump = jump(system, &loads);
         let mut counters = Counters::default();
         Ok(Self {
             factor: KeptFactor::new(problem, system, timing, &mut counters)?,
@@ -60,15 +74,16 @@ impl<const D: usize> Unit<D> {
             energy: UnitEnergy::default(),
             iterations: 0,
             residual: f64::INFINITY,
-            target,
+            target: tolerance * jump,
+            jump,
         })
     }
 
-    /// Finds the displacements of the system as it is now. Whether a new factor was made.
+    /// Finds the displacements of the system as it is now.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
-    pub(super) fn solve(&mut self, system: &System<D>, timing: &mut Timing) -> Result<bool, SolveFailure> {
+    pub(super) fn solve(&mut self, system: &System<D>, timing: &mut Timing) -> Result<Found, SolveFailure> {
         let begin = Instant::now();
         let mut refactored = false;
         self.iterations = 0;
@@ -87,7 +102,7 @@ impl<const D: usize> Unit<D> {
         self.counters.pcg_iterations += self.iterations;
         timing.solve += begin.elapsed().as_secs_f64();
         self.weigh(system);
-        Ok(refactored)
+        Ok(Found { refactored, borne: self.residual <= LOST * self.jump })
     }
 
     /// Factors the system as it is now.
@@ -104,6 +119,14 @@ impl<const D: usize> Unit<D> {
         self.counters.right_hand_sides = events.len();
         self.counters.pcg_iterations = events.iter().map(|e| e.iterations).sum();
         self.weigh(system);
+    }
+
+    /// Takes displacements, forces and energies for zero: what is left bears nothing.
+    pub(super) fn rest(&mut self) {
+        self.u.fill(0.0);
+        self.multipliers.fill(0.0);
+        self.residual = 0.0;
+        self.energy = UnitEnergy::default();
     }
 
     /// Finds what follows from the displacements.
@@ -133,6 +156,7 @@ impl<const D: usize> Unit<D> {
         let mut solution = StateSolution::of(u.into_iter().map(|u| load_factor * u).collect());
         solution.iterations = self.iterations + polished.iterations;
         self.counters.pcg_iterations += polished.iterations;
+        solution.jump_energy = load_factor * load_factor * jump_energy(system);
         self.work.weigh(system, &mut self.factor, (&loads, load_factor), &mut solution);
         let certificate = certificate::certify(problem.model(), system, &loads, &solution, &self.work.scales);
         timing.certify += begin.elapsed().as_secs_f64();

@@ -86,8 +86,7 @@ mod tests {
     fn directions_are_those_of_lines() {
         for degrees in [-44.0, 0.0, 30.0, 90.0, 134.0_f64] {
             let (s, c) = degrees.to_radians().sin_cos();
-            let points: Vec<[f64; 2]> =
-                (0..9).map(f64::from).map(|t| [1.0 + t * c, t * s - 3.0]).collect();
+            let points: Vec<[f64; 2]> = (0..9).map(f64::from).map(|t| [1.0 + t * c, t * s - 3.0]).collect();
             let found = direction(&points);
             assert!((found - degrees).abs() < 1e-9, "{found}");
         }

@@ -6,7 +6,7 @@ use super::bonds::PlaneBonds;
 use super::conditions::Conditions;
 use super::ground::Ground;
 use super::model::{self, Recipe};
-use crate::case::{self, CriticalFormula, Fracture};
+use crate::case::{self, Case, CriticalFormula, FieldName, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::fracture::FACTS;
 use peristat_assembly::model::beam_bond_orthotropic::{
@@ -68,6 +68,7 @@ pub(super) fn resolve(
     held.chain(rigid).for_each(|&p| exempt[p as usize] = true);
     let (critical, fibres) = critical(fracture, context, &path.key("critical"), faults)?;
     check_directions(fracture, &path.key("directions"), faults);
+    check_load(fracture, context.ground.case, &path.key("load"), faults);
     let directions = fracture.directions.clone();
     let steps = fracture::resolve(fracture, critical, exempt, context.probes, faults)?;
     Some(PlaneFracture { steps, fibres, directions })
@@ -214,6 +215,19 @@ fn of_beams(
     let fibres = bonds.is_fibre().to_vec();
     let by_offset = fibres.iter().map(|&along| if along { critical.fibre } else { critical.matrix });
     Some((CriticalStretch(by_offset.collect()), fibres))
+}
+
+/// Fault of a load that would take fields of every equilibrium.
+fn check_load(fracture: &Fracture, case: &Case, path: &JsonPath, faults: &mut Faults) {
+    use FieldName::{ReactionX, ReactionY, Ux, Uy};
+    let probe = case.probes.iter().find(|p| p.name == fracture.load);
+    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy)) {
+        let message =
+            format!("the probe `{}` is one of `{}`, which is no load", probe.name, probe.field.name());
+        faults
+            .error(path.clone(), message)
+            .hint("use a probe of `reaction_x` or `reaction_y`, or of `ux` or `uy` where forces are given");
+    }
 }
 
 fn check_directions(fracture: &Fracture, path: &JsonPath, faults: &mut Faults) {

@@ -63,6 +63,10 @@ impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M
         state.motion_factor
     }
 
+    fn breaks(&self) -> bool {
+        self.scene.fracture.is_some()
+    }
+
     fn spread(&self) -> Spread {
         levels::spread(&self.model)
     }
