@@ -12,8 +12,8 @@ use std::time::Instant;
 
 /// Iterations after which a new factor is cheaper than going on: breaking n bonds of m measures costs about n m of them.
 const REFACTOR: usize = 16;
-/// Residual of what is recorded over that of any equilibrium, and the iterations that may take.
-const POLISH: f64 = 1e-4;
+/// Residual over the sudden jump of what is recorded, and the iterations that may take.
+const POLISHED: f64 = 1e-12;
 const POLISHING: usize = 60;
 /// Attempts with a new factor.
 const ATTEMPTS: usize = 3;
@@ -151,7 +151,7 @@ impl<const D: usize> Unit<D> {
         // What is recorded is better than what the next break is found with, and does not change it.
         let mut u = self.u.clone();
         let vectors = (&self.loads[..], &mut u[..]);
-        let target = POLISH * self.target;
+        let target = POLISHED * self.jump;
         let polished = self.work.follow(system, &mut self.factor, vectors, target, POLISHING);
         let mut solution = StateSolution::of(u.into_iter().map(|u| load_factor * u).collect());
         solution.iterations = self.iterations + polished.iterations;
