@@ -13,10 +13,10 @@ fn case() -> Value {
     json!({
         "title": "Plate that breaks", "units": "mm-N-MPa",
         "model": { "bond_plane": { "youngs_modulus": 70000, "state": "plane_stress", "thickness": 1.0 } },
-        "body": { "rectangle": { "size": [8, 13], "spacing": 1.0 } },
-        "cracks": [ { "path": [[-1, 6.5], [2, 6.5]] } ],
+        "body": { "rectangle": { "size": [8, 14], "spacing": 1.0 } },
+        "cracks": [ { "path": [[-1, 7], [2, 7]] } ],
         "regions": {
-            "low": { "box": { "from": [0, 0], "to": [8, 3] } }, "high": { "box": { "from": [0, 10], "to": [8, 13] } }
+            "low": { "box": { "from": [0, 0], "to": [8, 3] } }, "high": { "box": { "from": [0, 11], "to": [8, 14] } }
         },
         "supports": [ { "at": { "region": "low" }, "ux": 0, "uy": 0 }, { "at": { "region": "high" }, "ux": 0, "uy": 0.3 } ],
         "probes": [ { "name": "pull", "at": { "region": "high" }, "field": "reaction_y" } ],

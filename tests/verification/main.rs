@@ -14,6 +14,7 @@ mod definiteness;
 mod equation_12;
 mod exact_law;
 mod foundation;
+mod fracture_plane;
 mod frames;
 mod grading;
 mod literature;

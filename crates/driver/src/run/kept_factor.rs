@@ -4,10 +4,10 @@ use super::factor::{self, SolveFailure, SparseFactor, lifted};
 use super::{Counters, Problem, Timing};
 use peristat_assembly::system::System;
 use peristat_solve::Preconditioner;
-use sprs::CsMat;
+use sprs::{CsMat, TriMat};
 use std::time::Instant;
 
-/// Relative lifts of the diagonal: parts that have nearly come off are held by next to nothing.
+/// Lifts of the diagonal over its largest entry: parts that have nearly come off are held by next to nothing.
 const LIFTS: [f64; 5] = [0.0, f64::EPSILON, 8.0 * f64::EPSILON, 1e-12, 1e-8];
 
 /// A sparse factor and the matrix that it was made of; later matrices have no entries where this one has none.
@@ -28,7 +28,7 @@ impl KeptFactor {
         counters: &mut Counters,
     ) -> Result<Self, SolveFailure> {
         let begin = Instant::now();
-        let matrix = system.assemble_sparse();
+        let matrix = whole_blocks::<D>(&system.assemble_sparse());
         timing.assemble += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
         counters.analyses += 1;
@@ -72,8 +72,10 @@ impl KeptFactor {
         counters: &mut Counters,
     ) -> Result<(), SolveFailure> {
         let diagonal = self.matrix.diag();
+        // A point that hangs on a single bond has next to nothing, of which no part lifts it.
+        let largest = diagonal.iter().fold(0.0, |largest: f64, (_, value)| largest.max(*value));
         let done = lifted(&LIFTS, counters, |lift| {
-            diagonal.iter().for_each(|(k, value)| self.matrix.set(k, k, value * (1.0 + lift)));
+            diagonal.iter().for_each(|(k, value)| self.matrix.set(k, k, value + lift * largest));
             self.factor.refactor(&self.matrix)
         });
         counters.factor_bytes = self.factor.bytes();
@@ -89,4 +91,23 @@ impl Preconditioner for KeptFactor {
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
         self.factor.apply(r, z);
     }
+}
+
+/// The lower triangle of a matrix with all entries of the blocks of points that it has entries of: where contributions of
+/// bonds cancel, they no longer do when some of these break.
+fn whole_blocks<const D: usize>(matrix: &CsMat<f64>) -> CsMat<f64> {
+    let points = matrix.rows() / D;
+    let mut pairs: Vec<[usize; 2]> =
+        matrix.iter().map(|(_, (row, column))| [row % points, column % points]).collect();
+    pairs.iter_mut().for_each(|pair| pair.sort_unstable());
+    pairs.sort_unstable();
+    pairs.dedup();
+    let mut whole = TriMat::with_capacity(matrix.shape(), matrix.nnz() + pairs.len() * D * D);
+    for [i, j] in pairs {
+        for (a, b) in (0..D).flat_map(|r| (0..D).map(move |c| (r * points + i, c * points + j))) {
+            whole.add_triplet(a.max(b), a.min(b), 0.0);
+        }
+    }
+    matrix.iter().for_each(|(&value, (row, column))| whole.add_triplet(row, column, value));
+    whole.to_csr()
 }

@@ -91,5 +91,6 @@ mod tests {
             assert!((found - degrees).abs() < 1e-9, "{found}");
         }
         assert_eq!(direction(&[]), 0.0);
+        assert!(direction(&[[0.0, 1e-16], [1.0, 0.0]]).abs() < 1e-12);
     }
 }

@@ -57,6 +57,10 @@ pub(super) fn resolve(
     faults: &mut Faults,
 ) -> Option<PlaneFracture> {
     let path = root("fracture");
+    if !context.ground.case.symmetry.is_empty() {
+        // It is refused already; images have numbers of their own.
+        return None;
+    }
     let mut exempt = vec![false; context.ground.body.points()];
     for (k, name) in fracture.no_fail.iter().enumerate() {
         let points = context.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();
