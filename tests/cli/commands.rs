@@ -79,7 +79,7 @@ fn lists_sizes_and_verdicts_are_json_for_machines() {
         serde_json::from_str(&outcome.stdout).unwrap()
     };
     let list = parse(&["list", "--json"]);
-    assert_eq!(list.as_object().unwrap().len(), 4);
+    assert_eq!(list.as_object().unwrap().len(), 5);
     assert_eq!(parse(&["list", "references", "--json"])["references"], list["references"]);
     let sizes = parse(&["check", "cases/beam/cantilever.json", "--json"]);
     assert_eq!(sizes[0]["sizes"]["points"], 97);
@@ -127,7 +127,7 @@ fn the_first_case_of_a_newcomer_is_the_one_of_the_gallery() {
 fn every_list_is_printed_alone_and_with_the_others() {
     let folder = root();
     let all = run(&folder, &["list"]).stdout;
-    for kind in ["models", "loads", "references", "solvers"] {
+    for kind in ["models", "loads", "fracture", "references", "solvers"] {
         let alone = run(&folder, &["list", kind]).stdout;
         assert!(alone.starts_with(kind) && all.contains(&alone), "{kind}");
     }

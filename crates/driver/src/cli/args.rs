@@ -130,6 +130,8 @@ pub(super) enum Kind {
     Models,
     /// Loads and supports.
     Loads,
+    /// How bodies break: strategies and critical strains.
+    Fracture,
     /// Closed forms of beams for checks.
     References,
     /// Solvers.

@@ -94,6 +94,33 @@ const LOADS: [(&str, &str); 13] = [
     ("load_cases, combinations, steps", "several right-hand sides on one factorisation"),
 ];
 
+const FRACTURE: [(&str, &str); 9] = [
+    (
+        "strategy batch",
+        "bonds break together that are strained at least batch_threshold times as much as the worst (default)",
+    ),
+    (
+        "strategy worst",
+        "the worst bond breaks, with its equals by symmetry, wherever the load has to be for it: the load may snap back",
+    ),
+    ("strategy all", "all bonds break together that are strained beyond their critical strain"),
+    ("stretch", "critical elongation over length of central bonds"),
+    ("fibre_stretch, matrix_stretch", "the same of beam bonds along the fibres, and of all others"),
+    (
+        "energy_release_rate",
+        "energy per area of a crack, for central bonds and beams in place of their strains",
+    ),
+    (
+        "fibre_energy_release_rate, matrix_energy_release_rate",
+        "the same across and along the fibres, for beam bonds",
+    ),
+    (
+        "formula",
+        "how stretches follow from energy release rates: energy, of the bonds that a crack on the lattice cuts (default), or published",
+    ),
+    ("curvature, shear_strain", "critical strains of a beam, one of them or both"),
+];
+
 const SOLVERS: [(&str, &str); 6] = [
     (
         "auto",
@@ -149,6 +176,7 @@ fn entries(kind: Kind) -> Vec<(String, String)> {
             own(&[BEAM]).into_iter().chain(laws).chain(ends).chain(own(&PLATE)).collect()
         }
         Kind::Loads => own(&LOADS),
+        Kind::Fracture => own(&FRACTURE),
         Kind::References => reference::TABLE.iter().map(|r| (r.name.into(), r.about.into())).collect(),
         Kind::Solvers => own(&SOLVERS),
     }
@@ -159,6 +187,7 @@ pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
     let all = [
         (Kind::Models, "models"),
         (Kind::Loads, "loads"),
+        (Kind::Fracture, "fracture"),
         (Kind::References, "references"),
         (Kind::Solvers, "solvers"),
     ];

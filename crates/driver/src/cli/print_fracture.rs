@@ -4,25 +4,29 @@ use super::print::number;
 use crate::run::fracture::FractureReport;
 use std::fmt::Write;
 
-/// What is told of every body that breaks.
+/// What is told of a body that breaks: what every such body has, then what checks know by name.
 pub(super) fn fracture(out: &mut String, report: &FractureReport) {
-    let mut line = |key: &str, text: String| _ = writeln!(out, "  {key:<12} {text}");
     let fact = |name: &str| report.facts.get(name).and_then(serde_json::Value::as_f64).unwrap_or(0.0);
     let at = |factor: &str, load: &str| {
         format!("load factor {}, load {}", number(fact(factor)), number(fact(load)))
     };
-    line("first break", at("first_break_load_factor", "first_break_load"));
-    line("peak", at("peak_load_factor", "peak_load"));
     let off = match report.island_points {
         0 => String::new(),
         1 => ", 1 point came off".into(),
         points => format!(", {points} points came off"),
     };
-    line("broken", format!("{} bonds in {} equilibria{off}", report.broken_bonds, report.solves));
-    line("ended", report.ending.to_string());
-    line("iterations", format!("{:.1} per equilibrium", report.mean_iterations));
+    let mut lines = vec![
+        ("first break", at("first_break_load_factor", "first_break_load")),
+        ("peak", at("peak_load_factor", "peak_load")),
+        ("broken", format!("{} bonds in {} equilibria{off}", report.broken_bonds, report.solves)),
+        ("ended", report.ending.to_string()),
+        ("iterations", format!("{:.1} per equilibrium", report.mean_iterations)),
+    ];
     let general = crate::run::fracture::FACTS;
     for (name, value) in report.facts.iter().filter(|f| !general.contains(&f.0.as_str())) {
-        line(name, number(value.as_f64().unwrap_or(f64::NAN)));
+        let unit = if name.ends_with("_direction") { "° from x" } else { "" };
+        lines.push((name, format!("{}{unit}", number(value.as_f64().unwrap_or(f64::NAN)))));
     }
+    let width = lines.iter().map(|l| l.0.len()).max().unwrap_or(0);
+    lines.iter().for_each(|(key, text)| _ = writeln!(out, "  {key:<width$}  {text}"));
 }

@@ -12,7 +12,6 @@ pub mod plane;
 mod probes;
 mod states;
 mod words;
-pub(crate) use words::tidy;
 
 pub use beam::BeamScene;
 pub use expectation::{Expectation, ExpectationKind};

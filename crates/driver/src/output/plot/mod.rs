@@ -8,6 +8,7 @@ mod thin;
 
 pub use map::{Map, Patch, render_map, write_map};
 pub use picture::{Label, Look, Picture, Shape, write_picture};
+pub(crate) use scale::short;
 pub(crate) use thin::thin;
 
 use std::io;

@@ -97,7 +97,7 @@ impl ValueFormatter<f64> for Scale {
 }
 
 /// A number with four digits: `0.004`, `-12.35`, `1.234×10⁻⁶`.
-pub(super) fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let exponent = exponent_of(value.abs());
     let digits = (value.abs() / 10_f64.powi(exponent)).log10().floor();
     let text = fixed(value, exponent, (3.0 - digits).clamp(0.0, 6.0) as usize);

@@ -4,7 +4,7 @@
 use super::raster::Raster;
 use super::{lines, positions};
 use crate::case::FieldName;
-use crate::output::plot::{Map, Patch, write_map};
+use crate::output::plot::{self, Map, Patch, write_map};
 use crate::results::factor::magnification;
 use crate::run::plane::PlaneResult;
 use crate::run::scan;
@@ -55,7 +55,7 @@ fn range(scene: &PlaneScene, values: &[f64]) -> ([f64; 2], String) {
     let Some([low, high]) = scan::extremes(values) else { return ([0.0; 2], String::new()) };
     let place = |point: usize| {
         let [x, y] = scene.body().position(point);
-        format!("({}, {})", crate::scene::tidy(x), crate::scene::tidy(y))
+        format!("({}, {})", plot::short(x), plot::short(y))
     };
     let note = format!("smallest at {}, largest at {}", place(low), place(high));
     ([values[low], values[high]], note)

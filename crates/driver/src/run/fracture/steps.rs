@@ -227,10 +227,21 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         Next { load_factor, breaking }
     }
 
+    /// Whether nothing of what is left is strained any more.
+    fn is_slack(&self) -> bool {
+        let strained = |first: &Event| first.stored / (first.load_factor * first.load_factor);
+        let intact = self.events.first().map_or(0.0, strained);
+        !self.broken.is_empty() && self.unit.energy.stored <= NOTHING * intact
+    }
+
     /// The next equilibrium: at the load factor that the worst bond bears, or that of the step.
     fn next(&mut self) -> Next {
         if !self.bears {
             return Next { load_factor: 0.0, breaking: Vec::new() };
+        }
+        if let Some(last) = self.events.last().filter(|_| self.is_slack()) {
+            // No load factor breaks anything more: the run ends where the last bond broke.
+            return Next { load_factor: last.load_factor, breaking: Vec::new() };
         }
         let worst = self.worst();
         let bearable = 1.0 / worst;
@@ -290,8 +301,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     fn ending(&self, event: &Event) -> Option<Ending> {
         let fracture = self.body.fracture();
         let peak = self.events.iter().map(|e| e.load.abs()).fold(0.0, f64::max);
-        let intact = self.events[0].stored / (self.events[0].load_factor * self.events[0].load_factor);
-        if event.broken > 0 && (!self.bears || self.unit.energy.stored <= NOTHING * intact) {
+        if self.is_slack() {
             Some(Ending::CameOff)
         } else if event.broken > 0 && event.load.abs() < fracture.stop_below * peak {
             Some(Ending::LoadGone)
@@ -311,10 +321,9 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         ending: Option<Ending>,
         sink: &mut dyn Sink,
     ) -> Result<(), RunError> {
-        let (load, solution, mut certificate) =
-            self.unit.certified(self.body.problem(), &self.system, load_factor, &mut self.timing);
-        // Rounding is all that is left of the forces: it cannot be small against them.
-        certificate.converged |= ending == Some(Ending::CameOff);
+        let at = (load_factor, ending == Some(Ending::CameOff));
+        let (load, solution, certificate) =
+            self.unit.certified(self.body.problem(), &self.system, at, &mut self.timing);
         self.converged &= certificate.converged;
         let begin = Instant::now();
         let facts = Facts::of(&self.events, self.body.facts(&self.broken));

@@ -138,12 +138,13 @@ impl<const D: usize> Unit<D> {
             UnitEnergy { work: 0.5 * (loads_work + held_work), stored: system.survey(&self.u).energy };
     }
 
-    /// Solution and certificate at a load factor.
+    /// Solution and certificate at a load factor, of a body that may be slack: its forces are rounding, which has no
+    /// balance.
     pub(super) fn certified<P: Problem<D>>(
         &mut self,
         problem: &P,
         system: &System<D>,
-        load_factor: f64,
+        (load_factor, is_slack): (f64, bool),
         timing: &mut Timing,
     ) -> (Vec<f64>, StateSolution, Certificate) {
         let begin = Instant::now();
@@ -156,7 +157,8 @@ impl<const D: usize> Unit<D> {
         let mut solution = StateSolution::of(u.into_iter().map(|u| load_factor * u).collect());
         solution.iterations = self.iterations + polished.iterations;
         self.counters.pcg_iterations += polished.iterations;
-        solution.jump_energy = load_factor * load_factor * jump_energy(system);
+        let suddenly = load_factor * load_factor * jump_energy(system);
+        solution.jump_energy = if is_slack { f64::INFINITY } else { suddenly };
         self.work.weigh(system, &mut self.factor, (&loads, load_factor), &mut solution);
         let certificate = certificate::certify(problem.model(), system, &loads, &solution, &self.work.scales);
         timing.certify += begin.elapsed().as_secs_f64();
