@@ -1,15 +1,19 @@
 //! Running bodies that break: brittle bonds, in quasi-static load steps.
 
+mod breaking;
+mod choice;
+mod ending;
 mod event;
 mod islands;
 mod ledger;
 mod problem;
+mod report;
 mod steps;
 mod unit;
 
 pub use event::{Event, Restart};
 pub use problem::{FACTS, Facts};
-pub use steps::FractureReport;
+pub use report::FractureReport;
 
 pub(super) use problem::BreakingBody;
 pub(super) use steps::run;

@@ -1,0 +1,171 @@
+//! A body that breaks: what of it is left, what has gone, and where it is.
+
+use super::super::{Problem, RunError, Sink, SolvedState, Timing};
+use super::ending::Ending;
+use super::islands::Islands;
+use super::ledger::Ledger;
+use super::problem::{BreakingBody, Facts};
+use super::unit::Unit;
+use super::{Event, Restart};
+use crate::case::Strategy;
+use peristat_assembly::model::Breakable;
+use peristat_assembly::system::System;
+use std::time::Instant;
+
+/// Residual of an equilibrium over the sudden jump: the energies of `worst` are to balance from event to event.
+const FINE: f64 = 1e-12;
+/// The same where only the order of strains matters.
+const COARSE: f64 = 1e-8;
+
+/// A body that breaks.
+pub(super) struct Breaking<'a, const D: usize, P> {
+    pub(super) body: &'a mut P,
+    pub(super) system: System<D>,
+    pub(super) unit: Unit<D>,
+    pub(super) islands: Islands,
+    pub(super) ledger: Ledger,
+    pub(super) events: Vec<Event>,
+    pub(super) broken: Vec<u64>,
+    /// Of the broken bonds, those that were broken when the factor was made.
+    pub(super) factored: usize,
+    pub(super) recorded: usize,
+    pub(super) step: usize,
+    /// Whether what is left bears loads.
+    pub(super) bears: bool,
+    pub(super) timing: Timing,
+    pub(super) converged: bool,
+}
+
+impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
+    /// The intact body, factored.
+    pub(super) fn new(body: &'a mut P, system: System<D>) -> Result<Self, RunError> {
+        let mut timing = Timing::default();
+        let islands = Islands::new(body.problem().model());
+        let mut loads = vec![0.0; system.size()];
+        body.problem().add_load(0, &mut loads);
+        let tolerance = if body.fracture().strategy == Strategy::Worst { FINE } else { COARSE };
+        let unit = Unit::new(body.problem(), &system, loads, tolerance, &mut timing)?;
+        Ok(Self {
+            body,
+            system,
+            unit,
+            islands,
+            ledger: Ledger::default(),
+            events: Vec::new(),
+            broken: Vec::new(),
+            factored: 0,
+            recorded: 0,
+            step: 0,
+            bears: true,
+            timing,
+            converged: true,
+        })
+    }
+
+    /// From the intact body.
+    pub(super) fn begin(body: &'a mut P, system: System<D>) -> Result<Self, RunError> {
+        let mut all = Self::new(body, system)?;
+        all.unit.solve(&all.system, &mut all.timing)?;
+        Ok(all)
+    }
+
+    /// From a restart: with the factor that there was, of the matrix that was analysed, so that all goes on to the last bit
+    /// as if it had not stopped.
+    pub(super) fn resume(body: &'a mut P, system: System<D>, restart: Restart) -> Result<Self, RunError> {
+        let (factored, later) = restart.broken.split_at(restart.factored.min(restart.broken.len()));
+        let mut all = Self::new(body, system)?;
+        all.unit.u = restart.unit;
+        if !factored.is_empty() {
+            all.remove(factored);
+            all.unit.refactor(&all.system, &mut all.timing)?;
+        }
+        all.remove(later);
+        all.islands.set_frozen(restart.islands);
+        all.unit.resume(&all.system, &restart.events);
+        let last = restart.events.last().copied().unwrap_or_default();
+        all.ledger = Ledger::resume(last.work, last.released, last.bond_energy, restart.load_factor);
+        (all.events, all.broken, all.factored) = (restart.events, restart.broken, restart.factored);
+        (all.recorded, all.step) = (restart.recorded, restart.step);
+        Ok(all)
+    }
+
+    /// Removes bonds, and takes out what comes off with them: it bears no loads any more. Whether there is such.
+    pub(super) fn remove(&mut self, bonds: &[u64]) -> bool {
+        self.system.change_model(self.body.model_mut(), |model| model.break_bonds(bonds));
+        let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
+        let u: Vec<f64> = self.unit.u.iter().map(|u| load_factor * u).collect();
+        let problem = self.body.problem();
+        let found = self.islands.find(problem.model(), &mut self.system, problem.equations(), &u);
+        self.islands.frozen().iter().for_each(|&(unknown, _)| self.unit.loads[unknown as usize] = 0.0);
+        found
+    }
+
+    /// Breaks bonds at the load factor of the last equilibrium, and finds the next one at the unit load.
+    pub(super) fn break_bonds(&mut self, bonds: &[u64]) -> Result<(), RunError> {
+        if bonds.is_empty() {
+            return Ok(());
+        }
+        let gone = self.body.problem().model().part(bonds);
+        let (before, ledger, energy) = (self.unit.u.clone(), self.ledger, self.unit.energy);
+        self.broken.extend(bonds);
+        if self.remove(bonds) {
+            let mut forces = vec![0.0; self.system.size()];
+            self.system.force(&before, &mut forces);
+            gone.iter().for_each(|term| term.add_force(&before, &mut forces));
+            let off = self.islands.frozen().iter().map(|&(unknown, _)| unknown as usize);
+            self.ledger.come_off(off.map(|k| (forces[k], before[k])));
+        }
+        let found = self.unit.solve(&self.system, &mut self.timing)?;
+        if found.refactored {
+            self.factored = self.broken.len();
+        }
+        self.bears = found.borne;
+        if !found.borne {
+            // There is no equilibrium at any load: as if all loads went before the bonds.
+            self.unit.rest();
+            self.ledger = ledger;
+            self.ledger.load(0.0, energy);
+            return Ok(());
+        }
+        self.ledger.lose(&gone, &self.unit.loads, [&before, &self.unit.u]);
+        Ok(())
+    }
+
+    pub(super) fn restart(&self, load_factor: f64) -> Restart {
+        Restart {
+            events: self.events.clone(),
+            broken: self.broken.clone(),
+            factored: self.factored,
+            unit: self.unit.u.clone(),
+            islands: self.islands.frozen().to_vec(),
+            recorded: self.recorded,
+            step: self.step,
+            load_factor,
+            ..Restart::default()
+        }
+    }
+
+    /// Certifies the present equilibrium and hands it on.
+    pub(super) fn record(
+        &mut self,
+        load_factor: f64,
+        ending: Option<Ending>,
+        sink: &mut dyn Sink,
+    ) -> Result<(), RunError> {
+        let at = (load_factor, ending == Some(Ending::CameOff));
+        let (load, solution, certificate) =
+            self.unit.certified(self.body.problem(), &self.system, at, &mut self.timing);
+        self.converged &= certificate.converged;
+        let begin = Instant::now();
+        let facts = Facts::of(&self.events, self.body.facts(&self.broken));
+        let solved = SolvedState { state: self.recorded, load: &load, solution, certificate };
+        let name = format!("equilibrium {}", self.events.len() - 1);
+        let mut result = self.body.result(solved, name, load_factor, facts);
+        // Only now: fields are those of the parts without strain.
+        self.islands.place(&mut result.record_mut().u);
+        sink.take(result)?;
+        self.recorded += 1;
+        self.timing.record += begin.elapsed().as_secs_f64();
+        Ok(())
+    }
+}

@@ -1,0 +1,48 @@
+//! When a body that breaks has broken.
+
+use super::Event;
+use super::breaking::Breaking;
+use super::problem::BreakingBody;
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ending {
+    /// The loads as written are borne.
+    FullLoad,
+    /// The load fell below a part of its peak.
+    LoadGone,
+    /// What carried the loads has come off.
+    CameOff,
+    /// As many equilibria as were asked for.
+    MostSolves,
+}
+
+impl Ending {
+    /// In words.
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Self::FullLoad => "the full load is reached",
+            Self::LoadGone => "the load fell below its part of the peak",
+            Self::CameOff => "nothing carries the load any more",
+            Self::MostSolves => "as many equilibria as allowed were found",
+        }
+    }
+}
+
+impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
+    pub(super) fn ending(&self, event: &Event) -> Option<Ending> {
+        let fracture = self.body.fracture();
+        let peak = self.events.iter().map(|e| e.load.abs()).fold(0.0, f64::max);
+        if self.is_slack() {
+            Some(Ending::CameOff)
+        } else if event.broken > 0 && event.load.abs() < fracture.stop_below * peak {
+            Some(Ending::LoadGone)
+        } else if event.load_factor >= 1.0 && event.broken_now == 0 {
+            Some(Ending::FullLoad)
+        } else if self.events.len() >= fracture.max_solves {
+            Some(Ending::MostSolves)
+        } else {
+            None
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! What is told of a body that broke.
+
+use super::super::factor::SolverReport;
+use super::super::{Counters, RunReport, Sizes};
+use super::breaking::Breaking;
+use super::ending::Ending;
+use super::problem::{BreakingBody, Facts};
+use crate::diagnostic::Faults;
+
+/// How a body broke.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct FractureReport {
+    /// Why the run ended.
+    pub ending: &'static str,
+    /// Equilibria.
+    pub solves: usize,
+    /// Bonds that broke.
+    pub broken_bonds: usize,
+    /// Points of parts that came off.
+    pub island_points: usize,
+    /// Conjugate-gradient iterations per equilibrium, on the mean.
+    pub mean_iterations: f64,
+    /// What checks can ask for, by name.
+    pub facts: serde_json::Map<String, serde_json::Value>,
+}
+
+impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
+    pub(super) fn report(self, sizes: Sizes, ending: Ending) -> RunReport {
+        let facts = Facts::of(&self.events, self.body.facts(&self.broken));
+        let mut counters: Counters = self.unit.counters.clone();
+        let solver = SolverReport {
+            method: "sparse_cholesky".into(),
+            reason: "a body that breaks keeps its factor from equilibrium to equilibrium".into(),
+            factor_entries: counters.factor_bytes / size_of::<f64>(),
+            iterations: Vec::new(),
+        };
+        counters.bond_evaluations = self.system.evaluations();
+        counters.stored_bond_factors = self.system.terms().iter().map(|t| t.stored_factors()).sum();
+        let iterations: usize = self.events.iter().map(|e| e.iterations).sum();
+        RunReport {
+            sizes,
+            solver,
+            counters,
+            timing: self.timing,
+            skipped: Vec::new(),
+            warnings: Faults::default(),
+            converged: self.converged,
+            fracture: Some(FractureReport {
+                ending: ending.words(),
+                solves: self.events.len(),
+                broken_bonds: self.broken.len(),
+                island_points: self.islands.points(),
+                mean_iterations: iterations as f64 / self.events.len().max(1) as f64,
+                facts: facts.0.into_iter().map(|(name, value)| (name, value.into())).collect(),
+            }),
+        }
+    }
+}
