@@ -1,4 +1,5 @@
-//! Peridynamic plates of central bonds and of beam bonds, Timoshenko beams and plane frames from a JSON case to a certified answer.
+//! Peridynamic plates of central bonds, orthotropic plates of beam bonds, Timoshenko beams and plane frames, elastic or
+//! breaking, from a JSON case to a certified answer.
 //!
 //! A [`case::Case`] is what a file says; a [`scene::Scene`] is the same with every default resolved and every fault
 //! reported; [`run::run`] assembles, factors and solves it and certifies each result. The command line in [`cli`] and the
