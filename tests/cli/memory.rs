@@ -74,7 +74,7 @@ fn bonds_that_all_differ_are_refused_before_they_are_made() {
     fs::write(folder.path().join("case.json"), case.to_string()).unwrap();
     let outcome = run(folder.path(), &["run", "case.json", "--max-memory", "20MB", "-o", "out"]);
     assert_eq!(outcome.code, 2);
-    let expected = "error: about 864.0 MB of memory would be needed for 6000000 bonds that all differ, 20.0 MB may be used";
+    let expected = "error: about 912.0 MB of memory would be needed for 6000000 bonds that all differ, 20.0 MB may be used";
     assert_eq!(outcome.stderr.lines().next(), Some(expected));
     assert!(outcome.stderr.contains("`--max-memory`") && !folder.path().join("out").exists());
 }

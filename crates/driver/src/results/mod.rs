@@ -112,6 +112,12 @@ fn is_leftover(name: &str) -> bool {
     name.starts_with('.') && name.ends_with(".part")
 }
 
+/// Removes what was being written in a folder when its run was killed.
+fn sweep(folder: &PathBuf) -> io::Result<()> {
+    let leftover = names_in(folder)?.into_iter().filter(|name| is_leftover(name));
+    leftover.map(|name| folder.join(name)).try_for_each(fs::remove_file)
+}
+
 /// Names of what a folder holds.
 fn names_in(folder: &Path) -> io::Result<Vec<String>> {
     fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect()
@@ -133,9 +139,7 @@ impl Results {
                 Err(_) => {}
             }
         }
-        for name in names_in(folder)?.iter().filter(|n| is_leftover(n)) {
-            fs::remove_file(folder.join(name))?;
-        }
+        sweep(&folder.into())?;
         fs::write(folder.join(MARK), "results of peristat\n")?;
         write_case(folder, scene)?;
         fs::create_dir(folder.join("fields"))?;

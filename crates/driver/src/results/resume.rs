@@ -1,7 +1,8 @@
 //! Going on with the folder of a run that was interrupted.
 
 use super::{
-    Curve, Envelope, HISTORY, MARK, Results, is_leftover, names_in, restart, step, step_name, write_case,
+    Curve, Envelope, HISTORY, MARK, Results, is_leftover, names_in, restart, step, step_name, sweep,
+    write_case,
 };
 use crate::run::fracture::Restart;
 use crate::scene::Scene;
@@ -58,10 +59,8 @@ impl Results {
         history.truncate(restart.recorded);
         let steps = history.iter().enumerate().map(|(index, row)| step(scene, index, row[1])).collect();
         remove_later(&folder.join("fields"), restart.recorded)?;
-        for name in names_in(folder)?.iter().filter(|n| is_leftover(n)) {
-            fs::remove_file(folder.join(name))?;
-        }
         fs::create_dir_all(folder.join("plots"))?;
+        [folder.into(), folder.join("fields"), folder.join("plots")].iter().try_for_each(sweep)?;
         let results = Self {
             folder: folder.into(),
             steps,

@@ -60,6 +60,9 @@ impl StateSolution {
     }
 }
 
+/// Energy over work below which a motion is one of a mechanism.
+const YIELDING: f64 = 1e-3;
+
 /// Vectors of one system, or of others with the same unknowns.
 pub(super) struct Workspace<const D: usize> {
     pcg: Pcg,
@@ -160,6 +163,16 @@ impl<const D: usize> Workspace<D> {
             constraints.expand(1.0, u);
         }
         Followed { iterations, residual, reached: residual <= target }
+    }
+
+    /// Whether the residual that is left acts on a motion that costs next to no energy: the direction in which the
+    /// preconditioner, a factor of the system, would go on has less than it would have if the system bore the residual.
+    pub(super) fn yields(&mut self, system: &System<D>, preconditioner: &mut dyn Preconditioner) -> bool {
+        let mut preconditioner = Inert { inner: preconditioner, rows: system.constraints().rows() };
+        let mut direction = self.pcg.precondition(&mut preconditioner, &self.residual).to_vec();
+        let work: f64 = direction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
+        system.constraints().expand(0.0, &mut direction);
+        2.0 * system.survey(&direction).energy < YIELDING * work
     }
 
     /// Forces that hold the equations, and twice the work of prescribed motions with them.

@@ -5,7 +5,7 @@ use super::ending::Ending;
 use super::islands::Islands;
 use super::ledger::Ledger;
 use super::problem::{BreakingBody, Facts};
-use super::unit::Unit;
+use super::unit::{Outcome, Unit};
 use super::{Event, Restart};
 use crate::case::Strategy;
 use peristat_assembly::model::Breakable;
@@ -30,8 +30,8 @@ pub(super) struct Breaking<'a, const D: usize, P> {
     pub(super) factored: usize,
     pub(super) recorded: usize,
     pub(super) step: usize,
-    /// Whether what is left bears loads.
-    pub(super) bears: bool,
+    /// How the displacements at hand were found.
+    pub(super) outcome: Outcome,
     pub(super) timing: Timing,
     pub(super) converged: bool,
 }
@@ -56,7 +56,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             factored: 0,
             recorded: 0,
             step: 0,
-            bears: true,
+            outcome: Outcome::Found,
             timing,
             converged: true,
         })
@@ -95,7 +95,8 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let load_factor = self.events.last().map_or(0.0, |e| e.load_factor);
         let u: Vec<f64> = self.unit.u.iter().map(|u| load_factor * u).collect();
         let problem = self.body.problem();
-        let found = self.islands.find(problem.model(), &mut self.system, problem.equations(), &u);
+        let state = [&u[..], &self.unit.loads];
+        let found = self.islands.find(problem.model(), &mut self.system, problem.equations(), state);
         self.islands.frozen().iter().for_each(|&(unknown, _)| self.unit.loads[unknown as usize] = 0.0);
         found
     }
@@ -115,12 +116,12 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             let off = self.islands.frozen().iter().map(|&(unknown, _)| unknown as usize);
             self.ledger.come_off(off.map(|k| (forces[k], before[k])));
         }
-        let found = self.unit.solve(&self.system, &mut self.timing)?;
-        if found.refactored {
+        let refactored;
+        (self.outcome, refactored) = self.unit.solve(&self.system, &mut self.timing)?;
+        if refactored {
             self.factored = self.broken.len();
         }
-        self.bears = found.borne;
-        if !found.borne {
+        if self.outcome != Outcome::Found {
             // There is no equilibrium at any load: as if all loads went before the bonds.
             self.unit.rest();
             self.ledger = ledger;
@@ -153,6 +154,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         sink: &mut dyn Sink,
     ) -> Result<(), RunError> {
         let at = (load_factor, ending == Some(Ending::CameOff));
+        self.converged &= self.outcome != Outcome::Lost;
         let (load, solution, certificate) =
             self.unit.certified(self.body.problem(), &self.system, at, &mut self.timing);
         self.converged &= certificate.converged;

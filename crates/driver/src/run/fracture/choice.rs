@@ -8,6 +8,7 @@ use super::super::Problem;
 use super::Event;
 use super::breaking::Breaking;
 use super::problem::BreakingBody;
+use super::unit::Outcome;
 use crate::case::Strategy;
 use peristat_assembly::model::Breakable;
 
@@ -73,7 +74,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
 
     /// The next equilibrium: at the load factor that the worst bond bears, or that of the step.
     pub(super) fn next(&mut self) -> Next {
-        if !self.bears {
+        if self.outcome != Outcome::Found {
             return Next { load_factor: 0.0, breaking: Vec::new() };
         }
         if let Some(last) = self.events.last().filter(|_| self.is_slack()) {

@@ -3,6 +3,7 @@
 use super::Event;
 use super::breaking::Breaking;
 use super::problem::BreakingBody;
+use super::unit::Outcome;
 
 /// Why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +14,8 @@ pub(super) enum Ending {
     LoadGone,
     /// What carried the loads has come off.
     CameOff,
+    /// No equilibrium was found, and it is not known why.
+    Lost,
     /// As many equilibria as were asked for.
     MostSolves,
 }
@@ -24,6 +27,7 @@ impl Ending {
             Self::FullLoad => "the full load is reached",
             Self::LoadGone => "the load fell below its part of the peak",
             Self::CameOff => "nothing carries the load any more",
+            Self::Lost => "no equilibrium was found: the solver did not converge",
             Self::MostSolves => "as many equilibria as allowed were found",
         }
     }
@@ -33,7 +37,9 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
     pub(super) fn ending(&self, event: &Event) -> Option<Ending> {
         let fracture = self.body.fracture();
         let peak = self.events.iter().map(|e| e.load.abs()).fold(0.0, f64::max);
-        if self.is_slack() {
+        if self.outcome == Outcome::Lost {
+            Some(Ending::Lost)
+        } else if self.is_slack() {
             Some(Ending::CameOff)
         } else if event.broken > 0 && event.load.abs() < fracture.stop_below * peak {
             Some(Ending::LoadGone)

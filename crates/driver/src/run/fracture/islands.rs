@@ -6,8 +6,11 @@
 
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::Model;
-use peristat_assembly::system::{System, free_motions};
+use peristat_assembly::stiffness::NumberedParts;
+use peristat_assembly::system::{FreeMotion, PartMotion, System, free_motions};
 
+/// Work of loads on a motion over the sum of its parts, below which it is rounding.
+const NO_WORK: f64 = 1e-9;
 /// Who holds what has come off, in messages.
 const ORIGIN: &str = "what has come off";
 
@@ -20,6 +23,8 @@ pub(super) struct Islands {
     parts: usize,
     /// Unknowns of what has come off, and where they stay.
     frozen: Vec<(u64, f64)>,
+    /// Unknowns that stop motions on which nothing works.
+    stops: Vec<Unknown>,
 }
 
 impl Islands {
@@ -54,38 +59,56 @@ impl Islands {
     }
 
     /// Finds what has come off of a changed model and takes it out of the system, which has the equations of the problem;
-    /// `u` are the unknowns at this time. Whether there is something new.
+    /// `u` are the unknowns at this time, `loads` those at the unit load. Whether there is something new.
     pub(super) fn find<const D: usize, M: Model<D>>(
         &mut self,
         model: &M,
         system: &mut System<D>,
         equations: &[Equation],
-        u: &[f64],
+        [u, loads]: [&[f64]; 2],
     ) -> bool {
         let parts = model.connected();
         if parts.spans().len() == self.parts {
             return false;
         }
         self.parts = parts.spans().len();
-        let mut free = vec![false; self.parts];
-        let motions = free_motions(model, system);
-        let moving = motions.iter().flat_map(|motion| motion.parts.iter().map(|span| parts.of(span[0])));
-        moving.for_each(|part| free[part] = true);
-        keep_tied(&mut free, equations, |point| parts.of(point));
         let points = system.points();
         self.off.resize(points, false);
-        let new: Vec<usize> = (0..points).filter(|&p| !self.off[p] && free[parts.of(p)]).collect();
-        for &point in &new {
-            self.off[point] = true;
-            self.frozen.extend((0..D).map(|c| c * points + point).map(|k| (k as u64, u[k])));
-        }
-        if !new.is_empty() {
+        let before = self.points();
+        loop {
+            let motions = free_motions(model, system);
+            if motions.is_empty() {
+                break;
+            }
+            let held = held_parts(system, equations, |point| parts.of(point));
+            let mut free = vec![false; self.parts];
+            let mut still = Vec::new();
+            for motion in &motions {
+                let moving: Vec<usize> = motion.parts.iter().map(|span| parts.of(span[0])).collect();
+                let motion = Motion { free: motion, parts: &moving };
+                if moving.iter().any(|part| held[*part]) && !motion.is_driven(model, &parts, loads) {
+                    still.push(motion.stop(model, system, &parts));
+                } else {
+                    moving.iter().for_each(|&part| free[part] = true);
+                }
+            }
+            keep_tied(&mut free, equations, |point| parts.of(point));
+            let new: Vec<usize> = (0..points).filter(|&p| !self.off[p] && free[parts.of(p)]).collect();
+            if new.is_empty() && still.iter().all(Option::is_none) {
+                break;
+            }
+            for point in new {
+                self.off[point] = true;
+                self.frozen.extend((0..D).map(|c| c * points + point).map(|k| (k as u64, u[k])));
+            }
+            // One at a time: a motion that is stopped may have been part of another.
+            self.stops.extend(still.into_iter().flatten().take(1));
             self.take_out(model, system, equations);
         }
-        !new.is_empty()
+        self.points() > before
     }
 
-    /// Holds what has come off at zero.
+    /// Holds what has come off at zero, and stops what can move without strain.
     fn take_out<const D: usize>(
         &self,
         model: &impl Model<D>,
@@ -98,7 +121,7 @@ impl Islands {
         all.iter_mut().filter(is_off).for_each(|equation| equation.value = 0.0);
         let off = self.off.iter().enumerate().filter(|(_, off)| **off).map(|(point, _)| point);
         let unknowns = off.flat_map(|point| (0..D).map(move |component| Unknown { component, point }));
-        all.extend(unknowns.map(|unknown| Equation {
+        all.extend(unknowns.chain(self.stops.iter().copied()).map(|unknown| Equation {
             terms: vec![(unknown, 1.0)],
             value: 0.0,
             origin: ORIGIN.into(),
@@ -106,6 +129,78 @@ impl Islands {
         // All of an equation is off or nothing, and zero fulfils what has no value: nothing can contradict.
         system.constrain(model, all).expect("what has come off is held apart from all else");
     }
+}
+
+/// A free motion and the parts that it moves.
+struct Motion<'a> {
+    free: &'a FreeMotion,
+    parts: &'a [usize],
+}
+
+impl Motion<'_> {
+    /// How the motion moves the unknowns of a point.
+    fn at<const D: usize>(&self, model: &impl Model<D>, parts: &NumberedParts, point: usize) -> [f64; D] {
+        let mut sum = [0.0; D];
+        if let Some(k) = self.parts.iter().position(|&part| part == parts.of(point)) {
+            let PartMotion { centre, amounts } = &self.free.moves[k];
+            for (kind, amount) in amounts.iter().enumerate().filter(|a| *a.1 != 0.0) {
+                let unit = model.rigid_motion(kind, point, *centre);
+                (0..D).for_each(|c| sum[c] += amount * unit[c]);
+            }
+        }
+        sum
+    }
+
+    /// Whether loads work on it.
+    fn is_driven<const D: usize>(&self, model: &impl Model<D>, parts: &NumberedParts, loads: &[f64]) -> bool {
+        let points = model.points();
+        let (mut work, mut size) = (0.0, 0.0);
+        for point in 0..points {
+            for (c, moved) in self.at(model, parts, point).into_iter().enumerate() {
+                let part = moved * loads[c * points + point];
+                work += part;
+                size += part.abs();
+            }
+        }
+        work.abs() > NO_WORK * size
+    }
+
+    /// The free unknown that moves most, to be held: nothing works on it.
+    fn stop<const D: usize>(
+        &self,
+        model: &impl Model<D>,
+        system: &System<D>,
+        parts: &NumberedParts,
+    ) -> Option<Unknown> {
+        let points = model.points();
+        let mut is_held = vec![false; D * points];
+        system.constraints().rows().iter().for_each(|row| is_held[row.unknown] = true);
+        let all = (0..points).flat_map(|point| {
+            let moved = self.at(model, parts, point);
+            (0..D).map(move |component| (moved[component].abs(), Unknown { component, point }))
+        });
+        let free = all.filter(|(moved, u)| *moved > 0.0 && !is_held[u.component * points + u.point]);
+        // The first of those that move alike.
+        free.fold(None, |best: Option<(f64, Unknown)>, next| match best {
+            Some(best) if best.0 >= next.0 => Some(best),
+            _ => Some(next),
+        })
+        .map(|(_, unknown)| unknown)
+    }
+}
+
+/// Which parts an equation names, or a spring holds.
+fn held_parts<const D: usize>(
+    system: &System<D>,
+    equations: &[Equation],
+    part: impl Fn(usize) -> usize,
+) -> Vec<bool> {
+    let mut held = vec![false; (0..system.points()).map(&part).max().map_or(0, |last| last + 1)];
+    equations.iter().flat_map(|e| &e.terms).for_each(|(unknown, _)| held[part(unknown.point)] = true);
+    for term in system.terms() {
+        term.ground_motions(&mut |motion| motion.iter().for_each(|share| held[part(share.1)] = true));
+    }
+    held
 }
 
 /// Takes parts that an equation ties to others that are not free from those that are: they can only turn about the tie.

@@ -15,10 +15,10 @@ const REFACTOR: usize = 16;
 /// Residual over the sudden jump of what is recorded, and the iterations that may take.
 const POLISHED: f64 = 1e-12;
 const POLISHING: usize = 60;
-/// Attempts with a new factor.
-const ATTEMPTS: usize = 3;
-/// Residual over the sudden jump beyond which displacements are no equilibrium: loads act on a mechanism.
-const LOST: f64 = 1e-6;
+/// Iterations with a new factor.
+const PATIENCE: usize = 100;
+/// Residual over the sudden jump up to which rounding may be what is left.
+const ROUGH: f64 = 1e-6;
 
 /// The unit load and the displacements under it.
 pub(super) struct Unit<const D: usize> {
@@ -42,11 +42,14 @@ pub(super) struct Unit<const D: usize> {
 }
 
 /// How displacements were found.
-pub(super) struct Found {
-    /// Whether a new factor was made.
-    pub(super) refactored: bool,
-    /// Whether the loads are borne; if not, the displacements mean nothing.
-    pub(super) borne: bool,
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// They are an equilibrium.
+    Found,
+    /// There is none: the loads act on what moves without strain.
+    Unborne,
+    /// They are none, and it is not known why.
+    Lost,
 }
 
 impl<const D: usize> Unit<D> {
@@ -79,30 +82,46 @@ impl<const D: usize> Unit<D> {
         })
     }
 
-    /// Finds the displacements of the system as it is now.
+    /// Finds the displacements of the system as it is now. How, and whether a new factor was made.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
-    pub(super) fn solve(&mut self, system: &System<D>, timing: &mut Timing) -> Result<Found, SolveFailure> {
+    pub(super) fn solve(
+        &mut self,
+        system: &System<D>,
+        timing: &mut Timing,
+    ) -> Result<(Outcome, bool), SolveFailure> {
         let begin = Instant::now();
         let mut refactored = false;
+        let follow = |unit: &mut Self, iterations: usize| {
+            let vectors = (&unit.loads[..], &mut unit.u[..]);
+            let followed = unit.work.follow(system, &mut unit.factor, vectors, unit.target, iterations);
+            unit.residual = followed.residual;
+            unit.iterations += followed.iterations;
+            followed.reached
+        };
         self.iterations = 0;
-        for attempt in 0..ATTEMPTS {
-            let vectors = (&self.loads[..], &mut self.u[..]);
-            let followed = self.work.follow(system, &mut self.factor, vectors, self.target, REFACTOR);
-            self.iterations += followed.iterations;
-            self.residual = followed.residual;
-            if followed.reached || attempt + 1 == ATTEMPTS {
-                break;
-            }
+        let mut reached = follow(self, REFACTOR);
+        if !reached {
             self.refactor(system, timing)?;
             refactored = true;
+            reached = follow(self, PATIENCE);
         }
+        let outcome = match reached {
+            true => Outcome::Found,
+            false if self.residual <= ROUGH * self.jump => {
+                // A new factor does no better: more is not to be had.
+                self.target = 2.0 * self.residual;
+                Outcome::Found
+            }
+            false if self.work.yields(system, &mut self.factor) => Outcome::Unborne,
+            false => Outcome::Lost,
+        };
         self.counters.right_hand_sides += 1;
         self.counters.pcg_iterations += self.iterations;
         timing.solve += begin.elapsed().as_secs_f64();
         self.weigh(system);
-        Ok(Found { refactored, borne: self.residual <= LOST * self.jump })
+        Ok((outcome, refactored))
     }
 
     /// Factors the system as it is now.
@@ -151,12 +170,14 @@ impl<const D: usize> Unit<D> {
         let loads: Vec<f64> = self.loads.iter().map(|f| load_factor * f).collect();
         // What is recorded is better than what the next break is found with, and does not change it.
         let mut u = self.u.clone();
-        let vectors = (&self.loads[..], &mut u[..]);
-        let target = POLISHED * self.jump;
-        let polished = self.work.follow(system, &mut self.factor, vectors, target, POLISHING);
+        if load_factor > 0.0 {
+            let vectors = (&self.loads[..], &mut u[..]);
+            let target = POLISHED * self.jump;
+            let polished = self.work.follow(system, &mut self.factor, vectors, target, POLISHING);
+            self.counters.pcg_iterations += polished.iterations;
+        }
         let mut solution = StateSolution::of(u.into_iter().map(|u| load_factor * u).collect());
-        solution.iterations = self.iterations + polished.iterations;
-        self.counters.pcg_iterations += polished.iterations;
+        solution.iterations = self.iterations;
         let suddenly = load_factor * load_factor * jump_energy(system);
         solution.jump_energy = if is_slack { f64::INFINITY } else { suddenly };
         self.work.weigh(system, &mut self.factor, (&loads, load_factor), &mut solution);
