@@ -14,6 +14,8 @@ const LIFTS: [f64; 5] = [0.0, f64::EPSILON, 8.0 * f64::EPSILON, 1e-12, 1e-8];
 pub(super) struct KeptFactor {
     matrix: CsMat<f64>,
     factor: SparseFactor,
+    /// Positions of points that spread in a plane.
+    positions: Option<Vec<[f64; 2]>>,
 }
 
 impl KeptFactor {
@@ -27,15 +29,23 @@ impl KeptFactor {
         timing: &mut Timing,
         counters: &mut Counters,
     ) -> Result<Self, SolveFailure> {
+        Self::analyse(problem.positions(), system, timing, counters)
+    }
+
+    fn analyse<const D: usize>(
+        positions: Option<Vec<[f64; 2]>>,
+        system: &System<D>,
+        timing: &mut Timing,
+        counters: &mut Counters,
+    ) -> Result<Self, SolveFailure> {
         let begin = Instant::now();
         let matrix = whole_blocks::<D>(&system.assemble_sparse());
         timing.assemble += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
         counters.analyses += 1;
-        let positions = problem.positions();
         let factor =
             SparseFactor::analyse::<D>(&matrix, positions.as_deref()).map_err(SolveFailure::Factor)?;
-        let mut kept = Self { matrix, factor };
+        let mut kept = Self { matrix, factor, positions };
         kept.refactor(system, counters)?;
         timing.factor += begin.elapsed().as_secs_f64();
         Ok(kept)
@@ -54,9 +64,14 @@ impl KeptFactor {
         let begin = Instant::now();
         self.matrix.data_mut().fill(0.0);
         for (&value, (row, column)) in &system.assemble_sparse() {
-            // Constraints that came later only take entries away.
-            if let Some(entry) = self.matrix.get_mut(row, column) {
-                *entry = value;
+            match self.matrix.get_mut(row, column) {
+                Some(entry) => *entry = value,
+                None if value == 0.0 => {}
+                // Constraints that came later may tie unknowns to others than before.
+                None => {
+                    *self = Self::analyse(self.positions.take(), system, timing, counters)?;
+                    return Ok(());
+                }
             }
         }
         timing.assemble += begin.elapsed().as_secs_f64();

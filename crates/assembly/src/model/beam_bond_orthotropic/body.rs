@@ -13,6 +13,8 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct BeamBondOrthotropic {
     parameters: OrthotropicParameters,
+    /// 1/Pa, from stresses to strains along x and y.
+    compliance: Mat<3, 3>,
     body: LatticeBody<3, 3, 4, BeamBond>,
 }
 
@@ -57,7 +59,8 @@ impl BeamBondOrthotropic {
             stretch_moduli: [stiffness[0][0], stiffness[1][1]],
         };
         let body = LatticeBody::new(lattice, mirrors, bonds.hood().clone(), kind, cuts);
-        Ok(Self { parameters, body })
+        let compliance = parameters.material.compliance_at(parameters.fibre_angle);
+        Ok(Self { parameters, compliance, body })
     }
 
     /// The parameters.
@@ -116,12 +119,11 @@ impl PlaneModel for BeamBondOrthotropic {
     }
 
     fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
-        let compliance = self.parameters.material.compliance_at(self.parameters.fibre_angle);
-        compliance.map(|row| row.iter().zip(&stress).map(|(c, s)| c * s).sum())
+        self.compliance.map(|row| row.iter().zip(&stress).map(|(c, s)| c * s).sum())
     }
 
     fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
-        Some(Self { parameters: self.parameters, body: self.body.coarser(cuts) })
+        Some(Self { body: self.body.coarser(cuts), ..*self })
     }
 
     fn parts(&self) -> NumberedParts {

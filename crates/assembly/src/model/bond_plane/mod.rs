@@ -8,7 +8,7 @@
 //! Stress of a point: the virial of its bonds and of its overlay triangles, `σ_k = (1/V_k) [½ Σ_j k ξ N e + Σ V_k/n D E]`,
 //! which is exact for every uniform strain where nothing is missing or the overlay replaces it; strain is `C⁻¹ σ`.
 //!
-//! Not here: bond breaking, finite rotations, other Poisson ratios.
+//! Not here: finite rotations, other Poisson ratios.
 
 mod bond;
 mod breaking;

@@ -1,4 +1,4 @@
-//! Running beams and frames: what solving one needs beside the common run, and the fields recovered from it.
+//! Running beams and frames: what solving one, or breaking it, needs beside the common run, and the fields recovered.
 
 mod collect;
 mod comparison;

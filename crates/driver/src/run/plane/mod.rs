@@ -1,4 +1,5 @@
-//! Running bodies in the plane: the common run, the stress intensities of their cracks, and the fields recovered.
+//! Running bodies in the plane: the common run and that of bodies that break, the stress intensities of cracks, and the
+//! fields recovered.
 
 mod fields;
 mod fracture;

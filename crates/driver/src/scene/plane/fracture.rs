@@ -167,6 +167,15 @@ fn of_beams(
     };
     let bonds = BeamNeighbourhood::new(parameters).map_err(|error| refuse(error, faults)).ok()?;
     if bonds.start() == Some(Start::Oblique) {
+        // Why not the other way, unless it is for want of bonds along the fibres.
+        let aligned = OrthotropicParameters { start: Some(Start::Aligned), ..*parameters };
+        match BeamNeighbourhood::new(&aligned) {
+            Err(OrthotropicError::NoFibreBonds { .. }) | Ok(_) => {}
+            Err(error) => {
+                refuse(error, faults);
+                return None;
+            }
+        }
         faults
             .error(
                 root("fracture"),
