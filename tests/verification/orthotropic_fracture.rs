@@ -34,7 +34,7 @@ fn breaking(degrees: f64, spacing: f64, more: &Value) -> Value {
         "strategy": "worst", "record_every": 1000,
         "directions": [ { "name": "upper", "from": [-20, 7], "to": [20, 18] },
             { "name": "lower", "from": [-20, -18], "to": [20, -7] } ] });
-    for (key, value) in more.as_object().unwrap() {
+    for (key, value) in more.as_object().expect("keys of `fracture`") {
         case["fracture"][key] = value.clone();
     }
     case
@@ -55,15 +55,16 @@ impl Sink for Told {
 }
 
 fn run(case: &Value) -> (Vec<Event>, FractureReport) {
-    let (scene, mut told) = (scene(case).unwrap(), Told::default());
+    let (scene, mut told) = (scene(case).unwrap_or_else(|faults| panic!("{faults}")), Told::default());
     let options = RunOptions { recover: false, max_memory: None };
-    let report = plane::run_breaking(&scene, &options, None, &mut told).unwrap();
+    let report = plane::run_breaking(&scene, &options, None, &mut told);
+    let report = report.unwrap_or_else(|error| panic!("{error}: {case}"));
     assert!(report.converged, "not converged");
-    (told.0, report.fracture.unwrap())
+    (told.0, report.fracture.expect("a body that breaks"))
 }
 
 fn fact(report: &FractureReport, name: &str) -> f64 {
-    report.facts[name].as_f64().unwrap()
+    report.facts[name].as_f64().expect("a number")
 }
 
 fn near(found: f64, expected: f64, tolerance: f64) {

@@ -165,9 +165,16 @@ impl<const D: usize> Workspace<D> {
         Followed { iterations, residual, reached: residual <= target }
     }
 
-    /// Whether the residual that is left acts on a motion that costs next to no energy: the direction in which the
-    /// preconditioner, a factor of the system, would go on has less than it would have if the system bore the residual.
-    pub(super) fn yields(&mut self, system: &System<D>, preconditioner: &mut dyn Preconditioner) -> bool {
+    /// Whether the residual of some unknowns acts on a motion that costs next to no energy: the direction in which the
+    /// preconditioner, a factor of the system, would go has less than it would have if the system bore the residual.
+    pub(super) fn yields(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        (load, u): (&[f64], &[f64]),
+    ) -> bool {
+        self.refresh_residual(system, load, u);
+        system.constraints().restrict(&mut self.residual);
         let mut preconditioner = Inert { inner: preconditioner, rows: system.constraints().rows() };
         let mut direction = self.pcg.precondition(&mut preconditioner, &self.residual).to_vec();
         let work: f64 = direction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();

@@ -101,6 +101,8 @@ impl<const D: usize> Unit<D> {
             followed.reached
         };
         self.iterations = 0;
+        // A mechanism leaves nothing of the displacements that are improved.
+        let before = self.u.clone();
         let mut reached = follow(self, REFACTOR);
         if !reached {
             self.refactor(system, timing)?;
@@ -114,7 +116,7 @@ impl<const D: usize> Unit<D> {
                 self.target = 2.0 * self.residual;
                 Outcome::Found
             }
-            false if self.work.yields(system, &mut self.factor) => Outcome::Unborne,
+            false if self.work.yields(system, &mut self.factor, (&self.loads, &before)) => Outcome::Unborne,
             false => Outcome::Lost,
         };
         self.counters.right_hand_sides += 1;
