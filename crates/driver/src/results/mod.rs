@@ -113,7 +113,7 @@ fn is_leftover(name: &str) -> bool {
 }
 
 /// Removes what was being written in a folder when its run was killed.
-fn sweep(folder: &PathBuf) -> io::Result<()> {
+fn sweep(folder: &Path) -> io::Result<()> {
     let leftover = names_in(folder)?.into_iter().filter(|name| is_leftover(name));
     leftover.map(|name| folder.join(name)).try_for_each(fs::remove_file)
 }
@@ -139,7 +139,7 @@ impl Results {
                 Err(_) => {}
             }
         }
-        sweep(&folder.into())?;
+        sweep(folder)?;
         fs::write(folder.join(MARK), "results of peristat\n")?;
         write_case(folder, scene)?;
         fs::create_dir(folder.join("fields"))?;

@@ -60,7 +60,8 @@ impl Results {
         let steps = history.iter().enumerate().map(|(index, row)| step(scene, index, row[1])).collect();
         remove_later(&folder.join("fields"), restart.recorded)?;
         fs::create_dir_all(folder.join("plots"))?;
-        [folder.into(), folder.join("fields"), folder.join("plots")].iter().try_for_each(sweep)?;
+        sweep(folder)?;
+        ["fields", "plots"].iter().try_for_each(|part| sweep(&folder.join(part)))?;
         let results = Self {
             folder: folder.into(),
             steps,
