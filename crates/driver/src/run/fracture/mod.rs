@@ -9,6 +9,8 @@ mod ledger;
 mod problem;
 mod report;
 mod steps;
+#[cfg(test)]
+mod tests;
 mod unit;
 
 pub use event::{Event, Restart};

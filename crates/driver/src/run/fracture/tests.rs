@@ -1,0 +1,91 @@
+//! Points and blocks that come off a plate, and the equilibria of what is left.
+
+use super::islands::Islands;
+use super::unit::{Outcome, Unit};
+use crate::case::from_text;
+use crate::run::{Problem, RunOptions, Timing, prepare};
+use crate::scene::Scene;
+use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene};
+use peristat_assembly::model::Breakable;
+use peristat_assembly::model::beam_bond_orthotropic::BeamBondOrthotropic;
+use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::system::System;
+use serde_json::json;
+use std::path::Path;
+
+/// A plate of 28 × 16 points with fibres at 45 degrees, pulled by its ends.
+fn scene() -> PlaneScene {
+    let case = json!({
+        "title": "plate", "units": "mm-N-MPa",
+        "model": { "beam_bond_orthotropic": { "youngs_modulus_1": 105000, "youngs_modulus_2": 8400,
+            "poisson_ratio_12": 0.32, "shear_modulus_12": 4000, "thickness": 0.6, "fibre_angle": 45, "edges": "none" } },
+        "body": { "rectangle": { "size": [70, 40], "spacing": 2.5 } },
+        "horizon_ratio": 3.015, "solver": "sparse",
+        "regions": { "left grip": { "box": { "from": [0, 0], "to": [7.5, 40] } },
+            "right grip": { "box": { "from": [62.5, 0], "to": [70, 40] } } },
+        "supports": [ { "at": { "region": "left grip" }, "ux": -2, "uy": 0, "phi": 0 },
+            { "at": { "region": "right grip" }, "ux": 2, "uy": 0, "phi": 0 } ]
+    });
+    let source = from_text("case", case.to_string(), &[]).unwrap_or_else(|report| panic!("{report}"));
+    let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
+    scene.unwrap_or_else(|report| panic!("{report}")).into_plane().expect("a plate")
+}
+
+type Plate<'a> = PlaneProblem<'a, BeamBondOrthotropic>;
+
+/// Cuts all bonds from some cells to others, and finds what has come off.
+fn cut_out(
+    plate: &mut Plate,
+    (system, islands): (&mut System<3>, &mut Islands),
+    unit: &Unit<3>,
+    cells: &[[i32; 2]],
+) -> bool {
+    let (lattice, _) = plate.model.lattice().unwrap();
+    let points: Vec<usize> = cells.iter().map(|&cell| lattice.number(cell).unwrap()).collect();
+    let crosses = |&bond: &u64| {
+        let [a, b] = plate.model.ends(bond);
+        points.contains(&a) != points.contains(&b)
+    };
+    let bonds: Vec<u64> = (0..plate.model.bond_numbers()).filter(crosses).collect();
+    system.change_model(&mut plate.model, |model| model.break_bonds(&bonds));
+    let equations = Problem::<3>::equations(plate).to_vec();
+    islands.find(&plate.model, system, &equations, [&unit.u, &unit.loads])
+}
+
+#[test]
+fn a_point_and_a_block_come_off_and_the_old_factor_finds_the_rest() {
+    let scene = scene();
+    let AnyPlaneModel::Beams(model) = &scene.model else { panic!("beam bonds") };
+    let mut plate = PlaneProblem::new(&scene, model.clone());
+    let (mut system, _) = prepare::<3, _>(&plate, &RunOptions::default()).unwrap();
+    let mut timing = Timing::default();
+    let loads = vec![0.0; system.size()];
+    let mut unit = Unit::new(&plate, &system, loads, 1e-12, &mut timing).unwrap();
+    assert_eq!(unit.solve(&system, &mut timing).unwrap(), (Outcome::Found, false));
+    let mut islands = Islands::new::<3>(&plate.model);
+
+    assert!(cut_out(&mut plate, (&mut system, &mut islands), &unit, &[[14, 8]]));
+    assert_eq!(islands.points(), 1);
+    // Without a new factor: 16 iterations at most.
+    assert_eq!(unit.solve(&system, &mut timing).unwrap(), (Outcome::Found, false));
+
+    // Four points; the six bonds between them stay.
+    let block = [[8, 5], [9, 5], [8, 6], [9, 6]];
+    assert!(cut_out(&mut plate, (&mut system, &mut islands), &unit, &block));
+    assert_eq!(islands.points(), 5);
+    assert_eq!(unit.solve(&system, &mut timing).unwrap().0, Outcome::Found);
+    let found = unit.u.clone();
+
+    unit.refactor(&system, &mut timing).unwrap();
+    unit.u.fill(0.0);
+    assert_eq!(unit.solve(&system, &mut timing).unwrap().0, Outcome::Found);
+    let largest = found.iter().fold(0.0_f64, |m, u| m.max(u.abs()));
+    let difference = found.iter().zip(&unit.u).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()));
+    // Measured: 2e-12.
+    assert!(difference <= 1e-8 * largest, "{difference} of {largest}");
+    // What has come off is at rest.
+    let (lattice, _) = plate.model.lattice().unwrap();
+    let n = lattice.points();
+    let off = block.iter().chain(&[[14, 8]]).flat_map(|&cell| (0..3).map(move |c| (cell, c)));
+    assert!(off.into_iter().all(|(cell, c)| unit.u[c * n + lattice.number(cell).unwrap()] == 0.0));
+}
