@@ -24,9 +24,27 @@ fn case() -> Value {
     })
 }
 
+/// Cantilevers that break one after the other, bond by bond.
+fn beams() -> Value {
+    let all = 0..CANTILEVERS;
+    let of = |make: &dyn Fn(f64) -> Value| all.clone().map(|k| make(f64::from(k))).collect::<Vec<_>>();
+    json!({
+        "title": "Cantilevers that break",
+        "model": { "timoshenko_beam": {
+            "stiffness": { "bending": { "uniform": 2.0 }, "shear": { "uniform": 900.0 } }, "bond_law": "exact" } },
+        "body": { "lines": of(&|k| json!({ "from": 2.0 * k, "length": 1.0, "cells": 10 })) },
+        "supports": of(&|k| json!({ "at": { "x": 2.0 * k }, "w": 0.0, "phi": 0.0 })),
+        "loads": of(&|k| json!({ "point": { "at": { "x": 2.0 * k + 1.0 }, "force": 1.0 / (1.0 + 0.1 * k) } })),
+        "probes": [ { "name": "R", "at": { "x": 2.0 * f64::from(CANTILEVERS - 1) }, "field": "reaction_force" } ],
+        "fracture": { "critical": { "curvature": 0.05 }, "strategy": "worst", "load": "R", "record_every": 5 }
+    })
+}
+
+const CANTILEVERS: u32 = 20;
+
 fn solve(folder: &Path, case: &Value, more: &[&str]) -> Outcome {
-    fs::write(folder.join("plate.json"), format!("{case:#}")).unwrap();
-    let mut arguments = vec!["run", "plate.json"];
+    fs::write(folder.join("breaking.json"), format!("{case:#}")).unwrap();
+    let mut arguments = vec!["run", "breaking.json"];
     arguments.extend(more);
     run(folder, &arguments)
 }
@@ -34,7 +52,7 @@ fn solve(folder: &Path, case: &Value, more: &[&str]) -> Outcome {
 /// The run in `out`, to be stopped; it goes on with what is there, if there is anything to go on with.
 fn spawn(folder: &Path) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_peristat"));
-    command.current_dir(folder).args(["run", "plate.json", "-o", "out"]);
+    command.current_dir(folder).args(["run", "breaking.json", "-o", "out"]);
     if folder.join("out/restart.bin").exists() {
         command.arg("--resume");
     }
@@ -105,22 +123,44 @@ fn a_run_that_is_killed_again_and_again_ends_like_one_that_was_not() {
     assert!(!folder.path().join("out/restart.bin").exists());
 }
 
+/// Runs a case into `whole`, and into `out` until some equilibria are found and it is interrupted; what that said.
 #[cfg(unix)]
-#[test]
-fn an_interrupted_run_says_so_and_goes_on_later() {
+fn interrupted(folder: &Path, case: &Value, rows: usize) -> String {
     use std::os::unix::process::ExitStatusExt;
-    let folder = tempfile::tempdir().unwrap();
-    solve(folder.path(), &case(), &["-o", "whole"]);
-    let mut child = spawn(folder.path());
-    wait_for_rows(folder.path(), &mut child, 5);
+    let whole = solve(folder, case, &["-o", "whole"]);
+    assert_eq!(whole.code, 0, "{}\n{}", whole.stdout, whole.stderr);
+    let mut child = spawn(folder);
+    wait_for_rows(folder, &mut child, rows);
     let pid = child.id().to_string();
     assert!(Command::new("kill").args(["-s", "INT", &pid]).status().unwrap().success());
     let ended = child.wait_with_output().unwrap();
     assert_eq!((ended.status.code(), ended.status.signal()), (Some(130), None));
-    let told = String::from_utf8_lossy(&ended.stderr).into_owned();
+    let out = folder.join("out");
+    assert!(!out.join("summary.json").exists() && out.join("restart.bin").exists());
+    String::from_utf8_lossy(&ended.stderr).into_owned()
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_of_beams_goes_on_later() {
+    let folder = tempfile::tempdir().unwrap();
+    // Some cantilevers are gone by then, and some equilibria are recorded, with the reactions of all.
+    interrupted(folder.path(), &beams(), 15);
+    let resumed = solve(folder.path(), &beams(), &["-o", "out", "--resume"]);
+    assert_eq!(resumed.code, 0, "{}\n{}", resumed.stdout, resumed.stderr);
+    assert_same(&folder.path().join("out"), &folder.path().join("whole"));
+    let summary = json(&folder.path().join("out/summary.json"));
+    assert_eq!(summary["fracture"]["island_points"], 10 * CANTILEVERS);
+    assert_eq!(summary["states"][0]["reactions"].as_array().map(Vec::len), Some(CANTILEVERS as usize));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_says_so_and_goes_on_later() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = interrupted(folder.path(), &case(), 5);
     assert!(told.contains("ending after this solve") && told.contains("--resume"), "{told}");
     let out = folder.path().join("out");
-    assert!(!out.join("summary.json").exists() && out.join("restart.bin").exists());
     // The last equilibrium is kept.
     let before = fs::read_to_string(out.join("curve.csv")).unwrap();
 
@@ -128,7 +168,7 @@ fn an_interrupted_run_says_so_and_goes_on_later() {
     changed["fracture"]["critical"] = json!({ "energy_release_rate": 6.0 });
     let refused = solve(folder.path(), &changed, &["-o", "out", "--resume"]);
     assert_eq!(refused.code, 2, "{}", refused.stderr);
-    assert!(refused.stderr.contains("is of another case, or the case has been changed since"));
+    assert!(refused.stderr.contains("is of another case, or the case or peristat has been changed since"));
 
     let resumed = solve(folder.path(), &case(), &["-o", "out", "--resume"]);
     assert_eq!(resumed.code, 0, "{}\n{}", resumed.stdout, resumed.stderr);

@@ -137,11 +137,12 @@ impl Loaded {
         sink: &mut dyn Sink,
     ) -> Result<Summary, Error> {
         let collector = match &resume {
-            Some(restart) => Collector::restore(&restart.summaries).map_err(io::Error::from)?,
+            Some(restart) => Collector::restore(&self.scene, &restart.summaries).map_err(io::Error::from)?,
             None => Collector::default(),
         };
         let breaks = self.scene.case().fracture.is_some();
-        let fingerprint = if breaks { self.scene.fingerprint() } else { String::new() };
+        let fingerprint =
+            if breaks { self.scene.fingerprint().map_err(io::Error::from)? } else { String::new() };
         let mut collecting = Collecting { scene: &self.scene, fingerprint, collector, sink };
         let report = run::run(&self.scene, options, resume, &mut collecting).map_err(|e| self.explain(e))?;
         let mut warnings = warning_texts(self.scene.warnings(), &self.file);

@@ -56,6 +56,13 @@ pub struct CrackDirection {
     pub to: [f64; 2],
 }
 
+impl CrackDirection {
+    /// What checks know of it: the names of the direction and of the number of bonds.
+    pub fn facts(&self) -> [String; 2] {
+        [format!("{}_direction", self.name), format!("{}_bonds", self.name)]
+    }
+}
+
 /// Critical strains of bonds. By their stretch: `stretch`, or `fibre_stretch` and `matrix_stretch`. By the energy it takes to
 /// open a crack: `energy_release_rate`, or `fibre_energy_release_rate` and `matrix_energy_release_rate`. By their bending:
 /// `curvature` and `shear_strain`. One of these is given; which ones apply depends on the model.

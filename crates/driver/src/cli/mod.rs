@@ -106,6 +106,9 @@ fn complain(error: &Error, global: &Global) {
         Error::Run(error @ RunError::Interrupted) => {
             note(&format!("{error}\nhint: the same command with `--resume` goes on from here\n"));
         }
+        Error::Run(error @ RunError::Misfit) => {
+            note(&format!("error: {error}\nhint: leave out `--resume` to run the case anew\n"));
+        }
         other => note(&format!("error: {other}\n")),
     }
 }

@@ -75,8 +75,8 @@ impl Drop for Progress {
 
 /// An equilibrium in a line.
 fn line(event: &Event) -> String {
-    let Event { step, solve, load_factor, load, broken, islands, .. } = event;
-    let off = if *islands > 0 { format!(", {islands} points off") } else { String::new() };
+    let Event { step, solve, load_factor, load, broken, island_points, .. } = event;
+    let off = if *island_points > 0 { format!(", {island_points} points off") } else { String::new() };
     format!(
         "step {step}, solve {solve}: load factor {load_factor:.4e}, load {load:.4e}, {broken} bonds broken{off}"
     )
@@ -119,6 +119,6 @@ mod tests {
         let event =
             Event { step: 3, solve: 41, load_factor: 1.5, load: -2e4, broken: 12, ..Event::default() };
         assert_eq!(line(&event), "step 3, solve 41: load factor 1.5000e0, load -2.0000e4, 12 bonds broken");
-        assert!(line(&Event { islands: 5, ..event }).ends_with("12 bonds broken, 5 points off"));
+        assert!(line(&Event { island_points: 5, ..event }).ends_with("12 bonds broken, 5 points off"));
     }
 }

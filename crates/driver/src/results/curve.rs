@@ -12,7 +12,7 @@ use std::path::Path;
 /// Name of the table.
 pub(super) const FILE: &str = "curve.csv";
 
-const HEADER: &str = "step,solve,load_factor,load,envelope_load_factor,envelope_load,broken_now,broken,islands,work,stored,released,bond_energy,\
+const HEADER: &str = "step,solve,load_factor,load,envelope_load_factor,envelope_load,broken_now,broken,island_points,work,stored,released,bond_energy,\
     unstable_release,balance,iterations,factorisations,residual\n";
 
 /// The table, open, with all of its rows.
@@ -120,7 +120,7 @@ fn envelope(event: &Event, reached: f64) -> (f64, f64) {
 fn row(event: &Event, reached: f64) -> String {
     let (e, (reached, load)) = (event, envelope(event, reached));
     let mut row = format!("{},{},{:?},{:?},{reached:?},{load:?}", e.step, e.solve, e.load_factor, e.load);
-    let _ = write!(row, ",{},{},{}", e.broken_now, e.broken, e.islands);
+    let _ = write!(row, ",{},{},{}", e.broken_now, e.broken, e.island_points);
     for energy in [e.work, e.stored, e.released, e.bond_energy, e.unstable_release, e.balance] {
         let _ = write!(row, ",{energy:?}");
     }

@@ -76,7 +76,7 @@ mod tests {
             broken: vec![7, u64::MAX, 0],
             factored: 2,
             unit: values.to_vec(),
-            islands: vec![(12, values[2])],
+            frozen: vec![(12, values[2])],
             recorded: 4,
             step: 3,
             load_factor: 1.1,

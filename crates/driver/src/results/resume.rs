@@ -1,8 +1,7 @@
 //! Going on with the folder of a run that was interrupted.
 
 use super::{
-    Curve, Envelope, HISTORY, MARK, Results, is_leftover, names_in, restart, step, step_name, sweep,
-    write_case,
+    Curve, HISTORY, MARK, Results, is_leftover, names_in, restart, step, step_name, sweep, write_case,
 };
 use crate::run::fracture::Restart;
 use crate::scene::Scene;
@@ -35,8 +34,10 @@ impl Results {
             return refuse(ErrorKind::NotFound, reason, hint);
         }
         let restart = restart::read(&path)?;
-        if restart.case != scene.fingerprint() {
-            let reason = format!("the run in {place} is of another case, or the case has been changed since");
+        if restart.case != scene.fingerprint()? {
+            let reason = format!(
+                "the run in {place} is of another case, or the case or peristat has been changed since"
+            );
             let hint =
                 "resume it with the `case.json` in that folder, or leave out `--resume` to run the case anew";
             return refuse(ErrorKind::InvalidInput, reason, hint);
@@ -66,7 +67,7 @@ impl Results {
             folder: folder.into(),
             steps,
             history,
-            envelope: scene.has_envelope().then(Envelope::default),
+            envelope: None,
             curve: Some(Curve::begin(folder, &restart.events)?),
             due: None,
         };
@@ -160,7 +161,7 @@ mod tests {
 
     fn restart(scene: &Scene, recorded: usize) -> Restart {
         let events = (0..recorded).map(event).collect();
-        Restart { case: scene.fingerprint(), events, recorded, ..Restart::default() }
+        Restart { case: scene.fingerprint().unwrap(), events, recorded, ..Restart::default() }
     }
 
     /// Writes the equilibria from one on up to another, with a restart after each.
@@ -259,7 +260,10 @@ mod tests {
 
         let refused = |loaded: &Loaded| Results::interrupted(&out, &loaded.scene).unwrap_err().to_string();
         change(&mut loaded, &|f| f.critical.stretch = Some(0.2));
-        assert!(refused(&loaded).contains("is of another case, or the case has been changed since\nhint: "));
+        assert!(
+            refused(&loaded)
+                .contains("is of another case, or the case or peristat has been changed since\nhint: ")
+        );
         change(&mut loaded, &|f| f.critical.stretch = Some(0.1));
         let table = fs::read_to_string(out.join("history.csv")).unwrap();
         let header_and_first: Vec<&str> = table.lines().take(2).collect();

@@ -125,6 +125,9 @@ pub enum RunError {
     /// There is a restart to go on from, but the scene is not solved in events.
     #[error("only a run of a body that breaks can be resumed")]
     NotResumable,
+    /// There is a restart to go on from, but it is of another body.
+    #[error("the restart does not fit the body")]
+    Misfit,
     /// A result could not be taken, for instance written.
     #[error(transparent)]
     Sink(#[from] std::io::Error),

@@ -1,8 +1,6 @@
 //! What tells cases apart that have other results.
 
 use super::Scene;
-use crate::case::Body;
-use peristat_assembly::body::PlaneBody;
 
 /// Keys of a case that change no equilibrium: words, and what is made of results.
 const WORDS: [&str; 6] = ["$schema", "title", "about", "lines", "checks", "slow"];
@@ -11,33 +9,34 @@ const EXTENT: [&str; 3] = ["stop_below", "max_solves", "record_every"];
 
 impl Scene {
     /// A hash, as hexadecimal digits, of all that the equilibria and the columns of `history.csv` depend on: equal for two
-    /// cases that differ in their titles, checks and lines, or in how long their bodies break, only.
-    pub fn fingerprint(&self) -> String {
+    /// cases that differ in their titles, checks and lines, or in how long their bodies break, only. Another version of
+    /// this program has another one: it may find other equilibria.
+    ///
+    /// # Errors
+    /// The case cannot be written as JSON.
+    pub fn fingerprint(&self) -> serde_json::Result<String> {
         let mut hasher = blake3::Hasher::new();
-        hasher.update(self.essence().to_string().as_bytes());
-        // Files may change while their names stay.
-        if let (Self::Plane(scene), Body::Points(_) | Body::Mesh(_)) = (self, &self.case().body)
-            && let PlaneBody::Cloud(cloud) = scene.body()
+        hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
+        hasher.update(self.essence()?.to_string().as_bytes());
+        // A file may change while its name stays.
+        if let Self::Plane(scene) = self
+            && let Some(content) = scene.file()
         {
-            let positions = cloud.positions().iter().flatten();
-            positions.chain(cloud.areas()).for_each(|x| {
-                hasher.update(&x.to_le_bytes());
-            });
+            hasher.update(content.as_bytes());
         }
-        hasher.finalize().to_hex().to_string()
+        Ok(hasher.finalize().to_hex().to_string())
     }
 
     /// The case without what changes no equilibrium.
-    fn essence(&self) -> serde_json::Value {
-        // Keys of a case are strings and its numbers have been read from JSON.
-        let mut case = serde_json::to_value(self.case()).unwrap_or_default();
+    fn essence(&self) -> serde_json::Result<serde_json::Value> {
+        let mut case = serde_json::to_value(self.case())?;
         if let Some(case) = case.as_object_mut() {
             WORDS.iter().for_each(|key| drop(case.shift_remove(*key)));
             if let Some(fracture) = case.get_mut("fracture").and_then(|f| f.as_object_mut()) {
                 EXTENT.iter().for_each(|key| drop(fracture.shift_remove(*key)));
             }
         }
-        case
+        Ok(case)
     }
 }
 
@@ -51,7 +50,7 @@ mod tests {
         let text = include_str!("../cli/new_bond_plane.json").to_string();
         let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
         let source = crate::case::from_text("case", text, &overrides).unwrap();
-        Scene::new(source.case, Path::new("."), "case", "", None).unwrap().fingerprint()
+        Scene::new(source.case, Path::new("."), "case", "", None).unwrap().fingerprint().unwrap()
     }
 
     #[test]
@@ -63,5 +62,24 @@ mod tests {
         assert_eq!(plain, of(&["slow=true"]));
         assert_ne!(plain, of(&["horizon_ratio=3.0000000000000004"]));
         assert_ne!(plain, of(&["solver=sparse"]));
+    }
+
+    #[test]
+    fn names_of_groups_in_a_mesh_count() {
+        let cases = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/plate"));
+        let folder = tempfile::tempdir().unwrap();
+        let mesh = std::fs::read_to_string(cases.join("bracket.msh")).unwrap();
+        let of = |mesh: &str| {
+            std::fs::write(folder.path().join("bracket.msh"), mesh).unwrap();
+            let source = crate::case::read(&cases.join("bracket.json"), &["checks=[]".into()]).unwrap();
+            Scene::new(source.case, folder.path(), "case", "", None).unwrap().fingerprint().unwrap()
+        };
+        let first = of(&mesh);
+        assert_eq!(first, of(&mesh));
+        // The same points, held elsewhere.
+        let swapped =
+            mesh.replace("1 1 \"fixed\"", "1 1 \"loaded\"").replace("1 2 \"loaded\"", "1 2 \"fixed\"");
+        assert_ne!(swapped, mesh);
+        assert_ne!(first, of(&swapped));
     }
 }

@@ -121,10 +121,28 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
     for (key, _, hint) in foreign.iter().filter(|f| f.1) {
         faults.error(root(key), format!("`{key}` and `fracture` do not go together")).hint(*hint);
     }
-    if matches!(case.solver, Solver::Pcg | Solver::Multigrid) {
-        faults
-            .error(root("solver"), "a body that breaks keeps a factor from equilibrium to equilibrium")
-            .hint("use `auto` or `sparse`");
+    match case.solver {
+        Solver::Auto | Solver::Sparse => {}
+        Solver::Strain | Solver::Band | Solver::Multigrid | Solver::Pcg => {
+            faults
+                .error(
+                    root("solver"),
+                    "a body that breaks keeps a sparse factor from equilibrium to equilibrium",
+                )
+                .hint("use `auto` or `sparse`");
+        }
+    }
+}
+
+/// Faults of probes that have the name of something that checks know of a body that breaks.
+pub(super) fn check_probes(case: &Case, facts: &[impl AsRef<str>], faults: &mut Faults) {
+    for (k, probe) in case.probes.iter().enumerate() {
+        if facts.iter().any(|fact| fact.as_ref() == probe.name) {
+            let message = format!("checks know something else by the name `{}`", probe.name);
+            faults
+                .error(root("probes").index(k).key("name"), message)
+                .hint("facts of a body that breaks have names of their own: choose another one");
+        }
     }
 }
 

@@ -5,18 +5,18 @@ use crate::run::beam::{BeamResult, JointReaction, MemberForces, Reaction, checks
 use crate::run::{CheckResult, ProbeResult};
 use crate::scene::beam::BeamScene;
 use peristat_assembly::material::{Profile, SectionStiffness};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Forces of a beam or frame and of its supports.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BeamForces {
     /// Smallest and largest section forces of every member of a frame.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub members: Vec<MemberForces>,
     /// Reactions of the supports of lines, in the order of the case.
     pub reactions: Vec<Reaction>,
     /// Reactions of the supports of a frame, in the order of the case.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joint_reactions: Vec<JointReaction>,
 }
 

@@ -1,19 +1,16 @@
 //! The record of a run: what `summary.json` holds and `--json` prints.
 
 mod beam;
+mod collector;
 mod plane;
 
 pub use beam::{BeamForces, BeamSummary};
+pub use collector::Collector;
 pub use plane::{OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
 
 use crate::case::Units;
-use crate::memory;
 use crate::run::fracture::FractureReport;
-use crate::run::{
-    Certificate, CheckResult, Counters, ProbeResult, Range, RunReport, Sizes, SolverReport, StateResult,
-    Timing,
-};
-use crate::scene::Scene;
+use crate::run::{Certificate, CheckResult, Counters, ProbeResult, Sizes, SolverReport, Timing};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -54,9 +51,9 @@ pub struct Extremes {
     pub largest: Located,
 }
 
-/// One state without its fields.
+/// One state without its fields. `F` is the kind of its forces where it is known, so that they are read as such.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct StateSummary {
+pub struct StateSummary<F = Forces> {
     /// Name.
     pub name: String,
     /// Load factor.
@@ -65,17 +62,16 @@ pub struct StateSummary {
     pub extremes: BTreeMap<Cow<'static, str>, Extremes>,
     /// Forces, of the body and of what holds it.
     #[serde(flatten)]
-    pub forces: Forces,
+    pub forces: F,
     /// Certificate.
     pub certificate: Certificate,
 }
 
 /// Forces of a state.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Forces {
-    /// Of a beam or frame; they do not break, so that these are never read again.
-    #[serde(skip_deserializing)]
+    /// Of a beam or frame.
     Beam(BeamForces),
     /// Of a body in the plane.
     Plane(PlaneForces),
@@ -131,124 +127,4 @@ pub struct Summary {
     pub peak_memory_bytes: Option<u64>,
     /// Version of peristat.
     pub version: &'static str,
-}
-
-/// Collects the results of states as they come.
-#[derive(Debug, Default)]
-pub struct Collector {
-    states: Vec<StateSummary>,
-    probes: Vec<ProbeResult>,
-    checks: Vec<CheckResult>,
-}
-
-impl Collector {
-    /// Takes what the summary needs of a state.
-    pub fn take(&mut self, scene: &Scene, result: &StateResult) {
-        let (state, probes, checks) = match (scene, result) {
-            (Scene::Beam(scene), StateResult::Beam(result)) => beam::state(scene, result),
-            (Scene::Plane(scene), StateResult::Plane(result)) => plane::state(scene, result),
-            _ => unreachable!("a scene has results of its own kind"),
-        };
-        self.states.push(state);
-        self.probes.extend(probes);
-        if scene.case().fracture.is_some() {
-            // Those of the last equilibrium count.
-            self.checks = checks;
-        } else {
-            self.checks.extend(checks);
-        }
-    }
-
-    /// What the summary says of the states so far, as JSON, for a run that goes on later.
-    pub fn save(&self) -> String {
-        serde_json::json!([self.states, self.probes]).to_string()
-    }
-
-    /// Goes on from what was [saved](Self::save). Checks are made on the last state, which is yet to come.
-    ///
-    /// # Errors
-    /// The text is not what was saved.
-    pub fn restore(saved: &str) -> serde_json::Result<Self> {
-        let (states, probes) = serde_json::from_str(saved)?;
-        Ok(Self { states, probes, checks: Vec::new() })
-    }
-
-    /// The summary of the run.
-    pub fn finish(self, scene: &Scene, report: RunReport, warnings: Vec<String>) -> Summary {
-        // States before a restart are known from it alone.
-        let converged = report.converged && self.states.iter().all(|s| s.certificate.converged);
-        let status = match (converged, self.checks.iter().all(|c| c.passed)) {
-            (false, _) => Status::NotConverged,
-            (true, false) => Status::CheckFailed,
-            (true, true) => Status::Passed,
-        };
-        let model = match scene {
-            Scene::Beam(scene) => ModelSummary::Beam(beam::model(scene)),
-            Scene::Plane(scene) => ModelSummary::Plane(plane::model(scene)),
-        };
-        let envelope = if scene.has_envelope() { envelope(&self.states) } else { BTreeMap::new() };
-        Summary {
-            status,
-            title: scene.case().title.clone(),
-            units: scene.case().units,
-            model,
-            sizes: report.sizes,
-            checks: self.checks,
-            probes: self.probes,
-            states: self.states,
-            envelope,
-            fracture: report.fracture,
-            skipped: report.skipped,
-            counters: report.counters,
-            warnings,
-            solver: report.solver,
-            timing_s: report.timing,
-            peak_memory_bytes: memory::peak(),
-            version: env!("CARGO_PKG_VERSION"),
-        }
-    }
-}
-
-/// Extreme values over all states.
-fn envelope(states: &[StateSummary]) -> BTreeMap<Cow<'static, str>, [(String, Located); 2]> {
-    let mut ranges: BTreeMap<Cow<'static, str>, Range<(String, Located)>> = BTreeMap::new();
-    for state in states {
-        for (field, Extremes { smallest, largest }) in &state.extremes {
-            let end = |at: &Located| (at.value, (state.name.clone(), at.clone()));
-            ranges.entry(field.clone()).or_default().take([end(smallest), end(largest)]);
-        }
-    }
-    ranges.into_iter().filter_map(|(field, range)| Some((field, range.ends()?.map(|(_, at)| at)))).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::path::Path;
-
-    #[test]
-    fn a_saved_collector_goes_on_with_the_same_states_and_probes() {
-        let text = include_str!("../cli/new_bond_plane.json").to_string();
-        let coarse = ["body.rectangle.spacing=5.0".to_string(), "checks=[]".to_string()];
-        let source = crate::case::from_text("case", text, &coarse).unwrap();
-        let scene = Scene::new(source.case, Path::new("."), "case", "", None).unwrap();
-        let (mut all, mut first) = (Collector::default(), Collector::default());
-        let mut take = crate::run::taking(|result| {
-            all.take(&scene, &result);
-            all.take(&scene, &result);
-            first.take(&scene, &result);
-            let mut second = Collector::restore(&first.save())?;
-            second.take(&scene, &result);
-            assert_eq!(second.states, all.states);
-            assert_eq!(second.probes, all.probes);
-            Ok(())
-        });
-        let options = crate::run::RunOptions { recover: true, max_memory: None };
-        crate::run::run(&scene, &options, None, &mut take).unwrap();
-        drop(take);
-        assert_eq!((all.states.len(), all.probes.len()), (2, 6));
-        let Forces::Plane(forces) = &all.states[0].forces else { panic!("a plate is in the plane") };
-        assert_eq!(forces.mirrors.len(), 2);
-        assert!(Collector::restore("{}").is_err());
-    }
 }

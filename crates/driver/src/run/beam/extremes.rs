@@ -4,10 +4,10 @@ use super::BeamResult;
 use crate::case::FieldName;
 use crate::run::{Range, scan};
 use crate::scene::beam::{BeamScene, MemberLayout};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Smallest and largest section forces of a member.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MemberForces {
     /// Name.
     pub name: String,

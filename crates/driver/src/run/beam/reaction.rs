@@ -1,10 +1,10 @@
 //! What supports do to a beam.
 
 use crate::scene::beam::{BeamScene, HeldPoint, How, Motion};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What a support does to a line.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reaction {
     /// Position.
     pub x: f64,
@@ -18,7 +18,7 @@ pub struct Reaction {
 }
 
 /// What a support does to a frame.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointReaction {
     /// What is held, such as ``joint `A` ``.
     pub place: String,

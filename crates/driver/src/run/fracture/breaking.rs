@@ -72,6 +72,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     /// From a restart: with the factor that there was, of the matrix that was analysed, so that all goes on to the last bit
     /// as if it had not stopped.
     pub(super) fn resume(body: &'a mut P, system: System<D>, restart: Restart) -> Result<Self, RunError> {
+        restart.fits(system.size(), body.problem().model().bond_numbers())?;
         let (factored, later) = restart.broken.split_at(restart.factored.min(restart.broken.len()));
         let mut all = Self::new(body, system)?;
         all.unit.u = restart.unit;
@@ -80,7 +81,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             all.unit.refactor(&all.system, &mut all.timing)?;
         }
         all.remove(later);
-        all.islands.set_frozen(restart.islands);
+        all.islands.set_frozen(restart.frozen);
         all.unit.resume(&all.system, &restart.events);
         let last = restart.events.last().copied().unwrap_or_default();
         all.ledger = Ledger::resume(last.work, last.released, last.bond_energy, restart.load_factor);
@@ -138,7 +139,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             broken: self.broken.clone(),
             factored: self.factored,
             unit: self.unit.u.clone(),
-            islands: self.islands.frozen().to_vec(),
+            frozen: self.islands.frozen().to_vec(),
             recorded: self.recorded,
             step: self.step,
             load_factor,

@@ -1,5 +1,6 @@
 //! What is told of every equilibrium of a body that breaks, and what it takes to go on from one.
 
+use super::super::RunError;
 use serde::{Deserialize, Serialize};
 
 /// An equilibrium of a body that breaks: a row of `curve.csv`. Energies are sums since the start.
@@ -18,7 +19,7 @@ pub struct Event {
     /// Bonds that were broken before.
     pub broken: usize,
     /// Points in parts that have come off.
-    pub islands: usize,
+    pub island_points: usize,
     /// Work of the loads and of prescribed motions.
     pub work: f64,
     /// Strain energy.
@@ -54,7 +55,7 @@ pub struct Restart {
     /// Displacements at the unit load, one plane per component.
     pub unit: Vec<f64>,
     /// Unknowns of parts that have come off, with their values.
-    pub islands: Vec<(u64, f64)>,
+    pub frozen: Vec<(u64, f64)>,
     /// Number of states that were recorded.
     pub recorded: usize,
     /// Load step.
@@ -63,4 +64,44 @@ pub struct Restart {
     pub load_factor: f64,
     /// What the summary says of the recorded states; filled in likewise.
     pub summaries: String,
+}
+
+impl Restart {
+    /// Whether this can be of a body with so many unknowns and bond numbers.
+    ///
+    /// # Errors
+    /// [`RunError::Misfit`] if something in it is none of this body.
+    pub(super) fn fits(&self, unknowns: usize, bond_numbers: u64) -> Result<(), RunError> {
+        let fits = self.unit.len() == unknowns
+            && self.factored <= self.broken.len()
+            && self.broken.iter().all(|&bond| bond < bond_numbers)
+            && self.frozen.iter().all(|&(unknown, _)| unknown < unknowns as u64);
+        if fits { Ok(()) } else { Err(RunError::Misfit) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_restart_of_another_body_does_not_fit() {
+        let fitting = Restart {
+            broken: vec![7, 0],
+            factored: 2,
+            unit: vec![0.0; 6],
+            frozen: vec![(5, 0.1)],
+            ..Restart::default()
+        };
+        fitting.fits(6, 8).unwrap();
+        let misfits = [
+            fitting.fits(7, 8),
+            fitting.fits(6, 7),
+            Restart { factored: 3, ..fitting.clone() }.fits(6, 8),
+            Restart { frozen: vec![(6, 0.1)], ..fitting.clone() }.fits(6, 8),
+        ];
+        for misfit in misfits {
+            assert!(matches!(misfit, Err(RunError::Misfit)));
+        }
+    }
 }

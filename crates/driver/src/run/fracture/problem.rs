@@ -51,8 +51,15 @@ impl Facts {
         let first = place(events.iter().find(|e| e.broken_now > 0));
         let peak = place(events.iter().max_by(|a, b| a.load.abs().total_cmp(&b.load.abs())));
         let last = events.last().copied().unwrap_or_default();
-        let values =
-            [first[0], first[1], peak[0], peak[1], last.load_factor, last.broken as f64, last.islands as f64];
+        let values = [
+            first[0],
+            first[1],
+            peak[0],
+            peak[1],
+            last.load_factor,
+            last.broken as f64,
+            last.island_points as f64,
+        ];
         let named = FACTS.iter().zip(values).map(|(name, value)| (name.to_string(), value));
         Self(named.chain(more).collect())
     }

@@ -52,7 +52,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             load: self.body.load(&u, &multipliers),
             broken_now: next.breaking.len(),
             broken: self.broken.len(),
-            islands: self.islands.points(),
+            island_points: self.islands.points(),
             work: self.ledger.work,
             stored,
             released: self.ledger.released,

@@ -54,8 +54,7 @@ where
             };
             let inside = |at: &[f64; 2]| (0..2).all(|k| part.from[k] < at[k] && at[k] < part.to[k]);
             let middles: Vec<[f64; 2]> = broken.iter().map(middle).filter(inside).collect();
-            facts.push((format!("{}_direction", part.name), direction(&middles)));
-            facts.push((format!("{}_bonds", part.name), middles.len() as f64));
+            facts.extend(part.facts().into_iter().zip([direction(&middles), middles.len() as f64]));
         }
         facts
     }

@@ -24,6 +24,7 @@ pub(super) fn facts(fracture: Option<&FractureScene<CriticalStrains>>) -> &'stat
 pub(super) fn check(case: &Case, layout: &Layout, faults: &mut Faults) {
     fracture::check(case, faults);
     let Some(fracture) = &case.fracture else { return };
+    fracture::check_probes(case, &FACTS, faults);
     let path = root("fracture");
     let joined = [
         (

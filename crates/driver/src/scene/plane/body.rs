@@ -29,6 +29,8 @@ pub(super) struct Built {
     pub(super) body: PlaneBody,
     pub(super) outline: Option<Outline>,
     pub(super) curves: Vec<Curve>,
+    /// Hash of the file that lists the points.
+    pub(super) file: Option<blake3::Hash>,
 }
 
 /// The body of the case, of this thickness; the rows of a lattice run at an angle to x, rad.
@@ -51,18 +53,18 @@ pub(super) fn build(
             (cut(made, &b.holes, &path, faults)?, b.spacing)
         }
         Body::Points(b) => {
-            let body = files::points(folder, &b.file, thickness, max_memory, &path, faults)?;
+            let (body, file) = files::points(folder, &b.file, thickness, max_memory, &path, faults)?;
             if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
                 return None;
             }
-            return Some(Built { body, outline: None, curves: Vec::new() });
+            return Some(Built { body, outline: None, curves: Vec::new(), file: Some(file) });
         }
         Body::Mesh(b) => {
-            let (body, curves) = files::mesh(folder, &b.file, max_memory, &path, faults)?;
+            let (body, curves, file) = files::mesh(folder, &b.file, max_memory, &path, faults)?;
             if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
                 return None;
             }
-            return Some(Built { body, outline: None, curves });
+            return Some(Built { body, outline: None, curves, file: Some(file) });
         }
         Body::Line(_) | Body::Lines(_) | Body::Frame(_) => {
             let message = format!("the model `{}` needs a body in the plane", case.model.name());
@@ -90,7 +92,7 @@ pub(super) fn build(
     match filled {
         Ok(lattice) => {
             let body = PlaneBody::Lattice(lattice?);
-            Some(Built { body, outline: Some(outline), curves: Vec::new() })
+            Some(Built { body, outline: Some(outline), curves: Vec::new(), file: None })
         }
         Err(error) => {
             unfilled(&error, case, &path, faults);

@@ -9,7 +9,7 @@ use std::fs;
 use std::io::{self, ErrorKind, Read};
 use std::path::Path;
 
-/// The body of a list of points, of this thickness.
+/// The body of a list of points, of this thickness, and the hash of the file.
 pub(super) fn points(
     folder: &Path,
     file: &str,
@@ -17,23 +17,24 @@ pub(super) fn points(
     max_memory: Option<u64>,
     path: &JsonPath,
     faults: &mut Faults,
-) -> Option<PlaneBody> {
+) -> Option<(PlaneBody, blake3::Hash)> {
     let bytes = bytes(folder, file, "points", max_memory, path, faults)?;
     let cloud = points::read(&bytes).and_then(|points| points.cloud(thickness));
-    cloud.map_err(|error| refuse(file, "points", &error, path, faults)).ok().map(PlaneBody::Cloud)
+    let cloud = cloud.map_err(|error| refuse(file, "points", &error, path, faults)).ok()?;
+    Some((PlaneBody::Cloud(cloud), blake3::hash(&bytes)))
 }
 
-/// The body of a mesh, and its named curves.
+/// The body of a mesh, its named curves, and the hash of the file.
 pub(super) fn mesh(
     folder: &Path,
     file: &str,
     max_memory: Option<u64>,
     path: &JsonPath,
     faults: &mut Faults,
-) -> Option<(PlaneBody, Vec<Curve>)> {
+) -> Option<(PlaneBody, Vec<Curve>, blake3::Hash)> {
     let bytes = bytes(folder, file, "mesh", max_memory, path, faults)?;
     let mesh = gmsh::read(&bytes).map_err(|error| refuse(file, "mesh", &error, path, faults)).ok()?;
-    Some((PlaneBody::Cloud(mesh.cloud), mesh.curves))
+    Some((PlaneBody::Cloud(mesh.cloud), mesh.curves, blake3::hash(&bytes)))
 }
 
 fn bytes(

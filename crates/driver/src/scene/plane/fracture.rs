@@ -6,7 +6,7 @@ use super::bonds::PlaneBonds;
 use super::conditions::Conditions;
 use super::ground::Ground;
 use super::model::{self, Recipe};
-use crate::case::{self, Case, CriticalFormula, FieldName, Fracture};
+use crate::case::{Case, CrackDirection, CriticalFormula, FieldName, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::fracture::FACTS;
 use peristat_assembly::model::beam_bond_orthotropic::{
@@ -25,21 +25,21 @@ pub struct PlaneFracture {
     /// Per offset, whether its bonds lie along the fibres; empty if there are none.
     pub fibres: Vec<bool>,
     /// Where directions of cracks are found.
-    pub directions: Vec<case::CrackDirection>,
+    pub directions: Vec<CrackDirection>,
 }
 
 impl PlaneFracture {
     /// Names of all that checks can ask for.
     pub fn facts(&self) -> Vec<String> {
-        let mut names: Vec<String> = FACTS.iter().map(ToString::to_string).collect();
-        if !self.fibres.is_empty() {
-            names.push("broken_fibre_bonds".into());
-        }
-        for direction in &self.directions {
-            names.extend([format!("{}_direction", direction.name), format!("{}_bonds", direction.name)]);
-        }
-        names
+        let general = general_facts(&self.fibres).into_iter();
+        general.chain(self.directions.iter().flat_map(CrackDirection::facts)).collect()
     }
+}
+
+/// Names of what is known of a body with such fibres wherever cracks run.
+fn general_facts(fibres: &[bool]) -> Vec<String> {
+    let of_fibres = (!fibres.is_empty()).then_some("broken_fibre_bonds");
+    FACTS.into_iter().chain(of_fibres).map(Into::into).collect()
 }
 
 /// What resolution looks at.
@@ -71,11 +71,13 @@ pub(super) fn resolve(
     let rigid = conditions.rigid.iter().flat_map(|r| &r.points);
     held.chain(rigid).for_each(|&p| exempt[p as usize] = true);
     let (critical, fibres) = critical(fracture, context, &path.key("critical"), faults)?;
-    check_directions(fracture, &path.key("directions"), faults);
+    check_directions(fracture, &general_facts(&fibres), &path.key("directions"), faults);
     check_load(fracture, context.ground.case, &path.key("load"), faults);
     let directions = fracture.directions.clone();
     let steps = fracture::resolve(fracture, critical, exempt, context.probes, faults)?;
-    Some(PlaneFracture { steps, fibres, directions })
+    let fracture = PlaneFracture { steps, fibres, directions };
+    fracture::check_probes(context.ground.case, &fracture.facts(), faults);
+    Some(fracture)
 }
 
 /// Critical stretches by offset, and which offsets are along fibres.
@@ -243,11 +245,17 @@ fn check_load(fracture: &Fracture, case: &Case, path: &JsonPath, faults: &mut Fa
     }
 }
 
-fn check_directions(fracture: &Fracture, path: &JsonPath, faults: &mut Faults) {
+/// Faults of directions, of which none may be known by a name among the `taken` ones.
+fn check_directions(fracture: &Fracture, taken: &[String], path: &JsonPath, faults: &mut Faults) {
     for (k, direction) in fracture.directions.iter().enumerate() {
         let path = path.index(k);
         if fracture.directions[..k].iter().any(|d| d.name == direction.name) {
             faults.error(path.key("name"), format!("there are two directions `{}`", direction.name));
+        }
+        if let Some(name) = direction.facts().iter().find(|name| taken.contains(name)) {
+            faults
+                .error(path.key("name"), format!("checks know something else by the name `{name}`"))
+                .hint("they know a direction as `<name>_direction` and `<name>_bonds`: choose another name");
         }
         if (0..2).any(|axis| direction.from[axis] >= direction.to[axis]) {
             faults

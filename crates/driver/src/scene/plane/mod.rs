@@ -278,6 +278,11 @@ impl PlaneScene {
         &self.recipe.body
     }
 
+    /// Hash of the file that lists the points, if there is one: it tells more of them than where they are.
+    pub(super) fn file(&self) -> Option<blake3::Hash> {
+        self.recipe.file
+    }
+
     /// The outline; listed points have none.
     pub fn outline(&self) -> Option<&Outline> {
         self.outline.as_deref()

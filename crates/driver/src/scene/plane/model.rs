@@ -16,6 +16,8 @@ use std::sync::Arc;
 pub(super) struct Recipe {
     /// The points of the body, without images.
     pub(super) body: PlaneBody,
+    /// Hash of the file that lists them.
+    pub(super) file: Option<blake3::Hash>,
     /// Its mirrors.
     pub(super) symmetry: Symmetry,
     /// Material and bonds.

@@ -44,7 +44,7 @@ pub(super) fn parts(
     let bonds = bonds.map(|bonds| bonds.with_lattice_angle(angle));
     let usual = bonds.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
-    let body::Built { body, outline, curves } = built?;
+    let body::Built { body, outline, curves, file } = built?;
     let lattice = match &body {
         PlaneBody::Lattice(lattice) => Some(lattice),
         PlaneBody::Cloud(_) => None,
@@ -69,6 +69,6 @@ pub(super) fn parts(
         }
         body => body,
     };
-    let recipe = Recipe { body, symmetry, bonds, horizon };
+    let recipe = Recipe { body, file, symmetry, bonds, horizon };
     Some(Parts { recipe, outline, curves, cracks: cracks? })
 }

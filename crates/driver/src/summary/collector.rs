@@ -1,0 +1,168 @@
+//! What the summary needs of states, collected as they come.
+
+use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, plane};
+use crate::memory;
+use crate::run::{CheckResult, ProbeResult, Range, RunReport, StateResult};
+use crate::scene::Scene;
+use serde::de::DeserializeOwned;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// Collects the results of states as they come.
+#[derive(Debug, Default)]
+pub struct Collector {
+    states: Vec<StateSummary>,
+    probes: Vec<ProbeResult>,
+    checks: Vec<CheckResult>,
+}
+
+impl Collector {
+    /// Takes what the summary needs of a state.
+    pub fn take(&mut self, scene: &Scene, result: &StateResult) {
+        let (state, probes, checks) = match (scene, result) {
+            (Scene::Beam(scene), StateResult::Beam(result)) => beam::state(scene, result),
+            (Scene::Plane(scene), StateResult::Plane(result)) => plane::state(scene, result),
+            _ => unreachable!("a scene has results of its own kind"),
+        };
+        self.states.push(state);
+        self.probes.extend(probes);
+        if scene.case().fracture.is_some() {
+            // Those of the last equilibrium count.
+            self.checks = checks;
+        } else {
+            self.checks.extend(checks);
+        }
+    }
+
+    /// What the summary says of the states so far, as JSON, for a run that goes on later.
+    pub fn save(&self) -> String {
+        serde_json::json!([self.states, self.probes]).to_string()
+    }
+
+    /// Goes on from what was [saved](Self::save) of a scene. Checks are made on the last state, which is yet to come.
+    ///
+    /// # Errors
+    /// The text is not what was saved.
+    pub fn restore(scene: &Scene, saved: &str) -> serde_json::Result<Self> {
+        match scene {
+            Scene::Beam(_) => Self::read(saved, Forces::Beam),
+            Scene::Plane(_) => Self::read(saved, Forces::Plane),
+        }
+    }
+
+    /// As [`restore`](Self::restore), with forces of one kind: without reactions, kinds look alike.
+    fn read<F: DeserializeOwned>(saved: &str, forces: fn(F) -> Forces) -> serde_json::Result<Self> {
+        let (states, probes): (Vec<StateSummary<F>>, _) = serde_json::from_str(saved)?;
+        let state = |state: StateSummary<F>| StateSummary {
+            name: state.name,
+            load_factor: state.load_factor,
+            extremes: state.extremes,
+            forces: forces(state.forces),
+            certificate: state.certificate,
+        };
+        Ok(Self { states: states.into_iter().map(state).collect(), probes, checks: Vec::new() })
+    }
+
+    /// The summary of the run.
+    pub fn finish(self, scene: &Scene, report: RunReport, warnings: Vec<String>) -> Summary {
+        // States before a restart are known from it alone.
+        let converged = report.converged && self.states.iter().all(|s| s.certificate.converged);
+        let status = match (converged, self.checks.iter().all(|c| c.passed)) {
+            (false, _) => Status::NotConverged,
+            (true, false) => Status::CheckFailed,
+            (true, true) => Status::Passed,
+        };
+        let model = match scene {
+            Scene::Beam(scene) => ModelSummary::Beam(beam::model(scene)),
+            Scene::Plane(scene) => ModelSummary::Plane(plane::model(scene)),
+        };
+        let envelope = if scene.has_envelope() { envelope(&self.states) } else { BTreeMap::new() };
+        Summary {
+            status,
+            title: scene.case().title.clone(),
+            units: scene.case().units,
+            model,
+            sizes: report.sizes,
+            checks: self.checks,
+            probes: self.probes,
+            states: self.states,
+            envelope,
+            fracture: report.fracture,
+            skipped: report.skipped,
+            counters: report.counters,
+            warnings,
+            solver: report.solver,
+            timing_s: report.timing,
+            peak_memory_bytes: memory::peak(),
+            version: env!("CARGO_PKG_VERSION"),
+        }
+    }
+}
+
+/// Extreme values over all states.
+fn envelope(states: &[StateSummary]) -> BTreeMap<Cow<'static, str>, [(String, Located); 2]> {
+    let mut ranges: BTreeMap<Cow<'static, str>, Range<(String, Located)>> = BTreeMap::new();
+    for state in states {
+        for (field, Extremes { smallest, largest }) in &state.extremes {
+            let end = |at: &Located| (at.value, (state.name.clone(), at.clone()));
+            ranges.entry(field.clone()).or_default().take([end(smallest), end(largest)]);
+        }
+    }
+    ranges.into_iter().filter_map(|(field, range)| Some((field, range.ends()?.map(|(_, at)| at)))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    fn scene(text: &str, overrides: &[&str]) -> Scene {
+        let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
+        let source = crate::case::from_text("case", text.into(), &overrides).unwrap();
+        Scene::new(source.case, Path::new("."), "case", "", None).unwrap()
+    }
+
+    /// Takes every state of a scene twice, going on each time from what was saved before.
+    fn assert_goes_on(scene: &Scene) -> Collector {
+        let mut all = Collector::default();
+        let mut take = crate::run::taking(|result| {
+            for _ in 0..2 {
+                let mut second = Collector::restore(scene, &all.save())?;
+                second.take(scene, &result);
+                all.take(scene, &result);
+                assert_eq!(second.states, all.states);
+                assert_eq!(second.probes, all.probes);
+            }
+            Ok(())
+        });
+        let options = crate::run::RunOptions { recover: true, max_memory: None };
+        crate::run::run(scene, &options, None, &mut take).unwrap();
+        drop(take);
+        all
+    }
+
+    #[test]
+    fn a_saved_collector_goes_on_with_the_same_states_and_probes() {
+        let coarse = ["body.rectangle.spacing=5.0", "checks=[]"];
+        let plate = scene(include_str!("../cli/new_bond_plane.json"), &coarse);
+        let all = assert_goes_on(&plate);
+        assert_eq!((all.states.len(), all.probes.len()), (2, 6));
+        let Forces::Plane(forces) = &all.states[0].forces else { panic!("a plate is in the plane") };
+        assert_eq!(forces.mirrors.len(), 2);
+        assert!(Collector::restore(&plate, "{}").is_err());
+    }
+
+    #[test]
+    fn forces_of_beams_are_read_as_such_with_and_without_supports() {
+        let beam = include_str!("../cli/new_timoshenko_beam.json");
+        let bedded = ["supports=[]", r#"foundation=[{"stiffness": {"uniform": 1e6}}]"#, "checks=[]"];
+        let frame = include_str!("../cli/new_plane_frame.json");
+        let cases = [scene(beam, &["checks=[]"]), scene(beam, &bedded), scene(frame, &["checks=[]"])];
+        let counts = cases.map(|scene| {
+            let all = assert_goes_on(&scene);
+            let Forces::Beam(forces) = &all.states[0].forces else { panic!("a beam") };
+            [forces.reactions.len(), forces.joint_reactions.len(), forces.members.len()]
+        });
+        assert_eq!(counts, [[1, 0, 0], [0, 0, 0], [0, 2, 3]]);
+    }
+}
