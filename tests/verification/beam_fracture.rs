@@ -74,7 +74,8 @@ fn a_cantilever_breaks_at_its_clamp() {
         let mut moved = pushed.clone();
         moved["loads"] = json!([]);
         moved["supports"].as_array_mut().expect("a list").push(json!({ "at": { "x": 1.0 }, "w": 1.0 }));
-        for case in [pushed, pulled, moved] {
+        // What the tip still holds has not come off, but nothing strains it.
+        for (case, off) in [(pushed, CELLS), (pulled, CELLS), (moved, 0)] {
             let (told, report) = run(&case, None);
             let first = &told.events[0];
             // Those that go step by step are a ten millionth beyond. Measured 1.7e-12.
@@ -85,10 +86,13 @@ fn a_cantilever_breaks_at_its_clamp() {
             // All bonds across the first cell; one piece, the clamped point alone stays. `all` does not wait for what the
             // first break takes off the bonds beyond.
             assert!(last.broken == 3 || strategy == "all" && last.broken > 3, "{strategy}");
-            assert_eq!((last.island_points, last.load), (CELLS, 0.0), "{strategy}");
+            assert_eq!(last.island_points, off, "{strategy}");
+            // Measured 1e-12 of the first one where the tip is held.
+            assert!(last.load.abs() < 1e-9 * first.load.abs(), "{strategy}: {last:?}");
             assert_eq!(report.fracture.expect("it broke").ending, "nothing carries the load any more");
             // All work is released in the end. Measured 3.7e-11.
-            assert!(last.stored == 0.0 && relative(last.released, last.work) < 1e-9, "{strategy} {last:?}");
+            assert!(last.stored <= 1e-18 * last.work, "{strategy} {last:?}");
+            assert!(relative(last.released, last.work) < 1e-9, "{strategy} {last:?}");
             assert!(told.events.iter().all(|e| e.balance.abs() < 1e-9), "{strategy}");
         }
     }

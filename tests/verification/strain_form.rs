@@ -111,11 +111,12 @@ fn strains_and_displacements_give_the_same_answer_under_every_law_and_support() 
     }
 }
 
-/// All cases of beams of the gallery.
+/// All cases of beams of the gallery but those that break: they take a factor.
 fn gallery() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/beam");
     let entries = std::fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
-    entries.filter(|path| path.extension().is_some_and(|e| e == "json")).collect()
+    let breaks = |path: &PathBuf| std::fs::read_to_string(path).expect("a case").contains("\"fracture\"");
+    entries.filter(|path| path.extension().is_some_and(|e| e == "json") && !breaks(path)).collect()
 }
 
 /// A case of the gallery with a solver; `None` if the solver does not apply.

@@ -6,9 +6,10 @@ use std::fmt::Write;
 
 /// What is told of a body that breaks: what every such body has, then what checks know by name.
 pub(super) fn fracture(out: &mut String, report: &FractureReport) {
-    let fact = |name: &str| report.facts.get(name).and_then(serde_json::Value::as_f64).unwrap_or(0.0);
-    let at = |factor: &str, load: &str| {
-        format!("load factor {}, load {}", number(fact(factor)), number(fact(load)))
+    let fact = |name: &str| report.facts.get(name).and_then(serde_json::Value::as_f64);
+    let at = |factor: &str, load: &str| match fact(factor).zip(fact(load)) {
+        Some((factor, load)) => format!("load factor {}, load {}", number(factor), number(load)),
+        None => "nothing broke".into(),
     };
     let off = match report.island_points {
         0 => String::new(),

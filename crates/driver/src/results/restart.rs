@@ -79,6 +79,9 @@ mod tests {
             frozen: vec![(12, values[2])],
             recorded: 4,
             step: 3,
+            right_hand_sides: 7,
+            pcg_iterations: 81,
+            target: 1.0e-9 / 3.0,
             load_factor: 1.1,
             summaries: "[[],[]]".into(),
         }

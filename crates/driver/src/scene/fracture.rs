@@ -64,7 +64,7 @@ pub(super) fn resolve<C>(
                 .hint("`worst` goes from break to break: the load follows from the bonds");
         }
     } else {
-        fine &= positive(*fracture.increment.get_or_insert(0.02), "increment", path.key("increment"), faults);
+        part(*fracture.increment.get_or_insert(0.02), "increment", faults);
     }
     let max_solves = *fracture.max_solves.get_or_insert(5000);
     let record_every = *fracture.record_every.get_or_insert(10);

@@ -30,6 +30,8 @@ pub(super) struct Breaking<'a, const D: usize, P> {
     pub(super) factored: usize,
     pub(super) recorded: usize,
     pub(super) step: usize,
+    /// Whether loads acted on what has come off.
+    pub(super) loads_gone: bool,
     /// How the displacements at hand were found.
     pub(super) outcome: Outcome,
     pub(super) timing: Timing,
@@ -56,6 +58,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             factored: 0,
             recorded: 0,
             step: 0,
+            loads_gone: false,
             outcome: Outcome::Found,
             timing,
             converged: true,
@@ -73,16 +76,16 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     /// as if it had not stopped.
     pub(super) fn resume(body: &'a mut P, system: System<D>, restart: Restart) -> Result<Self, RunError> {
         restart.fits(system.size(), body.problem().model().bond_numbers())?;
-        let (factored, later) = restart.broken.split_at(restart.factored.min(restart.broken.len()));
+        let (factored, later) = restart.broken.split_at(restart.factored);
         let mut all = Self::new(body, system)?;
-        all.unit.u = restart.unit;
+        all.unit.u.clone_from(&restart.unit);
         if !factored.is_empty() {
             all.remove(factored);
             all.unit.refactor(&all.system, &mut all.timing)?;
         }
         all.remove(later);
-        all.islands.set_frozen(restart.frozen);
-        all.unit.resume(&all.system, &restart.events);
+        all.islands.set_frozen(restart.frozen.clone());
+        all.unit.resume(&all.system, &restart);
         let last = restart.events.last().copied().unwrap_or_default();
         all.ledger = Ledger::resume(last.work, last.released, last.bond_energy, restart.load_factor);
         (all.events, all.broken, all.factored) = (restart.events, restart.broken, restart.factored);
@@ -98,7 +101,9 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let problem = self.body.problem();
         let state = [&u[..], &self.unit.loads];
         let found = self.islands.find(problem.model(), &mut self.system, problem.equations(), state);
-        self.islands.frozen().iter().for_each(|&(unknown, _)| self.unit.loads[unknown as usize] = 0.0);
+        for &(unknown, _) in self.islands.frozen() {
+            self.loads_gone |= std::mem::take(&mut self.unit.loads[unknown as usize]) != 0.0;
+        }
         found
     }
 
@@ -134,7 +139,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     }
 
     pub(super) fn restart(&self, load_factor: f64) -> Restart {
-        Restart {
+        let mut restart = Restart {
             events: self.events.clone(),
             broken: self.broken.clone(),
             factored: self.factored,
@@ -144,7 +149,9 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             step: self.step,
             load_factor,
             ..Restart::default()
-        }
+        };
+        self.unit.save(&mut restart);
+        restart
     }
 
     /// Certifies the present equilibrium and hands it on.

@@ -33,7 +33,7 @@ pub struct Event {
     pub unstable_release: f64,
     /// What work, strain energy and released energy lack of a balance, over the work.
     pub balance: f64,
-    /// Iterations of this solve.
+    /// Iterations of this solve; none where no bond broke before.
     pub iterations: usize,
     /// Factorisations so far.
     pub factorisations: usize,
@@ -62,6 +62,12 @@ pub struct Restart {
     pub step: usize,
     /// Load factor.
     pub load_factor: f64,
+    /// Solves so far.
+    pub right_hand_sides: usize,
+    /// Iterations so far, those of recorded states among them.
+    pub pcg_iterations: usize,
+    /// The residual that is asked for, 2-norm.
+    pub target: f64,
     /// What the summary says of the recorded states; filled in likewise.
     pub summaries: String,
 }

@@ -47,20 +47,21 @@ pub const FACTS: [&str; 7] = [
 impl Facts {
     /// Those of the equilibria so far, the last of which is the one at hand.
     pub(super) fn of(events: &[Event], more: Vec<(String, f64)>) -> Self {
-        let place = |event: Option<&Event>| event.map_or([0.0; 2], |e| [e.load_factor, e.load]);
-        let first = place(events.iter().find(|e| e.broken_now > 0));
-        let peak = place(events.iter().max_by(|a, b| a.load.abs().total_cmp(&b.load.abs())));
+        let place = |event: &Event| [event.load_factor, event.load];
+        let first = events.iter().find(|e| e.broken_now > 0).map(place);
+        let peak = events.iter().max_by(|a, b| a.load.abs().total_cmp(&b.load.abs())).map(place);
         let last = events.last().copied().unwrap_or_default();
         let values = [
-            first[0],
-            first[1],
-            peak[0],
-            peak[1],
-            last.load_factor,
-            last.broken as f64,
-            last.island_points as f64,
+            first.map(|f| f[0]),
+            first.map(|f| f[1]),
+            peak.map(|p| p[0]),
+            peak.map(|p| p[1]),
+            Some(last.load_factor),
+            Some(last.broken as f64),
+            Some(last.island_points as f64),
         ];
-        let named = FACTS.iter().zip(values).map(|(name, value)| (name.to_string(), value));
+        // Where nothing breaks there is no first break.
+        let named = FACTS.iter().zip(values).filter_map(|(name, value)| Some((name.to_string(), value?)));
         Self(named.chain(more).collect())
     }
 

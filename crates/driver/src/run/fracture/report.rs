@@ -2,10 +2,14 @@
 
 use super::super::factor::SolverReport;
 use super::super::{Counters, RunReport, Sizes};
+use super::Event;
 use super::breaking::Breaking;
 use super::ending::Ending;
 use super::problem::{BreakingBody, Facts};
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, JsonPath};
+
+/// Work of the load over that of all loads and motions, below which it is rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// How a body broke.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -18,13 +22,32 @@ pub struct FractureReport {
     pub broken_bonds: usize,
     /// Points of parts that came off.
     pub island_points: usize,
-    /// Conjugate-gradient iterations per equilibrium, on the mean.
+    /// Conjugate-gradient iterations per solve, on the mean.
     pub mean_iterations: f64,
     /// What checks can ask for, by name.
     pub facts: serde_json::Map<String, serde_json::Value>,
 }
 
 impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
+    /// Doubts about what was found.
+    fn warnings(&self) -> Faults {
+        let (mut faults, path) = (Faults::default(), JsonPath::default().key("fracture"));
+        let largest = |of: fn(&Event) -> f64| self.events.iter().map(of).fold(0.0, f64::max);
+        let worked = largest(|e| if e.load_factor > 0.0 { e.work.abs() / e.load_factor } else { 0.0 });
+        let moved = self.unit.u.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
+        if worked > 0.0 && largest(|e| e.load.abs()) * moved < ROUNDING * worked {
+            faults
+                .warning(path.key("load"), "the probe that stands for the load is zero but for rounding")
+                .hint("take one that the loads or motions work with: its peak and what ends the run mean nothing");
+        }
+        if self.loads_gone {
+            faults
+                .warning(path.clone(), "loads acted on parts that came off: they act no more")
+                .hint("the load factor is that of the loads that are left");
+        }
+        faults
+    }
+
     pub(super) fn report(self, sizes: Sizes, ending: Ending) -> RunReport {
         let facts = Facts::of(&self.events, self.body.facts(&self.broken));
         let mut counters: Counters = self.unit.counters.clone();
@@ -36,21 +59,23 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
         };
         counters.bond_evaluations = self.system.evaluations();
         counters.stored_bond_factors = self.system.terms().iter().map(|t| t.stored_factors()).sum();
+        let warnings = self.warnings();
         let iterations: usize = self.events.iter().map(|e| e.iterations).sum();
+        let mean_iterations = iterations as f64 / counters.right_hand_sides.max(1) as f64;
         RunReport {
             sizes,
             solver,
             counters,
             timing: self.timing,
             skipped: Vec::new(),
-            warnings: Faults::default(),
+            warnings,
             converged: self.converged,
             fracture: Some(FractureReport {
                 ending: ending.words(),
                 solves: self.events.len(),
                 broken_bonds: self.broken.len(),
                 island_points: self.islands.points(),
-                mean_iterations: iterations as f64 / self.events.len().max(1) as f64,
+                mean_iterations,
                 facts: facts.0.into_iter().map(|(name, value)| (name, value.into())).collect(),
             }),
         }

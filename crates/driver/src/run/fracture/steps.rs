@@ -71,6 +71,8 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
         }
         let restart = || self.restart(next.load_factor);
         sink.advance(&event, ending.is_none().then_some(&restart))?;
+        // Until the next solve.
+        self.unit.iterations = 0;
         match ending {
             None if sink.is_interrupted() => Err(RunError::Interrupted),
             ending => Ok(ending),

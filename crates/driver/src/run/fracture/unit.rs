@@ -5,7 +5,7 @@ use super::super::factor::SolveFailure;
 use super::super::kept_factor::KeptFactor;
 use super::super::workspace::{StateSolution, Workspace, jump, jump_energy};
 use super::super::{Counters, Problem, Timing};
-use super::Event;
+use super::Restart;
 use super::ledger::UnitEnergy;
 use peristat_assembly::system::System;
 use std::time::Instant;
@@ -135,11 +135,22 @@ impl<const D: usize> Unit<D> {
     }
 
     /// Goes on with the displacements at hand after the equilibria of another run.
-    pub(super) fn resume(&mut self, system: &System<D>, events: &[Event]) {
-        self.counters.factorisations = events.last().map_or(0, |e| e.factorisations);
-        self.counters.right_hand_sides = events.len();
-        self.counters.pcg_iterations = events.iter().map(|e| e.iterations).sum();
+    pub(super) fn resume(&mut self, system: &System<D>, restart: &Restart) {
+        if let Some(last) = restart.events.last() {
+            self.counters.factorisations = last.factorisations;
+            self.residual = last.residual;
+        }
+        self.counters.right_hand_sides = restart.right_hand_sides;
+        self.counters.pcg_iterations = restart.pcg_iterations;
+        self.target = restart.target;
         self.weigh(system);
+    }
+
+    /// Says what of it a restart needs, beside the displacements.
+    pub(super) fn save(&self, restart: &mut Restart) {
+        restart.right_hand_sides = self.counters.right_hand_sides;
+        restart.pcg_iterations = self.counters.pcg_iterations;
+        restart.target = self.target;
     }
 
     /// Takes displacements, forces and energies for zero: what is left bears nothing.
@@ -183,6 +194,10 @@ impl<const D: usize> Unit<D> {
         let suddenly = load_factor * load_factor * jump_energy(system);
         solution.jump_energy = if is_slack { f64::INFINITY } else { suddenly };
         self.work.weigh(system, &mut self.factor, (&loads, load_factor), &mut solution);
+        if is_slack {
+            // Displacements are rounding, too, and so is what would correct them.
+            solution.next_correction = 0.0;
+        }
         let certificate = certificate::certify(problem.model(), system, &loads, &solution, &self.work.scales);
         timing.certify += begin.elapsed().as_secs_f64();
         (loads, solution, certificate)
