@@ -102,8 +102,19 @@ fn assert_same(found: &Path, expected: &Path) {
 
 #[test]
 fn a_run_that_is_killed_again_and_again_ends_like_one_that_was_not() {
+    killed_again_and_again(&case());
+}
+
+#[test]
+fn so_does_a_run_in_load_steps() {
+    let mut steps = case();
+    (steps["fracture"]["strategy"], steps["fracture"]["increment"]) = (json!("batch"), json!(0.005));
+    killed_again_and_again(&steps);
+}
+
+fn killed_again_and_again(case: &Value) {
     let folder = tempfile::tempdir().unwrap();
-    let whole = solve(folder.path(), &case(), &["-o", "whole"]);
+    let whole = solve(folder.path(), case, &["-o", "whole"]);
     assert_eq!(whole.code, 0, "{}\n{}", whole.stdout, whole.stderr);
     let rows = fs::read_to_string(folder.path().join("whole/curve.csv")).unwrap().lines().count() - 1;
     assert!(rows > 40, "{rows} equilibria are too few to be interrupted");
