@@ -110,6 +110,14 @@ where
         }
     }
 
+    fn load_is_force(&self) -> bool {
+        // A moment works with a rotation, which is no smaller than a deflection of a beam longer than its height.
+        !matches!(
+            self.problem.scene.probes[self.fracture.load].field,
+            FieldName::W | FieldName::Phi | FieldName::U
+        )
+    }
+
     fn facts(&self, _broken: &[u64]) -> Vec<(String, f64)> {
         Vec::new()
     }

@@ -30,6 +30,8 @@ pub(super) struct Breaking<'a, const D: usize, P> {
     pub(super) factored: usize,
     pub(super) recorded: usize,
     pub(super) step: usize,
+    /// Whether the load is zero but for rounding.
+    pub(super) is_rounding: bool,
     /// Whether loads acted on what has come off.
     pub(super) loads_gone: bool,
     /// How the displacements at hand were found.
@@ -58,6 +60,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             factored: 0,
             recorded: 0,
             step: 0,
+            is_rounding: false,
             loads_gone: false,
             outcome: Outcome::Found,
             timing,

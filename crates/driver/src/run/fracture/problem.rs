@@ -22,6 +22,9 @@ pub(in super::super) trait BreakingBody<const D: usize> {
     /// The load, from unknowns and from the forces that hold the equations.
     fn load(&self, u: &[f64], multipliers: &[f64]) -> f64;
 
+    /// Whether the load is a force, not a displacement.
+    fn load_is_force(&self) -> bool;
+
     /// What is told of the broken bonds beside their number, by name.
     fn facts(&self, broken: &[u64]) -> Vec<(String, f64)>;
 

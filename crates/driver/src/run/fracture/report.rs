@@ -2,14 +2,10 @@
 
 use super::super::factor::SolverReport;
 use super::super::{Counters, RunReport, Sizes};
-use super::Event;
 use super::breaking::Breaking;
 use super::ending::Ending;
 use super::problem::{BreakingBody, Facts};
 use crate::diagnostic::{Faults, JsonPath};
-
-/// Work of the load over that of all loads and motions, below which it is rounding.
-const ROUNDING: f64 = 1e-9;
 
 /// How a body broke.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -32,10 +28,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
     /// Doubts about what was found.
     fn warnings(&self) -> Faults {
         let (mut faults, path) = (Faults::default(), JsonPath::default().key("fracture"));
-        let largest = |of: fn(&Event) -> f64| self.events.iter().map(of).fold(0.0, f64::max);
-        let worked = largest(|e| if e.load_factor > 0.0 { e.work.abs() / e.load_factor } else { 0.0 });
-        let moved = self.unit.u.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
-        if worked > 0.0 && largest(|e| e.load.abs()) * moved < ROUNDING * worked {
+        if self.is_rounding {
             faults
                 .warning(path.key("load"), "the probe that stands for the load is zero but for rounding")
                 .hint("take one that the loads or motions work with: its peak and what ends the run mean nothing");

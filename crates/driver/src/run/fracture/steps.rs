@@ -8,6 +8,9 @@ use super::problem::BreakingBody;
 use super::{Event, Restart};
 use peristat_assembly::system::System;
 
+/// Work of the load over that of all loads and motions, below which it is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Breaks the bonds of a prepared problem, and hands equilibria on.
 ///
 /// # Errors
@@ -63,6 +66,10 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             factorisations: self.unit.counters.factorisations,
             residual: self.unit.residual,
         };
+        if self.events.is_empty() && self.body.load_is_force() {
+            let moved = u.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
+            self.is_rounding = event.work > 0.0 && event.load.abs() * moved < ROUNDING * event.work;
+        }
         self.events.push(event);
         let ending = self.ending(&event);
         let is_first = self.events.iter().filter(|e| e.broken_now > 0).count() == 1 && event.broken_now > 0;

@@ -5,7 +5,7 @@ use super::verdict;
 use crate::run::fracture::{BreakingBody, Facts};
 use crate::run::{Problem, SolvedState, StateRecord, StateResult};
 use crate::scene::fracture::FractureScene;
-use crate::scene::plane::{PlaneFracture, PlaneProblem};
+use crate::scene::plane::{PlaneFracture, PlaneProblem, Quantity};
 use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
 use peristat_assembly::model::{Breakable, Model};
 
@@ -38,6 +38,11 @@ where
         let scene = self.problem.scene;
         let quantity = &scene.probes[self.fracture.steps.load].quantity;
         verdict::mechanical(scene, quantity, u, multipliers).unwrap_or(0.0)
+    }
+
+    fn load_is_force(&self) -> bool {
+        let probe = &self.problem.scene.probes[self.fracture.steps.load];
+        matches!(probe.quantity, Quantity::Reaction { .. })
     }
 
     fn facts(&self, broken: &[u64]) -> Vec<(String, f64)> {
