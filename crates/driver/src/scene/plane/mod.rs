@@ -6,6 +6,7 @@ mod boundary;
 mod checks;
 mod conditions;
 mod cracks;
+mod critical;
 mod fading;
 mod files;
 mod foreign;
