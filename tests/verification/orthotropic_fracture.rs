@@ -101,8 +101,8 @@ fn check_energies(events: &[Event]) {
     let mut before = &Event::default();
     for event in events {
         // Measured: 5e-12 at most.
-        assert!(event.balance.abs() < 1e-8, "{event:?}");
-        assert!((event.work - event.stored - event.released).abs() < 1e-8 * event.work, "{event:?}");
+        assert!(event.balance.abs() < 1e-10, "{event:?}");
+        assert!((event.work - event.stored - event.released).abs() < 1e-10 * event.work, "{event:?}");
         assert!(event.bond_energy >= before.bond_energy && event.released >= before.released);
         assert!((event.released - event.bond_energy - event.unstable_release).abs() <= 1e-12 * event.work);
         before = event;
@@ -156,7 +156,8 @@ fn all_strategies_begin_alike_and_peak_about_alike() {
     for strategy in ["batch", "all"] {
         let (begin, most) = peak(strategy);
         near(begin, first, 1e-6);
-        near(most, worst, 0.1);
+        // Measured: 0.060, both.
+        near(most, worst, 0.07);
     }
 }
 

@@ -71,7 +71,10 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     /// From the intact body.
     pub(super) fn begin(body: &'a mut P, system: System<D>) -> Result<Self, RunError> {
         let mut all = Self::new(body, system)?;
-        all.unit.solve(&all.system, &mut all.timing)?;
+        (all.outcome, _) = all.unit.solve(&all.system, &mut all.timing)?;
+        if all.outcome != Outcome::Found {
+            all.unit.rest();
+        }
         Ok(all)
     }
 

@@ -39,7 +39,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
         let peak = self.events.iter().map(|e| e.load.abs()).fold(0.0, f64::max);
         if self.outcome == Outcome::Lost {
             Some(Ending::Lost)
-        } else if self.is_slack() {
+        } else if self.outcome == Outcome::Unborne || self.is_slack() {
             Some(Ending::CameOff)
         } else if event.broken > 0 && event.load.abs() < fracture.stop_below * peak {
             Some(Ending::LoadGone)
