@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// Why a matrix has no usable Cholesky factor.
+/// Why a matrix has no usable factor.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
 pub enum FactorError {
     /// A pivot is zero or negative: the matrix is not positive definite.
@@ -17,6 +17,13 @@ pub enum FactorError {
         /// is the number of negative eigenvalues (Sylvester) unless a pivot is
         /// exactly zero; the sparse factor stops at the first and reports 1.
         count: usize,
+    },
+    /// A pivot is zero: the matrix has no inverse.
+    #[error("the matrix is singular: the pivot of unknown {index} is zero")]
+    Singular {
+        /// The first unknown with such a pivot, counted as in the vectors; of a matrix that was changed
+        /// after it was factored, an unknown of the change that makes it singular.
+        index: usize,
     },
     /// A pivot, or an entry of the matrix, is infinite or not a number.
     #[error("the matrix has an entry that is not finite in the row of unknown {index}")]

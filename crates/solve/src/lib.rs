@@ -1,5 +1,5 @@
-//! Linear algebra of an implicit solver: direct factors of symmetric positive
-//! definite matrices and conjugate gradients preconditioned with them.
+//! Linear algebra of an implicit solver: direct factors of symmetric matrices, most
+//! of them positive definite, and conjugate gradients preconditioned with them.
 //!
 //! Everything here is about vectors, symmetric matrices and linear maps; what the
 //! numbers mean is the caller's business.
@@ -10,6 +10,8 @@
 //!   memory that do not depend on how often they repeat;
 //! * [`SparseCholesky`] factors any other sparse matrix and keeps the symbolic
 //!   analysis for the next matrix of the same pattern;
+//! * [`SparseIndefinite`] factors one that need not be positive definite, in the same
+//!   structure, and counts its negative eigenvalues;
 //! * [`nested_dissection`] orders the unknowns of points in a plane so that it
 //!   fills little, and [`DissectedCholesky`] factors the two halves of such an
 //!   order side by side in two threads;
@@ -24,6 +26,7 @@
 //! dealt out to the threads of the current `rayon` pool.
 
 mod band;
+mod blocks;
 mod choice;
 mod dissected;
 mod dissection;
@@ -49,4 +52,4 @@ pub use multigrid::{Multigrid, MultigridOptions};
 pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
 pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};
-pub use sparse::{Ordering, SparseCholesky};
+pub use sparse::{Ordering, SparseCholesky, SparseIndefinite};

@@ -9,7 +9,7 @@ pub trait LinearOperator {
     fn apply(&self, x: &[f64], y: &mut [f64]);
 }
 
-/// An approximate inverse of a [`LinearOperator`], symmetric positive definite.
+/// An approximate inverse of a [`LinearOperator`], symmetric; conjugate gradients need a positive definite one.
 pub trait Preconditioner {
     /// Length of the vectors.
     fn size(&self) -> usize;

@@ -1,6 +1,7 @@
 //! Matrices of plane lattices and clouds for tests.
 
 use crate::{PointGraph, Preconditioner};
+use faer::{Mat, Side};
 use sprs::{CsMat, TriMat};
 
 /// Points of a plane and the pairs that are coupled.
@@ -70,16 +71,22 @@ impl Plane {
     /// Lower triangle of a positive definite matrix with `components` unknowns per point: of each pair a random
     /// square of the difference, and the identity.
     pub(crate) fn matrix(&self, components: usize) -> CsMat<f64> {
+        self.weighted(components, || 1.0)
+    }
+
+    /// The same with a weight for each pair, which may be negative.
+    pub(crate) fn weighted(&self, components: usize, mut weight: impl FnMut() -> f64) -> CsMat<f64> {
         let (points, mut next) = (self.positions.len(), random(11));
         let mut entries = TriMat::new((points * components, points * components));
         for [p, q] in &self.pairs {
+            let w = weight();
             let rows: Vec<(usize, f64)> = (0..components)
                 .map(|c| (c * points, next() - 0.3))
                 .flat_map(|(plane, x)| [(plane + p, x), (plane + q, -x)])
                 .collect();
             for (i, x) in &rows {
                 for (j, y) in rows.iter().filter(|(j, _)| j <= i) {
-                    entries.add_triplet(*i, *j, x * y);
+                    entries.add_triplet(*i, *j, w * x * y);
                 }
             }
         }
@@ -92,17 +99,45 @@ impl Plane {
     }
 }
 
-/// Largest residual of `A x = b` with a wavy `b` of size 1 (lower triangle).
-pub(crate) fn residual(matrix: &CsMat<f64>, factor: &mut impl Preconditioner) -> f64 {
-    let b: Vec<f64> = (0..matrix.rows()).map(|i| (i as f64 * 0.7).sin()).collect();
-    let mut x = vec![f64::NAN; b.len()];
-    factor.apply(&b, &mut x);
-    let mut left = b;
+/// `r - A x` (lower triangle).
+pub(crate) fn left(matrix: &CsMat<f64>, x: &[f64], r: &[f64]) -> Vec<f64> {
+    let mut left = r.to_vec();
     for (value, (i, j)) in matrix {
         left[i] -= value * x[j];
         if i != j {
             left[j] -= value * x[i];
         }
     }
+    left
+}
+
+/// A right-hand side of size 1.
+pub(crate) fn wavy(order: usize) -> Vec<f64> {
+    (0..order).map(|i| (i as f64 * 0.7).sin()).collect()
+}
+
+/// Largest residual of `A x = b` with a wavy `b` of size 1 (lower triangle).
+pub(crate) fn residual(matrix: &CsMat<f64>, factor: &mut impl Preconditioner) -> f64 {
+    let b = wavy(matrix.rows());
+    let mut x = vec![f64::NAN; b.len()];
+    factor.apply(&b, &mut x);
+    let left = left(matrix, &x, &b);
     left.into_iter().fold(0.0, |most, r| if r.abs() <= most { most } else { r.abs() })
+}
+
+/// The whole matrix, given its lower triangle.
+pub(crate) fn dense(matrix: &CsMat<f64>) -> Mat<f64> {
+    let mut dense = Mat::zeros(matrix.rows(), matrix.rows());
+    for (value, (i, j)) in matrix {
+        dense[(i, j)] = *value;
+        dense[(j, i)] = *value;
+    }
+    dense
+}
+
+/// Number of negative eigenvalues of a matrix that has none near zero.
+pub(crate) fn negative_eigenvalues(matrix: &Mat<f64>) -> usize {
+    let values = matrix.self_adjoint_eigenvalues(Side::Lower).unwrap();
+    assert!(values.iter().all(|value| value.abs() > 1.0e-9), "a test with an eigenvalue near zero");
+    values.iter().filter(|value| **value < 0.0).count()
 }
