@@ -12,6 +12,7 @@
 //!   analysis for the next matrix of the same pattern;
 //! * [`SparseIndefinite`] factors one that need not be positive definite, in the same
 //!   structure, and counts its negative eigenvalues;
+//! * [`LowRank`] solves with a factored matrix that a few terms were added to or taken from;
 //! * [`nested_dissection`] orders the unknowns of points in a plane so that it
 //!   fills little, and [`DissectedCholesky`] factors the two halves of such an
 //!   order side by side in two threads;
@@ -32,6 +33,7 @@ mod dissected;
 mod dissection;
 mod error;
 mod hierarchy;
+mod low_rank;
 mod multigrid;
 mod operator;
 mod pcg;
@@ -48,6 +50,7 @@ pub use dissected::DissectedCholesky;
 pub use dissection::{Dissection, PointGraph, nested_dissection};
 pub use error::FactorError;
 pub use hierarchy::{Hierarchy, Relaxation};
+pub use low_rank::LowRank;
 pub use multigrid::{Multigrid, MultigridOptions};
 pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
