@@ -8,11 +8,14 @@
 //! * `--write FILE`: write the matrix, see `lattice.rs` for the format, and time nothing;
 //! * `--order FILE`: count the fill of the order of points in FILE (u32, little endian), and time
 //!   nothing;
-//! * `--fill`: count the fill of the own order, and time nothing.
+//! * `--fill`: count the fill of the own order, and time nothing;
+//! * `--changes`: time, in one thread, the factors of a definite and of an indefinite matrix, solves, and those with
+//!   a few bonds softer; medians of the rounds.
 //!
 //! Prints one JSON object per line.
 #![allow(clippy::print_stdout)] // the purpose of the program
 
+mod changes;
 mod lattice;
 mod symbolic;
 
@@ -48,6 +51,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Ok(());
     }
     let rounds = option("--rounds").map_or(Ok(1), |a| a.parse())?;
+    if arguments.iter().any(|a| a == "--changes") {
+        changes::time(&plate, rounds)?;
+        return Ok(());
+    }
     let threads: Option<usize> = option("--threads").map(|a| a.parse()).transpose()?;
     for _ in 0..rounds {
         for threads in [1, 2].into_iter().filter(|t| threads.is_none_or(|only| only == *t)) {
