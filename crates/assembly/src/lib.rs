@@ -10,12 +10,13 @@
 //! ([`model::Breakable`]).
 //!
 //! Modules use only what stands to their left:
-//! `sum → material → bonds → body → condition → stiffness → model → system`.
+//! `sum → law → material → bonds → body → condition → stiffness → model → system`.
 #![cfg_attr(test, allow(clippy::float_cmp))]
 
 pub mod body;
 pub mod bonds;
 pub mod condition;
+pub mod law;
 pub mod material;
 pub mod model;
 mod register;
