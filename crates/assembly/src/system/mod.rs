@@ -3,10 +3,12 @@
 mod elimination;
 mod level;
 mod mobility;
+mod pattern;
 mod scatter;
 
 pub use level::Level;
 pub use mobility::{FreeMotion, PartMotion, free_motions};
+pub use pattern::DifferencePattern;
 
 use crate::condition::{Constraints, Contradiction, Equation};
 use crate::model::Model;

@@ -19,6 +19,7 @@ mod material;
 mod motion;
 mod neighbourhood;
 mod parameters;
+mod softening;
 #[cfg(test)]
 mod tests;
 mod toughness;
@@ -27,6 +28,7 @@ pub use bond::CentralBond;
 pub use error::BondPlaneError;
 pub use material::{PlaneMaterial, PlaneState};
 pub use parameters::{Influence, PlaneParameters, VolumeFactor};
+pub use softening::{failure_stretch, yield_stretch};
 pub use toughness::{critical_stretch, published_critical_stretch};
 
 use super::plane::{FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles};

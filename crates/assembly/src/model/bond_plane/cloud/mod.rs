@@ -116,7 +116,7 @@ impl CloudBody {
     }
 
     /// Distance of the points of a bond, m.
-    fn length(&self, bond: &Bond<2, 1>) -> f64 {
+    pub(super) fn length(&self, bond: &Bond<2, 1>) -> f64 {
         let [a, b] = bond.points.map(|p| self.positions[p as usize]);
         (b[0] - a[0]).hypot(b[1] - a[1])
     }
