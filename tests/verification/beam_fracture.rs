@@ -4,7 +4,7 @@ use crate::support::{refusal, relative, scene};
 use peristat::case::FieldName;
 use peristat::run::beam::{self, BeamResult};
 use peristat::run::fracture::{Event, Restart};
-use peristat::run::{RunOptions, RunReport, Sink, StateResult};
+use peristat::run::{Advance, RunOptions, RunReport, Sink, StateResult};
 use serde_json::{Value, json};
 use std::io;
 
@@ -28,7 +28,8 @@ impl Sink for Told {
         Ok(())
     }
 
-    fn advance(&mut self, event: &Event, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+    fn advance(&mut self, advance: Advance<'_>, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+        let Advance::Break(event) = advance else { return Ok(()) };
         self.events.push(*event);
         self.restarts.extend(restart.map(|make| make()));
         Ok(())

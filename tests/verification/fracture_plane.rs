@@ -2,7 +2,7 @@
 
 use peristat::case::from_text;
 use peristat::run::fracture::{Event, FractureReport, Restart};
-use peristat::run::{RunOptions, RunReport, Sink, StateResult, run};
+use peristat::run::{Advance, RunOptions, RunReport, Sink, StateResult, run};
 use peristat::scene::Scene;
 use serde_json::{Value, json};
 use std::io;
@@ -17,7 +17,8 @@ impl Sink for Kept {
         Ok(())
     }
 
-    fn advance(&mut self, event: &Event, _restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+    fn advance(&mut self, advance: Advance<'_>, _restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+        let Advance::Break(event) = advance else { return Ok(()) };
         self.0.push(*event);
         Ok(())
     }

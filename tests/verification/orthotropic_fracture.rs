@@ -4,7 +4,7 @@
 
 use crate::support::plane::{probe, refusal, scene};
 use peristat::run::fracture::{Event, FractureReport, Restart};
-use peristat::run::{RunOptions, Sink, StateResult, plane};
+use peristat::run::{Advance, RunOptions, Sink, StateResult, plane};
 use serde_json::{Value, json};
 use std::io;
 
@@ -48,7 +48,8 @@ impl Sink for Told {
         Ok(())
     }
 
-    fn advance(&mut self, event: &Event, _: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+    fn advance(&mut self, advance: Advance<'_>, _: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+        let Advance::Break(event) = advance else { return Ok(()) };
         self.0.push(*event);
         Ok(())
     }

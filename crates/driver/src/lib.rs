@@ -36,8 +36,8 @@ pub mod scene;
 pub mod summary;
 
 use diagnostic::{Faults, Report, Severity};
-use run::fracture::{Event, Restart};
-use run::{RunError, RunOptions, Sink, StateResult, taking};
+use run::fracture::Restart;
+use run::{Advance, RunError, RunOptions, Sink, StateResult, taking};
 use scene::Scene;
 use std::io;
 use std::path::Path;
@@ -165,7 +165,7 @@ impl Sink for Collecting<'_> {
         self.sink.take(result)
     }
 
-    fn advance(&mut self, event: &Event, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+    fn advance(&mut self, event: Advance<'_>, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
         let Some(restart) = restart else { return self.sink.advance(event, None) };
         let restart =
             || Restart { case: self.fingerprint.clone(), summaries: self.collector.save(), ..restart() };

@@ -8,6 +8,7 @@ mod frame;
 mod grading;
 mod model;
 mod orthotropic;
+mod path;
 mod plane;
 mod plane_body;
 mod plane_load;
@@ -27,6 +28,7 @@ pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
 pub use model::{Beam, Body, Line, LoadSharing, Model};
 pub use orthotropic::{LatticeRows, Orthotropic};
+pub use path::{BilinearLaw, Path, PathControl, PlaneBondLaw, Turn};
 pub use plane::{Plane, PlaneState};
 pub use plane_body::{
     CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
@@ -106,6 +108,9 @@ pub struct Case {
     /// How the body breaks under `loads` and prescribed motions that grow, instead of `steps`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fracture: Option<Fracture>,
+    /// How a body of bonds that soften is followed, instead of `steps`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub path: Option<Path>,
     /// How to solve; `auto` says what it took and why.
     #[serde(default)]
     pub solver: Solver,
@@ -124,6 +129,13 @@ pub struct Case {
     /// Left out by `peristat verify` unless it is asked for all.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub slow: bool,
+}
+
+impl Case {
+    /// Whether the body breaks or softens: its states are found one after the other, and it is not known how many there are.
+    pub fn is_traced(&self) -> bool {
+        self.fracture.is_some() || self.path.is_some()
+    }
 }
 
 /// A label for consistent units.

@@ -1,5 +1,6 @@
 //! The model `bond_plane` of a case.
 
+use super::PlaneBondLaw;
 use peristat_assembly::model::bond_plane::{Influence, VolumeFactor};
 use peristat_assembly::model::plane::{Calibration, Edges};
 use schemars::JsonSchema;
@@ -22,9 +23,9 @@ pub struct Plane {
     /// How the stiffness of bonds depends on their length; `constant` if not given.
     #[serde(default)]
     pub influence: Influence,
-    /// Where the stiffness of bonds comes from; `matched` if not given.
-    #[serde(default)]
-    pub calibration: Calibration,
+    /// Where the stiffness of bonds comes from; `published` where bonds break or soften, else `matched`, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<Calibration>,
     /// Volume of points at the edge of the horizon, with the calibration `published`; `ramp` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_factor: Option<VolumeFactor>,
@@ -32,6 +33,9 @@ pub struct Plane {
     /// `published` and where bonds break, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edges: Option<Edges>,
+    /// What bonds do beyond their elastic range; they have none if not given. It needs `path`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bond_law: Option<PlaneBondLaw>,
 }
 
 /// Plane stress or plane strain: what is zero across the plane.

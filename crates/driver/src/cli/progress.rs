@@ -2,7 +2,9 @@
 
 use super::args::Global;
 use super::note;
+use crate::run::Advance;
 use crate::run::fracture::Event;
+use crate::run::path::PathPoint;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
@@ -50,7 +52,7 @@ impl Progress {
     }
 
     /// An equilibrium was found.
-    pub(super) fn advance(&mut self, event: &Event) {
+    pub(super) fn advance(&mut self, event: Advance<'_>) {
         match self {
             Self::Silent => {}
             Self::Lines { last } => {
@@ -74,7 +76,21 @@ impl Drop for Progress {
 }
 
 /// An equilibrium in a line.
-fn line(event: &Event) -> String {
+fn line(event: Advance<'_>) -> String {
+    match event {
+        Advance::Break(event) => of_break(event),
+        Advance::Path(point) => of_path(point),
+    }
+}
+
+fn of_path(point: &PathPoint) -> String {
+    let PathPoint { step, load_factor, load, softened, broken, .. } = point;
+    format!(
+        "step {step}: load factor {load_factor:.4e}, load {load:.4e}, {softened} bonds soften, {broken} failed"
+    )
+}
+
+fn of_break(event: &Event) -> String {
     let Event { step, solve, load_factor, load, broken, island_points, .. } = event;
     let off = if *island_points > 0 { format!(", {island_points} points off") } else { String::new() };
     format!(
@@ -107,10 +123,10 @@ mod tests {
     fn lines_come_one_in_ten_seconds() {
         let mut progress = chosen(&["-v"], false);
         let Progress::Lines { last: before } = progress else { panic!("{progress:?}") };
-        progress.advance(&Event::default());
+        progress.advance(Advance::Break(&Event::default()));
         assert!(matches!(progress, Progress::Lines { last } if last == before));
         progress = Progress::Lines { last: before.checked_sub(PAUSE).unwrap() };
-        progress.advance(&Event::default());
+        progress.advance(Advance::Break(&Event::default()));
         assert!(matches!(progress, Progress::Lines { last } if last > before));
     }
 
@@ -118,7 +134,10 @@ mod tests {
     fn a_line_says_where_the_run_is() {
         let event =
             Event { step: 3, solve: 41, load_factor: 1.5, load: -2e4, broken: 12, ..Event::default() };
-        assert_eq!(line(&event), "step 3, solve 41: load factor 1.5000e0, load -2.0000e4, 12 bonds broken");
-        assert!(line(&Event { island_points: 5, ..event }).ends_with("12 bonds broken, 5 points off"));
+        assert_eq!(
+            of_break(&event),
+            "step 3, solve 41: load factor 1.5000e0, load -2.0000e4, 12 bonds broken"
+        );
+        assert!(of_break(&Event { island_points: 5, ..event }).ends_with("12 bonds broken, 5 points off"));
     }
 }

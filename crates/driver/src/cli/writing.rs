@@ -3,8 +3,8 @@
 use super::interrupt::Interrupt;
 use super::progress::Progress;
 use crate::results::{Results, finite};
-use crate::run::fracture::{Event, Restart};
-use crate::run::{Sink, StateResult};
+use crate::run::fracture::Restart;
+use crate::run::{Advance, Sink, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
 use std::io;
@@ -78,7 +78,7 @@ impl Sink for Writing<'_> {
         written.map_err(|e| self.at(e))
     }
 
-    fn advance(&mut self, event: &Event, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+    fn advance(&mut self, event: Advance<'_>, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
         self.progress.advance(event);
         let ends = self.interrupt.is_asked();
         let written = self.results()?.advance(event, restart, ends);

@@ -1,21 +1,23 @@
 //! The folder of a run, written state by state; `summary.json` comes last and means that the run is finished. While a body
 //! breaks, `restart.bin` is what the run can go on from.
 
+mod any_curve;
 mod beam;
 mod curve;
 mod envelope;
 mod factor;
+mod path_curve;
 mod plane;
 mod restart;
 mod resume;
 
 use crate::case::Case;
 use crate::output::{atomic, csv, pvd};
-use crate::run::fracture::{Event, Restart};
-use crate::run::{ProbeResult, StateRecord, StateResult};
+use crate::run::fracture::Restart;
+use crate::run::{Advance, ProbeResult, StateRecord, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
-use curve::Curve;
+use any_curve::AnyCurve;
 use envelope::Envelope;
 use std::fs;
 use std::io;
@@ -45,7 +47,7 @@ pub struct Results {
     steps: Vec<(f64, String)>,
     history: Vec<Vec<f64>>,
     envelope: Option<Envelope>,
-    curve: Option<Curve>,
+    curve: Option<AnyCurve>,
     /// When the restart is worth writing again.
     due: Option<Instant>,
 }
@@ -144,13 +146,12 @@ impl Results {
         write_case(folder, scene)?;
         fs::create_dir(folder.join("fields"))?;
         fs::create_dir(folder.join("plots"))?;
-        let breaks = scene.case().fracture.is_some();
         Ok(Self {
             folder: folder.into(),
             steps: Vec::new(),
             history: Vec::new(),
             envelope: scene.has_envelope().then(Envelope::default),
-            curve: if breaks { Some(Curve::begin(folder, &[])?) } else { None },
+            curve: AnyCurve::begin(folder, scene)?,
             due: None,
         })
     }
@@ -198,12 +199,12 @@ impl Results {
     /// The folder cannot be written.
     pub fn advance(
         &mut self,
-        event: &Event,
+        event: Advance<'_>,
         restart: Option<&dyn Fn() -> Restart>,
         ends: bool,
     ) -> io::Result<()> {
         if let Some(curve) = &mut self.curve {
-            curve.add(event)?;
+            curve.add(&event)?;
         }
         let Some(restart) = restart else { return Ok(()) };
         let begin = Instant::now();

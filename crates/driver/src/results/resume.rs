@@ -1,7 +1,8 @@
 //! Going on with the folder of a run that was interrupted.
 
+use super::curve::Curve;
 use super::{
-    Curve, HISTORY, MARK, Results, is_leftover, names_in, restart, step, step_name, sweep, write_case,
+    AnyCurve, HISTORY, MARK, Results, is_leftover, names_in, restart, step, step_name, sweep, write_case,
 };
 use crate::run::fracture::Restart;
 use crate::scene::Scene;
@@ -68,7 +69,7 @@ impl Results {
             steps,
             history,
             envelope: None,
-            curve: Some(Curve::begin(folder, &restart.events)?),
+            curve: Some(AnyCurve::Break(Curve::begin(folder, &restart.events)?)),
             due: None,
         };
         results.write_collection()?;
@@ -112,6 +113,7 @@ mod tests {
     use super::*;
     use crate::Loaded;
     use crate::case::{Critical, Fracture};
+    use crate::run::Advance;
     use crate::run::fracture::Event;
     use crate::run::{RunOptions, StateResult, taking};
     use std::time::{Duration, Instant};
@@ -168,7 +170,7 @@ mod tests {
     fn go_on(results: &mut Results, scene: &Scene, states: &[StateResult], which: std::ops::Range<usize>) {
         for k in which {
             results.take(scene, &states[k]).unwrap();
-            results.advance(&event(k), Some(&|| restart(scene, k + 1)), true).unwrap();
+            results.advance(Advance::Break(&event(k)), Some(&|| restart(scene, k + 1)), true).unwrap();
         }
     }
 
@@ -201,7 +203,7 @@ mod tests {
         first.due = Some(Instant::now() + Duration::from_secs(3600));
         for k in 1..3 {
             first.take(scene, &states[k]).unwrap();
-            first.advance(&event(k), Some(&|| panic!("it is not due")), false).unwrap();
+            first.advance(Advance::Break(&event(k)), Some(&|| panic!("it is not due")), false).unwrap();
         }
         drop(first);
         fs::write(parts.join("fields/.abc.part"), "half").unwrap();

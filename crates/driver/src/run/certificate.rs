@@ -119,7 +119,7 @@ fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usize, f64)> {
 
 /// Work of all forces on the body in every rigid motion, over the sum of the magnitudes. The sum is at least what the works
 /// in the other motions make of it: where only moments act, forces are rounding and no measure of themselves.
-fn balance<const D: usize, T: Model<D>>(
+pub(super) fn balance<const D: usize, T: Model<D>>(
     model: &T,
     load: &[f64],
     reactions: impl Iterator<Item = (usize, f64)>,

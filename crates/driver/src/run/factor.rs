@@ -5,7 +5,7 @@ use crate::case::Solver;
 use peristat_assembly::system::System;
 use peristat_solve::{
     BandCholesky, BandMatrix, DissectedCholesky, FactorError, Method, Ordering, PointGraph, Preconditioner,
-    Profile, SparseCholesky, choose, nested_dissection,
+    Profile, SparseCholesky, SparseIndefinite, choose, nested_dissection,
 };
 use sprs::CsMat;
 use std::time::Instant;
@@ -150,6 +150,23 @@ impl SparseFactor {
         match self {
             Self::Whole(factor) => factor.refactor(matrix),
             Self::Dissected(factor) => factor.refactor(matrix),
+        }
+    }
+
+    /// A factor for matrices of this pattern that are not positive definite.
+    pub(super) fn indefinite<const D: usize>(
+        &self,
+        matrix: &CsMat<f64>,
+        positions: Option<&[[f64; 2]]>,
+    ) -> Result<SparseIndefinite, FactorError> {
+        match (self, positions) {
+            (Self::Whole(factor), _) => SparseIndefinite::of(factor, matrix),
+            (Self::Dissected(_), Some(positions)) => {
+                let dissection = nested_dissection(positions, &PointGraph::from_matrix(matrix, D));
+                let ordering = Ordering::Points { order: dissection.order(), components: D };
+                SparseIndefinite::analyse(matrix, ordering)
+            }
+            (Self::Dissected(_), None) => SparseIndefinite::analyse(matrix, Ordering::MinimumDegree),
         }
     }
 

@@ -10,6 +10,7 @@ mod linear;
 mod memory;
 mod method;
 mod multigrid;
+pub mod path;
 pub mod plane;
 mod problem;
 mod range;
@@ -26,7 +27,7 @@ pub use multigrid::Coarser;
 pub use plane::PlaneResult;
 pub use problem::{Problem, Sizes, Spread, prepare};
 pub(crate) use range::Range;
-pub use sink::{Sink, taking};
+pub use sink::{Advance, Sink, taking};
 pub use verdict::{CheckResult, ProbeResult};
 
 use crate::diagnostic::Faults;
@@ -100,6 +101,8 @@ pub struct RunReport {
     pub converged: bool,
     /// How the body broke.
     pub fracture: Option<fracture::FractureReport>,
+    /// How the body went along its path.
+    pub path: Option<path::PathReport>,
 }
 
 /// Why a run has no result.
@@ -192,6 +195,9 @@ pub fn run(
     match scene {
         Scene::Beam(scene) if scene.fracture.is_some() => beam::run_breaking(scene, options, resume, sink),
         Scene::Plane(scene) if scene.fracture.is_some() => plane::run_breaking(scene, options, resume, sink),
+        Scene::Plane(scene) if scene.path.is_some() && resume.is_none() => {
+            plane::run_softening(scene, options, sink)
+        }
         _ if resume.is_some() => Err(RunError::NotResumable),
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),
         Scene::Plane(scene) => {
@@ -281,5 +287,6 @@ fn solve_states<const D: usize, P: Problem<D>>(
         warnings: Faults::default(),
         converged,
         fracture: None,
+        path: None,
     })
 }

@@ -2,7 +2,17 @@
 
 use super::StateResult;
 use super::fracture::{Event, Restart};
+use super::path::PathPoint;
 use std::io;
+
+/// A state in equilibrium that was found on the way.
+#[derive(Clone, Copy, Debug)]
+pub enum Advance<'a> {
+    /// Of a body that breaks.
+    Break(&'a Event),
+    /// Of a body that softens.
+    Path(&'a PathPoint),
+}
 
 /// Takes results as they come, and is asked whether to go on.
 pub trait Sink {
@@ -12,12 +22,12 @@ pub trait Sink {
     /// The result cannot be taken, for instance written; the run ends with this error.
     fn take(&mut self, result: StateResult) -> io::Result<()>;
 
-    /// An equilibrium of a body that breaks was found; `restart` makes what it takes to go on from there, with as many
+    /// An equilibrium of a body that breaks or softens was found; `restart` makes what it takes to go on from there, with as many
     /// states as were taken before this call. There is none for the last equilibrium: the run is at its end.
     ///
     /// # Errors
     /// As [`Sink::take`].
-    fn advance(&mut self, _event: &Event, _restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+    fn advance(&mut self, _event: Advance<'_>, _restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
         Ok(())
     }
 

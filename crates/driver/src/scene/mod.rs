@@ -8,6 +8,7 @@ mod fingerprint;
 pub mod fracture;
 mod horizon;
 mod numbers;
+pub mod path;
 pub mod plane;
 mod probes;
 mod states;

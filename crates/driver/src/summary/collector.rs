@@ -26,7 +26,7 @@ impl Collector {
         };
         self.states.push(state);
         self.probes.extend(probes);
-        if scene.case().fracture.is_some() {
+        if scene.case().is_traced() {
             // Those of the last equilibrium count.
             self.checks = checks;
         } else {
@@ -88,6 +88,7 @@ impl Collector {
             states: self.states,
             envelope,
             fracture: report.fracture,
+            path: report.path,
             skipped: report.skipped,
             counters: report.counters,
             warnings,

@@ -10,6 +10,7 @@ pub use plane::{OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSumm
 
 use crate::case::Units;
 use crate::run::fracture::FractureReport;
+use crate::run::path::PathReport;
 use crate::run::{Certificate, CheckResult, Counters, ProbeResult, Sizes, SolverReport, Timing};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -113,6 +114,9 @@ pub struct Summary {
     /// How the body broke.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fracture: Option<FractureReport>,
+    /// How the body went along its path.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub path: Option<PathReport>,
     /// What the scene was spared, and why.
     pub skipped: Vec<String>,
     /// Counters.

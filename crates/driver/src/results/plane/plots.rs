@@ -19,7 +19,7 @@ use std::path::Path;
 /// The folder cannot be written.
 pub(in crate::results) fn write(folder: &Path, scene: &PlaneScene, result: &PlaneResult) -> io::Result<()> {
     let title = match scene.states.len() {
-        1 if scene.fracture.is_none() => scene.case.title.clone(),
+        1 if !scene.case.is_traced() => scene.case.title.clone(),
         _ => format!("{} - {}", scene.case.title, result.record.name),
     };
     let raster = Raster::new(scene);

@@ -63,6 +63,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             skipped: Vec::new(),
             warnings,
             converged: self.converged,
+            path: None,
             fracture: Some(FractureReport {
                 ending: ending.words(),
                 solves: self.events.len(),

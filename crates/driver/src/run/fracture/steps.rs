@@ -1,6 +1,6 @@
 //! From equilibrium to equilibrium.
 
-use super::super::{RunError, RunReport, Sink, Sizes};
+use super::super::{Advance, RunError, RunReport, Sink, Sizes};
 use super::breaking::Breaking;
 use super::choice::Next;
 use super::ending::Ending;
@@ -77,7 +77,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             self.record(next.load_factor, ending, sink)?;
         }
         let restart = || self.restart(next.load_factor);
-        sink.advance(&event, ending.is_none().then_some(&restart))?;
+        sink.advance(Advance::Break(&event), ending.is_none().then_some(&restart))?;
         // Until the next solve.
         self.unit.iterations = 0;
         match ending {

@@ -113,7 +113,7 @@ impl PlaneResult {
     ) -> Self {
         let recovered = recover.then(|| {
             let fields = model.fields(&record.u);
-            let is_damaged = !scene.cracks.is_empty() || scene.fracture.is_some();
+            let is_damaged = !scene.cracks.is_empty() || scene.case.is_traced();
             let damage = is_damaged.then(|| model.damage());
             let mut found =
                 Recovered { stress: fields.stress, energy_density: fields.energy_density, damage };

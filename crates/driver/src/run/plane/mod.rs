@@ -1,9 +1,11 @@
 //! Running bodies in the plane: the common run and that of bodies that break, the stress intensities of cracks, and the
 //! fields recovered.
 
+mod crack_front;
 mod fields;
 mod fracture;
 mod intensity;
+mod path;
 mod reaction;
 mod skipped;
 mod tips;
@@ -18,6 +20,7 @@ use super::{Counters, RunError, RunOptions, RunReport, Sink, Sizes, SolvedState,
 use crate::diagnostic::Faults;
 use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene};
 use fracture::BreakingPlane;
+use path::SofteningPlane;
 use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
 use peristat_assembly::model::{Breakable, Model};
 
@@ -83,6 +86,33 @@ pub fn run_breaking(
         AnyPlaneModel::Central(model) => break_model::<2, _>(scene, model, options, resume, sink),
         AnyPlaneModel::Beams(model) => break_model::<3, _>(scene, model, options, resume, sink),
     }
+}
+
+/// Follows the path of a body in the plane whose bonds soften, and hands its states to `sink` as they come.
+///
+/// # Errors
+/// As [`super::run`].
+pub fn run_softening(
+    scene: &PlaneScene,
+    options: &RunOptions,
+    sink: &mut dyn Sink,
+) -> Result<RunReport, RunError> {
+    let recover = options.recover || asks_for_stresses(scene);
+    let options = &RunOptions { recover, ..*options };
+    let (Some(path), AnyPlaneModel::Central(model)) = (&scene.path, &scene.model) else {
+        return Err(RunError::NotResumable);
+    };
+    let problem = PlaneProblem::new(scene, model.clone());
+    let prepared = prepare(&problem, options)?;
+    let found = intensity::of_states(scene, options)?;
+    let intensity = found.values.first().map(|k| k[0]);
+    let mut body = SofteningPlane { problem, path, recover, intensity, elastic: [0.0; 2], front: None };
+    body.front = crack_front::Front::new(scene, &super::path::SofteningBody::bonds(&body));
+    let mut report = super::path::run(&mut body, prepared, sink)?;
+    report.skipped = skipped::skipped(scene, &report, recover);
+    add(&mut report.counters, &found.counters);
+    report.timing.solve += found.seconds;
+    Ok(report)
 }
 
 fn break_model<const D: usize, M>(

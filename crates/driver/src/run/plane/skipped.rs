@@ -7,14 +7,17 @@ use crate::scene::plane::PlaneScene;
 pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> Vec<String> {
     let (counters, model) = (&report.counters, &scene.model);
     let points = model.point_count();
-    let mut skipped = vec![match scene.fracture {
-        None => "Newton iterations: every term is linear".to_string(),
-        Some(_) => "Newton iterations: between two breaks the body is linear in the load".into(),
-    }];
+    let mut skipped = Vec::new();
+    if scene.path.is_none() {
+        skipped.push(match scene.fracture {
+            None => "Newton iterations: every term is linear".to_string(),
+            Some(_) => "Newton iterations: between two breaks the body is linear in the load".into(),
+        });
+    }
     if model.turning().is_none() {
         skipped.push(format!("{points} rotations: bonds along their own direction read none"));
     }
-    if model.lattice().is_some() {
+    if model.lattice().is_some() && scene.path.is_none() {
         let bonds = report.sizes.bonds - model.triangles() - scene.conditions.springs.len();
         skipped.push(match counters.stored_bond_factors {
             0 => format!("a list of {bonds} bonds and their factors: those of one offset of the lattice are alike"),
@@ -29,7 +32,7 @@ pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> 
             "triangles at most of {own} points: {triangles} of them replace all bonds that are missing"
         ));
     }
-    if counters.right_hand_sides > counters.factorisations {
+    if counters.right_hand_sides > counters.factorisations && scene.path.is_none() {
         let spared = counters.right_hand_sides - counters.factorisations;
         let s = if spared == 1 { "" } else { "s" };
         skipped.push(match scene.fracture {
@@ -41,7 +44,7 @@ pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> 
         skipped.push(format!(
             "stresses, strains and energy densities of {points} points: no output or check asks for them"
         ));
-    } else if scene.cracks.is_empty() && scene.fracture.is_none() {
+    } else if scene.cracks.is_empty() && !scene.case.is_traced() {
         skipped.push(format!("damage of {points} points: there are no cracks"));
     }
     skipped

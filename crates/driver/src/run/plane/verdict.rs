@@ -84,9 +84,9 @@ fn rotation(scene: &PlaneScene, result: &PlaneResult, region: usize) -> Option<f
 /// Outcomes of the checks that are made on this state.
 pub(crate) fn checks(scene: &PlaneScene, result: &PlaneResult) -> Vec<CheckResult> {
     // Which equilibrium of a body that breaks is the last is known only after it.
-    let breaks = scene.fracture.is_some();
+    let breaks = scene.case.is_traced();
     let mine = scene.expectations.iter().filter(|e| breaks || e.state == result.record.index);
-    let names = scene.fracture.as_ref().map_or(Vec::new(), |f| f.facts());
+    let names = &scene.facts;
     let fact = |name: &String| result.record.facts.as_ref()?.value(name);
     let probed = |k: usize| {
         let found = match scene.probes.get(k) {

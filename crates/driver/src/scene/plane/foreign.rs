@@ -18,10 +18,11 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
         faults.error(root(key), format!("`{key}` is for beams")).hint(*hint);
     }
     super::super::fracture::check(case, faults);
+    super::super::path::check(case, faults);
     let listed = matches!(case.body, Body::Points(_) | Body::Mesh(_));
     match case.solver {
         // Which ones solve for a body that breaks has been said.
-        _ if case.fracture.is_some() => {}
+        _ if case.is_traced() => {}
         Solver::Band | Solver::Strain => {
             let name = if case.solver == Solver::Band { "band" } else { "strain" };
             faults

@@ -35,7 +35,7 @@ impl Given {
     pub(super) fn bonds(&mut self, case: &Case, is_cloud: bool, faults: &mut Faults) -> Option<PlaneBonds> {
         match self {
             Self::Central(model) => {
-                let flags = [is_cloud, case.fracture.is_some()];
+                let flags = [is_cloud, case.is_traced()];
                 material::parameters(model, flags, faults).map(PlaneBonds::Central)
             }
             Self::Beams(model) => {

@@ -34,7 +34,13 @@ pub(super) fn parameters(
             .hint("leave `poisson_ratio` out; another one needs a model with more than central bonds, such as state-based or beam bonds");
         fine = false;
     }
-    let published = model.calibration == Calibration::Published;
+    // The overlay completes matched bonds only.
+    let usual = match breaks && model.edges != Some(Edges::Overlay) {
+        true => Calibration::Published,
+        false => Calibration::Matched,
+    };
+    let calibration = *model.calibration.get_or_insert(usual);
+    let published = calibration == Calibration::Published;
     if model.volume_factor.is_some() && !published {
         faults
             .error(
@@ -67,7 +73,7 @@ pub(super) fn parameters(
         material: PlaneMaterial { youngs_modulus: model.youngs_modulus, thickness: model.thickness, state },
         horizon_ratio: 0.0,
         influence: model.influence,
-        calibration: model.calibration,
+        calibration,
         volume_factor: model.volume_factor.unwrap_or_default(),
         edges,
     })

@@ -26,6 +26,7 @@ mod motions;
 mod orthotropic;
 mod outputs;
 mod parts;
+mod path;
 mod probes;
 mod problem;
 mod rigid_mirror;
@@ -53,10 +54,12 @@ pub use probes::{PlaneProbe, Quantity};
 pub use problem::PlaneProblem;
 pub use supported::PlaneSupport;
 
+use super::path::PathScene;
 use super::states::{self, Sum};
 use super::{Expectation, keep_files, root};
-use crate::case::{Case, Fracture, Solver, Units};
+use crate::case::{Case, Fracture, Path as CasePath, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::run::path::PATH_FACTS;
 use ground::Ground;
 use interpolate::Interpolation;
 use model::Recipe;
@@ -97,10 +100,14 @@ pub struct PlaneScene {
     pub intensities: Vec<Intensity>,
     /// How it breaks.
     pub fracture: Option<PlaneFracture>,
+    /// How its bonds soften and how it is followed.
+    pub path: Option<PathScene>,
     /// What the results must be.
     pub expectations: Vec<Expectation<PlaneComparison>>,
     /// Faults that do not keep the case from running.
     pub warnings: Faults,
+    /// Names of what checks know beside probes.
+    pub facts: Vec<String>,
     recipe: Box<Recipe>,
     outline: Option<Box<Outline>>,
 }
@@ -131,8 +138,8 @@ impl PlaneScene {
         max_memory: Option<u64>,
         mut faults: Faults,
     ) -> Result<Self, Faults> {
-        let mut fracture = case.fracture.clone();
-        let filled = (&mut model, &mut fracture);
+        let mut traced = (case.fracture.clone(), case.path.clone());
+        let filled = (&mut model, &mut traced);
         let resolved = Self::resolve(&case, filled, folder, max_memory, &mut faults);
         let Some(mut scene) = resolved.filter(|_| !faults.has_errors()) else { return Err(faults) };
         if scene.outline.is_none() || scene.can_have_loose_points() {
@@ -147,7 +154,7 @@ impl PlaneScene {
         }
         model.settle(scene.bonds(), &mut case);
         case.model = model.into();
-        case.fracture = fracture;
+        (case.fracture, case.path) = traced;
         keep_files(&mut case, folder);
         (scene.case, scene.warnings) = (case, faults);
         Ok(scene)
@@ -157,7 +164,7 @@ impl PlaneScene {
     /// fracture.
     fn resolve(
         case: &Case,
-        (model, fracture): (&mut Given, &mut Option<Fracture>),
+        (model, traced): (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
         folder: &Path,
         max_memory: Option<u64>,
         faults: &mut Faults,
@@ -227,8 +234,19 @@ impl PlaneScene {
         let mut names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
         let context =
             fracture::Context { ground: &ground, recipe: &recipe, conditions: &conditions, probes: &names };
-        let breaks = fracture.as_mut().and_then(|f| fracture::resolve(f, &context, faults));
-        let facts = breaks.as_ref().map_or(Vec::new(), PlaneFracture::facts);
+        let breaks = traced.0.as_mut().and_then(|f| fracture::resolve(f, &context, faults));
+        let context =
+            path::Context { ground: &ground, recipe: &recipe, conditions: &conditions, probes: &names };
+        let followed = traced.1.as_mut().and_then(|p| path::resolve(p, &context, faults));
+        if case.path.is_none() && path::law_of(case).is_some() {
+            faults
+                .error(root("path"), "bonds that soften need `path`: how the loads and motions grow")
+                .hint("for example \"path\": { \"load\": \"name of a reaction probe\" }");
+        }
+        let mut facts = breaks.as_ref().map_or(Vec::new(), PlaneFracture::facts);
+        if followed.is_some() {
+            facts.extend(PATH_FACTS.map(Into::into));
+        }
         names.extend(facts.iter().map(String::as_str));
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
         let expectations = checks::expectations(
@@ -253,6 +271,8 @@ impl PlaneScene {
             lines,
             intensities,
             fracture: breaks,
+            path: followed,
+            facts: facts.clone(),
             expectations,
             warnings: Faults::default(),
             model: built,

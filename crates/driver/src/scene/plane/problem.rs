@@ -64,7 +64,7 @@ impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M
     }
 
     fn breaks(&self) -> bool {
-        self.scene.fracture.is_some()
+        self.scene.case.is_traced()
     }
 
     fn spread(&self) -> Spread {

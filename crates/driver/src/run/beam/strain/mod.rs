@@ -90,6 +90,7 @@ where
         iterations: Vec::new(),
     };
     Ok(RunReport {
+        path: None,
         sizes,
         solver: report,
         counters,

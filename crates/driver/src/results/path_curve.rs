@@ -1,0 +1,143 @@
+//! `curve.csv` of a body that softens: every state on its path, and diagrams of them.
+
+use super::curve::FILE;
+use crate::case::{Case, FieldName, Path as CasePath, Probe};
+use crate::output::plot::{self, Diagram, Series, Style};
+use crate::run::path::PathPoint;
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, Write};
+use std::path::Path;
+
+const HEADER: &str = "step,load_factor,load,work,stored,dissipated,balance,identity,changed,softened,broken,\
+    island_points,iterations,blended,refused,factorisations,residual,crack_growth,stress_intensity,j_integral";
+
+/// The table, open, with all of its rows.
+#[derive(Debug)]
+pub(super) struct PathCurve {
+    file: File,
+    points: Vec<PathPoint>,
+    /// Probes with a column, by number.
+    probes: Vec<usize>,
+    /// The probe that the load is drawn over.
+    opening: Option<usize>,
+}
+
+/// Whether a probe is known without the fields of all points.
+fn has_column(probe: &Probe) -> bool {
+    use FieldName::{ReactionX, ReactionY, Ux, Uy};
+    matches!(probe.field, ReactionX | ReactionY | Ux | Uy)
+}
+
+impl PathCurve {
+    /// Begins the table, and keeps it open.
+    ///
+    /// # Errors
+    /// What the file system reports.
+    pub(super) fn begin(folder: &Path, case: &Case, path: &CasePath) -> io::Result<Self> {
+        let probes: Vec<usize> = (0..case.probes.len()).filter(|&k| has_column(&case.probes[k])).collect();
+        let mut header = HEADER.to_string();
+        for &k in &probes {
+            let name = case.probes[k].name.replace([',', '"'], " ");
+            let _ = write!(header, ",{name}");
+        }
+        let mut file = File::create(folder.join(FILE))?;
+        file.write_all((header + "\n").as_bytes())?;
+        let opening = path.opening.as_ref().and_then(|name| case.probes.iter().position(|p| p.name == *name));
+        Ok(Self { file, points: Vec::new(), probes, opening })
+    }
+
+    /// Adds a state.
+    ///
+    /// # Errors
+    /// What the file system reports.
+    pub(super) fn add(&mut self, point: &PathPoint) -> io::Result<()> {
+        self.points.push(point.clone());
+        // One write, so that a reader finds whole rows.
+        self.file.write_all(self.row(point).as_bytes())
+    }
+
+    fn row(&self, p: &PathPoint) -> String {
+        let mut row = format!("{},{:?},{:?}", p.step, p.load_factor, p.load);
+        for value in [p.work, p.stored, p.dissipated, p.balance, p.identity] {
+            let _ = write!(row, ",{value:?}");
+        }
+        for count in [
+            p.changed,
+            p.softened,
+            p.broken,
+            p.island_points,
+            p.iterations,
+            p.blended,
+            p.refused,
+            p.factorisations,
+        ] {
+            let _ = write!(row, ",{count}");
+        }
+        let _ = write!(row, ",{:?}", p.residual);
+        for value in [p.crack_growth, p.stress_intensity, p.j_integral] {
+            row.push(',');
+            value.iter().for_each(|v| _ = write!(row, "{v:?}"));
+        }
+        self.probes.iter().for_each(|&k| _ = write!(row, ",{:?}", p.probes[k]));
+        row.push('\n');
+        row
+    }
+
+    /// Draws the load, the energies, and what is known of the crack.
+    ///
+    /// # Errors
+    /// What the file system reports.
+    pub(super) fn draw(&self, plots: &Path, case: &Case) -> io::Result<()> {
+        if self.points.len() < 2 {
+            return Ok(());
+        }
+        let length = case.units.length();
+        let load = self.load_label(case);
+        self.write(&plots.join("load_curve.svg"), case, load, &[("path", &|p| Some(p.load))])?;
+        let energy = format!("energy [{}]", case.units.moment());
+        let energies: [Line; 3] = [
+            ("work", &|p| Some(p.work)),
+            ("dissipated", &|p| Some(p.dissipated)),
+            ("stored", &|p| Some(p.stored)),
+        ];
+        self.write(&plots.join("energy.svg"), case, energy, &energies)?;
+        let crack: [Line; 1] = [("crack growth", &|p| p.crack_growth)];
+        self.write(&plots.join("crack_growth.svg"), case, format!("crack growth [{length}]"), &crack)?;
+        let intensity = format!("K at the load [{} √{length}]", case.units.stress());
+        let line: [Line; 1] = [("K", &|p| p.stress_intensity)];
+        self.write(&plots.join("stress_intensity.svg"), case, intensity, &line)?;
+        let line: [Line; 1] = [("J", &|p| p.j_integral)];
+        self.write(&plots.join("j_integral.svg"), case, format!("J [N/{length}]"), &line)
+    }
+
+    /// Draws lines that have any points.
+    fn write(&self, file: &Path, case: &Case, y_label: String, lines: &[Line]) -> io::Result<()> {
+        let x = |p: &PathPoint| self.opening.map_or(p.load_factor, |k| p.probes[k]);
+        let line = |(label, of): &Line| Series {
+            label: (*label).into(),
+            style: Style::Line,
+            points: self.points.iter().filter_map(|p| Some((x(p), of(p)?))).collect(),
+        };
+        let series: Vec<Series> = lines.iter().map(line).filter(|s| !s.points.is_empty()).collect();
+        if series.is_empty() {
+            return Ok(());
+        }
+        let x_label = match self.opening {
+            Some(k) => format!("{} [{}]", case.probes[k].name, case.units.length()),
+            None => "load factor".into(),
+        };
+        plot::write(file, &Diagram { title: case.title.clone(), x_label, y_label, series })
+    }
+
+    fn load_label(&self, case: &Case) -> String {
+        let name = case.path.as_ref().map_or("load", |p| p.load.as_str());
+        let probe = case.probes.iter().find(|p| p.name == name);
+        let is_force = probe.is_none_or(|p| matches!(p.field, FieldName::ReactionX | FieldName::ReactionY));
+        let unit = if is_force { "N" } else { case.units.length() };
+        format!("{name} [{unit}]")
+    }
+}
+
+/// A line of a diagram: its label and its values.
+type Line<'a> = (&'a str, &'a dyn Fn(&PathPoint) -> Option<f64>);

@@ -1,0 +1,38 @@
+//! What drives a body along its path.
+
+use super::super::RunError;
+use super::body::State;
+use super::course::Course;
+use super::point::Cost;
+
+/// Where the path turns next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// Where the load factor has this value.
+    LoadFactor(f64),
+    /// Where the load has this value, the load factor falling.
+    Load(f64),
+}
+
+/// What a step has come to.
+pub(super) enum Step<const D: usize> {
+    /// A state in equilibrium, what it took, and whether it is at the goal.
+    To(State<D>, Cost, bool),
+    /// There is no way on.
+    Stuck,
+}
+
+/// Value of the load in a state.
+pub(super) type Load<'a, const D: usize> = &'a dyn Fn(&Course<D>, &State<D>) -> f64;
+
+/// A way to get from one state in equilibrium to the next.
+pub(super) trait Control<const D: usize> {
+    /// A next state towards a goal; nothing is committed.
+    ///
+    /// # Errors
+    /// A matrix is not finite, or there is no memory.
+    fn step(&mut self, course: &mut Course<D>, goal: Goal, load: Load<D>) -> Result<Step<D>, RunError>;
+
+    /// The state of the last step was committed, or the path turns.
+    fn committed(&mut self, _course: &mut Course<D>, _turns: bool) {}
+}

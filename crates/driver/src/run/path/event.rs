@@ -1,0 +1,274 @@
+//! The exact path of a body whose bonds are piecewise linear: from kink to kink.
+//!
+//! Between two events, a bond that reaches its limit or fails, the equilibrium path is a straight line. Bonds at their
+//! limit either flow on or unload; which ones do is found by trying, beginning with what went on before. The load factor
+//! may fall: what a body does that snaps back, and no control of motions can follow, is part of the path.
+
+use super::super::RunError;
+use super::classes::{At, Candidate, candidates};
+use super::control::{Control, Goal, Load, Step};
+use super::course::Course;
+use super::displacement::Displacement;
+use super::newton::Effort;
+use super::point::Cost;
+use super::tangent::Tangent;
+use peristat_assembly::law::Law;
+
+/// Events that are nearer to each other than this part of the way to the first count as one: symmetric bodies stay so.
+const MERGED: f64 = 1e-9;
+/// Changes of the classes of bonds while a direction is looked for, at most.
+const MOST_TRIES: usize = 30;
+/// Rate of a bond over the largest rate, below which it neither flows nor unloads.
+const STILL: f64 = 1e-10;
+
+/// Tracing of events.
+pub(super) struct Events<const D: usize> {
+    pub(super) tangent: Tangent<D>,
+    /// Where every bond is on its law.
+    at: Vec<At>,
+    /// Bonds that are at a limit.
+    on: Vec<u32>,
+    /// Whether the load factor grew along the last step.
+    sign: f64,
+    /// Whether the path has just turned.
+    turned: bool,
+    /// What is to be done when the step at hand is committed.
+    pending: Option<Pending>,
+    /// A step for where no direction is consistent.
+    rescue: Displacement<D>,
+}
+
+/// Outcome of an advance to the next event.
+struct Pending {
+    /// Bonds that reach a limit or a bend, and how.
+    reached: Vec<(u32, At)>,
+    /// Bonds that flowed.
+    flowing: Vec<u32>,
+    failed: Vec<u32>,
+    sign: f64,
+}
+
+/// A direction of the path: rates per way travelled.
+struct Direction {
+    sign: f64,
+    unknowns: Vec<f64>,
+    /// Rates of the elongations of all bonds.
+    rates: Vec<f64>,
+    flowing: Vec<u32>,
+}
+
+impl<const D: usize> Events<D> {
+    pub(super) fn new(course: &Course<D>, increment: f64) -> Self {
+        Self {
+            tangent: Tangent::new(course.body.system.size()),
+            at: vec![At::Inside; course.body.bonds.list().len()],
+            on: Vec::new(),
+            sign: 1.0,
+            turned: false,
+            pending: None,
+            rescue: Displacement::new(increment),
+        }
+    }
+
+    /// Stiffness of a bond that does not flow, N/m.
+    fn elastic(&self, course: &Course<D>, bond: usize) -> f64 {
+        let bonds = &course.body.bonds;
+        let stretch = self.at[bond].beside(course.stretch(bond));
+        bonds.list()[bond].stiffness * bonds.law(bond).piece(stretch, &bonds.history()[bond]).slope
+    }
+
+    /// Stiffness of a bond that flows at its limit, N/m.
+    fn flowing(&self, course: &Course<D>, bond: usize) -> f64 {
+        match self.at[bond] {
+            At::Upper => {
+                course.body.bonds.list()[bond].stiffness * course.body.bonds.law(bond).softening_slope()
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// The direction in which the path goes on, and what it took to find it.
+    fn direction(
+        &mut self,
+        course: &mut Course<D>,
+        goal_sign: f64,
+        effort: &mut Effort,
+    ) -> Result<Option<Direction>, RunError> {
+        let elastic: Vec<f64> = (0..self.at.len()).map(|k| self.elastic(course, k)).collect();
+        let guesses = match self.turned {
+            true => vec![Candidate::unloading()],
+            false => candidates(&self.on, goal_sign * self.sign > 0.0),
+        };
+        for candidate in guesses {
+            let Candidate { along, mut flowing, flips } = candidate;
+            let sign = along * goal_sign;
+            for _ in 0..MOST_TRIES {
+                let mut stiffness = elastic.clone();
+                flowing.iter().for_each(|&k| stiffness[k as usize] = self.flowing(course, k as usize));
+                effort.iterations += 1;
+                let Some(direction) = self.tangent.direction(course, &stiffness, sign)? else { break };
+                let rates = course.body.bonds.elongation_rates(&course.state.answers.bonds, &direction);
+                let largest = rates.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
+                let wrong: Vec<(u32, f64)> = self
+                    .on
+                    .iter()
+                    .map(|&k| {
+                        let outwards = self.at[k as usize].outwards() * rates[k as usize];
+                        (k, if flowing.binary_search(&k).is_ok() { -outwards } else { outwards })
+                    })
+                    .collect();
+                let worst = wrong.iter().map(|w| w.1).fold(0.0, f64::max);
+                if worst <= STILL * largest {
+                    if !flowing.is_empty() || self.on.is_empty() || along > 0.0 {
+                        return Ok(Some(Direction { sign, unknowns: direction, rates, flowing }));
+                    }
+                    break;
+                }
+                let limit = (flips * worst).max(STILL * largest);
+                for &(bond, _) in wrong.iter().filter(|w| w.1 > limit) {
+                    match flowing.binary_search(&bond) {
+                        Ok(place) => _ = flowing.remove(place),
+                        Err(place) => flowing.insert(place, bond),
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// How far bonds let the path go in a direction, and what happens there.
+    fn reach(&self, course: &Course<D>, direction: &Direction, most: f64) -> (f64, Pending) {
+        let bonds = &course.body.bonds;
+        let mut events: Vec<(f64, u32, Option<At>)> = Vec::new();
+        for (k, bond) in bonds.list().iter().enumerate() {
+            let (rate, history) = (direction.rates[k] / bond.length, &bonds.history()[k]);
+            if rate == 0.0 || history.broken {
+                continue;
+            }
+            let (stretch, law) = (course.stretch(k), bonds.law(k));
+            let mut event = |to: f64, at: Option<At>| {
+                let way = ((to - stretch) / rate).max(0.0);
+                if way.is_finite() {
+                    events.push((way, k as u32, at));
+                }
+            };
+            if self.at[k].is_limit() {
+                let flows = direction.flowing.binary_search(&(k as u32)).is_ok();
+                if flows && self.at[k] == At::Upper {
+                    event(law.failure(history), None);
+                }
+                // A bond that unloads leaves its limit; its next one is behind it.
+                let piece = law.piece(stretch, history);
+                if !flows && rate < 0.0 && piece.lower > f64::NEG_INFINITY {
+                    event(piece.lower, Some(if piece.flows_below { At::Lower } else { At::Below }));
+                }
+                continue;
+            }
+            let piece = law.piece(self.at[k].beside(stretch), history);
+            if rate > 0.0 {
+                match piece.bend < piece.upper {
+                    true => event(piece.bend, Some(At::Above)),
+                    false => event(piece.upper, Some(At::Upper)),
+                }
+            } else if piece.lower > f64::NEG_INFINITY {
+                event(piece.lower, Some(if piece.flows_below { At::Lower } else { At::Below }));
+            }
+        }
+        let way = events.iter().map(|e| e.0).fold(most, f64::min);
+        let here = way * (1.0 + MERGED) + f64::MIN_POSITIVE;
+        let mut pending = Pending {
+            reached: Vec::new(),
+            failed: Vec::new(),
+            flowing: direction.flowing.clone(),
+            sign: direction.sign,
+        };
+        for (_, bond, at) in events.into_iter().filter(|e| e.0 <= here) {
+            match at {
+                Some(at) => pending.reached.push((bond, at)),
+                None => pending.failed.push(bond),
+            }
+        }
+        (way, pending)
+    }
+
+    /// A step of the load factor where no direction is consistent; limits are found anew from what it changed.
+    fn rescue(&mut self, course: &mut Course<D>, goal: Goal, load: Load<D>) -> Result<Step<D>, RunError> {
+        self.pending = None;
+        self.rescue.step(course, goal, load)
+    }
+}
+
+impl<const D: usize> Control<D> for Events<D> {
+    fn step(&mut self, course: &mut Course<D>, goal: Goal, load: Load<D>) -> Result<Step<D>, RunError> {
+        let from = course.state.load_factor;
+        let goal_sign = match goal {
+            Goal::LoadFactor(end) => (end - from).signum(),
+            Goal::Load(_) => -1.0,
+        };
+        let mut cost = Cost::default();
+        let Some(direction) = self.direction(course, goal_sign, &mut cost.effort)? else {
+            return self.rescue(course, goal, load);
+        };
+        let most = match goal {
+            Goal::LoadFactor(end) if direction.sign == goal_sign => (end - from).abs(),
+            _ => f64::INFINITY,
+        };
+        let (mut way, mut pending) = self.reach(course, &direction, most);
+        if !way.is_finite() {
+            return Ok(Step::Stuck);
+        }
+        let go = |way: f64, course: &mut Course<D>| {
+            let mut state = course.state.clone();
+            state.u.iter_mut().zip(&direction.unknowns).for_each(|(u, d)| *u += way * d);
+            state.load_factor += way * direction.sign;
+            course.body.evaluate(&mut state);
+            state
+        };
+        let mut state = go(way, course);
+        let mut is_at_goal = way >= most;
+        if is_at_goal && let Goal::LoadFactor(end) = goal {
+            state.load_factor = end;
+        }
+        if let Goal::Load(target) = goal {
+            let [here, there] = [load(course, &course.state), load(course, &state)].map(|p| p - target);
+            if (here > 0.0) != (there > 0.0) {
+                way *= here / (here - there);
+                state = go(way, course);
+                (pending.reached, pending.failed, is_at_goal) = (Vec::new(), Vec::new(), true);
+            }
+        }
+        self.pending = Some(pending);
+        Ok(Step::To(state, cost, is_at_goal))
+    }
+
+    fn committed(&mut self, course: &mut Course<D>, turns: bool) {
+        self.turned = turns;
+        let Some(pending) = self.pending.take() else {
+            self.rescue.committed(course, false);
+            self.at = (0..self.at.len()).map(|bond| At::of(course, bond)).collect();
+            self.on = (0..self.at.len() as u32).filter(|&k| self.at[k as usize].is_limit()).collect();
+            return;
+        };
+        self.sign = pending.sign;
+        let left = self.on.iter().filter(|k| pending.flowing.binary_search(k).is_err());
+        left.for_each(|&k| self.at[k as usize] = At::Inside);
+        pending.reached.iter().for_each(|&(bond, at)| self.at[bond as usize] = at);
+        pending.failed.iter().for_each(|&bond| course.fail(bond as usize));
+        // Rounding may have failed others, too.
+        for &bond in &pending.flowing {
+            if course.body.bonds.history()[bond as usize].broken {
+                self.at[bond as usize] = At::Inside;
+            }
+        }
+        let fresh = pending.reached.iter().map(|r| r.0);
+        self.on = pending
+            .flowing
+            .iter()
+            .copied()
+            .chain(fresh)
+            .filter(|&k| self.at[k as usize].is_limit())
+            .collect();
+        self.on.sort_unstable();
+        self.on.dedup();
+    }
+}

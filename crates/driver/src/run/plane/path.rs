@@ -1,0 +1,120 @@
+//! Bodies in the plane whose bonds soften.
+
+use super::fields::{PlaneResult, Recovered};
+use super::{crack_front, verdict};
+use crate::run::fracture::Facts;
+use crate::run::path::{PathPoint, SofteningBody, SofteningBonds};
+use crate::run::{Problem, SolvedState, StateRecord, StateResult};
+use crate::scene::path::PathScene;
+use crate::scene::plane::PlaneProblem;
+use peristat_assembly::law::{Bilinear, Law};
+use peristat_assembly::model::bond_plane::BondPlane;
+use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::stiffness::{BondAnswers, HistoryBonds};
+
+/// A body in the plane whose bonds soften.
+pub(super) struct SofteningPlane<'a> {
+    pub(super) problem: PlaneProblem<'a, BondPlane>,
+    pub(super) path: &'a PathScene,
+    pub(super) recover: bool,
+    /// Stress intensity of the elastic body at a load factor of one.
+    pub(super) intensity: Option<f64>,
+    /// Load and work of the elastic body at a load factor of one.
+    pub(super) elastic: [f64; 2],
+    pub(super) front: Option<crack_front::Front>,
+}
+
+/// Laws of the bonds: those of the material, and of bonds that stay elastic.
+const SOFTENS: usize = 0;
+const ELASTIC: usize = 1;
+
+impl SofteningBody<2> for SofteningPlane<'_> {
+    fn problem(&self) -> &impl Problem<2> {
+        &self.problem
+    }
+
+    fn path(&self) -> &PathScene {
+        self.path
+    }
+
+    fn bonds(&self) -> SofteningBonds<2> {
+        let model = &self.problem.model;
+        let mut region = vec![None; model.point_count()];
+        for (k, rigid) in self.problem.scene.conditions.rigid.iter().enumerate() {
+            rigid.points.iter().for_each(|&p| region[p as usize] = Some(k));
+        }
+        // Bonds inside a rigid region have no strain.
+        let law = |[i, j]: [usize; 2]| {
+            let is_rigid = region[i].is_some() && region[i] == region[j];
+            let law = if self.path.exempt[i] || self.path.exempt[j] { ELASTIC } else { SOFTENS };
+            (!is_rigid).then_some(law)
+        };
+        let laws = vec![self.path.law, Bilinear::elastic()];
+        HistoryBonds::new(model.point_count(), self.path.kinematics, laws, model.history_bonds(law))
+    }
+
+    fn probes(&self, u: &[f64], multipliers: &[f64]) -> Vec<f64> {
+        let scene = self.problem.scene;
+        let value = |probe: &crate::scene::plane::PlaneProbe| {
+            verdict::mechanical(scene, &probe.quantity, u, multipliers).unwrap_or(f64::NAN)
+        };
+        scene.probes.iter().map(value).collect()
+    }
+
+    fn set_elastic(&mut self, load: f64, work: f64) {
+        self.elastic = [load, work];
+    }
+
+    fn measure(&self, bonds: &SofteningBonds<2>, point: &mut PathPoint) {
+        point.crack_growth = self.front.as_ref().map(|front| front.growth(bonds));
+        let [load, work] = self.elastic;
+        if let Some(intensity) = self.intensity.filter(|_| load != 0.0 && work > 0.0) {
+            let model = &self.problem.model;
+            point.stress_intensity = Some(intensity * point.load / load);
+            // J = W (dC/da)/(C t), with the compliance C of the elastic body: K²/E' as long as it is one.
+            let stiffness = 1.0 / model.strain_of([1.0, 0.0, 0.0])[0];
+            point.j_integral = Some(intensity * intensity / stiffness * point.work / work);
+        }
+    }
+
+    fn result(
+        &mut self,
+        solved: SolvedState,
+        name: String,
+        load_factor: f64,
+        facts: Facts,
+        (bonds, answers): (&SofteningBonds<2>, &BondAnswers<2>),
+    ) -> StateResult {
+        let SolvedState { state: index, solution, certificate, .. } = solved;
+        let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
+        let (scene, model) = (self.problem.scene, &self.problem.model);
+        let mut result = PlaneResult::new((scene, model), record, solution.multipliers, Vec::new(), false);
+        if self.recover {
+            result.recovered = Some(recovered(model, bonds, answers));
+        }
+        StateResult::Plane(result)
+    }
+}
+
+/// Stresses by the forces of the bonds, `σ = (1/V) ½ Σ N ξ n nᵀ`, energy densities and damage.
+fn recovered(model: &BondPlane, bonds: &SofteningBonds<2>, answers: &BondAnswers<2>) -> Recovered {
+    let n = model.point_count();
+    let (mut stress, mut energy_density) = ([vec![0.0; n], vec![0.0; n], vec![0.0; n]], vec![0.0; n]);
+    for (k, (bond, answer)) in bonds.list().iter().zip(&answers.bonds).enumerate() {
+        let [x, y] = answer.direction;
+        let moment = 0.5 * answer.force * bond.length;
+        let energy = bonds.law(k).energies(answer.elongation / bond.length, &bonds.history()[k]);
+        let stored = 0.5 * bond.stiffness * bond.length * bond.length * energy.stored;
+        for point in bond.points.map(|p| p as usize) {
+            let volume = model.volume(point);
+            for (plane, product) in stress.iter_mut().zip([x * x, y * y, x * y]) {
+                plane[point] += moment * product / volume;
+            }
+            energy_density[point] += stored / volume;
+        }
+    }
+    // What cracks have cut from the start is no bond any more.
+    let cut = model.damage();
+    let damage = bonds.damage().into_iter().zip(cut).map(|(d, cut)| cut + (1.0 - cut) * d).collect();
+    Recovered { stress, energy_density, damage: Some(damage) }
+}
