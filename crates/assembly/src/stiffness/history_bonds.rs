@@ -216,6 +216,18 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
         [changed, broke]
     }
 
+    /// The largest angle, rad, by which a bond that still bears something has turned under the unknowns `u`.
+    pub fn largest_turn(&self, u: &[f64]) -> f64 {
+        let intact = self.bonds.iter().zip(&self.history).filter(|(b, h)| !self.laws[b.law].is_broken(h));
+        let turn = |(bond, _): (&HistoryBond<D>, &L::History)| {
+            let eta = self.difference(u, bond);
+            let along: f64 = (0..D).map(|c| bond.direction[c] * eta[c]).sum();
+            let across = (0..D).map(|c| (eta[c] - along * bond.direction[c]).powi(2)).sum::<f64>().sqrt();
+            across.atan2(bond.length + along)
+        };
+        intact.map(turn).fold(0.0, f64::max)
+    }
+
     /// Breaks a bond for good.
     pub fn fail(&mut self, bond: usize) {
         let law = self.laws[self.bonds[bond].law];

@@ -132,6 +132,8 @@ pub(super) enum Kind {
     Loads,
     /// How bodies break: strategies and critical strains.
     Fracture,
+    /// How bodies soften and how they are followed.
+    Path,
     /// Closed forms of beams for checks.
     References,
     /// Solvers.

@@ -121,6 +121,21 @@ const FRACTURE: [(&str, &str); 9] = [
     ("curvature, shear_strain", "critical strains of a beam, one of them or both"),
 ];
 
+const PATH: [(&str, &str); 9] = [
+    ("bond_law bilinear", "bonds of `bond_plane` that yield, soften linearly and fail, for `path`"),
+    ("unloading plastic, damage", "bonds keep a permanent stretch (default), or unload towards none"),
+    ("compression elastic, perfectly_plastic", "how bonds answer compression"),
+    ("kinematics linear, finite", "elongations of small displacements (default), or of any"),
+    (
+        "control auto",
+        "displacement, or event where bonds are so brittle that the body snaps back; the summary says why (default)",
+    ),
+    ("control displacement", "steps of the load factor with a Newton method that cannot diverge"),
+    ("control event", "exactly, from one bond that yields or fails to the next, snap-backs included"),
+    ("control dissipation", "steps of dissipated energy, snap-backs included"),
+    ("turns load_factor, load", "where the path turns: to load, unload and load again"),
+];
+
 const SOLVERS: [(&str, &str); 6] = [
     (
         "auto",
@@ -177,6 +192,7 @@ fn entries(kind: Kind) -> Vec<(String, String)> {
         }
         Kind::Loads => own(&LOADS),
         Kind::Fracture => own(&FRACTURE),
+        Kind::Path => own(&PATH),
         Kind::References => reference::TABLE.iter().map(|r| (r.name.into(), r.about.into())).collect(),
         Kind::Solvers => own(&SOLVERS),
     }
@@ -188,6 +204,7 @@ pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
         (Kind::Models, "models"),
         (Kind::Loads, "loads"),
         (Kind::Fracture, "fracture"),
+        (Kind::Path, "path"),
         (Kind::References, "references"),
         (Kind::Solvers, "solvers"),
     ];

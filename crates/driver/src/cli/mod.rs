@@ -6,6 +6,7 @@ mod lists;
 mod print;
 mod print_beam;
 mod print_fracture;
+mod print_path;
 mod print_plane;
 mod print_state;
 mod progress;

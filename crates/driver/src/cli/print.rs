@@ -1,6 +1,6 @@
 //! Results as text.
 
-use super::{print_beam, print_fracture, print_plane, print_state};
+use super::{print_beam, print_fracture, print_path, print_plane, print_state};
 use crate::run::{CheckResult, ProbeResult, Sizes};
 use crate::summary::{Forces, Located, ModelSummary, Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
@@ -49,8 +49,13 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
         out.push('\n');
         print_fracture::fracture(&mut out, report);
     }
-    // Of a body that breaks the last equilibrium tells most; all are in its files.
-    let told = if summary.fracture.is_some() { summary.states.len().saturating_sub(1) } else { 0 };
+    if let Some(report) = &summary.path {
+        out.push('\n');
+        print_path::path(&mut out, report);
+    }
+    // Of a body that breaks or softens the last equilibrium tells most; all are in its files.
+    let is_traced = summary.fracture.is_some() || summary.path.is_some();
+    let told = if is_traced { summary.states.len().saturating_sub(1) } else { 0 };
     for state in &summary.states[told..] {
         if summary.states.len() > 1 {
             let _ = writeln!(out, "\n{}", state.name);
@@ -66,7 +71,7 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
     if !summary.envelope.is_empty() {
         envelope(&mut out, summary);
     }
-    if !summary.probes.is_empty() && summary.fracture.is_none() {
+    if !summary.probes.is_empty() && !is_traced {
         probes(&mut out, summary);
     }
     if !summary.checks.is_empty() {

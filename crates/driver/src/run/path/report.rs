@@ -9,9 +9,13 @@ use super::facts::facts;
 use crate::case::PathControl;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::path::PathScene;
+use peristat_assembly::stiffness::Kinematics;
 
 /// Part of the work that may be lost in jumps without a word.
 const JUMPED: f64 = 0.01;
+
+/// Stretch that linear kinematics sees in a turn, over the yield stretch, that may be without a word.
+const TURNED: f64 = 0.1;
 
 /// How a body went along its path.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -46,7 +50,7 @@ pub struct PathReport {
 }
 
 /// Doubts about what was found.
-fn warnings<const D: usize>(course: &Course<D>, chosen: &Chosen<D>) -> Faults {
+fn warnings<const D: usize>(course: &Course<D>, scene: &PathScene, chosen: &Chosen<D>) -> Faults {
     let (mut faults, path) = (Faults::default(), JsonPath::default().key("path"));
     let last = course.points.last().cloned().unwrap_or_default();
     if chosen.name == PathControl::Displacement && last.balance > JUMPED {
@@ -56,6 +60,16 @@ fn warnings<const D: usize>(course: &Course<D>, chosen: &Chosen<D>) -> Faults {
                 format!("{:.1} % of the work was lost where steps jumped or straddled the kinks of bonds", 100.0 * last.balance),
             )
             .hint("\"control\": \"event\" follows the path exactly, snap-backs too; or take a smaller `increment`");
+    }
+    let turn = course.body.bonds.largest_turn(&course.state.u);
+    let seen = 0.5 * turn * turn / scene.law.yield_stretch();
+    if scene.kinematics == Kinematics::Linear && seen > TURNED {
+        faults
+            .warning(
+                path.clone(),
+                format!("bonds turned by up to {turn:.3} rad, which linear kinematics takes for {:.0} % of the yield stretch", 100.0 * seen),
+            )
+            .hint("\"kinematics\": \"finite\" in the bond law knows rotations; loads before are as they should be");
     }
     if last.island_points > 1 {
         faults
@@ -72,7 +86,7 @@ pub(super) fn report<const D: usize>(
     (sizes, ending): (Sizes, Ending),
     record: f64,
 ) -> RunReport {
-    let warnings = warnings(&course, chosen);
+    let warnings = warnings(&course, scene, chosen);
     let mut counters = course.body.counters.clone();
     counters.stored_bond_factors = 8;
     let timing = Timing { record, ..course.body.timing.clone() };
