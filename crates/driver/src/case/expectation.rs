@@ -56,6 +56,10 @@ pub enum FieldName {
     /// Von Mises stress, in the plane.
     #[serde(rename = "von_mises")]
     VonMises,
+    /// Opening of a crack at a position on it, in the plane: the displacement of its upper face less that of the lower one,
+    /// normal to it, of a crack along y of the right one less the left one. Both faces are extrapolated from two rows.
+    #[serde(rename = "opening")]
+    Opening,
     /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane.
     #[serde(rename = "damage")]
     Damage,
@@ -147,6 +151,7 @@ impl FieldName {
             Self::StressYy => "stress_yy",
             Self::StressXy => "stress_xy",
             Self::VonMises => "von_mises",
+            Self::Opening => "opening",
             Self::Damage => "damage",
             Self::EnergyDensity => "energy_density",
             Self::ReactionForce => "reaction_force",
@@ -163,7 +168,9 @@ impl FieldName {
 
     /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
     pub fn is_recovered(self) -> bool {
-        !self.is_reaction() && !matches!(self, Self::W | Self::U | Self::Ux | Self::Uy | Self::Phi)
+        let is_displacement =
+            matches!(self, Self::W | Self::U | Self::Ux | Self::Uy | Self::Phi | Self::Opening);
+        !self.is_reaction() && !is_displacement
     }
 }
 

@@ -16,6 +16,7 @@ mod plane_output;
 mod read;
 mod region;
 mod section;
+mod specimen;
 
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
@@ -37,8 +38,9 @@ pub use plane_body::{
 pub use plane_load::{BodyForce, Traction};
 pub use plane_output::{LineOutput, StressIntensity, Tips};
 pub use read::{Source, from_text, read};
-pub use region::{BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
+pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
 pub use section::{PowerLaw, Stiffness};
+pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

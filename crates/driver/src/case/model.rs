@@ -1,7 +1,8 @@
 //! Model and body of a case.
 
 use super::{
-    Frame, Grading, MeshBody, Orthotropic, OutlineBody, Plane, PointsBody, PowerLaw, RectangleBody, Stiffness,
+    CentreCrackedPanel, CompactTension, Frame, Grading, MeshBody, Orthotropic, OutlineBody, Plane,
+    PointsBody, PowerLaw, RectangleBody, SingleEdgeBend, Stiffness,
 };
 use peristat_assembly::material::{Section, ShearCorrection};
 use peristat_assembly::model::timoshenko_beam::{Grid, VolumeFactor, bond_law, end_treatment};
@@ -117,6 +118,12 @@ pub enum Body {
     Points(PointsBody),
     /// A mesh in the plane.
     Mesh(MeshBody),
+    /// A compact tension specimen with its pins and its crack.
+    CompactTension(CompactTension),
+    /// A bend specimen with its rollers and its edge crack.
+    SingleEdgeBend(SingleEdgeBend),
+    /// A panel with a crack in its middle.
+    CentreCrackedPanel(CentreCrackedPanel),
 }
 
 /// A straight line along x.

@@ -95,4 +95,18 @@ pub struct Rigid {
     /// Prescribed rotation, rad.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi: Option<f64>,
+    /// Where it bears on the rest of the body, like a pin in its hole; everywhere if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bearing: Option<Bearing>,
+}
+
+/// Which bonds join a rigid region to the rest: those to points that its centre sees at less than `half_angle` from
+/// `direction`. The others are cut, and count as no damage.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Bearing {
+    /// Direction in which the region presses, of any length.
+    pub direction: [f64; 2],
+    /// Largest angle from it, degrees, > 0; 180 is all around.
+    pub half_angle: f64,
 }

@@ -104,6 +104,15 @@ impl Faults {
         self.diagnostics.last_mut().expect("one was pushed in the line above")
     }
 
+    /// Moves faults to other places, where `place` has one for theirs.
+    pub fn relocate(&mut self, place: impl Fn(&JsonPath) -> Option<JsonPath>) {
+        for diagnostic in &mut self.diagnostics {
+            if let Some(path) = place(&diagnostic.path) {
+                diagnostic.path = path;
+            }
+        }
+    }
+
     /// Whether the case cannot be run.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)

@@ -63,6 +63,12 @@ impl BeamBondOrthotropic {
         Ok(Self { parameters, compliance, body })
     }
 
+    /// Makes cut bonds, by index of the offset and lower point, ones that never were: they are no damage.
+    #[must_use]
+    pub fn never_joined(self, bonds: &[(usize, usize)]) -> Self {
+        Self { body: self.body.never_joined(bonds), ..self }
+    }
+
     /// The parameters.
     pub fn parameters(&self) -> &OrthotropicParameters {
         &self.parameters

@@ -113,6 +113,16 @@ impl BondPlane {
         Ok(Self { parameters, body: Body::Cloud(body) })
     }
 
+    /// Makes cut bonds of a lattice, by index of the offset and lower point, ones that never were: they are no damage. Of a
+    /// cloud all cuts are.
+    #[must_use]
+    pub fn never_joined(mut self, bonds: &[(usize, usize)]) -> Self {
+        if let Body::Lattice(body) = self.body {
+            self.body = Body::Lattice(body.never_joined(bonds));
+        }
+        self
+    }
+
     /// The parameters.
     pub fn parameters(&self) -> &PlaneParameters {
         &self.parameters

@@ -44,6 +44,8 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) uncorrected: usize,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
     pub(super) cuts: Vec<(usize, usize)>,
+    /// Cut bonds that are no damage, sorted.
+    pub(super) apart: Vec<(usize, usize)>,
 }
 
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
@@ -95,7 +97,19 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         }
         let uncorrected = triangles.uncorrected;
         let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
-        Self { lattice, mirrors, ghosts, hood, kind, bonds, felt, triangles, uncorrected, cuts }
+        Self {
+            lattice,
+            mirrors,
+            ghosts,
+            hood,
+            kind,
+            bonds,
+            felt,
+            triangles,
+            uncorrected,
+            cuts,
+            apart: Vec::new(),
+        }
     }
 
     /// Bonds as real points feel them.
@@ -134,29 +148,6 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let cuts = cuts(&coarse, &self.hood.offsets);
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
         Self::new(Arc::new(coarse), mirrors, self.hood.clone(), kind, &cuts)
-    }
-
-    /// Cut shares of the family volumes of all points.
-    pub(in super::super) fn damage(&self) -> Vec<f64> {
-        let mut damage = vec![0.0; self.lattice.points()];
-        for &(offset, lower) in self.cuts.iter().filter(|c| self.hood.has_bonds(c.0)) {
-            if let Some(upper) =
-                self.lattice.number(at(self.lattice.cell(lower), self.hood.offsets[offset], true))
-            {
-                [lower, upper].into_iter().for_each(|p| damage[p] += self.hood.parts[offset]);
-            }
-        }
-        let family = |point: usize| -> f64 {
-            let cell = self.lattice.cell(point);
-            let sides = self.hood.bonded().flat_map(|k| [(k, true), (k, false)]);
-            let present =
-                sides.filter(|&(k, up)| self.lattice.number(at(cell, self.hood.offsets[k], up)).is_some());
-            present.map(|(k, _)| self.hood.parts[k]).sum()
-        };
-        for (point, share) in damage.iter_mut().enumerate().filter(|d| *d.1 > 0.0) {
-            *share = if self.is_ghost(point) { 0.0 } else { *share / family(point) };
-        }
-        damage
     }
 }
 

@@ -4,6 +4,7 @@
 mod body;
 mod bond;
 mod breaking;
+mod damage;
 mod edges;
 mod fields;
 mod mirrors;

@@ -32,13 +32,15 @@ pub(crate) fn probes(scene: &PlaneScene, result: &PlaneResult) -> Vec<ProbeResul
 fn value(scene: &PlaneScene, result: &PlaneResult, quantity: &Quantity) -> Option<f64> {
     match quantity {
         Quantity::Field { field, weights } => result.value(scene, *field, weights),
-        Quantity::Reaction { .. } => mechanical(scene, quantity, &result.record.u, &result.multipliers),
+        Quantity::Reaction { .. } | Quantity::Opening { .. } => {
+            mechanical(scene, quantity, &result.record.u, &result.multipliers)
+        }
         Quantity::Rotation(region) => rotation(scene, result, *region),
         Quantity::StressIntensity(k) => result.intensities.get(*k).copied(),
     }
 }
 
-/// A reaction or a displacement, from the unknowns and the forces that hold the equations alone.
+/// A reaction, a displacement or an opening, from the unknowns and the forces that hold the equations alone.
 pub(super) fn mechanical(
     scene: &PlaneScene,
     quantity: &Quantity,
@@ -59,6 +61,9 @@ pub(super) fn mechanical(
         }
         Quantity::Field { field: FieldName::Uy, weights } => {
             Some(weights.iter().map(|&(p, w)| w * u[n + p as usize]).sum())
+        }
+        Quantity::Opening { component, weights } => {
+            Some(weights.iter().map(|&(p, w)| w * u[component * n + p as usize]).sum())
         }
         _ => None,
     }

@@ -66,7 +66,7 @@ pub(super) fn build(
             }
             return Some(Built { body, outline: None, curves, file: Some(file) });
         }
-        Body::Line(_) | Body::Lines(_) | Body::Frame(_) => {
+        _ => {
             let message = format!("the model `{}` needs a body in the plane", case.model.name());
             faults.error(root("body"), message).hint(match &case.model {
                 Model::BeamBondOrthotropic(_) => {

@@ -39,6 +39,16 @@ impl Deref for AnyPlaneModel {
     }
 }
 
+impl AnyPlaneModel {
+    /// Makes cut bonds of a lattice, by index of the offset and lower point, ones that never were.
+    pub(super) fn never_joined(self, bonds: &[(usize, usize)]) -> Self {
+        match self {
+            Self::Central(model) => Self::Central(model.never_joined(bonds)),
+            Self::Beams(model) => Self::Beams(model.never_joined(bonds)),
+        }
+    }
+}
+
 /// Why a model of a body in the plane cannot be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlaneModelError {

@@ -76,9 +76,9 @@ pub(super) fn resolve(
 
 /// Fault of a load that would take fields of every equilibrium.
 fn check_load(fracture: &Fracture, case: &Case, path: &JsonPath, faults: &mut Faults) {
-    use FieldName::{ReactionX, ReactionY, Ux, Uy};
+    use FieldName::{Opening, ReactionX, ReactionY, Ux, Uy};
     let probe = case.probes.iter().find(|p| p.name == fracture.load);
-    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy)) {
+    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy | Opening)) {
         let message =
             format!("the probe `{}` is one of `{}`, which is no load", probe.name, probe.field.name());
         faults

@@ -1,9 +1,11 @@
 //! Scenes of bodies in the plane.
 
+mod bearing;
 mod body;
 mod bonds;
 mod boundary;
 mod checks;
+mod clamped;
 mod conditions;
 mod cracks;
 mod critical;
@@ -23,6 +25,7 @@ mod lump;
 mod material;
 mod model;
 mod motions;
+mod opening;
 mod orthotropic;
 mod outputs;
 mod parts;
@@ -30,6 +33,7 @@ mod path;
 mod probes;
 mod problem;
 mod rigid_mirror;
+mod specimen;
 mod supported;
 mod supports;
 mod symmetry;
@@ -138,26 +142,40 @@ impl PlaneScene {
         max_memory: Option<u64>,
         mut faults: Faults,
     ) -> Result<Self, Faults> {
+        let usual = model.clone().bonds(&case, false, &mut Faults::default());
+        let usual = usual.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
+        let Some(expanded) = specimen::expand(&mut case, usual, &mut faults) else { return Err(faults) };
         let mut traced = (case.fracture.clone(), case.path.clone());
         let filled = (&mut model, &mut traced);
-        let resolved = Self::resolve(&case, filled, folder, max_memory, &mut faults);
-        let Some(mut scene) = resolved.filter(|_| !faults.has_errors()) else { return Err(faults) };
-        if scene.outline.is_none() || scene.can_have_loose_points() {
-            match &scene.model {
-                AnyPlaneModel::Central(model) => loose::check::<2>(&scene, model, &mut faults),
-                AnyPlaneModel::Beams(model) => loose::check::<3>(&scene, model, &mut faults),
-            }
-        }
-        warnings::collect(&scene, &mut faults);
-        if faults.has_errors() {
-            return Err(faults);
-        }
+        let scene = Self::checked(&expanded.case, filled, folder, max_memory, &mut faults);
+        expanded.relocate(&mut faults);
+        let Some(mut scene) = scene.filter(|_| !faults.has_errors()) else { return Err(faults) };
         model.settle(scene.bonds(), &mut case);
         case.model = model.into();
         (case.fracture, case.path) = traced;
         keep_files(&mut case, folder);
         (scene.case, scene.warnings) = (case, faults);
         Ok(scene)
+    }
+
+    /// The scene of a case without specimens, and its doubts; `None` where there are faults that leave no scene.
+    fn checked(
+        case: &Case,
+        filled: (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
+        folder: &Path,
+        max_memory: Option<u64>,
+        faults: &mut Faults,
+    ) -> Option<Self> {
+        let resolved = Self::resolve(case, filled, folder, max_memory, faults);
+        let scene = resolved.filter(|_| !faults.has_errors())?;
+        if scene.outline.is_none() || scene.can_have_loose_points() {
+            match &scene.model {
+                AnyPlaneModel::Central(model) => loose::check::<2>(&scene, model, faults),
+                AnyPlaneModel::Beams(model) => loose::check::<3>(&scene, model, faults),
+            }
+        }
+        warnings::collect(&scene, faults);
+        Some(scene)
     }
 
     /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model and of its
@@ -170,12 +188,13 @@ impl PlaneScene {
         faults: &mut Faults,
     ) -> Option<Self> {
         foreign::check(case, faults);
-        let parts::Parts { recipe, outline, curves, cracks } =
+        let parts::Parts { mut recipe, outline, curves, cracks } =
             parts::parts(case, model, folder, max_memory, faults)?;
         let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
         let held = supports::held(&ground, &recipe.symmetry, &recipe.bonds, faults);
         let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
         rigid_mirror::check(&rigid, &recipe, faults);
+        recipe.bearings = bearing::bearings(case, &rigid, faults);
         let context = loads::Context {
             ground: &ground,
             symmetry: &recipe.symmetry,
@@ -285,7 +304,7 @@ impl PlaneScene {
     fn can_have_loose_points(&self) -> bool {
         let turned = matches!(self.body(), PlaneBody::Lattice(lattice) if lattice.is_turned());
         let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty() && !turned;
-        !self.cracks.is_empty() || !self.outline().is_some_and(plain)
+        !(self.cracks.is_empty() && self.recipe.bearings.is_empty()) || !self.outline().is_some_and(plain)
     }
 
     /// The points without images, in the order of the body.

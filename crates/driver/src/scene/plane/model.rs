@@ -1,5 +1,6 @@
 //! The model of a body in the plane: points of its lattice with images, or its listed points.
 
+use super::bearing::{self, Bearing};
 use super::bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 use super::cracks::NamedCrack;
 use super::symmetry::Symmetry;
@@ -20,6 +21,8 @@ pub(super) struct Recipe {
     pub(super) file: Option<blake3::Hash>,
     /// Its mirrors.
     pub(super) symmetry: Symmetry,
+    /// Rigid regions that bear on the rest in some directions only. Coarser lattices, which only precondition, know none.
+    pub(super) bearings: Vec<Bearing>,
     /// Material and bonds.
     pub(super) bonds: PlaneBonds,
     /// Horizon, m.
@@ -35,14 +38,19 @@ impl Recipe {
         let cracks = self.symmetry.with_images(cracks);
         match &self.body {
             PlaneBody::Lattice(lattice) => {
-                let mirrors = self.symmetry.mirrors;
-                let lattice = mirrors.extended(lattice, self.bonds.depth()?);
-                let cuts = cut_bonds(&lattice, &self.bonds.offsets()?, &cracks);
-                self.bonds.on_lattice(Arc::new(lattice), mirrors, &cuts)
+                let (mirrors, offsets) = (self.symmetry.mirrors, self.bonds.offsets()?);
+                let extended = mirrors.extended(lattice, self.bonds.depth()?);
+                let mut cuts = cut_bonds(&extended, &offsets, &cracks);
+                let apart = bearing::on_lattice(&self.bearings, (&extended, lattice), &mirrors, &offsets);
+                cuts.extend(&apart);
+                let model = self.bonds.on_lattice(Arc::new(extended), mirrors, &cuts)?;
+                Ok(model.never_joined(&apart))
             }
             PlaneBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();
-                let cut = |a: [f64; 2], b: [f64; 2]| cracks.iter().any(|c| c.cuts(a, b, slack));
+                let apart = bearing::between(&self.bearings, &self.body);
+                let cut =
+                    |a: [f64; 2], b: [f64; 2]| cracks.iter().any(|c| c.cuts(a, b, slack)) || apart(a, b);
                 let points = (cloud.positions().to_vec(), cloud.areas().to_vec());
                 self.bonds.on_cloud(points, self.horizon, &cut)
             }

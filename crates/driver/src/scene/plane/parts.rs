@@ -69,6 +69,6 @@ pub(super) fn parts(
         }
         body => body,
     };
-    let recipe = Recipe { body, file, symmetry, bonds, horizon };
+    let recipe = Recipe { body, file, symmetry, bearings: Vec::new(), bonds, horizon };
     Some(Parts { recipe, outline, curves, cracks: cracks? })
 }

@@ -4,7 +4,7 @@ use super::super::words::{suggest, tidy};
 use super::conditions::Conditions;
 use super::ground::{Ground, PLACE};
 use super::interpolate::{Interpolation, Weights};
-use super::{model::Recipe, supports::Held};
+use super::{model::Recipe, opening, supports::Held};
 use crate::case::{FieldName, Probe};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::plane::PlaneModel;
@@ -44,6 +44,13 @@ pub enum Quantity {
         /// Indices of springs of the scene along this component.
         springs: Vec<usize>,
     },
+    /// Opening of a crack: a sum of displacements of points of the model.
+    Opening {
+        /// Along x, 0, or along y, 1.
+        component: usize,
+        /// Points and shares, which sum to zero.
+        weights: Weights,
+    },
     /// Rotation of a rigid region, by its index, rad.
     Rotation(usize),
     /// A stress intensity, by its index in the scene.
@@ -56,6 +63,7 @@ impl PlaneProbe {
         match &self.quantity {
             Quantity::Field { field, .. } => field.name(),
             Quantity::Reaction { component, .. } => REACTIONS[*component].name(),
+            Quantity::Opening { .. } => FieldName::Opening.name(),
             Quantity::Rotation(_) => FieldName::Phi.name(),
             Quantity::StressIntensity(_) => "stress_intensity",
         }
@@ -95,11 +103,14 @@ fn resolve(
 ) -> Option<(Quantity, String)> {
     let (at, field) = (path.key("at"), probe.field);
     let points_turn = context.model.turning().is_some();
+    if field == FieldName::Opening {
+        return opening::resolve(probe, context, &at, faults);
+    }
     let own = FieldName::PLANE.contains(&field);
     let reactions = if points_turn { &REACTIONS[..] } else { &REACTIONS[..2] };
     if !own && !reactions.contains(&field) {
         let names = FieldName::PLANE.iter().filter(|f| **f != FieldName::Phi).chain(reactions);
-        let names = names.map(|f| f.name()).chain(["phi"]);
+        let names = names.map(|f| f.name()).chain(["phi", "opening"]);
         let hint = format!("in the plane there are {}", names.collect::<Vec<_>>().join(", "));
         faults.error(path.key("field"), format!("`{}` is for beams", field.name())).hint(hint);
         return None;

@@ -1,7 +1,7 @@
 //! Doubts about a body in the plane that can be solved.
 
 use super::super::words::tidy;
-use super::{PlaneBonds, PlaneScene, gaps, orthotropic, root};
+use super::{PlaneBonds, PlaneScene, clamped, gaps, orthotropic, root};
 use crate::case::Units;
 use crate::diagnostic::{Faults, JsonPath};
 
@@ -56,6 +56,7 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             )
             .hint("draw a crack along the gap, which cuts these bonds, or use a smaller spacing");
     }
+    clamped::warn(scene, faults);
     let moduli = match scene.bonds() {
         PlaneBonds::Central(parameters) => vec![("youngs_modulus", parameters.material.youngs_modulus)],
         PlaneBonds::Beams(parameters) => {

@@ -102,6 +102,13 @@ fn damage_is_the_cut_share_of_the_family() {
     // Of 28 neighbours 7, 5 + ... lie in the rows beyond: rows at distance 1, 2, 3 hold 5, 5 and 1 points.
     let expected = [(9, 11.0), (8, 6.0), (7, 1.0), (6, 0.0), (10, 11.0), (12, 1.0), (13, 0.0)];
     expected.iter().for_each(|&(row, count)| assert!((at(row) - count / 28.0).abs() < 1e-15, "{row}"));
+    // What never was joined is no damage; a point that loses the rest of its family has none left.
+    let (apart, broken): (Vec<_>, Vec<_>) = cuts.iter().partition(|c| offsets[c.0][0] != 0);
+    let other = plane.clone().never_joined(&apart);
+    assert!(broken.len() < apart.len());
+    // Of its family the point below the line has lost three straight above it, and 8 were never there.
+    assert!((other.damage()[lattice.number([10, 9]).unwrap()] - 3.0 / 20.0).abs() < 1e-15);
+    assert!(plane.clone().never_joined(&cuts).damage().iter().all(|&d| d == 0.0));
     // The two halves are held together by nothing: overlay triangles do not bridge a crack.
     let mut parts = crate::stiffness::Parts::new(plane.point_count());
     plane.terms().iter().for_each(|t| t.join(&mut parts));
