@@ -37,7 +37,7 @@ fn all_pass(folder: &str) {
 }
 
 /// Folders with a test below.
-const FOLDERS: [&str; 5] = ["beam", "frame", "plate", "orthotropic", "bench"];
+const FOLDERS: [&str; 6] = ["beam", "frame", "plate", "orthotropic", "ductile", "bench"];
 
 #[test]
 fn beams_pass_their_checks() {
@@ -57,6 +57,11 @@ fn plates_pass_their_checks() {
 #[test]
 fn orthotropic_plates_pass_their_checks() {
     all_pass("orthotropic");
+}
+
+#[test]
+fn crack_specimens_pass_their_checks() {
+    all_pass("ductile");
 }
 
 #[test]

@@ -36,6 +36,7 @@ mod section_forces;
 mod sections;
 mod short_beams;
 mod skipping;
+mod specimens;
 mod strain_form;
 mod supports;
 mod symbol;

@@ -1,6 +1,7 @@
 //! What the tests share: building a case, running it, measuring an error.
 
 pub(crate) mod chain;
+pub(crate) mod handbook;
 pub(crate) mod noise;
 pub(crate) mod orthotropic;
 pub(crate) mod plane;

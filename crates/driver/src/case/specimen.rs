@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 /// A compact tension specimen, with the proportions of ASTM E399 where nothing else is said. x = 0 is the load line, the
 /// crack runs along y = 0 from the mouth to `crack_length`. Its pins are rigid regions that turn; no holes are cut.
 ///
-/// It brings the crack `crack` and the regions `upper_pin`, `lower_pin`, `pins` (both) and `around_pins`, all within a
-/// horizon of them.
+/// It brings the crack `crack` and the regions `upper_pin`, `lower_pin`, `pins` (both) and, with all within a horizon of them,
+/// `around_upper_pin`, `around_lower_pin`, `around_pins`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CompactTension {
@@ -25,7 +25,7 @@ pub struct CompactTension {
     /// From the mouth to the load line; W/4 if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub back: Option<f64>,
-    /// Radius of the pins; W/8 if not given.
+    /// Radius of the pins; W/8 if not given. Points on their rim belong to them where they pull, else to the plate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pin_radius: Option<f64>,
     /// Distance of their centres from the plane of the crack; 0.275 W if not given.
@@ -40,8 +40,8 @@ pub struct CompactTension {
 /// A bend specimen with an edge crack, on two rollers with a third one against it. The crack runs along x = 0 from the
 /// bottom, y = 0, to `crack_length`. Rollers are small rigid regions that turn; both supports slide along x.
 ///
-/// It brings the crack `crack` and the regions `left_roller`, `right_roller`, `load_roller`, `rollers` (all three) and
-/// `around_rollers`, all within a horizon of them.
+/// It brings the crack `crack` and the regions `left_roller`, `right_roller`, `load_roller`, `rollers` (all three) and, with
+/// all within a horizon of them, the same with `around_` before their names.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SingleEdgeBend {

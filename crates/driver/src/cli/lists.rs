@@ -16,7 +16,7 @@ const BEAM: (&str, &str) = (
 const PLATE: [(&str, &str); 15] = [
     (
         "bond_plane",
-        "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh",
+        "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh, and the specimens compact_tension, single_edge_bend, centre_cracked_panel",
     ),
     (
         "  calibration matched",
@@ -89,7 +89,7 @@ const LOADS: [(&str, &str); 13] = [
     ("symmetry", "edges in the plane that are mirrors"),
     (
         "rigid regions",
-        "regions in the plane that move as rigid bodies: held, moved or free to turn, such as pins",
+        "regions in the plane that move as rigid bodies: held, moved or free to turn, such as pins, whose bearing is an angle",
     ),
     ("load_cases, combinations, steps", "several right-hand sides on one factorisation"),
 ];

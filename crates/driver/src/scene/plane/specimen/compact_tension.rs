@@ -5,6 +5,10 @@ use super::Parts;
 use super::plan::{Filled, Plan, disc, union};
 use crate::case::{Bearing, CompactTension, RectangleBody, Rigid};
 
+/// How far pins reach beyond their rim where they pull, in spacings: points on it belong to them there, and elsewhere to the
+/// plate. Five cells per quarter of the width have six such points per pin, which rounding would give to either.
+const RIM: f64 = 1e-4;
+
 /// What it stands for.
 pub(super) fn parts(given: &mut CompactTension, plan: &mut Plan) -> Option<Parts> {
     let (w, a, cells) = (given.width, given.crack_length, given.cells);
@@ -39,7 +43,8 @@ pub(super) fn parts(given: &mut CompactTension, plan: &mut Plan) -> Option<Parts
         phi: None,
         bearing: Some(Bearing { direction: [0.0, side], half_angle: bearing }),
     };
-    let (upper, lower, around) = ([0.0, distance], [0.0, -distance], radius + horizon);
+    let hole = |side: f64| disc([0.0, side * (distance + RIM * spacing)], radius - 0.1 * RIM * spacing);
+    let zone = |side: f64| disc([0.0, side * distance], radius + horizon);
     Some(Parts {
         body: RectangleBody {
             from: [-back, -0.5 * height],
@@ -49,11 +54,11 @@ pub(super) fn parts(given: &mut CompactTension, plan: &mut Plan) -> Option<Parts
         },
         crack: vec![[-back - spacing, 0.0], [a, 0.0]],
         regions: vec![
-            ("upper_pin", disc(upper, radius)),
-            ("lower_pin", disc(lower, radius)),
+            ("upper_pin", hole(1.0)),
+            ("lower_pin", hole(-1.0)),
             ("pins", union(["upper_pin", "lower_pin"])),
-            ("around_upper_pin", disc(upper, around)),
-            ("around_lower_pin", disc(lower, around)),
+            ("around_upper_pin", zone(1.0)),
+            ("around_lower_pin", zone(-1.0)),
             ("around_pins", union(["around_upper_pin", "around_lower_pin"])),
         ],
         rigid: vec![pin("upper_pin", 1.0), pin("lower_pin", -1.0)],
