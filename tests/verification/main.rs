@@ -12,6 +12,7 @@ mod closed_forms;
 mod convergence;
 mod definiteness;
 mod equation_12;
+mod ductile;
 mod exact_law;
 mod foundation;
 mod fracture_plane;

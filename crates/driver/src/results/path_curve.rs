@@ -25,8 +25,8 @@ pub(super) struct PathCurve {
 
 /// Whether a probe is known without the fields of all points.
 fn has_column(probe: &Probe) -> bool {
-    use FieldName::{ReactionX, ReactionY, Ux, Uy};
-    matches!(probe.field, ReactionX | ReactionY | Ux | Uy)
+    use FieldName::{Opening, ReactionX, ReactionY, Ux, Uy};
+    matches!(probe.field, ReactionX | ReactionY | Ux | Uy | Opening)
 }
 
 impl PathCurve {

@@ -78,9 +78,9 @@ pub(super) fn resolve(path: &mut Path, context: &Context, faults: &mut Faults) -
 
 /// Fault of a load that would take fields of every step.
 fn check_load(load: &str, case: &Case, path: &JsonPath, faults: &mut Faults) {
-    use FieldName::{ReactionX, ReactionY, Ux, Uy};
+    use FieldName::{Opening, ReactionX, ReactionY, Ux, Uy};
     let probe = case.probes.iter().find(|p| p.name == load);
-    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy)) {
+    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy | Opening)) {
         faults
             .error(
                 path.clone(),
