@@ -304,7 +304,8 @@ impl PlaneScene {
     fn can_have_loose_points(&self) -> bool {
         let turned = matches!(self.body(), PlaneBody::Lattice(lattice) if lattice.is_turned());
         let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty() && !turned;
-        !(self.cracks.is_empty() && self.recipe.bearings.is_empty()) || !self.outline().is_some_and(plain)
+        let whole = self.cracks.is_empty() && self.recipe.bearings.is_empty();
+        !(whole && self.outline().is_some_and(plain))
     }
 
     /// The points without images, in the order of the body.

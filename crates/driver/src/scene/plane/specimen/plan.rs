@@ -47,7 +47,8 @@ impl Plan<'_> {
     pub(super) fn positive(&mut self, lengths: &[(&str, f64)]) -> bool {
         let check =
             |&(key, value): &(&str, f64)| numbers::positive(value, key, self.path.key(key), self.faults);
-        lengths.iter().map(check).fold(true, |all, one| all && one)
+        // All are asked, so that all faults are told.
+        lengths.iter().map(check).filter(|fine| !fine).count() == 0
     }
 
     /// Whether `cells` fill some lengths.
