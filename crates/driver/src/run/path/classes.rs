@@ -6,6 +6,9 @@ use peristat_assembly::law::Law;
 /// How near to its limit a bond is at it, over its yield stretch.
 const AT_LIMIT: f64 = 1e-9;
 
+/// Changes of the classes of bonds while a direction is looked for, at most.
+const MOST_TRIES: usize = 30;
+
 /// Where a bond is on its law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum At {
@@ -60,34 +63,40 @@ impl At {
 }
 
 /// A guess at how the path goes on.
-pub(super) struct Candidate {
+pub(super) struct Guess {
     /// Whether towards the goal, 1, or away from it, −1.
     pub(super) along: f64,
     /// Bonds that flow, in order.
     pub(super) flowing: Vec<u32>,
-    /// Part of the worst contradiction from which bonds change their class; 0 for all that contradict.
+    /// Part of the worst contradiction from which bonds change their class; 0 for all that contradict, 1 for the worst.
     pub(super) flips: f64,
+    /// Changes of classes, at most.
+    pub(super) tries: usize,
 }
 
-impl Candidate {
-    /// Where the path turns, all bonds unload.
+impl Guess {
+    /// Where the path turns: all bonds unload.
     pub(super) fn unloading() -> Self {
-        Self { along: 1.0, flowing: Vec::new(), flips: 0.0 }
+        Self { along: 1.0, flowing: Vec::new(), flips: 0.0, tries: MOST_TRIES }
     }
 }
 
-/// Guesses, the likeliest first, `on` being the bonds at their limits, all of which flowed or have just got there, and
-/// `towards` whether the path went towards the goal.
+/// Guesses, the likeliest first, with the bonds at their limits, all of which flowed or have just got there; `towards` is
+/// whether the path went towards the goal.
 ///
-/// The order matters: that the path turns back with all bonds unloading is consistent, too, and must not be found.
-pub(super) fn candidates(on: &[u32], towards: bool) -> Vec<Candidate> {
-    let boldly = Candidate { along: 1.0, flowing: on.to_vec(), flips: 0.0 };
+/// That the path turns back while nearly all bonds unload is consistent, too, and must not be found: the order matters, and
+/// a direction that dissipates next to nothing is taken only where there is no other.
+pub(super) fn guesses(on: &[u32], towards: bool) -> Vec<Guess> {
+    let guess = |along: f64, flips: f64, tries: usize| Guess { along, flowing: on.to_vec(), flips, tries };
+    let boldly = guess(1.0, 0.0, MOST_TRIES);
     if on.is_empty() {
         return vec![boldly];
     }
-    let carefully = |along: f64| Candidate { along, flowing: on.to_vec(), flips: 0.3 };
+    let carefully = |along: f64| guess(along, 0.3, MOST_TRIES);
+    // One bond at a time takes many tries, but does not run in circles.
+    let patiently = |along: f64| guess(along, 1.0, 10 * MOST_TRIES);
     match towards {
-        true => vec![boldly, carefully(1.0), carefully(-1.0)],
-        false => vec![carefully(-1.0), boldly, carefully(1.0)],
+        true => vec![boldly, carefully(1.0), carefully(-1.0), patiently(-1.0), patiently(1.0)],
+        false => vec![carefully(-1.0), boldly, carefully(1.0), patiently(1.0), patiently(-1.0)],
     }
 }

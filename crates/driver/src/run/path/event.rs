@@ -5,7 +5,7 @@
 //! may fall: what a body does that snaps back, and no control of motions can follow, is part of the path.
 
 use super::super::RunError;
-use super::classes::{At, Candidate, candidates};
+use super::classes::{At, Guess, guesses};
 use super::control::{Control, Goal, Load, Step};
 use super::course::Course;
 use super::displacement::Displacement;
@@ -16,8 +16,8 @@ use peristat_assembly::law::Law;
 
 /// Events that are nearer to each other than this part of the way to the first count as one: symmetric bodies stay so.
 const MERGED: f64 = 1e-9;
-/// Changes of the classes of bonds while a direction is looked for, at most.
-const MOST_TRIES: usize = 30;
+/// Dissipated energy per load factor over that of the last direction, below which another direction is looked for.
+const FALLEN: f64 = 0.02;
 /// Rate of a bond over the largest rate, below which it neither flows nor unloads.
 const STILL: f64 = 1e-10;
 
@@ -30,6 +30,8 @@ pub(super) struct Events<const D: usize> {
     on: Vec<u32>,
     /// Whether the load factor grew along the last step.
     sign: f64,
+    /// Energy that the last direction dissipated per load factor.
+    dissipated: f64,
     /// Whether the path has just turned.
     turned: bool,
     /// What is to be done when the step at hand is committed.
@@ -64,6 +66,7 @@ impl<const D: usize> Events<D> {
             at: vec![At::Inside; course.body.bonds.list().len()],
             on: Vec::new(),
             sign: 1.0,
+            dissipated: 0.0,
             turned: false,
             pending: None,
             rescue: Displacement::new(increment),
@@ -96,44 +99,73 @@ impl<const D: usize> Events<D> {
     ) -> Result<Option<Direction>, RunError> {
         let elastic: Vec<f64> = (0..self.at.len()).map(|k| self.elastic(course, k)).collect();
         let guesses = match self.turned {
-            true => vec![Candidate::unloading()],
-            false => candidates(&self.on, goal_sign * self.sign > 0.0),
+            true => vec![Guess::unloading()],
+            false => guesses(&self.on, goal_sign * self.sign > 0.0),
         };
-        for candidate in guesses {
-            let Candidate { along, mut flowing, flips } = candidate;
-            let sign = along * goal_sign;
-            for _ in 0..MOST_TRIES {
-                let mut stiffness = elastic.clone();
-                flowing.iter().for_each(|&k| stiffness[k as usize] = self.flowing(course, k as usize));
-                effort.iterations += 1;
-                let Some(direction) = self.tangent.direction(course, &stiffness, sign)? else { break };
-                let rates = course.body.bonds.elongation_rates(&course.state.answers.bonds, &direction);
-                let largest = rates.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
-                let wrong: Vec<(u32, f64)> = self
-                    .on
-                    .iter()
-                    .map(|&k| {
-                        let outwards = self.at[k as usize].outwards() * rates[k as usize];
-                        (k, if flowing.binary_search(&k).is_ok() { -outwards } else { outwards })
-                    })
-                    .collect();
-                let worst = wrong.iter().map(|w| w.1).fold(0.0, f64::max);
-                if worst <= STILL * largest {
-                    if !flowing.is_empty() || self.on.is_empty() || along > 0.0 {
-                        return Ok(Some(Direction { sign, unknowns: direction, rates, flowing }));
-                    }
-                    break;
-                }
-                let limit = (flips * worst).max(STILL * largest);
-                for &(bond, _) in wrong.iter().filter(|w| w.1 > limit) {
-                    match flowing.binary_search(&bond) {
-                        Ok(place) => _ = flowing.remove(place),
-                        Err(place) => flowing.insert(place, bond),
-                    }
+        let mut best: Option<(f64, Direction)> = None;
+        for guess in guesses {
+            let Some(found) = self.settle(course, guess, (&elastic, goal_sign), effort)? else { continue };
+            let dissipated = self.dissipation(course, &found);
+            let goes_on = dissipated >= FALLEN * self.dissipated;
+            if best.as_ref().is_none_or(|b| dissipated > b.0) {
+                best = Some((dissipated, found));
+            }
+            if goes_on {
+                break;
+            }
+        }
+        Ok(best.map(|(dissipated, found)| {
+            self.dissipated = dissipated;
+            found
+        }))
+    }
+
+    /// The direction that a guess comes to when bonds that contradict it change their class, if it is one.
+    fn settle(
+        &mut self,
+        course: &mut Course<D>,
+        guess: Guess,
+        (elastic, goal_sign): (&[f64], f64),
+        effort: &mut Effort,
+    ) -> Result<Option<Direction>, RunError> {
+        let Guess { along, mut flowing, flips, tries } = guess;
+        let sign = along * goal_sign;
+        for _ in 0..tries {
+            let mut stiffness = elastic.to_vec();
+            flowing.iter().for_each(|&k| stiffness[k as usize] = self.flowing(course, k as usize));
+            effort.iterations += 1;
+            let Some(unknowns) = self.tangent.direction(course, &stiffness, sign)? else { return Ok(None) };
+            let rates = course.body.bonds.elongation_rates(&course.state.answers.bonds, &unknowns);
+            let still = STILL * rates.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
+            let wrong = |&k: &u32| {
+                let outwards = self.at[k as usize].outwards() * rates[k as usize];
+                (k, if flowing.binary_search(&k).is_ok() { -outwards } else { outwards })
+            };
+            let wrong: Vec<(u32, f64)> = self.on.iter().map(wrong).filter(|w| w.1 > still).collect();
+            if wrong.is_empty() {
+                // That all bonds unload away from the goal is no path.
+                let goes_on = !flowing.is_empty() || self.on.is_empty() || along > 0.0;
+                return Ok(goes_on.then_some(Direction { sign, unknowns, rates, flowing }));
+            }
+            let worst = wrong.iter().map(|w| w.1).fold(0.0, f64::max);
+            for &(bond, _) in wrong.iter().filter(|w| w.1 >= flips * worst) {
+                match flowing.binary_search(&bond) {
+                    Ok(place) => _ = flowing.remove(place),
+                    Err(place) => flowing.insert(place, bond),
                 }
             }
         }
         Ok(None)
+    }
+
+    /// Energy that softening bonds dissipate along a direction.
+    fn dissipation(&self, course: &Course<D>, direction: &Direction) -> f64 {
+        let bonds = &course.body.bonds;
+        let of = |&k: &u32| {
+            let (k, bond) = (k as usize, &bonds.list()[k as usize]);
+            bond.stiffness * bond.length * bonds.law(k).dissipation_rate() * direction.rates[k]
+        };
+        direction.flowing.iter().filter(|&&k| self.at[k as usize] == At::Upper).map(of).sum()
     }
 
     /// How far bonds let the path go in a direction, and what happens there.
