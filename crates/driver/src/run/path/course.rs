@@ -139,9 +139,16 @@ impl<const D: usize> Course<D> {
             blended: cost.effort.blended,
             refused: cost.refused,
             factorisations: self.body.counters.factorisations,
-            residual: self.state.norm() / self.reference,
+            // Nothing drives a body without motions and loads.
+            residual: if self.reference > 0.0 { self.state.norm() / self.reference } else { 0.0 },
             ..PathPoint::default()
         }
+    }
+
+    /// Load factor at which the search for a load ends: back through the state of rest and as far beyond it as the path
+    /// was. A load that is not met by then is not there.
+    pub(super) fn farthest_back(&self) -> f64 {
+        -self.points.iter().map(|p| p.load_factor.abs()).fold(0.0, f64::max)
     }
 
     /// Stretch of a bond in the committed state.

@@ -80,10 +80,7 @@ impl<const D: usize> Control<D> for Displacement<D> {
         let from = course.state.load_factor;
         let (end, target) = match goal {
             Goal::LoadFactor(end) => (end, None),
-            // Back through the state of rest and as far beyond it as it was: a load that is not met is not there.
-            Goal::Load(target) => {
-                (-course.points.iter().map(|p| p.load_factor.abs()).fold(0.0, f64::max), Some(target))
-            }
+            Goal::Load(target) => (course.farthest_back(), Some(target)),
         };
         let mut cost = Cost::default();
         loop {

@@ -242,8 +242,9 @@ impl<const D: usize> Control<D> for Events<D> {
             return self.rescue(course, goal, load);
         };
         let most = match goal {
-            Goal::LoadFactor(end) if direction.sign == goal_sign => (end - from).abs(),
-            _ => f64::INFINITY,
+            _ if direction.sign != goal_sign => f64::INFINITY,
+            Goal::LoadFactor(end) => (end - from).abs(),
+            Goal::Load(_) => (from - course.farthest_back()).max(0.0),
         };
         let (mut way, mut pending) = self.reach(course, &direction, most);
         if !way.is_finite() {
@@ -267,6 +268,8 @@ impl<const D: usize> Control<D> for Events<D> {
                 way *= here / (here - there);
                 state = go(way, course);
                 (pending.reached, pending.failed, is_at_goal) = (Vec::new(), Vec::new(), true);
+            } else if is_at_goal {
+                return Ok(Step::Stuck);
             }
         }
         self.pending = Some(pending);
