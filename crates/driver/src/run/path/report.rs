@@ -50,10 +50,10 @@ pub struct PathReport {
 }
 
 /// Doubts about what was found.
-fn warnings<const D: usize>(course: &Course<D>, scene: &PathScene, chosen: &Chosen<D>) -> Faults {
+fn warnings<const D: usize>(course: &Course<D>, scene: &PathScene) -> Faults {
     let (mut faults, path) = (Faults::default(), JsonPath::default().key("path"));
     let last = course.points.last().cloned().unwrap_or_default();
-    if chosen.name == PathControl::Displacement && last.balance > JUMPED {
+    if last.balance > JUMPED {
         faults
             .warning(
                 path.clone(),
@@ -86,7 +86,7 @@ pub(super) fn report<const D: usize>(
     (sizes, ending): (Sizes, Ending),
     record: f64,
 ) -> RunReport {
-    let warnings = warnings(&course, scene, chosen);
+    let warnings = warnings(&course, scene);
     let mut counters = course.body.counters.clone();
     counters.stored_bond_factors = 8;
     let timing = Timing { record, ..course.body.timing.clone() };
