@@ -19,6 +19,8 @@ mod problem;
 mod report;
 mod steps;
 mod tangent;
+#[cfg(test)]
+mod tests;
 
 pub use control::Goal;
 pub use facts::PATH_FACTS;
