@@ -1,5 +1,8 @@
 //! Bonds with memory: each resists its elongation by a law, and remembers what it has been through.
 
+#[cfg(test)]
+mod tests;
+
 use super::Parts;
 use crate::bonds::Mat;
 use crate::law::{BondEnergy, Law};

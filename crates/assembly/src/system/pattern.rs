@@ -1,5 +1,8 @@
 //! Places of the stiffness of bonds in a sparse matrix, found once: values change many times, their places never.
 
+#[cfg(test)]
+mod tests;
+
 use crate::bonds::Mat;
 use crate::condition::Constraints;
 use sprs::CsMat;

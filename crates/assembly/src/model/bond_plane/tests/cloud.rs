@@ -6,7 +6,7 @@ use super::patch::{STRAINS, check_fields, check_rigid, strain_of};
 use crate::model::plane::{Calibration, Edges, PlaneModel};
 
 /// Scattered points in a rectangle with a hole, areas that differ, in a unit of length.
-fn scattered(unit: f64) -> (Vec<[f64; 2]>, Vec<f64>) {
+pub(super) fn scattered(unit: f64) -> (Vec<[f64; 2]>, Vec<f64>) {
     let (mut positions, mut areas) = (Vec::new(), Vec::new());
     for k in 0..16 * 12 {
         let (i, j) = ((k % 16) as f64, (k / 16) as f64);

@@ -7,3 +7,4 @@ mod mirrors;
 mod patch;
 mod properties;
 mod prototypes;
+mod softening;
