@@ -164,6 +164,11 @@ impl<const D: usize> Course<D> {
         }
     }
 
+    /// Leaves what has come off where it is: a step that is extrapolated would move it on, and strain it.
+    pub(super) fn hold_islands(&self, u: &mut [f64]) {
+        self.body.masked.iter().for_each(|&unknown| u[unknown] = self.state.u[unknown]);
+    }
+
     /// Finds parts that nothing holds any more and masks their unknowns. Where points have no bonds from the start, such as
     /// inside rigid regions, constraints hold them.
     pub(super) fn find_islands(&mut self) {

@@ -41,6 +41,7 @@ impl<const D: usize> Displacement<D> {
         let direction = self.last.as_ref().unwrap_or(&course.elastic);
         let mut state = course.state.clone();
         state.u.iter_mut().zip(direction).for_each(|(u, d)| *u += grown * d);
+        course.hold_islands(&mut state.u);
         state.load_factor = load_factor;
         let found = course.body.equilibrate(&mut state, course.reference, effort)?;
         Ok(found.then_some(state))

@@ -71,6 +71,7 @@ impl<const D: usize> Dissipation<D> {
         let would: f64 = weights.iter().zip(&rates).map(|(w, r)| w * r).sum();
         let share = if would > 0.0 { (self.energy / would).min(FARTHEST) } else { 1.0 };
         state.u.iter_mut().zip(unknowns).for_each(|(u, d)| *u += share * d);
+        course.hold_islands(&mut state.u);
         state.load_factor += share * grown;
         course.body.evaluate(&mut state);
         let reference = course.reference;
