@@ -18,6 +18,8 @@ use peristat_assembly::law::Law;
 const MERGED: f64 = 1e-9;
 /// Dissipated energy per load factor over that of the last direction, below which another direction is looked for.
 const FALLEN: f64 = 0.02;
+/// Rate of a bond over that of the unknowns, below which it is rounding.
+const ROUNDING: f64 = 1e-13;
 /// Rate of a bond over the largest rate, below which it neither flows nor unloads.
 const STILL: f64 = 1e-10;
 
@@ -57,6 +59,8 @@ struct Direction {
     /// Rates of the elongations of all bonds.
     rates: Vec<f64>,
     flowing: Vec<u32>,
+    /// Rates that are rounding.
+    noise: f64,
 }
 
 impl<const D: usize> Events<D> {
@@ -136,7 +140,10 @@ impl<const D: usize> Events<D> {
             effort.iterations += 1;
             let Some(unknowns) = self.tangent.direction(course, &stiffness, sign)? else { return Ok(None) };
             let rates = course.body.bonds.elongation_rates(&course.state.answers.bonds, &unknowns);
-            let still = STILL * rates.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
+            let largest = |v: &[f64]| v.iter().fold(0.0, |most: f64, r| most.max(r.abs()));
+            // Where a body has parted, rates are the rounding of how its parts move.
+            let noise = ROUNDING * largest(&unknowns);
+            let still = noise.max(STILL * largest(&rates));
             let wrong = |&k: &u32| {
                 let outwards = self.at[k as usize].outwards() * rates[k as usize];
                 (k, if flowing.binary_search(&k).is_ok() { -outwards } else { outwards })
@@ -144,8 +151,9 @@ impl<const D: usize> Events<D> {
             let wrong: Vec<(u32, f64)> = self.on.iter().map(wrong).filter(|w| w.1 > still).collect();
             if wrong.is_empty() {
                 // That all bonds unload away from the goal is no path.
-                let goes_on = !flowing.is_empty() || self.on.is_empty() || along > 0.0;
-                return Ok(goes_on.then_some(Direction { sign, unknowns, rates, flowing }));
+                let flows = flowing.iter().any(|&k| rates[k as usize].abs() > noise);
+                let goes_on = flows || self.on.is_empty() || along > 0.0;
+                return Ok(goes_on.then_some(Direction { sign, unknowns, rates, flowing, noise }));
             }
             let worst = wrong.iter().map(|w| w.1).fold(0.0, f64::max);
             for &(bond, _) in wrong.iter().filter(|w| w.1 >= flips * worst) {
@@ -174,7 +182,7 @@ impl<const D: usize> Events<D> {
         let mut events: Vec<(f64, u32, Option<At>)> = Vec::new();
         for (k, bond) in bonds.list().iter().enumerate() {
             let (rate, history) = (direction.rates[k] / bond.length, &bonds.history()[k]);
-            if rate == 0.0 || history.broken {
+            if direction.rates[k].abs() <= direction.noise || history.broken {
                 continue;
             }
             let (stretch, law) = (course.stretch(k), bonds.law(k));
@@ -248,7 +256,7 @@ impl<const D: usize> Control<D> for Events<D> {
         };
         let (mut way, mut pending) = self.reach(course, &direction, most);
         if !way.is_finite() {
-            return Ok(Step::Stuck);
+            return self.rescue(course, goal, load);
         }
         let go = |way: f64, course: &mut Course<D>| {
             let mut state = course.state.clone();
