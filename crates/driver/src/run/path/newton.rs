@@ -11,7 +11,7 @@ use super::body::{Body, State};
 /// Parts of the secant stiffness, tried in this order.
 const SECANT_PARTS: [f64; 5] = [0.0, 0.03, 0.1, 0.3, 1.0];
 /// Residual over the reference force, below which a state is in equilibrium.
-pub(super) const TOLERANCE: f64 = 1e-9;
+pub(super) const TOLERANCE: f64 = 1e-10;
 /// Iterations of a step, at most.
 const MOST_ITERATIONS: usize = 60;
 /// Slope left over that at the start, below which a line search has gone far enough.
