@@ -127,7 +127,7 @@ pub(super) enum SparseFactor {
 
 impl SparseFactor {
     /// Points in a plane below which two threads cost more than they bring.
-    const FEW: usize = 5000;
+    const FEW: usize = 2000;
 
     pub(super) fn analyse<const D: usize>(
         matrix: &CsMat<f64>,
