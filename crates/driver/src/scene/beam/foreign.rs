@@ -16,6 +16,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
         ),
         ("rigid", !case.rigid.is_empty(), "points of a beam that move together are joined by `links`"),
         ("lines", !case.lines.is_empty(), "all points of a beam are written anyway"),
+        ("path", case.path.is_some(), "beams do not soften: `fracture` breaks their bonds"),
         (
             "stress_intensity",
             !case.stress_intensity.is_empty(),
