@@ -41,7 +41,7 @@ pub(super) fn path(out: &mut String, report: &PathReport) {
         ("control", format!("{name}: {}", report.control_reason)),
         ("first yield", at("first_yield_load_factor", "first_yield_load")),
         ("peak", at("peak_load_factor", "peak_load")),
-        ("end", at("load_factor", "load")),
+        ("end", at("load_factor", "end_load")),
         (
             "energy",
             format!(

@@ -10,7 +10,7 @@ pub const PATH_FACTS: [&str; 17] = [
     "peak_load_factor",
     "peak_load",
     "load_factor",
-    "load",
+    "end_load",
     "initial_stiffness",
     "work",
     "stored_energy",

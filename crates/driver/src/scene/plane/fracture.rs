@@ -66,7 +66,7 @@ pub(super) fn resolve(
     held.chain(rigid).for_each(|&p| exempt[p as usize] = true);
     let (critical, fibres) = critical(fracture, context, &path.key("critical"), faults)?;
     check_directions(fracture, &general_facts(&fibres), &path.key("directions"), faults);
-    check_load(fracture, context.ground.case, &path.key("load"), faults);
+    check_load(&fracture.load, context.ground.case, &path.key("load"), faults);
     let directions = fracture.directions.clone();
     let steps = fracture::resolve(fracture, critical, exempt, context.probes, faults)?;
     let fracture = PlaneFracture { steps, fibres, directions };
@@ -74,13 +74,12 @@ pub(super) fn resolve(
     Some(fracture)
 }
 
-/// Fault of a load that would take fields of every equilibrium.
-fn check_load(fracture: &Fracture, case: &Case, path: &JsonPath, faults: &mut Faults) {
+/// Fault of a load, the name of a probe, that would take fields of every equilibrium.
+pub(super) fn check_load(load: &str, case: &Case, path: &JsonPath, faults: &mut Faults) {
     use FieldName::{Opening, ReactionX, ReactionY, Ux, Uy};
-    let probe = case.probes.iter().find(|p| p.name == fracture.load);
+    let probe = case.probes.iter().find(|p| p.name == load);
     if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy | Opening)) {
-        let message =
-            format!("the probe `{}` is one of `{}`, which is no load", probe.name, probe.field.name());
+        let message = format!("the probe `{load}` is one of `{}`, which is no load", probe.field.name());
         faults
             .error(path.clone(), message)
             .hint("use a probe of `reaction_x` or `reaction_y`, or of `ux` or `uy` where forces are given");

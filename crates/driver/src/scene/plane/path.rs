@@ -1,15 +1,18 @@
 //! How the bonds of a body in the plane soften, and how it is followed.
 
+use super::super::fracture;
 use super::super::numbers::positive;
 use super::super::path::{self, PathScene, Softening};
 use super::super::root;
 use super::super::words::tidy;
 use super::bonds::PlaneBonds;
 use super::conditions::Conditions;
+use super::fracture::check_load;
 use super::ground::Ground;
 use super::model::{self, Recipe};
-use crate::case::{BilinearLaw, Case, CriticalFormula, FieldName, Model, Path, PlaneBondLaw};
+use crate::case::{BilinearLaw, Case, CriticalFormula, Model, Path, PlaneBondLaw};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::run::path::PATH_FACTS;
 use peristat_assembly::body::PlaneBody;
 use peristat_assembly::law::{Bilinear, Compression, Unloading};
 use peristat_assembly::model::bond_plane::{
@@ -73,21 +76,8 @@ pub(super) fn resolve(path: &mut Path, context: &Context, faults: &mut Faults) -
     let rate = law.yield_stretch() * law.failure_stretch() / (published * published);
     let crack_energy = given.energy_release_rate.unwrap_or(rate) * material.thickness * spacing;
     let body = Softening { law, kinematics: given.kinematics, exempt, crack_energy };
+    fracture::check_probes(case, &PATH_FACTS, faults);
     path::resolve(path, body, context.probes, faults)
-}
-
-/// Fault of a load that would take fields of every step.
-fn check_load(load: &str, case: &Case, path: &JsonPath, faults: &mut Faults) {
-    use FieldName::{Opening, ReactionX, ReactionY, Ux, Uy};
-    let probe = case.probes.iter().find(|p| p.name == load);
-    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy | Opening)) {
-        faults
-            .error(
-                path.clone(),
-                format!("the probe `{load}` is one of `{}`, which is no load", probe.field.name()),
-            )
-            .hint("use a probe of `reaction_x` or `reaction_y`, or of `ux` or `uy` where forces are given");
-    }
 }
 
 /// One of two numbers that follow from each other.
