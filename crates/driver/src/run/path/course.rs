@@ -3,8 +3,12 @@
 use super::super::factor::SolveFailure;
 use super::body::{Body, State, norm};
 use super::point::{Cost, PathPoint};
+use peristat_assembly::law::Law;
 use peristat_assembly::stiffness::Kinematics;
 use peristat_assembly::sum::Sum;
+
+/// Damage of a bond that is at its limit but for rounding.
+const BARELY: f64 = 1e-12;
 
 /// A body on its path.
 pub(super) struct Course<const D: usize> {
@@ -119,8 +123,9 @@ impl<const D: usize> Course<D> {
         let relative = |lack: f64| if self.largest_work > 0.0 { lack / self.largest_work } else { 0.0 };
         let (work, inner) = (self.work.total(), self.inner_work.total());
         let mut counts = [0; 2];
-        for history in self.body.bonds.history() {
-            counts[0] += usize::from(history.softened > 0.0 && !history.broken);
+        for (k, history) in self.body.bonds.history().iter().enumerate() {
+            let softens = self.body.bonds.law(k).damage(history) > BARELY;
+            counts[0] += usize::from(softens && !history.broken);
             counts[1] += usize::from(history.broken);
         }
         PathPoint {
