@@ -79,6 +79,32 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         bonds
     }
 
+    /// The same with a factor for every bond, by index of its offset and its points, the lower one first.
+    ///
+    /// # Panics
+    /// As [`new`](Self::new).
+    pub fn with_factors(
+        lattice: Arc<SquareLattice>,
+        model: &B,
+        offsets: &[Offset<M>],
+        factor: impl Fn(usize, [usize; 2]) -> f64,
+    ) -> Self {
+        let mut bonds = Self::new(lattice, model, offsets, &[]);
+        let mut factors = Vec::new();
+        bonds.for_each_bond(|offset, ends, _| {
+            let factor = factor(offset, ends);
+            if factor != 1.0 {
+                factors.push((offset as u32, ends.map(|p| p as u32), factor));
+            }
+        });
+        for (offset, [lower, upper], factor) in factors {
+            bonds.chunks.multiply(2 * offset as usize, lower as usize, factor);
+            bonds.chunks.multiply(2 * offset as usize + 1, upper as usize, factor);
+        }
+        bonds.bonds = bonds.count();
+        bonds
+    }
+
     /// The lattice.
     pub fn lattice(&self) -> &Arc<SquareLattice> {
         &self.lattice

@@ -1,0 +1,102 @@
+//! Families as blocks of the assembled stiffness.
+
+use super::GridFamilies;
+use crate::bonds::Mat;
+use crate::stiffness::BlockMatrix;
+use std::collections::BTreeMap;
+
+/// A member of a family and the rows `[ϑ, h]` of its unknowns.
+type Member = (usize, Mat<2, 2>);
+
+impl GridFamilies {
+    /// Members of the family of a point, itself among them.
+    fn members(&self, point: usize, set: u32, members: &mut Vec<Member>) {
+        members.clear();
+        let cell = self.lattice.cell(point);
+        let mut own = [[0.0; 2]; 2];
+        for (step, row) in self.family.steps.iter().zip(&self.family.sets[set as usize]) {
+            if let Some(other) = self.lattice.number([cell[0] + step[0], cell[1] + step[1]])
+                && *row != [0.0; 2]
+            {
+                members.push((other, [*row, [0.0; 2]]));
+                (0..2).for_each(|c| own[0][c] -= row[c]);
+            }
+        }
+        if let Some(a) = self.family.own.get(point) {
+            own[1][0] = *a;
+        }
+        members.push((point, own));
+    }
+
+    /// Members of the families of a block and the rows of its mean `Σ V (ϑ + h)/Σ V`, and the volume of the block.
+    fn mean_members(&self, block: &[u32]) -> (Vec<(usize, [f64; 2])>, f64) {
+        let whole: f64 = block.iter().map(|&k| self.family.volume[k as usize]).sum();
+        let mut sums: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
+        let mut members = Vec::new();
+        for &point in block {
+            let point = point as usize;
+            let Some(set) = self.family.set_of[point] else { continue };
+            let part = if whole > 0.0 { self.family.volume[point] / whole } else { 0.0 };
+            self.members(point, set, &mut members);
+            for (member, [theta, hoop]) in &members {
+                let sum = sums.entry(*member).or_default();
+                (0..2).for_each(|c| sum[c] += part * (theta[c] + hoop[c]));
+            }
+        }
+        (sums.into_iter().collect(), whole)
+    }
+
+    fn for_each_family(&self, mut visit: impl FnMut(usize, &[Member])) {
+        let mut members = Vec::new();
+        for stretch in &self.stretches {
+            for k in 0..stretch.columns.len() {
+                self.members(stretch.first + k, stretch.set, &mut members);
+                visit(stretch.first + k, &members);
+            }
+        }
+    }
+
+    /// The block of two members of a family of unit volume.
+    fn block(&self, a: &Mat<2, 2>, b: &Mat<2, 2>) -> Mat<2, 2> {
+        let c = &self.family.modulus;
+        let conjugate = |m: usize, column: usize| c[m][0] * b[0][column] + c[m][1] * b[1][column];
+        std::array::from_fn(|r| {
+            std::array::from_fn(|column| a[0][r] * conjugate(0, column) + a[1][r] * conjugate(1, column))
+        })
+    }
+
+    pub(super) fn assemble(&self, tangent: &mut BlockMatrix<2>) {
+        self.for_each_family(|point, members| {
+            let volume = self.family.volume[point];
+            for (i, a) in members {
+                for (j, b) in members.iter().filter(|(j, _)| j >= i) {
+                    tangent.add(*i, *j, &self.block(a, b).map(|row| row.map(|v| volume * v)));
+                }
+            }
+        });
+        for block in self.blocks.iter().flat_map(|blocks| blocks.iter()) {
+            let (members, whole) = self.mean_members(block);
+            let modulus = self.family.mean_modulus * whole;
+            for (at, (i, a)) in members.iter().enumerate() {
+                for (j, b) in &members[at..] {
+                    tangent.add(*i, *j, &a.map(|a| b.map(|b| modulus * a * b)));
+                }
+            }
+        }
+    }
+
+    pub(super) fn assemble_diagonal(&self, blocks: &mut [Mat<2, 2>]) {
+        let add = |to: &mut Mat<2, 2>, factor: f64, part: Mat<2, 2>| {
+            to.as_flattened_mut().iter_mut().zip(part.as_flattened()).for_each(|(t, p)| *t += factor * p);
+        };
+        self.for_each_family(|point, members| {
+            let volume = self.family.volume[point];
+            members.iter().for_each(|(i, a)| add(&mut blocks[*i], volume, self.block(a, a)));
+        });
+        for block in self.blocks.iter().flat_map(|blocks| blocks.iter()) {
+            let (members, whole) = self.mean_members(block);
+            let modulus = self.family.mean_modulus * whole;
+            members.iter().for_each(|(i, a)| add(&mut blocks[*i], modulus, a.map(|r| a.map(|c| r * c))));
+        }
+    }
+}

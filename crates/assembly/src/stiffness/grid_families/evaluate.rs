@@ -1,0 +1,166 @@
+//! Measures of all families and the forces of what is conjugate to them.
+//!
+//! Measures are written point by point. Forces are pushed from families to their members, by bands of rows: first every
+//! other one, then the rest, so that threads share nothing and sums do not depend on their number.
+
+use super::{Band, GridFamilies, Stretch};
+use crate::stiffness::Survey;
+use crate::stiffness::planes::{planes, planes_mut};
+use crate::sum::Sum;
+use rayon::prelude::*;
+
+/// Points below which threads cost more than they bring.
+const FEW: usize = 8192;
+
+impl GridFamilies {
+    /// ϑ and h of all points; h is empty where no family has one.
+    pub(super) fn measures(&self, u: &[f64]) -> [Vec<f64>; 2] {
+        let n = self.lattice.points();
+        let [x, y] = planes::<2>(u);
+        let mut theta = vec![0.0; n];
+        let mut rest = theta.as_mut_slice();
+        let bands: Vec<(&Band, &mut [f64])> = self
+            .bands
+            .iter()
+            .map(|band| (band, rest.split_off_mut(..band.points.len()).unwrap_or_default()))
+            .collect();
+        let work = |(band, theta): (&Band, &mut [f64])| {
+            pulp::Arch::new().dispatch(
+                #[inline(always)]
+                || {
+                    for stretch in &self.stretches[band.stretches.clone()] {
+                        let first = stretch.first - band.points.start;
+                        let own = &mut theta[first..first + stretch.columns.len()];
+                        self.dilatation(stretch, [x, y], own);
+                    }
+                },
+            );
+        };
+        match n < FEW {
+            true => bands.into_iter().for_each(work),
+            false => bands.into_par_iter().for_each(work),
+        }
+        [theta, self.family.own.iter().zip(x).map(|(a, x)| a * x).collect()]
+    }
+
+    #[inline(always)]
+    fn dilatation(&self, stretch: &Stretch, [x, y]: [&[f64]; 2], theta: &mut [f64]) {
+        let set = &self.family.sets[stretch.set as usize];
+        for (&step, &[a, b]) in self.family.steps.iter().zip(set) {
+            if [a, b] == [0.0; 2] {
+                continue;
+            }
+            self.lattice.shifted(stretch.row, &stretch.columns, step, |columns, other| {
+                let (k, width) = ((columns.start - stretch.columns.start) as usize, columns.len());
+                let own = stretch.first + k;
+                let (own_x, own_y) = (&x[own..own + width], &y[own..own + width]);
+                let (other_x, other_y) = (&x[other..other + width], &y[other..other + width]);
+                let theta = &mut theta[k..k + width];
+                for i in 0..width {
+                    theta[i] += a * (other_x[i] - own_x[i]) + b * (other_y[i] - own_y[i]);
+                }
+            });
+        }
+    }
+
+    /// What is conjugate to the measures, times the volume of the points.
+    pub(super) fn stresses(&self, theta: &[f64], hoop: &[f64]) -> [Vec<f64>; 2] {
+        let [[a, b], [_, c]] = self.family.modulus;
+        let volume = &self.family.volume;
+        let h = |k: usize| hoop.get(k).copied().unwrap_or(0.0);
+        let mut sigma: Vec<f64> = (0..theta.len()).map(|k| volume[k] * (a * theta[k] + b * h(k))).collect();
+        let mut across: Vec<f64> =
+            (0..hoop.len()).map(|k| volume[k] * (b * theta[k] + c * hoop[k])).collect();
+        if let Some(blocks) = &self.blocks {
+            blocks.for_each_mean(
+                volume,
+                |k| theta[k] + h(k),
+                |k, mean| {
+                    let stress = self.family.mean_modulus * volume[k] * mean;
+                    sigma[k] += stress;
+                    if let Some(across) = across.get_mut(k) {
+                        *across += stress;
+                    }
+                },
+            );
+        }
+        [sigma, across]
+    }
+
+    /// Adds the forces that do the work of these stresses, times volumes, with the measures.
+    pub(super) fn push(&self, [sigma, across]: &[Vec<f64>; 2], force: &mut [f64]) {
+        for part in [0, 1] {
+            let [mut x, mut y] = planes_mut::<2>(force);
+            let mut behind = 0;
+            let mut bands = Vec::new();
+            for band in self.bands.iter().skip(part).step_by(2) {
+                let cut = |rest: &mut &mut [f64]| {
+                    let _ = rest.split_off_mut(..band.reached.start - behind);
+                };
+                cut(&mut x);
+                cut(&mut y);
+                let own =
+                    [&mut x, &mut y].map(|rest| rest.split_off_mut(..band.reached.len()).unwrap_or_default());
+                bands.push((band, own));
+                behind = band.reached.end;
+            }
+            let work = |(band, mut own): (&Band, [&mut [f64]; 2])| {
+                pulp::Arch::new().dispatch(
+                    #[inline(always)]
+                    || {
+                        for stretch in &self.stretches[band.stretches.clone()] {
+                            self.push_stretch(stretch, sigma, band.reached.start, &mut own);
+                        }
+                    },
+                );
+            };
+            match self.lattice.points() < FEW {
+                true => bands.into_iter().for_each(work),
+                false => bands.into_par_iter().for_each(work),
+            }
+        }
+        for (k, (stress, a)) in across.iter().zip(&self.family.own).enumerate() {
+            force[k] += a * stress;
+        }
+    }
+
+    #[inline(always)]
+    fn push_stretch(&self, stretch: &Stretch, sigma: &[f64], base: usize, [x, y]: &mut [&mut [f64]; 2]) {
+        let set = &self.family.sets[stretch.set as usize];
+        for (&step, &[a, b]) in self.family.steps.iter().zip(set) {
+            if [a, b] == [0.0; 2] {
+                continue;
+            }
+            self.lattice.shifted(stretch.row, &stretch.columns, step, |columns, other| {
+                let (k, width) = ((columns.start - stretch.columns.start) as usize, columns.len());
+                let own = stretch.first + k;
+                let sigma = &sigma[own..own + width];
+                for (plane, row) in [(&mut *x, a), (&mut *y, b)] {
+                    let to = &mut plane[other - base..][..width];
+                    to.iter_mut().zip(sigma).for_each(|(f, s)| *f += row * s);
+                    let from = &mut plane[own - base..][..width];
+                    from.iter_mut().zip(sigma).for_each(|(f, s)| *f -= row * s);
+                }
+            });
+        }
+    }
+
+    pub(super) fn survey_families(&self, u: &[f64]) -> Survey<2> {
+        let [theta, hoop] = self.measures(u);
+        let [sigma, across] = self.stresses(&theta, &hoop);
+        let mut energy = Sum::default();
+        theta.iter().zip(&sigma).for_each(|(s, stress)| energy.add(0.5 * s * stress));
+        hoop.iter().zip(&across).for_each(|(s, stress)| energy.add(0.5 * s * stress));
+        let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        let mut largest_action = [0.0_f64; 2];
+        for stretch in &self.stretches {
+            let most = largest(&sigma[stretch.first..stretch.first + stretch.columns.len()]);
+            for row in &self.family.sets[stretch.set as usize] {
+                (0..2).for_each(|c| largest_action[c] = largest_action[c].max(row[c].abs() * most));
+            }
+        }
+        let own = across.iter().zip(&self.family.own).map(|(s, a)| (s * a).abs());
+        largest_action[0] = own.fold(largest_action[0], f64::max);
+        Survey { energy: energy.total(), largest_action }
+    }
+}
