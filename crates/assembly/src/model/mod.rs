@@ -4,6 +4,7 @@ pub mod beam_bond_orthotropic;
 pub mod bond_plane;
 mod breaking;
 pub mod plane;
+pub mod state_based;
 pub mod timoshenko_beam;
 
 pub use breaking::Breakable;

@@ -16,6 +16,9 @@ pub struct PlaneFields {
     pub stress: [Vec<f64>; 3],
     /// Strain energy density, J/m³, of every point.
     pub energy_density: Vec<f64>,
+    /// Stress across the section, Pa, of every point; empty where it follows from the others
+    /// ([`stress_across`](super::PlaneModel::stress_across)).
+    pub across: Vec<f64>,
 }
 
 impl PlaneFields {
@@ -39,7 +42,7 @@ impl PlaneFields {
         let energy_density = sums.split_off(3 * n);
         let xy = sums.split_off(2 * n);
         let yy = sums.split_off(n);
-        Self { stress: [sums, yy, xy], energy_density }
+        Self { stress: [sums, yy, xy], energy_density, across: Vec::new() }
     }
 }
 

@@ -90,6 +90,17 @@ pub trait PlaneModel: Debug + Send + Sync {
     /// Strains of stresses: its inverse.
     fn strain_of(&self, stress: [f64; 3]) -> [f64; 3];
 
+    /// Strains of stresses in the plane and the one across it; where that one follows from the others it is not read.
+    fn strain_with(&self, stress: [f64; 3], _across: f64) -> [f64; 3] {
+        self.strain_of(stress)
+    }
+
+    /// Whether the plane is a section of a body of revolution: x is the radius, and volumes and forces are those of whole
+    /// rings.
+    fn is_revolved(&self) -> bool {
+        false
+    }
+
     /// Stress across the plane that belongs to stresses in it.
     fn stress_across(&self, _stress: [f64; 3]) -> f64 {
         0.0

@@ -1,0 +1,198 @@
+//! The points of a state-based body with their families, on a lattice with ghosts and images.
+
+use super::super::bond_plane::CentralBond;
+use super::super::plane::Mirrors;
+use super::ghosts::{Fit, Separated, fits, outside};
+use super::term::StateTerm;
+use super::weights::{FamilyWeights, offsets};
+use super::{Axis, Dilatation, StateEdges, StateError, StateParameters};
+use crate::body::{Cell, SquareLattice};
+use crate::stiffness::{GridBonds, GridFamilies, GridFamily, Offset};
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Points, families and energy of a body.
+#[derive(Clone, Debug)]
+pub(super) struct StateBody {
+    /// The cells of the body alone.
+    pub(super) real: Arc<SquareLattice>,
+    /// With ghosts and images.
+    pub(super) lattice: Arc<SquareLattice>,
+    pub(super) mirrors: Mirrors,
+    /// Points that are ghosts or images, in order.
+    pub(super) ghosts: Vec<u32>,
+    /// Shares of real points in the ghosts that are no images.
+    pub(super) fits: BTreeMap<Cell, Fit>,
+    pub(super) families: FamilyWeights,
+    pub(super) term: StateTerm,
+    /// Bonds that are cut: offset of the half and lower point, sorted.
+    pub(super) cuts: Vec<(usize, usize)>,
+}
+
+/// Volume of a cell, m³: of a ring, that one spacing from the axis.
+pub(super) fn cell_volume(parameters: &StateParameters, spacing: f64) -> f64 {
+    use super::Geometry::{Axisymmetric, PlaneStrain, PlaneStress};
+    match parameters.geometry {
+        PlaneStress(thickness) | PlaneStrain(thickness) => spacing * spacing * thickness,
+        Axisymmetric => TAU * spacing.powi(3),
+    }
+}
+
+/// Lines of symmetry, with the axis of a body of revolution that touches it among them.
+fn with_axis(
+    parameters: &StateParameters,
+    real: &SquareLattice,
+    mirrors: Mirrors,
+) -> Result<(Mirrors, bool), StateError> {
+    if !parameters.is_axisymmetric() {
+        return Ok((mirrors, false));
+    }
+    let left = real.corner()[0] / real.spacing() + f64::from(real.columns().start);
+    if left > 0.5 {
+        return Ok((mirrors, false));
+    }
+    if left.abs() > 1e-6 {
+        return Err(StateError::OffAxis);
+    }
+    let has_images = parameters.axis != Axis::Truncated;
+    let line = has_images.then_some(real.columns().start);
+    Ok((Mirrors { columns: [line, mirrors.columns[1]], ..mirrors }, has_images))
+}
+
+/// The lattice of a body with its ghosts and images, the lines of symmetry, and the fits of the ghosts.
+pub(super) fn extended(
+    parameters: &StateParameters,
+    real: &SquareLattice,
+    mirrors: Mirrors,
+    separated: &Separated,
+) -> Result<(SquareLattice, Mirrors, BTreeMap<Cell, Fit>), StateError> {
+    let (mirrors, _) = with_axis(parameters, real, mirrors)?;
+    let half = offsets(parameters);
+    let all: Vec<Cell> = half.iter().copied().chain(half.iter().map(|o| o.map(|k| -k))).collect();
+    let reach = all.iter().flat_map(|o| o.map(i32::abs)).max().unwrap_or(0);
+    if parameters.edges != StateEdges::Ghosts {
+        return Ok((mirrors.extended(real, reach), mirrors, BTreeMap::new()));
+    }
+    let beyond = outside(real, &mirrors, &all);
+    let fits = fits(real, &beyond, separated);
+    let widened = |range: std::ops::Range<i32>| range.start - reach..range.end + reach;
+    let inside = |cell: Cell| real.number(cell).is_some() || fits.contains_key(&cell);
+    let (columns, rows) = (widened(real.columns()), widened(real.rows()));
+    let filled = SquareLattice::new(real.spacing(), real.corner(), columns, rows, inside);
+    let areas: Vec<(Cell, f64)> =
+        real.cut_cells().iter().map(|&(p, area)| (real.cell(p as usize), area)).collect();
+    Ok((mirrors.extended(&filled.with_areas(&areas), reach), mirrors, fits))
+}
+
+impl StateBody {
+    /// The body of the cells of a lattice; `cut` tells which bonds of the extended lattice something cuts, by offset of the
+    /// half and lower point; `separated` whether something stands between two cells.
+    pub(super) fn new(
+        parameters: &StateParameters,
+        real: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        separated: &Separated,
+        cut: &dyn Fn(&SquareLattice) -> Vec<(usize, usize)>,
+    ) -> Result<Self, StateError> {
+        let (_, has_axis) = with_axis(parameters, &real, mirrors)?;
+        let (lattice, mirrors, fits) = extended(parameters, &real, mirrors, separated)?;
+        let lattice = Arc::new(lattice);
+        let is_real: Vec<bool> = (0..lattice.points())
+            .map(|p| {
+                let cell = lattice.cell(p);
+                mirrors.is_real(cell) && real.number(cell).is_some()
+            })
+            .collect();
+        let ghosts = (0..lattice.points()).filter(|&p| !is_real[p]).map(|p| p as u32).collect();
+        let families = FamilyWeights::new(parameters, &lattice, &is_real, has_axis)?;
+        let mut cuts = cut(&lattice);
+        cuts.sort_unstable();
+        let mut body = Self {
+            term: StateTerm::empty(),
+            real,
+            lattice,
+            mirrors,
+            ghosts,
+            fits,
+            families,
+            cuts: Vec::new(),
+        };
+        body.remove(&cuts);
+        body.term = body.energy(parameters);
+        Ok(body)
+    }
+
+    /// Upper end of the bond at an offset of the half.
+    pub(super) fn upper(&self, offset: usize, lower: usize) -> Option<usize> {
+        let ([a, b], [column, row]) = (self.families.offsets[offset], self.lattice.cell(lower));
+        self.lattice.number([column + a, row + b])
+    }
+
+    /// Removes bonds from the families of their points; the term is to be made again.
+    pub(super) fn remove(&mut self, bonds: &[(usize, usize)]) {
+        let ends = |&(offset, lower): &(usize, usize)| Some((offset, [lower, self.upper(offset, lower)?]));
+        let ends: Vec<(usize, [usize; 2])> = bonds.iter().filter_map(ends).collect();
+        self.families.remove(&ends);
+        self.cuts.extend(bonds);
+        self.cuts.sort_unstable();
+    }
+
+    /// Bonds, and families where they have energy of their own.
+    pub(super) fn energy(&self, parameters: &StateParameters) -> StateTerm {
+        let (families, spacing) = (&self.families, self.lattice.spacing());
+        let volume = cell_volume(parameters, spacing);
+        let plain = &families.sets[0];
+        let half = families.offsets.len() / 2;
+        let bonded: Vec<usize> = (0..half).filter(|&k| plain.weights[k] > 0.0).collect();
+        let steps: Vec<Offset<1>> = bonded
+            .iter()
+            .map(|&k| {
+                let [a, b] = families.offsets[k];
+                // 8 μ (V + V) w/q = a V/ξ².
+                let square = f64::from(a * a + b * b);
+                let weight = 16.0 * parameters.shear_modulus() * plain.weights[k] * square / plain.q;
+                Offset { step: families.offsets[k], weights: [weight] }
+            })
+            .collect();
+        let factor = |k: usize, [lower, upper]: [usize; 2]| families.bond_factor(bonded[k], lower, upper);
+        let bonds = GridBonds::with_factors(self.lattice.clone(), &CentralBond { volume }, &steps, factor);
+        let modulus = parameters.family_modulus();
+        let mean_modulus = match parameters.dilatation {
+            Dilatation::Blocks => parameters.bulk_modulus(),
+            Dilatation::Points => 0.0,
+        };
+        // What rounding leaves of λ − μ in plane stress at ν = 1/3.
+        let least = 1e-12 * parameters.shear_modulus();
+        let is_plain = modulus.as_flattened().iter().all(|c| c.abs() < least) && mean_modulus == 0.0;
+        let families = (!is_plain).then(|| {
+            let family = GridFamily {
+                steps: families.offsets.clone(),
+                sets: families.sets.iter().map(|set| self.dilatation_rows(set)).collect(),
+                set_of: families.set_of.clone(),
+                volume: families.energy.iter().map(|v| v * volume).collect(),
+                own: if parameters.is_axisymmetric() { self.hoop_rows() } else { Vec::new() },
+                modulus,
+                mean_modulus,
+            };
+            GridFamilies::new(self.lattice.clone(), family)
+        });
+        StateTerm::new(bonds, families)
+    }
+
+    /// `(2/q) w |ξ| n` per offset, 1/m.
+    fn dilatation_rows(&self, set: &super::weights::Set) -> Vec<[f64; 2]> {
+        let scale = 2.0 / (set.q * self.lattice.spacing());
+        let rows = self.families.offsets.iter().zip(&set.weights);
+        rows.map(|(o, w)| o.map(|k| scale * w * f64::from(k))).collect()
+    }
+
+    /// `1/x` of the points that have a family.
+    fn hoop_rows(&self) -> Vec<f64> {
+        let of = |p: usize| match self.families.set_of[p] {
+            Some(_) => 1.0 / self.lattice.position(p)[0],
+            None => 0.0,
+        };
+        (0..self.lattice.points()).map(of).collect()
+    }
+}

@@ -1,0 +1,169 @@
+//! Strains and stresses of the points of a state-based body, and the loads that belong to stresses.
+//!
+//! `S_ab = (8/q) Σ w |ξ| n_a n_b e` makes the dilatation `ϑ = (S_xx + S_yy)/4` and the strains `E_ab = ½(S_ab − δ_ab ϑ)`; these
+//! are exact for every uniform strain.
+
+use super::super::plane::PlaneFields;
+use super::body::{StateBody, cell_volume};
+use super::{Dilatation, StateParameters};
+use crate::body::SquareLattice;
+use rayon::prelude::*;
+use std::collections::HashMap;
+
+/// What the family of a point tells of its state.
+#[derive(Clone, Copy, Debug, Default)]
+struct State {
+    /// `[E_xx, E_yy, E_xy]`.
+    strain: [f64; 3],
+    /// Strain across the section; zero but in bodies of revolution.
+    across: f64,
+    /// `Σ w e²/q`.
+    bonds: f64,
+}
+
+impl State {
+    fn dilatation(&self) -> f64 {
+        self.strain[0] + self.strain[1] + self.across
+    }
+}
+
+impl StateBody {
+    fn state(&self, parameters: &StateParameters, point: usize, u: &[f64]) -> State {
+        let Some(number) = self.families.set_of[point] else { return State::default() };
+        let n = self.lattice.points();
+        let set = &self.families.sets[number as usize];
+        let [column, row] = self.lattice.cell(point);
+        let own = [u[point], u[n + point]];
+        let (mut sums, mut squares) = ([0.0; 3], 0.0);
+        for (&[a, b], &w) in self.families.offsets.iter().zip(&set.weights) {
+            let Some(other) = self.lattice.number([column + a, row + b]).filter(|_| w != 0.0) else {
+                continue;
+            };
+            let (x, y) = (f64::from(a), f64::from(b));
+            let square = x * x + y * y;
+            let stretch = (x * (u[other] - own[0]) + y * (u[n + other] - own[1])) / square;
+            // e |ξ| n_a n_b = stretch ξ_a ξ_b.
+            for (sum, product) in sums.iter_mut().zip([x * x, y * y, x * y]) {
+                *sum += w * stretch * product;
+            }
+            squares += w * stretch * stretch * square;
+        }
+        let spacing = self.lattice.spacing();
+        let [xx, yy, xy] = sums.map(|s| 8.0 / (set.q * spacing) * s);
+        let half = 0.25 * (xx + yy);
+        let across = match parameters.is_axisymmetric() {
+            true => own[0] / self.lattice.position(point)[0],
+            false => 0.0,
+        };
+        State {
+            strain: [0.5 * (xx - half), 0.5 * (yy - half), 0.5 * xy],
+            across,
+            bonds: squares / (set.q * spacing * spacing),
+        }
+    }
+
+    /// Means of the dilatation over blocks, or those of the points.
+    fn dilatations(&self, parameters: &StateParameters, states: &[State]) -> Vec<f64> {
+        if parameters.dilatation == Dilatation::Points {
+            return states.iter().map(State::dilatation).collect();
+        }
+        let block = |p: usize| SquareLattice::parent(self.lattice.cell(p));
+        let mut sums: HashMap<[i32; 2], [f64; 2]> = HashMap::new();
+        for (p, state) in states.iter().enumerate() {
+            let volume = self.families.energy[p];
+            let sum = sums.entry(block(p)).or_default();
+            *sum = [sum[0] + volume * state.dilatation(), sum[1] + volume];
+        }
+        let mean = |p: usize| sums[&block(p)][0] / sums[&block(p)][1].max(f64::MIN_POSITIVE);
+        (0..states.len()).map(mean).collect()
+    }
+
+    /// Stresses and energy densities; ghosts have those of their fits.
+    pub(super) fn fields(&self, parameters: &StateParameters, u: &[f64]) -> PlaneFields {
+        let n = self.lattice.points();
+        let states: Vec<State> =
+            (0..n).into_par_iter().with_min_len(1024).map(|p| self.state(parameters, p, u)).collect();
+        let means = self.dilatations(parameters, &states);
+        let (shear, bulk) = (parameters.shear_modulus(), parameters.bulk_modulus());
+        let lame = parameters.lame();
+        let pressure = |p: usize| bulk * means[p] - 2.0 / 3.0 * shear * states[p].dilatation();
+        let direct = |k: usize| -> Vec<f64> {
+            (0..n).map(|p| pressure(p) + 2.0 * shear * states[p].strain[k]).collect()
+        };
+        let energy = |p: usize| {
+            let State { strain, across: h, bonds } = states[p];
+            let (theta, whole) = (strain[0] + strain[1], states[p].dilatation());
+            let families = 0.5 * (lame - shear) * theta * theta
+                + lame * theta * h
+                + 0.5 * (lame + 2.0 * shear) * h * h
+                + 0.5 * bulk * (means[p] * means[p] - whole * whole);
+            families + 4.0 * shear * bonds
+        };
+        let shears = states.iter().map(|s| 2.0 * shear * s.strain[2]).collect();
+        let mut fields = PlaneFields {
+            stress: [direct(0), direct(1), shears],
+            energy_density: (0..n).map(energy).collect(),
+            across: match parameters.is_axisymmetric() {
+                true => (0..n).map(|p| pressure(p) + 2.0 * shear * states[p].across).collect(),
+                false => Vec::new(),
+            },
+        };
+        let [xx, yy, xy] = &mut fields.stress;
+        for values in [xx, yy, xy, &mut fields.energy_density, &mut fields.across] {
+            self.continue_to_ghosts(values);
+        }
+        fields
+    }
+
+    fn continue_to_ghosts(&self, values: &mut [f64]) {
+        if values.is_empty() {
+            return;
+        }
+        for (cell, fit) in &self.fits {
+            let of = |(c, share): &([i32; 2], f64)| Some(share * values[self.lattice.number(*c)?]);
+            if let Some(ghost) = self.lattice.number(*cell) {
+                values[ghost] = fit.iter().filter_map(of).sum();
+            }
+        }
+    }
+
+    /// Adds the forces `Σ_k V_k S_k : E_k` of stresses `[S_xx, S_yy, S_xy]`, Pa, of some points; none for all. The volumes
+    /// are those of the energies, so that a uniform stress does the same work in the load and in the stiffness.
+    pub(super) fn add_stress_work(
+        &self,
+        parameters: &StateParameters,
+        points: Option<&[usize]>,
+        stress: &dyn Fn(usize) -> [f64; 3],
+        force: &mut [f64],
+    ) {
+        let n = self.lattice.points();
+        let volume = cell_volume(parameters, self.lattice.spacing());
+        let mut add = |point: usize| {
+            let Some(number) = self.families.set_of[point] else { return };
+            let s = stress(point);
+            let energy = volume * self.families.energy[point];
+            if s == [0.0; 3] || energy == 0.0 {
+                return;
+            }
+            let set = &self.families.sets[number as usize];
+            let [column, row] = self.lattice.cell(point);
+            let scale = energy / (set.q * self.lattice.spacing());
+            for (&[a, b], &w) in self.families.offsets.iter().zip(&set.weights) {
+                let Some(other) = self.lattice.number([column + a, row + b]).filter(|_| w != 0.0) else {
+                    continue;
+                };
+                let (x, y) = (f64::from(a), f64::from(b));
+                let along = (s[0] * x * x + s[1] * y * y + 2.0 * s[2] * x * y) / (x * x + y * y);
+                let action = scale * w * (4.0 * along - s[0] - s[1]);
+                for (plane, part) in [(0, x), (n, y)] {
+                    force[plane + other] += action * part;
+                    force[plane + point] -= action * part;
+                }
+            }
+        };
+        match points {
+            Some(points) => points.iter().for_each(|&p| add(p)),
+            None => (0..n).for_each(add),
+        }
+    }
+}

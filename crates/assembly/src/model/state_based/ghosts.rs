@@ -1,0 +1,143 @@
+//! Points outside a body that complete the families at its edges: affine fits of the points inside.
+//!
+//! A ghost at `x_g` belongs to the nearest point `i`; the fit of least squares over the points y near it, with weights
+//! `exp(−|y|²/(1.5 h)²)`, is `u_g = Σ c_y u_y`. Of points in a single row only what the row tells is used: the smallest
+//! affine fit. So a linear displacement goes on beyond an edge, and ghosts carry no energy of their own.
+
+use super::super::plane::Mirrors;
+use crate::body::{Cell, SquareLattice};
+use nalgebra::{Matrix3, Vector3};
+use std::collections::BTreeMap;
+
+/// How far the points of a fit are from its middle at most, spacings.
+const FIT: f64 = 2.3;
+/// Where the weight of a point of the fit has fallen to 1/e, spacings.
+const FADE: f64 = 1.5;
+/// Singular values below this part of the largest one count as zero.
+const RANK: f64 = 1e-12;
+
+/// Real points and their shares in a ghost.
+pub(super) type Fit = Vec<(Cell, f64)>;
+
+/// Whether something separates two cells.
+pub(super) type Separated<'a> = dyn Fn(Cell, Cell) -> bool + 'a;
+
+/// The cells outside a lattice that families reach, none of them beyond a line of `mirrors`.
+pub(super) fn outside(real: &SquareLattice, mirrors: &Mirrors, offsets: &[Cell]) -> Vec<Cell> {
+    let mut cells: Vec<Cell> = Vec::new();
+    let reach = offsets.iter().flat_map(|o| o.map(i32::abs)).max().unwrap_or(0);
+    for run in real.runs() {
+        let inner = |row: i32| {
+            let wide = run.columns.start - reach..run.columns.end + reach;
+            real.runs_of(row).iter().any(|r| r.columns.start <= wide.start && wide.end <= r.columns.end)
+        };
+        let is_inside = (run.row - reach..=run.row + reach).all(inner);
+        if is_inside {
+            continue;
+        }
+        for column in run.columns.clone() {
+            let beyond = offsets.iter().map(|o| [column + o[0], run.row + o[1]]);
+            cells.extend(beyond.filter(|&c| mirrors.is_real(c) && real.number(c).is_none()));
+        }
+        if cells.len() > 1 << 20 {
+            cells.sort_unstable();
+            cells.dedup();
+        }
+    }
+    cells.sort_unstable();
+    cells.dedup();
+    cells
+}
+
+/// The fit of every ghost. A fit takes no point that is separated from its middle.
+pub(super) fn fits(real: &SquareLattice, ghosts: &[Cell], separated: &Separated) -> BTreeMap<Cell, Fit> {
+    let fit = |&ghost: &Cell| Some((ghost, affine(real, ghost, nearest(real, ghost)?, separated)));
+    ghosts.iter().filter_map(fit).collect()
+}
+
+/// The cell of the body that is nearest to another, of several the first by row and column.
+fn nearest(real: &SquareLattice, [column, row]: Cell) -> Option<Cell> {
+    let rows = real.rows();
+    let mut best: Option<(i64, Cell)> = None;
+    let far = (rows.end - row).abs().max((row - rows.start).abs());
+    for step in 0..=far {
+        let square = i64::from(step) * i64::from(step);
+        if best.is_some_and(|b| b.0 < square) {
+            break;
+        }
+        for other in if step == 0 { vec![row] } else { vec![row - step, row + step] } {
+            for run in real.runs_of(other) {
+                let at = column.clamp(run.columns.start, run.columns.end - 1);
+                let across = i64::from(at - column);
+                let found = (square + across * across, [at, other]);
+                if best.is_none_or(|b| (found.0, found.1[1], found.1[0]) < (b.0, b.1[1], b.1[0])) {
+                    best = Some(found);
+                }
+            }
+        }
+    }
+    best.map(|b| b.1)
+}
+
+/// Shares of the points near `middle` in a ghost.
+fn affine(real: &SquareLattice, ghost: Cell, middle: Cell, separated: &Separated) -> Fit {
+    let most = FIT.floor() as i32;
+    let near = (-most..=most).flat_map(|b| (-most..=most).map(move |a| [a, b]));
+    let near = near.filter(|[a, b]| f64::from(a * a + b * b) <= FIT * FIT);
+    let cells: Vec<(Cell, Vector3<f64>, f64)> = near
+        .map(|[a, b]| ([middle[0] + a, middle[1] + b], [f64::from(a), f64::from(b)]))
+        .filter(|(cell, _)| real.number(*cell).is_some() && !separated(middle, *cell))
+        .map(|(cell, [x, y])| (cell, Vector3::new(1.0, x, y), (-(x * x + y * y) / (FADE * FADE)).exp()))
+        .collect();
+    let mut gram = Matrix3::zeros();
+    for (_, row, weight) in &cells {
+        gram += *weight * row * row.transpose();
+    }
+    let svd = gram.svd(true, true);
+    let at = Vector3::new(1.0, f64::from(ghost[0] - middle[0]), f64::from(ghost[1] - middle[1]));
+    let shares = svd.solve(&at, RANK * svd.singular_values.max()).unwrap_or_else(|_| Vector3::zeros());
+    cells.into_iter().map(|(cell, row, weight)| (cell, weight * shares.dot(&row))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring() -> Vec<Cell> {
+        (-3..=3).flat_map(|b| (-3..=3).map(move |a| [a, b])).filter(|c| *c != [0, 0]).collect()
+    }
+
+    #[test]
+    fn linear_displacements_go_on_beyond_edges_and_corners() {
+        let real = SquareLattice::new(1.0, [0.0; 2], 0..8, 0..7, |c| c != [4, 3]);
+        let ghosts = outside(&real, &Mirrors::NONE, &ring());
+        assert_eq!(ghosts.len(), 14 * 13 - 55);
+        let fits = fits(&real, &ghosts, &|_, _| false);
+        for (ghost, fit) in &fits {
+            let sum = |of: &dyn Fn(Cell) -> f64| fit.iter().map(|(c, share)| share * of(*c)).sum::<f64>();
+            assert!((sum(&|_| 1.0) - 1.0).abs() < 1e-13);
+            for k in 0..2 {
+                assert!((sum(&|c| f64::from(c[k])) - f64::from(ghost[k])).abs() < 1e-12, "{ghost:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_single_row_is_continued_along_itself() {
+        let real = SquareLattice::rectangle(1.0, [0.0; 2], [9, 1]);
+        let fit = affine(&real, [-2, 0], nearest(&real, [-2, 0]).unwrap(), &|_, _| false);
+        assert!(fit.iter().all(|(cell, _)| cell[1] == 0));
+        let linear: f64 = fit.iter().map(|(c, share)| share * f64::from(c[0])).sum();
+        assert!((linear + 2.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn no_cell_beyond_a_mirror_is_a_ghost_and_no_fit_crosses_a_crack() {
+        let real = SquareLattice::rectangle(1.0, [0.0; 2], [6, 6]);
+        let mirrors = Mirrors { columns: [Some(0), None], rows: [None; 2] };
+        assert!(outside(&real, &mirrors, &ring()).iter().all(|c| c[0] >= 0));
+        let apart = |a: Cell, b: Cell| (a[1] < 3) != (b[1] < 3);
+        let fit = affine(&real, [6, 3], [5, 3], &apart);
+        assert!(fit.iter().all(|(cell, _)| cell[1] >= 3));
+    }
+}

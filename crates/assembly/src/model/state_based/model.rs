@@ -1,0 +1,292 @@
+//! State-based bodies as models: two unknowns per point, the displacements along x and y.
+
+use super::super::plane::{FindCuts, Mirrors, PlaneFields, PlaneModel};
+use super::body::{StateBody, cell_volume, extended};
+use super::ghosts::Separated;
+use super::weights::offsets;
+use super::{Geometry, StateError, StateParameters};
+use crate::body::{Cell, SquareLattice};
+use crate::bonds::{Mat, Point};
+use crate::condition::{Equation, Unknown};
+use crate::model::{Model, ModelSizes};
+use crate::stiffness::{NumberedParts, Term};
+use std::sync::Arc;
+
+/// A state-based body in the plane, or one of revolution, whose section the points are.
+#[derive(Clone, Debug)]
+pub struct StateBased<const REVOLVED: bool> {
+    parameters: StateParameters,
+    body: StateBody,
+}
+
+impl<const REVOLVED: bool> StateBased<REVOLVED> {
+    /// One of each pair of opposite offsets to the neighbours of a point: the first number of a cut is an index into them.
+    pub fn offsets(parameters: &StateParameters) -> Vec<Cell> {
+        offsets(parameters)
+    }
+
+    /// The lattice of a body with its ghosts and with its images in `mirrors` and across the axis, and all of these lines.
+    /// No ghost follows points that are `separated` from its nearest one.
+    ///
+    /// # Errors
+    /// [`StateError::OffAxis`].
+    pub fn extended(
+        parameters: &StateParameters,
+        real: &SquareLattice,
+        mirrors: Mirrors,
+        separated: &Separated,
+    ) -> Result<(SquareLattice, Mirrors), StateError> {
+        extended(parameters, real, mirrors, separated).map(|(lattice, mirrors, _)| (lattice, mirrors))
+    }
+
+    /// A body on the cells of a lattice without images. `cut` tells which bonds of the [`extended`](Self::extended) one
+    /// something cuts, by index into [`offsets`](Self::offsets) and lower point; `separated` whether it stands between cells.
+    ///
+    /// # Errors
+    /// [`StateError`].
+    ///
+    /// # Panics
+    /// The parameters are those of the other kind of body.
+    pub fn on_lattice(
+        real: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: StateParameters,
+        separated: &Separated,
+        cut: &dyn Fn(&SquareLattice) -> Vec<(usize, usize)>,
+    ) -> Result<Self, StateError> {
+        assert_eq!(parameters.is_axisymmetric(), REVOLVED, "parameters of the other kind of body");
+        let body = StateBody::new(&parameters, real, mirrors, separated, cut)?;
+        Ok(Self { parameters, body })
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &StateParameters {
+        &self.parameters
+    }
+
+    /// Whether points feel more than their bonds: not where `λ = μ`.
+    pub fn has_families(&self) -> bool {
+        self.body.term.has_families()
+    }
+
+    fn true_volume(&self, point: usize) -> f64 {
+        cell_volume(&self.parameters, self.body.lattice.spacing()) * self.body.families.volume[point]
+    }
+}
+
+impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
+    fn point_count(&self) -> usize {
+        self.body.lattice.points()
+    }
+
+    fn components(&self) -> usize {
+        2
+    }
+
+    fn turning(&self) -> Option<f64> {
+        None
+    }
+
+    fn place(&self, point: usize) -> [f64; 2] {
+        self.body.lattice.position(point)
+    }
+
+    fn volume(&self, point: usize) -> f64 {
+        self.true_volume(point)
+    }
+
+    fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
+        Some((&self.body.lattice, &self.body.mirrors))
+    }
+
+    fn ghosts(&self) -> &[u32] {
+        &self.body.ghosts
+    }
+
+    fn triangles(&self) -> usize {
+        0
+    }
+
+    fn uncorrected(&self) -> usize {
+        0
+    }
+
+    fn damage(&self) -> Vec<f64> {
+        let families = &self.body.families;
+        let mut gone = vec![0.0; self.point_count()];
+        for &(offset, lower) in &self.body.cuts {
+            let ends = [
+                (lower, offset),
+                (self.body.upper(offset, lower).unwrap_or(lower), families.opposite(offset)),
+            ];
+            for (point, offset) in ends {
+                let plain = &families.sets[0];
+                let of = |w: f64, [a, b]: Cell| w * f64::from(a * a + b * b) / plain.q;
+                if families.set_of[point].is_some() {
+                    gone[point] += of(plain.weights[offset], families.offsets[offset]);
+                }
+            }
+        }
+        gone
+    }
+
+    fn thickness(&self) -> f64 {
+        match self.parameters.geometry {
+            Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness) => thickness,
+            Geometry::Axisymmetric => 1.0,
+        }
+    }
+
+    fn stiffness(&self) -> Mat<3, 3> {
+        self.parameters.stiffness()
+    }
+
+    fn strain_of(&self, [xx, yy, xy]: [f64; 3]) -> [f64; 3] {
+        let [[a, b, _], _, [_, _, shear]] = self.parameters.stiffness();
+        let determinant = a * a - b * b;
+        [(a * xx - b * yy) / determinant, (a * yy - b * xx) / determinant, xy / shear]
+    }
+
+    fn strain_with(&self, stress: [f64; 3], across: f64) -> [f64; 3] {
+        if !REVOLVED {
+            return self.strain_of(stress);
+        }
+        let StateParameters { youngs_modulus: e, poisson_ratio: nu, .. } = self.parameters;
+        let [xx, yy, xy] = stress;
+        let shear = self.parameters.shear_modulus();
+        [(xx - nu * (yy + across)) / e, (yy - nu * (xx + across)) / e, xy / shear]
+    }
+
+    fn stress_across(&self, [x, y, _]: [f64; 3]) -> f64 {
+        match self.parameters.geometry {
+            Geometry::PlaneStrain(_) => self.parameters.poisson_ratio * (x + y),
+            _ => 0.0,
+        }
+    }
+
+    fn is_revolved(&self) -> bool {
+        REVOLVED
+    }
+
+    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
+        let (parameters, body) = (&self.parameters, &self.body);
+        let real = Arc::new(body.real.coarser());
+        // The axis comes back by itself.
+        let mut mirrors = body.mirrors.coarser();
+        if REVOLVED {
+            mirrors.columns[0] = None;
+        }
+        let half = offsets(parameters);
+        let cut = |lattice: &SquareLattice| cuts(lattice, &half);
+        let coarse = Self::on_lattice(real, mirrors, *parameters, &|_, _| false, &cut);
+        coarse.ok()
+    }
+
+    fn parts(&self) -> NumberedParts {
+        self.connected()
+    }
+
+    fn fields(&self, u: &[f64]) -> PlaneFields {
+        self.body.fields(&self.parameters, u)
+    }
+
+    fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        let n = self.point_count();
+        let c = self.parameters.stiffness();
+        let t = &*t;
+        let stress = |p: usize| [0, 1, 2].map(|k| (0..3).map(|q| c[k][q] * t[q * n + p]).sum::<f64>());
+        self.body.add_stress_work(&self.parameters, points, &stress, force);
+    }
+
+    fn add_stress_load(
+        &self,
+        points: Option<&[usize]>,
+        stress_at: &(dyn Fn([f64; 2]) -> [f64; 3] + Sync),
+        force: &mut [f64],
+    ) {
+        let stress = |p: usize| stress_at(self.place(p));
+        self.body.add_stress_work(&self.parameters, points, &stress, force);
+        if !REVOLVED {
+            return;
+        }
+        // The stress across is that along x, with the volumes of the energies; of the divergence of a ring's stress S_xy/x is
+        // left.
+        let n = self.point_count();
+        let cell = cell_volume(&self.parameters, self.body.lattice.spacing());
+        let families = &self.body.families;
+        let mut add = |p: usize| {
+            if families.set_of[p].is_some() {
+                let ([xx, _, xy], x) = (stress(p), self.place(p)[0]);
+                force[p] += cell * families.energy[p] * xx / x;
+                force[n + p] += cell * families.volume[p] * xy / x;
+            }
+        };
+        match points {
+            Some(points) => points.iter().for_each(|&p| add(p)),
+            None => (0..n).for_each(add),
+        }
+    }
+}
+
+impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
+    const UNKNOWNS: [&'static str; 2] = ["ux", "uy"];
+    const RIGID_MOTIONS: &'static [&'static str] = match REVOLVED {
+        true => &["translation along y"],
+        false => &["translation along x", "translation along y", "rotation about z"],
+    };
+    const IS_DISPLACEMENT: [bool; 2] = [true, true];
+
+    fn points(&self) -> usize {
+        self.point_count()
+    }
+
+    fn position(&self, point: usize) -> Point {
+        let [x, y] = self.place(point);
+        [x, y, 0.0]
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<2>>> {
+        vec![Box::new(self.body.term.clone())]
+    }
+
+    fn sizes(&self) -> ModelSizes {
+        let term = &self.body.term;
+        let neighbours = self.body.families.offsets.len();
+        // Points that two bonds join are about four times as many as those that one does.
+        let coupled = if term.has_families() { 2 * neighbours } else { neighbours / 2 };
+        ModelSizes {
+            reach: term.reach(),
+            elements: term.elements(),
+            entries: 4 * coupled * self.point_count(),
+            bytes: size_of::<f64>() * term.stored_factors(),
+        }
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        let body = &self.body;
+        let of = |&ghost: &u32| {
+            let cell = body.lattice.cell(ghost as usize);
+            let Some(fit) = body.fits.get(&cell) else {
+                return body.mirrors.relations::<2>(&body.lattice, &[ghost]);
+            };
+            let component = |component: usize| {
+                let mut terms = vec![(Unknown { component, point: ghost as usize }, 1.0)];
+                terms.extend(fit.iter().filter_map(|&(cell, share)| {
+                    Some((Unknown { component, point: body.lattice.number(cell)? }, -share))
+                }));
+                Equation { terms, value: 0.0, origin: String::from("edges") }
+            };
+            [0, 1].map(component).to_vec()
+        };
+        body.ghosts.iter().flat_map(of).collect()
+    }
+
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
+        let [x, y] = self.place(point);
+        match if REVOLVED { 1 } else { kind } {
+            0 => [1.0, 0.0],
+            1 => [0.0, 1.0],
+            _ => [centre[1] - y, x - centre[0]],
+        }
+    }
+}

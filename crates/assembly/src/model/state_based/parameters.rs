@@ -1,0 +1,154 @@
+//! Material, family and treatments of state-based bodies.
+
+use super::super::bond_plane::Influence;
+use crate::bonds::Mat;
+use serde::{Deserialize, Serialize};
+
+/// What the plane of the points is a section of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Geometry {
+    /// A plate, m thick, without stress across it.
+    PlaneStress(f64),
+    /// A slice, m thick, of a body without strain across it.
+    PlaneStrain(f64),
+    /// A body of revolution: x is the radius, y the axis. Volumes, forces and energies are those of the whole ring.
+    Axisymmetric,
+}
+
+/// What is done about the bonds that families near edges lack.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum StateEdges {
+    /// Points outside, moved by affine fits of those inside, complete every family; its weights are those of a full one.
+    #[default]
+    Ghosts,
+    /// Weights that are exact for every uniform strain in what is left of a family; where some would be negative the point
+    /// gives its energy to the next one.
+    MomentPlus,
+    /// The same, and refused where some weight would be negative.
+    Moment,
+    /// The weighted volume is that of the neighbours that are there.
+    Calibrated,
+    /// Nothing: the weighted volume is that of the continuum.
+    None,
+}
+
+/// What the neighbours of a point count by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Measure {
+    /// Their areas in the section.
+    #[default]
+    Section,
+    /// The volumes of their rings, `2π r A`, as published (Lu, Oterkus and Oterkus 2020, Eq. 13).
+    Published,
+}
+
+/// What points next to the axis have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// Images across the axis, and weights and radii with which a uniform stress is in equilibrium.
+    #[default]
+    Table,
+    /// Images across the axis alone: the hoop strain of the first points is up to 70 % wrong.
+    Images,
+    /// No images: families end at the axis.
+    Truncated,
+}
+
+/// How a change of volume is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum Dilatation {
+    /// By every point.
+    Points,
+    /// As a mean over blocks of two by two points (B-bar): nothing locks as ν comes near 1/2.
+    Blocks,
+}
+
+/// Material and families of a state-based body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StateParameters {
+    /// Young's modulus E, Pa.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio ν.
+    pub poisson_ratio: f64,
+    /// What the points are a section of.
+    pub geometry: Geometry,
+    /// Horizon per spacing.
+    pub horizon_ratio: f64,
+    /// Weight over length.
+    pub influence: Influence,
+    /// Treatment of edges.
+    pub edges: StateEdges,
+    /// What neighbours count by.
+    pub measure: Measure,
+    /// Treatment of the axis.
+    pub axis: Axis,
+    /// How changes of volume are measured.
+    pub dilatation: Dilatation,
+}
+
+impl StateParameters {
+    /// Whether the points are a section of a body of revolution.
+    pub fn is_axisymmetric(&self) -> bool {
+        self.geometry == Geometry::Axisymmetric
+    }
+
+    /// Shear modulus μ, Pa.
+    pub fn shear_modulus(&self) -> f64 {
+        0.5 * self.youngs_modulus / (1.0 + self.poisson_ratio)
+    }
+
+    /// Lamé's λ between the strains that the section has, Pa: `E ν/(1 − ν²)` in plane stress.
+    pub fn lame(&self) -> f64 {
+        let (e, nu) = (self.youngs_modulus, self.poisson_ratio);
+        match self.geometry {
+            Geometry::PlaneStress(_) => e * nu / (1.0 - nu * nu),
+            _ => e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)),
+        }
+    }
+
+    /// Modulus of a change of volume without one of shape, Pa: `λ + 2μ/3`.
+    pub fn bulk_modulus(&self) -> f64 {
+        self.lame() + 2.0 / 3.0 * self.shear_modulus()
+    }
+
+    /// From strains `[ε_xx, ε_yy, γ_xy]` without a strain across the section to stresses, Pa.
+    pub fn stiffness(&self) -> Mat<3, 3> {
+        let (lame, shear) = (self.lame(), self.shear_modulus());
+        let direct = lame + 2.0 * shear;
+        [[direct, lame, 0.0], [lame, direct, 0.0], [0.0, 0.0, shear]]
+    }
+
+    /// From the section's dilatation and the hoop strain to what they do work with beside the bonds, Pa: the part of
+    /// `W = ½(λ−μ)ϑ² + λ ϑ h + ½(λ+2μ)h² + (4μ/q) Σ w e²` that bonds have not.
+    pub(super) fn family_modulus(&self) -> Mat<2, 2> {
+        let (lame, shear) = (self.lame(), self.shear_modulus());
+        let mut modulus = [[lame - shear, lame], [lame, lame + 2.0 * shear]];
+        if self.dilatation == Dilatation::Blocks {
+            let bulk = self.bulk_modulus();
+            modulus.iter_mut().flatten().for_each(|c| *c -= bulk);
+        }
+        if !self.is_axisymmetric() {
+            modulus = [[modulus[0][0], 0.0], [0.0, 0.0]];
+        }
+        modulus
+    }
+}
+
+impl Influence {
+    /// `∫₀¹ ω(r) r³ dr`.
+    pub(super) fn third_moment(self) -> f64 {
+        match self {
+            Self::Constant => 0.25,
+            Self::Inverse => 1.0 / 3.0,
+            Self::Linear => 0.05,
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Uniform strains: exact energies, strains and solutions, at free faces and corners too.
+
+use super::super::super::plane::PlaneModel;
+use super::*;
+
+/// Unknowns of a body under the stresses of a linear displacement, held as little as it takes: the largest error, relative
+/// to the largest displacement.
+fn traction<const R: bool>(model: &StateBased<R>, motion: [f64; 4], hold: &[(usize, usize)]) -> f64 {
+    let exact = linear(model, motion);
+    let points = real_points(model);
+    let [a, b, c, d] = motion;
+    let hoop = if R { a } else { 0.0 };
+    let parameters = model.parameters();
+    let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
+    let pressure = lame * (a + d + hoop);
+    let stress = [pressure + 2.0 * shear * a, pressure + 2.0 * shear * d, shear * (b + c)];
+    let mut force = vec![0.0; 2 * model.points()];
+    model.add_stress_load(None, &|_| stress, &mut force);
+    let n = model.points();
+    let equations = hold.iter().map(|&(c, k)| held(c, points[k], exact[c * n + points[k]]));
+    let u = solve(model, equations.collect(), &force);
+    let off = points.iter().flat_map(|&p| [u[p] - exact[p], u[n + p] - exact[n + p]]);
+    largest(off) / largest(exact.iter().copied())
+}
+
+/// Energy of a linear displacement over the exact one.
+fn energy_ratio<const R: bool>(model: &StateBased<R>, motion: [f64; 4]) -> f64 {
+    let u = linear(model, motion);
+    let [a, b, c, d] = motion;
+    let hoop = if R { a } else { 0.0 };
+    let parameters = model.parameters();
+    let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
+    let density =
+        0.5 * lame * (a + d + hoop).powi(2) + shear * (a * a + d * d + hoop * hoop + 0.5 * (b + c).powi(2));
+    let volume: f64 = (0..model.points()).map(|p| model.volume(p)).sum();
+    let energy: f64 = model.terms().iter().map(|t| t.survey(&u).energy).sum();
+    energy / (density * volume)
+}
+
+#[test]
+fn plates_of_any_poisson_ratio_pass_everywhere() {
+    let lattice = || SquareLattice::new(0.1, [0.3, -0.2], 0..9, 0..8, |c| c != [4, 4] && c != [5, 4]);
+    for geometry in [Geometry::PlaneStress(0.5), Geometry::PlaneStrain(0.5)] {
+        for nu in [-0.5, 0.0, 0.25, 1.0 / 3.0, 0.45, 0.4999] {
+            let dilatation = if nu > 0.45 { Dilatation::Blocks } else { Dilatation::Points };
+            let parameters = StateParameters { geometry, poisson_ratio: nu, dilatation, ..RING };
+            for edges in [StateEdges::Ghosts, StateEdges::MomentPlus] {
+                let model: StateBased<false> =
+                    body(lattice(), Mirrors::NONE, StateParameters { edges, ..parameters });
+                for motion in [[1e-3, 0.0, 0.0, 0.0], [0.0, 1e-3, 1e-3, 0.0], [-3e-4, 0.0, 0.0, 1e-3]] {
+                    let ratio = energy_ratio(&model, motion);
+                    assert!((ratio - 1.0).abs() < 1e-11, "{nu} {edges:?} {ratio}");
+                    let error = traction(&model, motion, &[(0, 0), (1, 0), (1, 8)]);
+                    assert!(error < 1e-11, "{geometry:?} {nu} {edges:?}: {error:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn rings_pass_with_free_faces_and_corners() {
+    let motions =
+        [[0.0, 0.0, 0.0, 1e-3], [1e-3, 0.0, 0.0, 0.0], [-3e-4, 0.0, 0.0, 1e-3], [1e-3, 0.0, 0.0, 1e-3]];
+    for radius in [0.0, 1.0] {
+        for edges in [StateEdges::Ghosts, StateEdges::MomentPlus] {
+            let parameters = StateParameters { edges, youngs_modulus: 210.0, ..RING };
+            let model: StateBased<true> =
+                body(cells(1.0 / 12.0, radius, [12, 18]), Mirrors::NONE, parameters);
+            for motion in motions {
+                let ratio = energy_ratio(&model, motion);
+                assert!((ratio - 1.0).abs() < 1e-12, "{radius} {edges:?} {ratio}");
+                let error = traction(&model, motion, &[(1, 0)]);
+                assert!(error < 1e-11, "{radius} {edges:?} {motion:?}: {error:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_table_of_the_axis_keeps_uniform_stresses_exact() {
+    let parameters = StateParameters { axis: Axis::Table, influence: Influence::Linear, ..RING };
+    let model: StateBased<true> = body(cells(0.1, 0.0, [10, 12]), Mirrors::NONE, parameters);
+    for motion in [[-3e-4, 0.0, 0.0, 1e-3], [1e-3, 0.0, 0.0, 1e-3]] {
+        let error = traction(&model, motion, &[(1, 0)]);
+        assert!(error < 1e-8, "{motion:?}: {error:e}");
+    }
+}
+
+#[test]
+fn plain_treatments_have_wrong_energies() {
+    // Axial strain of a hollow block, corners and free faces: −0.13 and +0.055 (an independent Python implementation).
+    for (edges, expected) in [(StateEdges::None, -0.13), (StateEdges::Calibrated, 0.055)] {
+        let model: StateBased<true> =
+            body(cells(1.0 / 12.0, 1.0, [12, 18]), Mirrors::NONE, StateParameters { edges, ..RING });
+        let off = energy_ratio(&model, [0.0, 0.0, 0.0, 1e-3]) - 1.0;
+        assert!((off - expected).abs() < 5e-3, "{edges:?} {off}");
+    }
+    let moment = StateParameters { edges: StateEdges::Moment, ..RING };
+    let lattice = Arc::new(cells(1.0 / 12.0, 1.0, [12, 18]));
+    let error =
+        StateBased::<true>::on_lattice(lattice, Mirrors::NONE, moment, &|_, _| false, &|_| Vec::new());
+    assert_eq!(error.err(), Some(super::super::StateError::NegativeWeights(4)));
+}
+
+#[test]
+fn a_third_in_plane_stress_has_one_hop() {
+    let size = [24, 20];
+    let entries = |nu: f64| {
+        let parameters = StateParameters { poisson_ratio: nu, ..PLATE };
+        let model: StateBased<false> = body(cells(0.1, 0.0, size), Mirrors::NONE, parameters);
+        let system = System::new(&model, Vec::new(), Vec::new()).unwrap();
+        let middle = real_points(&model)[10 * 24 + 12];
+        let row = system.assemble_sparse().outer_view(model.points() + middle).map_or(0, |r| r.nnz());
+        (model.has_families(), row)
+    };
+    // Of 29 and 105 points the upper half comes later; the row of u_y has all of u_x.
+    assert!(!entries(1.0 / 3.0).0);
+    assert!(entries(0.3).0);
+    let (one, two) = (entries(1.0 / 3.0).1, entries(0.3).1);
+    assert!(one <= 29 + 15 && two > 105, "{one} {two}");
+}
+
+#[test]
+fn strains_and_stresses_are_those_of_the_motion() {
+    for dilatation in [Dilatation::Points, Dilatation::Blocks] {
+        let parameters = StateParameters { dilatation, ..RING };
+        let model: StateBased<true> = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, parameters);
+        let fields = model.fields(&linear(&model, [1e-3, 0.0, 0.0, -2e-3]));
+        let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
+        // ϑ + h = 0.
+        let expected = [2e-3 * shear, -4e-3 * shear, 0.0];
+        assert!(lame > 0.0);
+        for p in 0..model.points() {
+            for k in 0..3 {
+                assert!((fields.stress[k][p] - expected[k]).abs() < 1e-15, "{p} {k}");
+            }
+            assert!((fields.across[p] - 2e-3 * shear).abs() < 1e-15);
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! Weights of the families of all points of a lattice, and the volumes that their energies have.
+
+use super::super::bond_plane::Influence;
+use super::super::plane::{half_offsets, is_within, length};
+use super::axis_table::AxisTable;
+use super::moments::{correct, weighted_volume};
+use super::{Axis, Measure, StateEdges, StateError, StateParameters};
+use crate::body::{Cell, SquareLattice};
+use std::collections::HashMap;
+use std::f64::consts::TAU;
+
+/// Weights below this part of the largest one are what rounding leaves of zero.
+const ROUNDING: f64 = 1e-14;
+
+/// Weights that points share, in lattice units.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Set {
+    /// Per offset; zero where there is no neighbour, or no bond any more.
+    pub(super) weights: Vec<f64>,
+    /// Weighted volume `Σ w ξ²` of the undamaged family.
+    pub(super) q: f64,
+}
+
+/// Families of the points of a lattice.
+#[derive(Clone, Debug)]
+pub(super) struct FamilyWeights {
+    /// From a point to its neighbours, cells: a half, then their opposites in the same order.
+    pub(super) offsets: Vec<Cell>,
+    pub(super) sets: Vec<Set>,
+    /// Set of every point; none where a point has no family.
+    pub(super) set_of: Vec<Option<u32>>,
+    /// Volume that the energy of a point has, per that of a whole cell one spacing from the axis, or in the plane; zero of
+    /// points without a family.
+    pub(super) energy: Vec<f64>,
+    /// The same of the volumes that they have.
+    pub(super) volume: Vec<f64>,
+}
+
+/// One of each pair of opposite offsets to the neighbours of a point.
+pub(super) fn offsets(parameters: &StateParameters) -> Vec<Cell> {
+    let m = parameters.horizon_ratio;
+    half_offsets(m).into_iter().filter(|&o| is_within(o, m)).collect()
+}
+
+/// What all families are made of.
+struct Maker<'a> {
+    parameters: &'a StateParameters,
+    lattice: &'a SquareLattice,
+    offsets: &'a [Cell],
+    /// Influence by offset.
+    influence: Vec<f64>,
+    table: Option<AxisTable>,
+    /// Radius of the left side of column 0, spacings.
+    corner: f64,
+}
+
+impl FamilyWeights {
+    /// The families of the points of a lattice that are `real`.
+    ///
+    /// # Errors
+    /// [`StateError`].
+    pub(super) fn new(
+        parameters: &StateParameters,
+        lattice: &SquareLattice,
+        real: &[bool],
+        has_axis: bool,
+    ) -> Result<Self, StateError> {
+        if parameters.horizon_ratio < 1.5 {
+            return Err(StateError::NoNeighbours(parameters.horizon_ratio));
+        }
+        let half = offsets(parameters);
+        let offsets: Vec<Cell> = half.iter().copied().chain(half.iter().map(|o| o.map(|k| -k))).collect();
+        let maker = Maker::new(parameters, lattice, &offsets, has_axis)?;
+        let n = lattice.points();
+        let (mut sets, mut known, mut set_of) = (Vec::new(), HashMap::new(), vec![None; n]);
+        let mut negative = Vec::new();
+        sets.push(maker.plain());
+        known.insert((0, vec![true; offsets.len()]), 0);
+        for (point, set) in set_of.iter_mut().enumerate().filter(|(p, _)| real[*p]) {
+            let key = maker.key(point);
+            let number = *known.entry(key).or_insert_with_key(|key| {
+                sets.push(maker.set(key));
+                sets.len() as u32 - 1
+            });
+            let own = &sets[number as usize];
+            let most = own.weights.iter().fold(0.0, |a: f64, w| a.max(w.abs()));
+            if own.weights.iter().any(|w| *w < -ROUNDING * most) {
+                negative.push(point);
+            }
+            *set = Some(number);
+        }
+        let volume: Vec<f64> = (0..n).map(|p| if real[p] { maker.volume(p, false) } else { 0.0 }).collect();
+        let energy: Vec<f64> = (0..n).map(|p| if real[p] { maker.volume(p, true) } else { 0.0 }).collect();
+        let mut families = Self { offsets, sets, set_of, energy, volume };
+        match parameters.edges {
+            StateEdges::Moment if !negative.is_empty() => {
+                return Err(StateError::NegativeWeights(negative.len()));
+            }
+            StateEdges::MomentPlus => families.give_away(lattice, &negative),
+            _ => {}
+        }
+        Ok(families)
+    }
+
+    /// The energies of some points go to the nearest ones that are not among them.
+    fn give_away(&mut self, lattice: &SquareLattice, from: &[usize]) {
+        let keeps = |p: usize| self.set_of[p].is_some() && from.binary_search(&p).is_err();
+        let mut moved = Vec::new();
+        for &point in from {
+            let [a, b] = lattice.cell(point);
+            // Rings of growing size: corners are a few cells large.
+            let found = (1..64).find_map(|reach: i32| {
+                let ring = (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| [i, j]));
+                let near = ring.filter(|[i, j]| i * i + j * j <= reach * reach);
+                let points = near.filter_map(|[i, j]| Some((i * i + j * j, lattice.number([a + i, b + j])?)));
+                points.filter(|(_, p)| keeps(*p)).min()
+            });
+            moved.extend(found.map(|(_, to)| (point, to)));
+        }
+        for (from, to) in moved {
+            let energy = std::mem::take(&mut self.energy[from]);
+            self.energy[to] += energy;
+        }
+    }
+
+    /// Index of the opposite offset.
+    pub(super) fn opposite(&self, offset: usize) -> usize {
+        (offset + self.offsets.len() / 2) % self.offsets.len()
+    }
+
+    /// Weight over weighted volume of a point's neighbour, per that of the plain family.
+    fn share(&self, point: usize, offset: usize) -> f64 {
+        let Some(number) = self.set_of[point] else { return 0.0 };
+        let (own, plain) = (&self.sets[number as usize], &self.sets[0]);
+        self.energy[point] * (own.weights[offset] / own.q) / (plain.weights[offset] / plain.q)
+    }
+
+    /// Stiffness of the bond at an offset of the half from a lower to an upper point, per that in a plain lattice of cells
+    /// whose energies count one: the mean of what both families give.
+    pub(super) fn bond_factor(&self, offset: usize, lower: usize, upper: usize) -> f64 {
+        0.5 * (self.share(lower, offset) + self.share(upper, self.opposite(offset)))
+    }
+
+    /// Removes bonds, by offset of the half and ends, from the families of both of their points. Weighted volumes stay.
+    pub(super) fn remove(&mut self, bonds: &[(usize, [usize; 2])]) {
+        let half = self.offsets.len() / 2;
+        for &(offset, [lower, upper]) in bonds {
+            for (point, offset) in [(lower, offset), (upper, offset + half)] {
+                let Some(number) = self.set_of[point] else { continue };
+                let mut set = self.sets[number as usize].clone();
+                if set.weights[offset] != 0.0 {
+                    set.weights[offset] = 0.0;
+                    self.set_of[point] = Some(self.sets.len() as u32);
+                    self.sets.push(set);
+                }
+            }
+        }
+    }
+}
+
+impl<'a> Maker<'a> {
+    fn new(
+        parameters: &'a StateParameters,
+        lattice: &'a SquareLattice,
+        offsets: &'a [Cell],
+        has_axis: bool,
+    ) -> Result<Self, StateError> {
+        let m = parameters.horizon_ratio;
+        let influence: Vec<f64> =
+            offsets.iter().map(|&o| Influence::at(parameters.influence, length(o) / m)).collect();
+        let corner = lattice.corner()[0] / lattice.spacing();
+        let mut maker = Self { parameters, lattice, offsets, influence, table: None, corner };
+        if has_axis && parameters.axis == Axis::Table {
+            if parameters.edges != StateEdges::Ghosts || parameters.measure != Measure::Section {
+                return Err(StateError::AxisNeedsGhosts);
+            }
+            let plain = maker.plain();
+            let table = AxisTable::new(offsets, &plain.weights, plain.q);
+            maker.table = Some(table.ok_or(StateError::NegativeAxis)?);
+        }
+        Ok(maker)
+    }
+
+    /// Radius of a column, spacings.
+    fn radius(&self, column: i32) -> f64 {
+        self.corner + f64::from(column) + 0.5
+    }
+
+    /// Column of the axis table that a point is in.
+    fn table_column(&self, column: i32) -> Option<(usize, &AxisTable)> {
+        let table = self.table.as_ref()?;
+        let ring = self.radius(column).floor() as usize;
+        (ring < table.radii.len()).then_some((ring, table))
+    }
+
+    /// What points have in common that share their weights: a class of columns, zero for all where the column does not
+    /// matter, and which neighbours are there.
+    fn key(&self, point: usize) -> (i32, Vec<bool>) {
+        let [column, row] = self.lattice.cell(point);
+        let class = match (self.parameters.measure, self.table_column(column)) {
+            (Measure::Published, _) | (_, Some(_)) => 1 + self.radius(column).floor() as i32,
+            _ => 0,
+        };
+        let present = |o: &Cell| self.lattice.number([column + o[0], row + o[1]]).is_some();
+        (class, self.offsets.iter().map(present).collect())
+    }
+
+    fn corrects(&self) -> bool {
+        !matches!(self.parameters.edges, StateEdges::Calibrated | StateEdges::None)
+    }
+
+    /// The family that has all neighbours, far from the axis.
+    fn plain(&self) -> Set {
+        let mut weights = self.influence.clone();
+        let mut q = weighted_volume(self.offsets, &weights);
+        if self.corrects() {
+            correct(self.offsets, &mut weights, q);
+        }
+        if self.parameters.edges == StateEdges::None {
+            q = self.continuum();
+        }
+        Set { weights, q }
+    }
+
+    /// `∫ ω ξ² dA` over the disc of the horizon.
+    fn continuum(&self) -> f64 {
+        TAU * self.parameters.horizon_ratio.powi(4) * self.parameters.influence.third_moment()
+    }
+
+    fn set(&self, (class, present): &(i32, Vec<bool>)) -> Set {
+        if let Some((ring, table)) =
+            self.table.as_ref().filter(|_| *class > 0).map(|table| ((class - 1) as usize, table))
+        {
+            let plain = self.plain();
+            return Set { weights: table.weights[ring].clone(), q: plain.q };
+        }
+        let own = f64::from(*class) - 0.5;
+        let mut weights = self.influence.clone();
+        for (k, w) in weights.iter_mut().enumerate() {
+            if !present[k] {
+                *w = 0.0;
+            }
+            if self.parameters.measure == Measure::Published {
+                // A ring across the axis has the volume of its image.
+                *w *= (own + f64::from(self.offsets[k][0])).abs() / own;
+            }
+        }
+        let mut q = weighted_volume(self.offsets, &weights);
+        if self.corrects() {
+            correct(self.offsets, &mut weights, q);
+        }
+        if self.parameters.edges == StateEdges::None {
+            q = self.continuum();
+        }
+        Set { weights, q }
+    }
+
+    /// Volume of a point, or that of its energy.
+    fn volume(&self, point: usize, of_energy: bool) -> f64 {
+        let part = self.lattice.fraction(point);
+        if !self.parameters.is_axisymmetric() {
+            return part;
+        }
+        let column = self.lattice.cell(point)[0];
+        match self.table_column(column) {
+            Some((ring, table)) if of_energy => part * table.radii[ring],
+            _ => part * self.radius(column),
+        }
+    }
+}
