@@ -53,6 +53,9 @@ pub enum FieldName {
     /// Shear stress, in the plane.
     #[serde(rename = "stress_xy")]
     StressXy,
+    /// Normal stress around the axis of a body of revolution.
+    #[serde(rename = "stress_zz")]
+    StressZz,
     /// Von Mises stress, in the plane.
     #[serde(rename = "von_mises")]
     VonMises,
@@ -116,7 +119,7 @@ impl FieldName {
 
     /// The fields that every point of a body in the plane has, in the order of tables; `phi` where points turn, `damage`
     /// where there are cracks.
-    pub const PLANE: [Self; 12] = [
+    pub const PLANE: [Self; 13] = [
         Self::Ux,
         Self::Uy,
         Self::Phi,
@@ -126,6 +129,7 @@ impl FieldName {
         Self::StressXx,
         Self::StressYy,
         Self::StressXy,
+        Self::StressZz,
         Self::VonMises,
         Self::EnergyDensity,
         Self::Damage,
@@ -150,6 +154,7 @@ impl FieldName {
             Self::StressXx => "stress_xx",
             Self::StressYy => "stress_yy",
             Self::StressXy => "stress_xy",
+            Self::StressZz => "stress_zz",
             Self::VonMises => "von_mises",
             Self::Opening => "opening",
             Self::Damage => "damage",

@@ -17,6 +17,7 @@ mod read;
 mod region;
 mod section;
 mod specimen;
+mod state_based;
 
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
@@ -41,6 +42,7 @@ pub use read::{Source, from_text, read};
 pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
 pub use section::{PowerLaw, Stiffness};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
+pub use state_based::{Axisymmetric, StatePlane};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,8 +1,8 @@
 //! Model and body of a case.
 
 use super::{
-    CentreCrackedPanel, CompactTension, Frame, Grading, MeshBody, Orthotropic, OutlineBody, Plane,
-    PointsBody, PowerLaw, RectangleBody, SingleEdgeBend, Stiffness,
+    Axisymmetric, CentreCrackedPanel, CompactTension, Frame, Grading, MeshBody, Orthotropic, OutlineBody,
+    Plane, PointsBody, PowerLaw, RectangleBody, SingleEdgeBend, StatePlane, Stiffness,
 };
 use peristat_assembly::material::{Section, ShearCorrection};
 use peristat_assembly::model::timoshenko_beam::{Grid, VolumeFactor, bond_law, end_treatment};
@@ -19,6 +19,10 @@ pub enum Model {
     BondPlane(Plane),
     /// Orthotropic body in the plane of beam bonds: displacements along x and y, and rotations.
     BeamBondOrthotropic(Orthotropic),
+    /// Isotropic body in the plane of state-based families, any Poisson's ratio: displacements along x and y.
+    StatePlane(StatePlane),
+    /// Isotropic body of revolution of state-based families: displacements along the radius x and the axis y.
+    Axisymmetric(Axisymmetric),
 }
 
 impl Model {
@@ -28,6 +32,8 @@ impl Model {
             Self::TimoshenkoBeam(_) => "timoshenko_beam",
             Self::BondPlane(_) => "bond_plane",
             Self::BeamBondOrthotropic(_) => "beam_bond_orthotropic",
+            Self::StatePlane(_) => "state_plane",
+            Self::Axisymmetric(_) => "axisymmetric",
         }
     }
 }

@@ -3,18 +3,19 @@
 use super::print::{number, table};
 use crate::case::Units;
 use crate::run::plane::PlaneReaction;
-use crate::summary::{OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
+use crate::summary::{FamilySummary, OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
 use peristat_assembly::model::beam_bond_orthotropic::Start;
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges};
+use peristat_assembly::model::state_based::{Axis, Dilatation, Measure, StateEdges};
 use std::fmt::Write;
 
 /// Tells model, material, horizon and edges, each as a key and a text.
 pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, String)) {
     let length = units.length();
     let calibration = match m.calibration {
-        Calibration::Matched => "bonds with the exact moduli of the material",
-        Calibration::Published => "bonds with the published constant",
+        Some(Calibration::Published) => "bonds with the published constant",
+        _ => "bonds with the exact moduli of the material",
     };
     let (t, stress) = (number(m.thickness), units.stress());
     let mut influence = "";
@@ -24,11 +25,15 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
             let nu = if *state == "plane_stress" { "1/3" } else { "1/4" };
             let e = number(*youngs_modulus);
             line("material", format!("E = {e} {stress}, ν = {nu}, thickness {t} {length}"));
-            influence = match law {
-                Influence::Constant => "",
-                Influence::Inverse => ", influence δ/ξ",
-                Influence::Linear => ", influence 1 − ξ/δ",
-            };
+            influence = of_influence(*law);
+        }
+        PlaneMaterialSummary::State(of) => {
+            line("model", format!("{}, {}, {}", m.name, of.state.replace('_', " "), families(of)));
+            let (e, nu) = (number(of.youngs_modulus), number(of.poisson_ratio));
+            let across =
+                if of.state == "axisymmetric" { String::new() } else { format!(", thickness {t} {length}") };
+            line("material", format!("E = {e} {stress}, ν = {nu}{across}"));
+            influence = of_influence(of.influence);
         }
         PlaneMaterialSummary::Beams(of) => {
             let calibration = match of.start {
@@ -43,11 +48,12 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
     let (ratio, horizon) = (number(m.horizon_ratio), number(m.horizon_ratio * m.spacing));
     let kind = if m.lattice { "" } else { " of listed points" };
     line("horizon", format!("{ratio} spacings{kind} = {horizon} {length}{influence}"));
-    let edges = match m.edges {
-        Edges::Overlay => format!("{} triangles replace missing bonds", m.triangles),
-        Edges::None => "missing bonds are not replaced".into(),
-        Edges::Volume => "bonds are stiffened by the missing volume".into(),
-        Edges::Energy => "bonds are stiffened by the missing energy".into(),
+    let edges = match (m.edges, &m.material) {
+        (Some(Edges::Overlay), _) => format!("{} triangles replace missing bonds", m.triangles),
+        (Some(Edges::Volume), _) => "bonds are stiffened by the missing volume".into(),
+        (Some(Edges::Energy), _) => "bonds are stiffened by the missing energy".into(),
+        (None, PlaneMaterialSummary::State(of)) => family_edges(of),
+        _ => "missing bonds are not replaced".into(),
     };
     let bare = match m.uncorrected_points {
         0 => String::new(),
@@ -62,6 +68,41 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
         let s = if m.cracks == 1 { "" } else { "s" };
         let cut = m.cut_bonds.map_or(String::new(), |cut| format!(", {cut} bonds cut"));
         line("cracks", format!("{} crack{s}{cut}", m.cracks));
+    }
+}
+
+fn of_influence(influence: Influence) -> &'static str {
+    match influence {
+        Influence::Constant => "",
+        Influence::Inverse => ", influence δ/ξ",
+        Influence::Linear => ", influence 1 − ξ/δ",
+    }
+}
+
+/// What families measure, in a few words.
+fn families(of: &FamilySummary) -> String {
+    let measure = match (of.families, of.dilatation) {
+        (false, _) => "bonds alone: λ = μ",
+        (true, Dilatation::Points) => "state-based families",
+        (true, Dilatation::Blocks) => "state-based families, dilatation by blocks",
+    };
+    let rings =
+        if of.measure == Measure::Published { ", neighbours by the volumes of their rings" } else { "" };
+    let axis = match of.axis {
+        None => "",
+        Some(Axis::Table) => ", corrected at the axis",
+        Some(Axis::Images) => ", images across the axis",
+        Some(Axis::Truncated) => ", cut off at the axis",
+    };
+    format!("{measure}{rings}{axis}")
+}
+
+fn family_edges(of: &FamilySummary) -> String {
+    match of.families_at_edges {
+        StateEdges::Ghosts => format!("{} ghosts complete the families", of.ghosts),
+        StateEdges::Moment | StateEdges::MomentPlus => "weights of what is left are exact".into(),
+        StateEdges::Calibrated => "families are weighed by what is left of them".into(),
+        StateEdges::None => "missing neighbours are not replaced".into(),
     }
 }
 

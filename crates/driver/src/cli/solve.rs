@@ -154,9 +154,15 @@ fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
         Scene::Plane(scene) => match &scene.model {
             AnyPlaneModel::Central(model) => {
                 let problem = PlaneProblem::new(scene, model.clone());
-                let system = prepare::<2, _>(&problem, &RunOptions::default());
-                let order = "ux_0, uy_0, ux_1, uy_1, ... of the points row by row from the lower left";
-                write_stiffness(loaded, system, file, order)
+                write_stiffness(loaded, prepare::<2, _>(&problem, &RunOptions::default()), file, IN_PLANE)
+            }
+            AnyPlaneModel::State(model) => {
+                let problem = PlaneProblem::new(scene, model.clone());
+                write_stiffness(loaded, prepare::<2, _>(&problem, &RunOptions::default()), file, IN_PLANE)
+            }
+            AnyPlaneModel::Revolved(model) => {
+                let problem = PlaneProblem::new(scene, model.clone());
+                write_stiffness(loaded, prepare::<2, _>(&problem, &RunOptions::default()), file, IN_PLANE)
             }
             AnyPlaneModel::Beams(model) => {
                 let problem = PlaneProblem::new(scene, model.clone());
@@ -167,6 +173,9 @@ fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
         },
     }
 }
+
+/// Unknowns of a body in the plane whose points do not turn.
+const IN_PLANE: &str = "ux_0, uy_0, ux_1, uy_1, ... of the points row by row from the lower left";
 
 fn write_stiffness<const D: usize>(
     loaded: &Loaded,

@@ -86,6 +86,12 @@ impl Scene {
             Model::BeamBondOrthotropic(model) => {
                 Self::in_plane(case, plane::Given::Beams(model), folder, max_memory, faults)
             }
+            Model::StatePlane(model) => {
+                Self::in_plane(case, plane::Given::State(model), folder, max_memory, faults)
+            }
+            Model::Axisymmetric(model) => {
+                Self::in_plane(case, plane::Given::Revolved(model), folder, max_memory, faults)
+            }
         };
         resolved.map_err(|faults| faults.into_report(file, text))
     }

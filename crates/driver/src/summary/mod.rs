@@ -6,7 +6,7 @@ mod plane;
 
 pub use beam::{BeamForces, BeamSummary};
 pub use collector::Collector;
-pub use plane::{OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
+pub use plane::{FamilySummary, OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
 
 use crate::case::Units;
 use crate::run::fracture::FractureReport;

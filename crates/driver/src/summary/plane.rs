@@ -3,11 +3,14 @@
 use super::{Extremes, Forces, Located, StateSummary};
 use crate::run::plane::{MirrorReaction, PlaneReaction, PlaneResult, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
-use crate::scene::plane::{PlaneBonds, PlaneScene};
+use crate::scene::plane::{AnyPlaneModel, PlaneBonds, PlaneScene};
 use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::beam_bond_orthotropic::{BeamNeighbourhood, Start};
 use peristat_assembly::model::bond_plane::{Influence, PlaneState, VolumeFactor};
 use peristat_assembly::model::plane::{Calibration, Edges};
+use peristat_assembly::model::state_based::{
+    Axis, Dilatation, Geometry, Measure, StateEdges, StateParameters,
+};
 use serde::{Deserialize, Serialize};
 
 /// Forces of what holds a body in the plane.
@@ -31,9 +34,11 @@ pub struct PlaneSummary {
     /// Thickness.
     pub thickness: f64,
     /// Where the stiffness of bonds comes from.
-    pub calibration: Calibration,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<Calibration>,
     /// What is done about the bonds that points near edges lack.
-    pub edges: Edges,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edges: Option<Edges>,
     /// Horizon over spacing.
     pub horizon_ratio: f64,
     /// Side of a cell, or root of the mean area of listed points.
@@ -75,6 +80,35 @@ pub enum PlaneMaterialSummary {
     },
     /// Orthotropic, of beam bonds.
     Beams(OrthotropicSummary),
+    /// Isotropic, of state-based families.
+    State(FamilySummary),
+}
+
+/// An isotropic material and its families.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FamilySummary {
+    /// `plane_stress`, `plane_strain` or `axisymmetric`.
+    pub state: &'static str,
+    /// Young's modulus.
+    pub youngs_modulus: f64,
+    /// Poisson's ratio.
+    pub poisson_ratio: f64,
+    /// Weight of neighbours over their distance.
+    pub influence: Influence,
+    /// What is done about the neighbours that points near edges lack.
+    #[serde(rename = "edges")]
+    pub families_at_edges: StateEdges,
+    /// What neighbours count by.
+    pub measure: Measure,
+    /// What points next to the axis have, where the body touches it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axis: Option<Axis>,
+    /// How changes of volume are measured.
+    pub dilatation: Dilatation,
+    /// Points outside that complete families.
+    pub ghosts: usize,
+    /// Whether points feel more than their bonds: not where λ = μ.
+    pub families: bool,
 }
 
 /// An orthotropic material and its bonds.
@@ -137,14 +171,14 @@ pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
     let bonds = scene.bonds();
     PlaneSummary {
         name: bonds.name(),
-        material: material(bonds),
+        material: material(scene),
         thickness: bonds.thickness(),
-        calibration: bonds.calibration(),
+        calibration: bonds.edges().map(|_| bonds.calibration()),
         edges: bonds.edges(),
         horizon_ratio: scene.horizon() / scene.spacing(),
         spacing: scene.spacing(),
         lattice: scene.model.lattice().is_some(),
-        images: scene.model.ghosts().len(),
+        images: scene.images().count(),
         cracks: scene.cracks.len(),
         cut_bonds: cut_bonds(scene),
         triangles: scene.model.triangles(),
@@ -153,8 +187,9 @@ pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
 }
 
 /// Material and bonds.
-fn material(bonds: &PlaneBonds) -> PlaneMaterialSummary {
-    match bonds {
+fn material(scene: &PlaneScene) -> PlaneMaterialSummary {
+    match scene.bonds() {
+        PlaneBonds::State(parameters) => PlaneMaterialSummary::State(state_based(parameters, scene)),
         PlaneBonds::Central(parameters) => {
             let material = parameters.material;
             let published = parameters.calibration == Calibration::Published;
@@ -188,6 +223,30 @@ fn material(bonds: &PlaneBonds) -> PlaneMaterialSummary {
     }
 }
 
+fn state_based(parameters: &StateParameters, scene: &PlaneScene) -> FamilySummary {
+    let families = match &scene.model {
+        AnyPlaneModel::State(model) => model.has_families(),
+        _ => true,
+    };
+    let touches = scene.model.lattice().is_some_and(|(_, mirrors)| mirrors.columns[0].is_some());
+    FamilySummary {
+        state: match parameters.geometry {
+            Geometry::PlaneStress(_) => "plane_stress",
+            Geometry::PlaneStrain(_) => "plane_strain",
+            Geometry::Axisymmetric => "axisymmetric",
+        },
+        youngs_modulus: parameters.youngs_modulus,
+        poisson_ratio: parameters.poisson_ratio,
+        influence: parameters.influence,
+        families_at_edges: parameters.edges,
+        measure: parameters.measure,
+        axis: (parameters.is_axisymmetric() && touches).then_some(parameters.axis),
+        dilatation: parameters.dilatation,
+        ghosts: scene.model.ghosts().len() - scene.images().count(),
+        families,
+    }
+}
+
 /// Number of bonds that cracks cut on a lattice, those of images left out.
 fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
     let PlaneBody::Lattice(lattice) = scene.body() else { return None };
@@ -200,7 +259,7 @@ fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
             parameters.calibration == Calibration::Published
                 && matches!(parameters.volume_factor, VolumeFactor::Ramp | VolumeFactor::Area)
         }
-        PlaneBonds::Beams(_) => false,
+        PlaneBonds::Beams(_) | PlaneBonds::State(_) => false,
     };
     let reach = scene.bonds().horizon_ratio() + if partial { 0.5 } else { 0.0 } + 1e-9;
     let mut offsets = scene.bonds().offsets().ok()?;

@@ -132,6 +132,9 @@ pub trait PlaneModel: Debug + Send + Sync {
         strain
     }
 
+    /// Hands forces on points that follow others to these, images aside.
+    fn fold(&self, _force: &mut [f64]) {}
+
     /// Adds the forces `Σ_k V_k S_k : E_k` of a stress `[S_xx, S_yy, S_xy]`, Pa, with E the strain of a point: with one
     /// stress for all points and the tractions that it has at the edges, the linear displacement that belongs to it is the
     /// solution to rounding. Where S varies, `V div S` has to be added. `points` are those where S can be other than zero,

@@ -127,6 +127,22 @@ impl StateBody {
         }
     }
 
+    /// Hands forces on ghosts to the points of their fits.
+    pub(super) fn fold(&self, force: &mut [f64]) {
+        let n = self.lattice.points();
+        for (cell, fit) in &self.fits {
+            let Some(ghost) = self.lattice.number(*cell) else { continue };
+            for plane in [0, n] {
+                let held = std::mem::take(&mut force[plane + ghost]);
+                for (real, share) in fit {
+                    if let Some(point) = self.lattice.number(*real) {
+                        force[plane + point] += share * held;
+                    }
+                }
+            }
+        }
+    }
+
     /// Adds the forces `Σ_k V_k S_k : E_k` of stresses `[S_xx, S_yy, S_xy]`, Pa, of some points; none for all. The volumes
     /// are those of the energies, so that a uniform stress does the same work in the load and in the stiffness.
     pub(super) fn add_stress_work(

@@ -182,6 +182,10 @@ impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
         coarse.ok()
     }
 
+    fn fold(&self, force: &mut [f64]) {
+        self.body.fold(force);
+    }
+
     fn parts(&self) -> NumberedParts {
         self.connected()
     }

@@ -13,6 +13,8 @@ use std::borrow::Cow;
 pub struct Recovered {
     /// `[σ_xx, σ_yy, σ_xy]`.
     pub stress: [Vec<f64>; 3],
+    /// σ_zz, around the axis of a body of revolution; empty in others.
+    pub across: Vec<f64>,
     /// Strain energy density.
     pub energy_density: Vec<f64>,
     /// Cut share of the family of every point; none without cracks.
@@ -31,6 +33,9 @@ impl Recovered {
                 values[ghost] = sign * values[real];
             }
             self.energy_density[ghost] = self.energy_density[real];
+            if !self.across.is_empty() {
+                self.across[ghost] = self.across[real];
+            }
             if let Some(damage) = &mut self.damage {
                 damage[ghost] = damage[real];
             }
@@ -79,14 +84,13 @@ pub(super) fn collect(
 }
 
 /// Von Mises stress, with the stress across the plane.
-fn von_mises(model: &dyn PlaneModel, stress: [f64; 3]) -> f64 {
-    let ([x, y, shear], z) = (stress, model.stress_across(stress));
+fn von_mises([x, y, shear]: [f64; 3], z: f64) -> f64 {
     let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
     (0.5 * squares + 3.0 * shear * shear).sqrt()
 }
 
-/// A field as a function of the stresses `[σ_xx, σ_yy, σ_xy]` of a point.
-fn of_stress(model: &dyn PlaneModel, field: FieldName) -> Option<impl Fn([f64; 3]) -> f64> {
+/// A field as a function of the stresses `[σ_xx, σ_yy, σ_xy]` and σ_zz of a point.
+fn of_stress(model: &dyn PlaneModel, field: FieldName) -> Option<impl Fn([f64; 3], f64) -> f64> {
     let strain = |k: usize, factor: f64| (Some(k), factor);
     let (component, factor) = match field {
         FieldName::StrainXx => strain(0, 1.0),
@@ -96,9 +100,9 @@ fn of_stress(model: &dyn PlaneModel, field: FieldName) -> Option<impl Fn([f64; 3
         FieldName::VonMises => (None, 1.0),
         _ => return None,
     };
-    Some(move |stress: [f64; 3]| match component {
-        Some(k) => factor * model.strain_of(stress)[k],
-        None => von_mises(model, stress),
+    Some(move |stress: [f64; 3], across: f64| match component {
+        Some(k) => factor * model.strain_with(stress, across)[k],
+        None => von_mises(stress, across),
     })
 }
 
@@ -115,8 +119,12 @@ impl PlaneResult {
             let fields = model.fields(&record.u);
             let is_damaged = !scene.cracks.is_empty() || scene.case.is_traced();
             let damage = is_damaged.then(|| model.damage());
-            let mut found =
-                Recovered { stress: fields.stress, energy_density: fields.energy_density, damage };
+            let mut found = Recovered {
+                stress: fields.stress,
+                across: fields.across,
+                energy_density: fields.energy_density,
+                damage,
+            };
             found.fill_images(scene);
             found
         });
@@ -140,6 +148,7 @@ impl PlaneResult {
             FieldName::Ux | FieldName::Uy => true,
             FieldName::Phi => self.record.u.len() > 2 * self.points,
             FieldName::Damage => self.recovered.as_ref().is_some_and(|r| r.damage.is_some()),
+            FieldName::StressZz => self.recovered.as_ref().is_some_and(|r| !r.across.is_empty()),
             _ => self.recovered.is_some(),
         })
     }
@@ -153,6 +162,7 @@ impl PlaneResult {
             FieldName::StressXx => Some(&recovered?.stress[0]),
             FieldName::StressYy => Some(&recovered?.stress[1]),
             FieldName::StressXy => Some(&recovered?.stress[2]),
+            FieldName::StressZz => Some(&recovered?.across),
             FieldName::EnergyDensity => Some(&recovered?.energy_density),
             FieldName::Damage => recovered?.damage.as_deref(),
             _ => None,
@@ -178,8 +188,12 @@ impl PlaneResult {
             });
         }
         let of = of_stress(&*scene.model, field)?;
-        let [x, y, shear] = &self.recovered.as_ref()?.stress;
-        let at = |p: usize| of([x[p], y[p], shear[p]]);
+        let recovered = self.recovered.as_ref()?;
+        let [x, y, shear] = &recovered.stress;
+        let at = |p: usize| {
+            let stress = [x[p], y[p], shear[p]];
+            of(stress, recovered.across.get(p).copied().unwrap_or_else(|| scene.model.stress_across(stress)))
+        };
         Some(match whole {
             true => (0..x.len()).map(at).collect(),
             false => scene.real_points().map(at).collect(),
@@ -196,8 +210,13 @@ impl PlaneResult {
             return Some(sum(kept));
         }
         let of = of_stress(&*scene.model, field)?;
-        let [x, y, shear] = &self.recovered.as_ref()?.stress;
-        Some(of([sum(x), sum(y), sum(shear)]))
+        let recovered = self.recovered.as_ref()?;
+        let stress = recovered.stress.each_ref().map(|values| sum(values));
+        let across = match recovered.across.is_empty() {
+            true => scene.model.stress_across(stress),
+            false => sum(&recovered.across),
+        };
+        Some(of(stress, across))
     }
 }
 
@@ -227,6 +246,7 @@ mod tests {
     #[test]
     fn von_mises_is_that_of_the_three_dimensional_stress() {
         let stress = model(1.0, PlaneState::Stress);
+        let von_mises = |model: &BondPlane, s: [f64; 3]| von_mises(s, model.stress_across(s));
         assert_eq!(von_mises(&stress, [-3.0, 0.0, 0.0]), 3.0);
         assert!((von_mises(&stress, [0.0, 0.0, 2.0]) - 12.0_f64.sqrt()).abs() < 1e-15);
         // Equal biaxial stress 1 with σ_zz = 1/2: the deviator is that of a uniaxial stress of 1/2.
@@ -236,7 +256,7 @@ mod tests {
     #[test]
     fn strains_are_components_of_the_tensor() {
         let model = model(3.0, PlaneState::Stress);
-        let at = |field, stress| of_stress(&model, field).unwrap()(stress);
+        let at = |field, stress| of_stress(&model, field).unwrap()(stress, 0.0);
         assert!((at(FieldName::StrainXx, [3.0, 0.0, 0.0]) - 1.0).abs() < 1e-15);
         assert!((at(FieldName::StrainYy, [3.0, 0.0, 0.0]) + 1.0 / 3.0).abs() < 1e-15);
         // ε_xy = σ_xy/(2G), 2G = E/(1 + ν) = 9/4.

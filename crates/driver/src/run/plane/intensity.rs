@@ -94,6 +94,12 @@ fn potentials(
         AnyPlaneModel::Beams(model) => {
             of_problem::<3, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
         }
+        AnyPlaneModel::State(model) => {
+            of_problem::<2, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
+        }
+        AnyPlaneModel::Revolved(model) => {
+            of_problem::<2, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
+        }
     }
 }
 

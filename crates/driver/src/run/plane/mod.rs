@@ -42,6 +42,12 @@ pub fn run(
         AnyPlaneModel::Beams(model) => {
             run_model::<3, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
         }
+        AnyPlaneModel::State(model) => {
+            run_model::<2, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
+        }
+        AnyPlaneModel::Revolved(model) => {
+            run_model::<2, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
+        }
     }
 }
 
@@ -85,6 +91,7 @@ pub fn run_breaking(
     match &scene.model {
         AnyPlaneModel::Central(model) => break_model::<2, _>(scene, model, options, resume, sink),
         AnyPlaneModel::Beams(model) => break_model::<3, _>(scene, model, options, resume, sink),
+        AnyPlaneModel::State(_) | AnyPlaneModel::Revolved(_) => Err(RunError::NotResumable),
     }
 }
 
@@ -152,6 +159,12 @@ pub fn sizes(scene: &PlaneScene, options: &RunOptions) -> Result<Sizes, RunError
         }
         AnyPlaneModel::Beams(model) => {
             prepare::<3, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
+        }
+        AnyPlaneModel::State(model) => {
+            prepare::<2, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
+        }
+        AnyPlaneModel::Revolved(model) => {
+            prepare::<2, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
         }
     }
 }

@@ -116,5 +116,5 @@ fn recovered(model: &BondPlane, bonds: &SofteningBonds<2>, answers: &BondAnswers
     // What cracks have cut from the start is no bond any more.
     let cut = model.damage();
     let damage = bonds.damage().into_iter().zip(cut).map(|(d, cut)| cut + (1.0 - cut) * d).collect();
-    Recovered { stress, energy_density, damage: Some(damage) }
+    Recovered { stress, across: Vec::new(), energy_density, damage: Some(damage) }
 }

@@ -6,7 +6,9 @@ use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicError, OrthotropicParameters,
 };
 use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError, PlaneParameters};
-use peristat_assembly::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
+use peristat_assembly::model::plane::{Calibration, Edges, FindCuts, Mirrors, PlaneModel};
+use peristat_assembly::model::state_based::{Geometry, StateBased, StateEdges, StateError, StateParameters};
+use std::f64::consts::TAU;
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -17,6 +19,8 @@ pub enum PlaneBonds {
     Central(PlaneParameters),
     /// Beam bonds on a lattice.
     Beams(OrthotropicParameters),
+    /// State-based families on a lattice.
+    State(StateParameters),
 }
 
 /// A body in the plane with its bonds.
@@ -26,6 +30,10 @@ pub enum AnyPlaneModel {
     Central(BondPlane),
     /// Of beam bonds.
     Beams(BeamBondOrthotropic),
+    /// Of state-based families.
+    State(StateBased<false>),
+    /// The same, of revolution.
+    Revolved(StateBased<true>),
 }
 
 impl Deref for AnyPlaneModel {
@@ -35,6 +43,8 @@ impl Deref for AnyPlaneModel {
         match self {
             Self::Central(model) => model,
             Self::Beams(model) => model,
+            Self::State(model) => model,
+            Self::Revolved(model) => model,
         }
     }
 }
@@ -45,6 +55,7 @@ impl AnyPlaneModel {
         match self {
             Self::Central(model) => Self::Central(model.never_joined(bonds)),
             Self::Beams(model) => Self::Beams(model.never_joined(bonds)),
+            Self::State(_) | Self::Revolved(_) => self,
         }
     }
 }
@@ -58,9 +69,12 @@ pub enum PlaneModelError {
     /// Of beam bonds.
     #[error(transparent)]
     Beams(#[from] OrthotropicError),
+    /// Of state-based families.
+    #[error(transparent)]
+    State(#[from] StateError),
     /// There is no such model of listed points.
-    #[error("beam bonds need a lattice")]
-    NeedsLattice,
+    #[error("the model `{0}` needs a body that fills a lattice; use `rectangle` or `outline`")]
+    NeedsLattice(&'static str),
 }
 
 impl PlaneBonds {
@@ -69,6 +83,8 @@ impl PlaneBonds {
         match self {
             Self::Central(_) => "bond_plane",
             Self::Beams(_) => "beam_bond_orthotropic",
+            Self::State(parameters) if parameters.is_axisymmetric() => "axisymmetric",
+            Self::State(_) => "state_plane",
         }
     }
 
@@ -80,7 +96,7 @@ impl PlaneBonds {
     /// The same on a lattice whose rows run at an angle to x, rad.
     pub fn with_lattice_angle(self, lattice_angle: f64) -> Self {
         match self {
-            Self::Central(_) => self,
+            Self::Central(_) | Self::State(_) => self,
             Self::Beams(parameters) => Self::Beams(OrthotropicParameters { lattice_angle, ..parameters }),
         }
     }
@@ -88,7 +104,7 @@ impl PlaneBonds {
     /// Horizon per spacing of a case that gives none.
     pub(super) fn usual_horizon_ratio(&self) -> f64 {
         match self {
-            Self::Central(_) => 3.0,
+            Self::Central(_) | Self::State(_) => 3.0,
             Self::Beams(parameters) => orthotropic::horizon_ratio(parameters),
         }
     }
@@ -98,6 +114,7 @@ impl PlaneBonds {
         match self {
             Self::Central(parameters) => parameters.horizon_ratio,
             Self::Beams(parameters) => parameters.horizon_ratio,
+            Self::State(parameters) => parameters.horizon_ratio,
         }
     }
 
@@ -106,14 +123,26 @@ impl PlaneBonds {
         match self {
             Self::Central(parameters) => Self::Central(PlaneParameters { horizon_ratio, ..parameters }),
             Self::Beams(parameters) => Self::Beams(OrthotropicParameters { horizon_ratio, ..parameters }),
+            Self::State(parameters) => Self::State(StateParameters { horizon_ratio, ..parameters }),
         }
     }
 
-    /// Treatment of edges.
-    pub fn edges(&self) -> Edges {
+    /// Treatment of edges; families have another one.
+    pub fn edges(&self) -> Option<Edges> {
         match self {
-            Self::Central(parameters) => parameters.edges,
-            Self::Beams(parameters) => parameters.edges,
+            Self::Central(parameters) => Some(parameters.edges),
+            Self::Beams(parameters) => Some(parameters.edges),
+            Self::State(_) => None,
+        }
+    }
+
+    /// Whether points at edges have the stiffness of those inside for every uniform strain; then cells that a border cuts
+    /// have their own areas.
+    pub(super) fn is_exact_at_edges(&self) -> bool {
+        match self {
+            Self::Central(parameters) => parameters.edges == Edges::Overlay,
+            Self::Beams(parameters) => parameters.edges == Edges::Overlay,
+            Self::State(_) => self.calibration() == Calibration::Matched,
         }
     }
 
@@ -122,6 +151,10 @@ impl PlaneBonds {
         match self {
             Self::Central(parameters) => parameters.calibration,
             Self::Beams(parameters) => parameters.calibration,
+            Self::State(parameters) => match parameters.edges {
+                StateEdges::Calibrated | StateEdges::None => Calibration::Published,
+                StateEdges::Ghosts | StateEdges::Moment | StateEdges::MomentPlus => Calibration::Matched,
+            },
         }
     }
 
@@ -130,6 +163,30 @@ impl PlaneBonds {
         match self {
             Self::Central(parameters) => parameters.material.thickness,
             Self::Beams(parameters) => parameters.material.thickness,
+            Self::State(parameters) => match parameters.geometry {
+                Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness) => thickness,
+                Geometry::Axisymmetric => 1.0,
+            },
+        }
+    }
+
+    /// Length of the body across the plane at a position, m: the thickness, or the way round the axis.
+    pub fn across(&self, [x, _]: [f64; 2]) -> f64 {
+        if self.is_revolved() { TAU * x } else { self.thickness() }
+    }
+
+    /// Whether the plane is a section of a body of revolution.
+    pub fn is_revolved(&self) -> bool {
+        matches!(self, Self::State(parameters) if parameters.is_axisymmetric())
+    }
+
+    /// The same material without a hoop: what the bonds of a straight edge are.
+    pub(super) fn unrolled(self) -> Self {
+        match self {
+            Self::State(parameters) if parameters.is_axisymmetric() => {
+                Self::State(StateParameters { geometry: Geometry::PlaneStrain(1.0), ..parameters })
+            }
+            other => other,
         }
     }
 
@@ -141,6 +198,7 @@ impl PlaneBonds {
         Ok(match self {
             Self::Central(parameters) => BondPlane::offsets(parameters)?,
             Self::Beams(parameters) => BeamBondOrthotropic::offsets(parameters)?,
+            Self::State(parameters) => StateBased::<false>::offsets(parameters),
         })
     }
 
@@ -152,25 +210,55 @@ impl PlaneBonds {
         Ok(match self {
             Self::Central(parameters) => BondPlane::depth(parameters)?,
             Self::Beams(parameters) => BeamBondOrthotropic::depth(parameters)?,
+            Self::State(parameters) => parameters.horizon_ratio.floor() as i32,
         })
     }
 
-    /// A body on a lattice with cuts by index of the offset and lower point.
+    /// A body on the cells of a lattice without images. `cuts` finds the cut bonds on the lattice with them, given the
+    /// offsets, by index of the offset and lower point; `separated` tells whether something stands between two cells.
     ///
     /// # Errors
     /// [`PlaneModelError`].
     pub fn on_lattice(
         &self,
-        lattice: Arc<SquareLattice>,
+        real: &SquareLattice,
         mirrors: Mirrors,
-        cuts: &[(usize, usize)],
+        cuts: &FindCuts,
+        separated: &(dyn Fn(Cell, Cell) -> bool + '_),
     ) -> Result<AnyPlaneModel, PlaneModelError> {
+        let offsets = self.offsets()?;
+        let extended = || -> Result<_, PlaneModelError> {
+            let extended = mirrors.extended(real, self.depth()?);
+            let cuts = cuts(&extended, &offsets);
+            Ok((Arc::new(extended), cuts))
+        };
         Ok(match self {
             Self::Central(parameters) => {
-                AnyPlaneModel::Central(BondPlane::on_lattice(lattice, mirrors, *parameters, cuts)?)
+                let (lattice, cuts) = extended()?;
+                AnyPlaneModel::Central(BondPlane::on_lattice(lattice, mirrors, *parameters, &cuts)?)
             }
             Self::Beams(parameters) => {
-                AnyPlaneModel::Beams(BeamBondOrthotropic::on_lattice(lattice, mirrors, *parameters, cuts)?)
+                let (lattice, cuts) = extended()?;
+                AnyPlaneModel::Beams(BeamBondOrthotropic::on_lattice(lattice, mirrors, *parameters, &cuts)?)
+            }
+            Self::State(parameters) => {
+                let (real, cut) = (Arc::new(real.clone()), |lattice: &SquareLattice| cuts(lattice, &offsets));
+                match parameters.is_axisymmetric() {
+                    true => AnyPlaneModel::Revolved(StateBased::on_lattice(
+                        real,
+                        mirrors,
+                        *parameters,
+                        separated,
+                        &cut,
+                    )?),
+                    false => AnyPlaneModel::State(StateBased::on_lattice(
+                        real,
+                        mirrors,
+                        *parameters,
+                        separated,
+                        &cut,
+                    )?),
+                }
             }
         })
     }
@@ -190,7 +278,7 @@ impl PlaneBonds {
                 let model = BondPlane::on_cloud(positions, areas, horizon, *parameters, cut)?;
                 Ok(AnyPlaneModel::Central(model))
             }
-            Self::Beams(_) => Err(PlaneModelError::NeedsLattice),
+            Self::Beams(_) | Self::State(_) => Err(PlaneModelError::NeedsLattice(self.name())),
         }
     }
 }

@@ -29,6 +29,12 @@ pub(super) fn critical(
             Some((CriticalStretch(vec![stretch; offsets]), Vec::new()))
         }
         PlaneBonds::Beams(parameters) => of_beams(fracture, &parameters, context, path, faults),
+        PlaneBonds::State(_) => {
+            faults
+                .error(root("fracture"), format!("bodies of `{}` do not break", context.recipe.bonds.name()))
+                .hint("use `bond_plane`, or remove `fracture`");
+            None
+        }
     }
 }
 

@@ -196,7 +196,10 @@ fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -
         }
     }
     let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
-    if !mirrors.is_none() {
+    if context.bonds.is_revolved() {
+        rest.force[0] = 0.0;
+    }
+    if !mirrors.is_none() || context.bonds.is_revolved() {
         // Only the force: its moment about the middle of the points is left to the mirror.
         let count = small.len() as f64;
         small.iter_mut().for_each(|f| f.1 = rest.force.map(|f| f / count));

@@ -1,8 +1,8 @@
 //! The models of bodies in the plane as cases give them, with their defaults filled in as they are resolved.
 
 use super::bonds::PlaneBonds;
-use super::{material, orthotropic};
-use crate::case::{Case, LatticeRows, Model, Orthotropic, Plane};
+use super::{material, orthotropic, state_based};
+use crate::case::{Axisymmetric, Case, LatticeRows, Model, Orthotropic, Plane, StatePlane};
 use crate::diagnostic::Faults;
 
 /// A model of a body in the plane.
@@ -12,6 +12,10 @@ pub(in super::super) enum Given {
     Central(Plane),
     /// Of beam bonds.
     Beams(Orthotropic),
+    /// Of state-based families.
+    State(StatePlane),
+    /// The same, of revolution.
+    Revolved(Axisymmetric),
 }
 
 impl Given {
@@ -20,6 +24,8 @@ impl Given {
         match self {
             Self::Central(model) => model.thickness,
             Self::Beams(model) => model.thickness,
+            Self::State(model) => model.thickness,
+            Self::Revolved(_) => 1.0,
         }
     }
 
@@ -41,6 +47,8 @@ impl Given {
             Self::Beams(model) => {
                 orthotropic::parameters(model, case, is_cloud, faults).map(PlaneBonds::Beams)
             }
+            Self::State(model) => state_based::in_plane(model, faults).map(PlaneBonds::State),
+            Self::Revolved(model) => state_based::revolved(model, faults).map(PlaneBonds::State),
         }
     }
 
@@ -59,6 +67,8 @@ impl From<Given> for Model {
         match given {
             Given::Central(model) => Self::BondPlane(model),
             Given::Beams(model) => Self::BeamBondOrthotropic(model),
+            Given::State(model) => Self::StatePlane(model),
+            Given::Revolved(model) => Self::Axisymmetric(model),
         }
     }
 }

@@ -7,8 +7,7 @@
 
 use super::bonds::PlaneBonds;
 use peristat_assembly::body::{Cell, Edge, SquareLattice};
-use peristat_assembly::model::plane::{Edges, Mirrors};
-use std::sync::Arc;
+use peristat_assembly::model::plane::Mirrors;
 
 /// How an edge is held.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +30,7 @@ impl HeldEdge {
         // Where the edge lies between the centres of cells.
         let at = (edge.from[axis] - lattice.corner()[axis]) / lattice.spacing();
         let between = (at - at.round()).abs() < 1e-6;
-        let [normal, tangential] = match between && bonds.edges() == Edges::Overlay {
+        let [normal, tangential] = match between && bonds.is_exact_at_edges() {
             true => [shares_of(bonds, [1.0, 0.0, 0.0], 0)?, shares_of(bonds, [0.0, 0.0, 1.0], 1)?],
             // The other treatments are not exact at edges: a line through two points is good enough.
             false => [vec![1.5, -0.5], vec![1.5, -0.5]],
@@ -65,12 +64,14 @@ fn shares_of(bonds: &PlaneBonds, stress: [f64; 3], component: usize) -> Option<V
     const ROUNDING: f64 = 1e-12;
     let depth = bonds.depth().ok()?;
     let (columns, rows) = (4 * depth + 4, 6 * depth + 7);
-    let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]));
-    let body = bonds.on_lattice(lattice.clone(), Mirrors::NONE, &[]).ok()?;
-    let mut force = vec![0.0; body.components() * lattice.points()];
+    let real = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
+    let body = bonds.unrolled().on_lattice(&real, Mirrors::NONE, &|_, _| Vec::new(), &|_, _| false).ok()?;
+    let n = body.point_count();
+    let mut force = vec![0.0; body.components() * n];
     body.add_stress_load(None, &|_| stress, &mut force);
-    let at =
-        |column: i32| lattice.number([column, rows / 2]).map(|p| force[component * lattice.points() + p]);
+    body.fold(&mut force);
+    let (lattice, _) = body.lattice()?;
+    let at = |column: i32| lattice.number([column, rows / 2]).map(|p| force[component * n + p]);
     let forces: Vec<f64> = (0..columns / 2).map(at).collect::<Option<_>>()?;
     let total: f64 = forces.iter().sum();
     let last = forces.iter().rposition(|f| f.abs() > ROUNDING * total.abs())?;

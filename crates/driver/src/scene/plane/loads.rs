@@ -39,7 +39,8 @@ pub(super) struct Context<'a> {
 impl Context<'_> {
     /// Volume of a point of the body, m³.
     pub(super) fn volume(&self, point: u32) -> f64 {
-        self.ground.body.area(point as usize) * self.bonds.thickness()
+        let body = self.ground.body;
+        body.area(point as usize) * self.bonds.across(body.position(point as usize))
     }
 }
 

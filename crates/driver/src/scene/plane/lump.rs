@@ -50,21 +50,19 @@ pub(super) fn on_points(
     candidates: &[u32],
     context: &Context,
 ) -> Forces {
-    let thickness = context.bonds.thickness();
     let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
     let mut wanted = Resultant::default();
     for stretch in stretches {
         let points = nearest(stretch, candidates, context);
-        let area = thickness * stretch.length;
         let ends = [(-1.0, 1.0 / 6.0), (0.0, 4.0 / 6.0), (1.0, 1.0 / 6.0)];
         let mut force = [0.0; 2];
         // Simpson's rule is exact for parabolas and their moments.
         for (step, weight) in ends {
             let t = traction(stretch.place + step * stretch.half, stretch.normal);
-            let share = t.map(|t| weight * area * t);
             let tangent = [-stretch.normal[1], stretch.normal[0]];
             let along = tangent_sign(stretches, tangent) * step * 0.5 * stretch.length;
             let at = [0, 1].map(|k| stretch.middle[k] + along * tangent[k]);
+            let share = t.map(|t| weight * stretch.length * context.bonds.across(at) * t);
             (0..2).for_each(|k| force[k] += share[k]);
             if !points.is_empty() {
                 wanted.add(share, at);
@@ -154,7 +152,8 @@ fn settle(forces: &mut [(u32, [f64; 2])], wanted: Resultant, is_halved: bool, co
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut found = Resultant::default();
     forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
-    if is_halved {
+    // A ring has no force along its radius and no moment as a whole.
+    if is_halved || context.bonds.is_revolved() {
         return;
     }
     let missing = Resultant {

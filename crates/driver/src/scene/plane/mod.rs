@@ -34,6 +34,7 @@ mod probes;
 mod problem;
 mod rigid_mirror;
 mod specimen;
+mod state_based;
 mod supported;
 mod supports;
 mod symmetry;
@@ -172,6 +173,8 @@ impl PlaneScene {
             match &scene.model {
                 AnyPlaneModel::Central(model) => loose::check::<2>(&scene, model, faults),
                 AnyPlaneModel::Beams(model) => loose::check::<3>(&scene, model, faults),
+                AnyPlaneModel::State(model) => loose::check::<2>(&scene, model, faults),
+                AnyPlaneModel::Revolved(model) => loose::check::<2>(&scene, model, faults),
             }
         }
         warnings::collect(&scene, faults);
@@ -223,7 +226,7 @@ impl PlaneScene {
         let reach = (recipe.bonds.horizon_ratio() + 1e-9).floor() as i32;
         let number = |p: u32| recipe.number(&*built, p);
         let images = recipe.symmetry.with_images(&paths);
-        let extended = built.lattice().filter(|(_, mirrors)| !mirrors.is_none());
+        let extended = built.lattice().filter(|_| !built.ghosts().is_empty());
         let extended = extended.map(|(lattice, _)| PlaneBody::Lattice(lattice.as_ref().clone()));
         let body = extended.as_ref().unwrap_or(&recipe.body);
         let interpolation = Interpolation { body, cracks: &images, reach };
@@ -312,6 +315,13 @@ impl PlaneScene {
     pub fn real_points(&self) -> impl Iterator<Item = usize> + '_ {
         let ghosts = self.model.ghosts();
         (0..self.model.point_count()).filter(move |&p| ghosts.binary_search(&(p as u32)).is_err())
+    }
+
+    /// The points that are images in lines of symmetry.
+    pub fn images(&self) -> impl Iterator<Item = usize> + '_ {
+        let ghosts = self.model.ghosts().iter().map(|&ghost| ghost as usize);
+        let lattice = self.model.lattice();
+        ghosts.filter(move |&p| lattice.is_some_and(|(lattice, mirrors)| !mirrors.is_real(lattice.cell(p))))
     }
 
     /// The points without images, with numbers of their own.

@@ -4,13 +4,13 @@ use super::bearing::{self, Bearing};
 use super::bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 use super::cracks::NamedCrack;
 use super::symmetry::Symmetry;
-use super::{orthotropic, root};
+use super::{orthotropic, root, state_based};
 use crate::case::Case;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
 use peristat_assembly::model::bond_plane::BondPlaneError;
 use peristat_assembly::model::plane::PlaneModel;
-use std::sync::Arc;
+use std::cell::RefCell;
 
 /// What a model is made of, to make it again with other cracks.
 #[derive(Clone, Debug)]
@@ -38,13 +38,21 @@ impl Recipe {
         let cracks = self.symmetry.with_images(cracks);
         match &self.body {
             PlaneBody::Lattice(lattice) => {
-                let (mirrors, offsets) = (self.symmetry.mirrors, self.bonds.offsets()?);
-                let extended = mirrors.extended(lattice, self.bonds.depth()?);
-                let mut cuts = cut_bonds(&extended, &offsets, &cracks);
-                let apart = bearing::on_lattice(&self.bearings, (&extended, lattice), &mirrors, &offsets);
-                cuts.extend(&apart);
-                let model = self.bonds.on_lattice(Arc::new(extended), mirrors, &cuts)?;
-                Ok(model.never_joined(&apart))
+                let (mirrors, apart) = (self.symmetry.mirrors, RefCell::new(Vec::new()));
+                let cuts = |extended: &SquareLattice, offsets: &[Cell]| {
+                    let mut cuts = cut_bonds(extended, offsets, &cracks);
+                    let found = bearing::on_lattice(&self.bearings, (extended, lattice), &mirrors, offsets);
+                    cuts.extend(&found);
+                    *apart.borrow_mut() = found;
+                    cuts
+                };
+                let slack = CRACK_SLACK * lattice.spacing();
+                let separated = |a: Cell, b: Cell| {
+                    let ends = [lattice.centre(a), lattice.centre(b)];
+                    cracks.iter().any(|crack| crack.cuts(ends[0], ends[1], slack))
+                };
+                let model = self.bonds.on_lattice(lattice, mirrors, &cuts, &separated)?;
+                Ok(model.never_joined(&apart.into_inner()))
             }
             PlaneBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();
@@ -90,7 +98,7 @@ impl Recipe {
     /// Numbers in the model of points of the body.
     pub(super) fn number(&self, model: &dyn PlaneModel, point: u32) -> u32 {
         match (&self.body, model.lattice()) {
-            (PlaneBody::Lattice(lattice), Some((extended, _))) if !self.symmetry.mirrors.is_none() => {
+            (PlaneBody::Lattice(lattice), Some((extended, _))) if !model.ghosts().is_empty() => {
                 let number = extended.number(lattice.cell(point as usize));
                 number.map_or(point, |n| n as u32)
             }
@@ -105,7 +113,8 @@ pub(super) fn refuse(error: &PlaneModelError, case: &Case, faults: &mut Faults) 
     let central = match error {
         PlaneModelError::Central(central) => central,
         PlaneModelError::Beams(error) => return orthotropic::refuse(error, case, faults),
-        PlaneModelError::NeedsLattice => return tell(&error.to_string(), root("body"), faults),
+        PlaneModelError::State(error) => return state_based::refuse(error, case, faults),
+        PlaneModelError::NeedsLattice(_) => return tell(&error.to_string(), root("body"), faults),
     };
     let path = match central {
         BondPlaneError::NotRepresentable { .. } | BondPlaneError::NoNeighbours { .. } => {

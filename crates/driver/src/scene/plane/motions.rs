@@ -42,7 +42,8 @@ pub(super) fn describe(scene: &PlaneScene, motion: &FreeMotion) -> String {
 
 /// `move along x`, or `turn about (1, 2)`.
 fn how(part: &PartMotion) -> String {
-    let &[x, y, turn] = part.amounts.as_slice() else { return "move".into() };
+    // Of a body of revolution one motion is left.
+    let &[x, y, turn] = part.amounts.as_slice() else { return "move along y".into() };
     let clean = |value: f64, other: f64| if value.abs() < 1e-9 * other.abs() { 0.0 } else { value };
     if turn != 0.0 {
         let centre = [part.centre[0] - y / turn, part.centre[1] + x / turn];

@@ -3,12 +3,11 @@
 use super::super::{horizon, root, words::tidy};
 use super::given::Given;
 use super::model::Recipe;
-use super::{NamedCrack, body, cracks, symmetry};
+use super::{NamedCrack, body, cracks, state_based, symmetry};
 use crate::case::Case;
 use crate::diagnostic::Faults;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
-use peristat_assembly::model::plane::Edges;
 use std::path::Path;
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
@@ -49,7 +48,12 @@ pub(super) fn parts(
         PlaneBody::Lattice(lattice) => Some(lattice),
         PlaneBody::Cloud(_) => None,
     };
-    let symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
+    let mut sides = case.symmetry.clone();
+    let is_revolved = bonds.is_some_and(|bonds| bonds.is_revolved());
+    if is_revolved && state_based::check_revolved(case, (outline.as_ref(), lattice), faults) {
+        sides.push("left".into());
+    }
+    let symmetry = symmetry::symmetry(&sides, outline.as_ref(), lattice, faults);
     let (bonds, ratio) = (bonds?, ratio?);
     if ratio > MOST_RATIO {
         let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
@@ -64,7 +68,7 @@ pub(super) fn parts(
     let horizon = ratio * body.spacing();
     // The other treatments of edges know whole cells only, and loads have the volumes of the model.
     let body = match body {
-        PlaneBody::Lattice(lattice) if bonds.edges() != Edges::Overlay => {
+        PlaneBody::Lattice(lattice) if !bonds.is_exact_at_edges() => {
             PlaneBody::Lattice(lattice.with_whole_cells())
         }
         body => body,

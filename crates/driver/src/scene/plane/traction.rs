@@ -151,8 +151,7 @@ pub(super) fn resolve(
         path: path.clone(),
     };
     let stretches = on.stretches(context.ground);
-    let thickness = context.bonds.thickness();
-    let area = thickness * stretches.iter().map(|s| s.length).sum::<f64>();
+    let area = stretches.iter().map(|s| s.length * context.bonds.across(s.middle)).sum::<f64>();
     if !positive(area, "area of the border", place.clone(), faults) {
         return None;
     }

@@ -1,7 +1,7 @@
 //! Doubts about a body in the plane that can be solved.
 
 use super::super::words::tidy;
-use super::{PlaneBonds, PlaneScene, clamped, gaps, orthotropic, root};
+use super::{PlaneBonds, PlaneScene, clamped, gaps, orthotropic, root, state_based};
 use crate::case::Units;
 use crate::diagnostic::{Faults, JsonPath};
 
@@ -59,6 +59,10 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
     clamped::warn(scene, faults);
     let moduli = match scene.bonds() {
         PlaneBonds::Central(parameters) => vec![("youngs_modulus", parameters.material.youngs_modulus)],
+        PlaneBonds::State(parameters) => {
+            state_based::warn(parameters, scene, faults);
+            vec![("youngs_modulus", parameters.youngs_modulus)]
+        }
         PlaneBonds::Beams(parameters) => {
             orthotropic::warn(parameters, faults);
             let material = &parameters.material;

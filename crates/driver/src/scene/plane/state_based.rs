@@ -1,0 +1,153 @@
+//! Material and families of state-based bodies.
+
+use super::super::numbers::positive;
+use super::super::words::tidy;
+use super::model::tell;
+use super::{PlaneScene, root};
+use crate::case::{Axisymmetric, Case, PlaneState, StatePlane};
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::body::{Outline, SquareLattice};
+use peristat_assembly::model::bond_plane::Influence;
+use peristat_assembly::model::state_based::{
+    Axis, Dilatation, Geometry, Measure, StateEdges, StateError, StateParameters,
+};
+
+/// Poisson's ratio above which bodies lock unless changes of volume are means over blocks.
+const LOCKS: f64 = 0.45;
+
+/// The parameters of a body in the plane, filling in the defaults of the case; the horizon ratio is to be set.
+pub(super) fn in_plane(model: &mut StatePlane, faults: &mut Faults) -> Option<StateParameters> {
+    let path = root("model").key("state_plane");
+    let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
+    fine &= positive(model.thickness, "thickness", path.key("thickness"), faults);
+    fine &= admissible(model.poisson_ratio, &path, faults);
+    let geometry = match model.state {
+        PlaneState::PlaneStress => Geometry::PlaneStress(model.thickness),
+        PlaneState::PlaneStrain => Geometry::PlaneStrain(model.thickness),
+    };
+    let usual = match model.state {
+        PlaneState::PlaneStrain if model.poisson_ratio > LOCKS => Dilatation::Blocks,
+        _ => Dilatation::Points,
+    };
+    fine.then(|| StateParameters {
+        youngs_modulus: model.youngs_modulus,
+        poisson_ratio: model.poisson_ratio,
+        geometry,
+        horizon_ratio: 0.0,
+        influence: *model.influence.get_or_insert(Influence::Linear),
+        edges: model.edges,
+        measure: Measure::Section,
+        axis: Axis::Images,
+        dilatation: *model.dilatation.get_or_insert(usual),
+    })
+}
+
+/// The same of a body of revolution.
+pub(super) fn revolved(model: &mut Axisymmetric, faults: &mut Faults) -> Option<StateParameters> {
+    let path = root("model").key("axisymmetric");
+    let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
+    fine &= admissible(model.poisson_ratio, &path, faults);
+    let is_full = model.edges == StateEdges::Ghosts && model.measure == Measure::Section;
+    let axis = if is_full { Axis::Table } else { Axis::Images };
+    let blocks = if model.poisson_ratio > LOCKS { Dilatation::Blocks } else { Dilatation::Points };
+    fine.then(|| StateParameters {
+        youngs_modulus: model.youngs_modulus,
+        poisson_ratio: model.poisson_ratio,
+        geometry: Geometry::Axisymmetric,
+        horizon_ratio: 0.0,
+        influence: *model.influence.get_or_insert(Influence::Linear),
+        edges: model.edges,
+        measure: model.measure,
+        axis: *model.axis.get_or_insert(axis),
+        dilatation: *model.dilatation.get_or_insert(blocks),
+    })
+}
+
+fn admissible(nu: f64, path: &JsonPath, faults: &mut Faults) -> bool {
+    let fine = -1.0 < nu && nu < 0.5;
+    if !fine {
+        faults
+            .error(
+                path.key("poisson_ratio"),
+                format!("Poisson's ratio must lie between -1 and 1/2, found {}", tidy(nu)),
+            )
+            .hint("for a material that keeps its volume take 0.4999: it does not lock");
+    }
+    fine
+}
+
+/// What a body of revolution must be beside a body in the plane; whether it touches its axis.
+pub(super) fn check_revolved(
+    case: &Case,
+    (outline, lattice): (Option<&Outline>, Option<&SquareLattice>),
+    faults: &mut Faults,
+) -> bool {
+    if !case.rigid.is_empty() {
+        faults
+            .error(root("rigid"), "a rigid region of a body of revolution can move along its axis alone")
+            .hint("hold or move the region by a support with `ux` and `uy`");
+    }
+    if !case.stress_intensity.is_empty() {
+        faults
+            .error(root("stress_intensity"), "stress intensities are of bodies in the plane")
+            .hint("remove `stress_intensity`");
+    }
+    let (Some(outline), Some(lattice)) = (outline, lattice) else { return false };
+    let left = outline.bounds()[0][0];
+    let slack = 1e-6 * lattice.spacing();
+    if left < -slack {
+        faults
+            .error(
+                root("body"),
+                format!("x is the radius of a body of revolution, and this one reaches to {}", tidy(left)),
+            )
+            .hint("draw the half of the section with x >= 0");
+    }
+    if let Some(at) = case.symmetry.iter().position(|side| side == "left") {
+        faults
+            .error(root("symmetry").index(at), "the left side of a body of revolution is no mirror")
+            .hint("a body that begins at x = 0 has its axis there without being told");
+    }
+    left.abs() <= slack
+}
+
+/// A fault for a body that cannot be made.
+pub(super) fn refuse(error: &StateError, case: &Case, faults: &mut Faults) {
+    let model = root("model").key(case.model.name());
+    let path = match error {
+        StateError::NoNeighbours(_) => root("horizon_ratio"),
+        StateError::NegativeWeights(_) => model.key("edges"),
+        StateError::NegativeAxis => model.key("influence"),
+        StateError::AxisNeedsGhosts => model.key("axis"),
+        StateError::OffAxis => root("body"),
+    };
+    tell(&error.to_string(), path, faults);
+}
+
+/// Doubts about families.
+pub(super) fn warn(parameters: &StateParameters, scene: &PlaneScene, faults: &mut Faults) {
+    let model = root("model").key(scene.bonds().name());
+    let touches_axis = scene.outline().is_some_and(|o| o.bounds()[0][0].abs() < 1e-6 * scene.spacing());
+    if parameters.is_axisymmetric() && touches_axis && parameters.axis != Axis::Table {
+        let how = if parameters.axis == Axis::Images { "up to 70 %" } else { "about 17 %" };
+        faults
+            .warning(
+                model.key("axis"),
+                format!("within a horizon of the axis strains are {how} wrong, however fine the lattice"),
+            )
+            .hint("use \"axis\": \"table\" with the edges `ghosts`");
+    }
+    if matches!(parameters.edges, StateEdges::None | StateEdges::Calibrated) {
+        faults
+            .warning(model.key("edges"), "families of these edges have moduli that are percents off")
+            .hint("it is kept for comparison with the literature: use the edges `ghosts`");
+    }
+    if parameters.poisson_ratio > LOCKS
+        && parameters.dilatation == Dilatation::Points
+        && !matches!(parameters.geometry, Geometry::PlaneStress(_))
+    {
+        faults
+            .warning(model.key("dilatation"), "with `points` a body that hardly changes its volume locks")
+            .hint("use `blocks`");
+    }
+}
