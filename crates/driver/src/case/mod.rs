@@ -9,6 +9,7 @@ mod grading;
 mod model;
 mod orthotropic;
 mod path;
+mod periodic;
 mod plane;
 mod plane_body;
 mod plane_load;
@@ -31,6 +32,7 @@ pub use grading::Grading;
 pub use model::{Beam, Body, Line, LoadSharing, Model};
 pub use orthotropic::{LatticeRows, Orthotropic};
 pub use path::{BilinearLaw, Path, PathControl, PlaneBondLaw, Turn};
+pub use periodic::{Axis, Periodic};
 pub use plane::{Plane, PlaneState};
 pub use plane_body::{
     CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
@@ -79,6 +81,9 @@ pub struct Case {
     /// side of them, and nothing else holds or loads these edges.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub symmetry: Vec<String>,
+    /// Pairs of opposite sides of a body in the plane that are joined: behind one of them the body goes on at the other.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub periodic: Vec<Periodic>,
     /// Cracks of a body in the plane.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub cracks: Vec<CrackPath>,

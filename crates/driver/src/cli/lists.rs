@@ -63,7 +63,7 @@ const STARTS: [(&str, &str); 4] = [
     ("beam_bond_orthotropic", include_str!("new_beam_bond_orthotropic.json")),
 ];
 
-const LOADS: [(&str, &str); 13] = [
+const LOADS: [(&str, &str); 14] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -87,6 +87,7 @@ const LOADS: [(&str, &str); 13] = [
     ),
     ("body_force", "a force per volume on a region in the plane, or its total"),
     ("symmetry", "edges in the plane that are mirrors"),
+    ("periodic", "opposite edges in the plane that are joined"),
     (
         "rigid regions",
         "regions in the plane that move as rigid bodies: held, moved or free to turn, such as pins, whose bearing is an angle",

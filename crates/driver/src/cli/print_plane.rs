@@ -62,7 +62,7 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
     };
     line("edges", edges + &bare);
     if m.images > 0 {
-        line("symmetry", format!("{} points are images", m.images));
+        line("images", format!("{} points are images", m.images));
     }
     if m.cracks > 0 {
         let s = if m.cracks == 1 { "" } else { "s" };

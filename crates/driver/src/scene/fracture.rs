@@ -112,6 +112,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
             "what has broken depends on the order of loads: use `loads`",
         ),
         ("symmetry", !case.symmetry.is_empty(), "cracks need not stay symmetric: model the whole body"),
+        ("periodic", !case.periodic.is_empty(), "cracks need not repeat themselves: model the whole body"),
         (
             "stress_intensity",
             !case.stress_intensity.is_empty(),

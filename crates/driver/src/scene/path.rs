@@ -180,6 +180,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
             "what has softened depends on the order of loads: use `loads`",
         ),
         ("symmetry", !case.symmetry.is_empty(), "model the whole body"),
+        ("periodic", !case.periodic.is_empty(), "model the whole body"),
     ];
     for (key, _, hint) in foreign.iter().filter(|f| f.1) {
         faults.error(root(key), format!("`{key}` and `path` do not go together")).hint(*hint);

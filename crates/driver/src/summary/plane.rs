@@ -45,7 +45,7 @@ pub struct PlaneSummary {
     pub spacing: f64,
     /// Whether the points fill a lattice.
     pub lattice: bool,
-    /// Points that are images in lines of symmetry.
+    /// Points that are images behind lines of symmetry and joined sides.
     #[serde(skip_serializing_if = "is_zero")]
     pub images: usize,
     /// Cracks.

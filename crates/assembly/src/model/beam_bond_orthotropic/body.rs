@@ -129,7 +129,7 @@ impl PlaneModel for BeamBondOrthotropic {
     }
 
     fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
-        Some(Self { body: self.body.coarser(cuts), ..*self })
+        Some(Self { body: self.body.coarser(cuts)?, ..*self })
     }
 
     fn parts(&self) -> NumberedParts {
@@ -180,7 +180,8 @@ impl Model<3> for BeamBondOrthotropic {
     }
 
     fn relations(&self) -> Vec<Equation> {
-        self.body.mirrors.relations::<3>(&self.body.lattice, &self.body.ghosts)
+        let signs = |[x, y]: [f64; 2]| [x, y, x * y];
+        self.body.mirrors.relations(&self.body.lattice, &self.body.ghosts, signs)
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {

@@ -219,7 +219,7 @@ impl PlaneModel for BondPlane {
 
     fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
         let Body::Lattice(body) = &self.body else { return None };
-        Some(Self { parameters: self.parameters, body: Body::Lattice(body.coarser(cuts)) })
+        Some(Self { parameters: self.parameters, body: Body::Lattice(body.coarser(cuts)?) })
     }
 
     fn parts(&self) -> NumberedParts {

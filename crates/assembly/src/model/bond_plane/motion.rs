@@ -50,7 +50,7 @@ impl Model<2> for BondPlane {
 
     fn relations(&self) -> Vec<Equation> {
         match &self.body {
-            Body::Lattice(body) => body.mirrors.relations::<2>(&body.lattice, &body.ghosts),
+            Body::Lattice(body) => body.mirrors.relations(&body.lattice, &body.ghosts, |signs| signs),
             Body::Cloud(_) => Vec::new(),
         }
     }

@@ -36,7 +36,7 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) ghosts: Vec<u32>,
     pub(in super::super) hood: Neighbourhood<M>,
     pub(in super::super) kind: Kind<B>,
-    /// Bonds as their energy counts: half across a line of symmetry, not beyond it.
+    /// Bonds as their energy counts: half across a line of symmetry or a joined side, not beyond it.
     pub(in super::super) bonds: Arc<GridBonds<D, M, B>>,
     /// Bonds as real points feel them, where there are images.
     pub(super) felt: Option<Arc<GridBonds<D, M, B>>>,
@@ -137,17 +137,17 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         self.ghosts.binary_search(&(point as u32)).is_ok()
     }
 
-    /// The body at twice the spacing.
-    pub(in super::super) fn coarser(&self, cuts: &FindCuts) -> Self {
+    /// The body at twice the spacing; none where joined sides leave no lattice for it.
+    pub(in super::super) fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
+        let mirrors = self.mirrors.coarser()?;
         let coarse = match self.mirrors.is_none() {
             true => self.lattice.coarser(),
             false => self.mirrors.real(&self.lattice).coarser(),
         };
-        let mirrors = self.mirrors.coarser();
         let coarse = mirrors.extended(&coarse, self.hood.reach());
         let cuts = cuts(&coarse, &self.hood.offsets);
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
-        Self::new(Arc::new(coarse), mirrors, self.hood.clone(), kind, &cuts)
+        Some(Self::new(Arc::new(coarse), mirrors, self.hood.clone(), kind, &cuts))
     }
 }
 
@@ -209,7 +209,8 @@ fn with_neighbours<const M: usize>(
     points
 }
 
-/// Factors of bonds across lines of symmetry, ½, and beyond them, 0.
+/// Factors of bonds across lines of symmetry, ½, and beyond them, 0. Across a joined side a bond has a copy across the other
+/// one, and each is half of it.
 fn halved<const M: usize>(
     lattice: &SquareLattice,
     mirrors: &Mirrors,

@@ -1,26 +1,40 @@
-//! Lines of symmetry along the sides of a lattice: cells beyond them are mirror images of real ones.
+//! Lines along the sides of a lattice beyond which cells are images of real ones: mirror images behind lines of symmetry, or
+//! copies where two opposite sides are joined.
 
 use crate::body::{Cell, SquareLattice};
 use crate::condition::{Equation, Unknown};
 use std::array::from_fn;
 use std::ops::Range;
 
-/// Lines of symmetry between columns and between rows of cells, as the number of the first cell behind the line.
+/// Lines between columns and between rows of cells, as the number of the first cell behind the line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mirrors {
     /// On the left and on the right: real cells have `left <= column < right`.
     pub columns: [Option<i32>; 2],
     /// Below and above: real cells have `below <= row < above`.
     pub rows: [Option<i32>; 2],
+    /// Whether both lines between columns, and both between rows, are one: behind the last cell follows the first. Else they
+    /// are lines of symmetry.
+    pub joined: [bool; 2],
 }
 
 impl Mirrors {
-    /// No symmetry.
-    pub const NONE: Self = Self { columns: [None; 2], rows: [None; 2] };
+    /// No images.
+    pub const NONE: Self = Self { columns: [None; 2], rows: [None; 2], joined: [false; 2] };
 
     /// Whether there is none.
     pub fn is_none(&self) -> bool {
         *self == Self::NONE
+    }
+
+    /// Sets a line: that on the left, on the right, below or above.
+    ///
+    /// # Panics
+    /// There are four sides.
+    pub fn set_line(&mut self, side: usize, line: i32) {
+        let lines = if side < 2 { &mut self.columns } else { &mut self.rows };
+        lines[side % 2] = Some(line);
+        assert!(side < 4, "a body has four sides");
     }
 
     /// Whether a cell lies on the real side of all lines.
@@ -30,11 +44,15 @@ impl Mirrors {
 
     /// The real cell that a cell is an image of, and the signs of the displacements along x and y of the image.
     pub fn image(&self, cell: Cell) -> (Cell, [f64; 2]) {
-        let [(column, x), (row, y)] = [0, 1].map(|k| reflected(self.lines()[k], cell[k]));
+        let [(column, x), (row, y)] = [0, 1].map(|k| match (self.joined[k], self.lines()[k]) {
+            (true, [Some(low), Some(high)]) => (low + (cell[k] - low).rem_euclid(high - low), 1.0),
+            (_, lines) => reflected(lines, cell[k]),
+        });
         ([column, row], [x, y])
     }
 
-    fn lines(&self) -> [[Option<i32>; 2]; 2] {
+    /// Lines between columns, then between rows.
+    pub fn lines(&self) -> [[Option<i32>; 2]; 2] {
         [self.columns, self.rows]
     }
 
@@ -70,12 +88,17 @@ impl Mirrors {
         extended.with_areas(&areas)
     }
 
-    /// The lines on a lattice of twice the spacing; one that runs through cells moves outwards.
-    pub(in super::super) fn coarser(&self) -> Self {
+    /// The lines on a lattice of twice the spacing. A line of symmetry that runs through cells moves outwards; joined sides
+    /// cannot move, so that there are no coarser ones.
+    pub fn coarser(&self) -> Option<Self> {
+        let cut = |line: Option<i32>| line.is_some_and(|l| l.rem_euclid(2) == 1);
+        if (0..2).any(|k| self.joined[k] && self.lines()[k].into_iter().any(cut)) {
+            return None;
+        }
         let halved = |[low, high]: [Option<i32>; 2]| {
             [low.map(|l| l.div_euclid(2)), high.map(|l| (l + 1).div_euclid(2))]
         };
-        Self { columns: halved(self.columns), rows: halved(self.rows) }
+        Some(Self { columns: halved(self.columns), rows: halved(self.rows), ..*self })
     }
 
     /// Numbers of the points that are images.
@@ -91,24 +114,26 @@ impl Mirrors {
         lattice.runs().iter().flat_map(of).collect()
     }
 
-    /// What ties the unknowns of the images to those of real points; the third of `D` is a rotation.
+    /// What ties the unknowns of the images to those of real points; `signs_of` makes
+    /// their signs of those of the displacements along x and y.
     pub(in super::super) fn relations<const D: usize>(
         &self,
         lattice: &SquareLattice,
         ghosts: &[u32],
+        signs_of: impl Fn([f64; 2]) -> [f64; D],
     ) -> Vec<Equation> {
         let tie = |&ghost: &u32| {
             let point = ghost as usize;
             let (image, signs) = self.image(lattice.cell(point));
             let real = lattice.number(image).expect("an image has a real cell");
-            let signs = [signs[0], signs[1], signs[0] * signs[1]];
+            let signs = signs_of(signs);
             from_fn::<Equation, D, _>(|component| Equation {
                 terms: vec![
                     (Unknown { component, point }, 1.0),
                     (Unknown { component, point: real }, -signs[component]),
                 ],
                 value: 0.0,
-                origin: String::from("symmetry"),
+                origin: String::from(if self.joined == [false; 2] { "symmetry" } else { "periodic" }),
             })
         };
         ghosts.iter().flat_map(tie).collect()
@@ -145,7 +170,7 @@ mod tests {
 
     #[test]
     fn cells_between_two_lines_repeat() {
-        let mirrors = Mirrors { columns: [Some(0), Some(2)], rows: [None; 2] };
+        let mirrors = Mirrors { columns: [Some(0), Some(2)], ..Mirrors::NONE };
         let images: Vec<(i32, f64)> =
             (-4..6).map(|c| (mirrors.image([c, 7]).0[0], mirrors.image([c, 7]).1[0])).collect();
         let expected = [
@@ -165,10 +190,25 @@ mod tests {
     }
 
     #[test]
+    fn behind_a_joined_side_the_other_one_follows() {
+        for (from, period) in [(0, 5), (-2, 1), (3, 4)] {
+            let joined = [false, true];
+            let mirrors = Mirrors { rows: [Some(from), Some(from + period)], joined, ..Mirrors::NONE };
+            for row in from - 12..from + 12 {
+                let (cell, signs) = mirrors.image([7, row]);
+                assert_eq!((cell[0], signs), (7, [1.0, 1.0]));
+                assert!(mirrors.is_real(cell) && (cell[1] - row) % period == 0);
+                assert_eq!(mirrors.is_real([7, row]), cell[1] == row);
+            }
+            assert_eq!(mirrors.coarser().is_some(), from % 2 == 0 && period % 2 == 0);
+        }
+    }
+
+    #[test]
     fn images_are_added_and_taken_away() {
         let hole = |c: Cell| c != [1, 1];
         let real = SquareLattice::new(1.0, [0.0; 2], 0..5, 0..4, hole);
-        let mirrors = Mirrors { columns: [None, Some(5)], rows: [Some(0), None] };
+        let mirrors = Mirrors { columns: [None, Some(5)], rows: [Some(0), None], ..Mirrors::NONE };
         let extended = mirrors.extended(&real, 4);
         // The hole and its three images.
         assert_eq!(extended.points(), 9 * 8 - 4);

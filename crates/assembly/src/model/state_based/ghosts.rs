@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn no_cell_beyond_a_mirror_is_a_ghost_and_no_fit_crosses_a_crack() {
         let real = SquareLattice::rectangle(1.0, [0.0; 2], [6, 6]);
-        let mirrors = Mirrors { columns: [Some(0), None], rows: [None; 2] };
+        let mirrors = Mirrors { columns: [Some(0), None], ..Mirrors::NONE };
         assert!(outside(&real, &mirrors, &ring()).iter().all(|c| c[0] >= 0));
         let apart = |a: Cell, b: Cell| (a[1] < 3) != (b[1] < 3);
         let fit = affine(&real, [6, 3], [5, 3], &apart);

@@ -172,7 +172,7 @@ impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
         let (parameters, body) = (&self.parameters, &self.body);
         let real = Arc::new(body.real.coarser());
         // The axis comes back by itself.
-        let mut mirrors = body.mirrors.coarser();
+        let mut mirrors = body.mirrors.coarser()?;
         if REVOLVED {
             mirrors.columns[0] = None;
         }
@@ -271,7 +271,7 @@ impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
         let of = |&ghost: &u32| {
             let cell = body.lattice.cell(ghost as usize);
             let Some(fit) = body.fits.get(&cell) else {
-                return body.mirrors.relations::<2>(&body.lattice, &[ghost]);
+                return body.mirrors.relations(&body.lattice, &[ghost], |signs| signs);
             };
             let component = |component: usize| {
                 let mut terms = vec![(Unknown { component, point: ghost as usize }, 1.0)];

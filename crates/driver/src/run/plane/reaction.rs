@@ -69,12 +69,12 @@ pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64]) -> Vec<MirrorR
     let Some((lattice, mirrors)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
         return Vec::new();
     };
-    let lines = [mirrors.columns, mirrors.rows];
+    let lines = mirrors.lines();
     let mut sums = [const { None }; 4];
     for (k, line) in lines.as_flattened().iter().enumerate() {
         // Nothing goes through the axis of a body of revolution.
         let is_axis = k == 0 && scene.model.is_revolved();
-        sums[k] = line.filter(|_| !is_axis).map(|_| Sum::default());
+        sums[k] = line.filter(|_| !mirrors.joined[k / 2] && !is_axis).map(|_| Sum::default());
     }
     let of_ghosts = &multipliers[scene.equations.len()..];
     for (&ghost, held) in scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components())) {

@@ -8,6 +8,7 @@ use crate::diagnostic::{Faults, JsonPath};
 pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
     let keys = [
         ("symmetry", !case.symmetry.is_empty(), "hold the motions that the symmetry excludes by a support"),
+        ("periodic", !case.periodic.is_empty(), "join the ends of a line by `links`"),
         ("cracks", !case.cracks.is_empty(), "a beam is a line: cracks need the model `bond_plane`"),
         (
             "regions",

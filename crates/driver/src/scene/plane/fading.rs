@@ -158,7 +158,8 @@ fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Forces {
     let spacing = context.ground.body.spacing();
     let region = |name: &str| context.ground.region(name, &Default::default(), &mut Faults::default());
     let mut forces = Vec::new();
-    let edges = outline.edges().iter().filter(|e| e.name != own.name);
+    // On joined edges what it does cancels.
+    let edges = outline.edges().iter().filter(|e| e.name != own.name && !context.symmetry.joins(&e.name));
     let borders = edges
         .map(|e| (boundary::of_edge(e, context.ground), region(&e.name), context.symmetry.replaces(&e.name)));
     let holes = (0..outline.holes().len()).map(|k| (boundary::of_hole(k, outline, spacing), None, false));
@@ -190,8 +191,8 @@ fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -
     let lumped = lump::forces(traction, context);
     lumped.iter().for_each(|&(p, f)| rest.add(f, at(p)));
     let mirrors = context.symmetry.mirrors;
-    for (axis, lines) in [mirrors.columns, mirrors.rows].into_iter().enumerate() {
-        if lines != [None; 2] {
+    for (axis, lines) in mirrors.lines().into_iter().enumerate() {
+        if lines != [None; 2] && !mirrors.joined[axis] {
             rest.force[axis] = 0.0;
         }
     }

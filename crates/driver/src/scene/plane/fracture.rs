@@ -51,7 +51,8 @@ pub(super) fn resolve(
     faults: &mut Faults,
 ) -> Option<PlaneFracture> {
     let path = root("fracture");
-    if !context.ground.case.symmetry.is_empty() {
+    let case = context.ground.case;
+    if !(case.symmetry.is_empty() && case.periodic.is_empty()) {
         // It is refused already; images have numbers of their own.
         return None;
     }

@@ -4,7 +4,7 @@ use super::conditions::Conditions;
 use crate::run::{Coarser, Spread};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
 use peristat_assembly::model::Model;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::plane::{Mirrors, PlaneModel};
 use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 
@@ -16,15 +16,15 @@ const NARROW: usize = 12;
 /// How the points of a body lie.
 pub(super) fn spread(model: &dyn PlaneModel) -> Spread {
     match model.lattice() {
-        Some((lattice, _)) if !is_coarsest(lattice) => Spread::Lattice,
+        Some((lattice, mirrors)) if !is_coarsest(lattice, mirrors) => Spread::Lattice,
         _ => Spread::Plane,
     }
 }
 
-/// Whether a lattice has no coarser one that would help.
-fn is_coarsest(lattice: &SquareLattice) -> bool {
+/// Whether a lattice has no coarser one, or none that would help.
+fn is_coarsest(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
     let narrow = lattice.rows().len().min(lattice.columns().len()) < 2 * NARROW;
-    lattice.points() <= COARSEST || narrow
+    lattice.points() <= COARSEST || narrow || mirrors.coarser().is_none()
 }
 
 /// The coarser levels of a model; none of a cloud, or of a lattice that is coarse itself.
@@ -39,8 +39,8 @@ pub(super) fn coarser<const D: usize, M: Model<D> + PlaneModel>(
     let (mut coarsest, mut conditions): (Option<M>, _) = (None, conditions.clone());
     loop {
         let fine = coarsest.as_ref().unwrap_or(model);
-        let (lattice, _) = fine.lattice()?;
-        if is_coarsest(lattice) {
+        let (lattice, mirrors) = fine.lattice()?;
+        if is_coarsest(lattice, mirrors) {
             break;
         }
         let coarse = fine.coarser(&find)?;

@@ -30,6 +30,7 @@ mod orthotropic;
 mod outputs;
 mod parts;
 mod path;
+mod periodic;
 mod probes;
 mod problem;
 mod rigid_mirror;

@@ -3,7 +3,7 @@
 use super::super::{horizon, root, words::tidy};
 use super::given::Given;
 use super::model::Recipe;
-use super::{NamedCrack, body, cracks, state_based, symmetry};
+use super::{NamedCrack, body, cracks, periodic, state_based, symmetry};
 use crate::case::Case;
 use crate::diagnostic::Faults;
 use crate::input::gmsh::Curve;
@@ -53,7 +53,8 @@ pub(super) fn parts(
     if is_revolved && state_based::check_revolved(case, (outline.as_ref(), lattice), faults) {
         sides.push("left".into());
     }
-    let symmetry = symmetry::symmetry(&sides, outline.as_ref(), lattice, faults);
+    let mut symmetry = symmetry::symmetry(&sides, outline.as_ref(), lattice, faults);
+    periodic::join(case, outline.as_ref(), lattice, &mut symmetry, faults);
     let (bonds, ratio) = (bonds?, ratio?);
     if ratio > MOST_RATIO {
         let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };

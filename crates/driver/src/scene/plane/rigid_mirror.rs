@@ -1,4 +1,4 @@
-//! Rigid regions that mirrors halve.
+//! Rigid regions that mirrors halve, or that reach joined sides.
 
 use super::conditions::{RIGID_KEYS, RigidPoints};
 use super::model::Recipe;
@@ -7,7 +7,7 @@ use crate::diagnostic::Faults;
 use peristat_assembly::body::PlaneBody;
 
 /// A fault for every rigid region that reaches a mirror and could turn, or leave the mirror: with its image it is one
-/// rigid body then, which moves along the mirror only.
+/// rigid body then, which moves along the mirror only. One that reaches joined sides cannot turn either.
 pub(super) fn check(rigid: &[RigidPoints], recipe: &Recipe, faults: &mut Faults) {
     let PlaneBody::Lattice(lattice) = &recipe.body else { return };
     let mirrors = recipe.symmetry.mirrors;
@@ -23,7 +23,8 @@ pub(super) fn check(rigid: &[RigidPoints], recipe: &Recipe, faults: &mut Faults)
         if met == [false; 2] {
             continue;
         }
-        let needed: Vec<usize> = [0, 1].into_iter().filter(|&axis| met[axis]).chain([2]).collect();
+        let is_halved = |axis: &usize| met[*axis] && !mirrors.joined[*axis];
+        let needed: Vec<usize> = [0, 1].into_iter().filter(is_halved).chain([2]).collect();
         if needed.iter().all(|&key| region.prescribed[key] == Some(0.0)) {
             continue;
         }
@@ -31,7 +32,10 @@ pub(super) fn check(rigid: &[RigidPoints], recipe: &Recipe, faults: &mut Faults)
         faults
             .error(
                 root("rigid").index(k),
-                "a mirror halves this rigid region: with its image it can neither turn nor move across the mirror",
+                match needed.len() {
+                    1 => "this rigid region goes on behind joined sides: it cannot turn",
+                    _ => "a mirror halves this rigid region: with its image it can neither turn nor move across the mirror",
+                },
             )
             .hint(format!("add {} to it", keys.join(", ")));
     }

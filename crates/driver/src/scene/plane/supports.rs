@@ -68,12 +68,17 @@ pub(super) fn held(
     .collect()
 }
 
-/// A fault for an edge that a mirror replaces.
+/// A fault for an edge that a mirror replaces, or that is joined to another one.
 pub(super) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Symmetry, faults: &mut Faults) {
     if let Some(name) = region.filter(|name| symmetry.replaces(name)) {
         faults
             .error(path.clone(), format!("the edge `{name}` is a mirror by `symmetry`, no edge of the body"))
             .hint("the mirror holds the displacement across it already, and nothing acts on it: remove one of both");
+    }
+    if let Some(name) = region.filter(|name| symmetry.joins(name)) {
+        faults
+            .error(path.clone(), format!("the edge `{name}` is joined to the opposite one by `periodic`"))
+            .hint("no border is there: take another region, or remove `periodic`");
     }
 }
 

@@ -1,16 +1,16 @@
-//! Edges of a body in the plane that are mirrors.
+//! Edges of a body in the plane that are mirrors, and beyond which it has images therefore.
 
 use super::super::words::suggest;
 use super::root;
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{Crack, Edge, Outline, SquareLattice};
 use peristat_assembly::model::plane::Mirrors;
 
 /// The sides that can be mirrors, with the direction in which they look.
-const SIDES: [(&str, [f64; 2]); 4] =
+pub(super) const SIDES: [(&str, [f64; 2]); 4] =
     [("left", [-1.0, 0.0]), ("right", [1.0, 0.0]), ("bottom", [0.0, -1.0]), ("top", [0.0, 1.0])];
 
-/// Mirrors of a body: their lines, their positions and the edges they replace.
+/// Mirrors of a body: their lines, their positions and the edges they replace; and its joined edges.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Symmetry {
     /// Lines on the lattice.
@@ -19,6 +19,8 @@ pub(super) struct Symmetry {
     pub(super) at: [Option<f64>; 4],
     /// Names of the edges on them.
     pub(super) edges: Vec<String>,
+    /// Names of the edges that are joined to the opposite ones.
+    pub(super) joined: Vec<String>,
 }
 
 /// Mirrors of the case.
@@ -63,22 +65,33 @@ pub(super) fn symmetry(
             continue;
         }
         symmetry.edges.push(edge);
-        let range = if side < 2 { lattice.columns() } else { lattice.rows() };
-        let line = if side.is_multiple_of(2) { range.start } else { range.end };
-        let lines = if side < 2 { &mut symmetry.mirrors.columns } else { &mut symmetry.mirrors.rows };
-        lines[side % 2] = Some(line);
-        let whole = lattice.corner()[side / 2] + f64::from(line) * lattice.spacing();
-        if (whole - at).abs() > 1e-6 * lattice.spacing() {
-            faults
-                .error(root("symmetry").index(k), format!("the {name} side is not on a border of cells"))
-                .hint("make the size of the body a whole multiple of the spacing");
-        }
+        let path = root("symmetry").index(k);
+        symmetry.mirrors.set_line(side, line_on(lattice, side, at, &path, faults));
     }
     symmetry
 }
 
+/// The line between cells on a side of the body at this position; a fault if it is not on a border of cells.
+pub(super) fn line_on(
+    lattice: &SquareLattice,
+    side: usize,
+    at: f64,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> i32 {
+    let range = if side < 2 { lattice.columns() } else { lattice.rows() };
+    let line = if side.is_multiple_of(2) { range.start } else { range.end };
+    let whole = lattice.corner()[side / 2] + f64::from(line) * lattice.spacing();
+    if (whole - at).abs() > 1e-6 * lattice.spacing() {
+        faults
+            .error(path.clone(), format!("the {} side is not on a border of cells", SIDES[side].0))
+            .hint("make the size of the body a whole multiple of the spacing");
+    }
+    line
+}
+
 /// The edge that is a whole side of the box around a body, and the position of the side.
-fn edge_on(outline: &Outline, side: usize) -> Option<(String, f64)> {
+pub(super) fn edge_on(outline: &Outline, side: usize) -> Option<(String, f64)> {
     let [low, high] = outline.bounds();
     let axis = side / 2;
     let at = if side.is_multiple_of(2) { low[axis] } else { high[axis] };
@@ -113,6 +126,11 @@ impl Symmetry {
     /// Whether an edge lies on a mirror.
     pub(super) fn replaces(&self, edge: &str) -> bool {
         self.edges.iter().any(|e| e == edge)
+    }
+
+    /// Whether an edge is joined to the opposite one.
+    pub(super) fn joins(&self, edge: &str) -> bool {
+        self.joined.iter().any(|e| e == edge)
     }
 }
 

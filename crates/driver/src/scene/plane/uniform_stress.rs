@@ -97,6 +97,10 @@ pub(super) fn find(tractions: &[OnBorder], context: &Context) -> Option<UniformS
     let mut held = Vec::new();
     for (edge, t) in outline.edges().iter().zip(&on_edge) {
         let [x, y] = rows(edge.normal);
+        if context.symmetry.joins(&edge.name) {
+            // What the stress does on one of two joined edges, it takes back on the other.
+            continue;
+        }
         if context.symmetry.replaces(&edge.name) {
             // A mirror holds what is normal to it; along it nothing acts.
             let [nx, ny] = edge.normal;

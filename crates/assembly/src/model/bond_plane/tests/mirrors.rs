@@ -79,9 +79,12 @@ fn half_and_quarter_models_are_the_full_body() {
             let cut = cuts(&full, &offsets);
             let full = BondPlane::on_lattice(full, Mirrors::NONE, parameters, &cut).unwrap();
             let parts = [
-                (lattice(0..12, -9..9), Mirrors { columns: [Some(0), None], rows: [None; 2] }),
-                (lattice(-12..0, -9..9), Mirrors { columns: [None, Some(0)], rows: [None; 2] }),
-                (lattice(0..12, -9..0), Mirrors { columns: [Some(0), None], rows: [None, Some(0)] }),
+                (lattice(0..12, -9..9), Mirrors { columns: [Some(0), None], ..Mirrors::NONE }),
+                (lattice(-12..0, -9..9), Mirrors { columns: [None, Some(0)], ..Mirrors::NONE }),
+                (
+                    lattice(0..12, -9..0),
+                    Mirrors { columns: [Some(0), None], rows: [None, Some(0)], ..Mirrors::NONE },
+                ),
             ];
             for (real, mirrors) in parts {
                 let part = mirrors.extended(&real, BondPlane::depth(&parameters).unwrap());
@@ -137,7 +140,7 @@ fn compare(full: &BondPlane, part: &BondPlane, mirrors: Mirrors) {
 #[test]
 fn coarser_bodies_keep_their_lines_of_symmetry() {
     let real = SquareLattice::rectangle(1.0, [0.0; 2], [24, 12]);
-    let mirrors = Mirrors { columns: [Some(0), None], rows: [None, Some(12)] };
+    let mirrors = Mirrors { columns: [Some(0), None], rows: [None, Some(12)], ..Mirrors::NONE };
     let parameters = parameters(3.0, MM_MPA);
     let extended = Arc::new(mirrors.extended(&real, 3));
     let fine = BondPlane::on_lattice(extended, mirrors, parameters, &[]).unwrap();

@@ -5,6 +5,7 @@ mod cloud;
 mod lattice;
 mod mirrors;
 mod patch;
+mod periodic;
 mod properties;
 mod prototypes;
 mod softening;
