@@ -80,7 +80,7 @@ proptest! {
         let fibres = parameters.relative_angle().to_degrees();
         let has_mirrors = parameters.lattice_angle == 0.0 && (fibres.abs() < 1e-9 || (fibres - 90.0).abs() < 1e-9);
         let line = |k: usize, at: i32| (has_mirrors && mirrored[k]).then_some(at);
-        let mirrors = Mirrors { columns: [line(0, 0), line(1, columns)], rows: [line(2, 0), line(3, rows)] };
+        let mirrors = Mirrors { columns: [line(0, 0), line(1, columns)], rows: [line(2, 0), line(3, rows)], ..Mirrors::NONE };
         let depth = BeamBondOrthotropic::depth(&parameters).expect("the bonds exist");
         let lattice = mirrors.extended(&real, depth);
         let offsets = BeamBondOrthotropic::offsets(&parameters).expect("the bonds exist");

@@ -45,7 +45,7 @@ proptest! {
             (0..holes).map(|_| [noise.index(columns as usize) as i32, noise.index(rows as usize) as i32]).collect();
         let real = SquareLattice::new(0.5, [1.0, -3.0], 0..columns, 0..rows, |c| !holes.contains(&c));
         let line = |k: usize, at: i32| mirrored[k].then_some(at);
-        let mirrors = Mirrors { columns: [line(0, 0), line(1, columns)], rows: [line(2, 0), line(3, rows)] };
+        let mirrors = Mirrors { columns: [line(0, 0), line(1, columns)], rows: [line(2, 0), line(3, rows)], ..Mirrors::NONE };
         let lattice = mirrors.extended(&real, BondPlane::depth(&parameters).expect("the ratio is large enough"));
         let offsets = BondPlane::offsets(&parameters).expect("the ratio is large enough");
         let cuts: Vec<(usize, usize)> =

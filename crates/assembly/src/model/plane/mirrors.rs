@@ -16,11 +16,15 @@ pub struct Mirrors {
     /// Whether both lines between columns, and both between rows, are one: behind the last cell follows the first. Else they
     /// are lines of symmetry.
     pub joined: [bool; 2],
+    /// Along which of both a body whose sides are joined can stretch: from one copy to the next the displacement grows by the
+    /// same amount, which is an unknown.
+    pub stretches: [bool; 2],
 }
 
 impl Mirrors {
     /// No images.
-    pub const NONE: Self = Self { columns: [None; 2], rows: [None; 2], joined: [false; 2] };
+    pub const NONE: Self =
+        Self { columns: [None; 2], rows: [None; 2], joined: [false; 2], stretches: [false; 2] };
 
     /// Whether there is none.
     pub fn is_none(&self) -> bool {
@@ -54,6 +58,25 @@ impl Mirrors {
     /// Lines between columns, then between rows.
     pub fn lines(&self) -> [[Option<i32>; 2]; 2] {
         [self.columns, self.rows]
+    }
+
+    /// How many periods lie between a cell and its image, along each axis that stretches.
+    fn periods(&self, cell: Cell) -> [i32; 2] {
+        let (image, _) = self.image(cell);
+        from_fn(|k| match (self.stretches[k], self.lines()[k]) {
+            (true, [Some(low), Some(high)]) => (cell[k] - image[k]) / (high - low),
+            _ => 0,
+        })
+    }
+
+    /// Two points whose difference is what a body grows by along an axis that stretches: a real one, and its first copy.
+    pub fn stretch_points(&self, lattice: &SquareLattice, axis: usize) -> Option<[usize; 2]> {
+        let [Some(low), Some(high)] = self.lines()[axis] else { return None };
+        let is_first = |cell: &Cell| self.stretches[axis] && self.is_real(*cell) && cell[axis] == low;
+        let first = (0..lattice.points()).map(|p| lattice.cell(p)).find(is_first)?;
+        let mut copy = first;
+        copy[axis] += high - low;
+        Some([lattice.number(first)?, lattice.number(copy)?])
     }
 
     /// The real cells of a lattice.
@@ -122,21 +145,44 @@ impl Mirrors {
         ghosts: &[u32],
         signs_of: impl Fn([f64; 2]) -> [f64; D],
     ) -> Vec<Equation> {
+        let growth: [Option<[usize; 2]>; 2] = from_fn(|axis| match self.stretches[axis] {
+            true => self.stretch_points(lattice, axis),
+            false => None,
+        });
         let tie = |&ghost: &u32| {
-            let point = ghost as usize;
-            let (image, signs) = self.image(lattice.cell(point));
+            let (point, cell) = (ghost as usize, lattice.cell(ghost as usize));
+            let (image, signs) = self.image(cell);
             let real = lattice.number(image).expect("an image has a real cell");
-            let signs = signs_of(signs);
-            from_fn::<Equation, D, _>(|component| Equation {
-                terms: vec![
+            let (signs, periods) = (signs_of(signs), self.periods(cell));
+            from_fn::<Equation, D, _>(|component| {
+                let mut terms = vec![
                     (Unknown { component, point }, 1.0),
                     (Unknown { component, point: real }, -signs[component]),
-                ],
-                value: 0.0,
-                origin: String::from(if self.joined == [false; 2] { "symmetry" } else { "periodic" }),
+                ];
+                if let Some([first, copy]) = growth.get(component).copied().flatten() {
+                    let grown = f64::from(periods[component]);
+                    match point == copy {
+                        // The amount itself: nothing ties it.
+                        true => terms.clear(),
+                        false => add_growth(&mut terms, component, [first, copy], grown),
+                    }
+                }
+                let origin = if self.joined == [false; 2] { "symmetry" } else { "periodic" };
+                Equation { terms, value: 0.0, origin: origin.into() }
             })
         };
         ghosts.iter().flat_map(tie).collect()
+    }
+}
+
+/// Takes `times` the difference of two points from a sum.
+fn add_growth(terms: &mut Vec<(Unknown, f64)>, component: usize, [first, copy]: [usize; 2], times: f64) {
+    for (point, share) in [(copy, -times), (first, times)].into_iter().filter(|s| s.1 != 0.0) {
+        let unknown = Unknown { component, point };
+        match terms.iter_mut().find(|t| t.0 == unknown) {
+            Some(term) => term.1 += share,
+            None => terms.push((unknown, share)),
+        }
     }
 }
 

@@ -268,10 +268,12 @@ impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
 
     fn relations(&self) -> Vec<Equation> {
         let body = &self.body;
+        let fit = |ghost: u32| body.fits.get(&body.lattice.cell(ghost as usize));
+        let images: Vec<u32> = body.ghosts.iter().copied().filter(|&ghost| fit(ghost).is_none()).collect();
+        let mut of_images = body.mirrors.relations::<2>(&body.lattice, &images, |signs| signs).into_iter();
         let of = |&ghost: &u32| {
-            let cell = body.lattice.cell(ghost as usize);
-            let Some(fit) = body.fits.get(&cell) else {
-                return body.mirrors.relations(&body.lattice, &[ghost], |signs| signs);
+            let Some(fit) = fit(ghost) else {
+                return of_images.by_ref().take(2).collect::<Vec<_>>();
             };
             let component = |component: usize| {
                 let mut terms = vec![(Unknown { component, point: ghost as usize }, 1.0)];

@@ -184,6 +184,12 @@ impl PlaneLoads {
         self
     }
 
+    /// The same with forces on points of the model beside.
+    pub(super) fn with_forces(mut self, forces: &[(u32, [f64; 2])]) -> Self {
+        self.forces.extend(forces);
+        self
+    }
+
     /// Whether nothing acts.
     pub fn is_zero(&self) -> bool {
         self.forces.is_empty()
@@ -220,7 +226,8 @@ impl PlaneLoads {
 /// Sums of load cases that are solved, with no load among them that is missing.
 pub(super) fn check_loaded(ground: &Ground, cases: &[PlaneLoads], moves: bool, faults: &mut Faults) {
     let case = ground.case;
-    if cases.iter().all(PlaneLoads::is_zero) && !moves && !faults.has_errors() {
+    let stretched = case.periodic.iter().any(|p| p.force.is_some());
+    if cases.iter().all(PlaneLoads::is_zero) && !moves && !stretched && !faults.has_errors() {
         let key = if case.load_cases.is_empty() { "loads" } else { "load_cases" };
         faults
             .warning(root(key), "nothing acts on the body: all results will be zero")

@@ -284,7 +284,10 @@ impl PlaneScene {
             case: case.clone(),
             units: case.units,
             equations: conditions.equations(&|p| built.place(p)),
-            load_cases: load_cases.into_iter().map(|l| l.numbered(&number)).collect(),
+            load_cases: load_cases
+                .into_iter()
+                .map(|l| l.numbered(&number).with_forces(&periodic::forces(case, &*built)))
+                .collect(),
             conditions,
             supports,
             states,

@@ -2,9 +2,11 @@
 
 use super::root;
 use super::symmetry::{SIDES, Symmetry, edge_on, line_on};
-use crate::case::{Axis, Case};
-use crate::diagnostic::Faults;
+use crate::case::{Axis, Case, Periodic};
+use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{Outline, SquareLattice};
+use peristat_assembly::model::plane::PlaneModel;
+use std::array::from_fn;
 
 /// Adds the joined edges of the case to its mirrors.
 pub(super) fn join(
@@ -41,6 +43,8 @@ pub(super) fn join(
             faults.error(path, format!("the sides along {name} are joined twice"));
             continue;
         }
+        symmetry.mirrors.stretches[axis] = given.stretches;
+        check_force(case, given, &path, faults);
         for side in [2 * axis, 2 * axis + 1] {
             let called = SIDES[side].0;
             if symmetry.at[side].is_some() {
@@ -59,6 +63,35 @@ pub(super) fn join(
             symmetry.mirrors.set_line(side, line_on(lattice, side, at, &path, faults));
         }
     }
+}
+
+/// Faults of a force along joined sides.
+fn check_force(case: &Case, given: &Periodic, path: &JsonPath, faults: &mut Faults) {
+    if given.force.is_none() {
+        return;
+    }
+    if !given.stretches {
+        faults
+            .error(path.key("force"), "a body that keeps its length takes any force along it")
+            .hint("add \"stretches\": true");
+    }
+    if !case.load_cases.is_empty() {
+        faults
+            .error(path.key("force"), "`force` acts with `loads`, and there are `load_cases`")
+            .hint("solve the load cases one by one");
+    }
+}
+
+/// Forces of the case on the unknowns by which a body stretches, by numbers of the model.
+pub(super) fn forces(case: &Case, model: &dyn PlaneModel) -> Vec<(u32, [f64; 2])> {
+    let Some((lattice, mirrors)) = model.lattice() else { return Vec::new() };
+    let of = |given: &Periodic| {
+        let (force, axis) = (given.force?, usize::from(given.along == Axis::Y));
+        let [first, copy] = mirrors.stretch_points(lattice, axis)?;
+        let along = |f: f64| from_fn(|k| if k == axis { f } else { 0.0 });
+        Some([(copy as u32, along(force)), (first as u32, along(-force))])
+    };
+    case.periodic.iter().filter_map(of).flatten().collect()
 }
 
 #[cfg(test)]
