@@ -38,7 +38,7 @@ pub use plane_body::{
     CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
     SlotHole,
 };
-pub use plane_load::{BodyForce, Traction};
+pub use plane_load::{BodyForce, Hertz, Traction};
 pub use plane_output::{LineOutput, StressIntensity, Tips};
 pub use read::{Source, from_text, read};
 pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};

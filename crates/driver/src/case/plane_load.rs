@@ -4,8 +4,8 @@ use super::LoadSharing;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Forces per area on an edge. How they vary is said by `uniform`, `linear`, `parabolic`, `pressure` or `total`, one of
-/// them. An edge of a rectangle starts at its left or lower end, one of a polygon at the vertex that has its number.
+/// Forces per area on an edge. How they vary is said by `uniform`, `linear`, `parabolic`, `pressure`, `total`
+/// or `hertz`, one of them. An edge of a rectangle starts at its left or lower end, one of a polygon at the vertex that has its number.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Traction {
@@ -26,13 +26,33 @@ pub struct Traction {
     /// Force along x and y, spread evenly over the edge.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub total: Option<[f64; 2]>,
+    /// The pressure of a smooth round body on a straight edge.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hertz: Option<Hertz>,
+    /// How deep a consistent traction reaches into the body before it has faded, > 0; two horizons if not given. Where the
+    /// stress that it makes goes on smoothly, such as through the wall of a cylinder, deeper is more accurate.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth: Option<f64>,
     /// How it reaches the points: `consistent` on straight edges along the lattice with the calibration `matched`, else
     /// `lumped`, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sharing: Option<LoadSharing>,
 }
 
-/// A force on every point of a region; `density` or `total`.
+/// The contact pressure `p₀ √(1 − (s − s₀)²/a²)` of Hertz over the positions s within a of its middle s₀ along an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Hertz {
+    /// Its middle, x or y as the edge runs; 0, the axis of a body of revolution, if not given.
+    #[serde(default)]
+    pub centre: f64,
+    /// Half its width, the contact radius, > 0.
+    pub radius: f64,
+    /// Largest pressure p₀.
+    pub peak: f64,
+}
+
+/// A force on every point of a region; `density`, `total` or `spin`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BodyForce {
@@ -45,4 +65,7 @@ pub struct BodyForce {
     /// Force along x and y, shared by volume.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub total: Option<[f64; 2]>,
+    /// Of a body of revolution that turns about its axis: force per volume outwards per distance from the axis, `ρ ω²`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spin: Option<f64>,
 }

@@ -101,6 +101,11 @@ pub trait PlaneModel: Debug + Send + Sync {
         false
     }
 
+    /// Whether a change of volume is so much dearer than one of shape that coarser lattices are no good preconditioners.
+    fn hardly_compresses(&self) -> bool {
+        false
+    }
+
     /// Stress across the plane that belongs to stresses in it.
     fn stress_across(&self, _stress: [f64; 3]) -> f64 {
         0.0

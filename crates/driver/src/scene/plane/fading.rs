@@ -87,7 +87,8 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
     let [low, high] = outline.bounds();
     let axis = usize::from(edge.normal[0] == 0.0);
     let spacing = context.ground.body.spacing();
-    let cells = (2.0 * context.horizon / spacing).ceil();
+    let deep = traction.depth.unwrap_or(2.0 * context.horizon);
+    let cells = (deep / spacing - 1e-6).ceil();
     let depth = (cells * spacing).min(high[axis] - low[axis]);
     let slack = 1e-9 * spacing;
     if [0.0, 0.25, 0.5, 1.0].iter().any(shears) && !goes_straight_back(edge, depth - slack, outline) {

@@ -16,7 +16,9 @@ const NARROW: usize = 12;
 /// How the points of a body lie.
 pub(super) fn spread(model: &dyn PlaneModel) -> Spread {
     match model.lattice() {
-        Some((lattice, mirrors)) if !is_coarsest(lattice, mirrors) => Spread::Lattice,
+        Some((lattice, mirrors)) if !is_coarsest(lattice, mirrors) && !model.hardly_compresses() => {
+            Spread::Lattice
+        }
         _ => Spread::Plane,
     }
 }

@@ -20,6 +20,8 @@ pub struct PlaneLoads {
     pub(super) moments: Vec<(u32, f64)>,
     /// Force on every point per volume, N/m³.
     pub(super) density: [f64; 2],
+    /// Force on every point along x per volume and per x, N/m⁴.
+    pub(super) spin: f64,
     /// Stresses that act by the rows of the bonds.
     pub(super) stresses: Vec<StressField>,
 }
@@ -130,11 +132,14 @@ fn body_force(
     to: &mut PlaneLoads,
     faults: &mut Faults,
 ) {
+    if let Some(value) = load.spin {
+        return spin(value, load, context, path, to, faults);
+    }
     let (value, is_total) = match (load.density, load.total) {
         (Some(density), None) => (density, false),
         (None, Some(total)) => (total, true),
         (None, None) => {
-            faults.error(path.clone(), "neither `density` nor `total` is given").hint(
+            faults.error(path.clone(), "neither `density` nor `total` nor `spin` is given").hint(
                 "`density` is a force per volume, such as that of gravity; `total` the force on all points together",
             );
             return;
@@ -171,6 +176,41 @@ fn body_force(
     }
 }
 
+/// The inertia of a body that turns about its axis.
+fn spin(
+    value: f64,
+    load: &BodyForce,
+    context: &Context,
+    path: &JsonPath,
+    to: &mut PlaneLoads,
+    faults: &mut Faults,
+) {
+    if !context.bonds.is_revolved() {
+        faults
+            .error(path.key("spin"), "`spin` is for bodies of revolution, which have an axis")
+            .hint("use the model `axisymmetric`");
+        return;
+    }
+    if load.density.is_some() || load.total.is_some() {
+        faults
+            .error(path.key("spin"), "`spin` stands beside another body force")
+            .hint("give each a `body_force` of its own");
+        return;
+    }
+    if value == 0.0 {
+        faults.error(path.clone(), "this load is zero");
+    }
+    match &load.region {
+        None => to.spin += value,
+        Some(name) => {
+            let points = context.ground.region(name, &path.key("region"), faults).unwrap_or_default();
+            let radius = |p: u32| context.ground.body.position(p as usize)[0];
+            let force = |&p: &u32| (p, [value * radius(p) * context.volume(p), 0.0]);
+            to.forces.extend(points.iter().map(force));
+        }
+    }
+}
+
 impl PlaneLoads {
     /// The same with the numbers that points have in the model.
     pub(super) fn numbered(mut self, number: &dyn Fn(u32) -> u32) -> Self {
@@ -195,6 +235,7 @@ impl PlaneLoads {
         self.forces.is_empty()
             && self.moments.is_empty()
             && self.density == [0.0; 2]
+            && self.spin == 0.0
             && self.stresses.is_empty()
     }
 
@@ -210,10 +251,13 @@ impl PlaneLoads {
         for &(point, moment) in &self.moments {
             force[2 * n + point as usize] += factor * moment / turning;
         }
-        if self.density != [0.0; 2] {
+        if self.density != [0.0; 2] || self.spin != 0.0 {
             for point in 0..n {
                 let volume = factor * model.volume(point);
                 (0..2).for_each(|c| force[c * n + point] += volume * self.density[c]);
+                if self.spin != 0.0 {
+                    force[point] += volume * self.spin * model.place(point)[0];
+                }
             }
         }
         for field in &self.stresses {

@@ -85,6 +85,9 @@ impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M
 
     fn remedy(&self) -> &'static str {
         match self.apart {
+            "" if self.scene.bonds().is_revolved() => {
+                "a body of revolution needs `uy` held on one place, in every part that cracks leave"
+            }
             "" => {
                 "a body in the plane needs `ux` and `uy` held on one place and one of them on another, in every part that cracks leave"
             }

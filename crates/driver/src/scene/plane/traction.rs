@@ -12,7 +12,7 @@ use super::ground::Ground;
 use super::loads::{Context, PlaneLoads};
 use super::lump;
 use super::uniform_stress;
-use crate::case::{LoadSharing, Traction};
+use crate::case::{Hertz, LoadSharing, Traction};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::plane::Calibration;
 
@@ -57,6 +57,8 @@ pub(super) enum Profile {
     Parabolic([f64; 2]),
     /// Against the normal.
     Pressure(f64),
+    /// Against the normal, `peak √(1 − (place − centre)²/radius²)` within the radius.
+    Hertz { centre: f64, radius: f64, peak: f64 },
 }
 
 impl Profile {
@@ -66,6 +68,11 @@ impl Profile {
             Self::Linear([from, to]) => [0, 1].map(|k| from[k] + place * (to[k] - from[k])),
             Self::Parabolic(middle) => middle.map(|t| 4.0 * place * (1.0 - place) * t),
             Self::Pressure(pressure) => normal.map(|n| -pressure * n),
+            Self::Hertz { centre, radius, peak } => {
+                let ratio = (place - centre) / radius;
+                let pressure = peak * (1.0 - ratio * ratio).max(0.0).sqrt();
+                normal.map(|n| -pressure * n)
+            }
         }
     }
 
@@ -74,7 +81,8 @@ impl Profile {
         match *self {
             Self::Linear([from, to]) => [to[0] - from[0], to[1] - from[1]],
             Self::Parabolic(middle) => middle.map(|t| 4.0 * (1.0 - 2.0 * place) * t),
-            Self::Pressure(_) => [0.0; 2],
+            // Only what is along the edge is asked for.
+            Self::Pressure(_) | Self::Hertz { .. } => [0.0; 2],
         }
     }
 
@@ -95,6 +103,8 @@ pub(super) struct OnBorder {
     pub(super) border: Border,
     pub(super) profile: Profile,
     pub(super) sharing: Option<LoadSharing>,
+    /// How deep it reaches, if it is consistent, m.
+    pub(super) depth: Option<f64>,
     /// Where it stands in the case.
     pub(super) path: JsonPath,
 }
@@ -125,6 +135,7 @@ pub(super) fn resolve(
         ("parabolic", load.parabolic.is_some()),
         ("pressure", load.pressure.is_some()),
         ("total", load.total.is_some()),
+        ("hertz", load.hertz.is_some()),
     ];
     let keys: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
     match keys[..] {
@@ -132,15 +143,18 @@ pub(super) fn resolve(
         [] => {
             faults
                 .error(path, "the value of this traction is missing")
-                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure` and `total`");
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
             return None;
         }
         [first, second, ..] => {
             faults
                 .error(path.key(second), format!("`{first}` and `{second}` are both given"))
-                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure` and `total`");
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
             return None;
         }
+    }
+    if let Some(depth) = load.depth {
+        positive(depth, "depth", path.key("depth"), faults);
     }
     let border = border?;
     let on = OnBorder {
@@ -148,6 +162,7 @@ pub(super) fn resolve(
         border,
         profile: Profile::Pressure(0.0),
         sharing: load.sharing,
+        depth: load.depth,
         path: path.clone(),
     };
     let stretches = on.stretches(context.ground);
@@ -160,9 +175,14 @@ pub(super) fn resolve(
         Traction { linear: Some(ends), .. } => Profile::Linear(*ends),
         Traction { parabolic: Some(t), .. } => Profile::Parabolic(*t),
         Traction { total: Some(force), .. } => Profile::Linear([force.map(|f| f / area); 2]),
+        Traction { hertz: Some(hertz), .. } => on_edge(hertz, &on.border, &path.key("hertz"), faults)?,
         _ => Profile::Pressure(load.pressure.unwrap_or(0.0)),
     };
-    if [0.0, 0.5, 1.0].iter().all(|&q| profile.at(q, [1.0, 0.0]) == [0.0; 2]) {
+    let within = match profile {
+        Profile::Hertz { centre, .. } => centre,
+        _ => 0.5,
+    };
+    if [0.0, within, 1.0].iter().all(|&q| profile.at(q, [1.0, 0.0]) == [0.0; 2]) {
         faults.error(path.clone(), "this traction is zero");
     }
     if let (Border::Curved { hole: Some(_), .. }, Profile::Linear([a, b])) = (&on.border, &profile)
@@ -174,6 +194,24 @@ pub(super) fn resolve(
     }
     check_sharing(load, &on, context, &path, faults);
     Some(OnBorder { profile, ..on })
+}
+
+/// A contact pressure by places along its edge.
+fn on_edge(load: &Hertz, border: &Border, path: &JsonPath, faults: &mut Faults) -> Option<Profile> {
+    let Border::Edge(edge) = border else {
+        faults
+            .error(path.clone(), "a contact pressure needs a straight edge")
+            .hint("use `pressure` on holes");
+        return None;
+    };
+    if !positive(load.radius, "radius", path.key("radius"), faults) {
+        return None;
+    }
+    // Along the axis in which the edge runs.
+    let along = usize::from((edge.to[1] - edge.from[1]).abs() > (edge.to[0] - edge.from[0]).abs());
+    let length = edge.to[along] - edge.from[along];
+    let place = (load.centre - edge.from[along]) / length;
+    Some(Profile::Hertz { centre: place, radius: load.radius / length.abs(), peak: load.peak })
 }
 
 /// A fault where consistent sharing is asked for and cannot be.

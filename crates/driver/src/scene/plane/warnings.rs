@@ -18,7 +18,10 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             }
         }
     }
-    let width = (high[0] - low[0]).min(high[1] - low[1]);
+    // A body that is joined to itself goes on.
+    let joined = scene.model.lattice().map_or([false; 2], |(_, mirrors)| mirrors.joined);
+    let across = |k: usize| if joined[k] { f64::INFINITY } else { high[k] - low[k] };
+    let width = across(0).min(across(1));
     if scene.horizon() > width * (1.0 + 1e-9) {
         faults
             .warning(
