@@ -123,6 +123,12 @@ impl StateBody {
         Ok(body)
     }
 
+    /// Offsets of the half that have bonds.
+    pub(super) fn bonded(&self) -> impl Iterator<Item = usize> + '_ {
+        let half = self.families.offsets.len() / 2;
+        (0..half).filter(|&k| self.families.sets[0].weights[k] > 0.0)
+    }
+
     /// Upper end of the bond at an offset of the half.
     pub(super) fn upper(&self, offset: usize, lower: usize) -> Option<usize> {
         let ([a, b], [column, row]) = (self.families.offsets[offset], self.lattice.cell(lower));
@@ -143,8 +149,7 @@ impl StateBody {
         let (families, spacing) = (&self.families, self.lattice.spacing());
         let volume = cell_volume(parameters, spacing);
         let plain = &families.sets[0];
-        let half = families.offsets.len() / 2;
-        let bonded: Vec<usize> = (0..half).filter(|&k| plain.weights[k] > 0.0).collect();
+        let bonded: Vec<usize> = self.bonded().collect();
         let steps: Vec<Offset<1>> = bonded
             .iter()
             .map(|&k| {
@@ -181,7 +186,7 @@ impl StateBody {
     }
 
     /// `(2/q) w |ξ| n` per offset, 1/m.
-    fn dilatation_rows(&self, set: &super::weights::Set) -> Vec<[f64; 2]> {
+    pub(super) fn dilatation_rows(&self, set: &super::weights::Set) -> Vec<[f64; 2]> {
         let scale = 2.0 / (set.q * self.lattice.spacing());
         let rows = self.families.offsets.iter().zip(&set.weights);
         rows.map(|(o, w)| o.map(|k| scale * w * f64::from(k))).collect()

@@ -17,12 +17,15 @@
 
 mod axis_table;
 mod body;
+mod breaking;
 mod error;
 mod fields;
 mod ghosts;
 mod model;
 mod moments;
 mod parameters;
+mod plane;
+mod sets;
 mod term;
 #[cfg(test)]
 mod tests;

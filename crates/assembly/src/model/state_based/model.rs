@@ -1,22 +1,22 @@
 //! State-based bodies as models: two unknowns per point, the displacements along x and y.
 
-use super::super::plane::{FindCuts, Mirrors, PlaneFields, PlaneModel};
+use super::super::plane::{Mirrors, PlaneModel};
 use super::body::{StateBody, cell_volume, extended};
 use super::ghosts::Separated;
 use super::weights::offsets;
-use super::{Geometry, StateError, StateParameters};
+use super::{StateError, StateParameters};
 use crate::body::{Cell, SquareLattice};
-use crate::bonds::{Mat, Point};
+use crate::bonds::Point;
 use crate::condition::{Equation, Unknown};
 use crate::model::{Model, ModelSizes};
-use crate::stiffness::{NumberedParts, Term};
+use crate::stiffness::Term;
 use std::sync::Arc;
 
 /// A state-based body in the plane, or one of revolution, whose section the points are.
 #[derive(Clone, Debug)]
 pub struct StateBased<const REVOLVED: bool> {
-    parameters: StateParameters,
-    body: StateBody,
+    pub(super) parameters: StateParameters,
+    pub(super) body: StateBody,
 }
 
 impl<const REVOLVED: bool> StateBased<REVOLVED> {
@@ -69,172 +69,8 @@ impl<const REVOLVED: bool> StateBased<REVOLVED> {
         self.body.term.has_families()
     }
 
-    fn true_volume(&self, point: usize) -> f64 {
+    pub(super) fn true_volume(&self, point: usize) -> f64 {
         cell_volume(&self.parameters, self.body.lattice.spacing()) * self.body.families.volume[point]
-    }
-}
-
-impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
-    fn point_count(&self) -> usize {
-        self.body.lattice.points()
-    }
-
-    fn components(&self) -> usize {
-        2
-    }
-
-    fn turning(&self) -> Option<f64> {
-        None
-    }
-
-    fn place(&self, point: usize) -> [f64; 2] {
-        self.body.lattice.position(point)
-    }
-
-    fn volume(&self, point: usize) -> f64 {
-        self.true_volume(point)
-    }
-
-    fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
-        Some((&self.body.lattice, &self.body.mirrors))
-    }
-
-    fn ghosts(&self) -> &[u32] {
-        &self.body.ghosts
-    }
-
-    fn triangles(&self) -> usize {
-        0
-    }
-
-    fn uncorrected(&self) -> usize {
-        0
-    }
-
-    fn damage(&self) -> Vec<f64> {
-        let families = &self.body.families;
-        let mut gone = vec![0.0; self.point_count()];
-        for &(offset, lower) in &self.body.cuts {
-            let ends = [
-                (lower, offset),
-                (self.body.upper(offset, lower).unwrap_or(lower), families.opposite(offset)),
-            ];
-            for (point, offset) in ends {
-                let plain = &families.sets[0];
-                let of = |w: f64, [a, b]: Cell| w * f64::from(a * a + b * b) / plain.q;
-                if families.set_of[point].is_some() {
-                    gone[point] += of(plain.weights[offset], families.offsets[offset]);
-                }
-            }
-        }
-        gone
-    }
-
-    fn thickness(&self) -> f64 {
-        match self.parameters.geometry {
-            Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness) => thickness,
-            Geometry::Axisymmetric => 1.0,
-        }
-    }
-
-    fn stiffness(&self) -> Mat<3, 3> {
-        self.parameters.stiffness()
-    }
-
-    fn strain_of(&self, [xx, yy, xy]: [f64; 3]) -> [f64; 3] {
-        let [[a, b, _], _, [_, _, shear]] = self.parameters.stiffness();
-        let determinant = a * a - b * b;
-        [(a * xx - b * yy) / determinant, (a * yy - b * xx) / determinant, xy / shear]
-    }
-
-    fn strain_with(&self, stress: [f64; 3], across: f64) -> [f64; 3] {
-        if !REVOLVED {
-            return self.strain_of(stress);
-        }
-        let StateParameters { youngs_modulus: e, poisson_ratio: nu, .. } = self.parameters;
-        let [xx, yy, xy] = stress;
-        let shear = self.parameters.shear_modulus();
-        [(xx - nu * (yy + across)) / e, (yy - nu * (xx + across)) / e, xy / shear]
-    }
-
-    fn stress_across(&self, [x, y, _]: [f64; 3]) -> f64 {
-        match self.parameters.geometry {
-            Geometry::PlaneStrain(_) => self.parameters.poisson_ratio * (x + y),
-            _ => 0.0,
-        }
-    }
-
-    fn is_revolved(&self) -> bool {
-        REVOLVED
-    }
-
-    fn hardly_compresses(&self) -> bool {
-        // Bulk over shear modulus: 33 multigrid iterations at ν = 0.49, a ratio of 50, more than 200 at ν = 0.4999.
-        const MOST: f64 = 60.0;
-        self.parameters.bulk_modulus() > MOST * self.parameters.shear_modulus()
-    }
-
-    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
-        let (parameters, body) = (&self.parameters, &self.body);
-        let real = Arc::new(body.real.coarser());
-        // The axis comes back by itself.
-        let mut mirrors = body.mirrors.coarser()?;
-        if REVOLVED {
-            mirrors.columns[0] = None;
-        }
-        let half = offsets(parameters);
-        let cut = |lattice: &SquareLattice| cuts(lattice, &half);
-        let coarse = Self::on_lattice(real, mirrors, *parameters, &|_, _| false, &cut);
-        coarse.ok()
-    }
-
-    fn fold(&self, force: &mut [f64]) {
-        self.body.fold(force);
-    }
-
-    fn parts(&self) -> NumberedParts {
-        self.connected()
-    }
-
-    fn fields(&self, u: &[f64]) -> PlaneFields {
-        self.body.fields(&self.parameters, u)
-    }
-
-    fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
-        let n = self.point_count();
-        let c = self.parameters.stiffness();
-        let t = &*t;
-        let stress = |p: usize| [0, 1, 2].map(|k| (0..3).map(|q| c[k][q] * t[q * n + p]).sum::<f64>());
-        self.body.add_stress_work(&self.parameters, points, &stress, force);
-    }
-
-    fn add_stress_load(
-        &self,
-        points: Option<&[usize]>,
-        stress_at: &(dyn Fn([f64; 2]) -> [f64; 3] + Sync),
-        force: &mut [f64],
-    ) {
-        let stress = |p: usize| stress_at(self.place(p));
-        self.body.add_stress_work(&self.parameters, points, &stress, force);
-        if !REVOLVED {
-            return;
-        }
-        // The stress across is that along x, with the volumes of the energies; of the divergence of a ring's stress S_xy/x is
-        // left.
-        let n = self.point_count();
-        let cell = cell_volume(&self.parameters, self.body.lattice.spacing());
-        let families = &self.body.families;
-        let mut add = |p: usize| {
-            if families.set_of[p].is_some() {
-                let ([xx, _, xy], x) = (stress(p), self.place(p)[0]);
-                force[p] += cell * families.energy[p] * xx / x;
-                force[n + p] += cell * families.volume[p] * xy / x;
-            }
-        };
-        match points {
-            Some(points) => points.iter().for_each(|&p| add(p)),
-            None => (0..n).for_each(add),
-        }
     }
 }
 
@@ -275,12 +111,15 @@ impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
     fn relations(&self) -> Vec<Equation> {
         let body = &self.body;
         let fit = |ghost: u32| body.fits.get(&body.lattice.cell(ghost as usize));
-        let images: Vec<u32> = body.ghosts.iter().copied().filter(|&ghost| fit(ghost).is_none()).collect();
+        let is_image = |ghost: u32| !body.mirrors.is_real(body.lattice.cell(ghost as usize));
+        let images: Vec<u32> = body.ghosts.iter().copied().filter(|&ghost| is_image(ghost)).collect();
         let mut of_images = body.mirrors.relations::<2>(&body.lattice, &images, |signs| signs).into_iter();
         let of = |&ghost: &u32| {
-            let Some(fit) = fit(ghost) else {
+            if is_image(ghost) {
                 return of_images.by_ref().take(2).collect::<Vec<_>>();
-            };
+            }
+            // A ghost without a fit has gone with the bonds of its points, and rests.
+            let fit = fit(ghost).map_or(&[][..], Vec::as_slice);
             let component = |component: usize| {
                 let mut terms = vec![(Unknown { component, point: ghost as usize }, 1.0)];
                 terms.extend(fit.iter().filter_map(|&(cell, share)| {

@@ -5,7 +5,7 @@
 
 use super::super::bond_plane::CentralBond;
 use crate::bonds::Mat;
-use crate::stiffness::{BlockMatrix, GridBonds, GridFamilies, Parts, Survey, TakeForces, Term};
+use crate::stiffness::{BlockMatrix, FamilyRows, GridBonds, GridFamilies, Parts, Survey, TakeForces, Term};
 use std::sync::Arc;
 
 /// Bonds and families.
@@ -30,6 +30,26 @@ impl StateTerm {
         self.families.is_some()
     }
 
+    /// The bonds.
+    pub(super) fn bonds(&self) -> Option<&Arc<GridBonds<2, 1, CentralBond>>> {
+        self.bonds.as_ref()
+    }
+
+    /// The families.
+    pub(super) fn families(&self) -> Option<&Arc<GridFamilies>> {
+        self.families.as_ref()
+    }
+
+    /// Removes bonds, by index of their offset and lower point, and gives points new rows.
+    pub(super) fn change(&mut self, bonds: &[(usize, usize)], rows: Vec<(usize, FamilyRows)>) {
+        if let Some(own) = &mut self.bonds {
+            Arc::make_mut(own).break_bonds(bonds.iter().copied());
+        }
+        if let Some(own) = &mut self.families {
+            Arc::make_mut(own).set_rows(rows);
+        }
+    }
+
     fn parts(&self) -> impl Iterator<Item = &dyn Term<2>> {
         let bonds = self.bonds.iter().map(|bonds| &**bonds as &dyn Term<2>);
         bonds.chain(self.families.iter().map(|families| &**families as &dyn Term<2>))
@@ -45,8 +65,9 @@ impl Term<2> for StateTerm {
         self.parts().map(Term::reach).max().unwrap_or(0)
     }
 
+    /// Families join what their bonds join.
     fn join(&self, parts: &mut Parts) {
-        self.parts().for_each(|part| part.join(parts));
+        self.bonds.iter().for_each(|bonds| bonds.join(parts));
     }
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {

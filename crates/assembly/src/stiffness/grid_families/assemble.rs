@@ -6,7 +6,7 @@ use crate::stiffness::BlockMatrix;
 use std::collections::BTreeMap;
 
 /// A member of a family and the rows `[ϑ, h]` of its unknowns.
-type Member = (usize, Mat<2, 2>);
+pub(super) type Member = (usize, Mat<2, 2>);
 
 impl GridFamilies {
     /// Members of the family of a point, itself among them.
@@ -29,7 +29,7 @@ impl GridFamilies {
     }
 
     /// Members of the families of a block and the rows of its mean `Σ V (ϑ + h)/Σ V`, and the volume of the block.
-    fn mean_members(&self, block: &[u32]) -> (Vec<(usize, [f64; 2])>, f64) {
+    pub(super) fn mean_members(&self, block: &[u32]) -> (Vec<(usize, [f64; 2])>, f64) {
         let whole: f64 = block.iter().map(|&k| self.family.volume[k as usize]).sum();
         let mut sums: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
         let mut members = Vec::new();
@@ -46,7 +46,7 @@ impl GridFamilies {
         (sums.into_iter().collect(), whole)
     }
 
-    fn for_each_family(&self, mut visit: impl FnMut(usize, &[Member])) {
+    pub(super) fn for_each_family(&self, mut visit: impl FnMut(usize, &[Member])) {
         let mut members = Vec::new();
         for stretch in &self.stretches {
             for k in 0..stretch.columns.len() {

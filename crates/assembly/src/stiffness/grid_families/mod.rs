@@ -12,9 +12,10 @@ mod evaluate;
 mod tests;
 
 use super::{BlockMatrix, Parts, Survey, Term};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, Run, SquareLattice};
 use crate::bonds::Mat;
 use blocks::Blocks;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -81,21 +82,54 @@ impl GridFamilies {
         Self { lattice, family, stretches, bands, blocks }
     }
 
-    /// Offsets of points that a family, or those of a block, can have in common, upwards or to the right.
-    fn couplings_by_step(&self) -> Vec<Cell> {
+    /// Gives some points rows of their own.
+    pub fn set_rows(&mut self, rows: impl IntoIterator<Item = (usize, FamilyRows)>) {
+        for (point, rows) in rows {
+            self.family.set_of[point] = Some(self.family.sets.len() as u32);
+            self.family.sets.push(rows);
+        }
+        self.stretches = stretches(&self.lattice, &self.family.set_of);
+        let reach = self.family.steps.iter().flat_map(|s| s.map(i32::abs)).max().unwrap_or(0);
+        self.bands = bands(&self.lattice, &self.stretches, reach);
+    }
+
+    /// The same with an energy of the other sign: with what was before a change it makes what the change took.
+    #[must_use]
+    pub fn negated(mut self) -> Self {
+        self.family.modulus.iter_mut().flatten().for_each(|c| *c = -*c);
+        self.family.mean_modulus = -self.family.mean_modulus;
+        self
+    }
+
+    /// Offsets of points that a family can have in common, upwards or to the right, each with the offsets of both from the
+    /// point of the family.
+    fn shared_steps(&self) -> BTreeMap<Cell, Vec<[Cell; 2]>> {
         let members = || std::iter::once([0, 0]).chain(self.family.steps.iter().copied());
-        let near: &[Cell] = match self.blocks {
-            Some(_) => &[[0, 0], [1, 0], [0, 1], [1, 1], [-1, 1], [-1, 0], [0, -1], [-1, -1], [1, -1]],
-            None => &[[0, 0]],
+        let mut shared: BTreeMap<Cell, Vec<[Cell; 2]>> = BTreeMap::new();
+        for a in members() {
+            for b in members() {
+                let step = [b[0] - a[0], b[1] - a[1]];
+                if step[1] > 0 || (step[1] == 0 && step[0] > 0) {
+                    shared.entry(step).or_default().push([a, b]);
+                }
+            }
+        }
+        // Families in the middle of both are the most likely ones.
+        let far = |[a, b]: &[Cell; 2]| a.iter().chain(b).map(|k| k * k).sum::<i32>();
+        shared.values_mut().for_each(|pairs| pairs.sort_by_key(far));
+        shared
+    }
+
+    /// Whether the family of a cell measures the point at an offset from it.
+    fn has_member(&self, [column, row]: Cell, offset: Cell) -> bool {
+        let Some(set) = self.lattice.number([column, row]).and_then(|p| self.family.set_of[p]) else {
+            return false;
         };
-        let mut steps: Vec<Cell> = members()
-            .flat_map(|a| members().map(move |b| [b[0] - a[0], b[1] - a[1]]))
-            .flat_map(|d| near.iter().map(move |n| [d[0] + n[0], d[1] + n[1]]))
-            .filter(|&[a, b]| b > 0 || (b == 0 && a > 0))
-            .collect();
-        steps.sort_unstable();
-        steps.dedup();
-        steps
+        // A point without neighbours measures nothing, itself neither.
+        let rows = &self.family.sets[set as usize];
+        let measured =
+            |(step, row): (&Cell, &[f64; 2])| *row != [0.0; 2] && (offset == [0, 0] || *step == offset);
+        self.family.steps.iter().zip(rows).any(measured)
     }
 }
 
@@ -147,30 +181,46 @@ fn bands(lattice: &SquareLattice, stretches: &[Stretch], reach: i32) -> Vec<Band
 
 impl Term<2> for GridFamilies {
     fn couplings(&self, visit: &mut dyn FnMut(usize, usize)) {
-        for step in self.couplings_by_step() {
+        for (step, pairs) in self.shared_steps() {
             for run in self.lattice.runs() {
                 self.lattice.shifted(run.row, &run.columns, step, |columns, other| {
-                    let first = run.number(columns.start);
-                    (0..columns.len()).for_each(|k| visit(first + k, other + k));
+                    for (k, column) in columns.clone().enumerate() {
+                        let shared = pairs.iter().any(|&[a, b]| {
+                            let family = [column - a[0], run.row - a[1]];
+                            self.has_member(family, a) && self.has_member(family, b)
+                        });
+                        if shared {
+                            visit(run.number(column), other + k);
+                        }
+                    }
                 });
+            }
+        }
+        for block in self.blocks.iter().flat_map(Blocks::iter) {
+            let (members, _) = self.mean_members(block);
+            for (k, (i, _)) in members.iter().enumerate() {
+                members[k + 1..].iter().for_each(|(j, _)| visit(*i, *j));
             }
         }
     }
 
+    /// Members of two families that share a point, or a block, are at most so far apart.
     fn reach(&self) -> usize {
-        let mut reach = 0;
-        for step in self.couplings_by_step() {
-            for run in self.lattice.runs() {
-                self.lattice.shifted(run.row, &run.columns, step, |columns, other| {
-                    reach = reach.max(other - run.number(columns.start));
-                });
-            }
-        }
-        reach
+        let most = self.family.steps.iter().flat_map(|s| s.map(i32::abs)).max().unwrap_or(0);
+        let rows = 2 * most + i32::from(self.blocks.is_some());
+        let runs = self.lattice.runs();
+        let reach = |run: &Run| {
+            let behind = runs.partition_point(|r| r.row <= run.row + rows);
+            runs[behind - 1].points().end - run.first
+        };
+        runs.iter().map(reach).max().unwrap_or(0)
     }
 
-    /// Families join what their bonds join.
-    fn join(&self, _: &mut Parts) {}
+    fn join(&self, parts: &mut Parts) {
+        self.for_each_family(|point, members| {
+            members.iter().for_each(|(member, _)| parts.join(point, *member))
+        });
+    }
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
         let [theta, hoop] = self.measures(u);

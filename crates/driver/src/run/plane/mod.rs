@@ -91,7 +91,8 @@ pub fn run_breaking(
     match &scene.model {
         AnyPlaneModel::Central(model) => break_model::<2, _>(scene, model, options, resume, sink),
         AnyPlaneModel::Beams(model) => break_model::<3, _>(scene, model, options, resume, sink),
-        AnyPlaneModel::State(_) | AnyPlaneModel::Revolved(_) => Err(RunError::NotResumable),
+        AnyPlaneModel::State(model) => break_model::<2, _>(scene, model, options, resume, sink),
+        AnyPlaneModel::Revolved(model) => break_model::<2, _>(scene, model, options, resume, sink),
     }
 }
 

@@ -30,10 +30,9 @@ pub(super) fn critical(
         }
         PlaneBonds::Beams(parameters) => of_beams(fracture, &parameters, context, path, faults),
         PlaneBonds::State(_) => {
-            faults
-                .error(root("fracture"), format!("bodies of `{}` do not break", context.recipe.bonds.name()))
-                .hint("use `bond_plane`, or remove `fracture`");
-            None
+            let stretch = of_families(fracture, path, faults)?;
+            let offsets = context.recipe.bonds.offsets().map_or(1, |offsets| offsets.len());
+            Some((CriticalStretch(vec![stretch; offsets]), Vec::new()))
         }
     }
 }
@@ -96,6 +95,26 @@ fn of_central(
             found.map_err(|error| model::refuse(&error.into(), context.ground.case, faults)).ok()
         }
     }
+}
+
+fn of_families(fracture: &Fracture, path: &JsonPath, faults: &mut Faults) -> Option<f64> {
+    let given = &fracture.critical;
+    let others = [
+        ("energy_release_rate", given.energy_release_rate),
+        ("fibre_stretch", given.fibre_stretch),
+        ("matrix_stretch", given.matrix_stretch),
+        ("fibre_energy_release_rate", given.fibre_energy_release_rate),
+        ("matrix_energy_release_rate", given.matrix_energy_release_rate),
+        ("curvature", given.curvature),
+        ("shear_strain", given.shear_strain),
+    ];
+    foreign(
+        &others,
+        "bonds of families break by `stretch`: they share the energy of their points",
+        path,
+        faults,
+    );
+    needed(given.stretch, "stretch", path, faults)
 }
 
 fn of_beams(

@@ -9,7 +9,7 @@ use super::model::Recipe;
 use crate::case::{Case, CrackDirection, FieldName, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::fracture::FACTS;
-use peristat_assembly::model::plane::CriticalStretch;
+use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
 
 /// How a body in the plane breaks.
 #[derive(Clone, Debug)]
@@ -40,6 +40,7 @@ fn general_facts(fibres: &[bool]) -> Vec<String> {
 pub(super) struct Context<'a> {
     pub(super) ground: &'a Ground<'a>,
     pub(super) recipe: &'a Recipe,
+    pub(super) model: &'a dyn PlaneModel,
     pub(super) conditions: &'a Conditions,
     pub(super) probes: &'a [&'a str],
 }
@@ -56,10 +57,10 @@ pub(super) fn resolve(
         // It is refused already; images have numbers of their own.
         return None;
     }
-    let mut exempt = vec![false; context.ground.body.points()];
+    let mut exempt = vec![false; context.model.point_count()];
     for (k, name) in fracture.no_fail.iter().enumerate() {
         let points = context.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();
-        points.iter().for_each(|&p| exempt[p as usize] = true);
+        points.iter().for_each(|&p| exempt[context.recipe.number(context.model, p) as usize] = true);
     }
     let conditions = context.conditions;
     let held = conditions.holds.iter().flat_map(|h| &h.points);

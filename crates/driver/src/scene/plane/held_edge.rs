@@ -85,7 +85,7 @@ mod tests {
     use peristat_assembly::model::bond_plane::{
         Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
     };
-    use peristat_assembly::model::plane::Calibration;
+    use peristat_assembly::model::plane::{Calibration, Edges};
 
     fn bonds(horizon_ratio: f64) -> PlaneBonds {
         PlaneBonds::Central(PlaneParameters {

@@ -255,8 +255,13 @@ impl PlaneScene {
             position: None,
         }));
         let mut names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
-        let context =
-            fracture::Context { ground: &ground, recipe: &recipe, conditions: &conditions, probes: &names };
+        let context = fracture::Context {
+            ground: &ground,
+            recipe: &recipe,
+            model: &*built,
+            conditions: &conditions,
+            probes: &names,
+        };
         let breaks = traced.0.as_mut().and_then(|f| fracture::resolve(f, &context, faults));
         let context =
             path::Context { ground: &ground, recipe: &recipe, conditions: &conditions, probes: &names };

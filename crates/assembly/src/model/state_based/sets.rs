@@ -1,0 +1,133 @@
+//! The weights of one family, by where its point is and which of its neighbours are there.
+
+use super::super::bond_plane::Influence;
+use super::super::plane::length;
+use super::axis_table::AxisTable;
+use super::moments::{correct, weighted_volume};
+use super::weights::Set;
+use super::{Axis, Measure, StateEdges, StateError, StateParameters};
+use crate::body::{Cell, SquareLattice};
+use std::f64::consts::TAU;
+
+/// What all families are made of.
+pub(super) struct Maker<'a> {
+    parameters: &'a StateParameters,
+    lattice: &'a SquareLattice,
+    offsets: &'a [Cell],
+    /// Influence by offset.
+    influence: Vec<f64>,
+    table: Option<AxisTable>,
+    /// Radius of the left side of column 0, spacings.
+    corner: f64,
+}
+
+impl<'a> Maker<'a> {
+    pub(super) fn new(
+        parameters: &'a StateParameters,
+        lattice: &'a SquareLattice,
+        offsets: &'a [Cell],
+        has_axis: bool,
+    ) -> Result<Self, StateError> {
+        let m = parameters.horizon_ratio;
+        let influence: Vec<f64> =
+            offsets.iter().map(|&o| Influence::at(parameters.influence, length(o) / m)).collect();
+        let corner = lattice.corner()[0] / lattice.spacing();
+        let mut maker = Self { parameters, lattice, offsets, influence, table: None, corner };
+        if has_axis && parameters.axis == Axis::Table {
+            if parameters.edges != StateEdges::Ghosts || parameters.measure != Measure::Section {
+                return Err(StateError::AxisNeedsGhosts);
+            }
+            let plain = maker.plain();
+            let table = AxisTable::new(offsets, &plain.weights, plain.q);
+            maker.table = Some(table.ok_or(StateError::NegativeAxis)?);
+        }
+        Ok(maker)
+    }
+
+    /// Radius of a column, spacings.
+    fn radius(&self, column: i32) -> f64 {
+        self.corner + f64::from(column) + 0.5
+    }
+
+    /// Column of the axis table that a point is in.
+    fn table_column(&self, column: i32) -> Option<(usize, &AxisTable)> {
+        let table = self.table.as_ref()?;
+        let ring = self.radius(column).floor() as usize;
+        (ring < table.radii.len()).then_some((ring, table))
+    }
+
+    /// What points have in common that share their weights: a class of columns, zero for all where the column does not
+    /// matter, and which neighbours are there.
+    pub(super) fn key(&self, point: usize) -> (i32, Vec<bool>) {
+        let [column, row] = self.lattice.cell(point);
+        let class = match (self.parameters.measure, self.table_column(column)) {
+            (Measure::Published, _) | (_, Some(_)) => 1 + self.radius(column).floor() as i32,
+            _ => 0,
+        };
+        let present = |o: &Cell| self.lattice.number([column + o[0], row + o[1]]).is_some();
+        (class, self.offsets.iter().map(present).collect())
+    }
+
+    fn corrects(&self) -> bool {
+        !matches!(self.parameters.edges, StateEdges::Calibrated | StateEdges::None)
+    }
+
+    /// The family that has all neighbours, far from the axis.
+    pub(super) fn plain(&self) -> Set {
+        let mut weights = self.influence.clone();
+        let mut q = weighted_volume(self.offsets, &weights);
+        if self.corrects() {
+            correct(self.offsets, &mut weights, q);
+        }
+        if self.parameters.edges == StateEdges::None {
+            q = self.continuum();
+        }
+        Set { weights, q }
+    }
+
+    /// `∫ ω ξ² dA` over the disc of the horizon.
+    fn continuum(&self) -> f64 {
+        TAU * self.parameters.horizon_ratio.powi(4) * self.parameters.influence.third_moment()
+    }
+
+    pub(super) fn set(&self, (class, present): &(i32, Vec<bool>)) -> Set {
+        if let Some((ring, table)) =
+            self.table.as_ref().filter(|_| *class > 0).map(|table| ((class - 1) as usize, table))
+        {
+            let plain = self.plain();
+            return Set { weights: table.weights[ring].clone(), q: plain.q };
+        }
+        let own = f64::from(*class) - 0.5;
+        let mut weights = self.influence.clone();
+        for (k, w) in weights.iter_mut().enumerate() {
+            if !present[k] {
+                *w = 0.0;
+            }
+            if self.parameters.measure == Measure::Published {
+                // A ring across the axis has the volume of its image.
+                *w *= (own + f64::from(self.offsets[k][0])).abs() / own;
+            }
+        }
+        let mut q = weighted_volume(self.offsets, &weights);
+        if self.corrects() {
+            correct(self.offsets, &mut weights, q);
+        }
+        if self.parameters.edges == StateEdges::None {
+            q = self.continuum();
+        }
+        Set { weights, q }
+    }
+
+    /// Volume of a point, or that of its energy.
+    pub(super) fn volume(&self, point: usize, of_energy: bool) -> f64 {
+        let part = self.lattice.fraction(point);
+        if !self.parameters.is_axisymmetric() {
+            return part;
+        }
+        let column = self.lattice.cell(point)[0];
+        match self.table_column(column) {
+            Some((ring, table)) if of_energy => part * table.radii[ring],
+            _ => part * self.radius(column),
+        }
+    }
+}
