@@ -151,7 +151,7 @@ fn a_brittle_specimen_snaps_back() {
     let traced = follow(&specimen(BRITTLE, 5, 2.0, &json!({}), &json!({})));
     assert_eq!(traced.report.control, peristat::case::PathControl::Event);
     near(traced.peak().load, 14240.8, 1e-3);
-    // 86 found, 83 in the prototype, which stops earlier.
+    // 86 found, 83 in an independent Python implementation, which stops earlier.
     assert!(traced.fact("snap_back_steps") > 50.0);
     // 3e-13 found.
     assert!(traced.fact("energy_balance") < 1e-6);

@@ -1,7 +1,7 @@
-//! Specimens of crack tests: what they consist of, their compliances and stress intensities against the prototypes of
-//! theory/ductile.md and handbooks.
+//! Specimens of crack tests: what they consist of, their compliances and stress intensities against independent Python
+//! implementations and handbooks.
 //!
-//! Numbers of the acceptance table (A8 ...) are those of the prototypes, which assemble and factorise by themselves.
+//! The implementations assemble and factorise by themselves.
 
 use crate::support::handbook;
 use crate::support::plane::{displacements, refusal, scene};
@@ -15,7 +15,7 @@ const STIFFNESS: f64 = 73_100.0 / (1.0 - 1.0 / 16.0);
 const WIDTH: f64 = 50.0;
 const THICKNESS: f64 = 25.0;
 
-/// A case of published bonds with ramps and nothing done about edges, as the prototypes have them.
+/// A case of published bonds with ramps and nothing done about edges, as the implementations have them.
 fn case(kind: &str, body: Value) -> Value {
     json!({
         "title": kind,
@@ -27,7 +27,7 @@ fn case(kind: &str, body: Value) -> Value {
     })
 }
 
-/// A compact tension specimen of ductile.md section 2.1.
+/// A compact tension specimen.
 fn compact_tension(cells: usize, crack_length: f64, bearing: f64) -> Value {
     let body = json!({ "width": WIDTH, "crack_length": crack_length, "cells": cells, "opening": 1.0, "bearing": bearing });
     let mut case = case("compact_tension", body);
@@ -58,9 +58,9 @@ fn compliances(case: &Value) -> [f64; 3] {
     [unit * mouth, unit * line, 1.0 / force]
 }
 
-/// Whether a number is that of the prototype, which is given with four digits, to 1e-3.
+/// Whether a number is that of the implementation, which is given with four digits, to 1e-3.
 fn same(found: f64, expected: f64, what: &str) {
-    assert!((found / expected - 1.0).abs() < 1e-3, "{what}: {found}, prototype {expected}");
+    assert!((found / expected - 1.0).abs() < 1e-3, "{what}: {found}, independently {expected}");
 }
 
 /// Whether a number is near that of a handbook, by a known error that is a little less than the tolerance.
@@ -83,7 +83,7 @@ fn bonds_outside_pins(scene: &PlaneScene) -> usize {
 }
 
 #[test]
-fn a_compact_tension_specimen_has_the_points_bonds_and_unknowns_of_the_prototype() {
+fn a_compact_tension_specimen_has_the_points_bonds_and_unknowns_of_an_independent_implementation() {
     // A8.
     let expected = [
         (5, [600, 9290, 380, 1130]),
@@ -146,7 +146,7 @@ fn a_specimen_is_the_rectangle_that_it_stands_for() {
 }
 
 #[test]
-fn glued_pins_have_the_compliance_of_the_prototype() {
+fn glued_pins_have_the_compliance_of_an_independent_implementation() {
     // A9.
     let [_, line, _] = compliances(&compact_tension(20, 25.0, 180.0));
     same(line, 36.63, "opening on the load line");
@@ -156,7 +156,7 @@ fn glued_pins_have_the_compliance_of_the_prototype() {
 
 #[test]
 fn growth_of_the_crack_releases_the_energy_of_the_handbook() {
-    // A9, and the calibration table of ductile.md section 4: f at a/W from the compliances at a - W/20 and a + W/20.
+    // f at a/W from the compliances at a - W/20 and a + W/20.
     let lengths = [20.0, 22.5, 25.0, 27.5, 30.0];
     let pins = lengths.map(|a| compliances(&compact_tension(20, a, 180.0))[2]);
     // Errors against the handbook, averaged over the same interval, in per cent.
@@ -187,7 +187,7 @@ fn bearing_pins_open_the_mouth_as_far_as_the_handbook_says() {
 
 #[test]
 fn a_clamped_region_is_wrong_by_more_than_half_and_warned_of() {
-    // A10; ductile.md section 2.4 has 15.31 and 13.77, -72 % and -63 %.
+    // The implementation has 15.31 and 13.77, -72 % and -63 %.
     let mut case = compact_tension(20, 25.0, 180.0);
     let clamped = |region: &str, uy: f64| json!({ "region": region, "ux": 0.0, "uy": uy, "phi": 0.0 });
     case["body"] = json!({ "rectangle": { "from": [-12.5, -30], "size": [62.5, 60], "spacing": 0.625 } });
@@ -233,7 +233,7 @@ fn bonds_beside_a_bearing_are_no_damage() {
 }
 
 #[test]
-fn a_centre_cracked_panel_has_the_stress_intensity_of_the_prototype() {
+fn a_centre_cracked_panel_has_the_stress_intensity_of_an_independent_implementation() {
     // A20: 80 × 240, a = 20, a traction of 1 MPa spread over a horizon of both ends.
     let body = json!({ "width": 80.0, "height": 240.0, "crack_length": 40.0, "cells": 80 });
     let mut case = case("centre_cracked_panel", body);

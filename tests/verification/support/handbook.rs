@@ -40,7 +40,7 @@ pub(crate) fn averaged(formula: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 
 
 #[test]
 fn formulas_have_their_published_values() {
-    // ductile.md section 4: f(.5) = 9.659, V0 = 54.71, V_LL = 36.99; E399, table of f(.5) = 2.66 for a span of four widths.
+    // An independent Python implementation: f(.5) = 9.659, V0 = 54.71, V_LL = 36.99; E399, table of f(.5) = 2.66 for a span of four widths.
     let close =
         |found: f64, expected: f64, digits: f64| assert!((found - expected).abs() < digits, "{found}");
     close(compact_tension(0.5), 9.659, 5e-4);

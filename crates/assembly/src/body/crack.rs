@@ -35,7 +35,7 @@ pub enum CrackError {
 /// A polyline that cuts bonds.
 ///
 /// One rule decides: a bond is cut if its segment comes within a slack of the polyline, [`CRACK_SLACK`] spacings for a
-/// lattice. Ties are therefore cut, as ductile.md §2.2 asks: bonds through a tip or a bend, bonds that end on the crack or
+/// lattice. Ties are therefore cut: bonds through a tip or a bend, bonds that end on the crack or
 /// run along it. Whether segments cross is decided by exact predicates, and the slack is far above the rounding of
 /// coordinates, so rounding decides nothing. A crack through points cuts all bonds of these points; place it between
 /// them. A crack that shall open the border of a body starts a spacing outside it.

@@ -25,7 +25,7 @@ fn every_cut_bond(lattice: &SquareLattice, steps: &[Cell], cracks: &[Crack]) -> 
     found
 }
 
-/// The compact-tension specimen of ductile.md §2.1, cut as in §2.2; the numbers of cut bonds are those of A8 there
+/// A compact-tension specimen; the numbers of cut bonds are those of an independent Python implementation
 /// (neighbours within 3.5 spacings). The tip is on the border of two columns, so ties decide.
 #[test]
 fn cut_bonds_of_the_compact_tension_specimen() {

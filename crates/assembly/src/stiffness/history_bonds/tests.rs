@@ -70,7 +70,7 @@ fn branch(law: &Bilinear, history: &crate::law::History, stretch: f64) -> usize 
 }
 
 /// Single bonds in any direction, turned by up to 0.3 rad, after up to four random commits. The step is 1e-6 of a length of
-/// about one; the prototype of theory/ductile.md, t_finite.py, found 2e-8 of the peak force and 5e-10 of the stiffness.
+/// about one; an independent Python implementation found 2e-8 of the peak force and 5e-10 of the stiffness.
 #[test]
 fn forces_are_the_gradient_of_the_potential_and_blocks_that_of_the_forces() {
     const STEP: f64 = 1e-6;

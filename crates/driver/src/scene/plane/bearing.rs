@@ -1,7 +1,7 @@
 //! Rigid regions that bear on the rest of the body like pins in their holes: in some directions only.
 //!
 //! A pin in contact presses on one side of its hole. Glued all around, it makes a crack specimen too stiff at its mouth; the
-//! bonds behind it and beside it are therefore cut, as ductile.md §2.4 asks.
+//! bonds behind it and beside it are therefore cut.
 
 use super::conditions::RigidPoints;
 use super::root;

@@ -1,7 +1,7 @@
 //! Doubts about what keeps a part of a cracked body from turning.
 //!
 //! The parts beside a crack turn as it opens. A region whose points all have the same prescribed displacement cannot, and
-//! carries a moment: a compact tension specimen is then 60 to 70 % too stiff, ductile.md §2.4. Grips
+//! carries a moment: a compact tension specimen is then 60 to 70 % too stiff. Grips
 //! across a whole body turn in no test, so they are left alone.
 
 use super::{PlaneScene, root};

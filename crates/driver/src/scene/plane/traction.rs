@@ -1,7 +1,7 @@
 //! Tractions on borders of a body in the plane.
 //!
 //! `consistent`: with a smooth stress S that has the traction `t = S n` on its edge, `∫ t·v = ∫ S : ε(v) + ∫ div S·v` for
-//! every displacement v, with the strains that bonds measure (axisymmetric.md §2.1 without hoop). Where the tractions of
+//! every displacement v, with the strains that bonds measure. Where the tractions of
 //! all edges are those of one stress, S is that stress everywhere and its linear displacement is the solution to
 //! rounding; else S fades from the edge inwards. What S does on other borders is taken back there.
 //! `lumped`: the force of every stretch of the border goes to the nearest point. Force and moment are exact either way.

@@ -29,7 +29,7 @@ fn moduli(parameters: &PlaneParameters) -> [[f64; 3]; 3] {
 
 #[test]
 fn published_constants_are_those_of_the_table() {
-    // A1 and A2 of theory/ductile.md: E = 73100, t = 25, δ = 3.75.
+    // An independent Python implementation: E = 73100, t = 25, δ = 3.75.
     for (state, c) in [(PlaneState::Strain, 169.435_702), (PlaneState::Stress, 158.845_970)] {
         let mut parameters = parameters(3.0, MM_MPA);
         parameters.material.state = state;
@@ -40,7 +40,7 @@ fn published_constants_are_those_of_the_table() {
 
 #[test]
 fn lattice_moduli_are_those_of_the_table() {
-    // theory/ductile.md §2.3: C11 and C12 per those of the continuum, anisotropy, equal stretch.
+    // An independent Python implementation: C11 and C12 per those of the continuum, anisotropy, equal stretch.
     let table = [
         (VolumeFactor::Full, 3.0, [1.0528, 1.0051, 1.0711, 1.0409]),
         (VolumeFactor::Full, 4.0, [0.9743, 0.9266, 1.0772, 0.9624]),

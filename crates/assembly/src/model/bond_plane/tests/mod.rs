@@ -2,10 +2,10 @@
 
 mod bodies;
 mod cloud;
+mod implementations;
 mod lattice;
 mod mirrors;
 mod patch;
 mod periodic;
 mod properties;
-mod prototypes;
 mod softening;

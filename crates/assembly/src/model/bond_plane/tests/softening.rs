@@ -8,7 +8,7 @@ use crate::model::plane::{Calibration, Edges, PlaneModel, toughness};
 use crate::stiffness::{HistoryBonds, Kinematics};
 use std::f64::consts::PI;
 
-/// σ_y and G_c of the aluminium called 2024-like in theory/ductile.md, with its E = 73100 and t = 25: MPa and N/mm.
+/// σ_y and G_c of the aluminium that is like 2024, with its E = 73100 and t = 25: MPa and N/mm.
 const YIELD_STRESS: f64 = 325.0;
 const RELEASE_RATE: f64 = 16.621_067;
 const HORIZON: f64 = 3.75;
@@ -21,7 +21,7 @@ fn published(state: PlaneState) -> PlaneParameters {
 
 #[test]
 fn stretches_are_those_of_the_table() {
-    // A1 and A2 of theory/ductile.md; d_max = δ s_f/s_y is given to six digits, in plane stress it is π E G_c/σ_y².
+    // An independent Python implementation; d_max = δ s_f/s_y is given to six digits, in plane stress it is π E G_c/σ_y².
     let table = [
         (PlaneState::Strain, [2.778_727_77e-3, 8.908_907_37e-3, 2.856_293_86e-2], 38.5468),
         (
@@ -52,7 +52,7 @@ fn stretches_are_those_of_the_table() {
 
 #[test]
 fn bonds_that_all_yield_bear_the_yield_stress() {
-    // Stress of a lattice in equal stretch s_y: (C11 + C12) s_y, 1.0201 of σ_y here by theory/ductile.md §2.3.
+    // Stress of a lattice in equal stretch s_y: (C11 + C12) s_y, 1.0201 of σ_y here by an independent Python implementation.
     for state in [PlaneState::Strain, PlaneState::Stress] {
         let parameters = published(state);
         let stretch = yield_stretch(YIELD_STRESS, &parameters.material);
@@ -71,7 +71,7 @@ fn bonds_that_all_yield_bear_the_yield_stress() {
 
 #[test]
 fn cracks_through_a_lattice_take_the_energies_of_the_table() {
-    // A6 of theory/ductile.md: bonds with the published stretch take 1.0342 of G_c along rows, 1.0498 at 45 degrees.
+    // An independent Python implementation: bonds with the published stretch take 1.0342 of G_c along rows, 1.0498 at 45 degrees.
     for (state, scale) in [(PlaneState::Strain, 1.0), (PlaneState::Stress, 0.04)] {
         for (m, factor, expected) in [
             (3.0, VolumeFactor::Ramp, [1.0342, 1.0498]),

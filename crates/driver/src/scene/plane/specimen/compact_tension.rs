@@ -1,4 +1,4 @@
-//! The compact tension specimen, ASTM E399, as ductile.md §2 has it.
+//! The compact tension specimen, ASTM E399.
 
 use super::super::super::words::tidy;
 use super::Parts;

@@ -1,4 +1,4 @@
-//! Numbers of independent programs: theory/prototypes/ductile/pd2d.py and orthotropic/overlay.py with b = 0, NumPy 2.4.
+//! Numbers of independent Python implementations.
 
 use super::super::*;
 use super::bodies::*;
@@ -14,8 +14,8 @@ fn energy_of(calibration: Calibration, volume_factor: VolumeFactor, edges: Edges
 }
 
 #[test]
-fn published_bodies_have_the_energies_of_the_prototype() {
-    // `Body(X, 1, 3, 25, beta)`, `surface(kind, c, 73100, "stress")`, then ½ Σ c ω/ξ e². The prototype takes the full
+fn published_bodies_have_the_energies_of_an_independent_implementation() {
+    // `Body(X, 1, 3, 25, beta)`, `surface(kind, c, 73100, "stress")`, then ½ Σ c ω/ξ e². That implementation takes the full
     // volume of a family with ramp factors whatever the others are, so `volume` compares with `ramp` alone.
     let table = [
         (VolumeFactor::Full, Edges::None, 20_628_760.733_085_558),
@@ -35,7 +35,7 @@ fn published_bodies_have_the_energies_of_the_prototype() {
 }
 
 #[test]
-fn the_overlay_has_the_energy_of_the_prototype() {
+fn the_overlay_has_the_energy_of_an_independent_implementation() {
     // Deficits and quadrants as in overlay.py, summed over the same body with the weights below.
     let (found, plane) = energy_of(Calibration::Matched, VolumeFactor::Full, Edges::Overlay);
     assert!((found / 43_572_085.342_460_43 - 1.0).abs() < 1e-12, "{found}");
@@ -43,7 +43,7 @@ fn the_overlay_has_the_energy_of_the_prototype() {
 }
 
 #[test]
-fn matched_weights_are_those_of_the_prototype() {
+fn matched_weights_are_those_of_an_independent_implementation() {
     // `project` of orthotropic/pdortho.py without transverse stiffness, E = 1, plane stress.
     type Expected<'a> = &'a [(Cell, f64)];
     let table: [(f64, Influence, Expected); 4] = [
