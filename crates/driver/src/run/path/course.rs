@@ -22,7 +22,6 @@ pub(super) struct Course<const D: usize> {
     /// Force that residuals are measured with: what bonds do at points in an elastic step of the largest increment.
     pub(super) reference: f64,
     pub(super) points: Vec<PathPoint>,
-    pub(super) parts: usize,
     pub(super) island_points: usize,
     work: Sum,
     inner_work: Sum,
@@ -61,14 +60,12 @@ impl<const D: usize> Course<D> {
         }
         body.system.constraints().rows().iter().for_each(|row| sizes[row.unknown] = 0.0);
         let reference = norm(&sizes);
-        let parts = body.bonds.connected().numbered().spans().len();
         Ok(Self {
             body,
             state,
             elastic,
             unit,
             reference,
-            parts,
             points: Vec::new(),
             island_points: 0,
             work: Sum::default(),
@@ -190,6 +187,5 @@ impl<const D: usize> Course<D> {
         self.island_points = loose.len();
         body.masked = loose.iter().flat_map(|&p| (0..D).map(move |c| c * points + p)).collect();
         body.masked.sort_unstable();
-        self.parts = parts.spans().len();
     }
 }

@@ -25,7 +25,7 @@ const STILL: f64 = 1e-10;
 
 /// Tracing of events.
 pub(super) struct Events<const D: usize> {
-    pub(super) tangent: Tangent<D>,
+    tangent: Tangent<D>,
     /// Where every bond is on its law.
     at: Vec<At>,
     /// Bonds that are at a limit.

@@ -87,8 +87,7 @@ pub(super) fn report<const D: usize>(
     record: f64,
 ) -> RunReport {
     let warnings = warnings(&course, scene);
-    let mut counters = course.body.counters.clone();
-    counters.stored_bond_factors = 8;
+    let counters = course.body.counters.clone();
     let timing = Timing { record, ..course.body.timing.clone() };
     let solver = SolverReport {
         method: "sparse_cholesky".into(),
