@@ -5,6 +5,7 @@ pub mod bond_plane;
 mod breaking;
 pub mod plane;
 pub mod state_based;
+pub mod shell_membrane;
 pub mod timoshenko_beam;
 
 pub use breaking::Breakable;

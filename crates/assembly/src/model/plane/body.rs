@@ -211,7 +211,7 @@ fn with_neighbours<const M: usize>(
 
 /// Factors of bonds across lines of symmetry, ½, and beyond them, 0. Across a joined side a bond has a copy across the other
 /// one, and each is half of it.
-fn halved<const M: usize>(
+pub(in super::super) fn halved<const M: usize>(
     lattice: &SquareLattice,
     mirrors: &Mirrors,
     hood: &Neighbourhood<M>,

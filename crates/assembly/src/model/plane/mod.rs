@@ -20,7 +20,8 @@ pub use fields::PlaneFields;
 pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
 
-pub(super) use body::{Kind, LatticeBody};
+pub(super) use body::{Kind, LatticeBody, halved};
+pub(super) use near::{at, near_points};
 pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{energy_factor, strain_rows, volume_factor};
 pub(super) use fields::add_work_of_triangles;

@@ -1,0 +1,150 @@
+//! Bodies of shell membranes.
+
+use super::super::plane::{Mirrors, at, halved, near_points};
+use super::family::{ShellFamilies, offsets, steps};
+use super::{Curvature, ShellBond, ShellError, ShellParameters};
+use crate::body::{Cell, SquareLattice};
+use crate::stiffness::{Exception, GridBonds, Offset};
+use std::sync::Arc;
+
+/// The membrane of a cylinder, developed: x along the axis, y along the circumference.
+#[derive(Clone, Debug)]
+pub struct ShellMembrane {
+    pub(super) parameters: ShellParameters,
+    pub(super) lattice: Arc<SquareLattice>,
+    pub(super) mirrors: Mirrors,
+    /// Images of real points.
+    pub(super) ghosts: Vec<u32>,
+    pub(super) families: Arc<ShellFamilies>,
+    /// Bonds as their energy counts: half across a line of symmetry or a joined side, not beyond it.
+    pub(super) bonds: Arc<GridBonds<3, 1, ShellBond>>,
+    pub(super) curvature: Option<Arc<Curvature>>,
+    /// Radius with which joined sides meet: that of the parameters but for the rounding of a circumference.
+    pub(super) closed_radius: f64,
+}
+
+/// How far the arc of a tube may be from its circumference, relative.
+const ROUNDED: f64 = 1e-3;
+
+impl ShellMembrane {
+    /// One of each pair of opposite offsets to the neighbours of a point.
+    ///
+    /// # Errors
+    /// [`ShellError::ShortHorizon`].
+    pub fn offsets(parameters: &ShellParameters) -> Result<Vec<Cell>, ShellError> {
+        let horizon_ratio = parameters.horizon_ratio;
+        if horizon_ratio < 2.0 - 1e-9 {
+            return Err(ShellError::ShortHorizon { horizon_ratio });
+        }
+        Ok(steps(horizon_ratio))
+    }
+
+    /// Rows or columns of images that a lattice needs beyond a line of symmetry or a joined side.
+    ///
+    /// # Errors
+    /// As [`offsets`](Self::offsets).
+    pub fn depth(parameters: &ShellParameters) -> Result<i32, ShellError> {
+        Ok(Self::offsets(parameters)?.into_iter().flatten().map(i32::abs).max().unwrap_or(0))
+    }
+
+    /// Whether an arc, m, with joined ends is a whole part `1/n` of the circumference, or its rounding; the number n.
+    pub fn parts_of_circumference(radius: f64, arc: f64) -> Option<f64> {
+        let whole = std::f64::consts::TAU * radius;
+        let parts = (whole / arc).round();
+        (parts >= 1.0 && (parts * arc / whole - 1.0).abs() <= ROUNDED).then_some(parts)
+    }
+
+    /// A body on a lattice, images in `mirrors` among its points ([`Mirrors::extended`]).
+    ///
+    /// # Errors
+    /// [`ShellError`].
+    pub fn on_lattice(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: ShellParameters,
+    ) -> Result<Self, ShellError> {
+        Self::offsets(&parameters)?;
+        Self::with_any_horizon(lattice, mirrors, parameters)
+    }
+
+    /// The same with horizons that are too short, too.
+    pub(super) fn with_any_horizon(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: ShellParameters,
+    ) -> Result<Self, ShellError> {
+        let spacing = lattice.spacing();
+        let ShellParameters { youngs_modulus, thickness, radius, kinematics, .. } = parameters;
+        let modulus = 6.0 * youngs_modulus * thickness * spacing * spacing;
+        let bond = ShellBond { radius, kinematics, modulus };
+        let offsets = offsets(&parameters, &bond, spacing)?;
+        let families = ShellFamilies::new(&lattice, &mirrors, parameters.calibration, &bond, offsets);
+        let ghosts = mirrors.ghosts(&lattice);
+        let bonds = grid(&lattice, &mirrors, &ghosts, &families, &bond);
+        let curvature =
+            parameters.bending.then(|| Arc::new(Curvature::new(&lattice, &mirrors, &parameters, &families)));
+        let arc = match (mirrors.joined[1], mirrors.rows) {
+            (true, [Some(low), Some(high)]) => spacing * f64::from(high - low),
+            _ => std::f64::consts::TAU * radius,
+        };
+        let parts = Self::parts_of_circumference(radius, arc);
+        let closed_radius = parts.map_or(radius, |parts| parts * arc / std::f64::consts::TAU);
+        let (families, bonds) = (Arc::new(families), Arc::new(bonds));
+        Ok(Self { parameters, lattice, mirrors, ghosts, families, bonds, curvature, closed_radius })
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &ShellParameters {
+        &self.parameters
+    }
+
+    /// Area of a real point, m².
+    pub(super) fn cell_area(&self) -> f64 {
+        self.lattice.spacing().powi(2)
+    }
+
+    /// Numbers of the real points.
+    pub(super) fn real_points(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.lattice.points()).filter(|&p| !self.is_ghost(p))
+    }
+}
+
+/// The bonds: the energy `½ 3 E h A r_ij e²` of either end, so that their factor is the mean weight of both per that of a
+/// full family.
+fn grid(
+    lattice: &Arc<SquareLattice>,
+    mirrors: &Mirrors,
+    ghosts: &[u32],
+    families: &ShellFamilies,
+    bond: &ShellBond,
+) -> GridBonds<3, 1, ShellBond> {
+    let special = |point: usize| {
+        let real = lattice.number(mirrors.image(lattice.cell(point)).0)?;
+        families.special.get(&(real as u32)).map(|weights| (weights, mirrors.image(lattice.cell(point)).1))
+    };
+    let mut exceptions = Vec::new();
+    for point in near_points(lattice, families.reach()) {
+        if special(point).is_none() {
+            continue;
+        }
+        let cell = lattice.cell(point);
+        for (k, offset) in families.offsets.iter().enumerate() {
+            for up in [true, false] {
+                let Some(other) = lattice.number(at(cell, offset.step, up)) else { continue };
+                // A bond between two such points is met twice.
+                if up || special(other).is_none() {
+                    let of = |p: usize, up: bool| match special(p) {
+                        Some((weights, signs)) => families.seen(weights, k, up, signs),
+                        None => offset.weight,
+                    };
+                    let factor = 0.5 * (of(point, up) + of(other, !up)) / offset.weight;
+                    exceptions.push(Exception { offset: k, lower: if up { point } else { other }, factor });
+                }
+            }
+        }
+    }
+    exceptions.extend(halved(lattice, mirrors, &families.neighbourhood(), ghosts));
+    let offsets: Vec<Offset<1>> =
+        families.offsets.iter().map(|o| Offset { step: o.step, weights: [o.weight] }).collect();
+    GridBonds::new(lattice.clone(), bond, &offsets, &exceptions)
+}
