@@ -4,8 +4,8 @@ pub mod beam_bond_orthotropic;
 pub mod bond_plane;
 mod breaking;
 pub mod plane;
-pub mod state_based;
 pub mod shell_membrane;
+pub mod state_based;
 pub mod timoshenko_beam;
 
 pub use breaking::Breakable;

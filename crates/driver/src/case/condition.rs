@@ -1,6 +1,6 @@
 //! Supports, links and loads of a case.
 
-use super::{BodyForce, Traction};
+use super::{BodyForce, Pressure, Traction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -38,7 +38,7 @@ pub struct Support {
     /// Where; a point of the grid, the end of a line, or a joint; in the plane a region or a point. A straight edge along
     /// the lattice is held on its line, with forces that reach its points as a uniform traction does; of other regions the points are.
     pub at: At,
-    /// Prescribed deflection of a line.
+    /// Prescribed deflection of a line, or displacement of a shell outwards.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub w: Option<f64>,
     /// Prescribed displacement along x.
@@ -108,6 +108,8 @@ pub enum Load {
     Traction(Traction),
     /// A force on the points of a region in the plane.
     BodyForce(BodyForce),
+    /// A pressure on a shell.
+    Pressure(Pressure),
 }
 
 /// A concentrated force and moment.
@@ -116,7 +118,7 @@ pub enum Load {
 pub struct PointLoad {
     /// Where.
     pub at: At,
-    /// Force along w, across a line or member.
+    /// Force along w, across a line or member; outwards on a shell.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force: f64,
     /// Force along a line or member, in the direction in which its position grows.

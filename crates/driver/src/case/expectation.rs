@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// A field that can be probed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub enum FieldName {
-    /// Deflection, across the line or member.
+    /// Deflection, across the line or member; displacement of a shell outwards.
     #[serde(rename = "w")]
     W,
     /// Displacement along the line or member.
@@ -69,7 +69,7 @@ pub enum FieldName {
     /// Strain energy density, per volume.
     #[serde(rename = "energy_density")]
     EnergyDensity,
-    /// Force of the support at the point on the beam, along w.
+    /// Force of the support at the point on the beam, or of those in the region of a shell, along w.
     #[serde(rename = "reaction_force")]
     ReactionForce,
     /// Force of the support at the point, or of those in the region, on the body, along x.
@@ -117,11 +117,12 @@ impl FieldName {
         Self::EnergyDensity,
     ];
 
-    /// The fields that every point of a body in the plane has, in the order of tables; `phi` where points turn, `damage`
-    /// where there are cracks.
-    pub const PLANE: [Self; 13] = [
+    /// The fields that every point of a body in the plane has, in the order of tables; `phi` where points turn, `w` of
+    /// shells, `damage` where there are cracks.
+    pub const PLANE: [Self; 14] = [
         Self::Ux,
         Self::Uy,
+        Self::W,
         Self::Phi,
         Self::StrainXx,
         Self::StrainYy,

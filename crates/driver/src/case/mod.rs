@@ -17,6 +17,7 @@ mod plane_output;
 mod read;
 mod region;
 mod section;
+mod shell;
 mod specimen;
 mod state_based;
 
@@ -43,6 +44,7 @@ pub use plane_output::{LineOutput, StressIntensity, Tips};
 pub use read::{Source, from_text, read};
 pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
 pub use section::{PowerLaw, Stiffness};
+pub use shell::{Pressure, Shell};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
 pub use state_based::{Axisymmetric, StatePlane};
 
@@ -65,7 +67,7 @@ pub struct Case {
     /// The consistent units of all numbers. They label axes and feed plausibility warnings; nothing is converted.
     #[serde(default)]
     pub units: Units,
-    /// What the body is made of: a beam or a plate, with its material.
+    /// What the body is made of: a beam, a plate or a shell, with its material.
     pub model: Model,
     /// Geometry and discretisation.
     pub body: Body,

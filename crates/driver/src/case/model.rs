@@ -2,7 +2,7 @@
 
 use super::{
     Axisymmetric, CentreCrackedPanel, CompactTension, Frame, Grading, MeshBody, Orthotropic, OutlineBody,
-    Plane, PointsBody, PowerLaw, RectangleBody, SingleEdgeBend, StatePlane, Stiffness,
+    Plane, PointsBody, PowerLaw, RectangleBody, Shell, SingleEdgeBend, StatePlane, Stiffness,
 };
 use peristat_assembly::material::{Section, ShearCorrection};
 use peristat_assembly::model::timoshenko_beam::{Grid, VolumeFactor, bond_law, end_treatment};
@@ -23,6 +23,8 @@ pub enum Model {
     StatePlane(StatePlane),
     /// Isotropic body of revolution of state-based families: displacements along the radius x and the axis y.
     Axisymmetric(Axisymmetric),
+    /// Membrane of a cylindrical shell of central bonds: displacements along the axis, along the circumference and outwards.
+    ShellMembrane(Shell),
 }
 
 impl Model {
@@ -34,6 +36,7 @@ impl Model {
             Self::BeamBondOrthotropic(_) => "beam_bond_orthotropic",
             Self::StatePlane(_) => "state_plane",
             Self::Axisymmetric(_) => "axisymmetric",
+            Self::ShellMembrane(_) => "shell_membrane",
         }
     }
 }

@@ -13,7 +13,7 @@ const BEAM: (&str, &str) = (
     "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
 );
 
-const PLATE: [(&str, &str); 15] = [
+const PLATE: [(&str, &str); 19] = [
     (
         "bond_plane",
         "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh, and the specimens compact_tension, single_edge_bend, centre_cracked_panel",
@@ -53,17 +53,25 @@ const PLATE: [(&str, &str); 15] = [
         "  lattice fibre",
         "rows of the lattice along the fibres, so that bonds lie on them whatever their angle",
     ),
+    (
+        "shell_membrane",
+        "membrane of a cylindrical shell of central bonds, ν = 1/3: a rectangle of length and arc, joined by periodic; calibrations as bond_plane",
+    ),
+    ("  kinematics chord", "elongations of straight lines in space: rigid motions are free (default)"),
+    ("  kinematics published", "elongations in the developed plane"),
+    ("  bending", "rows that resist changes of the curvature of the circumference, for ovalling"),
 ];
 
 /// What `new` prints, by name.
-const STARTS: [(&str, &str); 4] = [
+const STARTS: [(&str, &str); 5] = [
     ("timoshenko_beam", include_str!("new_timoshenko_beam.json")),
     ("plane_frame", include_str!("new_plane_frame.json")),
     ("bond_plane", include_str!("new_bond_plane.json")),
     ("beam_bond_orthotropic", include_str!("new_beam_bond_orthotropic.json")),
+    ("shell_membrane", include_str!("new_shell_membrane.json")),
 ];
 
-const LOADS: [(&str, &str); 14] = [
+const LOADS: [(&str, &str); 15] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -85,6 +93,7 @@ const LOADS: [(&str, &str); 14] = [
         "traction",
         "a force per area on an edge or hole in the plane: uniform, linear, parabolic, pressure or total",
     ),
+    ("pressure", "a force per area outwards on a shell, the same all around or a cosine of it"),
     ("body_force", "a force per volume on a region in the plane, or its total"),
     ("symmetry", "edges in the plane that are mirrors"),
     ("periodic", "opposite edges in the plane that are joined"),

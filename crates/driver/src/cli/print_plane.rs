@@ -7,6 +7,7 @@ use crate::summary::{FamilySummary, OrthotropicSummary, PlaneForces, PlaneMateri
 use peristat_assembly::model::beam_bond_orthotropic::Start;
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges};
+use peristat_assembly::model::shell_membrane::ShellKinematics;
 use peristat_assembly::model::state_based::{Axis, Dilatation, Measure, StateEdges};
 use std::fmt::Write;
 
@@ -44,11 +45,27 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
             line("model", format!("{}, plane stress, {calibration}", m.name));
             orthotropic(of, line, &format!("thickness {t} {length}"), stress);
         }
+        PlaneMaterialSummary::Shell { youngs_modulus, radius, kinematics, bending, .. } => {
+            let kinematics = match kinematics {
+                ShellKinematics::Chord => "elongations of chords",
+                ShellKinematics::Published => "elongations as published",
+            };
+            let bending = if *bending { ", rows of bending" } else { "" };
+            line("model", format!("{}, {calibration}, {kinematics}{bending}", m.name));
+            let (e, r) = (number(*youngs_modulus), number(*radius));
+            line(
+                "material",
+                format!("E = {e} {stress}, ν = 1/3, thickness {t} {length}, radius {r} {length}"),
+            );
+        }
     }
     let (ratio, horizon) = (number(m.horizon_ratio), number(m.horizon_ratio * m.spacing));
     let kind = if m.lattice { "" } else { " of listed points" };
     line("horizon", format!("{ratio} spacings{kind} = {horizon} {length}{influence}"));
     let edges = match (m.edges, &m.material) {
+        (None, PlaneMaterialSummary::Shell { .. }) if m.calibration == Some(Calibration::Matched) => {
+            "every point has weights that make uniform strains exact".into()
+        }
         (Some(Edges::Overlay), _) => format!("{} triangles replace missing bonds", m.triangles),
         (Some(Edges::Volume), _) => "bonds are stiffened by the missing volume".into(),
         (Some(Edges::Energy), _) => "bonds are stiffened by the missing energy".into(),
@@ -133,12 +150,13 @@ const MOST_ROWS: usize = 40;
 
 /// Forces of supports, rigid regions and lines of symmetry.
 pub(super) fn forces(out: &mut String, forces: &PlaneForces, units: Units) {
-    let of_supports = forces.reactions.iter().flat_map(|r| [r.force_x, r.force_y]);
+    let of_supports = forces.reactions.iter().flat_map(|r| [r.force_x, r.force_y, r.force_w.unwrap_or(0.0)]);
     let size =
         of_supports.chain(forces.mirrors.iter().map(|m| m.force)).fold(0.0, |a: f64, f| a.max(f.abs()));
     // What is rounding beside the largest force reads as zero.
     let force = |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
     let turns = forces.reactions.iter().any(|r| r.moment.is_some());
+    let deflects = forces.reactions.iter().any(|r| r.force_w.is_some());
     let row = |r: &PlaneReaction| {
         let place = match r.centre {
             Some([x, y]) => format!("{} about ({}, {})", r.place, number(x), number(y)),
@@ -146,6 +164,7 @@ pub(super) fn forces(out: &mut String, forces: &PlaneForces, units: Units) {
         };
         let mut cells = vec![place, force(r.force_x), force(r.force_y)];
         cells.extend(turns.then(|| r.moment.map_or(String::new(), number)));
+        cells.extend(deflects.then(|| r.force_w.map_or(String::new(), force)));
         cells
     };
     let mut rows: Vec<Vec<String>> = forces.reactions.iter().take(MOST_ROWS).map(row).collect();
@@ -154,15 +173,15 @@ pub(super) fn forces(out: &mut String, forces: &PlaneForces, units: Units) {
         let is_x = matches!(&*mirror.side, "left" | "right");
         let (x, y) = if is_x { (across, String::new()) } else { (String::new(), across) };
         let mut cells = vec![format!("symmetry `{}`", mirror.side), x, y];
-        cells.extend(turns.then(String::new));
+        cells.extend((turns || deflects).then(String::new));
         rows.push(cells);
     }
     if rows.is_empty() {
         return;
     }
-    let moment = format!("moment [{}]", units.moment());
-    let header = ["support", "force x [N]", "force y [N]", moment.as_str()];
-    let _ = write!(out, "\n{}", table(&header[..if turns { 4 } else { 3 }], &rows));
+    let third = if deflects { "force w [N]".into() } else { format!("moment [{}]", units.moment()) };
+    let header = ["support", "force x [N]", "force y [N]", third.as_str()];
+    let _ = write!(out, "\n{}", table(&header[..if turns || deflects { 4 } else { 3 }], &rows));
     if let Some(more @ 1..) = forces.reactions.len().checked_sub(MOST_ROWS) {
         let _ = writeln!(out, "\n  {more} supports more are in summary.json");
     }

@@ -170,6 +170,12 @@ fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
                 let order = "ux_0, uy_0, h phi_0, ux_1, ... with the spacing h, of the points row by row from the lower left";
                 write_stiffness(loaded, system, file, order)
             }
+            AnyPlaneModel::Shell(model) => {
+                let problem = PlaneProblem::new(scene, model.clone());
+                let system = prepare::<3, _>(&problem, &RunOptions::default());
+                let order = "ux_0, uy_0, w_0, ux_1, ... of the points row by row from the lower left";
+                write_stiffness(loaded, system, file, order)
+            }
         },
     }
 }

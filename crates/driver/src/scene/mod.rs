@@ -92,6 +92,9 @@ impl Scene {
             Model::Axisymmetric(model) => {
                 Self::in_plane(case, plane::Given::Revolved(model), folder, max_memory, faults)
             }
+            Model::ShellMembrane(model) => {
+                Self::in_plane(case, plane::Given::Shell(model), folder, max_memory, faults)
+            }
         };
         resolved.map_err(|faults| faults.into_report(file, text))
     }

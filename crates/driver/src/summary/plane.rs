@@ -8,6 +8,7 @@ use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::beam_bond_orthotropic::{BeamNeighbourhood, Start};
 use peristat_assembly::model::bond_plane::{Influence, PlaneState, VolumeFactor};
 use peristat_assembly::model::plane::{Calibration, Edges};
+use peristat_assembly::model::shell_membrane::ShellKinematics;
 use peristat_assembly::model::state_based::{
     Axis, Dilatation, Geometry, Measure, StateEdges, StateParameters,
 };
@@ -82,6 +83,19 @@ pub enum PlaneMaterialSummary {
     Beams(OrthotropicSummary),
     /// Isotropic, of state-based families.
     State(FamilySummary),
+    /// Isotropic, of a developed cylinder.
+    Shell {
+        /// Young's modulus.
+        youngs_modulus: f64,
+        /// Poisson's ratio.
+        poisson_ratio: f64,
+        /// Radius of the middle surface.
+        radius: f64,
+        /// Elongations of bonds.
+        kinematics: ShellKinematics,
+        /// Whether rows of bending resist changes of curvature.
+        bending: bool,
+    },
 }
 
 /// An isotropic material and its families.
@@ -173,7 +187,7 @@ pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
         name: bonds.name(),
         material: material(scene),
         thickness: bonds.thickness(),
-        calibration: bonds.edges().map(|_| bonds.calibration()),
+        calibration: (!matches!(bonds, PlaneBonds::State(_))).then(|| bonds.calibration()),
         edges: bonds.edges(),
         horizon_ratio: scene.horizon() / scene.spacing(),
         spacing: scene.spacing(),
@@ -220,6 +234,13 @@ fn material(scene: &PlaneScene) -> PlaneMaterialSummary {
                 start: hood.and_then(|h| h.start()),
             })
         }
+        PlaneBonds::Shell(parameters) => PlaneMaterialSummary::Shell {
+            youngs_modulus: parameters.youngs_modulus,
+            poisson_ratio: 1.0 / 3.0,
+            radius: parameters.radius,
+            kinematics: parameters.kinematics,
+            bending: parameters.bending,
+        },
     }
 }
 
@@ -259,7 +280,7 @@ fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
             parameters.calibration == Calibration::Published
                 && matches!(parameters.volume_factor, VolumeFactor::Ramp | VolumeFactor::Area)
         }
-        PlaneBonds::Beams(_) | PlaneBonds::State(_) => false,
+        PlaneBonds::Beams(_) | PlaneBonds::State(_) | PlaneBonds::Shell(_) => false,
     };
     let reach = scene.bonds().horizon_ratio() + if partial { 0.5 } else { 0.0 } + 1e-9;
     let mut offsets = scene.bonds().offsets().ok()?;

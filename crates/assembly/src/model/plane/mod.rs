@@ -21,10 +21,10 @@ pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
 
 pub(super) use body::{Kind, LatticeBody, halved};
-pub(super) use near::{at, near_points};
 pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{energy_factor, strain_rows, volume_factor};
 pub(super) use fields::add_work_of_triangles;
+pub(super) use near::{at, near_points};
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_within, length};
 pub(super) use projection::project;
 
@@ -54,11 +54,16 @@ pub trait PlaneModel: Debug + Send + Sync {
     /// Number of points, images included.
     fn point_count(&self) -> usize;
 
-    /// Unknowns per point: displacements along x and y and, where points turn, a rotation.
+    /// Unknowns per point: displacements along x and y and, where points turn, a rotation, or one across the plane.
     fn components(&self) -> usize;
 
     /// What multiplies rotations to make unknowns of the size of displacements, m; none where points do not turn.
     fn turning(&self) -> Option<f64>;
+
+    /// Whether points move across the plane, too: then the third unknown is this displacement.
+    fn deflects(&self) -> bool {
+        self.components() > 2 && self.turning().is_none()
+    }
 
     /// Position of a point in the plane, m.
     fn place(&self, point: usize) -> [f64; 2];

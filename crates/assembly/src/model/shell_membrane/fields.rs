@@ -30,7 +30,7 @@ impl ShellMembrane {
         let all = (0..n).into_par_iter().with_min_len(1024);
         let sums: Vec<[f64; 4]> = all.map(|p| if self.is_ghost(p) { [0.0; 4] } else { at(p) }).collect();
         let plane = |q: usize| sums.iter().map(|s| s[q]).collect();
-        PlaneFields { stress: [plane(0), plane(1), plane(2)], energy_density: plane(3) }
+        PlaneFields { stress: [plane(0), plane(1), plane(2)], energy_density: plane(3), across: Vec::new() }
     }
 
     /// Adds the forces that do the work `Σ_k t_k·V_k σ_k` with the strains `t`, three planes, of some points, none for all.

@@ -10,7 +10,7 @@ use crate::case::FieldName;
 use crate::output::csv;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
 use crate::run::plane::PlaneResult;
-use crate::scene::plane::PlaneScene;
+use crate::scene::plane::{PlaneBonds, PlaneScene};
 use std::borrow::Cow;
 use std::io;
 use std::path::Path;
@@ -19,9 +19,10 @@ use std::path::Path;
 type Column<'a> = (&'static str, Cow<'a, [f64]>);
 
 /// Fields whose smallest and largest values over all states are written.
-const ENVELOPE: [FieldName; 7] = [
+const ENVELOPE: [FieldName; 8] = [
     FieldName::Ux,
     FieldName::Uy,
+    FieldName::W,
     FieldName::Phi,
     FieldName::StressXx,
     FieldName::StressYy,
@@ -88,20 +89,41 @@ fn positions(scene: &PlaneScene, mut visit: impl FnMut([f64; 2])) {
     }
 }
 
-/// Writes the points, the cells between them and their fields as a grid.
+/// Writes the points, the cells between them and their fields as a grid; a shell as the cylinder that it is.
 fn write_grid(file: &Path, scene: &PlaneScene, fields: &[Column]) -> io::Result<()> {
-    let mut points = Vec::with_capacity(scene.body().points());
-    positions(scene, |[x, y]| points.push([x, y, 0.0]));
+    let radius = match scene.bonds() {
+        PlaneBonds::Shell(shell) => Some(shell.radius),
+        _ => None,
+    };
+    let (mut points, mut angles) = (Vec::with_capacity(scene.body().points()), Vec::new());
+    positions(scene, |[x, y]| match radius {
+        Some(r) => {
+            let (sin, cos) = (y / r).sin_cos();
+            points.push([x, r * sin, r * cos]);
+            angles.push([sin, cos]);
+        }
+        None => points.push([x, y, 0.0]),
+    });
     let cells = cells::cells(scene);
     // The displacement as a vector, so that viewers can warp the body by it.
-    let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| fields.iter().find(|c| c.0 == f.name()));
-    let displacement: Vec<f64> = match (ux, uy) {
-        (Some((_, ux)), Some((_, uy))) => ux.iter().zip(&uy[..]).flat_map(|(x, y)| [*x, *y, 0.0]).collect(),
-        _ => vec![0.0; 3 * points.len()],
-    };
+    const DISPLACEMENTS: [FieldName; 3] = [FieldName::Ux, FieldName::Uy, FieldName::W];
+    let mut displacement = vec![0.0; 3 * points.len()];
+    for (c, field) in DISPLACEMENTS.into_iter().enumerate() {
+        if let Some((_, values)) = fields.iter().find(|f| f.0 == field.name()) {
+            values.iter().enumerate().for_each(|(p, value)| displacement[3 * p + c] = *value);
+        }
+    }
+    for (vector, [sin, cos]) in displacement.chunks_exact_mut(3).zip(&angles) {
+        let (v, w) = (vector[1], vector[2]);
+        (vector[1], vector[2]) = (v * cos + w * sin, w * cos - v * sin);
+    }
     let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
-    let others = fields.iter().filter(|c| c.0 != FieldName::Ux.name() && c.0 != FieldName::Uy.name());
-    data.extend(others.map(|(name, values)| DataArray { name, components: 1, values }));
+    let is_plain = |c: &&Column| c.0 != FieldName::Ux.name() && c.0 != FieldName::Uy.name();
+    data.extend(fields.iter().filter(is_plain).map(|(name, values)| DataArray {
+        name,
+        components: 1,
+        values,
+    }));
     let all = [
         Cells { cell_type: CellType::Quad, connectivity: &cells.quads },
         Cells { cell_type: CellType::Vertex, connectivity: &cells.vertices },

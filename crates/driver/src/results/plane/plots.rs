@@ -25,7 +25,9 @@ pub(in crate::results) fn write(folder: &Path, scene: &PlaneScene, result: &Plan
     let raster = Raster::new(scene);
     write_map(&folder.join("displacement.svg"), &displacement(scene, result, &raster, &title))?;
     let stress = format!("von Mises stress [{}]", scene.units.stress());
+    let deflection = format!("w, outwards [{}]", scene.units.length());
     let fields = [
+        ("w", FieldName::W, deflection.as_str()),
         ("von_mises", FieldName::VonMises, stress.as_str()),
         ("damage", FieldName::Damage, "damage: cut share of the family"),
     ];

@@ -46,7 +46,7 @@ impl Recovered {
 /// The result of one state of a body in the plane.
 #[derive(Clone, Debug)]
 pub struct PlaneResult {
-    /// State, unknowns (the planes of ux, uy and, where points turn, of multiples of phi) and certificate.
+    /// State, unknowns (the planes of ux, uy and, where points turn, of multiples of phi, of shells of w) and certificate.
     pub record: StateRecord,
     /// Stresses and what follows from them, where they were asked for.
     pub recovered: Option<Recovered>,
@@ -58,6 +58,8 @@ pub struct PlaneResult {
     pub intensities: Vec<f64>,
     /// Number of points of the model.
     points: usize,
+    /// Whether the third unknown of a point is a displacement across the plane.
+    deflects: bool,
     /// Forces that hold the equations of the scene, in their order.
     pub(super) multipliers: Vec<f64>,
 }
@@ -138,6 +140,7 @@ impl PlaneResult {
             mirrors,
             intensities,
             points: scene.model.point_count(),
+            deflects: scene.model.deflects(),
             multipliers,
         }
     }
@@ -146,7 +149,8 @@ impl PlaneResult {
     pub fn fields(&self) -> impl Iterator<Item = FieldName> {
         FieldName::PLANE.into_iter().filter(|f| match f {
             FieldName::Ux | FieldName::Uy => true,
-            FieldName::Phi => self.record.u.len() > 2 * self.points,
+            FieldName::Phi => self.record.u.len() > 2 * self.points && !self.deflects,
+            FieldName::W => self.deflects,
             FieldName::Damage => self.recovered.as_ref().is_some_and(|r| r.damage.is_some()),
             FieldName::StressZz => self.recovered.as_ref().is_some_and(|r| !r.across.is_empty()),
             _ => self.recovered.is_some(),
@@ -159,6 +163,7 @@ impl PlaneResult {
         match field {
             FieldName::Ux => Some(&self.record.u[..n]),
             FieldName::Uy => Some(&self.record.u[n..2 * n]),
+            FieldName::W if self.deflects => Some(&self.record.u[2 * n..3 * n]),
             FieldName::StressXx => Some(&recovered?.stress[0]),
             FieldName::StressYy => Some(&recovered?.stress[1]),
             FieldName::StressXy => Some(&recovered?.stress[2]),

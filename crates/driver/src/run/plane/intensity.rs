@@ -100,6 +100,9 @@ fn potentials(
         AnyPlaneModel::Revolved(model) => {
             of_problem::<2, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
         }
+        AnyPlaneModel::Shell(model) => {
+            of_problem::<3, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
+        }
     }
 }
 

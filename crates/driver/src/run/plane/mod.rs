@@ -48,6 +48,9 @@ pub fn run(
         AnyPlaneModel::Revolved(model) => {
             run_model::<2, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
         }
+        AnyPlaneModel::Shell(model) => {
+            run_model::<3, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
+        }
     }
 }
 
@@ -93,6 +96,7 @@ pub fn run_breaking(
         AnyPlaneModel::Beams(model) => break_model::<3, _>(scene, model, options, resume, sink),
         AnyPlaneModel::State(model) => break_model::<2, _>(scene, model, options, resume, sink),
         AnyPlaneModel::Revolved(model) => break_model::<2, _>(scene, model, options, resume, sink),
+        AnyPlaneModel::Shell(_) => Err(RunError::NotResumable),
     }
 }
 
@@ -166,6 +170,9 @@ pub fn sizes(scene: &PlaneScene, options: &RunOptions) -> Result<Sizes, RunError
         }
         AnyPlaneModel::Revolved(model) => {
             prepare::<2, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
+        }
+        AnyPlaneModel::Shell(model) => {
+            prepare::<3, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
         }
     }
 }

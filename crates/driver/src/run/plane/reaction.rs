@@ -18,6 +18,9 @@ pub struct PlaneReaction {
     /// rotations, the sum of what it does to those of its points, without that of its forces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
+    /// Force across the plane, outwards on a shell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force_w: Option<f64>,
     /// Centre of a rigid region.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub centre: Option<[f64; 2]>,
@@ -37,7 +40,7 @@ const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
 
 /// Forces of supports from the multipliers of all equations and the unknowns.
 pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) -> Vec<PlaneReaction> {
-    let n = scene.model.point_count();
+    let (n, deflects) = (scene.model.point_count(), scene.model.deflects());
     let of = |support: &PlaneSupport| {
         let mut force = [Sum::default(), Sum::default(), Sum::default()];
         let mut turns = false;
@@ -56,7 +59,8 @@ pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) ->
             place: support.name.clone(),
             force_x: force[0].total(),
             force_y: force[1].total(),
-            moment: turns.then(|| force[2].total()),
+            moment: (turns && !deflects).then(|| force[2].total()),
+            force_w: (turns && deflects).then(|| force[2].total()),
             centre: rigid.map(|r| r.centre),
         }
     };

@@ -62,6 +62,9 @@ pub(super) fn mechanical(
         Quantity::Field { field: FieldName::Uy, weights } => {
             Some(weights.iter().map(|&(p, w)| w * u[n + p as usize]).sum())
         }
+        Quantity::Field { field: FieldName::W, weights } => {
+            Some(weights.iter().map(|&(p, w)| w * u[2 * n + p as usize]).sum())
+        }
         Quantity::Opening { component, weights } => {
             Some(weights.iter().map(|&(p, w)| w * u[component * n + p as usize]).sum())
         }

@@ -58,6 +58,7 @@ pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
     let key = match load {
         Load::Traction(_) => "traction",
         Load::BodyForce(_) => "body_force",
+        Load::Pressure(_) => "pressure",
         Load::Point(_) | Load::Distributed(_) => return,
     };
     faults

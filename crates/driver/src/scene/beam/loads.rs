@@ -54,7 +54,7 @@ pub(super) fn load_cases(
                 Load::Point(load) => {
                     point_load::add(load, layout, &path.index(k).key("point"), &mut resolved, faults)
                 }
-                Load::Traction(_) | Load::BodyForce(_) => {
+                Load::Traction(_) | Load::BodyForce(_) | Load::Pressure(_) => {
                     super::foreign::refuse(load, &path.index(k), faults)
                 }
                 Load::Distributed(load) => {

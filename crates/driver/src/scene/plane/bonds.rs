@@ -7,6 +7,7 @@ use peristat_assembly::model::beam_bond_orthotropic::{
 };
 use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError, PlaneParameters};
 use peristat_assembly::model::plane::{Calibration, Edges, FindCuts, Mirrors, PlaneModel};
+use peristat_assembly::model::shell_membrane::{ShellError, ShellMembrane, ShellParameters};
 use peristat_assembly::model::state_based::{Geometry, StateBased, StateEdges, StateError, StateParameters};
 use std::f64::consts::TAU;
 use std::ops::Deref;
@@ -21,6 +22,8 @@ pub enum PlaneBonds {
     Beams(OrthotropicParameters),
     /// State-based families on a lattice.
     State(StateParameters),
+    /// Bonds of a developed cylinder.
+    Shell(ShellParameters),
 }
 
 /// A body in the plane with its bonds.
@@ -34,6 +37,8 @@ pub enum AnyPlaneModel {
     State(StateBased<false>),
     /// The same, of revolution.
     Revolved(StateBased<true>),
+    /// Of a shell membrane.
+    Shell(ShellMembrane),
 }
 
 impl Deref for AnyPlaneModel {
@@ -45,6 +50,7 @@ impl Deref for AnyPlaneModel {
             Self::Beams(model) => model,
             Self::State(model) => model,
             Self::Revolved(model) => model,
+            Self::Shell(model) => model,
         }
     }
 }
@@ -56,6 +62,7 @@ impl AnyPlaneModel {
             Self::Central(model) => Self::Central(model.never_joined(bonds)),
             Self::Beams(model) => Self::Beams(model.never_joined(bonds)),
             Self::State(_) | Self::Revolved(_) => self,
+            Self::Shell(_) => self,
         }
     }
 }
@@ -72,6 +79,9 @@ pub enum PlaneModelError {
     /// Of state-based families.
     #[error(transparent)]
     State(#[from] StateError),
+    /// Of a shell membrane.
+    #[error(transparent)]
+    Shell(#[from] ShellError),
     /// There is no such model of listed points.
     #[error("the model `{0}` needs a body that fills a lattice; use `rectangle` or `outline`")]
     NeedsLattice(&'static str),
@@ -85,6 +95,7 @@ impl PlaneBonds {
             Self::Beams(_) => "beam_bond_orthotropic",
             Self::State(parameters) if parameters.is_axisymmetric() => "axisymmetric",
             Self::State(_) => "state_plane",
+            Self::Shell(_) => "shell_membrane",
         }
     }
 
@@ -93,10 +104,15 @@ impl PlaneBonds {
         matches!(self, Self::Beams(_))
     }
 
+    /// Whether points move across the plane.
+    pub fn deflects(&self) -> bool {
+        matches!(self, Self::Shell(_))
+    }
+
     /// The same on a lattice whose rows run at an angle to x, rad.
     pub fn with_lattice_angle(self, lattice_angle: f64) -> Self {
         match self {
-            Self::Central(_) | Self::State(_) => self,
+            Self::Central(_) | Self::State(_) | Self::Shell(_) => self,
             Self::Beams(parameters) => Self::Beams(OrthotropicParameters { lattice_angle, ..parameters }),
         }
     }
@@ -104,7 +120,7 @@ impl PlaneBonds {
     /// Horizon per spacing of a case that gives none.
     pub(super) fn usual_horizon_ratio(&self) -> f64 {
         match self {
-            Self::Central(_) | Self::State(_) => 3.0,
+            Self::Central(_) | Self::State(_) | Self::Shell(_) => 3.0,
             Self::Beams(parameters) => orthotropic::horizon_ratio(parameters),
         }
     }
@@ -115,6 +131,7 @@ impl PlaneBonds {
             Self::Central(parameters) => parameters.horizon_ratio,
             Self::Beams(parameters) => parameters.horizon_ratio,
             Self::State(parameters) => parameters.horizon_ratio,
+            Self::Shell(parameters) => parameters.horizon_ratio,
         }
     }
 
@@ -124,6 +141,7 @@ impl PlaneBonds {
             Self::Central(parameters) => Self::Central(PlaneParameters { horizon_ratio, ..parameters }),
             Self::Beams(parameters) => Self::Beams(OrthotropicParameters { horizon_ratio, ..parameters }),
             Self::State(parameters) => Self::State(StateParameters { horizon_ratio, ..parameters }),
+            Self::Shell(parameters) => Self::Shell(ShellParameters { horizon_ratio, ..parameters }),
         }
     }
 
@@ -132,7 +150,8 @@ impl PlaneBonds {
         match self {
             Self::Central(parameters) => Some(parameters.edges),
             Self::Beams(parameters) => Some(parameters.edges),
-            Self::State(_) => None,
+            // Every point has weights of its own.
+            Self::State(_) | Self::Shell(_) => None,
         }
     }
 
@@ -143,6 +162,8 @@ impl PlaneBonds {
             Self::Central(parameters) => parameters.edges == Edges::Overlay,
             Self::Beams(parameters) => parameters.edges == Edges::Overlay,
             Self::State(_) => self.calibration() == Calibration::Matched,
+            // Their ends are where their points are.
+            Self::Shell(_) => false,
         }
     }
 
@@ -155,6 +176,7 @@ impl PlaneBonds {
                 StateEdges::Calibrated | StateEdges::None => Calibration::Published,
                 StateEdges::Ghosts | StateEdges::Moment | StateEdges::MomentPlus => Calibration::Matched,
             },
+            Self::Shell(parameters) => parameters.calibration,
         }
     }
 
@@ -167,6 +189,7 @@ impl PlaneBonds {
                 Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness) => thickness,
                 Geometry::Axisymmetric => 1.0,
             },
+            Self::Shell(parameters) => parameters.thickness,
         }
     }
 
@@ -199,6 +222,7 @@ impl PlaneBonds {
             Self::Central(parameters) => BondPlane::offsets(parameters)?,
             Self::Beams(parameters) => BeamBondOrthotropic::offsets(parameters)?,
             Self::State(parameters) => StateBased::<false>::offsets(parameters),
+            Self::Shell(parameters) => ShellMembrane::offsets(parameters)?,
         })
     }
 
@@ -211,6 +235,7 @@ impl PlaneBonds {
             Self::Central(parameters) => BondPlane::depth(parameters)?,
             Self::Beams(parameters) => BeamBondOrthotropic::depth(parameters)?,
             Self::State(parameters) => parameters.horizon_ratio.floor() as i32,
+            Self::Shell(parameters) => ShellMembrane::depth(parameters)?,
         })
     }
 
@@ -260,6 +285,10 @@ impl PlaneBonds {
                     )?),
                 }
             }
+            Self::Shell(parameters) => {
+                let (lattice, _) = extended()?;
+                AnyPlaneModel::Shell(ShellMembrane::on_lattice(lattice, mirrors, *parameters)?)
+            }
         })
     }
 
@@ -278,7 +307,9 @@ impl PlaneBonds {
                 let model = BondPlane::on_cloud(positions, areas, horizon, *parameters, cut)?;
                 Ok(AnyPlaneModel::Central(model))
             }
-            Self::Beams(_) | Self::State(_) => Err(PlaneModelError::NeedsLattice(self.name())),
+            Self::Beams(_) | Self::State(_) | Self::Shell(_) => {
+                Err(PlaneModelError::NeedsLattice(self.name()))
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::super::expectation::{self, Expectation, PointsCheck};
 use super::super::words::tidy;
+use super::PlaneBonds;
 use crate::case::{Baseline, Case, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::PlaneBody;
@@ -18,10 +19,10 @@ pub struct PlaneComparison {
     pub tolerance: f64,
 }
 
-/// Checks of the case on a body whose points may turn; states and probes by their names.
+/// Checks of the case on a body with its bonds; states and probes by their names.
 pub(super) fn expectations(
     case: &Case,
-    (body, points_turn): (&PlaneBody, bool),
+    (body, bonds): (&PlaneBody, &PlaneBonds),
     states: &[&str],
     probes: &[&str],
     folder: &Path,
@@ -34,19 +35,24 @@ pub(super) fn expectations(
                 .hint("compare a probe with a number by a `value` check, or all points by a `baseline`");
             None
         }
-        PointsCheck::Baseline(check) => baseline(check, (body, points_turn), folder, path, faults),
+        PointsCheck::Baseline(check) => baseline(check, (body, bonds), folder, path, faults),
     };
     expectation::expectations(case, states, probes, compare, faults)
 }
 
 fn baseline(
     check: &Baseline,
-    (body, points_turn): (&PlaneBody, bool),
+    (body, bonds): (&PlaneBody, &PlaneBonds),
     folder: &Path,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<PlaneComparison> {
-    if !FieldName::PLANE.contains(&check.field) || (check.field == FieldName::Phi && !points_turn) {
+    let missing = match check.field {
+        FieldName::Phi => !bonds.points_turn(),
+        FieldName::W => !bonds.deflects(),
+        field => !FieldName::PLANE.contains(&field),
+    };
+    if missing {
         faults.error(
             path.key("field"),
             format!("`{}` is no field of all points of a body in the plane", check.field.name()),

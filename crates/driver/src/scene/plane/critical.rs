@@ -34,6 +34,8 @@ pub(super) fn critical(
             let offsets = context.recipe.bonds.offsets().map_or(1, |offsets| offsets.len());
             Some((CriticalStretch(vec![stretch; offsets]), Vec::new()))
         }
+        // That they do not break has been said.
+        PlaneBonds::Shell(_) => None,
     }
 }
 

@@ -1,8 +1,8 @@
 //! The models of bodies in the plane as cases give them, with their defaults filled in as they are resolved.
 
 use super::bonds::PlaneBonds;
-use super::{material, orthotropic, state_based};
-use crate::case::{Axisymmetric, Case, LatticeRows, Model, Orthotropic, Plane, StatePlane};
+use super::{material, orthotropic, shell, state_based};
+use crate::case::{Axisymmetric, Case, LatticeRows, Model, Orthotropic, Plane, Shell, StatePlane};
 use crate::diagnostic::Faults;
 
 /// A model of a body in the plane.
@@ -16,6 +16,8 @@ pub(in super::super) enum Given {
     State(StatePlane),
     /// The same, of revolution.
     Revolved(Axisymmetric),
+    /// Of a shell membrane.
+    Shell(Shell),
 }
 
 impl Given {
@@ -26,6 +28,7 @@ impl Given {
             Self::Beams(model) => model.thickness,
             Self::State(model) => model.thickness,
             Self::Revolved(_) => 1.0,
+            Self::Shell(model) => model.thickness,
         }
     }
 
@@ -49,6 +52,7 @@ impl Given {
             }
             Self::State(model) => state_based::in_plane(model, faults).map(PlaneBonds::State),
             Self::Revolved(model) => state_based::revolved(model, faults).map(PlaneBonds::State),
+            Self::Shell(model) => shell::parameters(model, case, faults).map(PlaneBonds::Shell),
         }
     }
 
@@ -69,6 +73,7 @@ impl From<Given> for Model {
             Given::Beams(model) => Self::BeamBondOrthotropic(model),
             Given::State(model) => Self::StatePlane(model),
             Given::Revolved(model) => Self::Axisymmetric(model),
+            Given::Shell(model) => Self::ShellMembrane(model),
         }
     }
 }

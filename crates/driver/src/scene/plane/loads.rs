@@ -5,7 +5,7 @@ use super::bonds::PlaneBonds;
 use super::ground::{Ground, PLACE};
 use super::symmetry::Symmetry;
 use super::traction::{self, StressField};
-use super::{Held, root};
+use super::{Held, root, shell};
 use crate::case::{BodyForce, Load, PointLoad};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
@@ -16,8 +16,8 @@ use peristat_assembly::model::plane::PlaneModel;
 pub struct PlaneLoads {
     /// Forces on points of the model, N.
     pub(super) forces: Vec<(u32, [f64; 2])>,
-    /// Moments on points of the model, N m.
-    pub(super) moments: Vec<(u32, f64)>,
+    /// Moments on points of the model, N m; where points move across the plane, forces along that, N.
+    pub(super) across: Vec<(u32, f64)>,
     /// Force on every point per volume, N/m³.
     pub(super) density: [f64; 2],
     /// Force on every point along x per volume and per x, N/m⁴.
@@ -61,6 +61,9 @@ pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoa
                 Load::Traction(load) => {
                     tractions.extend(traction::resolve(load, context, path.key("traction"), faults))
                 }
+                Load::Pressure(load) => {
+                    shell::pressure(load, context, &path.key("pressure"), &mut resolved, faults)
+                }
                 Load::Distributed(_) => {
                     faults
                         .error(path.key("distributed"), "`distributed` loads are for beams")
@@ -75,9 +78,9 @@ pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoa
 }
 
 fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoads, faults: &mut Faults) {
-    let points_turn = context.bonds.points_turn();
+    let (points_turn, deflects) = (context.bonds.points_turn(), context.bonds.deflects());
     let foreign = [
-        ("force", load.force != 0.0, "use `force_x` and `force_y`"),
+        ("force", load.force != 0.0 && !deflects, "use `force_x` and `force_y`"),
         ("axial", load.axial != 0.0, "use `force_x` and `force_y`"),
         (
             "moment",
@@ -90,9 +93,13 @@ fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoa
         faults.error(path.key(*key), format!("`{key}` is for beams")).hint(*hint);
     }
     let force = [load.force_x, load.force_y];
-    if force == [0.0; 2] && load.moment == 0.0 && !foreign.iter().any(|f| f.1) {
-        let keys =
-            if points_turn { "give `force_x`, `force_y` or `moment`" } else { "give `force_x` or `force_y`" };
+    let across = if deflects { load.force } else { load.moment };
+    if force == [0.0; 2] && across == 0.0 && !foreign.iter().any(|f| f.1) {
+        let keys = match (points_turn, deflects) {
+            (true, _) => "give `force_x`, `force_y` or `moment`",
+            (_, true) => "give `force_x`, `force_y` or `force`",
+            _ => "give `force_x` or `force_y`",
+        };
         faults.error(path.clone(), "this load is zero").hint(keys);
     }
     let at = path.key("at");
@@ -111,9 +118,9 @@ fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoa
     if acts {
         to.forces.extend(spot.points.iter().map(|&p| (p, share)));
     }
-    if load.moment != 0.0 {
-        let share = load.moment / spot.points.len() as f64;
-        to.moments.extend(spot.points.iter().map(|&p| (p, share)));
+    if across != 0.0 {
+        let share = across / spot.points.len() as f64;
+        to.across.extend(spot.points.iter().map(|&p| (p, share)));
     }
 }
 
@@ -215,7 +222,7 @@ impl PlaneLoads {
     /// The same with the numbers that points have in the model.
     pub(super) fn numbered(mut self, number: &dyn Fn(u32) -> u32) -> Self {
         self.forces.iter_mut().for_each(|f| f.0 = number(f.0));
-        self.moments.iter_mut().for_each(|m| m.0 = number(m.0));
+        self.across.iter_mut().for_each(|m| m.0 = number(m.0));
         for field in &mut self.stresses {
             if let Some(points) = &mut field.points {
                 points.iter_mut().for_each(|p| *p = number(*p as u32) as usize);
@@ -233,14 +240,14 @@ impl PlaneLoads {
     /// Whether nothing acts.
     pub fn is_zero(&self) -> bool {
         self.forces.is_empty()
-            && self.moments.is_empty()
+            && self.across.is_empty()
             && self.density == [0.0; 2]
             && self.spin == 0.0
             && self.stresses.is_empty()
     }
 
     /// Adds the loads times a factor to `force`, N, the plane of x first, then that of y and, where points turn, that of
-    /// moments per length by which rotations are multiplied.
+    /// moments per length by which rotations are multiplied, or that across the plane.
     pub fn add_to(&self, model: &dyn PlaneModel, factor: f64, force: &mut [f64]) {
         let n = model.point_count();
         for &(point, f) in &self.forces {
@@ -248,8 +255,8 @@ impl PlaneLoads {
         }
         // A moment does its work on the rotation, the unknown is a multiple of that.
         let turning = model.turning().unwrap_or(1.0);
-        for &(point, moment) in &self.moments {
-            force[2 * n + point as usize] += factor * moment / turning;
+        for &(point, value) in &self.across {
+            force[2 * n + point as usize] += factor * value / turning;
         }
         if self.density != [0.0; 2] || self.spin != 0.0 {
             for point in 0..n {

@@ -34,6 +34,7 @@ mod periodic;
 mod probes;
 mod problem;
 mod rigid_mirror;
+mod shell;
 mod specimen;
 mod state_based;
 mod supported;
@@ -176,8 +177,11 @@ impl PlaneScene {
                 AnyPlaneModel::Beams(model) => loose::check::<3>(&scene, model, faults),
                 AnyPlaneModel::State(model) => loose::check::<2>(&scene, model, faults),
                 AnyPlaneModel::Revolved(model) => loose::check::<2>(&scene, model, faults),
+                // A rectangle with all of its bonds.
+                AnyPlaneModel::Shell(_) => {}
             }
         }
+        shell::check_bearable(&scene, faults);
         warnings::collect(&scene, faults);
         Some(scene)
     }
@@ -277,14 +281,8 @@ impl PlaneScene {
         }
         names.extend(facts.iter().map(String::as_str));
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
-        let expectations = checks::expectations(
-            case,
-            (&recipe.body, recipe.bonds.points_turn()),
-            &state_names,
-            &names,
-            folder,
-            faults,
-        );
+        let expectations =
+            checks::expectations(case, (&recipe.body, &recipe.bonds), &state_names, &names, folder, faults);
         Some(Self {
             case: case.clone(),
             units: case.units,

@@ -4,7 +4,7 @@ use super::bearing::{self, Bearing};
 use super::bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 use super::cracks::NamedCrack;
 use super::symmetry::Symmetry;
-use super::{orthotropic, root, state_based};
+use super::{orthotropic, root, shell, state_based};
 use crate::case::Case;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
@@ -114,6 +114,7 @@ pub(super) fn refuse(error: &PlaneModelError, case: &Case, faults: &mut Faults) 
         PlaneModelError::Central(central) => central,
         PlaneModelError::Beams(error) => return orthotropic::refuse(error, case, faults),
         PlaneModelError::State(error) => return state_based::refuse(error, case, faults),
+        PlaneModelError::Shell(error) => return shell::refuse(error, faults),
         PlaneModelError::NeedsLattice(_) => return tell(&error.to_string(), root("body"), faults),
     };
     let path = match central {

@@ -40,10 +40,24 @@ pub(super) fn describe(scene: &PlaneScene, motion: &FreeMotion) -> String {
     format!("{text}: no support prevents it")
 }
 
+/// The same of a shell, whose motions are those of a body in space.
+fn on_cylinder(amounts: &[f64]) -> &'static str {
+    let acts =
+        |kinds: std::ops::Range<usize>| amounts.get(kinds).is_some_and(|a| a.iter().any(|v| *v != 0.0));
+    match [acts(0..1), acts(1..2), acts(2..4), acts(4..6)] {
+        [_, _, _, true] => "tilt its axis",
+        [_, _, true, _] => "move across its axis",
+        [_, true, _, _] => "turn about its axis",
+        _ => "move along its axis",
+    }
+}
+
 /// `move along x`, or `turn about (1, 2)`.
 fn how(part: &PartMotion) -> String {
-    // Of a body of revolution one motion is left.
-    let &[x, y, turn] = part.amounts.as_slice() else { return "move along y".into() };
+    let &[x, y, turn] = part.amounts.as_slice() else {
+        // Of a body of revolution one motion is left.
+        return if part.amounts.len() == 1 { "move along y" } else { on_cylinder(&part.amounts) }.into();
+    };
     let clean = |value: f64, other: f64| if value.abs() < 1e-9 * other.abs() { 0.0 } else { value };
     if turn != 0.0 {
         let centre = [part.centre[0] - y / turn, part.centre[1] + x / turn];

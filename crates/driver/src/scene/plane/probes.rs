@@ -22,8 +22,9 @@ pub struct PlaneProbe {
     pub position: Option<[f64; 2]>,
 }
 
-/// Reactions by their components.
-const REACTIONS: [FieldName; 3] = [FieldName::ReactionX, FieldName::ReactionY, FieldName::ReactionMoment];
+/// Reactions by their components: the third is that of points that turn, the fourth that across the plane.
+const REACTIONS: [FieldName; 4] =
+    [FieldName::ReactionX, FieldName::ReactionY, FieldName::ReactionMoment, FieldName::ReactionForce];
 
 /// What a probe reports.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +38,7 @@ pub enum Quantity {
     },
     /// What supports do to the body.
     Reaction {
-        /// Along x, 0, or along y, 1; 2 for the moment.
+        /// Along x, 0, or along y, 1; 2 for the moment, 3 for the force across the plane.
         component: usize,
         /// Indices of equations of the scene and how much of the force that holds each counts.
         equations: Vec<(usize, f64)>,
@@ -102,14 +103,16 @@ fn resolve(
     faults: &mut Faults,
 ) -> Option<(Quantity, String)> {
     let (at, field) = (path.key("at"), probe.field);
-    let points_turn = context.model.turning().is_some();
+    let (points_turn, deflects) = (context.model.turning().is_some(), context.model.deflects());
     if field == FieldName::Opening {
         return opening::resolve(probe, context, &at, faults);
     }
-    let own = FieldName::PLANE.contains(&field);
-    let reactions = if points_turn { &REACTIONS[..] } else { &REACTIONS[..2] };
-    if !own && !reactions.contains(&field) {
-        let names = FieldName::PLANE.iter().filter(|f| **f != FieldName::Phi).chain(reactions);
+    let own = FieldName::PLANE.contains(&field) && (field != FieldName::W || deflects);
+    let has = [true, true, points_turn, deflects];
+    let reactions = || REACTIONS.iter().zip(has).filter(|r| r.1).map(|r| r.0);
+    if !own && !reactions().any(|r| *r == field) {
+        let is_told = |f: &&FieldName| **f != FieldName::Phi && (**f != FieldName::W || deflects);
+        let names = FieldName::PLANE.iter().filter(is_told).chain(reactions());
         let names = names.map(|f| f.name()).chain(["phi", "opening"]);
         let hint = format!("in the plane there are {}", names.collect::<Vec<_>>().join(", "));
         faults.error(path.key("field"), format!("`{}` is for beams", field.name())).hint(hint);
@@ -203,7 +206,8 @@ fn reaction(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Quantity> {
-    let component = REACTIONS.iter().position(|f| *f == field).unwrap_or(0);
+    let quantity = REACTIONS.iter().position(|f| *f == field).unwrap_or(0);
+    let component = quantity.min(2);
     let unit = if component == 2 { context.model.turning().unwrap_or(1.0) } else { 1.0 };
     let mut numbers: Vec<u32> = points.iter().map(|&p| context.recipe.number(context.model, p)).collect();
     numbers.sort_unstable();
@@ -233,11 +237,11 @@ fn reaction(
             true => PLACE.to_string(),
             false => format!("supports are at {}", places.join(", ")),
         };
-        let how = ["along x", "along y", "against turning"][component];
+        let how = ["along x", "along y", "against turning", "across the plane"][quantity];
         faults
             .error(path.clone(), format!("nothing holds {words} {how}, so there is no reaction"))
             .hint(hint);
         return None;
     }
-    Some(Quantity::Reaction { component, equations, springs })
+    Some(Quantity::Reaction { component: quantity, equations, springs })
 }

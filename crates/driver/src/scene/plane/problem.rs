@@ -88,6 +88,9 @@ impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M
             "" if self.scene.bonds().is_revolved() => {
                 "a body of revolution needs `uy` held on one place, in every part that cracks leave"
             }
+            "" if self.model.deflects() => {
+                "a shell needs `ux` and `uy` held on one place, and `w` where it could move across its axis or tilt: at two places a quarter of the circumference apart, each at both ends"
+            }
             "" => {
                 "a body in the plane needs `ux` and `uy` held on one place and one of them on another, in every part that cracks leave"
             }

@@ -26,7 +26,8 @@ pub(super) struct Held {
     edge: Option<HeldEdge>,
     /// With an edge, the points behind each point; none where the point itself is held.
     chains: Vec<Vec<u32>>,
-    /// Directions, or the rotation as the third component, with what is prescribed and their keys.
+    /// Directions, or the rotation or the displacement across the plane as the third component, with what is prescribed and
+    /// their keys.
     pub(super) motions: Vec<([f64; 3], f64, &'static str)>,
     /// Components and total stiffnesses of springs.
     pub(super) springs: Vec<(usize, f64)>,
@@ -50,7 +51,7 @@ pub(super) fn held(
     let each = case.supports.iter().enumerate();
     each.filter_map(|(k, support)| {
         let path = root("supports").index(k);
-        check_keys(support, bonds.points_turn(), &path, faults);
+        check_keys(support, bonds, &path, faults);
         let at = path.key("at");
         if support.at.inward.is_some() {
             faults.error(at.key("inward"), "`inward` is for probes").hint(super::ground::PLACE);
@@ -58,7 +59,10 @@ pub(super) fn held(
         not_mirrored(support.at.region.as_deref(), &at.key("region"), symmetry, faults);
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
         let mut held = resolve(support, spot, path);
-        if let (PlaneBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
+        // Of a shell the outermost points are held.
+        if let (PlaneBody::Lattice(lattice), Some(name), false) =
+            (ground.body, &support.at.region, bonds.deflects())
+        {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
             held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, bonds));
             held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
@@ -83,13 +87,17 @@ pub(super) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Sym
 }
 
 /// Keys that do not fit a body in the plane, or each other.
-fn check_keys(support: &Support, points_turn: bool, path: &JsonPath, faults: &mut Faults) {
+fn check_keys(support: &Support, bonds: &PlaneBonds, path: &JsonPath, faults: &mut Faults) {
+    let (points_turn, deflects) = (bonds.points_turn(), bonds.deflects());
     let foreign = [
-        ("w", support.w.is_some(), "a body in the plane is held by `ux` and `uy`"),
+        ("w", support.w.is_some() && !deflects, "a body in the plane is held by `ux` and `uy`"),
         (
             "phi",
             support.phi.is_some() && !points_turn,
-            "points do not turn: list the region under `rigid` and give its `phi`",
+            match deflects {
+                true => "a shell membrane is held by `ux`, `uy` and `w`",
+                false => "points do not turn: list the region under `rigid` and give its `phi`",
+            },
         ),
         ("w_spring", support.w_spring.is_some(), "use `ux_spring` and `uy_spring`"),
         (
@@ -111,13 +119,17 @@ fn check_keys(support: &Support, points_turn: bool, path: &JsonPath, faults: &mu
     ];
     let holds = pairs.iter().any(|p| p.1.is_some() || p.3.is_some())
         || support.inclined.is_some()
-        || support.phi.is_some();
+        || support.phi.is_some()
+        || support.w.is_some();
     if !holds && !foreign.iter().any(|f| f.1) {
-        faults.error(path.clone(), "this support holds nothing").hint(match points_turn {
-            true => {
+        faults.error(path.clone(), "this support holds nothing").hint(match (points_turn, deflects) {
+            (true, _) => {
                 "give `ux`, `uy`, `phi` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support"
             }
-            false => "give `ux`, `uy` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support",
+            (_, true) => {
+                "give `ux`, `uy`, `w` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support"
+            }
+            _ => "give `ux`, `uy` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support",
         });
     }
     if let Some(inclined) = support.inclined.filter(|i| i.degrees.abs() > 360.0) {
@@ -149,6 +161,7 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
     let ux = support.ux.map(|value| ([1.0, 0.0, 0.0], value, "ux"));
     let uy = support.uy.map(|value| ([0.0, 1.0, 0.0], value, "uy"));
     let phi = support.phi.map(|value| ([0.0, 0.0, 1.0], value, "phi"));
+    let w = support.w.map(|value| ([0.0, 0.0, 1.0], value, "w"));
     let springs = [(0, support.ux_spring), (1, support.uy_spring)];
     Held {
         name: spot.words,
@@ -156,7 +169,7 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
         points: spot.points,
         edge: None,
         chains: Vec::new(),
-        motions: [ux, uy, inclined, phi].into_iter().flatten().collect(),
+        motions: [ux, uy, inclined, phi, w].into_iter().flatten().collect(),
         springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
     }
 }

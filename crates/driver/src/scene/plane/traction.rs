@@ -27,12 +27,22 @@ pub(super) struct StressField {
 #[derive(Clone, Debug)]
 enum Kind {
     Uniform([f64; 3]),
+    /// Stress along y, a cosine of this wave number, 1/m, along y.
+    Hoop {
+        stress: f64,
+        wave_number: f64,
+    },
     Faded(super::fading::Fading),
 }
 
 impl StressField {
     pub(super) fn uniform(stress: [f64; 3]) -> Self {
         Self { points: None, kind: Kind::Uniform(stress) }
+    }
+
+    /// The stress along the circumference of a shell, a wave along it.
+    pub(super) fn hoop(stress: f64, wave_number: f64) -> Self {
+        Self { points: None, kind: Kind::Hoop { stress, wave_number } }
     }
 
     pub(super) fn faded(points: Vec<usize>, fading: super::fading::Fading) -> Self {
@@ -43,6 +53,7 @@ impl StressField {
     pub(super) fn at(&self, position: [f64; 2]) -> [f64; 3] {
         match &self.kind {
             Kind::Uniform(stress) => *stress,
+            Kind::Hoop { stress, wave_number } => [0.0, stress * (wave_number * position[1]).cos(), 0.0],
             Kind::Faded(fading) => fading.stress(position),
         }
     }

@@ -1,7 +1,7 @@
 //! Doubts about a body in the plane that can be solved.
 
 use super::super::words::tidy;
-use super::{PlaneBonds, PlaneScene, clamped, gaps, orthotropic, root, state_based};
+use super::{PlaneBonds, PlaneScene, clamped, gaps, orthotropic, root, shell, state_based};
 use crate::case::Units;
 use crate::diagnostic::{Faults, JsonPath};
 
@@ -18,8 +18,8 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             }
         }
     }
-    // A body that is joined to itself goes on.
-    let joined = scene.model.lattice().map_or([false; 2], |(_, mirrors)| mirrors.joined);
+    // Joined sides are no ends of the body.
+    let joined = scene.recipe.symmetry.mirrors.joined;
     let across = |k: usize| if joined[k] { f64::INFINITY } else { high[k] - low[k] };
     let width = across(0).min(across(1));
     if scene.horizon() > width * (1.0 + 1e-9) {
@@ -35,7 +35,7 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             .hint("use a smaller spacing or a shorter horizon");
     }
     let uncorrected = scene.model.uncorrected();
-    if uncorrected > 0 {
+    if uncorrected > 0 && !scene.bonds().deflects() {
         let (s, verb) = if uncorrected == 1 { ("", "is") } else { ("s", "are") };
         faults
             .warning(
@@ -61,6 +61,10 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
     }
     clamped::warn(scene, faults);
     let moduli = match scene.bonds() {
+        PlaneBonds::Shell(parameters) => {
+            shell::warn(parameters, uncorrected, faults);
+            vec![("youngs_modulus", parameters.youngs_modulus)]
+        }
         PlaneBonds::Central(parameters) => vec![("youngs_modulus", parameters.material.youngs_modulus)],
         PlaneBonds::State(parameters) => {
             state_based::warn(parameters, scene, faults);
