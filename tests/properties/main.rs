@@ -11,6 +11,7 @@ mod plane_terms;
 mod random_beam;
 mod random_beams;
 mod state_terms;
+mod shell_terms;
 
 use proptest::test_runner::{Config, RngSeed};
 

@@ -37,7 +37,7 @@ fn all_pass(folder: &str) {
 }
 
 /// Folders with a test below.
-const FOLDERS: [&str; 6] = ["beam", "frame", "plate", "orthotropic", "ductile", "bench"];
+const FOLDERS: [&str; 7] = ["beam", "frame", "plate", "orthotropic", "ductile", "shell", "bench"];
 
 #[test]
 fn beams_pass_their_checks() {
@@ -62,6 +62,11 @@ fn orthotropic_plates_pass_their_checks() {
 #[test]
 fn crack_specimens_pass_their_checks() {
     all_pass("ductile");
+}
+
+#[test]
+fn shells_pass_their_checks() {
+    all_pass("shell");
 }
 
 #[test]

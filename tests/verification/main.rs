@@ -35,6 +35,7 @@ mod plane_solvers;
 mod reactions;
 mod section_forces;
 mod sections;
+mod shell;
 mod short_beams;
 mod skipping;
 mod specimens;

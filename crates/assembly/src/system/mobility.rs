@@ -57,11 +57,8 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
         });
     }
     let mut elimination = Elimination::new(count * kinds);
-    // The rotation of a part of one point that has no unknown for it is no motion.
-    for part in (0..count).filter(|&part| spans[part][0] == spans[part][1]) {
-        let moves =
-            |kind: usize| model.rigid_motion(kind, spans[part][0], centres[part]).iter().any(|v| *v != 0.0);
-        for kind in (0..kinds).filter(|&kind| !moves(kind)) {
+    for part in 0..count {
+        for kind in superfluous(model, spans[part], centres[part]) {
             elimination.add(&[(kind * count + part, 1.0)]);
         }
     }
@@ -80,6 +77,38 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
         describe(&sizes, &scales, spans, &centres)
     })
     .collect()
+}
+
+/// Kinds of motions that are none of a part: they move neither of its ends, such as a rotation of a single point that has no
+/// unknown for it; or they move a single point as others do.
+fn superfluous<const D: usize, T: Model<D>>(
+    model: &T,
+    [first, last]: [usize; 2],
+    centre: Point,
+) -> Vec<usize> {
+    /// What is left of a motion below this part of it is rounding.
+    const ROUNDING: f64 = 1e-9;
+    let size = |v: &[f64; D]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
+    // Orthonormal motions of the first point.
+    let mut known: Vec<[f64; D]> = Vec::new();
+    let is_superfluous = |kind: &usize| {
+        let [own, other] = [first, last].map(|point| model.rigid_motion(*kind, point, centre));
+        if first != last {
+            return size(&own) == 0.0 && size(&other) == 0.0;
+        }
+        let mut rest = own;
+        for direction in &known {
+            let share: f64 = rest.iter().zip(direction).map(|(a, b)| a * b).sum();
+            (0..D).for_each(|c| rest[c] -= share * direction[c]);
+        }
+        let left = size(&rest);
+        let is_known = left <= ROUNDING * size(&own);
+        if !is_known {
+            known.push(rest.map(|v| v / left));
+        }
+        is_known
+    };
+    (0..T::RIGID_MOTIONS.len()).filter(is_superfluous).collect()
 }
 
 /// How far a unit of every motion moves the end of its part.

@@ -13,7 +13,7 @@ use std::time::Instant;
 /// Right-hand sides that share a factor from which it is faster than as many multigrid solves, measured at 1e5 points.
 const MANY_SIDES: usize = 30;
 /// Points beyond which a factor takes more memory than most machines have.
-const TOO_MANY_POINTS: usize = 500_000;
+pub(crate) const TOO_MANY_POINTS: usize = 500_000;
 
 /// What a right-hand side is solved with.
 pub(super) struct Method<'a> {

@@ -23,6 +23,7 @@ pub use beam::BeamResult;
 pub use certificate::{Balance, Certificate};
 pub use factor::{SolveFailure, SolverReport};
 pub use linear::LinearSolver;
+pub(crate) use method::TOO_MANY_POINTS;
 pub use multigrid::Coarser;
 pub use plane::PlaneResult;
 pub use problem::{Problem, Sizes, Spread, prepare};

@@ -19,8 +19,6 @@ pub struct ShellMembrane {
     /// Bonds as their energy counts: half across a line of symmetry or a joined side, not beyond it.
     pub(super) bonds: Arc<GridBonds<3, 1, ShellBond>>,
     pub(super) curvature: Option<Arc<Curvature>>,
-    /// Radius with which joined sides meet: that of the parameters but for the rounding of a circumference.
-    pub(super) closed_radius: f64,
 }
 
 /// How far the arc of a tube may be from its circumference, relative.
@@ -54,7 +52,16 @@ impl ShellMembrane {
         (parts >= 1.0 && (parts * arc / whole - 1.0).abs() <= ROUNDED).then_some(parts)
     }
 
-    /// A body on a lattice, images in `mirrors` among its points ([`Mirrors::extended`]).
+    /// The radius, m, with which some joined rows close: that of the parameters but for the rounding of a circumference. A
+    /// single row closes with any.
+    pub fn closed_radius(radius: f64, spacing: f64, joined_rows: Option<i32>) -> f64 {
+        let arc = joined_rows.filter(|rows| *rows > 1).map(|rows| spacing * f64::from(rows));
+        let parts = arc.and_then(|arc| Some(arc * Self::parts_of_circumference(radius, arc)?));
+        parts.map_or(radius, |whole| whole / std::f64::consts::TAU)
+    }
+
+    /// A body on a lattice, images in `mirrors` among its points ([`Mirrors::extended`]). Its radius is the
+    /// [`closed_radius`](Self::closed_radius).
     ///
     /// # Errors
     /// [`ShellError`].
@@ -74,7 +81,13 @@ impl ShellMembrane {
         parameters: ShellParameters,
     ) -> Result<Self, ShellError> {
         let spacing = lattice.spacing();
-        let ShellParameters { youngs_modulus, thickness, radius, kinematics, .. } = parameters;
+        let joined = match (mirrors.joined[1], mirrors.rows) {
+            (true, [Some(low), Some(high)]) => Some(high - low),
+            _ => None,
+        };
+        let radius = Self::closed_radius(parameters.radius, spacing, joined);
+        let parameters = ShellParameters { radius, ..parameters };
+        let ShellParameters { youngs_modulus, thickness, kinematics, .. } = parameters;
         let modulus = 6.0 * youngs_modulus * thickness * spacing * spacing;
         let bond = ShellBond { radius, kinematics, modulus };
         let offsets = offsets(&parameters, &bond, spacing)?;
@@ -83,17 +96,11 @@ impl ShellMembrane {
         let bonds = grid(&lattice, &mirrors, &ghosts, &families, &bond);
         let curvature =
             parameters.bending.then(|| Arc::new(Curvature::new(&lattice, &mirrors, &parameters, &families)));
-        let arc = match (mirrors.joined[1], mirrors.rows) {
-            (true, [Some(low), Some(high)]) => spacing * f64::from(high - low),
-            _ => std::f64::consts::TAU * radius,
-        };
-        let parts = Self::parts_of_circumference(radius, arc);
-        let closed_radius = parts.map_or(radius, |parts| parts * arc / std::f64::consts::TAU);
         let (families, bonds) = (Arc::new(families), Arc::new(bonds));
-        Ok(Self { parameters, lattice, mirrors, ghosts, families, bonds, curvature, closed_radius })
+        Ok(Self { parameters, lattice, mirrors, ghosts, families, bonds, curvature })
     }
 
-    /// The parameters.
+    /// The parameters, with the radius that closes.
     pub fn parameters(&self) -> &ShellParameters {
         &self.parameters
     }

@@ -6,6 +6,7 @@
 
 use super::ShellMembrane;
 use crate::model::plane::PlaneModel;
+use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
 /// Conditions `α U' + β V = 0` that hold on all generators.
@@ -57,19 +58,27 @@ pub struct Inextensional<'a> {
     ends: EndConditions,
 }
 
-/// Of every row: its s, and the sums of `f_u`, `f_v`, `x f_v`, `f_w`, `x f_w` and of their magnitudes.
+/// Of a row: its s, and the sums of `f_u`, `f_v`, `x f_v`, `f_w` and `x f_w`.
 struct RowForces {
     s: f64,
     sums: [f64; 5],
-    sizes: [f64; 5],
+}
+
+/// Waves `g(s)` along the circumference.
+struct Waves {
+    /// 1/m.
+    numbers: Vec<f64>,
+    /// Whether waves are even or odd or both about the first side.
+    parities: &'static [bool],
+    /// Work per load and amplitude that is rounding or comes from the spacing.
+    slack: f64,
 }
 
 impl<'a> Inextensional<'a> {
     /// Those that some conditions leave, and the mirrors and joined ends of the shell.
     pub fn new(shell: &'a ShellMembrane, mut ends: EndConditions) -> Self {
-        let mirrors = &shell.mirrors;
         // A mirror makes u odd; joined ends make it, and v, the same on both.
-        if mirrors.columns != [None; 2] {
+        if shell.mirrors.columns != [None; 2] {
             ends.hold_axial();
         }
         Self { shell, ends }
@@ -81,69 +90,74 @@ impl<'a> Inextensional<'a> {
         if left.is_empty() || self.shell.curvature.is_some() {
             return false;
         }
-        let rows = self.row_forces(force);
-        let (wave_numbers, parities, slack) = self.waves(&rows);
-        wave_numbers.into_iter().any(|wave| {
-            parities
-                .iter()
-                .any(|&is_odd| left.iter().any(|&[a, b]| self.works([a, b], wave, is_odd, slack, &rows)))
-        })
+        let (rows, waves) = (self.row_forces(force), self.waves());
+        let load: f64 = force.iter().map(|f| f.abs()).sum();
+        let each = waves.numbers.iter().flat_map(|&wave| waves.parities.iter().map(move |&odd| (wave, odd)));
+        each.flat_map(|wave| left.iter().map(move |&motion| (motion, wave)))
+            .any(|(motion, wave)| self.work(motion, wave, &rows).abs() > waves.slack * load)
     }
 
+    /// Forces by rows; those on images are brought back to their points.
     fn row_forces(&self, force: &[f64]) -> Vec<RowForces> {
         let (shell, n) = (self.shell, self.shell.point_count());
-        let mut rows: Vec<RowForces> = Vec::new();
-        let mut last = None;
-        for p in shell.real_points() {
-            let (row, [x, s]) = (shell.lattice.cell(p)[1], shell.place(p));
-            if last.replace(row) != Some(row) {
-                rows.push(RowForces { s, sums: [0.0; 5], sizes: [0.0; 5] });
-            }
-            let Some(of) = rows.last_mut() else { continue };
+        let mut rows: BTreeMap<i32, RowForces> = BTreeMap::new();
+        for p in 0..n {
+            let (cell, signs) = shell.mirrors.image(shell.lattice.cell(p));
+            let [x, s] = shell.lattice.centre(cell);
             let [u, v, w] = [0, 1, 2].map(|c| force[c * n + p]);
-            for (k, value) in [u, v, x * v, w, x * w].into_iter().enumerate() {
-                of.sums[k] += value;
-                of.sizes[k] += value.abs();
+            let (u, v) = (signs[0] * u, signs[1] * v);
+            let row = rows.entry(cell[1]).or_insert(RowForces { s, sums: [0.0; 5] });
+            let parts = [u, v, x * v, w, x * w];
+            row.sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part);
+        }
+        rows.into_values().collect()
+    }
+
+    fn waves(&self) -> Waves {
+        /// Where sums over a period cancel, and where they do so up to the spacing.
+        const SLACK: [f64; 2] = [1e-8, 3e-2];
+        /// Waves between free sides that are tried: shorter ones see the spacing.
+        const FEW: usize = 4;
+        let (mirrors, radius) = (&self.shell.mirrors, self.shell.parameters.radius);
+        let rows = mirrors.real(&self.shell.lattice).rows().len();
+        let arc = rows as f64 * self.shell.lattice.spacing();
+        // Waves with one period around the cylinder are rigid motions.
+        let beyond_rigid = |unit: f64, most: usize| {
+            let all = (1..=most).map(|k| unit * k as f64);
+            all.filter(|wave| *wave > 1.01 / radius).collect()
+        };
+        match (mirrors.joined[1], mirrors.rows) {
+            (true, _) => {
+                let numbers = beyond_rigid(TAU / arc, rows / 2);
+                Waves { numbers, parities: &[false, true], slack: SLACK[0] }
+            }
+            (_, [Some(_), Some(_)]) => {
+                Waves { numbers: beyond_rigid(PI / arc, rows), parities: &[true], slack: SLACK[0] }
+            }
+            (_, sides) => {
+                let parities: &[bool] = if sides == [None; 2] { &[false, true] } else { &[true] };
+                let numbers = (1..=FEW).map(|k| PI / arc * k as f64).collect();
+                Waves { numbers, parities, slack: SLACK[1] }
             }
         }
-        rows
     }
 
-    /// Wave numbers, 1/m, whether waves are even or odd or both about the first side, and what counts as rounding.
-    fn waves(&self, rows: &[RowForces]) -> (Vec<f64>, Vec<bool>, f64) {
-        /// Work per its size that is rounding, where sums over a period cancel, and where they do so up to the spacing.
-        const SLACK: [f64; 2] = [1e-8, 1e-2];
-        let mirrors = &self.shell.mirrors;
-        let arc = rows.len() as f64 * self.shell.lattice.spacing();
-        let (unit, parities, slack) = match (mirrors.joined[1], mirrors.rows) {
-            (true, _) => (TAU / arc, vec![false, true], SLACK[0]),
-            (_, [Some(_), Some(_)]) => (PI / arc, vec![true], SLACK[0]),
-            (_, [None, None]) => (PI / arc, vec![false, true], SLACK[1]),
-            _ => (PI / arc, vec![true], SLACK[1]),
-        };
-        // Waves with one period around the cylinder are rigid motions.
-        let rigid = (1.0 + 1e-2) / self.shell.closed_radius;
-        let most = rows.len() / if mirrors.joined[1] { 2 } else { 1 };
-        let waves = (1..=most).map(|k| unit * k as f64).filter(|wave| *wave > rigid || slack == SLACK[1]);
-        (waves.collect(), parities, slack)
-    }
-
-    fn works(&self, [a, b]: [f64; 2], wave: f64, is_odd: bool, slack: f64, rows: &[RowForces]) -> bool {
-        let r = self.shell.closed_radius;
+    /// Work per amplitude on the motion `[U', V] = [a, b] g(s)`.
+    fn work(&self, [a, b]: [f64; 2], (wave, is_odd): (f64, bool), rows: &[RowForces]) -> f64 {
+        let r = self.shell.parameters.radius;
         let origin = rows.first().map_or(0.0, |row| row.s - 0.5 * self.shell.lattice.spacing());
-        let most = [a / wave, b, a, b * r * wave, a * r * wave].map(f64::abs);
-        let (mut work, mut size) = (0.0, 0.0);
-        for row in rows {
+        let of_row = |row: &RowForces| {
             let (sin, cos) = (wave * (row.s - origin)).sin_cos();
             // G' = g.
             let [integral, g, slope] =
                 if is_odd { [-cos / wave, sin, wave * cos] } else { [sin / wave, cos, -wave * sin] };
             let shares = [a * integral, b * g, -a * g, -b * r * slope, a * r * slope];
-            for k in 0..5 {
-                work += shares[k] * row.sums[k];
-                size += most[k] * row.sizes[k];
-            }
-        }
-        work.abs() > slack * size
+            shares.iter().zip(&row.sums).map(|(share, sum)| share * sum).sum::<f64>()
+        };
+        let places = self.shell.lattice.columns();
+        let far = [places.start, places.end].map(|column| self.shell.lattice.centre([column, 0])[0].abs());
+        let most = b.abs() + a.abs() * far[0].max(far[1]);
+        let amplitude = most.max(a.abs() / wave).max(r * wave * most);
+        rows.iter().map(of_row).sum::<f64>() / amplitude
     }
 }

@@ -1,7 +1,7 @@
 //! What every model says of a shell membrane: terms, relations, rigid motions, stresses, coarser bodies.
 
 use super::super::plane::{FindCuts, Mirrors, PlaneFields, PlaneModel};
-use super::ShellMembrane;
+use super::{ShellKinematics, ShellMembrane};
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
@@ -88,12 +88,12 @@ impl PlaneModel for ShellMembrane {
 impl Model<3> for ShellMembrane {
     const UNKNOWNS: [&'static str; 3] = ["ux", "uy", "w"];
     const RIGID_MOTIONS: &'static [&'static str] = &[
-        "translation along the axis",
+        "translation along x",
         "rotation about the axis",
-        "translation across the axis, towards s = 0",
-        "translation across the axis, towards a quarter of the circumference",
-        "tilt of the axis towards s = 0",
-        "tilt of the axis towards a quarter of the circumference",
+        "translation at 0 degrees",
+        "translation at 90 degrees",
+        "tilt at 0 degrees",
+        "tilt at 90 degrees",
     ];
     const IS_DISPLACEMENT: [bool; 3] = [true; 3];
 
@@ -131,11 +131,13 @@ impl Model<3> for ShellMembrane {
         self.mirrors.relations(&self.lattice, &self.ghosts, |[x, y]| [x, y, 1.0])
     }
 
-    /// Exactly free of energy with chords. The published elongations resist the last four a little, which is an error of
-    /// theirs: supports are asked for all the same.
+    /// The published elongations resist all but the first two a little, so that these are none.
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
         let [x, s] = self.place(point);
-        let (x, r) = (x - centre[0], self.closed_radius);
+        let (x, r) = (x - centre[0], self.parameters.radius);
+        if kind > 1 && self.parameters.kinematics == ShellKinematics::Published {
+            return [0.0; 3];
+        }
         let (sin, cos) = (s / r).sin_cos();
         match kind {
             0 => [1.0, 0.0, 0.0],

@@ -7,7 +7,7 @@ use super::traction::StressField;
 use super::{AnyPlaneModel, PlaneBonds, PlaneScene, body, model, root};
 use crate::case::{Axis, Body, Case, LoadSharing, Pressure, Shell};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::body::{PlaneBody, SquareLattice};
+use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::plane::{Calibration, PlaneModel};
 use peristat_assembly::model::shell_membrane::{
     EndConditions, Inextensional, ShellError, ShellMembrane, ShellParameters,
@@ -113,13 +113,6 @@ pub(super) fn refuse(error: &ShellError, faults: &mut Faults) {
     model::tell(&error.to_string(), path, faults);
 }
 
-/// Radius with which waves around a lattice are whole: that of the case but for the rounding of a circumference.
-fn closed_radius(lattice: &SquareLattice, radius: f64, is_joined: bool) -> f64 {
-    let arc = lattice.rows().len() as f64 * lattice.spacing();
-    let parts = ShellMembrane::parts_of_circumference(radius, arc).filter(|_| is_joined);
-    parts.map_or(radius, |parts| parts * arc / std::f64::consts::TAU)
-}
-
 /// Adds a pressure.
 pub(super) fn pressure(
     load: &Pressure,
@@ -141,12 +134,22 @@ pub(super) fn pressure(
         Calibration::Matched => LoadSharing::Consistent,
         Calibration::Published => LoadSharing::Lumped,
     };
-    let radius = closed_radius(lattice, shell.radius, context.symmetry.mirrors.joined[1]);
+    let joined = context.symmetry.mirrors.joined[1].then(|| lattice.rows().len() as i32);
+    let radius = ShellMembrane::closed_radius(shell.radius, lattice.spacing(), joined);
     let wave_number = f64::from(load.harmonic) / radius;
     match load.sharing.unwrap_or(usual) {
         LoadSharing::Consistent => {
-            let hoop = load.value * shell.radius / shell.thickness;
+            let hoop = load.value * radius / shell.thickness;
             to.stresses.push(StressField::hoop(hoop, wave_number));
+            // What a stress that varies does along the circumference is taken back: its divergence.
+            let force = |p: u32| {
+                let s = context.ground.body.position(p as usize)[1];
+                let divergence = -hoop * wave_number * (wave_number * s).sin();
+                (p, [0.0, context.volume(p) * divergence])
+            };
+            if load.harmonic > 0 {
+                to.forces.extend((0..context.ground.body.points() as u32).map(force));
+            }
         }
         LoadSharing::Lumped => {
             let force = |p: u32| {

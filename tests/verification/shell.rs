@@ -1,0 +1,180 @@
+//! Shell membranes as cases: pulled and pressed tubes, ends, ovalling, and loads that are refused.
+
+use crate::support::plane::{displacements, probe, refusal, solve};
+use peristat::case::FieldName;
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+
+/// A tube of length and circumference one, joined around, of some rows; `model` has what the bonds are.
+fn tube(rows: [u32; 2], model: &Value) -> Value {
+    let mut shell = json!({ "youngs_modulus": 2e11, "thickness": 0.01, "radius": 1.0 / TAU });
+    for (key, value) in model.as_object().into_iter().flatten() {
+        shell[key] = value.clone();
+    }
+    let spacing = 1.0 / f64::from(rows[0]);
+    json!({
+        "title": "tube",
+        "model": { "shell_membrane": shell },
+        "body": { "rectangle": { "size": [1.0, spacing * f64::from(rows[1])], "spacing": spacing } },
+        "periodic": [{ "along": "y" }]
+    })
+}
+
+/// One row of a tube of radius 0.1592 that body forces of 5e9 N/m³ pull over 0.04 at each end.
+fn pulled(columns: u32, kinematics: &str) -> Value {
+    let mut case = tube([columns, 1], &json!({ "radius": 0.1592, "kinematics": kinematics }));
+    case["body"]["rectangle"]["from"] = json!([-0.5, 0.0]);
+    case["regions"] = json!({
+        "left part": { "box": { "from": [-0.5, 0.0], "to": [-0.46, 1.0] } },
+        "right part": { "box": { "from": [0.46, 0.0], "to": [0.5, 1.0] } }
+    });
+    let middle = 0.5 / f64::from(columns);
+    case["supports"] = json!([{ "at": { "x": middle, "y": middle }, "ux": 0, "uy": 0 }]);
+    case["loads"] = json!([
+        { "body_force": { "region": "left part", "density": [-5e9, 0] } },
+        { "body_force": { "region": "right part", "density": [5e9, 0] } }
+    ]);
+    case
+}
+
+#[test]
+fn a_pulled_tube_converges_with_order_two() {
+    for kinematics in ["chord", "published"] {
+        let error = |columns: u32| {
+            let run = displacements(&pulled(columns, kinematics));
+            let u = run.field(0, FieldName::Ux);
+            let middle = 0.5 * (u[0] + u[u.len() - 1]);
+            let exact = |x: f64| {
+                let beyond = 0.5 - x.abs();
+                let outside = 4.6e-4 + 1.25e-2 * (0.0016 - beyond * beyond);
+                if beyond >= 0.04 { 1e-3 * x } else { x.signum() * outside }
+            };
+            let positions = run.positions();
+            let errors = u.iter().zip(&positions).map(|(u, at)| (u - middle - exact(at[0])).abs());
+            errors.fold(0.0, f64::max) / 4.8e-4
+        };
+        // 5.5e-3, 1.4e-3 and 3.4e-4.
+        let errors = [100, 200, 400].map(error);
+        for pair in errors.windows(2) {
+            assert!((pair[0] / pair[1]).log2() >= 1.9, "{kinematics}: {errors:?}");
+        }
+        assert!(errors[0] < 6e-3);
+    }
+}
+
+#[test]
+fn consistent_pressure_is_exact_at_every_point_of_a_closed_tube() {
+    let radius = 1.0 / TAU;
+    for rows in [[50, 1], [48, 48]] {
+        let mut case = tube(rows, &json!({}));
+        let (half, end) = (0.5 * 1e6 * radius / 0.01, 1.0 - 0.5 / f64::from(rows[0]));
+        let near = 0.5 / f64::from(rows[0]);
+        case["loads"] = json!([
+            { "pressure": { "value": 1e6 } },
+            { "traction": { "edge": "left", "uniform": [-half, 0] } },
+            { "traction": { "edge": "right", "uniform": [half, 0] } }
+        ]);
+        case["supports"] = json!([{ "at": { "x": near, "y": near }, "ux": 0, "uy": 0 }]);
+        let whole = rows[1] > 1;
+        if whole {
+            // Points opposite each other and a quarter on: the lateral motions, and tilts.
+            let places = [[near, near], [near, 0.25 + near], [end, near], [end, 0.25 + near]];
+            let supports = case["supports"].as_array_mut().unwrap();
+            let w = 1e6 * radius * radius / 2e9 * (1.0 - 1.0 / 6.0);
+            supports.extend(places.map(|[x, y]| json!({ "at": { "x": x, "y": y }, "w": w })));
+        }
+        let run = solve(&case);
+        let w = 1e6 * radius * radius / 2e9 * (1.0 - 1.0 / 6.0);
+        let strain = 1e6 * radius / 2e9 * (0.5 - 1.0 / 3.0);
+        let slack = if whole { 1e-7 } else { 1e-11 };
+        for found in run.field(0, FieldName::W) {
+            assert!((found / w - 1.0).abs() < slack, "{rows:?} {found} {w}");
+        }
+        for found in run.field(0, FieldName::StrainXx) {
+            assert!((found / strain - 1.0).abs() < 10.0 * slack, "{rows:?} {found} {strain}");
+        }
+    }
+}
+
+/// A tube of some rows between diaphragms under `p cos 2θ`.
+fn between_diaphragms(rows: u32) -> Value {
+    let mut case = tube([rows; 2], &json!({}));
+    case["body"]["rectangle"]["size"] = json!([0.5, 1.0]);
+    let u = json!({ "at": { "x": 0.25, "y": 0.0 }, "ux": 0 });
+    case["supports"] = json!([
+        { "at": { "region": "left" }, "uy": 0, "w": 0 }, { "at": { "region": "right" }, "uy": 0, "w": 0 }, u
+    ]);
+    case["loads"] = json!([{ "pressure": { "value": 1e6, "harmonic": 2 } }]);
+    case["probes"] = json!([{ "name": "w", "at": { "x": 0.25, "y": 0.0 }, "field": "w" }]);
+    case
+}
+
+/// w in the middle of a membrane with `N_x = N_s-free` ends at ±a under `p cos nθ`, by integration of its equilibrium.
+fn membrane_w(a: f64) -> f64 {
+    let (e, h, nu, r, p, n) = (2e11, 0.01, 1.0 / 3.0, 1.0 / TAU, 1e6, 2.0);
+    let g = e / (2.0 * (1.0 + nu));
+    let axial = -p * n * n / (2.0 * r) * (5.0 * a.powi(4) / 12.0) + 0.5 * nu * p * r * a * a;
+    let v = -p * n * a * a / (2.0 * g * h) + n / (r * e * h) * axial;
+    r * (p * r - nu * p * n * n * a * a / (2.0 * r)) / (e * h) - n * v
+}
+
+#[test]
+fn a_tube_between_diaphragms_converges_to_membrane_theory() {
+    // The outermost points are held, half a spacing inside the ends.
+    let errors = [24, 48, 96].map(|rows| {
+        let w = probe(&between_diaphragms(rows), "w");
+        w / membrane_w(0.25 - 0.5 / f64::from(rows)) - 1.0
+    });
+    println!("{errors:?}");
+    assert!(errors.windows(2).all(|e| e[1].abs() < 0.7 * e[0].abs()), "{errors:?}");
+    assert!(errors[2].abs() < 0.03, "{errors:?}");
+}
+
+#[test]
+fn every_solver_has_the_same_answer() {
+    let mut case = between_diaphragms(64);
+    let found = ["sparse", "multigrid", "pcg"].map(|solver| {
+        case["solver"] = json!(solver);
+        probe(&case, "w")
+    });
+    found.iter().for_each(|w| assert!((w / found[0] - 1.0).abs() < 1e-8, "{found:?}"));
+}
+
+#[test]
+fn rows_of_bending_oval_a_ring_as_an_inextensional_one() {
+    let w = |rows: u32| {
+        let mut case = tube([rows, rows / 4], &json!({ "bending": true }));
+        let spacing = 1.0 / f64::from(rows);
+        case["body"]["rectangle"]["size"] = json!([6.0 * spacing, 0.25]);
+        case["symmetry"] = json!(["bottom", "top"]);
+        case["periodic"] = json!([{ "along": "x" }]);
+        case["supports"] = json!([{ "at": { "x": 0.0, "y": 0.0 }, "ux": 0 }]);
+        case["loads"] = json!([{ "pressure": { "value": 2e5, "harmonic": 2, "sharing": "lumped" } }]);
+        case["probes"] =
+            json!([{ "name": "w", "at": { "x": 0.5 * spacing, "y": 0.5 * spacing }, "field": "w" }]);
+        probe(&case, "w") / (TAU * spacing).cos()
+    };
+    // p R⁴/(9 D); 0.94 % and 0.28 %.
+    let errors = [96, 192].map(|rows| w(rows) / 7.6044312998e-04 - 1.0);
+    assert!(errors[0].abs() < 0.012 && errors[1].abs() < 0.005, "{errors:?}");
+}
+
+#[test]
+fn free_membranes_refuse_what_is_not_the_same_all_around() {
+    let mut case = tube([24; 2], &json!({}));
+    let (near, end) = (1.0 / 48.0, 1.0 - 1.0 / 48.0);
+    let w = |x: f64, y: f64| json!({ "at": { "x": x, "y": y }, "w": 0 });
+    case["supports"] = json!([
+        { "at": { "x": near, "y": near }, "ux": 0, "uy": 0 },
+        w(near, near), w(near, 0.25 + near), w(end, near), w(end, 0.25 + near)
+    ]);
+    for (harmonic, is_refused) in [(0, false), (1, false), (2, true), (5, true)] {
+        case["loads"] = json!([{ "pressure": { "value": 1e6, "harmonic": harmonic } }]);
+        match is_refused {
+            true => assert!(refusal(&case).contains("diaphragms"), "harmonic {harmonic}"),
+            false => _ = displacements(&case),
+        }
+    }
+    case["model"]["shell_membrane"]["bending"] = json!(true);
+    displacements(&case);
+}
