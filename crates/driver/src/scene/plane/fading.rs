@@ -3,7 +3,8 @@
 use super::boundary::{self, Border, is_aligned};
 use super::loads::Context;
 use super::lump::{self, Forces, Resultant};
-use super::traction::{OnBorder, Profile, StressField, may_be_consistent};
+use super::stress_field::StressField;
+use super::traction::{OnBorder, Profile, may_be_consistent};
 use super::uniform_stress::traction_of;
 use crate::diagnostic::Faults;
 use peristat_assembly::body::{Edge, Outline, Region, Regions};

@@ -3,8 +3,9 @@
 use super::super::states;
 use super::bonds::PlaneBonds;
 use super::ground::{Ground, PLACE};
+use super::stress_field::StressField;
 use super::symmetry::Symmetry;
-use super::traction::{self, StressField};
+use super::traction;
 use super::{Held, root, shell};
 use crate::case::{BodyForce, Load, PointLoad};
 use crate::diagnostic::{Faults, JsonPath};

@@ -37,6 +37,8 @@ mod rigid_mirror;
 mod shell;
 mod specimen;
 mod state_based;
+mod stress_field;
+mod support_keys;
 mod supported;
 mod supports;
 mod symmetry;

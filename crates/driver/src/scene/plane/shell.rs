@@ -3,7 +3,7 @@
 use super::super::numbers::positive;
 use super::super::words::tidy;
 use super::loads::{Context, PlaneLoads};
-use super::traction::StressField;
+use super::stress_field::StressField;
 use super::{AnyPlaneModel, PlaneBonds, PlaneScene, body, model, root};
 use crate::case::{Axis, Body, Case, LoadSharing, Pressure, Shell};
 use crate::diagnostic::{Faults, JsonPath};

@@ -1,12 +1,11 @@
 //! Supports of a body in the plane.
 
-use super::super::numbers::positive;
 use super::bonds::PlaneBonds;
 use super::conditions::{HeldPoints, RigidPoints};
 use super::ground::{Ground, Spot};
 use super::held_edge::HeldEdge;
 use super::symmetry::Symmetry;
-use super::{model::Recipe, root};
+use super::{model::Recipe, root, support_keys};
 use crate::case::{Rigid, Support};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::PlaneBody;
@@ -51,7 +50,7 @@ pub(super) fn held(
     let each = case.supports.iter().enumerate();
     each.filter_map(|(k, support)| {
         let path = root("supports").index(k);
-        check_keys(support, bonds, &path, faults);
+        support_keys::check(support, bonds, &path, faults);
         let at = path.key("at");
         if support.at.inward.is_some() {
             faults.error(at.key("inward"), "`inward` is for probes").hint(super::ground::PLACE);
@@ -83,71 +82,6 @@ pub(super) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Sym
         faults
             .error(path.clone(), format!("the edge `{name}` is joined to the opposite one by `periodic`"))
             .hint("no border is there: take another region, or remove `periodic`");
-    }
-}
-
-/// Keys that do not fit a body in the plane, or each other.
-fn check_keys(support: &Support, bonds: &PlaneBonds, path: &JsonPath, faults: &mut Faults) {
-    let (points_turn, deflects) = (bonds.points_turn(), bonds.deflects());
-    let foreign = [
-        ("w", support.w.is_some() && !deflects, "a body in the plane is held by `ux` and `uy`"),
-        (
-            "phi",
-            support.phi.is_some() && !points_turn,
-            match deflects {
-                true => "a shell membrane is held by `ux`, `uy` and `w`",
-                false => "points do not turn: list the region under `rigid` and give its `phi`",
-            },
-        ),
-        ("w_spring", support.w_spring.is_some(), "use `ux_spring` and `uy_spring`"),
-        (
-            "phi_spring",
-            support.phi_spring.is_some(),
-            if points_turn {
-                "use `ux_spring` and `uy_spring`"
-            } else {
-                "points do not turn: use `ux_spring` and `uy_spring`"
-            },
-        ),
-    ];
-    for (key, _, hint) in foreign.iter().filter(|f| f.1) {
-        faults.error(path.key(*key), format!("`{key}` is for the supports of beams")).hint(*hint);
-    }
-    let pairs = [
-        ("ux", support.ux, "ux_spring", support.ux_spring),
-        ("uy", support.uy, "uy_spring", support.uy_spring),
-    ];
-    let holds = pairs.iter().any(|p| p.1.is_some() || p.3.is_some())
-        || support.inclined.is_some()
-        || support.phi.is_some()
-        || support.w.is_some();
-    if !holds && !foreign.iter().any(|f| f.1) {
-        faults.error(path.clone(), "this support holds nothing").hint(match (points_turn, deflects) {
-            (true, _) => {
-                "give `ux`, `uy`, `phi` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support"
-            }
-            (_, true) => {
-                "give `ux`, `uy`, `w` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support"
-            }
-            _ => "give `ux`, `uy` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support",
-        });
-    }
-    if let Some(inclined) = support.inclined.filter(|i| i.degrees.abs() > 360.0) {
-        faults
-            .error(
-                path.key("inclined").key("degrees"),
-                format!("`degrees` must be between -360 and 360, found {}", inclined.degrees),
-            )
-            .hint("it is the direction that is held, counter-clockwise from x");
-    }
-    for (key, value, spring, stiffness) in pairs {
-        let Some(stiffness) = stiffness else { continue };
-        positive(stiffness, spring, path.key(spring), faults);
-        if value.is_some() {
-            faults
-                .error(path.key(spring), format!("`{key}` is prescribed, so `{spring}` would do nothing"))
-                .hint("remove one of them");
-        }
     }
 }
 
