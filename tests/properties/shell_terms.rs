@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use std::sync::Arc;
 
 proptest! {
-    #![proptest_config(crate::cases(40))]
+    #![proptest_config(crate::cases(12))]
 
     #[test]
     fn a_shell_is_consistent_in_any_form(

@@ -125,7 +125,6 @@ fn a_tube_between_diaphragms_converges_to_membrane_theory() {
         let w = probe(&between_diaphragms(rows), "w");
         w / membrane_w(0.25 - 0.5 / f64::from(rows)) - 1.0
     });
-    println!("{errors:?}");
     assert!(errors.windows(2).all(|e| e[1].abs() < 0.7 * e[0].abs()), "{errors:?}");
     assert!(errors[2].abs() < 0.03, "{errors:?}");
 }
