@@ -203,6 +203,28 @@ impl PlaneBonds {
         matches!(self, Self::State(parameters) if parameters.is_axisymmetric())
     }
 
+    /// The strain along x, 0, or y, 1, by the stresses `[σ_xx, σ_yy, σ_xy]`, times some modulus; in a body of revolution with
+    /// a hoop stress of σ_xx.
+    pub(super) fn strain_row(&self, axis: usize) -> [f64; 3] {
+        let isotropic = |ratio: f64| if axis == 0 { [1.0, -ratio, 0.0] } else { [-ratio, 1.0, 0.0] };
+        match self {
+            Self::Central(_) => isotropic(1.0 / 3.0),
+            Self::Beams(of) => {
+                let row = of.material.compliance_at(of.fibre_angle)[axis];
+                row.map(|c| c / row[axis])
+            }
+            Self::State(of) => {
+                let nu = of.poisson_ratio;
+                match (of.geometry, axis) {
+                    (Geometry::PlaneStress(_), _) => isotropic(nu),
+                    (Geometry::PlaneStrain(_), _) => isotropic(nu / (1.0 - nu)),
+                    (Geometry::Axisymmetric, 0) => [1.0 - nu, -nu, 0.0],
+                    (Geometry::Axisymmetric, _) => isotropic(2.0 * nu),
+                }
+            }
+        }
+    }
+
     /// The same material without a hoop: what the bonds of a straight edge are.
     pub(super) fn unrolled(self) -> Self {
         match self {

@@ -25,6 +25,8 @@ pub struct PlaneLoads {
     pub(super) spin: f64,
     /// Stresses that act by the rows of the bonds.
     pub(super) stresses: Vec<StressField>,
+    /// Whether these carry the forces through joined sides.
+    pub(super) carry_ends: bool,
 }
 
 /// What the resolution of loads looks at.
@@ -232,9 +234,11 @@ impl PlaneLoads {
         self
     }
 
-    /// The same with forces on points of the model beside.
-    pub(super) fn with_forces(mut self, forces: &[(u32, [f64; 2])]) -> Self {
-        self.forces.extend(forces);
+    /// The same with the forces through joined sides, on points of the model.
+    pub(super) fn with_ends(mut self, forces: &[(u32, [f64; 2])]) -> Self {
+        if !self.carry_ends {
+            self.forces.extend(forces);
+        }
         self
     }
 

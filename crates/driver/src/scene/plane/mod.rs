@@ -291,7 +291,7 @@ impl PlaneScene {
             equations: conditions.equations(&|p| built.place(p)),
             load_cases: load_cases
                 .into_iter()
-                .map(|l| l.numbered(&number).with_forces(&periodic::forces(case, &*built)))
+                .map(|l| l.numbered(&number).with_ends(&periodic::forces(case, &*built)))
                 .collect(),
             conditions,
             supports,

@@ -1,5 +1,7 @@
 //! Opposite edges of a body in the plane that are joined.
 
+use super::boundary;
+use super::loads::Context;
 use super::root;
 use super::symmetry::{SIDES, Symmetry, edge_on, line_on};
 use crate::case::{Axis, Case, Periodic};
@@ -92,6 +94,17 @@ pub(super) fn forces(case: &Case, model: &dyn PlaneModel) -> Vec<(u32, [f64; 2])
         Some([(copy as u32, along(force)), (first as u32, along(-force))])
     };
     case.periodic.iter().filter_map(of).flatten().collect()
+}
+
+/// The stress of the force of the case through joined sides along an axis, Pa.
+pub(super) fn stress(axis: usize, context: &Context) -> Option<f64> {
+    let is_along = |given: &&Periodic| usize::from(given.along == Axis::Y) == axis;
+    let force = context.ground.case.periodic.iter().find(is_along)?.force?;
+    let outline = context.ground.outline?;
+    let (edge, _) = edge_on(outline, 2 * axis)?;
+    let stretches = boundary::of_edge(outline.edge(&edge)?, context.ground);
+    let area: f64 = stretches.iter().map(|s| s.length * context.bonds.across(s.middle)).sum();
+    (area > 0.0).then(|| force / area)
 }
 
 #[cfg(test)]

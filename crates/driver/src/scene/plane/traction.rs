@@ -213,10 +213,13 @@ fn check_sharing(load: &Traction, on: &OnBorder, context: &Context, path: &JsonP
 
 /// Adds the tractions of one load case.
 pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads, faults: &mut Faults) {
-    if tractions.is_empty() {
+    let matched = context.bonds.calibration() == Calibration::Matched;
+    let pulled = context.ground.case.periodic.iter().any(|p| p.force.is_some());
+    if tractions.is_empty() && !(pulled && matched) {
         return;
     }
     if let Some(uniform) = uniform_stress::find(tractions, context) {
+        to.carry_ends = true;
         to.stresses.push(StressField::uniform(uniform.stress));
         to.forces.extend(uniform.on_held_edges);
         return;

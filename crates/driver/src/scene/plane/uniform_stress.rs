@@ -3,6 +3,7 @@
 use super::boundary::{self, Border};
 use super::loads::{Context, is_held};
 use super::lump::{self, Forces};
+use super::periodic;
 use super::traction::{OnBorder, Profile, may_be_consistent};
 use crate::diagnostic::Faults;
 use peristat_assembly::body::Edge;
@@ -120,9 +121,31 @@ pub(super) fn find(tractions: &[OnBorder], context: &Context) -> Option<UniformS
             held.push((edge, *t));
         }
     }
+    if !meet_along_joined_sides(&mut conditions, size, context) {
+        return None;
+    }
     let stress = conditions.stress;
     let on_held_edges = held.iter().flat_map(|(edge, t)| taken_back(edge, *t, stress, context)).collect();
     Some(UniformStress { stress, on_held_edges })
+}
+
+/// What a stress is along sides that are joined or both mirrors: that of the force through sides which move apart, and where
+/// they stay, that which keeps their distance, if nothing else settles it. False where the force asks for another one.
+fn meet_along_joined_sides(conditions: &mut Conditions, size: f64, context: &Context) -> bool {
+    let mirrors = context.symmetry.mirrors;
+    for axis in 0..2 {
+        let along = [f64::from(u8::from(axis == 0)), f64::from(u8::from(axis == 1)), 0.0];
+        if mirrors.stretches[axis] {
+            let wanted = periodic::stress(axis, context).unwrap_or(0.0);
+            conditions.slack = SLACK * size.max(wanted.abs());
+            if !conditions.meet(along, wanted) {
+                return false;
+            }
+        } else if mirrors.joined[axis] || mirrors.lines()[axis].iter().all(Option::is_some) {
+            conditions.meet(context.bonds.strain_row(axis), 0.0);
+        }
+    }
+    true
 }
 
 /// Which components supports prescribe on all points of an edge.
