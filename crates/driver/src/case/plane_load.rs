@@ -30,11 +30,12 @@ pub struct Traction {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hertz: Option<Hertz>,
     /// How deep a consistent traction reaches into the body before it has faded, > 0; two horizons if not given. Where the
-    /// stress that it makes goes on smoothly, such as through the wall of a cylinder, deeper is more accurate.
+    /// stress that it makes goes on smoothly, such as through the wall of a cylinder, deeper is more accurate. With it a
+    /// pressure on a round hole or a slot is consistent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth: Option<f64>,
-    /// How it reaches the points: `consistent` on straight edges along the lattice with the calibration `matched`, else
-    /// `lumped`, if not given.
+    /// How it reaches the points: `consistent` on straight edges along the lattice with the calibration `matched`, and on
+    /// holes with a `depth`, else `lumped`, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sharing: Option<LoadSharing>,
 }

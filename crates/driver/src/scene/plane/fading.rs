@@ -36,8 +36,7 @@ impl Fading {
     }
 
     fn weight(&self, depth: f64) -> f64 {
-        let q = (depth / self.depth).clamp(0.0, 1.0);
-        1.0 + q * q * (2.0 * q - 3.0)
+        weight(depth / self.depth)
     }
 
     /// `[S_xx, S_yy, S_xy]`, Pa.
@@ -62,6 +61,21 @@ impl Fading {
         let shear = (slope[0] * self.tangent[0] + slope[1] * self.tangent[1]) / self.length;
         [0, 1].map(|k| fall * t[k] + self.weight(depth) * shear * self.normal[k])
     }
+}
+
+/// A cubic from 1 at 0 to 0 at 1 with flat ends.
+pub(super) fn weight(depth: f64) -> f64 {
+    let q = depth.clamp(0.0, 1.0);
+    1.0 + q * q * (2.0 * q - 3.0)
+}
+
+/// The border that a stress belongs to.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Own<'a> {
+    /// A straight edge.
+    Edge(&'a Edge),
+    /// A hole, by its number.
+    Hole(usize),
 }
 
 /// The stress of a traction and the forces that belong to it, by numbers of the body.
@@ -119,10 +133,7 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
             forces.insert(p, divergence.map(|b| b * context.volume(p)));
         }
     }
-    for (point, force) in elsewhere(&fading, edge, context) {
-        let sum = forces.entry(point).or_default();
-        (0..2).for_each(|k| sum[k] += force[k]);
-    }
+    add_rest(&mut forces, &|position| fading.stress(position), Own::Edge(edge), context);
     let mut forces: Forces = forces.into_iter().collect();
     forces.extend(missing(&forces, traction, context));
     let points = points.into_iter().map(|p| p as usize).collect();
@@ -154,23 +165,37 @@ fn in_box(vertices: &[[f64; 2]], a: [f64; 2], b: [f64; 2]) -> bool {
     vertices.windows(2).any(|w| !apart(&w[0], &w[1]))
 }
 
-/// What the stress does on other borders, taken back there.
-fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Forces {
+/// Adds what a stress does on other borders, taken back there.
+pub(super) fn add_rest(
+    forces: &mut BTreeMap<u32, [f64; 2]>,
+    stress: &dyn Fn([f64; 2]) -> [f64; 3],
+    own: Own,
+    context: &Context,
+) {
+    for (point, force) in elsewhere(stress, own, context) {
+        let sum = forces.entry(point).or_default();
+        (0..2).for_each(|k| sum[k] += force[k]);
+    }
+}
+
+fn elsewhere(stress: &dyn Fn([f64; 2]) -> [f64; 3], own: Own, context: &Context) -> Forces {
     let Some(outline) = context.ground.outline else { return Vec::new() };
     let spacing = context.ground.body.spacing();
     let region = |name: &str| context.ground.region(name, &Default::default(), &mut Faults::default());
     let mut forces = Vec::new();
     // On joined edges what it does cancels.
-    let edges = outline.edges().iter().filter(|e| e.name != own.name && !context.symmetry.joins(&e.name));
+    let is_own = |e: &Edge| matches!(own, Own::Edge(edge) if edge.name == e.name);
+    let edges = outline.edges().iter().filter(|e| !is_own(e) && !context.symmetry.joins(&e.name));
     let borders = edges
         .map(|e| (boundary::of_edge(e, context.ground), region(&e.name), context.symmetry.replaces(&e.name)));
-    let holes = (0..outline.holes().len()).map(|k| (boundary::of_hole(k, outline, spacing), None, false));
+    let others = (0..outline.holes().len()).filter(|k| !matches!(own, Own::Hole(hole) if hole == *k));
+    let holes = others.map(|k| (boundary::of_hole(k, outline, spacing), None, false));
     for (stretches, points, is_mirror) in borders.chain(holes) {
         let met: Vec<boundary::Stretch> =
-            stretches.into_iter().filter(|s| fading.stress(s.middle) != [0.0; 3]).collect();
+            stretches.into_iter().filter(|s| stress(s.middle) != [0.0; 3]).collect();
         for stretch in met {
             let [x, y] = stretch.normal;
-            let mut t = traction_of(fading.stress(stretch.middle), stretch.normal).map(|t| -t);
+            let mut t = traction_of(stress(stretch.middle), stretch.normal).map(|t| -t);
             if is_mirror {
                 // The mirror takes what is normal to it.
                 let along = t[0] * x + t[1] * y;
@@ -186,7 +211,7 @@ fn elsewhere(fading: &Fading, own: &Edge, context: &Context) -> Forces {
 }
 
 /// Small forces along the edge that make force and moment exact, as far as no mirror takes part in them.
-fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -> Forces {
+pub(super) fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -> Forces {
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut rest = Resultant::default();
     forces.iter().for_each(|&(p, f)| rest.add(f.map(|f| -f), at(p)));

@@ -34,6 +34,7 @@ mod periodic;
 mod probes;
 mod problem;
 mod rigid_mirror;
+mod round;
 mod shell;
 mod specimen;
 mod state_based;

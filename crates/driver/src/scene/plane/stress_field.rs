@@ -1,6 +1,7 @@
 //! Stresses that act by the rows of the bonds.
 
 use super::fading::Fading;
+use super::round::Round;
 
 /// A stress that acts by the rows of the bonds.
 #[derive(Clone, Debug)]
@@ -19,6 +20,7 @@ enum Kind {
         wave_number: f64,
     },
     Faded(Fading),
+    Round(Round),
 }
 
 impl StressField {
@@ -35,12 +37,17 @@ impl StressField {
         Self { points: Some(points), kind: Kind::Faded(fading) }
     }
 
+    pub(super) fn round(points: Vec<usize>, round: Round) -> Self {
+        Self { points: Some(points), kind: Kind::Round(round) }
+    }
+
     /// `[S_xx, S_yy, S_xy]` at a position, Pa.
     pub(super) fn at(&self, position: [f64; 2]) -> [f64; 3] {
         match &self.kind {
             Kind::Uniform(stress) => *stress,
             Kind::Hoop { stress, wave_number } => [0.0, stress * (wave_number * position[1]).cos(), 0.0],
             Kind::Faded(fading) => fading.stress(position),
+            Kind::Round(round) => round.stress(position),
         }
     }
 }

@@ -188,13 +188,15 @@ fn check_sharing(load: &Traction, on: &OnBorder, context: &Context, path: &JsonP
     if load.sharing != Some(LoadSharing::Consistent) {
         return;
     }
-    let Border::Edge(edge) = &on.border else {
+    if let Border::Curved { hole: None, .. } = &on.border {
         faults
-            .error(path.key("sharing"), "`consistent` tractions need a straight edge of an outline")
-            .hint("leave `sharing` out: on holes and meshes tractions are `lumped`");
+            .error(path.key("sharing"), "`consistent` tractions need an edge or a hole of an outline")
+            .hint("leave `sharing` out: on meshes tractions are `lumped`");
         return;
-    };
-    if !is_aligned(edge, context.ground.body) {
+    }
+    if let Border::Edge(edge) = &on.border
+        && !is_aligned(edge, context.ground.body)
+    {
         faults.error(path.key("sharing"), "`consistent` tractions need an edge along the lattice").hint(
             "leave `sharing` out: on slanted edges tractions are `lumped` unless one stress has all of them",
         );
@@ -225,7 +227,15 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
         return;
     }
     for traction in tractions {
-        match super::fading::fade(traction, context) {
+        let faded = match (&traction.border, traction.depth, traction.sharing) {
+            (Border::Edge(_), ..) => super::fading::fade(traction, context),
+            (Border::Curved { .. }, Some(_), _)
+            | (Border::Curved { .. }, _, Some(LoadSharing::Consistent)) => {
+                super::round::fade(traction, context)
+            }
+            _ => Err("holes have lumped tractions unless a `depth` is given"),
+        };
+        match faded {
             Ok((field, forces)) => {
                 to.stresses.push(field);
                 to.forces.extend(forces);
@@ -238,6 +248,12 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
                             format!("this traction cannot be `consistent`: {why}"),
                         )
                         .hint("leave `sharing` out: it is `lumped` then");
+                } else if traction.depth.is_some() && !faults.has_errors() {
+                    let message = match traction.sharing {
+                        Some(LoadSharing::Lumped) => "a lumped traction has no depth".to_string(),
+                        _ => format!("this traction is lumped, which has no depth: {why}"),
+                    };
+                    faults.warning(traction.path.key("depth"), message).hint("leave `depth` out");
                 }
                 to.forces.extend(lump::forces(traction, context));
             }
