@@ -74,7 +74,11 @@ pub(super) fn extended(
     if parameters.edges != StateEdges::Ghosts {
         return Ok((mirrors.extended(real, reach), mirrors, BTreeMap::new()));
     }
-    let beyond = outside(real, &mirrors, &all);
+    // No ghosts stand behind an axis at which families end.
+    let ends_at_axis = parameters.is_axisymmetric() && parameters.axis == Axis::Truncated;
+    let is_behind = |cell: &Cell| real.corner()[0] / real.spacing() + f64::from(cell[0]) < -1e-6;
+    let mut beyond = outside(real, &mirrors, &all);
+    beyond.retain(|cell| !(ends_at_axis && is_behind(cell)));
     let fits = fits(real, &beyond, separated);
     let widened = |range: std::ops::Range<i32>| range.start - reach..range.end + reach;
     let inside = |cell: Cell| real.number(cell).is_some() || fits.contains_key(&cell);
