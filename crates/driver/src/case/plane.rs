@@ -42,9 +42,9 @@ pub struct Plane {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PlaneState {
-    /// No stress across the plane: thin plates; ν = 1/3.
+    /// No stress across the plane: thin plates. Central bonds have ν = 1/3 then.
     PlaneStress,
-    /// No strain across the plane: thick bodies; ν = 1/4.
+    /// No strain across the plane: thick bodies. Central bonds have ν = 1/4 then.
     PlaneStrain,
 }
 

@@ -25,6 +25,11 @@ pub enum StateError {
         "the table of the axis needs full families at all edges, and those of this treatment are cut off; use the edges `ghosts`, or \"axis\": \"truncated\""
     )]
     AxisNeedsGhosts,
+    /// The table of the axis is that of areas in the section.
+    #[error(
+        "the table of the axis is made for neighbours that count by their areas; use the measure `section`, or \"axis\": \"images\""
+    )]
+    AxisNeedsSection,
     /// The lattice does not stand on the axis as it must.
     #[error(
         "the axis runs through cells; let the body begin at x = 0, or at a whole number of spacings from it"

@@ -34,7 +34,10 @@ impl<'a> Maker<'a> {
         let corner = lattice.corner()[0] / lattice.spacing();
         let mut maker = Self { parameters, lattice, offsets, influence, table: None, corner };
         if has_axis && parameters.axis == Axis::Table {
-            if parameters.edges != StateEdges::Ghosts || parameters.measure != Measure::Section {
+            if parameters.measure != Measure::Section {
+                return Err(StateError::AxisNeedsSection);
+            }
+            if parameters.edges != StateEdges::Ghosts {
                 return Err(StateError::AxisNeedsGhosts);
             }
             let plain = maker.plain();

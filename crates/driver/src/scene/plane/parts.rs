@@ -48,12 +48,14 @@ pub(super) fn parts(
         PlaneBody::Lattice(lattice) => Some(lattice),
         PlaneBody::Cloud(_) => None,
     };
-    let mut sides = case.symmetry.clone();
-    let is_revolved = bonds.is_some_and(|bonds| bonds.is_revolved());
-    if is_revolved && state_based::check_revolved(case, (outline.as_ref(), lattice), faults) {
-        sides.push("left".into());
+    let touches_axis = match bonds.is_some_and(|bonds| bonds.is_revolved()) {
+        true => state_based::check_revolved(case, (outline.as_ref(), lattice), faults)?,
+        false => false,
+    };
+    let mut symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
+    if let (true, Some(outline), Some(lattice)) = (touches_axis, &outline, lattice) {
+        symmetry.add_axis(outline, lattice);
     }
-    let mut symmetry = symmetry::symmetry(&sides, outline.as_ref(), lattice, faults);
     periodic::join(case, outline.as_ref(), lattice, &mut symmetry, faults);
     let (bonds, ratio) = (bonds?, ratio?);
     if ratio > MOST_RATIO {

@@ -234,6 +234,9 @@ fn reaction(
     if equations.is_empty() && springs.is_empty() {
         let places: Vec<&str> = context.held.iter().map(|h| h.name.as_str()).collect();
         let hint = match places.is_empty() {
+            true if !context.recipe.symmetry.edges.is_empty() => {
+                "forces through mirrors are listed with the results, and are no probes".to_string()
+            }
             true => PLACE.to_string(),
             false => format!("supports are at {}", places.join(", ")),
         };

@@ -10,6 +10,10 @@ use peristat_assembly::body::PlaneBody;
 /// rigid body then, which moves along the mirror only. One that reaches joined sides cannot turn either.
 pub(super) fn check(rigid: &[RigidPoints], recipe: &Recipe, faults: &mut Faults) {
     let PlaneBody::Lattice(lattice) = &recipe.body else { return };
+    // Bodies of revolution have no rigid regions, and were told so.
+    if recipe.bonds.is_revolved() {
+        return;
+    }
     let mirrors = recipe.symmetry.mirrors;
     for (k, region) in rigid.iter().enumerate() {
         let reaches = |axis: usize, lines: [Option<i32>; 2]| {

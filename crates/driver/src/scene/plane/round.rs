@@ -4,7 +4,8 @@ use super::boundary::Border;
 use super::fading;
 use super::loads::Context;
 use super::lump::Forces;
-use super::traction::{OnBorder, Profile, StressField, may_be_consistent};
+use super::stress_field::StressField;
+use super::traction::{OnBorder, Profile, may_be_consistent};
 use peristat_assembly::body::Shape;
 use std::collections::BTreeMap;
 

@@ -76,23 +76,47 @@ fn admissible(nu: f64, path: &JsonPath, faults: &mut Faults) -> bool {
     fine
 }
 
-/// What a body of revolution must be beside a body in the plane; whether it touches its axis.
+/// What a body of revolution must be beside a body in the plane; whether it touches its axis, `None` if it cannot be one.
 pub(super) fn check_revolved(
     case: &Case,
     (outline, lattice): (Option<&Outline>, Option<&SquareLattice>),
     faults: &mut Faults,
-) -> bool {
+) -> Option<bool> {
     if !case.rigid.is_empty() {
         faults
             .error(root("rigid"), "a rigid region of a body of revolution can move along its axis alone")
-            .hint("hold or move the region by a support with `ux` and `uy`");
+            .hint("hold or move the region by a support with \"ux\": 0 and `uy`");
     }
     if !case.stress_intensity.is_empty() {
         faults
             .error(root("stress_intensity"), "stress intensities are of bodies in the plane")
             .hint("remove `stress_intensity`");
     }
-    let (Some(outline), Some(lattice)) = (outline, lattice) else { return false };
+    for (at, side) in case.symmetry.iter().enumerate().filter(|s| matches!(s.1.as_str(), "left" | "right")) {
+        let hint = match side.as_str() {
+            "left" => "a body that begins at x = 0 has its axis there without being told",
+            _ => "hold `ux` of the edge: a smooth rigid wall",
+        };
+        faults
+            .error(
+                root("symmetry").index(at),
+                format!(
+                    "the {side} side of a body of revolution is no mirror: what is behind it has other radii"
+                ),
+            )
+            .hint(hint);
+    }
+    let joined = case.periodic.iter().position(|p| p.along == crate::case::Axis::X);
+    if let Some(at) = joined {
+        faults
+            .error(
+                root("periodic").index(at).key("along"),
+                "the sides along x of a body of revolution are its inside and its outside",
+            )
+            .hint("join its bottom and its top: \"along\": \"y\"");
+        return None;
+    }
+    let (Some(outline), Some(lattice)) = (outline, lattice) else { return Some(false) };
     let left = outline.bounds()[0][0];
     let slack = 1e-6 * lattice.spacing();
     if left < -slack {
@@ -102,13 +126,9 @@ pub(super) fn check_revolved(
                 format!("x is the radius of a body of revolution, and this one reaches to {}", tidy(left)),
             )
             .hint("draw the half of the section with x >= 0");
+        return None;
     }
-    if let Some(at) = case.symmetry.iter().position(|side| side == "left") {
-        faults
-            .error(root("symmetry").index(at), "the left side of a body of revolution is no mirror")
-            .hint("a body that begins at x = 0 has its axis there without being told");
-    }
-    left.abs() <= slack
+    Some(left <= slack)
 }
 
 /// A fault for a body that cannot be made.
@@ -118,7 +138,7 @@ pub(super) fn refuse(error: &StateError, case: &Case, faults: &mut Faults) {
         StateError::NoNeighbours(_) => root("horizon_ratio"),
         StateError::NegativeWeights(_) => model.key("edges"),
         StateError::NegativeAxis => model.key("influence"),
-        StateError::AxisNeedsGhosts => model.key("axis"),
+        StateError::AxisNeedsGhosts | StateError::AxisNeedsSection => model.key("axis"),
         StateError::OffAxis => root("body"),
     };
     tell(&error.to_string(), path, faults);

@@ -32,6 +32,9 @@ pub(super) struct Held {
     pub(super) springs: Vec<(usize, f64)>,
 }
 
+/// What holds a body of revolution.
+const REVOLVED_EXAMPLE: &str = r#"a body of revolution can move along its axis alone: { "at": { "region": "bottom" }, "uy": 0.0 } holds it"#;
+
 /// A support that gives no motion of a line or frame.
 const EXAMPLE: &str =
     r#"a clamped edge is { "at": { "region": "left" }, "ux": 0.0, "uy": 0.0 }, a roller gives one of them"#;
@@ -45,7 +48,8 @@ pub(super) fn held(
 ) -> Vec<Held> {
     let case = ground.case;
     if case.supports.is_empty() && case.rigid.is_empty() && case.symmetry.is_empty() {
-        faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(EXAMPLE);
+        let hint = if bonds.is_revolved() { REVOLVED_EXAMPLE } else { EXAMPLE };
+        faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(hint);
     }
     let each = case.supports.iter().enumerate();
     each.filter_map(|(k, support)| {
@@ -73,7 +77,11 @@ pub(super) fn held(
 
 /// A fault for an edge that a mirror replaces, or that is joined to another one.
 pub(super) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Symmetry, faults: &mut Faults) {
-    if let Some(name) = region.filter(|name| symmetry.replaces(name)) {
+    if let Some(name) = region.filter(|name| symmetry.axis.iter().any(|e| e == name)) {
+        faults
+            .error(path.clone(), format!("the edge `{name}` is the axis, no edge of the body"))
+            .hint("points on the axis stay there, and nothing acts on it");
+    } else if let Some(name) = region.filter(|name| symmetry.replaces(name)) {
         faults
             .error(path.clone(), format!("the edge `{name}` is a mirror by `symmetry`, no edge of the body"))
             .hint("the mirror holds the displacement across it already, and nothing acts on it: remove one of both");

@@ -19,6 +19,8 @@ pub(super) struct Symmetry {
     pub(super) at: [Option<f64>; 4],
     /// Names of the edges on them.
     pub(super) edges: Vec<String>,
+    /// Names of those on the axis of a body of revolution.
+    pub(super) axis: Vec<String>,
     /// Names of the edges that are joined to the opposite ones.
     pub(super) joined: Vec<String>,
 }
@@ -121,6 +123,16 @@ impl Symmetry {
             }
         }
         all
+    }
+
+    /// Makes the axis of a body of revolution, which begins there, a mirror. The body may touch it in parts.
+    pub(super) fn add_axis(&mut self, outline: &Outline, lattice: &SquareLattice) {
+        let at = outline.bounds()[0][0];
+        let on_axis = outline.edges().iter().filter(|e| e.from[0] == at && e.to[0] == at);
+        self.axis = on_axis.map(|e| e.name.clone()).collect();
+        self.edges.extend(self.axis.iter().cloned());
+        self.at[0] = Some(at);
+        self.mirrors.set_line(0, lattice.columns().start);
     }
 
     /// Whether an edge lies on a mirror.

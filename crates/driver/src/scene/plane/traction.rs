@@ -7,6 +7,7 @@
 //! `lumped`: the force of every stretch of the border goes to the nearest point. Force and moment are exact either way.
 
 use super::super::numbers::positive;
+use super::super::words::tidy;
 use super::boundary::{self, Border, Stretch, is_aligned};
 use super::ground::Ground;
 use super::loads::{Context, PlaneLoads};
@@ -125,7 +126,7 @@ pub(super) fn resolve(
     if let Some(depth) = load.depth {
         positive(depth, "depth", path.key("depth"), faults);
     }
-    let border = border?;
+    let border = border.filter(|_| !context.symmetry.axis.contains(&load.edge))?;
     let on = OnBorder {
         name: load.edge.clone(),
         border,
@@ -144,7 +145,9 @@ pub(super) fn resolve(
         Traction { linear: Some(ends), .. } => Profile::Linear(*ends),
         Traction { parabolic: Some(t), .. } => Profile::Parabolic(*t),
         Traction { total: Some(force), .. } => Profile::Linear([force.map(|f| f / area); 2]),
-        Traction { hertz: Some(hertz), .. } => on_edge(hertz, &on.border, &path.key("hertz"), faults)?,
+        Traction { hertz: Some(hertz), .. } => {
+            on_edge(hertz, &on.border, context.ground.body.spacing(), &path.key("hertz"), faults)?
+        }
         _ => Profile::Pressure(load.pressure.unwrap_or(0.0)),
     };
     let within = match profile {
@@ -166,7 +169,13 @@ pub(super) fn resolve(
 }
 
 /// A contact pressure by places along its edge.
-fn on_edge(load: &Hertz, border: &Border, path: &JsonPath, faults: &mut Faults) -> Option<Profile> {
+fn on_edge(
+    load: &Hertz,
+    border: &Border,
+    spacing: f64,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Profile> {
     let Border::Edge(edge) = border else {
         faults
             .error(path.clone(), "a contact pressure needs a straight edge")
@@ -179,6 +188,25 @@ fn on_edge(load: &Hertz, border: &Border, path: &JsonPath, faults: &mut Faults) 
     // Along the axis in which the edge runs.
     let along = usize::from((edge.to[1] - edge.from[1]).abs() > (edge.to[0] - edge.from[0]).abs());
     let length = edge.to[along] - edge.from[along];
+    let [low, high] = [edge.from[along].min(edge.to[along]), edge.from[along].max(edge.to[along])];
+    if load.centre + load.radius <= low || high <= load.centre - load.radius {
+        let (at, name) = (path.key("centre"), ["x", "y"][along]);
+        faults
+            .error(
+                at,
+                format!("the contact is beside the edge, which reaches from {} to {}", tidy(low), tidy(high)),
+            )
+            .hint(format!("`centre` is the {name} of its middle"));
+        return None;
+    }
+    if load.radius < 4.0 * spacing {
+        faults
+            .warning(
+                path.key("radius"),
+                format!("the contact is {} spacings wide at most", tidy(2.0 * load.radius / spacing)),
+            )
+            .hint("stresses near it need ten spacings or more over its radius");
+    }
     let place = (load.centre - edge.from[along]) / length;
     Some(Profile::Hertz { centre: place, radius: load.radius / length.abs(), peak: load.peak })
 }
