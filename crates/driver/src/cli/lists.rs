@@ -13,7 +13,7 @@ const BEAM: (&str, &str) = (
     "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
 );
 
-const PLATE: [(&str, &str); 19] = [
+const PLATE: [(&str, &str); 37] = [
     (
         "bond_plane",
         "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh, and the specimens compact_tension, single_edge_bend, centre_cracked_panel",
@@ -60,15 +60,50 @@ const PLATE: [(&str, &str); 19] = [
     ("  kinematics chord", "elongations of straight lines in space: rigid motions are free (default)"),
     ("  kinematics published", "elongations in the developed plane"),
     ("  bending", "rows that resist changes of the curvature of the circumference, for ovalling"),
+    (
+        "state_plane",
+        "isotropic plate of state-based families, plane stress or plane strain, any Poisson's ratio below 1/2: rectangle, outline",
+    ),
+    (
+        "axisymmetric",
+        "isotropic body of revolution of state-based families, any Poisson's ratio below 1/2: x is the radius, y the axis; volumes and forces are those of the whole ring: rectangle, outline",
+    ),
+    ("  influence linear", "ω = 1 − ξ/δ, how the weight of neighbours depends on their distance (default)"),
+    ("  influence inverse", "ω = δ/ξ"),
+    ("  influence constant", "ω = 1"),
+    ("  edges ghosts", "points outside, moved by fits of those inside, complete every family (default)"),
+    (
+        "  edges moment_plus",
+        "weights exact for every uniform strain in what is left of a family; points that would need negative ones give their energy away",
+    ),
+    ("  edges moment", "the same, refused where a weight would be negative, such as at corners"),
+    ("  edges calibrated", "families are weighed by the neighbours that are there: moduli percents off"),
+    ("  edges none", "families are weighed as if they were whole: moduli percents off"),
+    ("  dilatation points", "every point measures its change of volume (default for ν <= 0.45)"),
+    (
+        "  dilatation blocks",
+        "means over blocks of two by two points, so that nothing locks near ν = 1/2 (default in plane strain and of bodies of revolution for ν > 0.45)",
+    ),
+    ("  measure section", "of `axisymmetric`: neighbours count by their areas in the section (default)"),
+    ("  measure published", "neighbours count by the volumes of their rings"),
+    ("  axis table", "weights and radii that hold uniform stresses in equilibrium at the axis (default)"),
+    ("  axis images", "images across the axis alone: hoop strains beside it are up to 70 % wrong"),
+    ("  axis truncated", "families end at the axis: hoop strains beside it are about 17 % wrong"),
+    (
+        "  Poisson's ratio 1/3",
+        "of `state_plane` in plane stress needs bonds alone, as does 1/4 of plane strain: no families are made",
+    ),
 ];
 
 /// What `new` prints, by name.
-const STARTS: [(&str, &str); 5] = [
+const STARTS: [(&str, &str); 7] = [
     ("timoshenko_beam", include_str!("new_timoshenko_beam.json")),
     ("plane_frame", include_str!("new_plane_frame.json")),
     ("bond_plane", include_str!("new_bond_plane.json")),
     ("beam_bond_orthotropic", include_str!("new_beam_bond_orthotropic.json")),
     ("shell_membrane", include_str!("new_shell_membrane.json")),
+    ("state_plane", include_str!("new_state_plane.json")),
+    ("axisymmetric", include_str!("new_axisymmetric.json")),
 ];
 
 const LOADS: [(&str, &str); 15] = [
@@ -91,12 +126,18 @@ const LOADS: [(&str, &str); 15] = [
     ("rigid", "a rigid link between two points"),
     (
         "traction",
-        "a force per area on an edge or hole in the plane: uniform, linear, parabolic, pressure or total",
+        "a force per area on an edge or hole in the plane: uniform, linear, parabolic, pressure, total or hertz, the pressure of a contact; depth is how far inwards it fades",
+    ),
+    (
+        "body_force",
+        "a force per volume on a region in the plane, or its total; of bodies of revolution spin, the inertia ρ ω² of turning about the axis",
     ),
     ("pressure", "a force per area outwards on a shell, the same all around or a cosine of it"),
-    ("body_force", "a force per volume on a region in the plane, or its total"),
     ("symmetry", "edges in the plane that are mirrors"),
-    ("periodic", "opposite edges in the plane that are joined"),
+    (
+        "periodic",
+        "opposite edges in the plane that are joined: held at their distance, or with stretches free to move apart, under a force or none",
+    ),
     (
         "rigid regions",
         "regions in the plane that move as rigid bodies: held, moved or free to turn, such as pins, whose bearing is an angle",

@@ -29,10 +29,12 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
             influence = of_influence(*law);
         }
         PlaneMaterialSummary::State(of) => {
-            line("model", format!("{}, {}, {}", m.name, of.state.replace('_', " "), families(of)));
             let (e, nu) = (number(of.youngs_modulus), number(of.poisson_ratio));
-            let across =
-                if of.state == "axisymmetric" { String::new() } else { format!(", thickness {t} {length}") };
+            let (state, across) = match of.state {
+                "axisymmetric" => (String::new(), String::new()),
+                state => (format!(", {}", state.replace('_', " ")), format!(", thickness {t} {length}")),
+            };
+            line("model", format!("{}{state}, {}", m.name, families(of)));
             line("material", format!("E = {e} {stress}, ν = {nu}{across}"));
             influence = of_influence(of.influence);
         }
