@@ -208,7 +208,7 @@ impl PlaneBonds {
     pub(super) fn strain_row(&self, axis: usize) -> [f64; 3] {
         let isotropic = |ratio: f64| if axis == 0 { [1.0, -ratio, 0.0] } else { [-ratio, 1.0, 0.0] };
         match self {
-            Self::Central(_) => isotropic(1.0 / 3.0),
+            Self::Central(_) | Self::Shell(_) => isotropic(1.0 / 3.0),
             Self::Beams(of) => {
                 let row = of.material.compliance_at(of.fibre_angle)[axis];
                 row.map(|c| c / row[axis])

@@ -2,7 +2,6 @@
 
 use super::super::fracture::{self, FractureScene};
 use super::super::root;
-use super::bonds::PlaneBonds;
 use super::conditions::Conditions;
 use super::critical::critical;
 use super::ground::Ground;

@@ -141,6 +141,9 @@ fn meet_along_joined_sides(conditions: &mut Conditions, size: f64, context: &Con
             if !conditions.meet(along, wanted) {
                 return false;
             }
+        } else if axis == 1 && context.bonds.deflects() {
+            // A tube grows wider as it likes.
+            conditions.meet(along, 0.0);
         } else if mirrors.joined[axis] || mirrors.lines()[axis].iter().all(Option::is_some) {
             conditions.meet(context.bonds.strain_row(axis), 0.0);
         }
