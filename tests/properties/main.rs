@@ -10,8 +10,8 @@ mod orthotropic_terms;
 mod plane_terms;
 mod random_beam;
 mod random_beams;
-mod state_terms;
 mod shell_terms;
+mod state_terms;
 
 use proptest::test_runner::{Config, RngSeed};
 

@@ -10,9 +10,10 @@ use crate::results::{Results, admit};
 use crate::run::fracture::Restart;
 use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
 use crate::scene::Scene;
-use crate::scene::plane::{AnyPlaneModel, PlaneProblem};
+use crate::scene::plane::{PlaneProblem, for_plane_model};
 use crate::summary::{Status, Summary};
 use crate::{Error, Loaded};
+use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::system::System;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -151,37 +152,23 @@ fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
                 }
             }
         }
-        Scene::Plane(scene) => match &scene.model {
-            AnyPlaneModel::Central(model) => {
-                let problem = PlaneProblem::new(scene, model.clone());
-                write_stiffness(loaded, prepare::<2, _>(&problem, &RunOptions::default()), file, IN_PLANE)
-            }
-            AnyPlaneModel::State(model) => {
-                let problem = PlaneProblem::new(scene, model.clone());
-                write_stiffness(loaded, prepare::<2, _>(&problem, &RunOptions::default()), file, IN_PLANE)
-            }
-            AnyPlaneModel::Revolved(model) => {
-                let problem = PlaneProblem::new(scene, model.clone());
-                write_stiffness(loaded, prepare::<2, _>(&problem, &RunOptions::default()), file, IN_PLANE)
-            }
-            AnyPlaneModel::Beams(model) => {
-                let problem = PlaneProblem::new(scene, model.clone());
-                let system = prepare::<3, _>(&problem, &RunOptions::default());
-                let order = "ux_0, uy_0, h phi_0, ux_1, ... with the spacing h, of the points row by row from the lower left";
-                write_stiffness(loaded, system, file, order)
-            }
-            AnyPlaneModel::Shell(model) => {
-                let problem = PlaneProblem::new(scene, model.clone());
-                let system = prepare::<3, _>(&problem, &RunOptions::default());
-                let order = "ux_0, uy_0, w_0, ux_1, ... of the points row by row from the lower left";
-                write_stiffness(loaded, system, file, order)
-            }
-        },
+        Scene::Plane(scene) => for_plane_model!(&scene.model, model => {
+            let problem = PlaneProblem::new(scene, model.clone());
+            let system = prepare(&problem, &RunOptions::default());
+            write_stiffness(loaded, system, file, &in_plane(&*scene.model))
+        }),
     }
 }
 
-/// Unknowns of a body in the plane whose points do not turn.
-const IN_PLANE: &str = "ux_0, uy_0, ux_1, uy_1, ... of the points row by row from the lower left";
+/// The order of the unknowns of a body in the plane.
+fn in_plane(model: &dyn PlaneModel) -> String {
+    let (third, explained) = match (model.turning(), model.deflects()) {
+        (Some(_), _) => ("h phi_0, ", "with the spacing h, "),
+        (None, true) => ("w_0, ", ""),
+        (None, false) => ("", ""),
+    };
+    format!("ux_0, uy_0, {third}ux_1, ... {explained}of the points row by row from the lower left")
+}
 
 fn write_stiffness<const D: usize>(
     loaded: &Loaded,

@@ -7,7 +7,7 @@
 use crate::case::Tips;
 use crate::diagnostic::Faults;
 use crate::run::{Counters, RunError, RunOptions, SolvedState, prepare, solve_states};
-use crate::scene::plane::{AnyPlaneModel, Intensity, PlaneProblem, PlaneScene};
+use crate::scene::plane::{Intensity, PlaneProblem, PlaneScene, for_plane_model};
 use peristat_assembly::model::Model;
 use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::sum::Sum;
@@ -87,23 +87,7 @@ fn potentials(
         }
         Err(error) => return Err(fault(format!("with its tips moved by a spacing: {error}"))),
     };
-    match model {
-        AnyPlaneModel::Central(model) => {
-            of_problem::<2, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
-        }
-        AnyPlaneModel::Beams(model) => {
-            of_problem::<3, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
-        }
-        AnyPlaneModel::State(model) => {
-            of_problem::<2, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
-        }
-        AnyPlaneModel::Revolved(model) => {
-            of_problem::<2, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
-        }
-        AnyPlaneModel::Shell(model) => {
-            of_problem::<3, _>(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found)
-        }
-    }
+    for_plane_model!(model, model => of_problem(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found))
 }
 
 /// Potential energies of all states of a problem.

@@ -18,7 +18,7 @@ pub(crate) use verdict::{checks, probes};
 use super::fracture::Restart;
 use super::{Counters, RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, prepare, solve_states};
 use crate::diagnostic::Faults;
-use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene};
+use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene, for_plane_model};
 use fracture::BreakingPlane;
 use path::SofteningPlane;
 use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
@@ -35,23 +35,7 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
-    match &scene.model {
-        AnyPlaneModel::Central(model) => {
-            run_model::<2, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
-        }
-        AnyPlaneModel::Beams(model) => {
-            run_model::<3, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
-        }
-        AnyPlaneModel::State(model) => {
-            run_model::<2, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
-        }
-        AnyPlaneModel::Revolved(model) => {
-            run_model::<2, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
-        }
-        AnyPlaneModel::Shell(model) => {
-            run_model::<3, _>(&PlaneProblem::new(scene, model.clone()), options, sink)
-        }
-    }
+    for_plane_model!(&scene.model, model => run_model(&PlaneProblem::new(scene, model.clone()), options, sink))
 }
 
 fn run_model<const D: usize, M: Model<D> + PlaneModel>(
@@ -158,23 +142,7 @@ fn asks_for_stresses(scene: &PlaneScene) -> bool {
 /// # Errors
 /// As [`prepare`].
 pub fn sizes(scene: &PlaneScene, options: &RunOptions) -> Result<Sizes, RunError> {
-    match &scene.model {
-        AnyPlaneModel::Central(model) => {
-            prepare::<2, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
-        }
-        AnyPlaneModel::Beams(model) => {
-            prepare::<3, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
-        }
-        AnyPlaneModel::State(model) => {
-            prepare::<2, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
-        }
-        AnyPlaneModel::Revolved(model) => {
-            prepare::<2, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
-        }
-        AnyPlaneModel::Shell(model) => {
-            prepare::<3, _>(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1)
-        }
-    }
+    for_plane_model!(&scene.model, model => prepare(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1))
 }
 
 /// Adds what other solves have cost.

@@ -41,17 +41,25 @@ pub enum AnyPlaneModel {
     Shell(ShellMembrane),
 }
 
+/// Evaluates an expression with the model inside an [`AnyPlaneModel`], whatever it is.
+macro_rules! for_plane_model {
+    ($any:expr, $model:ident => $value:expr) => {
+        match $any {
+            $crate::scene::plane::AnyPlaneModel::Central($model) => $value,
+            $crate::scene::plane::AnyPlaneModel::Beams($model) => $value,
+            $crate::scene::plane::AnyPlaneModel::State($model) => $value,
+            $crate::scene::plane::AnyPlaneModel::Revolved($model) => $value,
+            $crate::scene::plane::AnyPlaneModel::Shell($model) => $value,
+        }
+    };
+}
+pub(crate) use for_plane_model;
+
 impl Deref for AnyPlaneModel {
     type Target = dyn PlaneModel;
 
     fn deref(&self) -> &Self::Target {
-        match self {
-            Self::Central(model) => model,
-            Self::Beams(model) => model,
-            Self::State(model) => model,
-            Self::Revolved(model) => model,
-            Self::Shell(model) => model,
-        }
+        for_plane_model!(self, model => model)
     }
 }
 

@@ -50,6 +50,7 @@ mod traction;
 mod uniform_stress;
 mod warnings;
 
+pub(crate) use bonds::for_plane_model;
 pub use bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
@@ -175,14 +176,7 @@ impl PlaneScene {
         let resolved = Self::resolve(case, filled, folder, max_memory, faults);
         let scene = resolved.filter(|_| !faults.has_errors())?;
         if scene.outline.is_none() || scene.can_have_loose_points() {
-            match &scene.model {
-                AnyPlaneModel::Central(model) => loose::check::<2>(&scene, model, faults),
-                AnyPlaneModel::Beams(model) => loose::check::<3>(&scene, model, faults),
-                AnyPlaneModel::State(model) => loose::check::<2>(&scene, model, faults),
-                AnyPlaneModel::Revolved(model) => loose::check::<2>(&scene, model, faults),
-                // A rectangle with all of its bonds.
-                AnyPlaneModel::Shell(_) => {}
-            }
+            for_plane_model!(&scene.model, model => loose::check(&scene, model, faults));
         }
         shell::check_bearable(&scene, faults);
         warnings::collect(&scene, faults);
