@@ -37,7 +37,8 @@ fn all_pass(folder: &str) {
 }
 
 /// Folders with a test below.
-const FOLDERS: [&str; 7] = ["beam", "frame", "plate", "orthotropic", "ductile", "shell", "bench"];
+const FOLDERS: [&str; 8] =
+    ["beam", "frame", "plate", "axisymmetric", "orthotropic", "ductile", "shell", "bench"];
 
 #[test]
 fn beams_pass_their_checks() {
@@ -52,6 +53,11 @@ fn frames_pass_their_checks() {
 #[test]
 fn plates_pass_their_checks() {
     all_pass("plate");
+}
+
+#[test]
+fn bodies_of_revolution_pass_their_checks() {
+    all_pass("axisymmetric");
 }
 
 #[test]
