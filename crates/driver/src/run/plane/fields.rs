@@ -71,7 +71,7 @@ pub(super) fn collect(
     intensities: &[Vec<f64>],
     recover: bool,
 ) -> PlaneResult {
-    let SolvedState { state: index, solution, certificate, .. } = solved;
+    let SolvedState { state: index, solution, certificate, load, .. } = solved;
     let state = &scene.states[index];
     let record = StateRecord {
         index,
@@ -82,7 +82,7 @@ pub(super) fn collect(
         facts: None,
     };
     let intensities = intensities.iter().map(|k| k[index]).collect();
-    PlaneResult::new((scene, &*scene.model), record, solution.multipliers, intensities, recover)
+    PlaneResult::new((scene, &*scene.model), record, (solution.multipliers, load), intensities, recover)
 }
 
 /// Von Mises stress, with the stress across the plane.
@@ -109,11 +109,12 @@ fn of_stress(model: &dyn PlaneModel, field: FieldName) -> Option<impl Fn([f64; 3
 }
 
 impl PlaneResult {
-    /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model.
+    /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model, and
+    /// the loads.
     pub(super) fn new(
         (scene, model): (&PlaneScene, &dyn PlaneModel),
         record: StateRecord,
-        mut multipliers: Vec<f64>,
+        (mut multipliers, load): (Vec<f64>, &[f64]),
         intensities: Vec<f64>,
         recover: bool,
     ) -> Self {
@@ -130,7 +131,7 @@ impl PlaneResult {
             found.fill_images(scene);
             found
         });
-        let mirrors = reaction::of_mirrors(scene, &multipliers);
+        let mirrors = reaction::of_mirrors(scene, &multipliers, load);
         multipliers.truncate(scene.equations.len());
         let reactions = reaction::of_supports(scene, &multipliers, &record.u);
         Self {

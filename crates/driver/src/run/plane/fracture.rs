@@ -65,10 +65,11 @@ where
     }
 
     fn result(&mut self, solved: SolvedState, name: String, load_factor: f64, facts: Facts) -> StateResult {
-        let SolvedState { state: index, solution, certificate, .. } = solved;
+        let SolvedState { state: index, solution, certificate, load, .. } = solved;
         let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
         let (scene, model) = (self.problem.scene, &self.problem.model);
-        let result = PlaneResult::new((scene, model), record, solution.multipliers, Vec::new(), self.recover);
+        let result =
+            PlaneResult::new((scene, model), record, (solution.multipliers, load), Vec::new(), self.recover);
         StateResult::Plane(result)
     }
 }

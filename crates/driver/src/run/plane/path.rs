@@ -85,10 +85,11 @@ impl SofteningBody<2> for SofteningPlane<'_> {
         facts: Facts,
         (bonds, answers): (&SofteningBonds<2>, &BondAnswers<2>),
     ) -> StateResult {
-        let SolvedState { state: index, solution, certificate, .. } = solved;
+        let SolvedState { state: index, solution, certificate, load, .. } = solved;
         let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
         let (scene, model) = (self.problem.scene, &self.problem.model);
-        let mut result = PlaneResult::new((scene, model), record, solution.multipliers, Vec::new(), false);
+        let mut result =
+            PlaneResult::new((scene, model), record, (solution.multipliers, load), Vec::new(), false);
         if self.recover {
             result.recovered = Some(recovered(model, bonds, answers));
         }

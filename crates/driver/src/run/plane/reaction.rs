@@ -68,8 +68,8 @@ pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) ->
 }
 
 /// Forces through lines of symmetry: the equation `u_ghost + u_real = 0` of the component across a line holds with the same
-/// force on both of its points.
-pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64]) -> Vec<MirrorReaction> {
+/// force on both of its points. What loads do to images, consistent tractions do such, is part of what goes through the line.
+pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64], load: &[f64]) -> Vec<MirrorReaction> {
     let Some((lattice, mirrors)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
         return Vec::new();
     };
@@ -91,7 +91,8 @@ pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64]) -> Vec<MirrorR
                 _ => continue,
             };
             if let Some(sum) = &mut sums[2 * axis + beyond] {
-                sum.add((1.0 - signs[axis]) * held[axis]);
+                let loaded = load[axis * scene.model.point_count() + ghost as usize];
+                sum.add((1.0 - signs[axis]) * (held[axis] + loaded));
             }
         }
     }
