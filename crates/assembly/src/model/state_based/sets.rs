@@ -77,7 +77,11 @@ impl<'a> Maker<'a> {
 
     /// The family that has all neighbours, far from the axis.
     pub(super) fn plain(&self) -> Set {
-        let mut weights = self.influence.clone();
+        self.weighed(self.influence.clone())
+    }
+
+    /// A family of these weights, corrected as the treatment of edges asks.
+    fn weighed(&self, mut weights: Vec<f64>) -> Set {
         let mut q = weighted_volume(self.offsets, &weights);
         if self.corrects() {
             correct(self.offsets, &mut weights, q);
@@ -111,14 +115,7 @@ impl<'a> Maker<'a> {
                 *w *= (own + f64::from(self.offsets[k][0])).abs() / own;
             }
         }
-        let mut q = weighted_volume(self.offsets, &weights);
-        if self.corrects() {
-            correct(self.offsets, &mut weights, q);
-        }
-        if self.parameters.edges == StateEdges::None {
-            q = self.continuum();
-        }
-        Set { weights, q }
+        self.weighed(weights)
     }
 
     /// Volume of a point, or that of its energy.
