@@ -57,6 +57,7 @@ fn is_consistent<const R: bool>(
     let gone: f64 = part.iter().map(|t| t.survey(&u).energy).sum();
     model.break_bonds(&broken);
     let after = energy(&model);
+    prop_assert!(model.damage().iter().all(|d| (0.0..=1.0 + 1e-12).contains(d)));
     prop_assert!((before - after - gone).abs() <= 1e-11 * before, "{} {} {}", before, after, gone);
     check::<2, _>(&model, &Vec::new, seed);
     Ok(())

@@ -52,12 +52,29 @@ impl ShellMembrane {
         (parts >= 1.0 && (parts * arc / whole - 1.0).abs() <= ROUNDED).then_some(parts)
     }
 
+    /// Rows after which a body comes back to itself: between joined sides, or twice those between two mirrors.
+    pub fn closing_rows(mirrors: &Mirrors) -> Option<i32> {
+        let [low, high] = mirrors.rows;
+        let rows = high? - low?;
+        Some(if mirrors.joined[1] { rows } else { 2 * rows })
+    }
+
     /// The radius, m, with which some joined rows close: that of the parameters but for the rounding of a circumference. A
     /// single row closes with any.
     pub fn closed_radius(radius: f64, spacing: f64, joined_rows: Option<i32>) -> f64 {
         let arc = joined_rows.filter(|rows| *rows > 1).map(|rows| spacing * f64::from(rows));
-        let parts = arc.and_then(|arc| Some(arc * Self::parts_of_circumference(radius, arc)?));
-        parts.map_or(radius, |whole| whole / std::f64::consts::TAU)
+        let whole = arc.and_then(|arc| {
+            // Between two mirrors there can be whole turns, too.
+            let turns = (arc / (std::f64::consts::TAU * radius)).round();
+            match Self::parts_of_circumference(radius, arc) {
+                Some(parts) => Some(arc * parts),
+                None if turns >= 1.0 => {
+                    Self::parts_of_circumference(radius, arc / turns).map(|parts| arc / turns * parts)
+                }
+                None => None,
+            }
+        });
+        whole.map_or(radius, |whole| whole / std::f64::consts::TAU)
     }
 
     /// A body on a lattice, images in `mirrors` among its points ([`Mirrors::extended`]). Its radius is the
@@ -81,11 +98,7 @@ impl ShellMembrane {
         parameters: ShellParameters,
     ) -> Result<Self, ShellError> {
         let spacing = lattice.spacing();
-        let joined = match (mirrors.joined[1], mirrors.rows) {
-            (true, [Some(low), Some(high)]) => Some(high - low),
-            _ => None,
-        };
-        let radius = Self::closed_radius(parameters.radius, spacing, joined);
+        let radius = Self::closed_radius(parameters.radius, spacing, Self::closing_rows(&mirrors));
         let parameters = ShellParameters { radius, ..parameters };
         let ShellParameters { youngs_modulus, thickness, kinematics, .. } = parameters;
         let modulus = 6.0 * youngs_modulus * thickness * spacing * spacing;

@@ -16,7 +16,7 @@ pub struct EndConditions {
 }
 
 impl EndConditions {
-    /// Nothing holds the axial displacement of a circumference from varying: U' = 0 if that is added.
+    /// The axial displacement of a circumference is held and cannot vary: U' = 0.
     pub fn hold_axial(&mut self) {
         self.add([1.0, 0.0]);
     }

@@ -2,7 +2,7 @@
 
 use super::super::bond_plane::CentralBond;
 use super::super::plane::Mirrors;
-use super::ghosts::{Fit, Separated, fits, outside};
+use super::ghosts::{Fit, Separated, fits, nearest, outside};
 use super::term::StateTerm;
 use super::weights::{FamilyWeights, offsets};
 use super::{Axis, Dilatation, StateEdges, StateError, StateParameters};
@@ -49,10 +49,11 @@ fn with_axis(
         return Ok((mirrors, false));
     }
     let left = real.corner()[0] / real.spacing() + f64::from(real.columns().start);
-    if left > 0.5 {
+    // A bore, however narrow, is none.
+    if left > 1e-6 {
         return Ok((mirrors, false));
     }
-    if left.abs() > 1e-6 {
+    if left < -1e-6 {
         return Err(StateError::OffAxis);
     }
     let has_images = parameters.axis != Axis::Truncated;
@@ -111,7 +112,6 @@ impl StateBody {
         let ghosts = (0..lattice.points()).filter(|&p| !is_real[p]).map(|p| p as u32).collect();
         let families = FamilyWeights::new(parameters, &lattice, &is_real, has_axis)?;
         let mut cuts = cut(&lattice);
-        cuts.sort_unstable();
         let mut body = Self {
             term: StateTerm::empty(),
             real,
@@ -122,9 +122,31 @@ impl StateBody {
             families,
             cuts: Vec::new(),
         };
+        cuts.extend(body.parted_ghosts(separated));
         body.remove(&cuts);
         body.term = body.energy(parameters);
         Ok(body)
+    }
+
+    /// Bonds from ghosts to points from which the nearest point of the ghost is separated.
+    fn parted_ghosts(&self, separated: &Separated) -> Vec<(usize, usize)> {
+        let half = self.families.offsets.len() / 2;
+        let mut parted = Vec::new();
+        for &ghost in self.fits.keys() {
+            let (Some(middle), Some(own)) = (nearest(&self.real, ghost), self.lattice.number(ghost)) else {
+                continue;
+            };
+            for (k, [a, b]) in self.families.offsets.iter().enumerate() {
+                let cell = [ghost[0] + a, ghost[1] + b];
+                if let Some(other) = self.lattice.number(cell)
+                    && self.real.number(cell).is_some()
+                    && separated(middle, cell)
+                {
+                    parted.push(if k < half { (k, own) } else { (k - half, other) });
+                }
+            }
+        }
+        parted
     }
 
     /// Offsets of the half that have bonds.
@@ -146,6 +168,7 @@ impl StateBody {
         self.families.remove(&ends);
         self.cuts.extend(bonds);
         self.cuts.sort_unstable();
+        self.cuts.dedup();
     }
 
     /// Bonds, and families where they have energy of their own.

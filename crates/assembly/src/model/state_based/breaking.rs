@@ -26,7 +26,8 @@ impl StateBody {
             })
             .collect();
         let has_both = |fit: &[([i32; 2], f64)]| {
-            pairs.iter().any(|pair| pair.iter().all(|cell| fit.iter().any(|(c, _)| c == cell)))
+            let cells = || fit.iter().map(|(cell, _)| *cell);
+            cells().any(|a| cells().any(|b| pairs.contains(&[a, b])))
         };
         self.fits.iter().filter(|(_, fit)| has_both(fit)).map(|(cell, _)| *cell).collect()
     }
@@ -35,10 +36,15 @@ impl StateBody {
     fn with_ghosts(&self, bonds: &[Place], ghosts: &[[i32; 2]]) -> Vec<Place> {
         let mut all: BTreeSet<Place> = bonds.iter().copied().collect();
         let half = self.families.offsets.len() / 2;
-        for ghost in ghosts {
+        // Images of a ghost go with it.
+        let is_lost = |own: &&u32| {
+            let (cell, _) = self.mirrors.image(self.lattice.cell(**own as usize));
+            ghosts.binary_search(&cell).is_ok()
+        };
+        for &own in self.ghosts.iter().filter(|_| !ghosts.is_empty()).filter(is_lost) {
+            let (own, cell) = (own as usize, self.lattice.cell(own as usize));
             for (k, [a, b]) in self.families.offsets.iter().enumerate() {
-                let neighbour = self.lattice.number([ghost[0] + a, ghost[1] + b]);
-                let (Some(other), Some(own)) = (neighbour, self.lattice.number(*ghost)) else { continue };
+                let Some(other) = self.lattice.number([cell[0] + a, cell[1] + b]) else { continue };
                 all.insert(if k < half { (k, own) } else { (k - half, other) });
             }
         }

@@ -56,7 +56,7 @@ pub(super) fn fits(real: &SquareLattice, ghosts: &[Cell], separated: &Separated)
 }
 
 /// The cell of the body that is nearest to another, of several the first by row and column.
-fn nearest(real: &SquareLattice, [column, row]: Cell) -> Option<Cell> {
+pub(super) fn nearest(real: &SquareLattice, [column, row]: Cell) -> Option<Cell> {
     let rows = real.rows();
     let mut best: Option<(i64, Cell)> = None;
     let far = (rows.end - row).abs().max((row - rows.start).abs());

@@ -1,7 +1,7 @@
 //! State-based bodies as models: two unknowns per point, the displacements along x and y.
 
 use super::super::plane::{Mirrors, PlaneModel};
-use super::body::{StateBody, cell_volume, extended};
+use super::body::{StateBody, cell_volume};
 use super::ghosts::Separated;
 use super::weights::offsets;
 use super::{StateError, StateParameters};
@@ -25,21 +25,7 @@ impl<const REVOLVED: bool> StateBased<REVOLVED> {
         offsets(parameters)
     }
 
-    /// The lattice of a body with its ghosts and with its images in `mirrors` and across the axis, and all of these lines.
-    /// No ghost follows points that are `separated` from its nearest one.
-    ///
-    /// # Errors
-    /// [`StateError::OffAxis`].
-    pub fn extended(
-        parameters: &StateParameters,
-        real: &SquareLattice,
-        mirrors: Mirrors,
-        separated: &Separated,
-    ) -> Result<(SquareLattice, Mirrors), StateError> {
-        extended(parameters, real, mirrors, separated).map(|(lattice, mirrors, _)| (lattice, mirrors))
-    }
-
-    /// A body on the cells of a lattice without images. `cut` tells which bonds of the [`extended`](Self::extended) one
+    /// A body on the cells of a lattice without images. `cut` tells which bonds of the lattice with ghosts and images
     /// something cuts, by index into [`offsets`](Self::offsets) and lower point; `separated` whether it stands between cells.
     ///
     /// # Errors

@@ -64,7 +64,8 @@ impl<'a> Maker<'a> {
     pub(super) fn key(&self, point: usize) -> (i32, Vec<bool>) {
         let [column, row] = self.lattice.cell(point);
         let class = match (self.parameters.measure, self.table_column(column)) {
-            (Measure::Published, _) | (_, Some(_)) => 1 + self.radius(column).floor() as i32,
+            (Measure::Published, _) => 1 + column,
+            (_, Some((ring, _))) => 1 + ring as i32,
             _ => 0,
         };
         let present = |o: &Cell| self.lattice.number([column + o[0], row + o[1]]).is_some();
@@ -104,7 +105,7 @@ impl<'a> Maker<'a> {
             let plain = self.plain();
             return Set { weights: table.weights[ring].clone(), q: plain.q };
         }
-        let own = f64::from(*class) - 0.5;
+        let own = self.radius(class - 1);
         let mut weights = self.influence.clone();
         for (k, w) in weights.iter_mut().enumerate() {
             if !present[k] {

@@ -38,7 +38,7 @@ fn solved(strip: &ShellMembrane) -> (Vec<f64>, Vec<f64>) {
 }
 
 #[test]
-fn one_row_has_the_displacements_of_the_prototype() {
+fn one_row_has_the_displacements_of_an_independent_implementation() {
     use Calibration::{Matched, Published};
     let cases = [
         Golden {
