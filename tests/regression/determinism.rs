@@ -11,7 +11,7 @@ fn text(mut summary: Summary) -> String {
 
 #[test]
 fn a_summary_is_the_same_to_the_byte_but_for_times_and_memory() {
-    let folders = ["cases/beam", "cases/frame", "cases/plate", "cases/orthotropic"];
+    let folders = ["cases/beam", "cases/frame", "cases/plate", "cases/orthotropic", "cases/shell"];
     for case in folders.iter().flat_map(|folder| files(&root().join(folder), ".json")) {
         assert!(text(solve(&case)) == text(solve(&case)), "{} differs from run to run", short(&case));
     }

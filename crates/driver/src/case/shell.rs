@@ -40,7 +40,8 @@ pub struct Pressure {
     /// Waves around the circumference: the pressure is `value` cos(n y/R); 0, the same all around, if not given.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub harmonic: u32,
-    /// How it reaches the points: `consistent` with the calibration `matched`, `lumped` with `published`, if not given.
+    /// How it reaches the points: `consistent` with the calibration `matched` on tubes and between mirrors, else `lumped`, if
+    /// not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sharing: Option<LoadSharing>,
 }

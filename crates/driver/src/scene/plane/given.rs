@@ -50,7 +50,7 @@ impl Given {
             Self::Beams(model) => {
                 orthotropic::parameters(model, case, is_cloud, faults).map(PlaneBonds::Beams)
             }
-            Self::State(model) => state_based::in_plane(model, faults).map(PlaneBonds::State),
+            Self::State(model) => state_based::in_plane(model, case, faults).map(PlaneBonds::State),
             Self::Revolved(model) => state_based::revolved(model, faults).map(PlaneBonds::State),
             Self::Shell(model) => shell::parameters(model, case, faults).map(PlaneBonds::Shell),
         }

@@ -6,7 +6,7 @@ use super::loads::Context;
 use super::lump::Forces;
 use super::stress_field::StressField;
 use super::traction::{OnBorder, Profile, may_be_consistent};
-use peristat_assembly::body::Shape;
+use peristat_assembly::body::{Crack, Shape};
 use std::collections::BTreeMap;
 
 /// `S = −p w(d) I` at a distance d from the hole, w as of straight edges; `div S = −p w' n` with n the direction away from it.
@@ -30,6 +30,14 @@ impl Round {
         let share = if square > 0.0 { ((x - ax) * dx + (y - ay) * dy) / square } else { 0.0 };
         let share = share.clamp(0.0, 1.0);
         (x - ax - share * dx).hypot(y - ay - share * dy) - self.radius
+    }
+
+    /// Whether a segment comes near the hole, looked at every half spacing.
+    fn meets(&self, [from, to]: [[f64; 2]; 2]) -> bool {
+        let d = [to[0] - from[0], to[1] - from[1]];
+        let steps = (2.0 * d[0].hypot(d[1]) / self.spacing).ceil().max(1.0);
+        let at = |k: usize| [0, 1].map(|c| from[c] + k as f64 / steps * d[c]);
+        (0..=steps as usize).any(|k| self.distance(at(k)) < self.depth)
     }
 
     fn weight(&self, position: [f64; 2]) -> f64 {
@@ -76,7 +84,8 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
     let round = Round { ends, radius, pressure, depth, spacing: body.spacing() };
     let reached = |p: &u32| round.distance(body.position(*p as usize)) < depth + body.spacing();
     let points: Vec<u32> = (0..body.points() as u32).filter(reached).collect();
-    if context.cracks.iter().any(|c| c.crack.vertices().iter().any(|v| round.distance(*v) < depth)) {
+    let is_near = |crack: &Crack| crack.vertices().windows(2).any(|ends| round.meets([ends[0], ends[1]]));
+    if context.cracks.iter().any(|c| is_near(&c.crack)) {
         return Err("a crack is near the hole");
     }
     let force = |p: &u32| (*p, round.divergence(body.position(*p as usize)).map(|b| b * context.volume(*p)));

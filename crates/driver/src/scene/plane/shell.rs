@@ -7,7 +7,7 @@ use super::stress_field::StressField;
 use super::{AnyPlaneModel, PlaneBonds, PlaneScene, body, model, root};
 use crate::case::{Axis, Body, Case, LoadSharing, Pressure, Shell};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::{PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::{Calibration, PlaneModel};
 use peristat_assembly::model::shell_membrane::{
     EndConditions, Inextensional, ShellError, ShellMembrane, ShellParameters,
@@ -75,6 +75,14 @@ fn check_body(given: &Shell, case: &Case, path: &JsonPath, faults: &mut Faults) 
         return;
     }
     let is_joined = case.periodic.iter().any(|p| p.along == Axis::Y);
+    if let Some(k) = case.periodic.iter().position(|p| p.along == Axis::Y && p.stretches) {
+        faults
+            .error(
+                root("periodic").index(k).key("stretches"),
+                "a tube does not stretch along its circumference",
+            )
+            .hint("it grows wider by `w`: leave `stretches` out");
+    }
     let [found, needed] = [arc, whole].map(tidy);
     if !is_joined && arc > whole * (1.0 + 1e-3) {
         faults
@@ -130,11 +138,35 @@ pub(super) fn pressure(
     if load.value == 0.0 {
         faults.error(path.key("value"), "this load is zero");
     }
+    let mirrors = context.symmetry.mirrors;
+    // The hoop stress that goes with a pressure pulls at sides that are free.
+    let goes_on = mirrors.joined[1] || mirrors.rows.iter().all(Option::is_some);
     let usual = match shell.calibration {
-        Calibration::Matched => LoadSharing::Consistent,
-        Calibration::Published => LoadSharing::Lumped,
+        Calibration::Matched if goes_on => LoadSharing::Consistent,
+        _ => LoadSharing::Lumped,
     };
-    let joined = context.symmetry.mirrors.joined[1].then(|| lattice.rows().len() as i32);
+    if load.sharing == Some(LoadSharing::Consistent) && !goes_on {
+        faults
+            .error(path.key("sharing"), "a `consistent` pressure needs a tube, or sides that are mirrors")
+            .hint("leave `sharing` out: on open panels it is `lumped`");
+    }
+    if mirrors.joined[1] {
+        check_harmonic(load, shell, lattice, path, faults);
+    }
+    let around = std::f64::consts::TAU * shell.radius / lattice.spacing();
+    if 4.0 * f64::from(load.harmonic) > around {
+        faults
+            .error(
+                path.key("harmonic"),
+                format!(
+                    "{} waves need four points each, and there are {} around",
+                    load.harmonic,
+                    around.round()
+                ),
+            )
+            .hint("use a smaller spacing");
+    }
+    let joined = ShellMembrane::closing_rows(&mirrors);
     let radius = ShellMembrane::closed_radius(shell.radius, lattice.spacing(), joined);
     let wave_number = f64::from(load.harmonic) / radius;
     match load.sharing.unwrap_or(usual) {
@@ -160,6 +192,27 @@ pub(super) fn pressure(
             to.across.extend((0..context.ground.body.points() as u32).map(force));
         }
     }
+}
+
+/// A fault for a wave that does not fit into a joined body.
+fn check_harmonic(
+    load: &Pressure,
+    shell: &ShellParameters,
+    lattice: &SquareLattice,
+    path: &JsonPath,
+    faults: &mut Faults,
+) {
+    let rows = lattice.rows().len();
+    let parts = ShellMembrane::parts_of_circumference(shell.radius, rows as f64 * lattice.spacing());
+    let fits = parts.is_some_and(|parts| load.harmonic.is_multiple_of(parts.round() as u32));
+    if load.harmonic == 0 || (rows > 1 && fits) {
+        return;
+    }
+    let message = match rows {
+        1 => "a single row is the same all around, and this pressure is not".to_string(),
+        _ => format!("{} waves do not fit into the part of the circumference that is joined", load.harmonic),
+    };
+    faults.error(path.key("harmonic"), message).hint("model the whole tube");
 }
 
 /// Adds a fault for every load case that a membrane cannot bear.

@@ -16,8 +16,13 @@ use peristat_assembly::model::state_based::{
 const LOCKS: f64 = 0.45;
 
 /// The parameters of a body in the plane, filling in the defaults of the case; the horizon ratio is to be set.
-pub(super) fn in_plane(model: &mut StatePlane, faults: &mut Faults) -> Option<StateParameters> {
+pub(super) fn in_plane(model: &mut StatePlane, case: &Case, faults: &mut Faults) -> Option<StateParameters> {
     let path = root("model").key("state_plane");
+    if let Some(k) = case.rigid.iter().position(|r| r.bearing.is_some()) {
+        faults
+            .error(root("rigid").index(k).key("bearing"), "families do not know of bearings")
+            .hint("leave `bearing` out, or use the model `bond_plane`");
+    }
     let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= positive(model.thickness, "thickness", path.key("thickness"), faults);
     fine &= admissible(model.poisson_ratio, &path, faults);
@@ -126,6 +131,13 @@ pub(super) fn check_revolved(
                 format!("x is the radius of a body of revolution, and this one reaches to {}", tidy(left)),
             )
             .hint("draw the half of the section with x >= 0");
+        return None;
+    }
+    let first = lattice.corner()[0] + f64::from(lattice.columns().start) * lattice.spacing();
+    if left <= slack && first > slack {
+        faults
+            .error(root("body"), "holes take away all of the body that touches its axis")
+            .hint(format!("draw the body from x = {} on", tidy(first)));
         return None;
     }
     Some(left <= slack)

@@ -199,6 +199,12 @@ fn on_edge(
             .hint(format!("`centre` is the {name} of its middle"));
         return None;
     }
+    if load.radius < spacing {
+        faults
+            .error(path.key("radius"), "the contact is narrower than two spacings: points hardly feel it")
+            .hint("use a smaller spacing, ten over the radius, or a `point` load");
+        return None;
+    }
     if load.radius < 4.0 * spacing {
         faults
             .warning(
