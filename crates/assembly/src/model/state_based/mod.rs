@@ -8,7 +8,7 @@
 //! `W = ½(λ−μ) ϑ² + λ ϑ h + ½(λ+2μ) h² + (4μ/q) Σ w e²`,
 //!
 //! which is that of the classical body for every uniform strain if `⟨cos⁴⟩ = 3/8` and `⟨cos² sin²⟩ = 1/8` in every family
-//! ([`moments`]). It is never negative while no weight is, and while q stays that of the intact family. After Lu, Oterkus
+//! (`moments.rs`). It is never negative while no weight is, and while q stays that of the intact family. After Lu, Oterkus
 //! and Oterkus, Procedia Structural Integrity 28 (2020) 1559–1571, whose rings count by `2π r A` ([`Measure`]).
 //!
 //! Where `λ = μ`, as for ν = 1/3 in plane stress, no point feels more than its bonds and no family is made.
