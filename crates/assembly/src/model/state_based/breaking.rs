@@ -10,7 +10,7 @@ use super::StateBased;
 use super::body::StateBody;
 use crate::model::Breakable;
 use crate::stiffness::{Bonds, FamilyRows, Term};
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 /// Offset of the half and lower point.
 type Place = (usize, usize);
@@ -53,13 +53,16 @@ impl StateBody {
 
     /// Rows of the points at the ends of some bonds without them.
     fn rows_without(&self, bonds: &[Place]) -> Vec<(usize, FamilyRows)> {
-        let mut changed = self.families.clone();
-        let ends = |&(k, lower): &Place| Some((k, [lower, self.upper(k, lower)?]));
-        let ends: Vec<(usize, [usize; 2])> = bonds.iter().filter_map(ends).collect();
-        changed.remove(&ends);
-        let points: BTreeSet<usize> = ends.iter().flat_map(|e| e.1).collect();
-        let rows = |p: usize| Some((p, self.dilatation_rows(&changed.sets[changed.set_of[p]? as usize])));
-        points.into_iter().filter_map(rows).collect()
+        let mut changed: BTreeMap<usize, FamilyRows> = BTreeMap::new();
+        for &(offset, lower) in bonds {
+            let Some(upper) = self.upper(offset, lower) else { continue };
+            for (point, offset) in [(lower, offset), (upper, self.families.opposite(offset))] {
+                let Some(set) = self.families.set_of[point] else { continue };
+                let own = || self.dilatation_rows(&self.families.sets[set as usize]);
+                changed.entry(point).or_insert_with(own)[offset] = [0.0; 2];
+            }
+        }
+        changed.into_iter().collect()
     }
 }
 

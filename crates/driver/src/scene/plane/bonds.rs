@@ -69,8 +69,7 @@ impl AnyPlaneModel {
         match self {
             Self::Central(model) => Self::Central(model.never_joined(bonds)),
             Self::Beams(model) => Self::Beams(model.never_joined(bonds)),
-            Self::State(_) | Self::Revolved(_) => self,
-            Self::Shell(_) => self,
+            Self::State(_) | Self::Revolved(_) | Self::Shell(_) => self,
         }
     }
 }

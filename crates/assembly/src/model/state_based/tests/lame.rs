@@ -67,7 +67,7 @@ fn treatments_have_their_golden_numbers() {
 
 #[test]
 fn ghosts_converge_with_the_second_order() {
-    // Measured: 2.03e-3, 6.04e-4, 1.66e-4 and in L2 1.13e-3, 2.83e-4, 7.08e-5.
+    // Measured: 2.03e-3, 5.95e-4, 1.66e-4 and in L2 1.06e-3, 2.77e-4, 7.06e-5.
     let found: Vec<[f64; 2]> = [20, 40, 80].iter().map(|&n| errors(n, RING)).collect();
     assert!(found[1][0] < 8e-4);
     for pair in found.windows(2) {

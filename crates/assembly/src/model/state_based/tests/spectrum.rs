@@ -52,8 +52,8 @@ fn damaged_families_have_no_negative_energy() {
 }
 
 #[test]
-fn truncated_moments_are_indefinite_at_corners() {
-    // −0.17 of the largest one (an independent Python implementation): why negative weights are refused.
+fn energies_given_away_leave_none_that_is_negative() {
+    // With the negative weights of corners it would be −0.17 of the largest one (an independent Python implementation).
     let moment = StateParameters { edges: StateEdges::MomentPlus, ..RING };
     let model: StateBased<true> = body(cells(0.1, 1.0, [10, 10]), Mirrors::NONE, moment);
     let values = eigenvalues(&model);
