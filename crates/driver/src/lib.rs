@@ -33,14 +33,16 @@ pub mod reference;
 pub mod results;
 pub mod run;
 pub mod scene;
+pub mod study;
 pub mod summary;
+mod workers;
 
 use diagnostic::{Faults, Report, Severity};
 use run::fracture::Restart;
 use run::{Advance, RunError, RunOptions, Sink, StateResult, taking};
 use scene::Scene;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use summary::{Collector, Summary};
 use thiserror::Error;
 
@@ -56,6 +58,12 @@ pub enum Error {
     /// A file cannot be written.
     #[error(transparent)]
     Io(#[from] io::Error),
+}
+
+impl From<Report> for Error {
+    fn from(report: Report) -> Self {
+        Self::Case(report)
+    }
 }
 
 /// A solved scene.
@@ -90,8 +98,12 @@ pub fn solve_text(text: &str) -> Result<Solved, Error> {
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
-    file: String,
-    text: String,
+    /// The case as its author wrote it.
+    pub(crate) written: case::Case,
+    /// Folder of the files that it names.
+    pub(crate) folder: PathBuf,
+    pub(crate) file: String,
+    pub(crate) text: String,
 }
 
 impl Loaded {
@@ -105,10 +117,16 @@ impl Loaded {
         Self::from_source(source, path.parent().unwrap_or(Path::new("")), max_memory)
     }
 
-    fn from_source(source: case::Source, folder: &Path, max_memory: Option<u64>) -> Result<Self, Error> {
+    /// The same of a case that is read; `folder` is where files that it names are looked for.
+    pub(crate) fn from_source(
+        source: case::Source,
+        folder: &Path,
+        max_memory: Option<u64>,
+    ) -> Result<Self, Error> {
         let case::Source { case, file, text } = source;
+        let written = case.clone();
         let scene = Scene::new(case, folder, &file, &text, max_memory).map_err(Error::Case)?;
-        Ok(Self { scene, file, text })
+        Ok(Self { scene, written, folder: folder.into(), file, text })
     }
 
     /// The error of a run with the place in the case, where it is the case's fault.

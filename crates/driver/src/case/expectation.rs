@@ -205,6 +205,8 @@ pub enum Check {
     Limit(Limit),
     /// Agreement of all points with a stored file.
     Baseline(Baseline),
+    /// Agreement of all points of a body in the plane with an expression in their coordinates.
+    Formula(Formula),
 }
 
 /// Agreement with a closed form.
@@ -264,6 +266,24 @@ pub struct Baseline {
     pub field: FieldName,
     /// Largest difference at any point, relative to the largest stored value.
     pub tolerance: f64,
+    /// Load case or combination; the last step if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load_case: Option<String>,
+}
+
+/// Agreement with an expression in x and y, at all points of a body in the plane.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Formula {
+    /// Field that is compared.
+    pub field: FieldName,
+    /// The exact value at (x, y), such as `1e-3*x - 2*y^2`: + - * / ^, parentheses, pi, e, sqrt, exp, log, log10, sin, cos,
+    /// tan, asin, acos, atan, atan2(y, x), sinh, cosh, tanh, abs. `-x^2` is −(x²); powers of powers need parentheses.
+    pub is: String,
+    /// Largest difference at any point, relative to the largest value of the formula.
+    pub tolerance: f64,
+    /// Where the formula comes from.
+    pub source: String,
     /// Load case or combination; the last step if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load_case: Option<String>,

@@ -15,6 +15,7 @@ mod plane_body;
 mod plane_load;
 mod plane_output;
 mod read;
+mod refine;
 mod region;
 mod section;
 mod shell;
@@ -25,7 +26,7 @@ pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
     Sine, Steps, Support,
 };
-pub use expectation::{Baseline, Check, ClosedForm, FieldName, Limit, Probe, Value};
+pub use expectation::{Baseline, Check, ClosedForm, FieldName, Formula, Limit, Probe, Value};
 pub use foundation::Foundation;
 pub use fracture::{CrackDirection, Critical, CriticalFormula, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};
@@ -41,7 +42,8 @@ pub use plane_body::{
 };
 pub use plane_load::{BodyForce, Hertz, Traction};
 pub use plane_output::{LineOutput, StressIntensity, Tips};
-pub use read::{Source, from_text, read};
+pub use read::{Source, from_text, read, read_text};
+pub use refine::Overrides;
 pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
 pub use section::{PowerLaw, Stiffness};
 pub use shell::{Pressure, Shell};
@@ -143,6 +145,20 @@ pub struct Case {
 }
 
 impl Case {
+    /// The files that the case names, relative to its folder.
+    pub fn files_mut(&mut self) -> Vec<&mut String> {
+        let baselines = self.checks.iter_mut().filter_map(|check| match check {
+            Check::Baseline(baseline) => Some(&mut baseline.file),
+            _ => None,
+        });
+        let body = match &mut self.body {
+            Body::Points(body) => Some(&mut body.file),
+            Body::Mesh(body) => Some(&mut body.file),
+            _ => None,
+        };
+        baselines.chain(body).collect()
+    }
+
     /// Whether the body breaks or softens: its states are found one after the other, and it is not known how many there are.
     pub fn is_traced(&self) -> bool {
         self.fracture.is_some() || self.path.is_some()

@@ -24,6 +24,14 @@ pub struct Source {
 /// # Errors
 /// A [`Report`] with the place of the fault.
 pub fn read(path: &Path, overrides: &[String]) -> Result<Source, Report> {
+    from_text(&path.display().to_string(), read_text(path)?, overrides)
+}
+
+/// The text of a case file.
+///
+/// # Errors
+/// A [`Report`] that says why it cannot be read.
+pub fn read_text(path: &Path) -> Result<String, Report> {
     let file = path.display().to_string();
     let bytes = fs::read(path).map_err(|error| {
         let (message, hint) = match error.kind() {
@@ -40,7 +48,7 @@ pub fn read(path: &Path, overrides: &[String]) -> Result<Source, Report> {
         diagnostic.hint = hint.map(Into::into);
         Report { file: file.clone(), text: String::new(), diagnostics: vec![diagnostic] }
     })?;
-    from_text(&file, decode(&file, bytes)?, overrides)
+    decode(&file, bytes)
 }
 
 /// Reads a case from a text; `file` names it in messages.

@@ -33,7 +33,7 @@ pub(super) struct Global {
     /// When to colour messages.
     #[arg(long, global = true, value_enum, default_value = "auto")]
     pub(super) color: Color,
-    /// Threads that solve a plate, and cases that `verify` solves side by side; all cores if not given.
+    /// Threads that solve a plate, and cases that `verify` and `study` solve side by side; all cores if not given.
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) threads: Option<u16>,
     /// Memory that a case may need, such as `2GB`; it is estimated before anything is allocated.
@@ -81,6 +81,8 @@ pub(super) enum Command {
         #[arg(short, long, value_name = "DIR")]
         output: Option<PathBuf>,
     },
+    /// Solve a case on many discretisations: orders of convergence and extrapolated values.
+    Study(Study),
     /// Print a case to begin with.
     New {
         /// `timoshenko_beam`, a straight line; `plane_frame`, one with joints and members; `bond_plane`, a plate with a hole.
@@ -118,9 +120,37 @@ pub(super) struct Run {
     /// Go on with the interrupted run of a body that breaks in the results folder.
     #[arg(long, conflicts_with = "force")]
     pub(super) resume: bool,
+    /// Estimate the discretisation error of every probe, by solving the case on half and on twice the spacing, too.
+    #[arg(long)]
+    pub(super) estimate: bool,
     /// Write the assembled stiffness, before supports, as a Matrix Market file.
     #[arg(long, value_name = "FILE")]
     pub(super) write_matrix: Option<PathBuf>,
+}
+
+/// Options of `study`.
+#[derive(Debug, Args)]
+pub(super) struct Study {
+    /// Study file.
+    pub(super) study: PathBuf,
+    /// Folder of the study; `results/<name of the study>` if not given. Tasks that are finished in it are not solved again.
+    #[arg(short, long, value_name = "DIR")]
+    pub(super) output: Option<PathBuf>,
+    /// Replace a value of the base case, such as `body.line.cells=200`.
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub(super) overrides: Vec<String>,
+    /// Use a folder that holds other files.
+    #[arg(long)]
+    pub(super) force: bool,
+    /// List the tasks and solve nothing.
+    #[arg(long, conflicts_with_all = ["task", "collect"])]
+    pub(super) plan: bool,
+    /// Solve this task only, by its number in the plan; may be given several times.
+    #[arg(long, value_name = "K", conflicts_with = "collect")]
+    pub(super) task: Vec<usize>,
+    /// Solve nothing: make tables and diagrams of the tasks that are finished.
+    #[arg(long)]
+    pub(super) collect: bool,
 }
 
 /// What can be listed.

@@ -9,8 +9,10 @@ mod print_fracture;
 mod print_path;
 mod print_plane;
 mod print_state;
+mod print_study;
 mod progress;
 mod solve;
+mod study;
 mod verify;
 mod writing;
 
@@ -45,6 +47,7 @@ pub fn main() -> ExitCode {
             let request = verify::Request { paths, all, junit, output };
             verify::verify(&request, &global)
         }
+        Command::Study(request) => study::study(&request, &global),
         Command::New { model } => lists::new(&model),
         Command::List { kind } => lists::list(kind, &global),
         Command::Schema => lists::schema(),

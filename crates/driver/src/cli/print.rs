@@ -2,7 +2,7 @@
 
 use super::{print_beam, print_fracture, print_path, print_plane, print_state};
 use crate::run::{CheckResult, ProbeResult, Sizes};
-use crate::summary::{Forces, Located, ModelSummary, Status, Summary};
+use crate::summary::{Estimate, Estimates, Forces, Located, ModelSummary, Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -74,6 +74,9 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
     if !summary.probes.is_empty() && !is_traced {
         probes(&mut out, summary);
     }
+    if let Some(estimates) = &summary.estimate {
+        estimated(&mut out, estimates);
+    }
     if !summary.checks.is_empty() {
         let _ = write!(out, "\n{}", checks(&summary.checks));
     }
@@ -117,6 +120,25 @@ fn envelope(out: &mut String, summary: &Summary) {
         })
         .collect();
     let _ = write!(out, "\nenvelope\n\n{}", table(&["field", "smallest", "in", "largest", "in"], &rows));
+}
+
+/// Estimated errors of the discretisation.
+fn estimated(out: &mut String, estimates: &Estimates) {
+    let row = |e: &Estimate| {
+        let relative = e.relative.map_or(String::new(), |relative| format!("{relative:.1e}"));
+        vec![e.name.clone(), format!("{:?}", e.value), format!("{:.1e}", e.error), relative, e.basis.clone()]
+    };
+    let rows: Vec<Vec<String>> = estimates.quantities.iter().map(row).collect();
+    let header = ["quantity", "value", "estimated error", "relative", "basis"];
+    let spacings: Vec<String> = estimates.spacings.iter().map(ToString::to_string).collect();
+    let _ = write!(
+        out,
+        "\nerror of the discretisation, against {}; from {} times the spacing, in {:.3} s\n\n{}",
+        estimates.against,
+        spacings.join(" and "),
+        estimates.seconds,
+        table(&header, &rows)
+    );
 }
 
 fn probes(out: &mut String, summary: &Summary) {

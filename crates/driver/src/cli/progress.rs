@@ -30,6 +30,14 @@ pub(super) enum Progress {
     Terminal(ProgressBar),
 }
 
+/// A bar over tasks, on a terminal only.
+pub(super) fn of_tasks(global: &Global, count: usize) -> ProgressBar {
+    if global.quiet || !io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    ProgressBar::with_draw_target(Some(count as u64), ProgressDrawTarget::stderr())
+}
+
 impl Progress {
     /// As it was asked for, on stderr.
     pub(super) fn new(global: &Global) -> Self {

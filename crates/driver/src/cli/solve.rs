@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     if loaded.scene.case().fracture.is_some() {
         writing = writing.watched(Progress::new(global), Interrupt::listen(global.quiet)?);
     }
-    let summary = solve_into(&loaded, restart, writing, global)?;
+    let summary = solve_into(&loaded, restart, writing, arguments.estimate, global)?;
     if !global.quiet {
         // Those of the case have been shown.
         let shown = loaded.warnings().map_or(0, |report| report.diagnostics.len());
@@ -56,17 +56,24 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     Ok(exit_code(&summary))
 }
 
-/// Solves a scene, from a restart if there is one, into its folder.
+/// Solves a scene, from a restart if there is one, into its folder, and estimates its errors if that is asked for.
 pub(super) fn solve_into(
     loaded: &Loaded,
     restart: Option<Restart>,
     mut writing: Writing,
+    estimate: bool,
     global: &Global,
 ) -> Result<Summary, Error> {
     if let Some(restart) = &restart {
         writing.resume(restart)?;
     }
-    let summary = loaded.run(&with_fields(global), restart, &mut writing)?;
+    let mut summary = loaded.run(&with_fields(global), restart, &mut writing)?;
+    if estimate {
+        match loaded.estimate(&summary, global.max_memory) {
+            Ok(estimates) => summary.estimate = Some(estimates),
+            Err(reason) => summary.warnings.push(format!("there is no estimate of the error: {reason}")),
+        }
+    }
     writing.finish(&summary)?;
     Ok(summary)
 }

@@ -6,14 +6,16 @@ use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
 use crate::results::{MARK, admit};
 use crate::run::{RunOptions, taking};
 use crate::summary::{Status, Summary};
+use crate::workers::side_by_side;
 use crate::{Error, Loaded};
 use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
+
+/// How the names of studies end, which lie beside cases.
+const STUDY: &str = ".study.json";
 
 /// What to verify.
 pub(super) struct Request {
@@ -95,7 +97,7 @@ fn collect(path: &Path, all: bool, cases: &mut Vec<PathBuf>) -> io::Result<()> {
             if name != "invalid" && (all || name != "bench") {
                 collect(&entry, all, cases)?;
             }
-        } else if name.ends_with(".json") {
+        } else if name.ends_with(".json") && !name.ends_with(STUDY) {
             cases.push(entry);
         }
     }
@@ -103,24 +105,8 @@ fn collect(path: &Path, all: bool, cases: &mut Vec<PathBuf>) -> io::Result<()> {
 }
 
 fn solve_all(cases: &[PathBuf], request: &Request, global: &Global) -> Vec<Outcome> {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = global.threads.map_or(cores, usize::from).min(cases.len()).max(1);
-    let next = AtomicUsize::new(0);
-    let outcomes = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            scope.spawn(|| {
-                while let Some(case) = cases.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    if let Some(outcome) = solve_one(case, request, global) {
-                        outcomes.lock().expect("no holder of the lock panics").push(outcome);
-                    }
-                }
-            });
-        }
-    });
-    let mut outcomes = outcomes.into_inner().expect("no holder of the lock panics");
-    outcomes.sort_by(|a: &Outcome, b| a.case.cmp(&b.case));
-    outcomes
+    let outcomes = side_by_side(global.threads, cases.len(), |k| solve_one(&cases[k], request, global));
+    outcomes.into_iter().flatten().collect()
 }
 
 /// The path of a case without its root and its steps upwards, so that results stay in the folder that was asked for.
@@ -145,7 +131,7 @@ fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome>
         Some(folder) => {
             let folder = folder.join(inside(case));
             admit(&folder, false)?;
-            solve::solve_into(&loaded, None, Writing::new(&loaded.scene, &folder), global)
+            solve::solve_into(&loaded, None, Writing::new(&loaded.scene, &folder), false, global)
         }
         None => {
             let options = RunOptions { recover: false, max_memory: global.max_memory };

@@ -40,6 +40,17 @@ pub fn write(path: &Path, columns: &[(&str, &[f64])]) -> io::Result<()> {
     })
 }
 
+/// Writes rows of texts below their headers.
+///
+/// # Errors
+/// What the file system reports.
+pub fn write_rows(path: &Path, headers: &[&str], rows: &[Vec<String>]) -> io::Result<()> {
+    let line = |cells: &mut dyn Iterator<Item = &str>| cells.map(quoted).collect::<Vec<_>>().join(",") + "\n";
+    let mut text = line(&mut headers.iter().copied());
+    rows.iter().for_each(|row| text += &line(&mut row.iter().map(String::as_str)));
+    super::atomic::write_atomically(path, text.as_bytes())
+}
+
 /// Rows as text.
 fn text(columns: &[(&str, &[f64])], rows: Range<usize>) -> String {
     let mut text = String::with_capacity(rows.len() * columns.len() * 20);

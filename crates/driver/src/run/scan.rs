@@ -53,6 +53,16 @@ pub(super) fn largest(values: &[f64]) -> f64 {
     if odd.iter().sum::<f64>() == 0.0 { most.into_iter().fold(0.0, f64::max) } else { f64::INFINITY }
 }
 
+/// Sum of the squares.
+pub(super) fn squares(values: &[f64]) -> f64 {
+    let mut sums = [0.0_f64; LANES];
+    let mut take = |chunk: &[f64]| sums.iter_mut().zip(chunk).for_each(|(sum, v)| *sum += v * v);
+    let (chunks, rest) = values.as_chunks::<LANES>();
+    chunks.iter().for_each(|chunk| take(chunk));
+    take(rest);
+    sums.iter().sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -32,7 +32,7 @@ pub struct ProbeResult {
 pub struct CheckResult {
     /// Name.
     pub name: String,
-    /// `closed_form`, `value`, `limit` or `baseline`.
+    /// `closed_form`, `value`, `limit`, `baseline` or `formula`.
     pub kind: &'static str,
     /// What was expected: a number, or the largest magnitude of a reference.
     pub expected: f64,
@@ -40,6 +40,10 @@ pub struct CheckResult {
     pub found: f64,
     /// Error, relative to `expected` unless that is zero; for a limit the magnitude over the limit.
     pub error: f64,
+    /// Root of the mean square of the differences over all points, relative to that of the reference, where all points are
+    /// compared.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub l2_error: Option<f64>,
     /// Largest error that passes.
     pub tolerance: f64,
     /// Whether it passes.
@@ -59,11 +63,15 @@ pub(super) struct Worst {
     pub(super) difference: f64,
     /// Largest expected magnitude.
     pub(super) scale: f64,
+    /// Sums of squares of the differences and of the expected values, and how many there are.
+    pub(super) squares: [f64; 2],
+    pub(super) count: usize,
 }
 
 impl Worst {
     /// Of no comparison yet.
-    pub(super) const NONE: Self = Self { expected: 0.0, found: 0.0, difference: -1.0, scale: 0.0 };
+    pub(super) const NONE: Self =
+        Self { expected: 0.0, found: 0.0, difference: -1.0, scale: 0.0, squares: [0.0; 2], count: 0 };
 
     /// Of some values.
     pub(super) fn of(expected: &[f64], found: &[f64]) -> Self {
@@ -80,6 +88,9 @@ impl Worst {
         let differences = &mut differences[..expected.len()];
         differences.iter_mut().zip(expected).zip(found).for_each(|((d, e), f)| *d = (f - e).abs());
         self.scale = self.scale.max(scan::largest(expected));
+        self.squares[0] += scan::squares(differences);
+        self.squares[1] += scan::squares(expected);
+        self.count += expected.len();
         if scan::largest(differences) <= self.difference {
             return;
         }
@@ -88,6 +99,15 @@ impl Worst {
                 *self = Self { expected: expected[k], found: found[k], difference, ..*self };
             }
         }
+    }
+}
+
+impl Worst {
+    /// Root of the mean square of several differences over that of the reference; none where that vanishes or the squares
+    /// do not fit into a double.
+    fn l2_error(&self) -> Option<f64> {
+        let error = (self.squares[0] / self.squares[1]).sqrt();
+        (self.count > 1 && self.squares[1].is_normal() && error.is_finite()).then_some(error)
     }
 }
 
@@ -104,7 +124,17 @@ impl CheckResult {
         // A missing value is not a number, no comparison at all a negative one: neither must pass.
         let passed = (0.0..=tolerance).contains(&error);
         let (name, source) = (name.into(), source.into());
-        Self { name, kind, expected: worst.expected, found: worst.found, error, tolerance, passed, source }
+        Self {
+            name,
+            kind,
+            expected: worst.expected,
+            found: worst.found,
+            error,
+            l2_error: worst.l2_error(),
+            tolerance,
+            passed,
+            source,
+        }
     }
 
     /// Of a magnitude and its bound.
@@ -116,6 +146,7 @@ impl CheckResult {
             expected: at_most,
             found,
             error,
+            l2_error: None,
             tolerance: 1.0,
             passed: error <= 1.0,
             source: why.into(),

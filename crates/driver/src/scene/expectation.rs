@@ -1,7 +1,7 @@
 //! What the results of a scene must be.
 
 use super::{numbers, root, words};
-use crate::case::{Baseline, Case, Check, ClosedForm};
+use crate::case::{Baseline, Case, Check, ClosedForm, Formula};
 use crate::diagnostic::{Faults, JsonPath};
 
 /// A check, resolved.
@@ -46,6 +46,7 @@ pub enum ExpectationKind<F> {
 pub(super) enum PointsCheck<'a> {
     ClosedForm(&'a ClosedForm),
     Baseline(&'a Baseline),
+    Formula(&'a Formula),
 }
 
 /// Checks of the case on its states and probes, both given by their names. `of_points` resolves a check that compares all
@@ -80,6 +81,10 @@ pub(super) fn expectations<F>(
                 let points = of_points(PointsCheck::Baseline(c), &path, state, faults)?;
                 (format!("{} {}", c.field.name(), c.file), ExpectationKind::Points(points))
             }
+            Check::Formula(c) => {
+                let points = of_points(PointsCheck::Formula(c), &path, state, faults)?;
+                (format!("{} formula", c.field.name()), ExpectationKind::Points(points))
+            }
         };
         let name = match load_case {
             Some(load_case) => format!("{name} [{load_case}]"),
@@ -97,6 +102,7 @@ fn key(check: &Check) -> &'static str {
         Check::Value(_) => "value",
         Check::Limit(_) => "limit",
         Check::Baseline(_) => "baseline",
+        Check::Formula(_) => "formula",
     }
 }
 
@@ -112,6 +118,7 @@ fn state<'a>(
         Check::Value(c) => (&c.load_case, Some(c.tolerance)),
         Check::Limit(c) => (&c.load_case, None),
         Check::Baseline(c) => (&c.load_case, Some(c.tolerance)),
+        Check::Formula(c) => (&c.load_case, Some(c.tolerance)),
     };
     if let Some(tolerance) = tolerance {
         numbers::positive(tolerance, "tolerance", path.key("tolerance"), faults);

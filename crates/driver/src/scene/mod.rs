@@ -18,7 +18,7 @@ pub use beam::BeamScene;
 pub use expectation::{Expectation, ExpectationKind};
 pub use plane::PlaneScene;
 
-use crate::case::{Body, Case, Check, Model};
+use crate::case::{Case, Model};
 use crate::diagnostic::{Faults, JsonPath, Report};
 use std::path::Path;
 
@@ -38,20 +38,10 @@ fn root(key: &str) -> JsonPath {
 
 /// Names the files of a case by their full paths, so that the case can be run again from another folder.
 fn keep_files(case: &mut Case, folder: &Path) {
-    let keep = |file: &mut String| {
+    for file in case.files_mut() {
         if let Ok(path) = folder.join(&*file).canonicalize() {
             *file = path.display().to_string();
         }
-    };
-    for check in &mut case.checks {
-        if let Check::Baseline(baseline) = check {
-            keep(&mut baseline.file);
-        }
-    }
-    match &mut case.body {
-        Body::Points(body) => keep(&mut body.file),
-        Body::Mesh(body) => keep(&mut body.file),
-        _ => {}
     }
 }
 

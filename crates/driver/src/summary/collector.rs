@@ -83,6 +83,7 @@ impl Collector {
             units: scene.case().units,
             model,
             sizes: report.sizes,
+            estimate: None,
             checks: self.checks,
             probes: self.probes,
             states: self.states,

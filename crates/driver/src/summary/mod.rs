@@ -2,10 +2,12 @@
 
 mod beam;
 mod collector;
+mod estimate;
 mod plane;
 
 pub use beam::{BeamForces, BeamSummary};
 pub use collector::Collector;
+pub use estimate::{Estimate, Estimates};
 pub use plane::{FamilySummary, OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
 
 use crate::case::Units;
@@ -88,6 +90,24 @@ pub enum ModelSummary {
     Plane(PlaneSummary),
 }
 
+impl ModelSummary {
+    /// Spacing, of the first line of a beam.
+    pub fn spacing(&self) -> f64 {
+        match self {
+            Self::Beam(beam) => beam.spacing[0],
+            Self::Plane(plane) => plane.spacing,
+        }
+    }
+
+    /// Horizon, of the first line of a beam.
+    pub fn horizon(&self) -> f64 {
+        match self {
+            Self::Beam(beam) => beam.spacing[0] * beam.horizon_ratio[0],
+            Self::Plane(plane) => plane.spacing * plane.horizon_ratio,
+        }
+    }
+}
+
 /// Everything about a finished run but the fields.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
@@ -102,6 +122,9 @@ pub struct Summary {
     /// Sizes.
     #[serde(flatten)]
     pub sizes: Sizes,
+    /// Estimated discretisation errors, where they were asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub estimate: Option<Estimates>,
     /// Checks.
     pub checks: Vec<CheckResult>,
     /// Probes.

@@ -32,7 +32,7 @@ const BOTTOM: i32 = SIZE.1 - 58;
 const LEGEND_END: i32 = 140;
 
 pub(super) const INK: RGBColor = RGBColor(0x33, 0x3A, 0x44);
-const FAINT: RGBColor = RGBColor(0xE4, 0xE7, 0xEB);
+pub(super) const FAINT: RGBColor = RGBColor(0xE4, 0xE7, 0xEB);
 pub(super) const ZERO: RGBColor = RGBColor(0x9A, 0xA3, 0xAE);
 /// Told apart in every common form of colour blindness (Okabe and Ito 2008), the yellow left out.
 pub(super) const COLORS: [RGBColor; 6] = [

@@ -1,11 +1,13 @@
 //! Diagrams of lines over lines, pictures of frames and maps of bodies in the plane, as SVG made to stand in a report or a README as they are.
 
 mod draw;
+mod log_log;
 mod map;
 mod picture;
 mod scale;
 mod thin;
 
+pub use log_log::{LogLog, PowerLine, render_log_log, write_log_log};
 pub use map::{Map, Patch, render_map, write_map};
 pub use picture::{Label, Look, Picture, Shape, write_picture};
 pub(crate) use scale::short;

@@ -128,6 +128,11 @@ fn exponent_of(largest: f64) -> i32 {
 }
 
 fn factor(exponent: i32) -> String {
+    format!("×{}", power_of_ten(exponent))
+}
+
+/// A power of ten: `10⁻⁶`.
+pub(super) fn power_of_ten(exponent: i32) -> String {
     let raised = |c: char| match c {
         '-' => '⁻',
         '1' => '¹',
@@ -135,7 +140,7 @@ fn factor(exponent: i32) -> String {
         '3' => '³',
         digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
     };
-    format!("×10{}", exponent.to_string().chars().map(raised).collect::<String>())
+    format!("10{}", exponent.to_string().chars().map(raised).collect::<String>())
 }
 
 /// The largest of 1, 2, 5 times a power of ten that is not much above `step`.

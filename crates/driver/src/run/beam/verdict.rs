@@ -114,7 +114,7 @@ fn baseline(stored: &[(f64, f64)], field: FieldName, result: &BeamResult) -> Wor
     let expected: Vec<f64> = stored.iter().map(|s| s.1).collect();
     if found.len() != expected.len() {
         let (expected, found) = (expected.len() as f64, found.len() as f64);
-        return Worst { expected, found, difference: f64::NAN, scale: 1.0 };
+        return Worst { expected, found, difference: f64::NAN, scale: 1.0, ..Worst::NONE };
     }
     Worst::of(&expected, &found)
 }

@@ -106,11 +106,11 @@ pub(crate) fn checks(scene: &PlaneScene, result: &PlaneResult) -> Vec<CheckResul
     let check = |expectation: &Expectation<PlaneComparison>| {
         let points = |points: &PlaneComparison| {
             let found = result.values(scene, points.field).unwrap_or_default();
-            let worst = match found.len() == points.stored.len() {
-                true => Worst::of(&points.stored, &found),
+            let worst = match found.len() == points.expected.len() {
+                true => Worst::of(&points.expected, &found),
                 false => Worst { difference: f64::NAN, scale: 1.0, ..Worst::NONE },
             };
-            CheckResult::of(&expectation.name, "baseline", worst, points.tolerance, "stored baseline")
+            CheckResult::of(&expectation.name, points.kind, worst, points.tolerance, &*points.source)
         };
         verdict::check(expectation, probed, probed, points)
     };

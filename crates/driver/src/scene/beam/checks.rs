@@ -86,6 +86,12 @@ pub(super) fn expectations(
             stored: baseline::stored(context, c, path, faults)?,
             tolerance: c.tolerance,
         }),
+        PointsCheck::Formula(_) => {
+            faults.error(path.clone(), "formulas are for bodies in the plane").hint(
+                "compare a beam with a closed form, see `peristat list references`, or a probe with a number",
+            );
+            None
+        }
     };
     expectation::expectations(case, &states, &probes, compare, faults)
 }

@@ -3,7 +3,8 @@
 use super::super::expectation::{self, Expectation, PointsCheck};
 use super::super::words::tidy;
 use super::PlaneBonds;
-use crate::case::{Baseline, Case, FieldName};
+use super::formula;
+use crate::case::{Baseline, Case, FieldName, Formula};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::PlaneBody;
 use std::path::Path;
@@ -13,9 +14,13 @@ use std::path::Path;
 pub struct PlaneComparison {
     /// The field.
     pub field: FieldName,
-    /// Stored values of the points of the body, images left out.
-    pub stored: Vec<f64>,
-    /// Largest difference relative to the largest stored value.
+    /// Expected values at the points of the body, images left out.
+    pub expected: Vec<f64>,
+    /// `baseline` or `formula`.
+    pub kind: &'static str,
+    /// Where the values come from.
+    pub source: String,
+    /// Largest difference relative to the largest expected value.
     pub tolerance: f64,
 }
 
@@ -32,12 +37,53 @@ pub(super) fn expectations(
         PointsCheck::ClosedForm(_) => {
             faults
                 .error(path.clone(), "closed forms are for beams")
-                .hint("compare a probe with a number by a `value` check, or all points by a `baseline`");
+                .hint("compare all points with a `formula` or a `baseline`, or a probe with a number by a `value` check");
             None
         }
         PointsCheck::Baseline(check) => baseline(check, (body, bonds), folder, path, faults),
+        PointsCheck::Formula(check) => of_formula(check, (body, bonds), path, faults),
     };
     expectation::expectations(case, states, probes, compare, faults)
+}
+
+/// Whether all points have a field; a fault if not.
+fn is_field(field: FieldName, bonds: &PlaneBonds, path: &JsonPath, faults: &mut Faults) -> bool {
+    let missing = match field {
+        FieldName::Phi => !bonds.points_turn(),
+        FieldName::W => !bonds.deflects(),
+        field => !FieldName::PLANE.contains(&field),
+    };
+    if missing {
+        faults.error(
+            path.key("field"),
+            format!("`{}` is no field of all points of a body in the plane", field.name()),
+        );
+    }
+    !missing
+}
+
+fn of_formula(
+    check: &Formula,
+    (body, bonds): (&PlaneBody, &PlaneBonds),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<PlaneComparison> {
+    if !is_field(check.field, bonds, path, faults) {
+        return None;
+    }
+    match formula::values(&check.is, body) {
+        Ok(expected) => Some(PlaneComparison {
+            field: check.field,
+            expected,
+            kind: "formula",
+            source: check.source.clone(),
+            tolerance: check.tolerance,
+        }),
+        Err(reason) => {
+            faults.error(path.key("is"), reason).hint("for example `1e-3*x - 2*y^2`, in x and y");
+            None
+        }
+    }
 }
 
 fn baseline(
@@ -47,16 +93,7 @@ fn baseline(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<PlaneComparison> {
-    let missing = match check.field {
-        FieldName::Phi => !bonds.points_turn(),
-        FieldName::W => !bonds.deflects(),
-        field => !FieldName::PLANE.contains(&field),
-    };
-    if missing {
-        faults.error(
-            path.key("field"),
-            format!("`{}` is no field of all points of a body in the plane", check.field.name()),
-        );
+    if !is_field(check.field, bonds, path, faults) {
         return None;
     }
     let stored = match std::fs::read_to_string(folder.join(&check.file)) {
@@ -65,7 +102,13 @@ fn baseline(
         Err(error) => Err(format!("cannot be read: {error}")),
     };
     match stored {
-        Ok(stored) => Some(PlaneComparison { field: check.field, stored, tolerance: check.tolerance }),
+        Ok(expected) => Some(PlaneComparison {
+            field: check.field,
+            expected,
+            kind: "baseline",
+            source: "stored baseline".into(),
+            tolerance: check.tolerance,
+        }),
         Err(reason) => {
             faults.error(path.key("file"), format!("the baseline {} {reason}", check.file)).hint(
                 "the path is relative to the case; `fields/step_000.csv` of an earlier run is a baseline",

@@ -12,6 +12,7 @@ mod critical;
 mod fading;
 mod files;
 mod foreign;
+mod formula;
 mod fracture;
 mod gaps;
 mod given;

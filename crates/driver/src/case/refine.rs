@@ -1,0 +1,104 @@
+//! The same body with other cells, as overrides of its case.
+
+use super::{Body, Case, Grading};
+use crate::diagnostic::JsonPath;
+use serde_json::Value;
+
+/// Overrides of a case: paths and values.
+pub type Overrides = Vec<(JsonPath, Value)>;
+
+/// How far a number of cells may be from a whole one.
+const SLACK: f64 = 1e-9;
+
+impl Case {
+    /// Overrides that divide the spacing of the body by a factor: whole numbers of cells are multiplied by it, lengths of
+    /// cells divided.
+    ///
+    /// # Errors
+    /// The body has no spacing to change, or the factor leaves a part of a cell.
+    pub fn with_spacing_over(&self, factor: f64) -> Result<Overrides, String> {
+        let body = JsonPath::default().key("body");
+        let cells = |path: JsonPath, cells: usize, grading: Option<&Grading>| {
+            if matches!(grading, Some(Grading::Positions(_))) {
+                return Err(format!("`{path}`: a grid of listed positions has no spacing to change"));
+            }
+            let wanted = cells as f64 * factor;
+            match wanted.round() >= 1.0 && (wanted - wanted.round()).abs() <= SLACK * wanted {
+                true => Ok((path, Value::from(wanted.round() as u64))),
+                false => Err(format!("`{path}`: {cells} cells times {factor} are no whole number of cells")),
+            }
+        };
+        let spacing = |kind: &str, spacing: f64| {
+            Ok(vec![(body.key(kind).key("spacing"), Value::from(spacing / factor))])
+        };
+        let specimen = |kind: &str, count: usize| Ok(vec![cells(body.key(kind).key("cells"), count, None)?]);
+        match &self.body {
+            Body::Line(line) => {
+                Ok(vec![cells(body.key("line").key("cells"), line.cells, line.grading.as_ref())?])
+            }
+            Body::Lines(lines) => {
+                let path = |k: usize| body.key("lines").index(k).key("cells");
+                let all = lines.iter().enumerate();
+                all.map(|(k, line)| cells(path(k), line.cells, line.grading.as_ref())).collect()
+            }
+            Body::Frame(frame) => {
+                let path = |k: usize| body.key("frame").key("members").index(k).key("cells");
+                let all = frame.members.iter().enumerate();
+                all.map(|(k, member)| cells(path(k), member.cells, member.grading.as_ref())).collect()
+            }
+            Body::Rectangle(rectangle) => spacing("rectangle", rectangle.spacing),
+            Body::Outline(outline) => spacing("outline", outline.spacing),
+            Body::CompactTension(s) => specimen("compact_tension", s.cells),
+            Body::SingleEdgeBend(s) => specimen("single_edge_bend", s.cells),
+            Body::CentreCrackedPanel(s) => specimen("centre_cracked_panel", s.cells),
+            Body::Points(_) | Body::Mesh(_) => {
+                Err("listed points and meshes have no spacing to change".into())
+            }
+        }
+    }
+
+    /// The spacing, where the whole body has one that the case tells.
+    pub fn spacing(&self) -> Option<f64> {
+        match &self.body {
+            Body::Line(line) if line.grading.is_none() => Some(line.length / line.cells as f64),
+            Body::Rectangle(rectangle) => Some(rectangle.spacing),
+            Body::Outline(outline) => Some(outline.spacing),
+            _ => None,
+        }
+    }
+
+    /// The same with the horizon divided alike, so that their ratio stays.
+    ///
+    /// # Errors
+    /// As [`Case::with_spacing_over`].
+    pub fn refined(&self, factor: f64) -> Result<Overrides, String> {
+        let mut overrides = self.with_spacing_over(factor)?;
+        if let Some(horizon) = self.horizon {
+            overrides.push((JsonPath::default().key("horizon"), Value::from(horizon / factor)));
+        }
+        Ok(overrides)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::case::from_text;
+
+    fn refined(text: &str, factor: f64) -> Result<Vec<String>, String> {
+        let case = from_text("case", text.into(), &[]).unwrap().case;
+        Ok(case.refined(factor)?.iter().map(|(path, value)| format!("{path}={value}")).collect())
+    }
+
+    #[test]
+    fn cells_are_multiplied_and_lengths_divided() {
+        let beam = include_str!("../cli/new_timoshenko_beam.json");
+        assert_eq!(refined(beam, 2.0).unwrap(), ["body.line.cells=192"]);
+        assert_eq!(refined(beam, 0.5).unwrap(), ["body.line.cells=48"]);
+        assert!(refined(beam, 0.3).unwrap_err().contains("no whole number"));
+        let frame = include_str!("../cli/new_plane_frame.json");
+        assert!(refined(frame, 2.0).unwrap().len() > 1);
+        let plate = include_str!("../cli/new_bond_plane.json");
+        let spacing = refined(plate, 2.0).unwrap();
+        assert!(spacing.len() == 1 && spacing[0].starts_with("body.rectangle.spacing="), "{spacing:?}");
+    }
+}

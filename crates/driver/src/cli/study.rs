@@ -1,0 +1,130 @@
+//! `study`: many discretisations of a case.
+
+use super::args::{Global, Study};
+use super::interrupt::Interrupt;
+use super::{DONE, FAILED, USAGE, complain, note, print_study, say};
+use crate::Error;
+use crate::run::RunError;
+use crate::study::{self, Findings, Plan, Record, Store, Task};
+use crate::workers::side_by_side;
+use std::path::{Path, PathBuf};
+
+/// Plans a study, solves what is not finished, and says what it found.
+pub(super) fn study(request: &Study, global: &Global) -> Result<u8, Error> {
+    let plan = Plan::read(&request.study, &request.overrides)?;
+    let folder = folder(request);
+    if request.plan {
+        return show_plan(&plan, &Store::at(&folder), global);
+    }
+    let chosen = match chosen(&plan, &request.task) {
+        Ok(chosen) => chosen,
+        Err(message) => {
+            note(&message);
+            return Ok(USAGE);
+        }
+    };
+    let store = Store::open(&folder, request.force)?;
+    if !request.collect {
+        let complete = solve(&plan, &chosen, &store, global)?;
+        if !request.task.is_empty() {
+            return Ok(if complete { DONE } else { FAILED });
+        }
+    }
+    let records: Vec<Option<Record>> = plan.tasks.iter().map(|task| store.get(&task.key)).collect();
+    let findings = Findings::new(&plan, &records);
+    study::write(store.folder(), &plan, &findings)?;
+    if global.json {
+        say(&format!("{:#}\n", serde_json::to_value(&findings).map_err(std::io::Error::from)?))?;
+    } else if !global.quiet {
+        say(&print_study::findings(&findings, global.verbose))?;
+        say(&format!("results in {}\n", folder.display()))?;
+    }
+    Ok(if findings.passed() { DONE } else { FAILED })
+}
+
+/// The folder of the study: as asked, or named like the file.
+fn folder(request: &Study) -> PathBuf {
+    let name = request.study.file_stem().unwrap_or_default().to_string_lossy();
+    let name = name.strip_suffix(".study").unwrap_or(&name);
+    request.output.clone().unwrap_or_else(|| Path::new("results").join(name))
+}
+
+/// The tasks that are asked for, all if none is.
+fn chosen<'a>(plan: &'a Plan, numbers: &[usize]) -> Result<Vec<&'a Task>, String> {
+    if numbers.is_empty() {
+        return Ok(plan.tasks.iter().collect());
+    }
+    let find = |number: &usize| {
+        number.checked_sub(1).and_then(|k| plan.tasks.get(k)).ok_or_else(|| {
+            format!(
+                "error: there is no task {number}\nhint: this study has tasks 1 to {}\n",
+                plan.tasks.len()
+            )
+        })
+    };
+    numbers.iter().map(find).collect()
+}
+
+/// Solves tasks that are not finished, side by side; whether all are. Those that need more memory than their share follow
+/// alone.
+fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Result<bool, Error> {
+    let todo: Vec<&Task> = chosen.iter().copied().filter(|task| store.get(&task.key).is_none()).collect();
+    if todo.is_empty() {
+        return Ok(true);
+    }
+    let interrupt = Interrupt::listen(global.quiet)?;
+    let bar = super::progress::of_tasks(global, todo.len());
+    let folder = plan.case_file.parent().unwrap_or(Path::new(""));
+    let attempt = |task: &Task, max_memory: Option<u64>| -> Option<Result<(), Error>> {
+        if interrupt.is_asked() {
+            return None;
+        }
+        let solved = Record::solve(task, folder, max_memory);
+        let kept = solved.and_then(|record| Ok(store.put(&record)?));
+        bar.inc(1);
+        Some(kept)
+    };
+    let allowed = crate::memory::allowed(global.max_memory);
+    let threads = rayon::current_num_threads().min(todo.len()).max(1) as u64;
+    let first =
+        side_by_side(global.threads, todo.len(), |k| attempt(todo[k], allowed.map(|all| all / threads)));
+    let mut complete = true;
+    for (task, outcome) in todo.iter().zip(first) {
+        let outcome = match outcome {
+            Some(Err(Error::Run(RunError::Memory { .. }))) => attempt(task, global.max_memory),
+            other => other,
+        };
+        match outcome {
+            Some(Ok(())) => {}
+            Some(Err(Error::Io(error))) => return Err(Error::Io(error)),
+            Some(Err(error)) => {
+                complete = false;
+                note(&format!("task {} of {}:\n", task.number, plan.tasks.len()));
+                complain(&error, global);
+                note("\n");
+            }
+            None => complete = false,
+        }
+    }
+    bar.finish_and_clear();
+    if interrupt.is_asked() {
+        return Err(Error::Run(RunError::Interrupted));
+    }
+    Ok(complete)
+}
+
+fn show_plan(plan: &Plan, store: &Store, global: &Global) -> Result<u8, Error> {
+    if global.json {
+        let list = plan.tasks.iter().map(|task| {
+            serde_json::json!({
+                "task": task.number, "key": task.key, "finished": store.get(&task.key).is_some(),
+                "settings": task.settings, "set": task.overrides,
+            })
+        });
+        let plan = serde_json::json!({ "case": plan.case_file, "tasks": list.collect::<Vec<_>>() });
+        say(&format!("{plan:#}\n"))?;
+    } else if !global.quiet {
+        say(&print_study::plan(plan, |task| store.get(&task.key).is_some()))?;
+    }
+    Ok(DONE)
+}

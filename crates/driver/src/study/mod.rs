@@ -1,0 +1,22 @@
+//! Convergence studies: many discretisations of one case, the orders at which their errors fall, and where their values go.
+//!
+//! A [`Study`] is what a file says; a [`Plan`] has its tasks, each a case with overrides; a [`Record`] is what a task finds
+//! and the [`Store`] keeps it, so that a finished task is never solved again; [`Findings`] are what all records say
+//! together. Nothing here prints.
+
+mod estimate;
+mod expect;
+mod file;
+mod findings;
+pub mod order;
+mod plan;
+mod record;
+mod store;
+mod write;
+
+pub use file::{DeltaConvergence, Exact, Expect, JointConvergence, MConvergence, Refine, Study};
+pub use findings::{Findings, Level, Outcome, Quantity, Series};
+pub use plan::{Plan, Task};
+pub use record::{Measured, Record};
+pub use store::Store;
+pub use write::write;

@@ -1,0 +1,232 @@
+//! From a study to its tasks: cases that differ from the base case by overrides.
+
+use super::file::{Refine, Study};
+use crate::case::{self, Case, Overrides, Source};
+use crate::diagnostic::{Diagnostic, Faults, JsonPath, Report, decode, parse};
+use serde_json::{Map, Value};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Most tasks of a study.
+const MOST: usize = 100_000;
+
+/// One case to solve.
+#[derive(Clone, Debug)]
+pub struct Task {
+    /// Number, from 1.
+    pub number: usize,
+    /// Values that are varied, by their paths.
+    pub settings: Map<String, Value>,
+    /// Size of the discretisation, over that of the base case or relative to the horizon; what orders are of.
+    pub size: Option<f64>,
+    /// All overrides of the case file, as `--set` takes them.
+    pub overrides: Vec<String>,
+    /// Hash of all that the result depends on, hexadecimal.
+    pub key: String,
+    /// The case.
+    pub source: Source,
+}
+
+/// The tasks of a study.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The study.
+    pub study: Study,
+    /// Case file of all tasks.
+    pub case_file: PathBuf,
+    /// Tasks, those of a series from coarse to fine one after the other.
+    pub tasks: Vec<Task>,
+}
+
+/// One step of a refinement.
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    factor: Option<f64>,
+    ratio: Option<f64>,
+}
+
+impl Plan {
+    /// Reads a study and makes its tasks; `overrides` of the command line come behind those of the study.
+    ///
+    /// # Errors
+    /// All faults of the study, or the first fault of one of its cases.
+    pub fn read(file: &Path, overrides: &[String]) -> Result<Self, Report> {
+        let name = file.display().to_string();
+        let failed = |message: String| {
+            Report::of(&name, String::new(), Diagnostic::error(JsonPath::default(), message))
+        };
+        let bytes = fs::read(file).map_err(|error| match file.is_dir() {
+            true => failed("this is a folder, not a study".into()),
+            false => failed(format!("the study cannot be read: {error}")),
+        })?;
+        let text = decode(&name, bytes)?;
+        let study: Study = parse(&name, &text)?;
+        let mut faults = Faults::default();
+        let series = check(&study, &mut faults);
+        if faults.has_errors() {
+            return Err(faults.into_report(name, text));
+        }
+        let case_file = file.parent().unwrap_or(Path::new("")).join(&study.case);
+        let base = case::read_text(&case_file)?;
+        let fixed: Vec<String> = study.set.iter().map(assignment).chain(overrides.iter().cloned()).collect();
+        let mut tasks = Vec::new();
+        for settings in series {
+            let own = fixed.iter().cloned().chain(settings.iter().map(assignment)).collect();
+            let Some(refine) = &study.refine else {
+                tasks.push(task(&case_file, &base, (settings, None), own, tasks.len() + 1)?);
+                continue;
+            };
+            let start = case::from_text(&case_file.display().to_string(), base.clone(), &own)?.case;
+            for step in steps(refine) {
+                let refined = refined(&start, step).map_err(|message| {
+                    let mut faults = Faults::default();
+                    faults.error(JsonPath::default().key("refine"), message);
+                    faults.into_report(name.clone(), text.clone())
+                })?;
+                let all = own.iter().cloned().chain(refined.iter().map(|(p, v)| format!("{p}={v}")));
+                let size = step.factor.or(step.ratio).map(f64::recip);
+                tasks.push(task(
+                    &case_file,
+                    &base,
+                    (settings.clone(), size),
+                    all.collect(),
+                    tasks.len() + 1,
+                )?);
+            }
+        }
+        Ok(Self { study, case_file, tasks })
+    }
+
+    /// Ranges of tasks that differ by their refinement only, coarse to fine.
+    pub fn series(&self) -> impl Iterator<Item = &[Task]> {
+        self.tasks.chunk_by(|a, b| a.settings == b.settings && a.size.is_some() && b.size.is_some())
+    }
+}
+
+/// An override as `--set` takes it.
+fn assignment((path, value): (&String, &Value)) -> String {
+    format!("{path}={value}")
+}
+
+fn task(
+    file: &Path,
+    base: &str,
+    (settings, size): (Map<String, Value>, Option<f64>),
+    overrides: Vec<String>,
+    number: usize,
+) -> Result<Task, Report> {
+    let source = case::from_text(&file.display().to_string(), base.into(), &overrides)?;
+    let key = key(&source.case, file.parent().unwrap_or(Path::new("")));
+    Ok(Task { number, settings, size, overrides, key, source })
+}
+
+/// Hash of a case without its words, of the files it names, and of the version of this program.
+fn key(case: &Case, folder: &Path) -> String {
+    let mut case = case.clone();
+    (case.schema, case.about, case.title) = (None, None, String::new());
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
+    hasher.update(serde_json::to_string(&case).unwrap_or_default().as_bytes());
+    for file in case.files_mut() {
+        // What cannot be read is a fault of the case, told when it is solved.
+        hasher.update(&fs::read(folder.join(&*file)).unwrap_or_default());
+    }
+    hasher.finalize().to_hex()[..32].into()
+}
+
+/// Settings of all series; faults of the study.
+fn check(study: &Study, faults: &mut Faults) -> Vec<Map<String, Value>> {
+    let root = |key: &str| JsonPath::default().key(key);
+    let mut series = vec![Map::new()];
+    for (k, axis) in study.vary.iter().enumerate() {
+        let place = root("vary").index(k);
+        let lengths: Vec<Option<usize>> =
+            axis.values().map(|v| v.as_array().map(Vec::len).filter(|n| *n > 0)).collect();
+        let Some(&Some(length)) = lengths.first().filter(|_| lengths.iter().all(Option::is_some)) else {
+            faults
+                .error(place, "every path of an axis needs a list of values")
+                .hint("for example `{ \"horizon_ratio\": [2, 3, 4] }`");
+            continue;
+        };
+        if lengths.iter().any(|n| *n != Some(length)) {
+            faults.error(place, "the paths of an axis move together: their lists must be equally long");
+            continue;
+        }
+        if series.len().saturating_mul(length) > MOST {
+            faults.error(root("vary"), format!("more than {MOST} combinations"));
+            break;
+        }
+        let with = |before: &Map<String, Value>, j: usize| {
+            let own = axis.iter().map(|(path, values)| (path.clone(), values[j].clone()));
+            before.clone().into_iter().chain(own).collect()
+        };
+        series = series.iter().flat_map(|before| (0..length).map(move |j| with(before, j))).collect();
+    }
+    if let Some(refine) = &study.refine {
+        check_refine(refine, faults);
+    }
+    let exact = (0..).zip(&study.exact).map(|(k, e)| (root("exact").index(k), &e.r#where));
+    let expect = (0..).zip(&study.expect).map(|(k, e)| (root("expect").index(k), &e.r#where));
+    for (place, values) in exact.chain(expect) {
+        let unknown = values.keys().find(|path| !study.vary.iter().any(|axis| axis.contains_key(*path)));
+        if let Some(path) = unknown {
+            faults.error(place.key("where"), format!("`{path}` is not varied"));
+        }
+    }
+    series
+}
+
+fn check_refine(refine: &Refine, faults: &mut Faults) {
+    let place = JsonPath::default().key("refine");
+    let mut check = |kind: &str, key: &str, values: &[f64], grow: bool| {
+        let path = place.key(kind).key(key);
+        if values.len() < 2 {
+            faults.error(path, "a refinement needs two values, an extrapolation three");
+        } else if !values.iter().all(|v| *v > 0.0 && v.is_finite()) {
+            faults.error(path, "all values must be greater than zero");
+        } else if grow && values.windows(2).any(|w| w[0] >= w[1]) {
+            faults.error(path, "every value must be larger than the one before: coarse to fine");
+        }
+    };
+    match refine {
+        Refine::DeltaConvergence(r) => check("delta_convergence", "factors", &r.factors, true),
+        Refine::MConvergence(r) => check("m_convergence", "ratios", &r.ratios, true),
+        Refine::JointConvergence(r) => {
+            check("joint_convergence", "factors", &r.factors, true);
+            check("joint_convergence", "ratios", &r.ratios, false);
+            if r.factors.len() != r.ratios.len() {
+                let path = place.key("joint_convergence").key("ratios");
+                faults.error(path, "there must be as many ratios as factors");
+            }
+        }
+    }
+}
+
+fn steps(refine: &Refine) -> Vec<Step> {
+    let factor = |f: &f64| Step { factor: Some(*f), ratio: None };
+    let ratio = |m: &f64| Step { factor: None, ratio: Some(*m) };
+    match refine {
+        Refine::DeltaConvergence(r) => r.factors.iter().map(factor).collect(),
+        Refine::MConvergence(r) => r.ratios.iter().map(ratio).collect(),
+        Refine::JointConvergence(r) => {
+            let both = r.factors.iter().zip(&r.ratios);
+            both.map(|(f, m)| Step { factor: Some(*f), ratio: Some(*m) }).collect()
+        }
+    }
+}
+
+/// Overrides of a step: with a ratio the horizon of the case is kept, or divided by the factor, and the spacing follows.
+fn refined(case: &Case, step: Step) -> Result<Overrides, String> {
+    let Some(ratio) = step.ratio else { return case.refined(step.factor.unwrap_or(1.0)) };
+    let of_length = || Some(case.horizon? / case.spacing()?);
+    let Some(base) = case.horizon_ratio.or_else(of_length) else {
+        return Err("the base case must give `horizon_ratio`, from which its horizon follows".into());
+    };
+    let factor = step.factor.unwrap_or(1.0);
+    let mut overrides = case.with_spacing_over(factor * ratio / base)?;
+    overrides.push(match case.horizon {
+        Some(horizon) => (JsonPath::default().key("horizon"), Value::from(horizon / factor)),
+        None => (JsonPath::default().key("horizon_ratio"), Value::from(ratio)),
+    });
+    Ok(overrides)
+}

@@ -1,0 +1,107 @@
+//! What a task finds.
+
+use super::plan::Task;
+use crate::run::{RunOptions, taking};
+use crate::summary::Summary;
+use crate::{Error, Loaded};
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use std::time::Instant;
+
+/// Fields of displacements, by name.
+const DISPLACEMENTS: [&str; 4] = ["w", "u", "ux", "uy"];
+
+/// A number with its name.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Measured {
+    /// Name.
+    pub name: String,
+    /// Value.
+    pub value: f64,
+}
+
+/// The record of a solved task, as it is stored.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Hash of the task.
+    pub key: String,
+    /// Overrides of the case file.
+    pub overrides: Vec<String>,
+    /// Spacing, of the first line of a beam.
+    pub spacing: f64,
+    /// Horizon, of the first line of a beam.
+    pub horizon: f64,
+    /// Points of the body.
+    pub points: usize,
+    /// Independent unknowns.
+    pub unknowns: usize,
+    /// Whether every state converged.
+    pub converged: bool,
+    /// Wall time from reading the case to its last check, s.
+    pub seconds: f64,
+    /// Probes and stored energies.
+    pub values: Vec<Measured>,
+    /// Largest and mean square errors of checks that compare all points, relative.
+    pub errors: Vec<Measured>,
+    /// Warnings.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
+}
+
+impl Record {
+    /// Solves a task; `folder` is where files that the case names are.
+    ///
+    /// # Errors
+    /// Faults of the case, or why it has no result.
+    pub fn solve(task: &Task, folder: &Path, max_memory: Option<u64>) -> Result<Self, Error> {
+        let begin = Instant::now();
+        let loaded = Loaded::from_source(task.source.clone(), folder, max_memory)?;
+        let options = RunOptions { recover: false, max_memory };
+        let summary = loaded.run(&options, None, &mut taking(|_| Ok(())))?;
+        let seconds = begin.elapsed().as_secs_f64();
+        let converged = summary.states.iter().all(|state| state.certificate.converged);
+        Ok(Self {
+            key: task.key.clone(),
+            overrides: task.overrides.clone(),
+            spacing: summary.model.spacing(),
+            horizon: summary.model.horizon(),
+            points: summary.sizes.points,
+            unknowns: summary.sizes.unknowns,
+            converged,
+            seconds,
+            values: values(&summary),
+            errors: errors(&summary),
+            warnings: summary.warnings,
+        })
+    }
+}
+
+/// Probes, or without any the largest displacements, and stored energies of all states.
+pub(super) fn values(summary: &Summary) -> Vec<Measured> {
+    let several = summary.states.len() > 1;
+    let named = |name: &str, state: &str| if several { format!("{name} [{state}]") } else { name.into() };
+    let probes = summary.probes.iter().map(|p| Measured { name: named(&p.name, &p.state), value: p.value });
+    let energies = summary
+        .states
+        .iter()
+        .map(|s| Measured { name: named("energy", &s.name), value: s.certificate.energy });
+    let largest = summary.states.iter().filter(|_| summary.probes.is_empty()).flat_map(|s| {
+        let fields = s.extremes.iter().filter(|(field, _)| DISPLACEMENTS.contains(&field.as_ref()));
+        fields.map(|(field, e)| Measured {
+            name: named(&format!("largest {field}"), &s.name),
+            value: e.largest.value.abs().max(e.smallest.value.abs()),
+        })
+    });
+    probes.chain(largest).chain(energies).filter(|m| m.value.is_finite()).collect()
+}
+
+/// Errors of the checks that compare with an exact solution.
+fn errors(summary: &Summary) -> Vec<Measured> {
+    let exact = summary.checks.iter().filter(|c| matches!(c.kind, "closed_form" | "formula"));
+    let both = exact.flat_map(|check| {
+        let of = |norm: &str, value: f64| Measured { name: format!("{} {norm}", check.name), value };
+        let max = of(if check.l2_error.is_some() { "max" } else { "error" }, check.error);
+        [Some(max), check.l2_error.map(|l2| of("l2", l2))]
+    });
+    both.flatten().filter(|m| m.value.is_finite()).collect()
+}

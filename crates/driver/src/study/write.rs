@@ -1,0 +1,162 @@
+//! The files of a study beside its tasks.
+
+use super::findings::{Findings, Quantity, Series};
+use super::plan::Plan;
+use crate::output::plot::{LogLog, PowerLine, write_log_log};
+use crate::output::{atomic, csv};
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// Writes `study.csv`, `study.json` and diagrams of the errors, which replace older ones.
+///
+/// # Errors
+/// The folder cannot be written.
+pub fn write(folder: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> {
+    let describe = |error: io::Error| {
+        io::Error::new(error.kind(), format!("cannot write {}: {error}", folder.display()))
+    };
+    write_all(folder, plan, findings).map_err(describe)
+}
+
+fn write_all(folder: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> {
+    let plots = folder.join("plots");
+    if plots.is_dir() {
+        fs::remove_dir_all(&plots)?;
+    }
+    fs::create_dir(&plots)?;
+    for (k, name) in names(findings).into_iter().enumerate() {
+        let file = file_name(k, name);
+        draw(&plots.join(format!("{file}.svg")), over_size(findings, name))?;
+        draw(&plots.join(format!("{file}_time.svg")), over_time(findings, name))?;
+    }
+    write_table(&folder.join("study.csv"), plan, findings)?;
+    let text = serde_json::to_string_pretty(findings)?;
+    atomic::write_atomically(&folder.join("study.json"), format!("{text}\n").as_bytes())
+}
+
+/// Writes a diagram, if it has lines.
+fn draw(file: &Path, diagram: LogLog) -> io::Result<()> {
+    if diagram.lines.is_empty() { Ok(()) } else { write_log_log(file, &diagram) }
+}
+
+/// Names of all quantities, each once.
+pub(super) fn names(findings: &Findings) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for quantity in findings.series.iter().flat_map(|s| &s.quantities) {
+        if !names.contains(&quantity.name.as_str()) {
+            names.push(&quantity.name);
+        }
+    }
+    names
+}
+
+/// A quantity as the name of a file; the number tells apart those that differ in odd characters only.
+fn file_name(number: usize, name: &str) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
+    let short: String = name.chars().map(plain).take(60).collect();
+    format!("{:02}_{short}", number + 1)
+}
+
+fn lines<'a>(
+    findings: &'a Findings,
+    name: &'a str,
+    line: impl Fn(&Series, &Quantity) -> PowerLine + 'a,
+) -> Vec<PowerLine> {
+    let of = |series: &'a Series| {
+        let quantity = series.quantities.iter().find(|q| q.name == name)?;
+        Some(line(series, quantity)).filter(|line| line.points.iter().filter(|p| p.1 > 0.0).count() > 1)
+    };
+    findings.series.iter().filter_map(of).collect()
+}
+
+/// Errors of a quantity over the horizon, or over the spacing where the horizon stays.
+pub(super) fn over_size(findings: &Findings, name: &str) -> LogLog {
+    let horizon_stays = findings.series.iter().all(|series| {
+        let first = series.levels.first().map_or(0.0, |l| l.record.horizon);
+        series.levels.iter().all(|l| (l.record.horizon - first).abs() <= 1e-9 * first)
+    });
+    let line = |series: &Series, quantity: &Quantity| {
+        let size = series.levels.iter().filter(|l| l.size.is_some()).map(|l| match horizon_stays {
+            true => l.record.spacing,
+            false => l.record.horizon,
+        });
+        let slope = quantity.last_order();
+        PowerLine {
+            label: series.title(),
+            points: size.zip(quantity.errors.iter().copied()).collect(),
+            slope,
+        }
+    };
+    LogLog {
+        title: format!("{}: {name}", findings.title),
+        x_label: if horizon_stays { "spacing" } else { "horizon" }.into(),
+        y_label: "relative error".into(),
+        lines: lines(findings, name, line),
+    }
+}
+
+/// Errors of a quantity over the run time, where they are errors against something known.
+pub(super) fn over_time(findings: &Findings, name: &str) -> LogLog {
+    let line = |series: &Series, quantity: &Quantity| {
+        let known = quantity.exact.is_some() || quantity.values.is_empty();
+        let errors = if known { &quantity.errors[..] } else { &[] };
+        let points = series.levels.iter().map(|l| l.record.seconds).zip(errors.iter().copied());
+        PowerLine { label: series.title(), points: points.collect(), slope: None }
+    };
+    LogLog {
+        title: format!("{}: {name}", findings.title),
+        x_label: "run time, s".into(),
+        y_label: "relative error".into(),
+        lines: lines(findings, name, line),
+    }
+}
+
+/// One row for every quantity of every task.
+fn write_table(file: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> {
+    let mut paths: Vec<&str> = Vec::new();
+    for path in plan.study.vary.iter().flat_map(|axis| axis.keys()) {
+        if !paths.contains(&path.as_str()) {
+            paths.push(path);
+        }
+    }
+    let mut headers = vec!["task"];
+    headers.extend(&paths);
+    headers.extend([
+        "horizon",
+        "spacing",
+        "points",
+        "unknowns",
+        "converged",
+        "seconds",
+        "quantity",
+        "value",
+        "error",
+        "order",
+    ]);
+    let mut rows = Vec::new();
+    for series in &findings.series {
+        let setting = |path: &&str| {
+            series.settings.get(*path).map_or(String::new(), |value| match value.as_str() {
+                Some(text) => text.into(),
+                None => value.to_string(),
+            })
+        };
+        for (k, level) in series.levels.iter().enumerate() {
+            let r = &level.record;
+            for quantity in &series.quantities {
+                let number = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:?}"));
+                let mut row = vec![level.task.to_string()];
+                row.extend(paths.iter().map(setting));
+                row.extend([r.horizon, r.spacing].map(|v| format!("{v:?}")));
+                row.extend([r.points, r.unknowns].map(|v| v.to_string()));
+                row.extend([r.converged.to_string(), format!("{:?}", r.seconds), quantity.name.clone()]);
+                row.push(number(quantity.values.get(k).copied()));
+                row.push(number(quantity.errors.get(k).copied()));
+                row.push(number(k.checked_sub(1).and_then(|k| quantity.orders.get(k).copied().flatten())));
+                rows.push(row);
+            }
+        }
+    }
+    csv::write_rows(file, &headers, &rows)
+}
