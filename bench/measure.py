@@ -14,10 +14,10 @@ PERISTAT = ROOT / "target" / "release" / "peristat"
 EXAMPLES = ROOT / "target" / "release" / "examples"
 
 
-def run(*command):
-    """Runs a process to its end: output, CPU and wall seconds, peak memory in bytes."""
+def run(*command, errors=None):
+    """Runs a process to its end: output, CPU and wall seconds, peak memory in bytes. `errors`: where stderr goes."""
     begin = time.perf_counter()
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=errors, text=True)
     output = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)  # this child's usage alone
     wall = time.perf_counter() - begin

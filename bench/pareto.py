@@ -1,0 +1,96 @@
+"""Run time against error of peristat and of programs that a user would take instead, on a beam and on a plate.
+
+Every run is a process of its own on one thread: its user and system seconds, start and imports included, its peak of
+memory, and the seconds that it gives itself. Programs alternate, medians are compared. Every other program is told
+whether a run of it lies below peristat's front. `bench/pareto.sh` prepares everything and runs this.
+"""
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from statistics import median
+
+from measure import ROOT, WORK, processor
+from pareto_front import verdicts
+from pareto_jobs import beams, missing, plates
+
+THREADS = "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"
+LONG = 2.0  # CPU seconds from which three runs do
+
+
+def measured(jobs, rounds):
+    """Medians of every run; runs alternate."""
+    for done in range(rounds):
+        begin = time.perf_counter()
+        for job in jobs:
+            if done < 3 or job.times[0][0] < LONG:
+                job.run()
+        print(f"  round {done + 1} of {rounds}: {time.perf_counter() - begin:.0f} s", file=sys.stderr)
+    rows = []
+    for job in jobs:
+        cpu, inside, peak = (median(times[k] for times in job.times) for k in range(3))
+        keys = {"program": job.program, "method": job.method, "size": job.size, "points": job.points}
+        rows.append(keys | {"error": job.found, "cpu": cpu, "inside": inside, "peak": peak})
+    return rows
+
+
+def table(head, rows):
+    return "".join(f"| {' | '.join(row)} |\n" for row in (head, ["---"] * len(head), *rows))
+
+
+def points(rows):
+    cells = [[row["program"], row["method"], row["size"], f"{row['error']:.1e}", f"{row['cpu']:.3f}",
+              f"{1e3 * row['inside']:.2f}", f"{row['peak'] / 1e6:.0f}"] for row in rows]  # fmt: skip
+    return table(["program", "method", "size", "error", "CPU s", "inside ms", "peak MB"], cells)
+
+
+def section(title, words, rows, limit):
+    parts = [f"## {title}\n\n{words}\n"]
+    for clock, name in ("cpu", "whole process, CPU seconds"), ("inside", "inside the program, without start and imports"):
+        head, cells = verdicts(rows, clock, limit)
+        parts.append(f"Verdicts, {name}:\n\n{table(head, cells)}")
+    return "\n".join([*parts, points(rows)])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--quick", action="store_true", help="small sizes, one beam, two rounds")
+    parser.add_argument("--rounds", type=int, help="repeats that medians are taken of; 5, or 2 with --quick")
+    options = parser.parse_args()
+    rounds = options.rounds or (2 if options.quick else 5)
+    os.environ |= dict.fromkeys(THREADS, "1")
+    os.chdir(ROOT)
+    WORK.mkdir(parents=True, exist_ok=True)
+    notices, begin = [], time.perf_counter()
+    lacks, has_ccx = missing(notices.append), shutil.which("ccx") is not None
+    if not has_ccx:
+        notices.append("notice: there is no ccx: CalculiX is left out")
+    sets = {}
+    for slenderness, most in [(20, 1000)] if options.quick else [(20, 10**6), (1000, 1000)]:
+        print(f"beam, slenderness {slenderness}", file=sys.stderr)
+        sets[f"beam_{slenderness}"] = measured(list(beams(slenderness, most, lacks, has_ccx)), rounds)
+    print("plate", file=sys.stderr)
+    sets["plate"] = measured(list(plates(options.quick, lacks, has_ccx)), rounds)
+    parts = []
+    for name, rows in sets.items():
+        if name == "plate":
+            parts.append(section("Plate", "All errors.", rows, None))
+        else:
+            words = "Errors under 1e-3; at least as many points."
+            parts.append(section(f"Beam of slenderness {name.split('_')[1]}", words, rows, 1e-3))
+    load = f"load {os.getloadavg()[0]:.1f} at the end" if hasattr(os, "getloadavg") else ""
+    spent = time.perf_counter() - begin
+    head = f"{processor()}, one thread; medians of {rounds} rounds; {load}; {spent:.0f} s in all\n"
+    text = "\n".join([head, *parts, *(f"{notice}\n" for notice in notices)])
+    (WORK / "pareto.md").write_text(text)
+    (WORK / "pareto.json").write_text(json.dumps(sets))
+    print(text, end="")
+    subprocess.run([sys.executable, "-B", ROOT / "bench" / "pareto_plot.py"], check=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

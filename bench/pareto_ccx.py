@@ -1,0 +1,101 @@
+"""Decks for CalculiX and what it prints. Written and read outside its time; its tables have seven digits."""
+
+from pareto_problems import LOAD, POISSON_RATIO, SHEAR_FACTOR, WIDTH, YOUNGS_MODULUS, Beam, Plate
+
+GAUSS = (-(0.6**0.5), 5 / 9), (0.0, 8 / 9), (0.6**0.5, 5 / 9)
+
+
+def number(value):
+    """A number is cut after twenty characters by `ccx`."""
+    return f"{value:.11e}"
+
+
+def deck(nodes, elements, material, section, loads):
+    """All displacements of the first node are held, or those that `loads` begins with."""
+    lines = ["*NODE,NSET=ALL"]
+    lines += [f"{k},{number(x)},{number(y)},0" for k, (x, y) in enumerate(nodes, 1)]
+    lines += elements
+    lines += ["*MATERIAL,NAME=M", "*ELASTIC", ",".join(map(number, material)), *section, *loads]
+    return "\n".join([*lines, "*NODE PRINT,NSET=ALL", "U", "*END STEP", ""])
+
+
+def beam_deck(kind, n, slenderness):
+    """`U1`: a Timoshenko beam with consistent shape functions; `B31`: a beam that ccx makes solid elements of."""
+    beam, l = Beam(slenderness), 1 / n
+    bars = [f"{i},{i},{i + 1}" for i in range(1, n + 1)]
+    elements = [f"*ELEMENT,TYPE={kind},ELSET=E", *bars]
+    loads = ["*BOUNDARY", "1,1,6", "*STEP", "*STATIC"]
+    if kind == "U1":
+        elements.insert(0, "*USER ELEMENT,TYPE=U1,NODES=2,INTEGRATION POINTS=2,MAXDOF=6")
+        second = beam.second_moment
+        numbers = ",".join(map(number, (beam.area, second, 0, second, SHEAR_FACTOR)))
+        section = ["*BEAM SECTION,ELSET=E,MATERIAL=M,SECTION=GENERAL", numbers, "0,1,0"]
+        forces = [LOAD * l] * (n - 1) + [LOAD * l / 2]
+        loads += ["*CLOAD", *(f"{i},2,{number(f)}" for i, f in enumerate(forces, 2))]
+        loads.append(f"{n + 1},6,{number(-LOAD * l * l / 12)}")
+    else:
+        size = f"{number(WIDTH)},{number(beam.height)}"
+        section = ["*BEAM SECTION,ELSET=E,MATERIAL=M,SECTION=RECT", size, "0,0,1"]
+        loads += ["*DLOAD", f"E,P2,{number(-LOAD / WIDTH)}"]
+    nodes = [(i * l, 0.0) for i in range(n + 1)]
+    return deck(nodes, elements, (YOUNGS_MODULUS, POISSON_RATIO), section, loads)
+
+
+def end_forces(plate, right, heights):
+    """Consistent forces of a traction on the nodes of an end: of two or, with a middle one, of three per element."""
+    order = 2 if len(heights[0]) == 3 else 1
+    forces = []
+    for nodes in heights:
+        low, high = nodes[0], nodes[-1]
+        shares = [[0.0, 0.0] for _ in nodes]
+        for s, weight in GAUSS:
+            shape = [s * (s - 1) / 2, 1 - s * s, s * (s + 1) / 2] if order == 2 else [(1 - s) / 2, (1 + s) / 2]
+            traction = plate.traction(right, (low + high) / 2 + s * (high - low) / 2)
+            for share, value in zip(shares, shape):
+                for d in (0, 1):
+                    share[d] += value * weight * (high - low) / 2 * traction[d]
+        forces.append(shares)
+    return forces
+
+
+def plate_deck(order, size):
+    """Elements CPS4 or CPS8 of plane stress, 6 `size` x 2 `size`."""
+    plate, columns, rows = Plate(), 6 * size, 2 * size
+    places = [(i, j) for i in range(order * columns + 1) for j in range(order * rows + 1) if order == 1 or not i & j & 1]
+    label = {place: k for k, place in enumerate(places, 1)}
+    height = lambda j: j * plate.height / (order * rows)
+    nodes = [(i * plate.length / (order * columns), height(j)) for i, j in places]
+    corners = [(0, 0), (order, 0), (order, order), (0, order)]
+    around = corners if order == 1 else [*corners, (1, 0), (2, 1), (1, 2), (0, 1)]
+    cells = [(order * i, order * j) for i in range(columns) for j in range(rows)]
+    elements = [f"*ELEMENT,TYPE=CPS{4 * order},ELSET=E"]
+    for k, (i, j) in enumerate(cells, 1):
+        elements.append(",".join(map(str, (k, *(label[i + a, j + b] for a, b in around)))))
+    middle, second = (label[round(x / plate.length * order * columns), order * rows // 2] for x in (40.5, 67.5))
+    loads = ["*BOUNDARY", f"{middle},1,2", f"{second},2,2", "*STEP", "*STATIC", "*CLOAD"]
+    for right in (False, True):
+        edges = [range(order * j, order * (j + 1) + 1) for j in range(rows)]
+        for edge, shares in zip(edges, end_forces(plate, right, [[height(j) for j in edge] for edge in edges])):
+            for j, share in zip(edge, shares):
+                node = label[order * columns * right, j]
+                loads += [f"{node},{d + 1},{number(share[d])}" for d in (0, 1) if share[d]]
+    section = ["*SOLID SECTION,ELSET=E,MATERIAL=M", "1."]
+    return deck(nodes, elements, (plate.youngs_modulus, plate.poisson_ratio), section, loads), nodes
+
+
+def displacements(path):
+    """Both displacements of every node from the printed table."""
+    rows = (line.split() for line in path.read_text().splitlines())
+    return [(float(row[1]), float(row[2])) for row in rows if len(row) >= 4 and row[0].isdigit()]
+
+
+def beam_error(path, slenderness):
+    found, beam = displacements(path), Beam(slenderness)
+    n = len(found) - 1
+    return max(abs(w - beam.deflection(i / n)) for i, (_, w) in enumerate(found)) / beam.deflection(1.0)
+
+
+def plate_error(path, nodes):
+    pairs = list(zip(displacements(path), (Plate().displacement(*node) for node in nodes)))
+    worst = max(abs(a - b) for found, exact in pairs for a, b in zip(found, exact))
+    return worst / max(abs(value) for _, exact in pairs for value in exact)

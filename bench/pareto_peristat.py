@@ -1,0 +1,68 @@
+"""Cases of the two problems for peristat, as a user would write them."""
+
+import json
+
+from measure import WORK
+from pareto_problems import LOAD, POISSON_RATIO, WIDTH, YOUNGS_MODULUS, Beam, Plate
+
+
+def written(name, case):
+    path = WORK / f"pareto_{name}.json"
+    path.write_text(json.dumps(case))
+    return path
+
+
+def beam_case(law, ratio, solver, cells, slenderness):
+    """Its check compares every point with the closed form; no tolerance, the error is what is asked."""
+    section = {"rectangle": {"width": WIDTH, "height": Beam(slenderness).height}}
+    model = {"youngs_modulus": YOUNGS_MODULUS, "poisson_ratio": POISSON_RATIO, "section": section, "bond_law": law}
+    case = {
+        "title": "Cantilever under a uniform load",
+        "model": {"timoshenko_beam": model},
+        "body": {"line": {"length": 1.0, "cells": cells}},
+        "horizon_ratio": ratio,
+        "supports": [{"at": {"x": 0.0}, "w": 0.0, "phi": 0.0}],
+        "loads": [{"distributed": {"force": {"uniform": LOAD}}}],
+        "checks": [{"closed_form": {"name": "cantilever_uniform", "field": "w", "tolerance": 1e9}}],
+        "solver": solver,
+    }
+    return written(f"beam_{law}_{ratio}_{solver}_{cells}_{slenderness:g}", case)
+
+
+def plate_case(name, options, ratio, solver, depth, rows):
+    """Two cases: one asks for the deflection at the end, the other compares every point with the closed form."""
+    plate = Plate()
+    h, columns = plate.height / rows, round(rows * plate.length / plate.height)
+    axis, moment = plate.height / 2, plate.traction(False, plate.height)[0]
+    model = {"youngs_modulus": plate.youngs_modulus, "state": "plane_stress", **options}
+    shear = plate.traction(True, axis)[1]
+    faded = {"depth": depth} if depth else {}
+    tip = {"x": (columns - 0.5) * h, "y": axis}
+    case = {
+        "title": "Cantilever of plane stress",
+        "model": {name: model},
+        "body": {"rectangle": {"size": [plate.length, plate.height], "spacing": h}},
+        "horizon_ratio": ratio,
+        "supports": [
+            {"at": {"x": plate.middle, "y": axis}, "ux": 0, "uy": 0},
+            {"at": {"x": plate.second, "y": axis}, "uy": 0},
+        ],
+        "loads": [
+            {"traction": {"edge": "right", "parabolic": [0, shear], **faded}},
+            {"traction": {"edge": "left", "parabolic": [0, -shear], **faded}},
+            {"traction": {"edge": "left", "linear": [[-moment, 0], [moment, 0]], **faded}},
+        ],
+        "probes": [{"name": "end", "at": tip, "field": "uy"}],
+        "solver": solver,
+    }
+    exact = WORK / f"pareto_plate_{rows}.csv"
+    places = [((i + 0.5) * h, (j + 0.5) * h) for j in range(rows) for i in range(columns)]
+    values = [plate.displacement(*place) for place in places]
+    largest = [max(abs(value[d]) for value in values) for d in (0, 1)]
+    lines = (f"{x!r},{y!r},{u!r},{v!r}\n" for (x, y), (u, v) in zip(places, values))
+    exact.write_text("x,y,ux,uy\n" + "".join(lines))
+    label = "_".join(map(str, (name, *(v for v in options.values() if isinstance(v, str)), ratio, solver, depth, rows)))
+    value = {"probe": "end", "expected": plate.displacement(*tip.values())[1], "tolerance": 1e9, "source": "closed form"}
+    asked = written(f"plate_{label}", case | {"checks": [{"value": value}]})
+    fields = [{"baseline": {"file": exact.name, "field": field, "tolerance": 1e9}} for field in ("ux", "uy")]
+    return asked, written(f"plate_{label}_all", case | {"checks": fields}), largest
