@@ -11,7 +11,7 @@ def number(value):
 
 
 def deck(nodes, elements, material, section, loads):
-    """All displacements of the first node are held, or those that `loads` begins with."""
+    """The whole file; `loads` begins with what is held."""
     lines = ["*NODE,NSET=ALL"]
     lines += [f"{k},{number(x)},{number(y)},0" for k, (x, y) in enumerate(nodes, 1)]
     lines += elements
@@ -58,20 +58,27 @@ def end_forces(plate, right, heights):
     return forces
 
 
+def plate_nodes(order, size):
+    """Positions of nodes by their place in a lattice; those of order 2 lack the middles of elements."""
+    across, up = order * 6 * size, order * 2 * size
+    places = ((i, j) for i in range(across + 1) for j in range(up + 1) if order == 1 or not i & j & 1)
+    return {(i, j): (i * Plate.length / across, j * Plate.height / up) for i, j in places}
+
+
 def plate_deck(order, size):
     """Elements CPS4 or CPS8 of plane stress, 6 `size` x 2 `size`."""
     plate, columns, rows = Plate(), 6 * size, 2 * size
-    places = [(i, j) for i in range(order * columns + 1) for j in range(order * rows + 1) if order == 1 or not i & j & 1]
-    label = {place: k for k, place in enumerate(places, 1)}
+    nodes = plate_nodes(order, size)
+    label = {place: k for k, place in enumerate(nodes, 1)}
     height = lambda j: j * plate.height / (order * rows)
-    nodes = [(i * plate.length / (order * columns), height(j)) for i, j in places]
     corners = [(0, 0), (order, 0), (order, order), (0, order)]
     around = corners if order == 1 else [*corners, (1, 0), (2, 1), (1, 2), (0, 1)]
     cells = [(order * i, order * j) for i in range(columns) for j in range(rows)]
     elements = [f"*ELEMENT,TYPE=CPS{4 * order},ELSET=E"]
     for k, (i, j) in enumerate(cells, 1):
         elements.append(",".join(map(str, (k, *(label[i + a, j + b] for a, b in around)))))
-    middle, second = (label[round(x / plate.length * order * columns), order * rows // 2] for x in (40.5, 67.5))
+    on_axis = lambda x: label[round(x / plate.length * order * columns), order * rows // 2]
+    middle, second = on_axis(plate.middle), on_axis(plate.second)
     loads = ["*BOUNDARY", f"{middle},1,2", f"{second},2,2", "*STEP", "*STATIC", "*CLOAD"]
     for right in (False, True):
         edges = [range(order * j, order * (j + 1) + 1) for j in range(rows)]
@@ -80,22 +87,24 @@ def plate_deck(order, size):
                 node = label[order * columns * right, j]
                 loads += [f"{node},{d + 1},{number(share[d])}" for d in (0, 1) if share[d]]
     section = ["*SOLID SECTION,ELSET=E,MATERIAL=M", "1."]
-    return deck(nodes, elements, (plate.youngs_modulus, plate.poisson_ratio), section, loads), nodes
+    return deck(nodes.values(), elements, (plate.youngs_modulus, plate.poisson_ratio), section, loads)
 
 
-def displacements(path):
-    """Both displacements of every node from the printed table."""
-    rows = (line.split() for line in path.read_text().splitlines())
-    return [(float(row[1]), float(row[2])) for row in rows if len(row) >= 4 and row[0].isdigit()]
+def table(path):
+    """Both displacements of every node, in their order."""
+    rows = (line.split() for line in path.open())
+    return ((float(row[1]), float(row[2])) for row in rows if len(row) >= 4 and row[0].isdigit())
 
 
-def beam_error(path, slenderness):
-    found, beam = displacements(path), Beam(slenderness)
-    n = len(found) - 1
-    return max(abs(w - beam.deflection(i / n)) for i, (_, w) in enumerate(found)) / beam.deflection(1.0)
+def beam_error(path, n, slenderness):
+    beam = Beam(slenderness)
+    return max(abs(w - beam.deflection(i / n)) for i, (_, w) in enumerate(table(path))) / beam.deflection(1.0)
 
 
-def plate_error(path, nodes):
-    pairs = list(zip(displacements(path), (Plate().displacement(*node) for node in nodes)))
-    worst = max(abs(a - b) for found, exact in pairs for a, b in zip(found, exact))
-    return worst / max(abs(value) for _, exact in pairs for value in exact)
+def plate_error(path, order, size):
+    plate, worst, largest = Plate(), 0.0, 0.0
+    for (x, y), found in zip(plate_nodes(order, size).values(), table(path)):
+        exact = plate.displacement(x, y)
+        worst = max(worst, *(abs(a - b) for a, b in zip(found, exact)))
+        largest = max(largest, *map(abs, exact))
+    return worst / largest

@@ -2,7 +2,6 @@
 
 import json
 import os
-import shutil
 import subprocess
 import sys
 from dataclasses import dataclass, field
@@ -12,7 +11,6 @@ import pareto_ccx as ccx
 from measure import PERISTAT, ROOT, WORK, run
 from pareto_peristat import beam_case, plate_case
 
-MANY = 10**9
 BEAM = {  # bond law, horizon ratio, solver, most cells
     "`exact`, m = 1, strain": ("exact", 1, "strain", 10**6),
     "`exact`, m = 3, strain": ("exact", 3, "strain", 10**6),
@@ -128,7 +126,7 @@ def beams(slenderness, most, lacks, has_ccx):
     for kind in ("U1", "B31") if has_ccx else ():
         for n in (n for n in sizes if n <= (10**4 if kind == "U1" else 10**3)):
             text = ccx.beam_deck(kind, n, slenderness)
-            found = deck(f"{kind}_{n}_{slenderness:g}", text, lambda path: ccx.beam_error(path, slenderness))
+            found = deck(f"{kind}_{n}_{slenderness:g}", text, lambda path, n=n: ccx.beam_error(path, n, slenderness))
             yield Job("CalculiX", kind, f"{n}", n, *found)
 
 
@@ -154,6 +152,6 @@ def plates(quick, lacks, has_ccx):
             yield Job(program, method, grid, 0, command, value("error"), value("inside_s"))
     for order, sizes in PLATE_DECKS.items() if has_ccx else ():
         for size in few(sizes):
-            text, nodes = ccx.plate_deck(order, size)
-            found = deck(f"cps{order}_{size}", text, lambda path, nodes=nodes: ccx.plate_error(path, nodes))
+            error = lambda path, order=order, size=size: ccx.plate_error(path, order, size)
+            found = deck(f"cps{order}_{size}", ccx.plate_deck(order, size), error)
             yield Job("CalculiX", f"CPS{4 * order}", f"{6 * size} x {2 * size}", 0, *found)

@@ -44,13 +44,13 @@ def scikit_fem(order):
         @BilinearForm
         def stiffness(u, v, _):
             (ux, uy), (vx, vy) = u.grad, v.grad
-            shears = shear * (ux[1] + uy[0]) * (vx[1] + vy[0])
-            return lame * (ux[0] + uy[1]) * (vx[0] + vy[1]) + 2 * shear * (ux[0] * vx[0] + uy[1] * vy[1]) + shears
+            normal = lame * (ux[0] + uy[1]) * (vx[0] + vy[1]) + 2 * shear * (ux[0] * vx[0] + uy[1] * vy[1])
+            return normal + shear * (ux[1] + uy[0]) * (vx[1] + vy[0])
 
         f = np.zeros(basis.N)
         for right in (False, True):
-            end = FacetBasis(mesh, basis.elem, intorder=5,
-                             facets=mesh.facets_satisfying(lambda x: np.isclose(x[0], right * plate.length)))  # fmt: skip
+            facets = mesh.facets_satisfying(lambda x: np.isclose(x[0], right * plate.length))
+            end = FacetBasis(mesh, basis.elem, facets=facets, intorder=5)
 
             @LinearForm
             def traction(v, w):

@@ -51,10 +51,9 @@ def area(row):
 
 
 def panel(axes, rows, clock):
-    steps = front(rows, clock)
-    times, errors = [row[clock] for row in steps], [row["error"] for row in steps]
     top, far = 2 * max(row["error"] for row in rows), 3 * max(row[clock] for row in rows)
-    ours, places = LOOKS["peristat exact"][0], lambda some: ([row[clock] for row in some], [row["error"] for row in some])
+    places = lambda some: ([row[clock] for row in some], [row["error"] for row in some])
+    ours, (times, errors) = LOOKS["peristat exact"][0], places(front(rows, clock))
     axes.fill_between([*times, far], [*errors, errors[-1]], top, step="post", color=ours, alpha=0.08, lw=0)
     axes.step([times[0], *times, far], [top, *errors, errors[-1]], where="post", color=ours, lw=1.2)
     for label, mine in grouped(rows, name):
