@@ -16,7 +16,7 @@ import time
 from statistics import median
 
 from measure import ROOT, WORK, processor
-from pareto_front import verdicts
+from pareto_front import costs, verdicts
 from pareto_jobs import beams, missing, plates
 
 THREADS = "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"
@@ -62,7 +62,10 @@ def points(rows):
 
 
 def section(title, words, rows, limit):
-    parts = [f"## {title}\n\n{words}\n"]
+    errors, least = ((1e-3, 1e-6, 1e-9, 1e-12), 1000) if limit else ((1e-1, 1e-2, 1e-3, 1e-4, 1e-5), 0)
+    at = f" at {least} points or more" if least else ""
+    cost = f"CPU milliseconds to an error{at}, in brackets those inside the program:\n\n"
+    parts = [f"## {title}\n\n{cost}{table(*costs(rows, errors, least))}", f"{words}\n"]
     clocks = {"cpu": "whole process, CPU seconds", "inside": "inside the program, wall seconds"}
     for clock, name in clocks.items():
         head, cells = verdicts(rows, clock, limit)

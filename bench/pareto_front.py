@@ -1,4 +1,4 @@
-"""Whether runs of a program lie below peristat's front: a smaller or equal error in less or equal time."""
+"""Whether runs of a program lie below peristat's front, an error no larger in less time, and what errors cost."""
 
 OURS = "peristat"
 ROUNDING = 1e-14  # errors below are equal
@@ -55,4 +55,18 @@ def verdicts(rows, clock, limit):
             line += [""] * 5
         last = f"{told(beyond)}: {beyond['error']:.1e} in {milliseconds(beyond[clock])} ms" if beyond else ""
         cells.append([*line, last])
+    return head, cells
+
+
+def costs(rows, errors, points):
+    """Per method the least CPU milliseconds for an error at no fewer points, in brackets those inside the program."""
+    head = ["program", "method", *(f"<= {error:g}" for error in errors)]
+    cells = []
+    for program, method in dict.fromkeys((row["program"], row["method"]) for row in rows):
+        mine = [r for r in rows if (r["program"], r["method"]) == (program, method) and r["points"] >= points]
+        line = [program, method]
+        for error in errors:
+            best = min((r for r in mine if r["error"] <= error), key=lambda r: r["cpu"], default=None)
+            line.append(f"{milliseconds(best['cpu'])} ({milliseconds(best['inside'])})" if best else "-")
+        cells.append(line)
     return head, cells
