@@ -2,6 +2,7 @@
 
 from pareto_problems import LOAD, POISSON_RATIO, SHEAR_FACTOR, WIDTH, YOUNGS_MODULUS, Beam, Plate
 
+THICKNESS = 0.01  # mm: ccx makes solid elements of plane ones; at 1 mm they are 1e-4 off plane stress, which has none
 GAUSS = (-(0.6**0.5), 5 / 9), (0.0, 8 / 9), (0.6**0.5, 5 / 9)
 
 
@@ -53,7 +54,7 @@ def end_forces(plate, right, heights):
             traction = plate.traction(right, (low + high) / 2 + s * (high - low) / 2)
             for share, value in zip(shares, shape):
                 for d in (0, 1):
-                    share[d] += value * weight * (high - low) / 2 * traction[d]
+                    share[d] += THICKNESS * value * weight * (high - low) / 2 * traction[d]
         forces.append(shares)
     return forces
 
@@ -86,7 +87,7 @@ def plate_deck(order, size):
             for j, share in zip(edge, shares):
                 node = label[order * columns * right, j]
                 loads += [f"{node},{d + 1},{number(share[d])}" for d in (0, 1) if share[d]]
-    section = ["*SOLID SECTION,ELSET=E,MATERIAL=M", "1."]
+    section = ["*SOLID SECTION,ELSET=E,MATERIAL=M", number(THICKNESS)]
     return deck(nodes.values(), elements, (plate.youngs_modulus, plate.poisson_ratio), section, loads)
 
 

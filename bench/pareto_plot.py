@@ -86,7 +86,7 @@ def main():
     sets = json.loads((WORK / "pareto.json").read_text())
     with plt.rc_context(STYLE):
         line = "Line and shade: peristat's front; runs in the shade are slower and no more accurate. "
-        beam = "Cantilever under a uniform load: error of the deflection over the nodes"
+        beam = "Cantilever of slenderness 20 under a uniform load: error of the deflection over the points"
         figure(sets["beam_20"], beam, line + "Larger markers: more points.", WORK / "pareto_beam.svg")
         plate = "Plane-stress cantilever: error of the displacements over the points"
         figure(sets["plate"], plate, line.strip(), WORK / "pareto_plate.svg")
