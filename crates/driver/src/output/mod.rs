@@ -2,14 +2,15 @@
 //!
 //! Each file appears whole or not at all ([`atomic`]), so a run that is interrupted leaves no torn file
 //! behind: rows of numbers as [`csv`], fields on points and cells as [`vtu`], a series of them over time as
-//! [`pvd`], and lines over lines as [`plot`]. The callers choose what is worth writing; a length that does
-//! not fit is a broken contract and panics.
+//! [`pvd`], lines over lines as [`plot`], and pages for people as [`report`]. The callers choose what is worth
+//! writing; a length that does not fit is a broken contract and panics.
 
 pub mod atomic;
 pub mod csv;
 pub mod matrix_market;
 pub mod plot;
 pub mod pvd;
+pub mod report;
 pub mod vtu;
 
 /// Text as the content of an XML attribute.

@@ -1,0 +1,236 @@
+// Maps: cells in the plane, coloured by a field, moved by a multiple of their displacements.
+
+// Viridis (van der Walt and Smith 2015) at equal steps.
+const VIRIDIS = [
+  [68, 1, 84], [72, 36, 117], [65, 68, 135], [53, 95, 141], [42, 120, 142], [33, 145, 140], [34, 168, 132],
+  [68, 191, 112], [122, 209, 81], [189, 223, 38], [253, 231, 37],
+];
+const LEVELS = 96;
+
+function viridis(part) {
+  const at = clamp(part, 0, 1) * (VIRIDIS.length - 1);
+  const low = Math.min(Math.floor(at), VIRIDIS.length - 2);
+  const mixed = VIRIDIS[low].map((v, k) => Math.round(v + (at - low) * (VIRIDIS[low + 1][k] - v)));
+  return `rgb(${mixed.join(' ')})`;
+}
+
+// Values of cells from what `pack.rs` made of them.
+async function unpack(packed, before) {
+  const deflated = Uint8Array.from(atob(packed.data), (c) => c.charCodeAt(0));
+  const stream = new Blob([deflated]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+  const count = bytes.length / 2;
+  const steps = new Uint16Array(count);
+  const values = new Float64Array(count);
+  for (let k = 0; k < count; k++) {
+    const folded = bytes[k] | (bytes[count + k] << 8);
+    const [left, below, corner] = [before[3 * k], before[3 * k + 1], before[3 * k + 2]];
+    let foretold = 0;
+    if (left >= 0 && below >= 0 && corner >= 0) foretold = steps[left] + steps[below] - steps[corner];
+    else if (left >= 0) foretold = steps[left];
+    else if (below >= 0) foretold = steps[below];
+    steps[k] = foretold + ((folded >> 1) ^ -(folded & 1));
+    values[k] = packed.low + packed.step * steps[k];
+  }
+  return values;
+}
+
+// Corners of a cell, around from the lower left.
+const AROUND = [[0, 0], [1, 0], [1, 1], [0, 1]];
+
+// Cells in rows: their corners and centres, the cells before each, and their corners as they move.
+function inRows({ origin, sides: [along, up], size: [columns, rows], last, runs, torn }) {
+  const column = [], row = [];
+  const numbers = new Int32Array(columns * rows).fill(-1);
+  for (const [j, first, count] of runs) {
+    for (let i = first; i < first + count; i++) {
+      numbers[j * columns + i] = column.length;
+      column.push(i);
+      row.push(j);
+    }
+  }
+  const at = (i, j) => (i < 0 || j < 0 || i >= columns || j >= rows ? -1 : numbers[j * columns + i]);
+  const count = column.length;
+  const before = new Int32Array(3 * count);
+  const corners = new Float64Array(8 * count);
+  const part = (k, size, end) => Math.min(k, size - 1 + end);
+  for (let k = 0; k < count; k++) {
+    const [i, j] = [column[k], row[k]];
+    [at(i - 1, j), at(i, j - 1), at(i - 1, j - 1)].forEach((other, n) => (before[3 * k + n] = other));
+    AROUND.forEach(([right, above], n) => {
+      const [a, b] = [part(i + right, columns, last[0]), part(j + above, rows, last[1])];
+      for (const c of [0, 1]) corners[8 * k + 2 * n + c] = origin[c] + a * along[c] + b * up[c];
+    });
+  }
+  const tears = new Uint8Array(count);
+  torn.forEach(([cell, side]) => (tears[cell] |= 1 << side));
+  const joined = (a, b, side) => (b >= 0 && !(tears[Math.min(a, b)] & (1 << side)) ? b : -1);
+  // A corner moves with the mean of the cells around it that no crack parts from its own.
+  function move(ux, uy) {
+    const moved = new Float64Array(8 * count);
+    for (let k = 0; k < count; k++) {
+      for (let n = 0; n < 4; n++) {
+        const [i, j] = [column[k] + 2 * AROUND[n][0] - 1, row[k] + 2 * AROUND[n][1] - 1];
+        const [beside, over, across] = [joined(k, at(i, row[k]), 0), joined(k, at(column[k], j), 1), at(i, j)];
+        const reached = across >= 0 && ((beside >= 0 && joined(beside, across, 1) >= 0) || (over >= 0 && joined(over, across, 0) >= 0));
+        let [x, y, cells] = [ux[k], uy[k], 1];
+        for (const other of [beside, over, reached ? across : -1]) {
+          if (other >= 0) [x, y, cells] = [x + ux[other], y + uy[other], cells + 1];
+        }
+        [moved[8 * k + 2 * n], moved[8 * k + 2 * n + 1]] = [x / cells, y / cells];
+      }
+    }
+    return moved;
+  }
+  return { count, before, corners, move };
+}
+
+// Squares of a list.
+function inList({ x, y, side }) {
+  const count = x.length;
+  const before = Int32Array.from({ length: 3 * count }, (_, k) => (k % 3 ? -1 : k / 3 - 1));
+  const corners = new Float64Array(8 * count);
+  for (let k = 0; k < 8 * count; k++) {
+    const cell = k >> 3;
+    const away = AROUND[(k >> 1) & 3][k & 1] - 0.5;
+    corners[k] = (k & 1 ? y : x)[cell] + away * side[cell];
+  }
+  const move = (ux, uy) => Float64Array.from({ length: 8 * count }, (_, k) => (k & 1 ? uy : ux)[k >> 3]);
+  return { count, before, corners, move };
+}
+
+// Where coordinates stand in a box of some width: `to` and the height that is needed. x and y alternate in `points`.
+function view(lists, width, tallest) {
+  const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+  for (const points of lists) {
+    points.forEach((value, k) => {
+      low[k & 1] = Math.min(low[k & 1], value);
+      high[k & 1] = Math.max(high[k & 1], value);
+    });
+  }
+  const size = [0, 1].map((k) => high[k] - low[k] || 1e-300);
+  const scale = Math.min((width - 4) / size[0], tallest / size[1]);
+  const left = (width - scale * size[0]) / 2;
+  const height = scale * size[1];
+  return { scale, height, x: (x) => left + scale * (x - low[0]), y: (y) => height + 2 - scale * (y - low[1]) };
+}
+
+function map(figure, data) {
+  const stage = new Stage(figure);
+  const cells = data.cells.runs ? inRows(data.cells) : inList(data.cells);
+  const choice = figure.querySelector('.field');
+  const slider = figure.querySelector('.scale');
+  const [BAR, WIDE] = [58, 420];
+  const known = [];
+  const values = (k) => (known[k] ??= unpack(data.fields[k].packed, cells.before));
+  let moved = null, shown = null, seen = null, corners = cells.corners;
+
+  // Cells by the level of their colour.
+  function levels(of) {
+    const [low, high] = of.range;
+    const sorted = Array.from({ length: LEVELS }, () => []);
+    shown.forEach((value, k) => {
+      const part = high > low ? (value - low) / (high - low) : 0.5;
+      sorted[clamp(Math.floor(part * LEVELS), 0, LEVELS - 1)].push(k);
+    });
+    return sorted;
+  }
+
+  function quad(ctx, at, k) {
+    ctx.moveTo(seen.x(at[8 * k]), seen.y(at[8 * k + 1]));
+    for (let n = 2; n < 8; n += 2) ctx.lineTo(seen.x(at[8 * k + n]), seen.y(at[8 * k + n + 1]));
+    ctx.closePath();
+  }
+
+  function fill(ctx, at, list, style) {
+    if (!list.length) return;
+    ctx.beginPath();
+    list.forEach((k) => quad(ctx, at, k));
+    ctx.fillStyle = ctx.strokeStyle = style;
+    ctx.fill();
+    // A thin border in the same colour hides the seams between cells.
+    ctx.lineWidth = 0.6;
+    ctx.stroke();
+  }
+
+  function bar(ctx, of, top) {
+    const [width, left] = [Math.min(WIDE, stage.width - 40), (stage.width - Math.min(WIDE, stage.width - 40)) / 2];
+    for (let k = 0; k < LEVELS; k++) {
+      ctx.fillStyle = viridis((k + 0.5) / LEVELS);
+      ctx.fillRect(left + (k * width) / LEVELS, top, width / LEVELS + 0.5, 10);
+    }
+    const scale = linear(of.range[0], of.range[1], clamp(width / 80, 3, 6));
+    ctx.strokeStyle = color('faint');
+    ctx.fillStyle = color('ink');
+    ctx.lineWidth = 1;
+    ctx.textAlign = 'center';
+    ctx.textBaseline = 'middle';
+    for (const tick of scale.ticks) {
+      const x = left + scale.at(tick) * width;
+      line(ctx, [[x, top + 10], [x, top + 14]]);
+      ctx.stroke();
+      ctx.fillText(scale.text(tick), x, top + 22);
+    }
+    ctx.fillText([of.name, of.unit && `[${of.unit}]`, scale.factor].filter(Boolean).join(' '), stage.width / 2, top + 40);
+  }
+
+  function draw() {
+    if (!shown) return;
+    const factor = slider ? Number(slider.value) * data.moves.factor : 0;
+    if (slider) slider.nextElementSibling.value = factor ? `× ${number(factor, 3)}` : 'off';
+    const most = moved && data.moves.factor * 2;
+    const reach = moved ? [cells.corners, cells.corners.map((at, k) => at + most * moved[k])] : [cells.corners];
+    const ctx = stage.begin((width) => {
+      seen = view(reach, width, clamp(0.75 * width, 260, 560));
+      return seen.height + BAR + 14;
+    });
+    if (!ctx) return;
+    corners = factor ? cells.corners.map((at, k) => at + factor * moved[k]) : cells.corners;
+    if (factor) fill(ctx, cells.corners, Array.from({ length: cells.count }, (_, k) => k), color('soft'));
+    const of = data.fields[choice.value];
+    levels(of).forEach((list, level) => fill(ctx, corners, list, viridis((level + 0.5) / LEVELS)));
+    if (!factor) {
+      for (const points of data.lines) {
+        for (const [style, width] of [['#fff', 2.6], ['#333a44', 1.2]]) {
+          [ctx.strokeStyle, ctx.lineWidth] = [style, width];
+          line(ctx, points.map(([x, y]) => [seen.x(x), seen.y(y)]));
+          ctx.stroke();
+        }
+      }
+    }
+    bar(ctx, of, seen.height + 14);
+    figure.dataset.ready = choice.value;
+  }
+
+  const middle = (at, k, c) => (at[8 * k + c] + at[8 * k + 4 + c]) / 2;
+
+  // The cell whose centre is nearest to the pointer, if that is in it or next to it.
+  function find(px, py) {
+    if (px === null || !shown || !seen) return null;
+    let [best, least] = [-1, Infinity];
+    for (let k = 0; k < cells.count; k++) {
+      const [dx, dy] = [seen.x(middle(corners, k, 0)) - px, seen.y(middle(corners, k, 1)) - py];
+      if (dx * dx + dy * dy < least) [best, least] = [k, dx * dx + dy * dy];
+    }
+    const size = Math.hypot(corners[8 * best + 4] - corners[8 * best], corners[8 * best + 5] - corners[8 * best + 1]);
+    if (Math.sqrt(least) > Math.max(4, 0.6 * size * seen.scale)) return null;
+    const of = data.fields[choice.value];
+    const place = ['x', 'y'].map((name, c) => `${name} ${measured(middle(cells.corners, best, c), data.length)}`);
+    return { x: px, y: py, lines: [place.join(', '), `${of.name} ${measured(shown[best], of.unit)}`] };
+  }
+
+  async function choose() {
+    const chosen = choice.value;
+    const own = await values(chosen);
+    if (data.moves && !moved) moved = cells.move(...(await Promise.all(data.moves.fields.map(values))));
+    if (choice.value !== chosen) return;
+    shown = own;
+    draw();
+  }
+
+  choice.addEventListener('change', choose);
+  slider?.addEventListener('input', draw);
+  stage.listen(find);
+  choose();
+  return draw;
+}

@@ -1,0 +1,212 @@
+//! Maps: cells in the plane, coloured by one of several fields, which can be moved by a multiple of two of them.
+
+use super::json::{all, inline, rounded};
+use super::pack::{Order, pack};
+use super::{html, number};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Bytes that the fields of a map may take before they are rounded more coarsely.
+const MOST_BYTES: usize = 760_000;
+
+/// A map.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Map {
+    /// What it shows.
+    pub title: String,
+    /// A remark below the title; empty for none.
+    pub note: String,
+    /// Unit of positions.
+    pub length: String,
+    /// Where the cells are.
+    pub cells: Cells,
+    /// What they hold; the first one is shown first.
+    pub fields: Vec<Field>,
+    /// How they move.
+    pub moves: Option<Moves>,
+    /// Lines over the cells where they have not moved, such as cracks.
+    pub lines: Vec<Vec<[f64; 2]>>,
+}
+
+/// Cells of a map.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cells {
+    /// Parallelograms in rows, the fields of which stand row by row from the lowest.
+    Grid {
+        /// Lower left corner of column 0 and row 0.
+        origin: [f64; 2],
+        /// Sides of a cell: along its row, and to the next row.
+        sides: [[f64; 2]; 2],
+        /// Number of columns and rows.
+        size: [usize; 2],
+        /// Part of the last column and of the last row that is there, 0 to 1.
+        last: [f64; 2],
+        /// Row, first column, and number of cells of every stretch that is there, in their order.
+        runs: Vec<[usize; 3]>,
+        /// Cells that do not move with their neighbour, by number: 0 for that on the right, 1 for that above.
+        torn: Vec<[usize; 2]>,
+    },
+    /// Squares.
+    Squares {
+        /// Their centres.
+        centres: Vec<[f64; 2]>,
+        /// Length of their sides.
+        sides: Vec<f64>,
+    },
+}
+
+impl Default for Cells {
+    fn default() -> Self {
+        Self::Squares { centres: Vec::new(), sides: Vec::new() }
+    }
+}
+
+impl Cells {
+    fn count(&self) -> usize {
+        match self {
+            Self::Grid { runs, .. } => runs.iter().map(|run| run[2]).sum(),
+            Self::Squares { centres, .. } => centres.len(),
+        }
+    }
+
+    fn order(&self) -> Order {
+        match self {
+            Self::Grid { size, runs, .. } => Order::of_runs(size[0], runs),
+            Self::Squares { centres, .. } => Order::of_list(centres.len()),
+        }
+    }
+
+    fn json(&self) -> Value {
+        match self {
+            Self::Grid { origin, sides, size, last, runs, torn } => json!({
+                "origin": origin, "sides": sides, "size": size, "last": last, "runs": runs, "torn": torn
+            }),
+            Self::Squares { centres, sides } => json!({
+                "x": all(centres.iter().map(|c| c[0])), "y": all(centres.iter().map(|c| c[1])),
+                "side": all(sides.iter().copied())
+            }),
+        }
+    }
+}
+
+/// Values of cells.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Field {
+    /// Name.
+    pub name: String,
+    /// Unit; empty for none.
+    pub unit: String,
+    /// A value per cell; finite.
+    pub values: Vec<f64>,
+    /// Smallest and largest value, at the ends of the colour bar; those of cells that are means may be less far apart.
+    pub range: [f64; 2],
+}
+
+/// How cells move.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Moves {
+    /// Numbers of the fields that are displacements to the right and upwards.
+    pub fields: [usize; 2],
+    /// Factor on them at first; readers may choose from none to twice as much.
+    pub factor: f64,
+}
+
+/// The map as a figure.
+///
+/// # Panics
+/// A field does not have a value per cell.
+pub(super) fn render(out: &mut String, map: &Map) {
+    let cells = map.cells.count();
+    if cells == 0 || map.fields.is_empty() {
+        html::paragraph(out, &format!("{}: there are no cells to draw.", map.title));
+        return;
+    }
+    assert!(map.fields.iter().all(|f| f.values.len() == cells), "a field has a value per cell");
+    let moves = map.moves.map(|m| json!({ "fields": m.fields, "factor": rounded(m.factor) }));
+    let data = json!({
+        "length": map.length, "cells": map.cells.json(), "fields": fields(map), "moves": moves, "lines": map.lines,
+    });
+    html::figure(out, "map", (&map.title, &map.note), &described(map), &inline(&data), &|out| {
+        out.push_str("<div class=\"controls\"><label>Field <select class=\"field\">");
+        map.fields.iter().enumerate().for_each(|(k, f)| {
+            let _ = write!(out, "<option value=\"{k}\">{}</option>", html::escaped(&f.name));
+        });
+        out.push_str("</select></label>");
+        if map.moves.is_some() {
+            html::slider(out);
+        }
+        out.push_str("</div>\n");
+    });
+    out.push_str("</figure>\n");
+}
+
+/// All fields, as finely as their bytes allow.
+fn fields(map: &Map) -> Value {
+    let order = map.cells.order();
+    let packed = |bits: u32| -> (usize, Value) {
+        let all: Vec<Value> = map.fields.iter().map(|f| pack(&f.values, &order, bits)).collect();
+        let bytes = all.iter().map(|p| p["data"].as_str().map_or(0, str::len)).sum();
+        let named =
+            map.fields.iter().zip(all).map(
+                |(f, packed)| json!({ "name": f.name, "unit": f.unit, "range": f.range, "packed": packed }),
+            );
+        (bytes, named.collect())
+    };
+    let fits = [16, 13, 10].into_iter().map(packed).find(|(bytes, _)| *bytes <= MOST_BYTES);
+    fits.unwrap_or_else(|| packed(8)).1
+}
+
+/// The map in words.
+fn described(map: &Map) -> String {
+    let range =
+        |f: &Field| format!("{} from {} to {} {}", f.name, number(f.range[0]), number(f.range[1]), f.unit);
+    let ranges: Vec<String> = map.fields.iter().map(|f| range(f).trim_end().to_string()).collect();
+    format!("{}: {}", map.title, ranges.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn map(side: usize, value: impl Fn(usize) -> f64) -> Map {
+        let cells = Cells::Grid {
+            origin: [0.0; 2],
+            sides: [[1.0, 0.0], [0.0, 1.0]],
+            size: [side; 2],
+            last: [1.0; 2],
+            runs: (0..side).map(|row| [row, 0, side]).collect(),
+            torn: Vec::new(),
+        };
+        let field = |k: usize| Field {
+            name: format!("field {k}"),
+            values: (0..side * side).map(|cell| value(cell + k)).collect(),
+            range: [-1.0, 1.0],
+            ..Field::default()
+        };
+        Map { title: "m".into(), cells, fields: (0..12).map(field).collect(), ..Map::default() }
+    }
+
+    #[test]
+    fn a_noisy_map_is_rounded_until_it_is_small() {
+        let noise = |k: usize| ((k * 7919) % 104_729) as f64 / 104_729.0;
+        let mut out = String::new();
+        render(&mut out, &map(240, noise));
+        assert!(out.len() < 1_000_000, "{} bytes", out.len());
+        assert!(out.contains("field 0 from −1 to 1"), "{}", &out[..400]);
+    }
+
+    #[test]
+    #[should_panic(expected = "a field has a value per cell")]
+    fn fields_of_another_length_are_a_broken_contract() {
+        let mut map = map(3, |k| k as f64);
+        map.fields[1].values.pop();
+        render(&mut String::new(), &map);
+    }
+
+    #[test]
+    fn no_cells_are_told_in_a_sentence() {
+        let mut out = String::new();
+        render(&mut out, &Map { title: "m".into(), ..Map::default() });
+        assert_eq!(out, "<p>m: there are no cells to draw.</p>\n");
+    }
+}

@@ -1,0 +1,53 @@
+// The page: its figures, what readers choose, light and dark, and printing.
+
+const kinds = { chart, map, picture };
+const drawings = [];
+for (const figure of document.querySelectorAll('figure')) {
+  const data = JSON.parse(figure.querySelector('script').textContent);
+  const draw = kinds[figure.dataset.kind](figure, data);
+  drawings.push(draw);
+  let width = 0;
+  // Also when the figure is shown at last: what is hidden has no width.
+  new ResizeObserver(([entry]) => {
+    if (Math.round(entry.contentRect.width) === width) return;
+    width = Math.round(entry.contentRect.width);
+    draw();
+  }).observe(figure);
+}
+const redraw = () => drawings.forEach((draw) => draw());
+
+for (const select of document.querySelectorAll('.choose')) {
+  const sets = [...select.closest('.choice').children].filter((child) => child.matches('.set'));
+  const show = () => sets.forEach((set, k) => (set.hidden = k !== Number(select.value)));
+  select.addEventListener('change', show);
+  show();
+}
+
+const root = document.documentElement;
+const system = matchMedia('(prefers-color-scheme: dark)');
+const toggle = document.getElementById('theme');
+const isDark = () => (root.dataset.theme ? root.dataset.theme === 'dark' : system.matches);
+function told() {
+  toggle.textContent = isDark() ? 'light' : 'dark';
+  redraw();
+}
+toggle.hidden = false;
+toggle.addEventListener('click', () => {
+  root.dataset.theme = isDark() ? 'light' : 'dark';
+  told();
+});
+system.addEventListener('change', told);
+told();
+
+// On paper everything is light.
+let theme;
+addEventListener('beforeprint', () => {
+  theme = root.dataset.theme;
+  root.dataset.theme = 'light';
+  redraw();
+});
+addEventListener('afterprint', () => {
+  if (theme) root.dataset.theme = theme;
+  else delete root.dataset.theme;
+  redraw();
+});
