@@ -1,6 +1,7 @@
 //! The command `peristat` as a user meets it: exit codes, messages, files.
 #![allow(clippy::unwrap_used, reason = "helpers of tests are tests")]
 
+mod browser;
 mod commands;
 mod fracture;
 mod hostile_input;
@@ -10,7 +11,9 @@ mod messages;
 mod numbers;
 mod plane_folder;
 mod readme;
+mod report;
 mod results_folder;
 mod schema;
+mod study;
 mod support;
 mod verify;

@@ -64,6 +64,7 @@ fn a_plate_leaves_its_fields_lines_maps_and_summary() {
         "fields.pvd",
         "history.csv",
         "plots",
+        "report.html",
         "summary.json",
     ];
     assert_eq!(names(&out), all);

@@ -18,7 +18,16 @@ fn a_run_leaves_its_case_fields_history_plots_and_summary() {
     let out = folder.path().join("out");
     assert_eq!(
         names(&out),
-        [".peristat", "case.json", "fields", "fields.pvd", "history.csv", "plots", "summary.json"]
+        [
+            ".peristat",
+            "case.json",
+            "fields",
+            "fields.pvd",
+            "history.csv",
+            "plots",
+            "report.html",
+            "summary.json"
+        ]
     );
     assert_eq!(names(&out.join("plots")), ["deflection.svg", "moment.svg", "rotation.svg", "shear.svg"]);
     let steps = (0..4).flat_map(|k| [format!("step_00{k}.csv"), format!("step_00{k}.vtu")]);
@@ -210,7 +219,7 @@ fn an_input_fault_keeps_the_results_of_the_earlier_run() {
 fn no_temporary_file_is_left() {
     let folder = tempfile::tempdir().unwrap();
     solve(folder.path(), "load_cases.json", &["--write-matrix", "k.mtx"]);
-    let known = ["", "json", "csv", "svg", "vtu", "pvd", "mtx"];
+    let known = ["", "json", "csv", "svg", "vtu", "pvd", "mtx", "html"];
     for file in files(folder.path(), "") {
         let extension = file.extension().unwrap_or_default().to_string_lossy().into_owned();
         assert!(known.contains(&extension.as_str()), "{}", file.display());

@@ -1,8 +1,9 @@
 //! Results as text.
 
-use super::{print_beam, print_fracture, print_path, print_plane, print_state};
-use crate::run::{CheckResult, ProbeResult, Sizes};
-use crate::summary::{Estimate, Estimates, Forces, Located, ModelSummary, Status, Summary};
+use super::print_state;
+use crate::run::{CheckResult, Sizes};
+use crate::summary::words::{self, Listing};
+use crate::summary::{Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
 use std::fmt::Write;
 
@@ -17,22 +18,19 @@ pub(super) fn table(header: &[&str], rows: &[Vec<String>]) -> String {
     format!("{table}\n")
 }
 
-/// A number with six digits, the way engineers write it.
-pub(super) fn number(value: f64) -> String {
-    match value.abs() {
-        0.0 => "0".into(),
-        size if (1e-3..1e6).contains(&size) => {
-            let digits = (5 - size.log10().floor() as i32).max(0) as usize;
-            let text = format!("{value:.digits$}");
-            if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
-        }
-        _ => {
-            let text = format!("{value:.5e}");
-            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-            let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
-            format!("{mantissa}e{exponent}")
-        }
+/// A table of the record, with what it leaves out.
+fn listing(out: &mut String, listing: &Listing) {
+    let header: Vec<&str> = listing.header.iter().map(String::as_str).collect();
+    let _ = write!(out, "\n{}", table(&header, &listing.rows));
+    if let Some(more) = &listing.more {
+        let _ = writeln!(out, "\n  {more}");
     }
+}
+
+/// Names and what they are, one below the other.
+fn facts(out: &mut String, facts: &[(String, String)]) {
+    let width = facts.iter().map(|f| f.0.len()).max().unwrap_or(0);
+    facts.iter().for_each(|(key, text)| _ = writeln!(out, "  {key:<width$}  {text}"));
 }
 
 /// The summary as JSON.
@@ -44,14 +42,10 @@ pub(super) fn json(summary: &Summary) -> String {
 /// The summary as text.
 pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
     let mut out = format!("{}\n\n", summary.title);
-    model(&mut out, summary);
-    if let Some(report) = &summary.fracture {
+    words::model(summary).iter().for_each(|(key, text)| _ = writeln!(out, "  {key:<8} {text}"));
+    if let Some(course) = words::course(summary) {
         out.push('\n');
-        print_fracture::fracture(&mut out, report);
-    }
-    if let Some(report) = &summary.path {
-        out.push('\n');
-        print_path::path(&mut out, report);
+        facts(&mut out, &course);
     }
     // Of a body that breaks or softens the last equilibrium tells most; all are in its files.
     let is_traced = summary.fracture.is_some() || summary.path.is_some();
@@ -60,22 +54,21 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
         if summary.states.len() > 1 {
             let _ = writeln!(out, "\n{}", state.name);
         }
-        out.push('\n');
-        print_state::extremes(&mut out, state);
-        match &state.forces {
-            Forces::Beam(forces) => print_beam::forces(&mut out, forces),
-            Forces::Plane(forces) => print_plane::forces(&mut out, forces, summary.units),
-        }
+        listing(&mut out, &words::extremes(state));
+        words::forces(state, summary.units).iter().for_each(|l| listing(&mut out, l));
         print_state::certificate(&mut out, state);
     }
-    if !summary.envelope.is_empty() {
-        envelope(&mut out, summary);
+    if let Some(envelope) = words::envelope(summary) {
+        out.push_str("\nenvelope\n");
+        listing(&mut out, &envelope);
     }
     if !summary.probes.is_empty() && !is_traced {
-        probes(&mut out, summary);
+        listing(&mut out, &words::probes(summary.probes.iter(), &|value| format!("{value:?}")));
     }
     if let Some(estimates) = &summary.estimate {
-        estimated(&mut out, estimates);
+        let (sentence, table) = words::estimates(estimates);
+        let _ = writeln!(out, "\n{sentence}");
+        listing(&mut out, &table);
     }
     if !summary.checks.is_empty() {
         let _ = write!(out, "\n{}", checks(&summary.checks));
@@ -90,84 +83,11 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
     out
 }
 
-fn model(out: &mut String, summary: &Summary) {
-    let mut line = |key: &str, text: String| _ = writeln!(out, "  {key:<8} {text}");
-    match &summary.model {
-        ModelSummary::Beam(model) => print_beam::model(model, summary.units, &mut line),
-        ModelSummary::Plane(model) => print_plane::model(model, summary.units, &mut line),
-    }
-    let sizes = &summary.sizes;
-    line("size", format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns));
-    let iterations: Vec<String> = summary.solver.iterations.iter().map(ToString::to_string).collect();
-    let method = &summary.solver.method;
-    line(
-        "solver",
-        match iterations.is_empty() {
-            true => method.clone(),
-            false => format!("{method} finished by {} PCG iterations on the bonds", iterations.join(", ")),
-        },
-    );
-    line("why", summary.solver.reason.clone());
-}
-
-fn envelope(out: &mut String, summary: &Summary) {
-    let rows: Vec<Vec<String>> = summary
-        .envelope
-        .iter()
-        .map(|(field, [low, high])| {
-            let place = |e: &(String, Located)| format!("{} at {}", e.0, print_state::place(&e.1));
-            vec![field.to_string(), number(low.1.value), place(low), number(high.1.value), place(high)]
-        })
-        .collect();
-    let _ = write!(out, "\nenvelope\n\n{}", table(&["field", "smallest", "in", "largest", "in"], &rows));
-}
-
-/// Estimated errors of the discretisation.
-fn estimated(out: &mut String, estimates: &Estimates) {
-    let row = |e: &Estimate| {
-        let relative = e.relative.map_or(String::new(), |relative| format!("{relative:.1e}"));
-        vec![e.name.clone(), format!("{:?}", e.value), format!("{:.1e}", e.error), relative, e.basis.clone()]
-    };
-    let rows: Vec<Vec<String>> = estimates.quantities.iter().map(row).collect();
-    let header = ["quantity", "value", "estimated error", "relative", "basis"];
-    let spacings: Vec<String> = estimates.spacings.iter().map(ToString::to_string).collect();
-    let _ = write!(
-        out,
-        "\nerror of the discretisation, against {}; from {} times the spacing, in {:.3} s\n\n{}",
-        estimates.against,
-        spacings.join(" and "),
-        estimates.seconds,
-        table(&header, &rows)
-    );
-}
-
-fn probes(out: &mut String, summary: &Summary) {
-    let row = |p: &ProbeResult| {
-        let place = p.place.clone().or_else(|| Some(print_state::position(p.x?, p.y))).unwrap_or_default();
-        vec![p.name.clone(), p.state.clone(), p.field.to_string(), place, format!("{:?}", p.value)]
-    };
-    let rows: Vec<Vec<String>> = summary.probes.iter().map(row).collect();
-    let on_lines = summary.probes.iter().all(|p| p.place.is_none() && p.y.is_none());
-    let at = if on_lines { "x" } else { "at" };
-    let _ = write!(out, "\n{}", table(&["probe", "state", "field", at, "value"], &rows));
-}
-
 /// The checks of a case.
 pub(super) fn checks(checks: &[CheckResult]) -> String {
-    let rows: Vec<Vec<String>> = checks
-        .iter()
-        .map(|c| {
-            vec![
-                c.name.clone(),
-                number(c.expected),
-                number(c.found),
-                format!("{:.2e}", c.error),
-                format!("{:.0e}", c.tolerance),
-                if c.passed { "passed".into() } else { "FAILED".into() },
-            ]
-        })
-        .collect();
-    table(&["check", "expected", "found", "error", "tolerance", ""], &rows)
+    let told = words::checks(checks);
+    let header: Vec<&str> = told.header.iter().map(String::as_str).collect();
+    table(&header, &told.rows)
 }
 
 fn details(out: &mut String, summary: &Summary) {
@@ -197,15 +117,4 @@ pub(super) fn sizes(all: &[(String, Sizes)]) -> String {
         })
         .collect();
     table(&["case", "points", "bonds", "unknowns", "memory, MB"], &rows)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::number;
-
-    #[test]
-    fn numbers_have_six_digits() {
-        let text = [0.0, 1.0, -0.003_206_24, 123_456.7, 2e11, 5.208_333_333e-7].map(number);
-        assert_eq!(text, ["0", "1", "-0.00320624", "123457", "2e11", "5.20833e-7"]);
-    }
 }

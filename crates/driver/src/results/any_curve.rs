@@ -3,6 +3,7 @@
 use super::curve::Curve;
 use super::path_curve::PathCurve;
 use crate::case::Case;
+use crate::output::plot::Diagram;
 use crate::run::Advance;
 use crate::scene::Scene;
 use std::io;
@@ -53,6 +54,14 @@ impl AnyCurve {
         match self {
             Self::Break(curve) => curve.draw(plots, case),
             Self::Path(curve) => curve.draw(plots, case),
+        }
+    }
+
+    /// What it draws.
+    pub(super) fn diagrams(&self, case: &Case) -> Vec<Diagram> {
+        match self {
+            Self::Break(curve) => curve.diagrams(case).into(),
+            Self::Path(curve) => curve.diagrams(case).into_iter().map(|(_, diagram)| diagram).collect(),
         }
     }
 }

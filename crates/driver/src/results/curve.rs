@@ -60,8 +60,14 @@ impl Curve {
         if self.events.is_empty() {
             return Ok(());
         }
-        plot::write(&plots.join("load_curve.svg"), &self.loads(&case.title, load_label(case)))?;
-        plot::write(&plots.join("energy.svg"), &self.energies(&case.title, case.units))
+        let [loads, energies] = self.diagrams(case);
+        plot::write(&plots.join("load_curve.svg"), &loads)?;
+        plot::write(&plots.join("energy.svg"), &energies)
+    }
+
+    /// The load over the load factor, and the energies over the equilibria.
+    pub(super) fn diagrams(&self, case: &Case) -> [Diagram; 2] {
+        [self.loads(&case.title, load_label(case)), self.energies(&case.title, case.units)]
     }
 
     fn loads(&self, title: &str, y_label: String) -> Diagram {

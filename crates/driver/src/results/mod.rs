@@ -8,6 +8,7 @@ mod envelope;
 mod factor;
 mod path_curve;
 mod plane;
+mod report;
 mod restart;
 mod resume;
 
@@ -19,13 +20,14 @@ use crate::scene::Scene;
 use crate::summary::Summary;
 use any_curve::AnyCurve;
 use envelope::Envelope;
+use report::Report;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// What peristat writes into a folder.
-const OWN: [&str; 9] = [
+const OWN: [&str; 10] = [
     "case.json",
     "fields",
     "fields.pvd",
@@ -33,6 +35,7 @@ const OWN: [&str; 9] = [
     curve::FILE,
     "envelope.csv",
     "plots",
+    report::FILE,
     restart::FILE,
     "summary.json",
 ];
@@ -48,6 +51,7 @@ pub struct Results {
     history: Vec<Vec<f64>>,
     envelope: Option<Envelope>,
     curve: Option<AnyCurve>,
+    report: Report,
     /// When the restart is worth writing again.
     due: Option<Instant>,
 }
@@ -152,6 +156,7 @@ impl Results {
             history: Vec::new(),
             envelope: scene.has_envelope().then(Envelope::default),
             curve: AnyCurve::begin(folder, scene)?,
+            report: Report::new(scene),
             due: None,
         })
     }
@@ -165,23 +170,24 @@ impl Results {
         let name = step_name(record.index);
         // Which equilibrium is the last of a body that breaks is known only after it: any may be.
         let is_last = self.curve.is_some() || record.index + 1 == scene.states();
-        let probes = match (scene, result) {
+        let is_drawn = is_last || self.report.shows_all();
+        let (plots, share) = (is_last.then(|| self.folder.join("plots")), self.report.shown());
+        let (probes, figures) = match (scene, result) {
             (Scene::Beam(scene), StateResult::Beam(result)) => {
                 beam::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
-                if is_last {
-                    beam::plots::write(&self.folder.join("plots"), scene, result)?;
-                }
-                crate::run::beam::probes(scene, result)
+                let draw = || beam::draw(plots.as_deref(), scene, result, share);
+                (crate::run::beam::probes(scene, result), is_drawn.then(draw).transpose()?)
             }
             (Scene::Plane(scene), StateResult::Plane(result)) => {
                 plane::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
-                if is_last {
-                    plane::plots::write(&self.folder.join("plots"), scene, result)?;
-                }
-                crate::run::plane::probes(scene, result)
+                let draw = || plane::draw(plots.as_deref(), scene, result);
+                (crate::run::plane::probes(scene, result), is_drawn.then(draw).transpose()?)
             }
             _ => unreachable!("a scene has results of its own kind"),
         };
+        if let Some(figures) = figures {
+            self.report.take(record.index, figures);
+        }
         self.steps.push(step(scene, record.index, record.load_factor));
         self.write_collection()?;
         self.write_history(record, &probes)?;
@@ -217,12 +223,14 @@ impl Results {
         Ok(())
     }
 
-    /// Writes `summary.json`; there is nothing left to go on with.
+    /// Writes `report.html` and then `summary.json`; there is nothing left to go on with.
     ///
     /// # Errors
     /// The folder cannot be written.
     pub fn finish(self, summary: &Summary, case: &Case) -> io::Result<()> {
         self.draw_curve(case)?;
+        let page = self.report.page(summary, case, self.curve.as_ref());
+        crate::output::report::write(&self.folder.join(report::FILE), &page)?;
         let text = serde_json::to_string_pretty(summary)?;
         atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())?;
         match fs::remove_file(self.folder.join(restart::FILE)) {

@@ -89,30 +89,43 @@ impl PathCurve {
     /// # Errors
     /// What the file system reports.
     pub(super) fn draw(&self, plots: &Path, case: &Case) -> io::Result<()> {
-        if self.points.len() < 2 {
-            return Ok(());
-        }
-        let length = case.units.length();
-        let load = self.load_label(case);
-        self.write(&plots.join("load_curve.svg"), case, load, &[("path", &|p| Some(p.load))])?;
-        let energy = format!("energy [{}]", case.units.moment());
-        let energies: [Line; 3] = [
-            ("work", &|p| Some(p.work)),
-            ("dissipated", &|p| Some(p.dissipated)),
-            ("stored", &|p| Some(p.stored)),
-        ];
-        self.write(&plots.join("energy.svg"), case, energy, &energies)?;
-        let crack: [Line; 1] = [("crack growth", &|p| p.crack_growth)];
-        self.write(&plots.join("crack_growth.svg"), case, format!("crack growth [{length}]"), &crack)?;
-        let intensity = format!("K at the load [{} √{length}]", case.units.stress());
-        let line: [Line; 1] = [("K", &|p| p.stress_intensity)];
-        self.write(&plots.join("stress_intensity.svg"), case, intensity, &line)?;
-        let line: [Line; 1] = [("J", &|p| p.j_integral)];
-        self.write(&plots.join("j_integral.svg"), case, format!("J [N/{length}]"), &line)
+        let mut diagrams = self.diagrams(case).into_iter();
+        diagrams.try_for_each(|(file, diagram)| plot::write(&plots.join(format!("{file}.svg")), &diagram))
     }
 
-    /// Draws lines that have any points.
-    fn write(&self, file: &Path, case: &Case, y_label: String, lines: &[Line]) -> io::Result<()> {
+    /// The load, the energies, and what is known of the crack: the name of the file of each, and its diagram.
+    pub(super) fn diagrams(&self, case: &Case) -> Vec<(&'static str, Diagram)> {
+        if self.points.len() < 2 {
+            return Vec::new();
+        }
+        let length = case.units.length();
+        let all: [(&str, String, &[Line]); 5] = [
+            ("load_curve", self.load_label(case), &[("path", &|p| Some(p.load))]),
+            (
+                "energy",
+                format!("energy [{}]", case.units.moment()),
+                &[
+                    ("work", &|p| Some(p.work)),
+                    ("dissipated", &|p| Some(p.dissipated)),
+                    ("stored", &|p| Some(p.stored)),
+                ],
+            ),
+            ("crack_growth", format!("crack growth [{length}]"), &[("crack growth", &|p| p.crack_growth)]),
+            (
+                "stress_intensity",
+                format!("K at the load [{} √{length}]", case.units.stress()),
+                &[("K", &|p| p.stress_intensity)],
+            ),
+            ("j_integral", format!("J [N/{length}]"), &[("J", &|p| p.j_integral)]),
+        ];
+        let of = |(file, label, lines): (&'static str, String, &[Line])| {
+            Some((file, self.diagram(case, label, lines)?))
+        };
+        all.into_iter().filter_map(of).collect()
+    }
+
+    /// Lines that have any points; none if there are none.
+    fn diagram(&self, case: &Case, y_label: String, lines: &[Line]) -> Option<Diagram> {
         let x = |p: &PathPoint| self.opening.map_or(p.load_factor, |k| p.probes[k]);
         let line = |(label, of): &Line| Series {
             label: (*label).into(),
@@ -120,14 +133,11 @@ impl PathCurve {
             points: self.points.iter().filter_map(|p| Some((x(p), of(p)?))).collect(),
         };
         let series: Vec<Series> = lines.iter().map(line).filter(|s| !s.points.is_empty()).collect();
-        if series.is_empty() {
-            return Ok(());
-        }
         let x_label = match self.opening {
             Some(k) => format!("{} [{}]", case.probes[k].name, case.units.length()),
             None => "load factor".into(),
         };
-        plot::write(file, &Diagram { title: case.title.clone(), x_label, y_label, series })
+        (!series.is_empty()).then(|| Diagram { title: case.title.clone(), x_label, y_label, series })
     }
 
     fn load_label(&self, case: &Case) -> String {

@@ -1,6 +1,7 @@
 //! Going on with the folder of a run that was interrupted.
 
 use super::curve::Curve;
+use super::report::Report;
 use super::{
     AnyCurve, HISTORY, MARK, Results, is_leftover, names_in, restart, step, step_name, sweep, write_case,
 };
@@ -70,6 +71,7 @@ impl Results {
             history,
             envelope: None,
             curve: Some(AnyCurve::Break(Curve::begin(folder, &restart.events)?)),
+            report: Report::new(scene),
             due: None,
         };
         results.write_collection()?;

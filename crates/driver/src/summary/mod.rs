@@ -4,6 +4,7 @@ mod beam;
 mod collector;
 mod estimate;
 mod plane;
+pub(crate) mod words;
 
 pub use beam::{BeamForces, BeamSummary};
 pub use collector::Collector;

@@ -155,7 +155,11 @@ function chart(figure, data) {
     const [first] = hovered;
     const [x, y] = place.to([all[first.k].x[first.i], all[first.k].y[first.i]]);
     const name = (k) => (all.length > 1 ? all[k].label : data.y.label);
-    const values = hovered.map(({ k, i }) => `${name(k)}: ${number(all[k].y[i])}`);
+    const away = (other) => Math.abs(other - all[first.k].x[first.i]) > 1e-6 * (xs[1] - xs[0]);
+    const values = hovered.map(({ k, i }) => {
+      const own = all[k].x[i];
+      return `${name(k)}: ${number(all[k].y[i])}${away(own) ? ` at ${number(own)}` : ''}`;
+    });
     return { x, y, lines: [`${data.x.label}: ${number(all[first.k].x[first.i])}`, ...values] };
   }
 

@@ -19,9 +19,29 @@ const SCRIPTS: [&str; 6] = [
     include_str!("page.js"),
 ];
 
+/// Bytes that the fields of all maps of a page may take: a page is to stay below a megabyte.
+const MAP_BYTES: usize = 760_000;
+
 /// Text as content of an element or an attribute.
 pub(super) fn escaped(text: &str) -> String {
     xml(text)
+}
+
+/// Escaped text in which what stands between backticks is set as code.
+fn set(text: &str) -> String {
+    let mut out = String::new();
+    let mut parts = text.split('`').peekable();
+    let mut is_code = false;
+    while let Some(part) = parts.next() {
+        match (is_code, parts.peek()) {
+            (true, Some(_)) => out.extend(["<code>", &escaped(part), "</code>"]),
+            // The last backtick has no partner.
+            (true, None) => out.extend(["`", &escaped(part)]),
+            (false, _) => out.push_str(&escaped(part)),
+        }
+        is_code = !is_code;
+    }
+    out
 }
 
 /// The whole page.
@@ -45,7 +65,8 @@ pub(super) fn page(page: &Page) -> String {
         "</header>\n<main>\n<noscript><p class=\"notice plain\">Charts and maps need JavaScript; \
          every number is in the tables, and in the files beside this one.</p></noscript>\n",
     );
-    page.sections.iter().for_each(|s| section(&mut out, s));
+    let maps = page.sections.iter().map(|s| maps(&s.blocks)).sum::<usize>().max(1);
+    page.sections.iter().for_each(|s| section(&mut out, s, MAP_BYTES / maps));
     let _ = writeln!(out, "</main>\n<footer>{}</footer>", escaped(&page.footer));
     let _ = writeln!(out, "<script>\n'use strict';\n(() => {{\n{}}})();\n</script>", SCRIPTS.concat());
     out + "</body>\n</html>\n"
@@ -59,7 +80,23 @@ fn tone(tone: Tone) -> &'static str {
     }
 }
 
-fn section(out: &mut String, section: &Section) {
+/// Number of maps among blocks.
+fn maps(blocks: &[Block]) -> usize {
+    let of = |block: &Block| match block {
+        Block::Map(_) => 1,
+        Block::Choice(_, sets) => sets.iter().map(|(_, blocks)| maps(blocks)).sum(),
+        _ => 0,
+    };
+    blocks.iter().map(of).sum()
+}
+
+/// What it is about, under a title where there is one.
+pub(super) fn titled(title: &str, text: &str) -> String {
+    if title.is_empty() { text.into() } else { format!("{title}: {text}") }
+}
+
+/// A section, in which a map may take some bytes.
+fn section(out: &mut String, section: &Section, map_bytes: usize) {
     let title = escaped(&section.title);
     let [begin, end] = match section.folded {
         true => {
@@ -68,35 +105,46 @@ fn section(out: &mut String, section: &Section) {
         false => [format!("<section>\n<h2>{title}</h2>"), "</section>".into()],
     };
     let _ = writeln!(out, "{begin}");
-    section.blocks.iter().for_each(|b| block(out, b));
+    blocks(out, &section.blocks, map_bytes);
     let _ = writeln!(out, "{end}");
 }
 
-fn block(out: &mut String, block: &Block) {
+/// Blocks from the top; charts that follow each other stand side by side where there is room.
+fn blocks(out: &mut String, blocks: &[Block], map_bytes: usize) {
+    let is_chart = |block: &Block| matches!(block, Block::Chart(_));
+    for group in blocks.chunk_by(|a, b| is_chart(a) && is_chart(b)) {
+        let [begin, end] = if group.len() > 1 { ["<div class=\"charts\">\n", "</div>\n"] } else { ["", ""] };
+        out.push_str(begin);
+        group.iter().for_each(|b| block(out, b, map_bytes));
+        out.push_str(end);
+    }
+}
+
+fn block(out: &mut String, block: &Block, map_bytes: usize) {
     match block {
         Block::Text(text) => paragraph(out, text),
         Block::Notice(of, text) => {
-            let _ = writeln!(out, "<p class=\"notice {}\">{}</p>", tone(*of), escaped(text));
+            let _ = writeln!(out, "<p class=\"notice {}\">{}</p>", tone(*of), set(text));
         }
         Block::List(lines) => {
-            let lines: String = lines.iter().map(|line| format!("<li>{}</li>\n", escaped(line))).collect();
+            let lines: String = lines.iter().map(|line| format!("<li>{}</li>\n", set(line))).collect();
             let _ = writeln!(out, "<ul>\n{lines}</ul>");
         }
         Block::Facts(facts) => {
             let fact = |(name, text): &(String, String)| {
-                format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escaped(name), escaped(text))
+                format!("<div><dt>{}</dt><dd>{}</dd></div>\n", escaped(name), set(text))
             };
             let _ = writeln!(out, "<dl>\n{}</dl>", facts.iter().map(fact).collect::<String>());
         }
         Block::Table(of) => table(out, of),
         Block::Bars(of) => bars(out, of),
         Block::Chart(of) => chart::render(out, of),
-        Block::Map(of) => map::render(out, of),
+        Block::Map(of) => map::render(out, of, map_bytes),
         Block::Picture(of) => picture::render(out, of),
         Block::Code(text) => {
             let _ = writeln!(out, "<pre tabindex=\"0\">{}</pre>", lines(text));
         }
-        Block::Choice(name, sets) => choice(out, name, sets),
+        Block::Choice(name, sets) => choice(out, name, sets, map_bytes),
     }
 }
 
@@ -106,7 +154,7 @@ fn lines(text: &str) -> String {
 }
 
 pub(super) fn paragraph(out: &mut String, text: &str) {
-    let _ = writeln!(out, "<p>{}</p>", escaped(text));
+    let _ = writeln!(out, "<p>{}</p>", set(text));
 }
 
 /// A table in a box that scrolls where the window is narrow.
@@ -123,7 +171,7 @@ pub(super) fn table(out: &mut String, table: &Table) {
     let _ = writeln!(out, "<thead><tr>{head}</tr></thead>\n<tbody>");
     for row in &table.rows {
         let cell = |(k, c): (usize, &Cell)| {
-            format!("<td class=\"{} {}\">{}</td>", side(k), tone(c.tone), escaped(&c.text))
+            format!("<td class=\"{} {}\">{}</td>", side(k), tone(c.tone), set(&c.text))
         };
         let _ = writeln!(out, "<tr>{}</tr>", row.iter().enumerate().map(cell).collect::<String>());
     }
@@ -145,7 +193,7 @@ fn bars(out: &mut String, bars: &[Bar]) {
 }
 
 /// Sets of blocks and a list to choose from; the last set is shown first.
-fn choice(out: &mut String, name: &str, sets: &[(String, Vec<Block>)]) {
+fn choice(out: &mut String, name: &str, sets: &[(String, Vec<Block>)], map_bytes: usize) {
     if sets.len() > 1 {
         let _ = write!(
             out,
@@ -160,10 +208,10 @@ fn choice(out: &mut String, name: &str, sets: &[(String, Vec<Block>)]) {
     } else {
         out.push_str("<div class=\"choice\">\n");
     }
-    for (k, (_, blocks)) in sets.iter().enumerate() {
+    for (k, (_, set)) in sets.iter().enumerate() {
         let hidden = if k + 1 == sets.len() { "" } else { " hidden" };
         let _ = writeln!(out, "<div class=\"set\"{hidden}>");
-        blocks.iter().for_each(|b| block(out, b));
+        blocks(out, set, map_bytes);
         out.push_str("</div>\n");
     }
     out.push_str("</div>\n");
@@ -179,7 +227,10 @@ pub(super) fn figure(
     data: &str,
     above: &dyn Fn(&mut String),
 ) {
-    let _ = writeln!(out, "<figure data-kind=\"{kind}\">\n<figcaption>{}</figcaption>", escaped(title));
+    let _ = writeln!(out, "<figure data-kind=\"{kind}\">");
+    if !title.is_empty() {
+        let _ = writeln!(out, "<figcaption>{}</figcaption>", escaped(title));
+    }
     if !note.is_empty() {
         let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(note));
     }
@@ -266,9 +317,16 @@ mod tests {
     }
 
     #[test]
+    fn names_between_backticks_are_code_and_a_lone_one_is_a_backtick() {
+        assert_eq!(set("joint `<A>` of `b`"), "joint <code>&lt;A&gt;</code> of <code>b</code>");
+        assert_eq!(set("a ` b"), "a ` b");
+        assert_eq!(set("plain"), "plain");
+    }
+
+    #[test]
     fn code_keeps_its_lines() {
         let mut out = String::new();
-        block(&mut out, &Block::Code("{\n  \"a\": 1\n}\n".into()));
+        block(&mut out, &Block::Code("{\n  \"a\": 1\n}\n".into()), 0);
         assert_eq!(out, "<pre tabindex=\"0\">{\n  &quot;a&quot;: 1\n}</pre>\n");
     }
 }

@@ -149,12 +149,13 @@ function map(figure, data) {
     ctx.fillStyle = ctx.strokeStyle = style;
     ctx.fill();
     // A thin border in the same colour hides the seams between cells.
-    ctx.lineWidth = 0.6;
+    ctx.lineWidth = 1;
     ctx.stroke();
   }
 
   function bar(ctx, of, top) {
-    const [width, left] = [Math.min(WIDE, stage.width - 40), (stage.width - Math.min(WIDE, stage.width - 40)) / 2];
+    const width = clamp(stage.width - 180, 120, WIDE);
+    const left = (stage.width - width) / 2;
     for (let k = 0; k < LEVELS; k++) {
       ctx.fillStyle = viridis((k + 0.5) / LEVELS);
       ctx.fillRect(left + (k * width) / LEVELS, top, width / LEVELS + 0.5, 10);
@@ -171,6 +172,11 @@ function map(figure, data) {
       ctx.stroke();
       ctx.fillText(scale.text(tick), x, top + 22);
     }
+    ctx.textAlign = 'right';
+    ctx.fillText(number(of.range[0], 4), left - 8, top + 5);
+    ctx.textAlign = 'left';
+    ctx.fillText(number(of.range[1], 4), left + width + 8, top + 5);
+    ctx.textAlign = 'center';
     ctx.fillText([of.name, of.unit && `[${of.unit}]`, scale.factor].filter(Boolean).join(' '), stage.width / 2, top + 40);
   }
 

@@ -6,9 +6,6 @@ use super::{html, number};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Bytes that the fields of a map may take before they are rounded more coarsely.
-const MOST_BYTES: usize = 760_000;
-
 /// A map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Map {
@@ -111,20 +108,20 @@ pub struct Moves {
     pub factor: f64,
 }
 
-/// The map as a figure.
+/// The map as a figure, the fields of which take no more than some bytes, at the price of digits.
 ///
 /// # Panics
 /// A field does not have a value per cell.
-pub(super) fn render(out: &mut String, map: &Map) {
+pub(super) fn render(out: &mut String, map: &Map, most_bytes: usize) {
     let cells = map.cells.count();
     if cells == 0 || map.fields.is_empty() {
-        html::paragraph(out, &format!("{}: there are no cells to draw.", map.title));
+        html::paragraph(out, &html::titled(&map.title, "there are no cells to draw."));
         return;
     }
     assert!(map.fields.iter().all(|f| f.values.len() == cells), "a field has a value per cell");
     let moves = map.moves.map(|m| json!({ "fields": m.fields, "factor": rounded(m.factor) }));
     let data = json!({
-        "length": map.length, "cells": map.cells.json(), "fields": fields(map), "moves": moves, "lines": map.lines,
+        "length": map.length, "cells": map.cells.json(), "fields": fields(map, most_bytes), "moves": moves, "lines": map.lines,
     });
     html::figure(out, "map", (&map.title, &map.note), &described(map), &inline(&data), &|out| {
         out.push_str("<div class=\"controls\"><label>Field <select class=\"field\">");
@@ -141,7 +138,7 @@ pub(super) fn render(out: &mut String, map: &Map) {
 }
 
 /// All fields, as finely as their bytes allow.
-fn fields(map: &Map) -> Value {
+fn fields(map: &Map, most_bytes: usize) -> Value {
     let order = map.cells.order();
     let packed = |bits: u32| -> (usize, Value) {
         let all: Vec<Value> = map.fields.iter().map(|f| pack(&f.values, &order, bits)).collect();
@@ -152,7 +149,7 @@ fn fields(map: &Map) -> Value {
             );
         (bytes, named.collect())
     };
-    let fits = [16, 13, 10].into_iter().map(packed).find(|(bytes, _)| *bytes <= MOST_BYTES);
+    let fits = [16, 13, 10].into_iter().map(packed).find(|(bytes, _)| *bytes <= most_bytes);
     fits.unwrap_or_else(|| packed(8)).1
 }
 
@@ -161,7 +158,7 @@ fn described(map: &Map) -> String {
     let range =
         |f: &Field| format!("{} from {} to {} {}", f.name, number(f.range[0]), number(f.range[1]), f.unit);
     let ranges: Vec<String> = map.fields.iter().map(|f| range(f).trim_end().to_string()).collect();
-    format!("{}: {}", map.title, ranges.join(", "))
+    html::titled(&map.title, &ranges.join(", "))
 }
 
 #[cfg(test)]
@@ -190,7 +187,7 @@ mod tests {
     fn a_noisy_map_is_rounded_until_it_is_small() {
         let noise = |k: usize| ((k * 7919) % 104_729) as f64 / 104_729.0;
         let mut out = String::new();
-        render(&mut out, &map(240, noise));
+        render(&mut out, &map(240, noise), 760_000);
         assert!(out.len() < 1_000_000, "{} bytes", out.len());
         assert!(out.contains("field 0 from −1 to 1"), "{}", &out[..400]);
     }
@@ -200,13 +197,13 @@ mod tests {
     fn fields_of_another_length_are_a_broken_contract() {
         let mut map = map(3, |k| k as f64);
         map.fields[1].values.pop();
-        render(&mut String::new(), &map);
+        render(&mut String::new(), &map, 0);
     }
 
     #[test]
     fn no_cells_are_told_in_a_sentence() {
         let mut out = String::new();
-        render(&mut out, &Map { title: "m".into(), ..Map::default() });
+        render(&mut out, &Map { title: "m".into(), ..Map::default() }, 0);
         assert_eq!(out, "<p>m: there are no cells to draw.</p>\n");
     }
 }

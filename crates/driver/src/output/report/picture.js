@@ -76,7 +76,7 @@ function picture(figure, data) {
     if (slider) slider.nextElementSibling.value = factor ? `× ${number(factor, 3)}` : 'off';
     // Room for the largest factor, so that nothing jumps while it is chosen.
     const reach = of.shapes.flatMap((s) => [points(s, 0), points(s, of.slides ? 2 * of.factor : of.factor)]);
-    const [SIDE, ABOVE] = [44, 24];
+    const [SIDE, ABOVE] = [clamp(stage.canvas.parentElement.clientWidth / 8, 30, 64), 24];
     const ctx = stage.begin((width) => {
       seen = view(reach, width - 2 * SIDE, clamp(0.6 * width, 220, 460));
       const { x, y } = seen;

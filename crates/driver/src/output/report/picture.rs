@@ -87,7 +87,7 @@ impl Part {
 /// Moves or values are neither empty nor as long as the points.
 pub(super) fn render(out: &mut String, picture: &Picture) {
     if picture.views.iter().all(|v| v.shapes.is_empty()) {
-        html::paragraph(out, &format!("{}: there is nothing to draw.", picture.title));
+        html::paragraph(out, &html::titled(&picture.title, "there is nothing to draw."));
         return;
     }
     let views: Vec<Value> = picture.views.iter().map(view).collect();

@@ -9,7 +9,7 @@ use std::io;
 use std::path::Path;
 
 /// Part of the size of the frame that the largest value of a diagram takes.
-const HEIGHT: f64 = 0.14;
+pub(super) const HEIGHT: f64 = 0.14;
 /// Points per frame that are drawn, about: more are not seen.
 const MOST_POINTS: usize = 12_000;
 
@@ -42,7 +42,7 @@ pub(super) fn write(
 }
 
 /// Length of the diagonal around the frame.
-fn size(frame: &FrameLayout) -> f64 {
+pub(super) fn size(frame: &FrameLayout) -> f64 {
     let extent = |k: usize| {
         let of = || frame.joints.iter().map(|j| j.position[k]);
         of().fold(f64::NEG_INFINITY, f64::max) - of().fold(f64::INFINITY, f64::min)
@@ -51,7 +51,7 @@ fn size(frame: &FrameLayout) -> f64 {
 }
 
 /// The members as lines, and their joints and hinges.
-fn skeleton(frame: &FrameLayout, look: Look) -> Vec<Shape> {
+pub(super) fn skeleton(frame: &FrameLayout, look: Look) -> Vec<Shape> {
     let place = |joint: usize| (frame.joints[joint].position[0], frame.joints[joint].position[1]);
     let mut shapes: Vec<Shape> = frame
         .members
@@ -73,7 +73,12 @@ fn skeleton(frame: &FrameLayout, look: Look) -> Vec<Shape> {
 }
 
 /// Both values of every point, where a field may jump.
-fn curve(line: &LineFields, result: &BeamResult, field: FieldName, number: usize) -> Option<Vec<(f64, f64)>> {
+pub(super) fn curve(
+    line: &LineFields,
+    result: &BeamResult,
+    field: FieldName,
+    number: usize,
+) -> Option<Vec<(f64, f64)>> {
     let (left, right) = (result.left_values(field, number)?, result.values(field, number)?);
     let pairs = line.x.iter().zip(left.iter().zip(right.iter()));
     Some(pairs.flat_map(|(&x, (&left, &right))| [(x, left), (x, right)]).collect())

@@ -2,12 +2,16 @@
 
 mod columns;
 mod frame_plots;
-pub(super) mod plots;
+mod frame_report;
+mod plots;
 
 pub(super) use columns::fields;
 
+use super::report::chart;
 use super::{Column, Envelope, write_table};
 use crate::case::FieldName;
+use crate::output::plot;
+use crate::output::report::Block;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
 use crate::run::beam::BeamResult;
 use crate::scene::beam::BeamScene;
@@ -47,6 +51,33 @@ pub(super) fn write(
         widen(envelope, result);
     }
     Ok(())
+}
+
+/// The figures of a state, one of `share` in the report: deflection, rotation, moment and shear; of a frame its deformed
+/// shape and section forces. Those are also written as plots where a folder is given.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn draw(
+    folder: Option<&Path>,
+    scene: &BeamScene,
+    result: &BeamResult,
+    share: usize,
+) -> io::Result<Vec<Block>> {
+    if let Some(frame) = &scene.frame {
+        if let Some(folder) = folder {
+            frame_plots::write(folder, scene, frame, result, &plots::title(scene, result))?;
+        }
+        return Ok(vec![Block::Picture(frame_report::picture(scene, frame, result, share))]);
+    }
+    let mut blocks = Vec::new();
+    for (file, diagram) in plots::diagrams(scene, result) {
+        if let Some(folder) = folder {
+            plot::write(&folder.join(format!("{file}.svg")), &diagram)?;
+        }
+        blocks.push(Block::Chart(chart("", diagram)));
+    }
+    Ok(blocks)
 }
 
 /// Takes both sides of every point into account.

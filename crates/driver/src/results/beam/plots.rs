@@ -1,48 +1,41 @@
 //! Diagrams of a state of a beam, with its closed form where a check names one.
 
 use crate::case::FieldName;
-use crate::output::plot::{self, Diagram, Series, Style};
+use crate::output::plot::{Diagram, Series, Style};
 use crate::reference::{Field, Solution};
 use crate::run::beam::BeamResult;
 use crate::scene::ExpectationKind;
 use crate::scene::beam::{BeamComparison, BeamScene};
-use std::io;
-use std::path::Path;
 
-/// Writes deflection, rotation, moment and shear into a folder; of a frame its section forces and deformed shape.
-///
-/// # Errors
-/// The folder cannot be written.
-pub(in crate::results) fn write(folder: &Path, scene: &BeamScene, result: &BeamResult) -> io::Result<()> {
-    let title = match scene.states.len() {
+/// The title of a state: that of the case, and its name where there are several.
+pub(super) fn title(scene: &BeamScene, result: &BeamResult) -> String {
+    match scene.states.len() {
         1 => scene.case.title.clone(),
         _ => format!("{} - {}", scene.case.title, result.record.name),
-    };
-    if let Some(frame) = &scene.frame {
-        return super::frame_plots::write(folder, scene, frame, result, &title);
     }
+}
+
+/// Deflection, rotation, moment and shear along lines: the name of the file of each, and its diagram.
+pub(super) fn diagrams(scene: &BeamScene, result: &BeamResult) -> Vec<(&'static str, Diagram)> {
     let (length, moment) = (scene.units.length(), scene.units.moment());
-    let diagrams = [
+    let fields = [
         ("deflection", Field::W, format!("deflection w [{length}]")),
         ("rotation", Field::Phi, "rotation φ [rad]".into()),
         ("moment", Field::M, format!("bending moment M [{moment}]")),
         ("shear", Field::V, "shear force V [N]".into()),
     ];
-    for (file, field, y_label) in diagrams {
+    let diagram = |(file, field, y_label): (&'static str, Field, String)| {
+        let points = curve(result, field)?;
         let mut series = Vec::new();
         if let Some(points) = closed_form(scene, result, field) {
             series.push(Series { label: "closed form".into(), style: Style::Line, points });
         }
         let style = if series.is_empty() { Style::Line } else { Style::Dots };
-        let Some(points) = curve(result, field) else {
-            continue;
-        };
         series.push(Series { label: "peristat".into(), style, points });
-        let title = title.clone();
-        let diagram = Diagram { title, x_label: format!("x [{length}]"), y_label, series };
-        plot::write(&folder.join(format!("{file}.svg")), &diagram)?;
-    }
-    Ok(())
+        let title = title(scene, result);
+        Some((file, Diagram { title, x_label: format!("x [{length}]"), y_label, series }))
+    };
+    fields.into_iter().filter_map(diagram).collect()
 }
 
 /// A field along the beam; section forces take both values of a point where they jump.

@@ -2,11 +2,11 @@
 
 use crate::case::FieldName;
 use crate::output::csv;
-use crate::output::plot::{self, Diagram, Series, Style};
+use crate::output::plot::{Diagram, Series, Style};
 use crate::run::plane::PlaneResult;
 use crate::scene::plane::{OutputLine, PlaneScene};
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Writes a table per line with the distance `s` from its start; places outside of the body are left out.
 ///
@@ -37,11 +37,8 @@ fn along(line: &OutputLine, scene: &PlaneScene, result: &PlaneResult, field: Fie
     weights.filter_map(|w| result.value(scene, field, w)).collect()
 }
 
-/// Draws displacements and stresses along every line.
-///
-/// # Errors
-/// The folder cannot be written.
-pub(super) fn draw(folder: &Path, scene: &PlaneScene, result: &PlaneResult, title: &str) -> io::Result<()> {
+/// Displacements and stresses along every line: the name of the file of each, and its diagram.
+pub(super) fn diagrams(scene: &PlaneScene, result: &PlaneResult, title: &str) -> Vec<(String, Diagram)> {
     let (length, stress) = (scene.units.length(), scene.units.stress());
     let kinds = [
         ("displacement", format!("displacement [{length}]"), &[FieldName::Ux, FieldName::Uy][..]),
@@ -51,6 +48,7 @@ pub(super) fn draw(folder: &Path, scene: &PlaneScene, result: &PlaneResult, titl
             &[FieldName::StressXx, FieldName::StressYy, FieldName::StressXy, FieldName::VonMises],
         ),
     ];
+    let mut all = Vec::new();
     for line in &scene.lines {
         let s: Vec<f64> = line.points.iter().filter(|p| p.weights.is_some()).map(|p| p.s).collect();
         for (kind, label, fields) in &kinds {
@@ -65,8 +63,8 @@ pub(super) fn draw(folder: &Path, scene: &PlaneScene, result: &PlaneResult, titl
                 y_label: label.clone(),
                 series: fields.iter().map(series).collect(),
             };
-            plot::write(&folder.join(format!("line_{}_{kind}.svg", line.name)), &diagram)?;
+            all.push((format!("line_{}_{kind}", line.name), diagram));
         }
     }
-    Ok(())
+    all
 }

@@ -2,12 +2,16 @@
 
 mod cells;
 mod lines;
-pub(super) mod plots;
+mod plots;
 mod raster;
+mod report;
 
 use super::Envelope;
+use super::report::chart;
 use crate::case::FieldName;
 use crate::output::csv;
+use crate::output::plot;
+use crate::output::report::Block;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
 use crate::run::plane::PlaneResult;
 use crate::scene::plane::{PlaneBonds, PlaneScene};
@@ -63,6 +67,30 @@ pub(super) fn write(
     }
     write_grid(&file(name, "vtu"), scene, &fields)?;
     lines::write(&|line: &str| file(&format!("{name}_{line}"), "csv"), scene, result)
+}
+
+/// The figures of a state for the report; those are also written as plots where a folder is given.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn draw(
+    folder: Option<&Path>,
+    scene: &PlaneScene,
+    result: &PlaneResult,
+) -> io::Result<Vec<Block>> {
+    if let Some(folder) = folder {
+        plots::write(folder, scene, result)?;
+    }
+    let mut blocks = vec![Block::Map(report::map(scene, result))];
+    if result.recovered.is_some() {
+        for (file, diagram) in lines::diagrams(scene, result, &plots::title(scene, result)) {
+            if let Some(folder) = folder {
+                plot::write(&folder.join(format!("{file}.svg")), &diagram)?;
+            }
+            blocks.push(Block::Chart(chart(&diagram.title.clone(), diagram)));
+        }
+    }
+    Ok(blocks)
 }
 
 /// Where the points are.

@@ -1,8 +1,7 @@
-//! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage; and diagrams of
-//! its lines.
+//! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage.
 
+use super::positions;
 use super::raster::Raster;
-use super::{lines, positions};
 use crate::case::FieldName;
 use crate::output::plot::{self, Map, Patch, write_map};
 use crate::results::factor::magnification;
@@ -13,15 +12,12 @@ use peristat_assembly::body::Crack;
 use std::io;
 use std::path::Path;
 
-/// Writes the maps and diagrams of a state into a folder.
+/// Writes the maps of a state into a folder.
 ///
 /// # Errors
 /// The folder cannot be written.
-pub(in crate::results) fn write(folder: &Path, scene: &PlaneScene, result: &PlaneResult) -> io::Result<()> {
-    let title = match scene.states.len() {
-        1 if !scene.case.is_traced() => scene.case.title.clone(),
-        _ => format!("{} - {}", scene.case.title, result.record.name),
-    };
+pub(super) fn write(folder: &Path, scene: &PlaneScene, result: &PlaneResult) -> io::Result<()> {
+    let title = title(scene, result);
     let raster = Raster::new(scene);
     write_map(&folder.join("displacement.svg"), &displacement(scene, result, &raster, &title))?;
     let stress = format!("von Mises stress [{}]", scene.units.stress());
@@ -46,10 +42,15 @@ pub(in crate::results) fn write(folder: &Path, scene: &PlaneScene, result: &Plan
         };
         write_map(&folder.join(format!("{file}.svg")), &map)?;
     }
-    if result.recovered.is_some() {
-        lines::draw(folder, scene, result, &title)?;
-    }
     Ok(())
+}
+
+/// The title of a state: that of the case, and its name where there are several.
+pub(super) fn title(scene: &PlaneScene, result: &PlaneResult) -> String {
+    match scene.states.len() {
+        1 if !scene.case.is_traced() => scene.case.title.clone(),
+        _ => format!("{} - {}", scene.case.title, result.record.name),
+    }
 }
 
 /// Smallest and largest value, and a note that says where they are.
@@ -63,16 +64,21 @@ fn range(scene: &PlaneScene, values: &[f64]) -> ([f64; 2], String) {
     ([values[low], values[high]], note)
 }
 
+/// Length of the diagonal around the points.
+pub(super) fn size_of(scene: &PlaneScene) -> f64 {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    positions(scene, |at| {
+        (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
+    });
+    (high[0] - low[0]).hypot(high[1] - low[1])
+}
+
 /// The magnitude of the displacement on the deformed shape.
 fn displacement(scene: &PlaneScene, result: &PlaneResult, raster: &Raster, title: &str) -> Map {
     let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
     let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
     let (range, note) = range(scene, &size);
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    positions(scene, |at| {
-        (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
-    });
-    let factor = magnification((high[0] - low[0]).hypot(high[1] - low[1]), range[1]);
+    let factor = magnification(size_of(scene), range[1]);
     let cracks: Vec<Crack> = scene.cracks.iter().map(|c| c.crack.clone()).collect();
     let corners = raster.deformed(&[raster.means(&ux), raster.means(&uy)], factor, &cracks);
     let patches = corners.into_iter().zip(raster.means(&size));

@@ -1,13 +1,19 @@
-//! The points of a body in the plane as at most some ten thousand blocks, for maps: of a large lattice a block is several
-//! cells, of many listed points a square with all points in it.
+//! The points of a body in the plane as a limited number of blocks, for maps: of a large lattice a block is several cells, of
+//! many listed points a square with all points in it.
 
 use crate::scene::plane::PlaneScene;
 use peristat_assembly::body::{Crack, PlaneBody};
 use std::ops::Range;
 
-/// Blocks, and blocks along a side, at most.
-const MOST: usize = 25_600;
-const LONGEST: usize = 400;
+/// How many blocks there are, and along a side, at most.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    pub(super) blocks: usize,
+    pub(super) along: usize,
+}
+
+/// Of a drawing of lines.
+const DRAWN: Limits = Limits { blocks: 25_600, along: 400 };
 
 /// From the lower left corner of a block to all of them, around.
 const AROUND: [[i32; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
@@ -21,33 +27,42 @@ pub(super) struct Raster {
     of: Vec<u32>,
     counts: Vec<f64>,
     /// Numbers of blocks by columns and rows; none where every point is a block of its own.
-    grid: Option<Grid>,
+    pub(super) grid: Option<Grid>,
+    /// Cells of a lattice along a side of a block.
+    pub(super) step: usize,
 }
 
 /// Blocks on a grid.
 #[derive(Debug)]
-struct Grid {
-    columns: i32,
+pub(super) struct Grid {
+    pub(super) columns: i32,
+    pub(super) rows: i32,
     numbers: Vec<Option<u32>>,
-    cells: Vec<[i32; 2]>,
+    /// Column and row of every block.
+    pub(super) cells: Vec<[i32; 2]>,
 }
 
 /// Cells along a side of a block.
-fn step(columns: usize, rows: usize) -> usize {
+fn step(columns: usize, rows: usize, limits: Limits) -> usize {
     let fits = |step: &usize| {
         let [a, b] = [columns, rows].map(|count| count.div_ceil(*step));
-        a * b <= MOST && a.max(b) <= LONGEST
+        a * b <= limits.blocks && a.max(b) <= limits.along
     };
     (1..).find(fits).unwrap_or(1)
 }
 
 impl Raster {
-    /// The blocks of the body of a scene.
+    /// The blocks of the body of a scene for a drawing.
     pub(super) fn new(scene: &PlaneScene) -> Self {
+        Self::within(scene, DRAWN)
+    }
+
+    /// The blocks of the body of a scene, no more than some number.
+    pub(super) fn within(scene: &PlaneScene, limits: Limits) -> Self {
         match scene.body() {
             PlaneBody::Lattice(lattice) => {
                 let (columns, rows) = (lattice.columns(), lattice.rows());
-                let step = step(columns.len(), rows.len()) as i32;
+                let step = step(columns.len(), rows.len(), limits) as i32;
                 let cells = lattice.runs().iter().flat_map(|run| {
                     let (start, row) = (columns.start, (run.row - rows.start) / step);
                     run.columns.clone().map(move |column| [(column - start) / step, row])
@@ -57,9 +72,9 @@ impl Raster {
                 // Blocks at the end may be cut off by the border of the body.
                 let line = |range: &Range<i32>, index: i32| (range.start + index * step).min(range.end);
                 let node = |[i, j]: [i32; 2]| lattice.node([line(&columns, i), line(&rows, j)]);
-                Self::on_grid(size, cells, &node)
+                Self { step: step as usize, ..Self::on_grid(size, cells, &node) }
             }
-            PlaneBody::Cloud(cloud) if cloud.points() <= MOST => {
+            PlaneBody::Cloud(cloud) if cloud.points() <= limits.blocks => {
                 let half = |k: usize| 0.5 * cloud.areas()[k].sqrt();
                 let block = |k: usize| {
                     let at = cloud.positions()[k];
@@ -70,6 +85,7 @@ impl Raster {
                     of: (0..cloud.points() as u32).collect(),
                     counts: vec![1.0; cloud.points()],
                     grid: None,
+                    step: 1,
                 }
             }
             PlaneBody::Cloud(cloud) => {
@@ -106,7 +122,7 @@ impl Raster {
         let of: Vec<u32> = cells.map(|cell| numbers[place(cell)].unwrap_or(0)).collect();
         let mut counts = vec![0.0; blocks.len()];
         of.iter().for_each(|&b| counts[b as usize] += 1.0);
-        Self { blocks, of, counts, grid: Some(Grid { columns, numbers, cells: own }) }
+        Self { blocks, of, counts, grid: Some(Grid { columns, rows, numbers, cells: own }), step: 1 }
     }
 
     /// Means of the values of points over the blocks.
@@ -122,17 +138,21 @@ impl Raster {
         self.blocks.iter().copied()
     }
 
+    /// Middle of a block.
+    pub(super) fn middle(&self, block: usize) -> [f64; 2] {
+        [0, 1].map(|k| 0.5 * (self.blocks[block][0][k] + self.blocks[block][2][k]))
+    }
+
     /// Corners of all blocks moved by `factor` times the displacements, means over the blocks. A corner moves with the mean
     /// of the blocks around it that no crack separates from its own.
     pub(super) fn deformed(&self, mean: &[Vec<f64>; 2], factor: f64, cracks: &[Crack]) -> Vec<[[f64; 2]; 4]> {
-        let middle = |b: usize| [0, 1].map(|k| 0.5 * (self.blocks[b][0][k] + self.blocks[b][2][k]));
         let mut all: Vec<[[f64; 2]; 4]> = self.corners().collect();
         for (block, corners) in all.iter_mut().enumerate() {
             for (corner, [right, up]) in corners.iter_mut().zip(AROUND) {
                 let (mut sum, mut count) = ([0.0; 2], 0.0);
                 for [i, j] in AROUND {
                     let Some(other) = self.beside(block, [right - i, up - j]) else { continue };
-                    let (a, b) = (middle(block), middle(other));
+                    let (a, b) = (self.middle(block), self.middle(other));
                     if other == block || !cracks.iter().any(|c| c.cuts(a, b, 0.0)) {
                         (0..2).for_each(|k| sum[k] += mean[k][other]);
                         count += 1.0;
@@ -145,7 +165,7 @@ impl Raster {
     }
 
     /// The block at an offset from another one; itself at none.
-    fn beside(&self, block: usize, [i, j]: [i32; 2]) -> Option<usize> {
+    pub(super) fn beside(&self, block: usize, [i, j]: [i32; 2]) -> Option<usize> {
         if [i, j] == [0, 0] {
             return Some(block);
         }
@@ -169,6 +189,7 @@ mod tests {
 
     #[test]
     fn blocks_are_as_small_as_their_number_allows() {
+        let step = |columns, rows| step(columns, rows, DRAWN);
         assert_eq!([step(160, 160), step(161, 160), step(400, 60), step(401, 60)], [1, 2, 1, 2]);
         assert_eq!(step(1000, 1000), 7);
     }

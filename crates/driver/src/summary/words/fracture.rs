@@ -1,11 +1,10 @@
-//! How a body broke, as text.
+//! How a body broke, in words.
 
-use super::print::number;
+use super::{Fact, number};
 use crate::run::fracture::FractureReport;
-use std::fmt::Write;
 
 /// What is told of a body that breaks: what every such body has, then what checks know by name.
-pub(super) fn fracture(out: &mut String, report: &FractureReport) {
+pub(in crate::summary) fn fracture(report: &FractureReport) -> Vec<Fact> {
     let fact = |name: &str| report.facts.get(name).and_then(serde_json::Value::as_f64);
     let at = |factor: &str, load: &str| match fact(factor).zip(fact(load)) {
         Some((factor, load)) => format!("load factor {}, load {}", number(factor), number(load)),
@@ -28,6 +27,5 @@ pub(super) fn fracture(out: &mut String, report: &FractureReport) {
         let unit = if name.ends_with("_direction") { "° from x" } else { "" };
         lines.push((name, format!("{}{unit}", number(value.as_f64().unwrap_or(f64::NAN)))));
     }
-    let width = lines.iter().map(|l| l.0.len()).max().unwrap_or(0);
-    lines.iter().for_each(|(key, text)| _ = writeln!(out, "  {key:<width$}  {text}"));
+    lines.into_iter().map(|(key, text)| (key.to_string(), text)).collect()
 }

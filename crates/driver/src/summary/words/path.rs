@@ -1,11 +1,10 @@
-//! How a body went along its path, as text.
+//! How a body went along its path, in words.
 
-use super::print::number;
+use super::{Fact, number};
 use crate::run::path::PathReport;
-use std::fmt::Write;
 
 /// What is told of a body that softens.
-pub(super) fn path(out: &mut String, report: &PathReport) {
+pub(in crate::summary) fn path(report: &PathReport) -> Vec<Fact> {
     let fact = |name: &str| report.facts.get(name).and_then(serde_json::Value::as_f64);
     let at = |factor: &str, load: &str| match fact(factor).zip(fact(load)) {
         Some((factor, load)) => format!("load factor {}, load {}", number(factor), number(load)),
@@ -66,6 +65,5 @@ pub(super) fn path(out: &mut String, report: &PathReport) {
         ("failed", format!("{} bonds{off}", value("broken_bonds"))),
         ("ended", report.ending.to_string()),
     ];
-    let width = lines.iter().map(|l| l.0.len()).max().unwrap_or(0);
-    lines.iter().for_each(|(key, text)| _ = writeln!(out, "  {key:<width$}  {text}"));
+    lines.into_iter().map(|(key, text)| (key.to_string(), text)).collect()
 }

@@ -1,6 +1,6 @@
-//! Bodies in the plane as text: the model and the forces of what holds it.
+//! Bodies in the plane in words: the model and the forces of what holds it.
 
-use super::print::{number, table};
+use super::{Fact, Listing, MOST_ROWS, number};
 use crate::case::Units;
 use crate::run::plane::PlaneReaction;
 use crate::summary::{FamilySummary, OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
@@ -9,10 +9,11 @@ use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges};
 use peristat_assembly::model::shell_membrane::ShellKinematics;
 use peristat_assembly::model::state_based::{Axis, Dilatation, Measure, StateEdges};
-use std::fmt::Write;
 
-/// Tells model, material, horizon and edges, each as a key and a text.
-pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, String)) {
+/// Model, material, horizon and edges.
+pub(super) fn model(m: &PlaneSummary, units: Units) -> Vec<Fact> {
+    let mut told = Vec::new();
+    let mut line = |key: &str, text: String| told.push((key.to_string(), text));
     let length = units.length();
     let calibration = match m.calibration {
         Some(Calibration::Published) => "bonds with the published constant",
@@ -45,7 +46,7 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
                 None => calibration,
             };
             line("model", format!("{}, plane stress, {calibration}", m.name));
-            orthotropic(of, line, &format!("thickness {t} {length}"), stress);
+            orthotropic(of, &mut line, &format!("thickness {t} {length}"), stress);
         }
         PlaneMaterialSummary::Shell { youngs_modulus, radius, kinematics, bending, .. } => {
             let kinematics = match kinematics {
@@ -88,6 +89,7 @@ pub(super) fn model(m: &PlaneSummary, units: Units, line: &mut impl FnMut(&str, 
         let cut = m.cut_bonds.map_or(String::new(), |cut| format!(", {cut} bonds cut"));
         line("cracks", format!("{} crack{s}{cut}", m.cracks));
     }
+    told
 }
 
 fn of_influence(influence: Influence) -> &'static str {
@@ -147,11 +149,8 @@ fn orthotropic(m: &OrthotropicSummary, line: &mut impl FnMut(&str, String), thic
     }
 }
 
-/// Rows of a table, at most.
-const MOST_ROWS: usize = 40;
-
 /// Forces of supports, rigid regions and lines of symmetry.
-pub(super) fn forces(out: &mut String, forces: &PlaneForces, units: Units) {
+pub(super) fn forces(forces: &PlaneForces, units: Units) -> Vec<Listing> {
     let of_supports = forces.reactions.iter().flat_map(|r| [r.force_x, r.force_y, r.force_w.unwrap_or(0.0)]);
     let size =
         of_supports.chain(forces.mirrors.iter().map(|m| m.force)).fold(0.0, |a: f64, f| a.max(f.abs()));
@@ -178,13 +177,9 @@ pub(super) fn forces(out: &mut String, forces: &PlaneForces, units: Units) {
         cells.extend((turns || deflects).then(String::new));
         rows.push(cells);
     }
-    if rows.is_empty() {
-        return;
-    }
     let third = if deflects { "force w [N]".into() } else { format!("moment [{}]", units.moment()) };
     let header = ["support", "force x [N]", "force y [N]", third.as_str()];
-    let _ = write!(out, "\n{}", table(&header[..if turns || deflects { 4 } else { 3 }], &rows));
-    if let Some(more @ 1..) = forces.reactions.len().checked_sub(MOST_ROWS) {
-        let _ = writeln!(out, "\n  {more} supports more are in summary.json");
-    }
+    let header = &header[..if turns || deflects { 4 } else { 3 }];
+    let count = forces.reactions.len() + forces.mirrors.len();
+    Listing::new(header, rows, count, "supports").into_iter().collect()
 }

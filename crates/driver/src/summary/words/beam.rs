@@ -1,13 +1,12 @@
-//! Beams and frames as text: the model, section forces of members, reactions.
+//! Beams and frames in words: the model, section forces of members, reactions.
 
-use super::print::{number, table};
+use super::{Fact, Listing, MOST_ROWS, number};
 use crate::case::Units;
 use crate::run::beam::{JointReaction, MemberForces, Reaction};
 use crate::summary::{BeamForces, BeamSummary};
-use std::fmt::Write;
 
-/// Tells model, horizon and section, each as a key and a text.
-pub(super) fn model(m: &BeamSummary, units: Units, line: &mut impl FnMut(&str, String)) {
+/// Model, horizon and section.
+pub(super) fn model(m: &BeamSummary, units: Units) -> Vec<Fact> {
     let length = units.length();
     let ratios: Vec<String> = m
         .horizon_ratio
@@ -20,9 +19,11 @@ pub(super) fn model(m: &BeamSummary, units: Units, line: &mut impl FnMut(&str, S
         .collect();
     // Members of a frame often share a grid; all of them would be a long list.
     let ratios = distinct(ratios);
-    line("model", format!("{}, bond law {}, ends {}", m.name, m.bond_law, m.end_treatment));
-    line("horizon", ratios.join("; "));
-    line("section", section(m, length));
+    vec![
+        ("model".into(), format!("{}, bond law {}, ends {}", m.name, m.bond_law, m.end_treatment)),
+        ("horizon".into(), ratios.join("; ")),
+        ("section".into(), section(m, length)),
+    ]
 }
 
 /// Every text once, and of many only the first ones.
@@ -58,13 +59,12 @@ fn section(m: &BeamSummary, length: &str) -> String {
 }
 
 /// Smallest and largest section forces of members, and forces of supports.
-pub(super) fn forces(out: &mut String, beam: &BeamForces) {
-    members(out, beam);
-    reactions(out, beam);
+pub(super) fn forces(beam: &BeamForces) -> Vec<Listing> {
+    [members(beam), reactions(beam), joint_reactions(beam)].into_iter().flatten().collect()
 }
 
 /// Smallest and largest section forces of every member of a frame.
-fn members(out: &mut String, beam: &BeamForces) {
+fn members(beam: &BeamForces) -> Option<Listing> {
     // What is rounding beside the forces of the whole frame reads as zero.
     let largest = |of: fn(&MemberForces) -> [f64; 2]| {
         beam.members.iter().flat_map(of).fold(0.0, |a: f64, v| a.max(v.abs()))
@@ -79,25 +79,12 @@ fn members(out: &mut String, beam: &BeamForces) {
         cells
     };
     let rows: Vec<Vec<String>> = beam.members.iter().take(MOST_ROWS).map(row).collect();
-    if !rows.is_empty() {
-        let header = ["member", "N smallest", "largest", "V smallest", "largest", "M smallest", "largest"];
-        let _ = write!(out, "\n{}", table(&header, &rows));
-        more(out, beam.members.len(), "members");
-    }
+    let header = ["member", "N smallest", "largest", "V smallest", "largest", "M smallest", "largest"];
+    Listing::new(&header, rows, beam.members.len(), "members")
 }
 
-/// Rows that a table of a frame has, at most.
-const MOST_ROWS: usize = 40;
-
-/// Says where the rest of a long table is.
-fn more(out: &mut String, count: usize, what: &str) {
-    if count > MOST_ROWS {
-        let _ = writeln!(out, "\n  {} {what} more are in summary.json", count - MOST_ROWS);
-    }
-}
-
-/// Forces of the supports.
-fn reactions(out: &mut String, beam: &BeamForces) {
+/// Forces of the supports of lines.
+fn reactions(beam: &BeamForces) -> Option<Listing> {
     let has_axial = beam.reactions.iter().any(|r| r.axial.is_some());
     let row = |r: &Reaction| {
         let mut cells = vec![format!("x = {}", number(r.x)), number(r.force), number(r.moment)];
@@ -105,14 +92,12 @@ fn reactions(out: &mut String, beam: &BeamForces) {
         cells
     };
     let rows: Vec<Vec<String>> = beam.reactions.iter().map(row).collect();
-    if !rows.is_empty() {
-        let header = ["support", "force", "moment", "along x"];
-        let _ = write!(out, "\n{}", table(&header[..if has_axial { 4 } else { 3 }], &rows));
-    }
-    joint_reactions(out, beam);
+    let header = ["support", "force", "moment", "along x"];
+    Listing::new(&header[..if has_axial { 4 } else { 3 }], rows, beam.reactions.len(), "supports")
 }
 
-fn joint_reactions(out: &mut String, beam: &BeamForces) {
+/// Forces of the supports of a frame.
+fn joint_reactions(beam: &BeamForces) -> Option<Listing> {
     let all = &beam.joint_reactions;
     let size = all.iter().flat_map(|r| [r.force_x, r.force_y]).fold(0.0, |a: f64, f| a.max(f.abs()));
     let force = |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
@@ -123,9 +108,6 @@ fn joint_reactions(out: &mut String, beam: &BeamForces) {
         cells
     };
     let rows: Vec<Vec<String>> = all.iter().take(MOST_ROWS).map(row).collect();
-    if !rows.is_empty() {
-        let header = ["support", "force x", "force y", "moment", "inclined"];
-        let _ = write!(out, "\n{}", table(&header[..if inclined { 5 } else { 4 }], &rows));
-        more(out, all.len(), "supports");
-    }
+    let header = ["support", "force x", "force y", "moment", "inclined"];
+    Listing::new(&header[..if inclined { 5 } else { 4 }], rows, all.len(), "supports")
 }

@@ -1,0 +1,153 @@
+//! The record of a run in words: facts and tables, for the screen and for reports.
+
+mod beam;
+mod estimate;
+mod fracture;
+mod path;
+mod plane;
+mod state;
+
+pub(crate) use estimate::estimates;
+pub(crate) use state::{extremes, place, position};
+
+use super::{Forces, Located, ModelSummary, StateSummary, Summary};
+use crate::case::Units;
+use crate::run::{CheckResult, ProbeResult};
+
+/// Rows of a table of members or supports, at most.
+const MOST_ROWS: usize = 40;
+
+/// A name and what it is.
+pub(crate) type Fact = (String, String);
+
+/// A table of names and numbers; the first column holds names, the others mostly numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Listing {
+    /// Heads of the columns.
+    pub(crate) header: Vec<String>,
+    /// Rows.
+    pub(crate) rows: Vec<Vec<String>>,
+    /// Where the rest of a long table is.
+    pub(crate) more: Option<String>,
+}
+
+impl Listing {
+    /// A table of the first rows of `count`; `None` if there are none.
+    fn new(header: &[&str], rows: Vec<Vec<String>>, count: usize, what: &str) -> Option<Self> {
+        let more =
+            (count > rows.len()).then(|| format!("{} {what} more are in summary.json", count - rows.len()));
+        let header = header.iter().map(ToString::to_string).collect();
+        (!rows.is_empty()).then_some(Self { header, rows, more })
+    }
+
+    /// A table of all rows.
+    fn whole(header: &[&str], rows: Vec<Vec<String>>) -> Self {
+        Self { header: header.iter().map(ToString::to_string).collect(), rows, more: None }
+    }
+}
+
+/// A number with six digits, the way engineers write it.
+pub(crate) fn number(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".into(),
+        size if (1e-3..1e6).contains(&size) => {
+            let digits = (5 - size.log10().floor() as i32).max(0) as usize;
+            let text = format!("{value:.digits$}");
+            if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
+        }
+        _ => {
+            let text = format!("{value:.5e}");
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+            let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+            format!("{mantissa}e{exponent}")
+        }
+    }
+}
+
+/// The model, its sizes, and how it was solved.
+pub(crate) fn model(summary: &Summary) -> Vec<Fact> {
+    let mut told = match &summary.model {
+        ModelSummary::Beam(model) => beam::model(model, summary.units),
+        ModelSummary::Plane(model) => plane::model(model, summary.units),
+    };
+    let sizes = &summary.sizes;
+    let size = format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns);
+    let iterations: Vec<String> = summary.solver.iterations.iter().map(ToString::to_string).collect();
+    let method = &summary.solver.method;
+    let solver = match iterations.is_empty() {
+        true => method.clone(),
+        false => format!("{method} finished by {} PCG iterations on the bonds", iterations.join(", ")),
+    };
+    let rest = [("size", size), ("solver", solver), ("why", summary.solver.reason.clone())];
+    told.extend(rest.map(|(key, text)| (key.into(), text)));
+    told
+}
+
+/// How the body broke or softened, where it did.
+pub(crate) fn course(summary: &Summary) -> Option<Vec<Fact>> {
+    let broken = summary.fracture.as_ref().map(fracture::fracture);
+    broken.or_else(|| summary.path.as_ref().map(path::path))
+}
+
+/// Forces of members and of what holds the body.
+pub(crate) fn forces(state: &StateSummary, units: Units) -> Vec<Listing> {
+    match &state.forces {
+        Forces::Beam(forces) => beam::forces(forces),
+        Forces::Plane(forces) => plane::forces(forces, units),
+    }
+}
+
+/// Smallest and largest values over all load cases and combinations.
+pub(crate) fn envelope(summary: &Summary) -> Option<Listing> {
+    let rows: Vec<Vec<String>> = summary
+        .envelope
+        .iter()
+        .map(|(field, [low, high])| {
+            let place = |e: &(String, Located)| format!("{} at {}", e.0, place(&e.1));
+            vec![field.to_string(), number(low.1.value), place(low), number(high.1.value), place(high)]
+        })
+        .collect();
+    let header = ["field", "smallest", "in", "largest", "in"];
+    (!rows.is_empty()).then(|| Listing::whole(&header, rows))
+}
+
+/// Probed values, with as many digits as `value` gives them.
+pub(crate) fn probes<'a>(
+    probes: impl Iterator<Item = &'a ProbeResult> + Clone,
+    value: &dyn Fn(f64) -> String,
+) -> Listing {
+    let row = |p: &ProbeResult| {
+        let place = p.place.clone().or_else(|| Some(position(p.x?, p.y))).unwrap_or_default();
+        vec![p.name.clone(), p.state.clone(), p.field.to_string(), place, value(p.value)]
+    };
+    let on_lines = probes.clone().all(|p| p.place.is_none() && p.y.is_none());
+    let at = if on_lines { "x" } else { "at" };
+    Listing::whole(&["probe", "state", "field", at, "value"], probes.map(row).collect())
+}
+
+/// The checks of a case; the last column says whether they passed.
+pub(crate) fn checks(checks: &[CheckResult]) -> Listing {
+    let row = |c: &CheckResult| {
+        vec![
+            c.name.clone(),
+            number(c.expected),
+            number(c.found),
+            format!("{:.2e}", c.error),
+            format!("{:.0e}", c.tolerance),
+            if c.passed { "passed".into() } else { "FAILED".into() },
+        ]
+    };
+    let header = ["check", "expected", "found", "error", "tolerance", ""];
+    Listing::whole(&header, checks.iter().map(row).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn numbers_have_six_digits() {
+        let text = [0.0, 1.0, -0.003_206_24, 123_456.7, 2e11, 5.208_333_333e-7].map(number);
+        assert_eq!(text, ["0", "1", "-0.00320624", "123457", "2e11", "5.20833e-7"]);
+    }
+}
