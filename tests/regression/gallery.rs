@@ -1,6 +1,7 @@
 //! Every case of the gallery passes its own checks, one test per folder.
 
 use crate::support::{files, gallery, load, root, short, solve};
+use peristat::study::{Findings, Plan, Record};
 use peristat::summary::Status;
 use std::fmt::Write;
 
@@ -87,6 +88,23 @@ fn every_folder_of_cases_has_its_test() {
         let path = case.strip_prefix(root().join("cases")).unwrap();
         let folder = path.components().next().unwrap().as_os_str().to_string_lossy();
         assert!(FOLDERS.contains(&&*folder), "{} is in no folder of this test", short(&case));
+    }
+}
+
+#[test]
+fn studies_find_what_they_expect() {
+    let studies = files(&root().join("cases/studies"), ".study.json");
+    assert!(!studies.is_empty());
+    for file in studies {
+        let plan = Plan::read(&file, &[]).unwrap_or_else(|report| panic!("{report}"));
+        let folder = plan.case_file.parent().unwrap();
+        let solve = |task| {
+            Some(Record::solve(task, folder, None).unwrap_or_else(|e| panic!("{}: {e}", short(&file))))
+        };
+        let records: Vec<Option<Record>> = plan.tasks.iter().map(solve).collect();
+        let findings = Findings::new(&plan, &records);
+        assert!(!findings.expectations.is_empty(), "{} expects nothing", short(&file));
+        assert!(findings.passed(), "{}: {:#?}", short(&file), findings.expectations);
     }
 }
 

@@ -36,7 +36,9 @@ pub(crate) fn short(path: &Path) -> String {
 /// Cases that are to run: all but the invalid ones.
 pub(crate) fn gallery() -> Vec<PathBuf> {
     let mut cases = files(&root().join("cases"), ".json");
-    cases.retain(|case| !case.starts_with(root().join("cases/invalid")));
+    cases.retain(|case| {
+        !case.starts_with(root().join("cases/invalid")) && !case.to_string_lossy().ends_with(".study.json")
+    });
     cases
 }
 

@@ -120,7 +120,7 @@ pub(super) struct Run {
     /// Go on with the interrupted run of a body that breaks in the results folder.
     #[arg(long, conflicts_with = "force")]
     pub(super) resume: bool,
-    /// Estimate the discretisation error of every probe, by solving the case on half and on twice the spacing, too.
+    /// Estimate the discretisation error of every probe, by solving the case on a finer and a coarser grid, too.
     #[arg(long)]
     pub(super) estimate: bool,
     /// Write the assembled stiffness, before supports, as a Matrix Market file.

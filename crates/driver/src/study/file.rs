@@ -46,6 +46,8 @@ pub enum Refine {
     MConvergence(MConvergence),
     /// The horizon goes to zero, and the spacing faster.
     JointConvergence(JointConvergence),
+    /// Values of any paths, where none of the others fits.
+    Values(Values),
 }
 
 /// Spacing and horizon are those of the base case over factors.
@@ -72,6 +74,16 @@ pub struct JointConvergence {
     pub factors: Vec<f64>,
     /// Horizon ratios, as many as there are factors.
     pub ratios: Vec<f64>,
+}
+
+/// Any paths take one value after the other.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Values {
+    /// Sizes that orders are of, such as spacings, each smaller than the one before.
+    pub sizes: Vec<f64>,
+    /// A list of values for every path, as many as there are sizes.
+    pub set: Map<String, Value>,
 }
 
 /// The exact value of a quantity.

@@ -11,10 +11,11 @@ mod findings;
 pub mod order;
 mod plan;
 mod record;
+mod report;
 mod store;
 mod write;
 
-pub use file::{DeltaConvergence, Exact, Expect, JointConvergence, MConvergence, Refine, Study};
+pub use file::{DeltaConvergence, Exact, Expect, JointConvergence, MConvergence, Refine, Study, Values};
 pub use findings::{Findings, Level, Outcome, Quantity, Series};
 pub use plan::{Plan, Task};
 pub use record::{Measured, Record};

@@ -39,10 +39,14 @@ pub struct Plan {
 }
 
 /// One step of a refinement.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug, Default)]
 struct Step {
+    /// Size that orders are of.
+    size: f64,
     factor: Option<f64>,
     ratio: Option<f64>,
+    /// Overrides that the study gives itself.
+    given: Vec<String>,
 }
 
 impl Plan {
@@ -78,20 +82,14 @@ impl Plan {
             };
             let start = case::from_text(&case_file.display().to_string(), base.clone(), &own)?.case;
             for step in steps(refine) {
-                let refined = refined(&start, step).map_err(|message| {
+                let refined = refined(&start, &step).map_err(|message| {
                     let mut faults = Faults::default();
                     faults.error(JsonPath::default().key("refine"), message);
                     faults.into_report(name.clone(), text.clone())
                 })?;
-                let all = own.iter().cloned().chain(refined.iter().map(|(p, v)| format!("{p}={v}")));
-                let size = step.factor.or(step.ratio).map(f64::recip);
-                tasks.push(task(
-                    &case_file,
-                    &base,
-                    (settings.clone(), size),
-                    all.collect(),
-                    tasks.len() + 1,
-                )?);
+                let all = own.iter().cloned().chain(refined).collect();
+                let settings = (settings.clone(), Some(step.size));
+                tasks.push(task(&case_file, &base, settings, all, tasks.len() + 1)?);
             }
         }
         Ok(Self { study, case_file, tasks })
@@ -199,30 +197,54 @@ fn check_refine(refine: &Refine, faults: &mut Faults) {
                 faults.error(path, "there must be as many ratios as factors");
             }
         }
+        Refine::Values(r) => {
+            check("values", "sizes", &r.sizes, false);
+            let fits = |list: &Value| list.as_array().is_some_and(|list| list.len() == r.sizes.len());
+            for (path, _) in r.set.iter().filter(|(_, list)| !fits(list)) {
+                let place = place.key("values").key("set").key(path.as_str());
+                faults.error(place, "every path needs a list of as many values as there are sizes");
+            }
+        }
     }
 }
 
 fn steps(refine: &Refine) -> Vec<Step> {
-    let factor = |f: &f64| Step { factor: Some(*f), ratio: None };
-    let ratio = |m: &f64| Step { factor: None, ratio: Some(*m) };
+    let factor = |f: &f64| Step { size: f.recip(), factor: Some(*f), ..Step::default() };
+    let ratio = |m: &f64| Step { size: m.recip(), ratio: Some(*m), ..Step::default() };
     match refine {
         Refine::DeltaConvergence(r) => r.factors.iter().map(factor).collect(),
         Refine::MConvergence(r) => r.ratios.iter().map(ratio).collect(),
         Refine::JointConvergence(r) => {
             let both = r.factors.iter().zip(&r.ratios);
-            both.map(|(f, m)| Step { factor: Some(*f), ratio: Some(*m) }).collect()
+            both.map(|(f, m)| Step { ratio: Some(*m), ..factor(f) }).collect()
+        }
+        Refine::Values(r) => {
+            let given = |k: usize| {
+                let of = |(path, values): (&String, &Value)| format!("{path}={}", values[k]);
+                r.set.iter().map(of).collect()
+            };
+            let all = r.sizes.iter().enumerate();
+            all.map(|(k, size)| Step { size: *size, given: given(k), ..Step::default() }).collect()
         }
     }
 }
 
 /// Overrides of a step: with a ratio the horizon of the case is kept, or divided by the factor, and the spacing follows.
-fn refined(case: &Case, step: Step) -> Result<Overrides, String> {
-    let Some(ratio) = step.ratio else { return case.refined(step.factor.unwrap_or(1.0)) };
+fn refined(case: &Case, step: &Step) -> Result<Vec<String>, String> {
+    let overrides = match (step.factor, step.ratio) {
+        (None, None) => return Ok(step.given.clone()),
+        (Some(factor), None) => case.refined(factor)?,
+        (factor, Some(ratio)) => at_ratio(case, factor.unwrap_or(1.0), ratio)?,
+    };
+    Ok(overrides.into_iter().map(|(path, value)| format!("{path}={value}")).collect())
+}
+
+/// The horizon over a factor, and the spacing over it that makes the ratio.
+fn at_ratio(case: &Case, factor: f64, ratio: f64) -> Result<Overrides, String> {
     let of_length = || Some(case.horizon? / case.spacing()?);
     let Some(base) = case.horizon_ratio.or_else(of_length) else {
         return Err("the base case must give `horizon_ratio`, from which its horizon follows".into());
     };
-    let factor = step.factor.unwrap_or(1.0);
     let mut overrides = case.with_spacing_over(factor * ratio / base)?;
     overrides.push(match case.horizon {
         Some(horizon) => (JsonPath::default().key("horizon"), Value::from(horizon / factor)),

@@ -1,9 +1,10 @@
 //! The files of a study beside its tasks.
 
 use super::findings::{Findings, Quantity, Series};
+use super::order::ROUNDING;
 use super::plan::Plan;
 use crate::output::plot::{LogLog, PowerLine, write_log_log};
-use crate::output::{atomic, csv};
+use crate::output::{atomic, csv, report};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -31,6 +32,7 @@ fn write_all(folder: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> 
         draw(&plots.join(format!("{file}_time.svg")), over_time(findings, name))?;
     }
     write_table(&folder.join("study.csv"), plan, findings)?;
+    report::write(&folder.join("report.html"), &super::report::page(plan, findings))?;
     let text = serde_json::to_string_pretty(findings)?;
     atomic::write_atomically(&folder.join("study.json"), format!("{text}\n").as_bytes())
 }
@@ -67,7 +69,10 @@ fn lines<'a>(
         let quantity = series.quantities.iter().find(|q| q.name == name)?;
         Some(line(series, quantity)).filter(|line| line.points.iter().filter(|p| p.1 > 0.0).count() > 1)
     };
-    findings.series.iter().filter_map(of).collect()
+    let lines: Vec<PowerLine> = findings.series.iter().filter_map(of).collect();
+    // A diagram of rounding shows nothing.
+    let tells = lines.iter().flat_map(|line| &line.points).any(|point| point.1 > ROUNDING);
+    if tells { lines } else { Vec::new() }
 }
 
 /// Errors of a quantity over the horizon, or over the spacing where the horizon stays.

@@ -1,0 +1,235 @@
+//! Studies, as a user plans, stops, kills, spreads and collects them.
+
+use crate::support::{files, gallery, json, names, peristat, run};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant, SystemTime};
+
+/// A study of a cantilever in a folder of its own.
+fn study(folder: &Path, changes: &Value) -> String {
+    let mut study = json!({
+        "title": "cantilever",
+        "case": gallery("cantilever.json"),
+        "set": { "body.line.cells": 24, "checks": [] },
+        "vary": [{ "model.timoshenko_beam.bond_law": ["published", "exact"] }],
+        "refine": { "delta_convergence": { "factors": [1, 2, 4] } },
+        "exact": [{ "quantity": "tip", "value": 3.20624e-3, "source": "F L³/(3 EI) + F L/(κGA)" }]
+    });
+    for (key, value) in changes.as_object().unwrap() {
+        study[key] = value.clone();
+    }
+    fs::write(folder.join("tip.study.json"), format!("{study:#}")).unwrap();
+    "tip.study.json".into()
+}
+
+/// Records of finished tasks with the times of their files.
+fn finished(folder: &Path) -> BTreeMap<PathBuf, SystemTime> {
+    let tasks = folder.join("results/tip/tasks");
+    let all = if tasks.is_dir() { files(&tasks, ".json") } else { Vec::new() };
+    all.into_iter().map(|file| (file.clone(), fs::metadata(file).unwrap().modified().unwrap())).collect()
+}
+
+#[test]
+fn a_study_leaves_tables_diagrams_and_orders() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = study(folder.path(), &json!({}));
+    let outcome = run(folder.path(), &["study", &file]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert!(
+        outcome.stdout.contains("bond_law published") && outcome.stdout.contains("results in results/tip")
+    );
+    let out = folder.path().join("results/tip");
+    assert_eq!(
+        names(&out),
+        [".peristat", "plots", "report.html", "study.csv", "study.json", "tasks"],
+        "{}",
+        outcome.stdout
+    );
+    let found = json(&out.join("study.json"));
+    let tip = &found["series"][0]["quantities"][0];
+    assert_eq!(tip["name"], "tip");
+    // 2.09 and 2.02 for 48, 96 and 192 cells; fewer here.
+    let orders: Vec<f64> = tip["orders"].as_array().unwrap().iter().map(|o| o.as_f64().unwrap()).collect();
+    assert!(orders.iter().all(|o| (o - 2.0).abs() < 0.5), "{orders:?}");
+    assert!(found["series"][1]["quantities"][0]["limit"]["exact"]["value"].is_number(), "{found:#}");
+    let table = fs::read_to_string(out.join("study.csv")).unwrap();
+    assert!(table.starts_with("task,model.timoshenko_beam.bond_law,horizon,spacing,"), "{table}");
+    // Two quantities, the tip and the energy, of six tasks.
+    assert_eq!(table.lines().count(), 13);
+    assert!(names(&out.join("plots")).contains(&"01_tip.svg".to_string()));
+}
+
+#[test]
+fn a_finished_task_is_never_solved_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = study(folder.path(), &json!({}));
+    let first = run(folder.path(), &["study", &file, "--task", "2", "--task", "5"]);
+    assert_eq!((first.code, first.stdout.as_str()), (0, ""), "{}", first.stderr);
+    let before = finished(folder.path());
+    assert_eq!(before.len(), 2);
+    // What is there is collected, and what lacks is said.
+    let partial = run(folder.path(), &["study", &file, "--collect"]);
+    assert_eq!(partial.code, 1);
+    assert!(partial.stdout.contains("tasks without a result: 1, 3, 4, 6"), "{}", partial.stdout);
+    assert_eq!(run(folder.path(), &["study", &file]).code, 0);
+    let after = finished(folder.path());
+    assert_eq!(after.len(), 6);
+    assert!(before.iter().all(|(file, time)| after.get(file) == Some(time)));
+    // Words change nothing, numbers do.
+    study(folder.path(), &json!({ "title": "another" }));
+    assert_eq!(run(folder.path(), &["study", &file]).code, 0);
+    assert_eq!(finished(folder.path()), after);
+    assert_eq!(run(folder.path(), &["study", &file, "--set", "horizon_ratio=2"]).code, 0);
+    assert_eq!(finished(folder.path()).len(), 12);
+}
+
+#[test]
+fn a_study_that_is_killed_goes_on_where_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    // Fractions of a second for each task in the displacement form.
+    let slow = json!({
+        "set": { "body.line.cells": 20_000, "checks": [], "solver": "band" },
+        "vary": [{ "horizon_ratio": [2, 3, 4, 5, 6] }],
+        "refine": { "delta_convergence": { "factors": [1, 2, 4] } }
+    });
+    let file = study(folder.path(), &slow);
+    for signal in ["KILL", "INT"] {
+        let known = finished(folder.path());
+        let mut child = Command::new(env!("CARGO_BIN_EXE_peristat"))
+            .current_dir(folder.path())
+            .args(["study", &file, "--threads", "1"])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let begin = Instant::now();
+        while finished(folder.path()).len() < known.len() + 2 && begin.elapsed() < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        let pid = child.id().to_string();
+        assert!(Command::new("kill").args(["-s", signal, &pid]).status().unwrap().success());
+        let code = child.wait().unwrap().code();
+        let now = finished(folder.path());
+        assert!(now.len() >= known.len() + 2 && now.len() < 15, "{signal}: {}", now.len());
+        assert!(known.iter().all(|(file, time)| now.get(file) == Some(time)), "{signal}");
+        assert!(signal == "KILL" || code == Some(130), "{code:?}");
+    }
+    let known = finished(folder.path());
+    assert_eq!(run(folder.path(), &["study", &file]).code, 0);
+    let all = finished(folder.path());
+    assert_eq!(all.len(), 15);
+    assert!(known.iter().all(|(file, time)| all.get(file) == Some(time)));
+}
+
+#[test]
+fn the_plan_names_every_task_as_run_takes_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = study(folder.path(), &json!({}));
+    let outcome = run(folder.path(), &["study", &file, "--plan", "--json"]);
+    let plan: Value = serde_json::from_str(&outcome.stdout).unwrap();
+    let tasks = plan["tasks"].as_array().unwrap();
+    assert_eq!(tasks.len(), 6);
+    assert!(!folder.path().join("results").exists(), "a plan writes nothing");
+    let set: Vec<&str> = tasks[1]["set"].as_array().unwrap().iter().map(|s| s.as_str().unwrap()).collect();
+    assert_eq!(set.last(), Some(&"body.line.cells=48"));
+    let mut command = peristat(folder.path());
+    command.args(["run", plan["case"].as_str().unwrap(), "--json"]);
+    set.iter().for_each(|set| drop(command.args(["--set", set])));
+    let summary: Value = serde_json::from_slice(&command.output().unwrap().stdout).unwrap();
+    assert_eq!(run(folder.path(), &["study", &file, "--task", "2"]).code, 0);
+    let record = json(finished(folder.path()).keys().next().unwrap());
+    assert_eq!(record["values"][0]["value"], summary["probes"][0]["value"]);
+}
+
+#[test]
+fn faults_of_a_study_are_told_at_their_place() {
+    let folder = tempfile::tempdir().unwrap();
+    for (changes, told) in [
+        (
+            json!({ "refine": { "delta_convergence": { "factors": [1] } } }),
+            "at `refine.delta_convergence.factors`",
+        ),
+        (json!({ "refine": { "delta_convergence": { "factors": [2, 1] } } }), "coarse to fine"),
+        (json!({ "refine": { "delta_convergence": { "factors": [1, 1.01] } } }), "no whole number of cells"),
+        (
+            json!({ "refine": { "joint_convergence": { "factors": [1, 2], "ratios": [2] } } }),
+            "as many ratios",
+        ),
+        (json!({ "refine": { "halving": {} } }), "halving"),
+        (json!({ "vary": [{ "horizon_ratio": [] }] }), "a list of values"),
+        (json!({ "vary": [{ "horizon_ratio": [2, 3], "slow": [true] }] }), "equally long"),
+        (json!({ "vary": [{ "horizon_rato": [2, 3] }] }), "horizon_rato"),
+        (json!({ "case": "nowhere.json" }), "nowhere.json"),
+        (json!({ "expect": [{ "quantity": "tip", "where": { "solver": "band" } }] }), "is not varied"),
+        (json!({ "sets": {} }), "sets"),
+    ] {
+        let file = study(folder.path(), &changes);
+        let outcome = run(folder.path(), &["study", &file]);
+        assert_eq!(outcome.code, 2, "{changes}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains(told), "{changes}: {}", outcome.stderr);
+    }
+    let file = study(folder.path(), &json!({}));
+    let outcome = run(folder.path(), &["study", &file, "--task", "7"]);
+    assert!(outcome.code == 2 && outcome.stderr.contains("tasks 1 to 6"), "{}", outcome.stderr);
+}
+
+#[test]
+fn a_task_at_fault_does_not_stop_the_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let changes = json!({ "vary": [{ "probes[0].at.x": [1.0, 0.3] }], "exact": [] });
+    let file = study(folder.path(), &changes);
+    let outcome = run(folder.path(), &["study", &file]);
+    assert_eq!(outcome.code, 1, "{}", outcome.stderr);
+    assert!(outcome.stderr.contains("task 4 of 6") && outcome.stderr.contains("between two points"));
+    assert_eq!(finished(folder.path()).len(), 3);
+}
+
+#[test]
+fn expectations_decide_about_the_exit_code() {
+    let folder = tempfile::tempdir().unwrap();
+    for (expect, code) in [
+        (json!({ "quantity": "tip", "order": 2, "within": 0.5 }), 0),
+        (json!({ "quantity": "tip", "order": 3 }), 1),
+        (json!({ "quantity": "tip", "error_at_most": 1e-3 }), 0),
+        (json!({ "quantity": "tip", "error_at_most": 1e-9 }), 1),
+        (json!({ "quantity": "tap", "order": 2 }), 1),
+    ] {
+        let changes =
+            json!({ "vary": [{ "model.timoshenko_beam.bond_law": ["published"] }], "expect": [expect] });
+        let file = study(folder.path(), &changes);
+        let outcome = run(folder.path(), &["study", &file]);
+        assert_eq!(outcome.code, code, "{expect}: {}", outcome.stdout);
+    }
+}
+
+#[test]
+fn other_files_are_not_mixed_with_those_of_a_study() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = study(folder.path(), &json!({}));
+    fs::create_dir_all(folder.path().join("results/tip")).unwrap();
+    fs::write(folder.path().join("results/tip/mine.txt"), "mine").unwrap();
+    let outcome = run(folder.path(), &["study", &file]);
+    assert!(outcome.code == 2 && outcome.stderr.contains("mine.txt"), "{}", outcome.stderr);
+    assert_eq!(run(folder.path(), &["study", &file, "--force"]).code, 0);
+}
+
+#[test]
+fn a_run_estimates_its_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = gallery("published.json");
+    let outcome = run(folder.path(), &["run", &case, "--estimate", "-o", "out"]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert!(outcome.stdout.contains("error of the discretisation"), "{}", outcome.stdout);
+    let summary = json(&folder.path().join("out/summary.json"));
+    let tip = &summary["estimate"]["quantities"][0];
+    let exact = 3.20624e-3;
+    let ratio = tip["error"].as_f64().unwrap() / (tip["value"].as_f64().unwrap() - exact).abs();
+    // 0.95.
+    assert!((0.5..=2.0).contains(&ratio), "{ratio} {tip}");
+    // Without the option nothing is solved twice.
+    run(folder.path(), &["run", &case, "-o", "plain"]);
+    assert!(json(&folder.path().join("plain/summary.json")).get("estimate").is_none());
+}
