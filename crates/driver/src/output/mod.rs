@@ -22,6 +22,9 @@ pub(crate) fn xml(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
+            // As themselves they would be blanks in an attribute.
+            '\n' => out.push_str("&#10;"),
+            '\t' => out.push_str("&#9;"),
             // XML 1.0 has no form for these, not even escaped.
             c if c.is_control() || matches!(c, '\u{FFFE}' | '\u{FFFF}') => out.push('\u{FFFD}'),
             c => out.push(c),
@@ -35,5 +38,6 @@ mod tests {
     #[test]
     fn names_are_escaped_for_xml() {
         assert_eq!(super::xml("a<b & \"c\">\u{0}ñ"), "a&lt;b &amp; &quot;c&quot;&gt;\u{FFFD}ñ");
+        assert_eq!(super::xml("a\tb\nc"), "a&#9;b&#10;c");
     }
 }
