@@ -95,11 +95,21 @@ pub(super) enum Command {
         kind: Option<Kind>,
     },
     /// Print the JSON Schema of case files, for editors.
-    Schema,
+    Schema {
+        /// As a page for people.
+        #[arg(long)]
+        markdown: bool,
+    },
     /// Print a completion script.
     Completions {
         /// Shell.
         shell: clap_complete::Shell,
+    },
+    /// Print the manual, for `man`.
+    Man {
+        /// Write a page per command into this folder instead.
+        #[arg(short, long, value_name = "DIR")]
+        output: Option<PathBuf>,
     },
 }
 

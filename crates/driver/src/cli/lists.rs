@@ -1,7 +1,7 @@
 //! `new`, `list` and `schema`.
 
 use super::args::{Global, Kind};
-use super::{DONE, USAGE, note, say};
+use super::{DONE, USAGE, case_reference, note, say};
 use crate::Error;
 use crate::case::Case;
 use crate::reference;
@@ -283,9 +283,9 @@ pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
     Ok(DONE)
 }
 
-/// Prints the JSON Schema of cases.
-pub(super) fn schema() -> Result<u8, Error> {
-    let schema = schemars::schema_for!(Case);
-    say(&format!("{:#}\n", schema.to_value()))?;
+/// Prints the JSON Schema of cases, or what it says as a page.
+pub(super) fn schema(markdown: bool) -> Result<u8, Error> {
+    let schema = schemars::schema_for!(Case).to_value();
+    say(&if markdown { case_reference::page(&schema) } else { format!("{schema:#}\n") })?;
     Ok(DONE)
 }

@@ -1,8 +1,10 @@
 //! The command line: parse, dispatch, print, exit code.
 
 mod args;
+mod case_reference;
 mod interrupt;
 mod lists;
+mod manual;
 mod print;
 mod print_state;
 mod print_study;
@@ -46,8 +48,9 @@ pub fn main() -> ExitCode {
         Command::Study(request) => study::study(&request, &global),
         Command::New { model } => lists::new(&model),
         Command::List { kind } => lists::list(kind, &global),
-        Command::Schema => lists::schema(),
+        Command::Schema { markdown } => lists::schema(markdown),
         Command::Completions { shell } => completions(shell),
+        Command::Man { output } => manual::man(output.as_deref()),
     };
     ExitCode::from(outcome.unwrap_or_else(|error| {
         complain(&error, &global);
