@@ -6,23 +6,23 @@
 # Options of `sbatch`, such as a partition or --cpus-per-task, go into SBATCH_OPTIONS.
 set -euo pipefail
 
-if [[ -n ${STUDY:-} && -n ${SLURM_ARRAY_TASK_ID:-} ]]; then
+if [[ -n ${PERISTAT_STUDY:-} && -n ${SLURM_ARRAY_TASK_ID:-} ]]; then
     first=$(((SLURM_ARRAY_TASK_ID - 1) * TASKS_PER_JOB + 1))
     last=$((first + TASKS_PER_JOB - 1))
     for ((task = first; task <= last && task <= TASKS; task++)); do
-        peristat study "$STUDY" -o "$FOLDER" --task "$task" --threads "${SLURM_CPUS_PER_TASK:-1}"
+        peristat study "$PERISTAT_STUDY" -o "$FOLDER" --task "$task" --threads "${SLURM_CPUS_PER_TASK:-1}" || failed=1
     done
-    exit
+    exit "${failed:-0}"
 fi
-if [[ -n ${STUDY:-} ]]; then
-    exec peristat study "$STUDY" -o "$FOLDER" --collect
+if [[ -n ${PERISTAT_STUDY:-} ]]; then
+    exec peristat study "$PERISTAT_STUDY" -o "$FOLDER" --collect
 fi
 
-STUDY=${1:?usage: slurm_array.sh STUDY.json [FOLDER]}
-FOLDER=${2:-results/$(basename "$STUDY" .json)}
+PERISTAT_STUDY=${1:?usage: slurm_array.sh STUDY.json [FOLDER]}
+FOLDER=${2:-results/$(basename "$PERISTAT_STUDY" .json)}
 TASKS_PER_JOB=${TASKS_PER_JOB:-1}
-TASKS=$(peristat study "$STUDY" -o "$FOLDER" --plan --json | python3 -c 'import json, sys; print(len(json.load(sys.stdin)["tasks"]))')
-export STUDY FOLDER TASKS TASKS_PER_JOB
+TASKS=$(peristat study "$PERISTAT_STUDY" -o "$FOLDER" --plan --json | python3 -c 'import json, sys; print(len(json.load(sys.stdin)["tasks"]))')
+export PERISTAT_STUDY FOLDER TASKS TASKS_PER_JOB
 
 read -ra options <<<"${SBATCH_OPTIONS:-}"
 jobs=$(((TASKS + TASKS_PER_JOB - 1) / TASKS_PER_JOB))

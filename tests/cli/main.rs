@@ -1,10 +1,14 @@
 //! The command `peristat` as a user meets it: exit codes, messages, files.
 #![allow(clippy::unwrap_used, reason = "helpers of tests are tests")]
 
+mod book;
 mod browser;
+mod clusters;
 mod commands;
 mod fracture;
 mod hostile_input;
+mod links;
+mod manual;
 mod memory;
 mod meshio;
 mod messages;
