@@ -36,18 +36,24 @@ impl<'a> Page<'a> {
     fn section(&mut self, name: &str, schema: &'a Value) {
         let _ = write!(self.text, "## {name}\n\n{}\n\n", text_of(schema, "description"));
         let mut rows = String::new();
-        let head = match schema.get("oneOf").and_then(Value::as_array) {
+        let head = match schema["oneOf"].as_array() {
+            Some(forms) if forms.iter().all(|form| form["properties"].is_null()) => {
+                for word in forms {
+                    rows += &row(&[&kind(word), text_of(word, "description")]);
+                }
+                "| one of | meaning |\n|---|---|"
+            }
             Some(forms) => {
                 forms.iter().for_each(|form| form_rows(form, &mut rows));
-                "| one of | type | | meaning |"
+                "| one of | type | | meaning |\n|---|---|---|---|"
             }
             None => {
                 key_rows(schema, "", &mut rows);
-                "| key | type | | meaning |"
+                "| key | type | | meaning |\n|---|---|---|---|"
             }
         };
         if !rows.is_empty() {
-            let _ = write!(self.text, "{head}\n|---|---|---|---|\n{rows}\n");
+            let _ = write!(self.text, "{head}\n{rows}\n");
         }
         let mut named = Vec::new();
         references(schema, &mut named);
@@ -74,7 +80,7 @@ fn key_rows(schema: &Value, prefix: &str, rows: &mut String) {
             _ => String::new(),
         };
         let path = format!("{prefix}{key}");
-        row(&format!("`{path}`"), &kind(value), &need, text_of(value, "description"), rows);
+        *rows += &row(&[&format!("`{path}`"), &kind(value), &need, text_of(value, "description")]);
         key_rows(value, &format!("{path}."), rows);
     }
 }
@@ -84,16 +90,16 @@ fn form_rows(form: &Value, rows: &mut String) {
     let about = text_of(form, "description");
     match form["properties"].as_object().and_then(|keys| keys.iter().next()) {
         Some((key, value)) => {
-            row(&format!("`{key}`"), &kind(value), "", about, rows);
+            *rows += &row(&[&format!("`{key}`"), &kind(value), "", about]);
             key_rows(value, &format!("{key}."), rows);
         }
-        None => row(&kind(form), "", "", about, rows),
+        None => *rows += &row(&[&kind(form), "", "", about]),
     }
 }
 
-fn row(first: &str, kind: &str, need: &str, about: &str, rows: &mut String) {
-    let cell = |text: &str| text.replace("\n\n", "<br>").replace('\n', " ").replace('|', "\\|");
-    let _ = writeln!(rows, "| {} | {} | {} | {} |", cell(first), cell(kind), cell(need), cell(about));
+fn row(cells: &[&str]) -> String {
+    let cell = |text: &&str| text.replace("\n\n", "<br>").replace('\n', " ").replace('|', "\\|");
+    format!("| {} |\n", cells.iter().map(cell).collect::<Vec<_>>().join(" | "))
 }
 
 fn text_of<'a>(schema: &'a Value, key: &str) -> &'a str {
