@@ -137,7 +137,9 @@ fn the_plan_names_every_task_as_run_takes_it() {
     assert_eq!(set.last(), Some(&"body.line.cells=48"));
     let mut command = peristat(folder.path());
     command.args(["run", plan["case"].as_str().unwrap(), "--json"]);
-    set.iter().for_each(|set| drop(command.args(["--set", set])));
+    for set in set {
+        command.args(["--set", set]);
+    }
     let summary: Value = serde_json::from_slice(&command.output().unwrap().stdout).unwrap();
     assert_eq!(run(folder.path(), &["study", &file, "--task", "2"]).code, 0);
     let record = json(finished(folder.path()).keys().next().unwrap());

@@ -13,6 +13,7 @@ mod convergence;
 mod definiteness;
 mod ductile;
 mod equation_12;
+mod estimates;
 mod exact_law;
 mod foundation;
 mod fracture_plane;

@@ -1,8 +1,9 @@
 //! Studies as text.
 
-use super::print::{number, table};
+use super::print::table;
 use crate::study::order::{self, Limit};
 use crate::study::{Findings, Plan, Quantity, Series, Task};
+use crate::summary::words::number;
 use std::fmt::Write;
 
 /// Quantities that share a table, at most.

@@ -60,9 +60,8 @@ pub struct Series {
 impl Series {
     /// The settings in words.
     pub fn title(&self) -> String {
-        let word = |value: &Value| value.as_str().map_or_else(|| value.to_string(), Into::into);
         let short = |path: &String| path.rsplit('.').next().unwrap_or(path).to_string();
-        let all = self.settings.iter().map(|(path, value)| format!("{} {}", short(path), word(value)));
+        let all = self.settings.iter().map(|(path, value)| format!("{} {}", short(path), words(value)));
         all.collect::<Vec<_>>().join(", ")
     }
 
@@ -81,6 +80,17 @@ impl Series {
 /// Whether settings have all of some values.
 pub(super) fn includes(settings: &Map<String, Value>, values: &Map<String, Value>) -> bool {
     values.iter().all(|(path, value)| settings.get(path) == Some(value))
+}
+
+/// A value without the marks of JSON.
+fn words(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Object(keys) => {
+            keys.iter().map(|(key, value)| format!("{key} {}", words(value))).collect::<Vec<_>>().join(" ")
+        }
+        other => other.to_string(),
+    }
 }
 
 /// Every quantity that all levels have.

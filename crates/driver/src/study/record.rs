@@ -2,7 +2,7 @@
 
 use super::plan::Task;
 use crate::run::{RunOptions, taking};
-use crate::summary::Summary;
+use crate::summary::{ModelSummary, Summary};
 use crate::{Error, Loaded};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -76,7 +76,7 @@ impl Record {
     }
 }
 
-/// Probes, or without any the largest displacements, and stored energies of all states.
+/// Probes, or of beams without any the largest displacements, and stored energies of all states.
 pub(super) fn values(summary: &Summary) -> Vec<Measured> {
     let several = summary.states.len() > 1;
     let named = |name: &str, state: &str| if several { format!("{name} [{state}]") } else { name.into() };
@@ -85,7 +85,9 @@ pub(super) fn values(summary: &Summary) -> Vec<Measured> {
         .states
         .iter()
         .map(|s| Measured { name: named("energy", &s.name), value: s.certificate.energy });
-    let largest = summary.states.iter().filter(|_| summary.probes.is_empty()).flat_map(|s| {
+    // Points of bodies in the plane are in the middle of cells: where the outermost one is depends on the spacing.
+    let has_largest = summary.probes.is_empty() && matches!(summary.model, ModelSummary::Beam(_));
+    let largest = summary.states.iter().filter(|_| has_largest).flat_map(|s| {
         let fields = s.extremes.iter().filter(|(field, _)| DISPLACEMENTS.contains(&field.as_ref()));
         fields.map(|(field, e)| Measured {
             name: named(&format!("largest {field}"), &s.name),
