@@ -1,6 +1,6 @@
 //! Runs of bodies that break, as a user stops, kills and resumes them.
 
-use crate::support::{Outcome, json, names, run};
+use crate::support::{Outcome, json, names, report_without_times, run};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
@@ -76,10 +76,7 @@ fn outcome(out: &Path) -> Vec<(String, Vec<u8>)> {
         for name in names(&out.join(part)) {
             let path = out.join(part).join(&name);
             if path.is_file() && name == "report.html" {
-                let text = fs::read_to_string(path).unwrap();
-                let (before, after) = text.split_once("<h2>Time and work</h2>").unwrap();
-                let (_, after) = after.split_once("</section>").unwrap();
-                found.push((name, [before, after].concat().into_bytes()));
+                found.push((name, report_without_times(&path).into_bytes()));
             } else if path.is_file() && name != "summary.json" {
                 found.push((format!("{part}/{name}"), fs::read(path).unwrap()));
             }

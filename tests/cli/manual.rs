@@ -5,20 +5,28 @@ use std::env;
 use std::fs;
 
 #[test]
-fn the_reference_of_the_book_is_that_of_the_command() {
-    let outcome = run(&root(), &["schema", "--markdown"]);
-    assert_eq!(outcome.code, 0);
-    let file = root().join("docs/src/case_reference.md");
-    if env::var_os("UPDATE_EXPECTED").is_some() {
-        fs::write(&file, &outcome.stdout).unwrap();
+fn the_references_of_the_book_are_those_of_the_command() {
+    for (page, arguments) in [
+        ("case_reference", &["schema", "--markdown"][..]),
+        ("study_reference", &["schema", "--study", "--markdown"]),
+    ] {
+        let outcome = run(&root(), arguments);
+        assert_eq!(outcome.code, 0);
+        let file = root().join(format!("docs/src/{page}.md"));
+        if env::var_os("UPDATE_EXPECTED").is_some() {
+            fs::write(&file, &outcome.stdout).unwrap();
+        }
+        let stored = fs::read_to_string(&file).unwrap_or_default();
+        assert!(
+            stored == outcome.stdout,
+            "docs/src/{page}.md is not what `peristat {}` prints; UPDATE_EXPECTED=1 writes it anew",
+            arguments.join(" ")
+        );
+        assert!(
+            !stored.contains("any value") || page == "study_reference",
+            "a type that the page cannot name"
+        );
     }
-    let stored = fs::read_to_string(&file).unwrap_or_default();
-    assert!(
-        stored == outcome.stdout,
-        "docs/src/case_reference.md is not what `peristat schema --markdown` prints; \
-         UPDATE_EXPECTED=1 writes it anew"
-    );
-    assert!(!stored.contains("any value"), "a type that the page cannot name");
 }
 
 #[test]
@@ -27,7 +35,9 @@ fn the_manual_has_a_page_for_every_command() {
     let outcome = run(folder.path(), &["man", "-o", "man1"]);
     assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""));
     let pages = names(&folder.path().join("man1"));
-    for command in ["", "-check", "-completions", "-list", "-man", "-new", "-run", "-schema", "-verify"] {
+    for command in
+        ["", "-check", "-completions", "-list", "-man", "-new", "-run", "-schema", "-study", "-verify"]
+    {
         assert!(pages.contains(&format!("peristat{command}.1")), "{command}: {pages:?}");
     }
     let page = fs::read_to_string(folder.path().join("man1/peristat-run.1")).unwrap();

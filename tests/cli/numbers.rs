@@ -1,6 +1,6 @@
 //! Numbers in result files.
 
-use crate::support::{files, gallery, json, names, root, run};
+use crate::support::{files, gallery, json, names, report_without_times, root, run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -77,6 +77,8 @@ fn numbers(folder: &Path) -> Vec<(String, String)> {
             keys.remove("timing_s");
             keys.remove("peak_memory_bytes");
             summary.to_string()
+        } else if name == "report.html" {
+            report_without_times(&file)
         } else {
             String::from_utf8_lossy(&fs::read(&file).unwrap()).into_owned()
         };

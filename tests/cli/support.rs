@@ -70,3 +70,11 @@ pub(crate) fn json(path: &Path) -> Value {
     let text = fs::read_to_string(path).expect("the file can be read");
     serde_json::from_str(&text).expect("the file is JSON")
 }
+
+/// A report of a run but for its section of times.
+pub(crate) fn report_without_times(path: &Path) -> String {
+    let text = fs::read_to_string(path).expect("the report can be read");
+    let (before, after) = text.split_once("<h2>Time and work</h2>").expect("the report has times");
+    let (_, after) = after.split_once("</section>").expect("sections end");
+    [before, after].concat()
+}

@@ -1,6 +1,6 @@
 //! Everything that a case can say is said by some case of the gallery.
 
-use crate::support::{gallery, load, root};
+use crate::support::{files, gallery, load, root};
 use peristat::case::{Case, Check};
 use peristat::reference;
 use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};
@@ -102,7 +102,8 @@ fn the_table_of_cases_has_every_case_and_no_other() {
     let text = fs::read_to_string(root().join("cases/README.md")).unwrap();
     let rows = text.lines().filter_map(|line| line.strip_prefix("| `cases/")?.split(".json`").next());
     let rows: Vec<String> = rows.map(ToString::to_string).collect();
-    let cases = gallery().into_iter().map(|case| {
+    let studies = files(&root().join("cases/studies"), ".json");
+    let cases = gallery().into_iter().chain(studies).map(|case| {
         let path = case.strip_prefix(root().join("cases")).unwrap().with_extension("");
         path.display().to_string()
     });

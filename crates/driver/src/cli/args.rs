@@ -96,6 +96,9 @@ pub(super) enum Command {
     },
     /// Print the JSON Schema of case files, for editors.
     Schema {
+        /// Of study files.
+        #[arg(long)]
+        study: bool,
         /// As a page for people.
         #[arg(long)]
         markdown: bool,

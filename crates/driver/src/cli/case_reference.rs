@@ -3,7 +3,16 @@
 use serde_json::{Map, Value};
 use std::fmt::Write;
 
-const HEAD: &str = "\
+/// What the page of studies begins with.
+pub(super) const STUDIES: &str = "\
+# Keys of a study
+
+Made by `peristat schema --study --markdown` from the program itself; it is read like the keys of a case.
+
+";
+
+/// What the page of cases begins with.
+pub(super) const CASES: &str = "\
 # Keys of a case
 
 Made by `peristat schema --markdown` from the program itself; every case that it reads is of this form, and a key that is
@@ -17,8 +26,8 @@ with that single key.
 const DEFINITIONS: &str = "#/$defs/";
 
 /// The page of a schema whose types are in `$defs`.
-pub(super) fn page(schema: &Value) -> String {
-    let mut page = Page { schema, text: HEAD.into(), met: Vec::new() };
+pub(super) fn page(schema: &Value, head: &str) -> String {
+    let mut page = Page { schema, text: head.into(), met: Vec::new() };
     page.section(text_of(schema, "title"), schema);
     page.text.trim_end().to_string() + "\n"
 }
@@ -218,6 +227,6 @@ A lid.
 | `dome` | object |  | Round. |
 | `dome.height` | number | required | Its height. |
 ";
-        assert_eq!(page(&schema).strip_prefix(HEAD), Some(expected));
+        assert_eq!(page(&schema, CASES).strip_prefix(CASES), Some(expected));
     }
 }

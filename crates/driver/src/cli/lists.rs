@@ -5,6 +5,7 @@ use super::{DONE, USAGE, case_reference, note, say};
 use crate::Error;
 use crate::case::Case;
 use crate::reference;
+use crate::study::Study;
 use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};
 use serde_json::json;
 
@@ -283,9 +284,13 @@ pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
     Ok(DONE)
 }
 
-/// Prints the JSON Schema of cases, or what it says as a page.
-pub(super) fn schema(markdown: bool) -> Result<u8, Error> {
-    let schema = schemars::schema_for!(Case).to_value();
-    say(&if markdown { case_reference::page(&schema) } else { format!("{schema:#}\n") })?;
+/// Prints the JSON Schema of cases or of studies, or what it says as a page.
+pub(super) fn schema(study: bool, markdown: bool) -> Result<u8, Error> {
+    let (schema, head) = match study {
+        true => (schemars::schema_for!(Study), case_reference::STUDIES),
+        false => (schemars::schema_for!(Case), case_reference::CASES),
+    };
+    let schema = schema.to_value();
+    say(&if markdown { case_reference::page(&schema, head) } else { format!("{schema:#}\n") })?;
     Ok(DONE)
 }

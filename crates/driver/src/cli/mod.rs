@@ -48,7 +48,7 @@ pub fn main() -> ExitCode {
         Command::Study(request) => study::study(&request, &global),
         Command::New { model } => lists::new(&model),
         Command::List { kind } => lists::list(kind, &global),
-        Command::Schema { markdown } => lists::schema(markdown),
+        Command::Schema { study, markdown } => lists::schema(study, markdown),
         Command::Completions { shell } => completions(shell),
         Command::Man { output } => manual::man(output.as_deref()),
     };
