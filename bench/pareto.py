@@ -80,8 +80,8 @@ def main():
     options = parser.parse_args()
     rounds = options.rounds or (2 if options.quick else 5)
     os.environ |= dict.fromkeys(THREADS, "1")
-    os.chdir(ROOT)
     WORK.mkdir(parents=True, exist_ok=True)
+    os.chdir(WORK)  # ccx leaves files where it runs
     notices, begin = [], time.perf_counter()
     lacks, has_ccx = missing(notices.append), shutil.which("ccx") is not None
     if not has_ccx:

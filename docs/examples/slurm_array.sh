@@ -19,7 +19,8 @@ if [[ -n ${PERISTAT_STUDY:-} ]]; then
 fi
 
 PERISTAT_STUDY=${1:?usage: slurm_array.sh STUDY.json [FOLDER]}
-FOLDER=${2:-results/$(basename "$PERISTAT_STUDY" .json)}
+name=$(basename "$PERISTAT_STUDY" .json)
+FOLDER=${2:-results/${name%.study}}
 TASKS_PER_JOB=${TASKS_PER_JOB:-1}
 TASKS=$(peristat study "$PERISTAT_STUDY" -o "$FOLDER" --plan --json | python3 -c 'import json, sys; print(len(json.load(sys.stdin)["tasks"]))')
 export PERISTAT_STUDY FOLDER TASKS TASKS_PER_JOB

@@ -60,6 +60,17 @@ pub enum Error {
     Io(#[from] io::Error),
 }
 
+impl Error {
+    /// Whether the case could be solved with more memory.
+    pub(crate) fn lacks_memory(&self) -> bool {
+        match self {
+            Self::Case(report) => report.diagnostics.iter().any(|d| d.lacks_memory),
+            Self::Run(error) => matches!(error, RunError::Memory { .. }),
+            Self::Io(_) => false,
+        }
+    }
+}
+
 impl From<Report> for Error {
     fn from(report: Report) -> Self {
         Self::Case(report)

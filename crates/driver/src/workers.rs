@@ -5,19 +5,23 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-/// Does the pieces of work `0..count` side by side, on as many threads as are given or as there are cores, and returns what
+/// Threads that so many pieces of work are done on: as many as are given or as there are cores.
+pub(crate) fn threads(given: Option<u16>, count: usize) -> usize {
+    let cores = || thread::available_parallelism().map_or(1, NonZeroUsize::get);
+    given.map_or_else(cores, usize::from).min(count).max(1)
+}
+
+/// Does the pieces of work `0..count` side by side, on [`threads`], and returns what
 /// they give by their numbers.
 pub(crate) fn side_by_side<T: Send>(
-    threads: Option<u16>,
+    given: Option<u16>,
     count: usize,
     work: impl Fn(usize) -> T + Sync,
 ) -> Vec<T> {
-    let cores = || thread::available_parallelism().map_or(1, NonZeroUsize::get);
-    let threads = threads.map_or_else(cores, usize::from).min(count).max(1);
     let next = AtomicUsize::new(0);
     let done = Mutex::new(Vec::with_capacity(count));
     thread::scope(|scope| {
-        for _ in 0..threads {
+        for _ in 0..threads(given, count) {
             scope.spawn(|| {
                 loop {
                     let k = next.fetch_add(1, Ordering::Relaxed);

@@ -19,7 +19,7 @@ pub(super) fn table(header: &[&str], rows: &[Vec<String>]) -> String {
 }
 
 /// A table of the record, with what it leaves out.
-fn listing(out: &mut String, listing: &Listing) {
+pub(super) fn listing(out: &mut String, listing: &Listing) {
     let header: Vec<&str> = listing.header.iter().map(String::as_str).collect();
     let _ = write!(out, "\n{}", table(&header, &listing.rows));
     if let Some(more) = &listing.more {

@@ -2,11 +2,12 @@
 
 use super::args::{Global, Study};
 use super::interrupt::Interrupt;
-use super::{DONE, FAILED, USAGE, complain, note, print_study, say};
+use super::{DONE, FAILED, INTERRUPTED, complain, note, print_study, say};
 use crate::Error;
 use crate::run::RunError;
 use crate::study::{self, Findings, Plan, Record, Store, Task};
-use crate::workers::side_by_side;
+use crate::workers::{self, side_by_side};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Plans a study, solves what is not finished, and says what it found.
@@ -16,25 +17,25 @@ pub(super) fn study(request: &Study, global: &Global) -> Result<u8, Error> {
     if request.plan {
         return show_plan(&plan, &Store::at(&folder), global);
     }
-    let chosen = match chosen(&plan, &request.task) {
-        Ok(chosen) => chosen,
-        Err(message) => {
-            note(&message);
-            return Ok(USAGE);
-        }
-    };
+    let chosen = chosen(&plan, &request.task)?;
     let store = Store::open(&folder, request.force)?;
     if !request.collect {
-        let complete = solve(&plan, &chosen, &store, global)?;
+        match solve(&plan, &chosen, &store, global) {
+            Err(Error::Run(RunError::Interrupted)) => {
+                note("interrupted\nhint: the same command goes on from here\n");
+                return Ok(INTERRUPTED);
+            }
+            outcome => outcome?,
+        }
         if !request.task.is_empty() {
-            return Ok(if complete { DONE } else { FAILED });
+            return tell_tasks(&chosen, &store, global);
         }
     }
     let records: Vec<Option<Record>> = plan.tasks.iter().map(|task| store.get(&task.key)).collect();
     let findings = Findings::new(&plan, &records);
     study::write(store.folder(), &plan, &findings)?;
     if global.json {
-        say(&format!("{:#}\n", serde_json::to_value(&findings).map_err(std::io::Error::from)?))?;
+        say(&format!("{:#}\n", serde_json::to_value(&findings).map_err(io::Error::from)?))?;
     } else if !global.quiet {
         say(&print_study::findings(&findings, global.verbose))?;
         say(&format!("results in {}\n", folder.display()))?;
@@ -50,27 +51,36 @@ fn folder(request: &Study) -> PathBuf {
 }
 
 /// The tasks that are asked for, all if none is.
-fn chosen<'a>(plan: &'a Plan, numbers: &[usize]) -> Result<Vec<&'a Task>, String> {
+fn chosen<'a>(plan: &'a Plan, numbers: &[usize]) -> io::Result<Vec<&'a Task>> {
     if numbers.is_empty() {
         return Ok(plan.tasks.iter().collect());
     }
     let find = |number: &usize| {
         number.checked_sub(1).and_then(|k| plan.tasks.get(k)).ok_or_else(|| {
-            format!(
-                "error: there is no task {number}\nhint: this study has tasks 1 to {}\n",
-                plan.tasks.len()
-            )
+            let message =
+                format!("there is no task {number}\nhint: this study has tasks 1 to {}", plan.tasks.len());
+            io::Error::new(io::ErrorKind::InvalidInput, message)
         })
     };
     numbers.iter().map(find).collect()
 }
 
-/// Solves tasks that are not finished, side by side; whether all are. Those that need more memory than their share follow
-/// alone.
-fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Result<bool, Error> {
+/// What came of the tasks that were asked for.
+fn tell_tasks(chosen: &[&Task], store: &Store, global: &Global) -> Result<u8, Error> {
+    let records: Vec<Option<Record>> = chosen.iter().map(|task| store.get(&task.key)).collect();
+    if global.json {
+        let list = serde_json::to_value(&records).map_err(io::Error::from)?;
+        say(&format!("{list:#}\n"))?;
+    }
+    let fine = records.iter().all(|record| record.as_ref().is_some_and(|r| r.converged));
+    Ok(if fine { DONE } else { FAILED })
+}
+
+/// Solves tasks that are not finished, side by side. Those that need more memory than their share follow alone.
+fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Result<(), Error> {
     let todo: Vec<&Task> = chosen.iter().copied().filter(|task| store.get(&task.key).is_none()).collect();
     if todo.is_empty() {
-        return Ok(true);
+        return Ok(());
     }
     let interrupt = Interrupt::listen(global.quiet)?;
     let bar = super::progress::of_tasks(global, todo.len());
@@ -85,32 +95,29 @@ fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Resul
         Some(kept)
     };
     let allowed = crate::memory::allowed(global.max_memory);
-    let threads = rayon::current_num_threads().min(todo.len()).max(1) as u64;
+    let threads = workers::threads(global.threads, todo.len()) as u64;
     let first =
         side_by_side(global.threads, todo.len(), |k| attempt(todo[k], allowed.map(|all| all / threads)));
-    let mut complete = true;
     for (task, outcome) in todo.iter().zip(first) {
         let outcome = match outcome {
-            Some(Err(Error::Run(RunError::Memory { .. }))) => attempt(task, global.max_memory),
+            Some(Err(error)) if error.lacks_memory() => attempt(task, global.max_memory),
             other => other,
         };
         match outcome {
-            Some(Ok(())) => {}
+            Some(Ok(())) | None => {}
             Some(Err(Error::Io(error))) => return Err(Error::Io(error)),
             Some(Err(error)) => {
-                complete = false;
                 note(&format!("task {} of {}:\n", task.number, plan.tasks.len()));
                 complain(&error, global);
                 note("\n");
             }
-            None => complete = false,
         }
     }
     bar.finish_and_clear();
     if interrupt.is_asked() {
         return Err(Error::Run(RunError::Interrupted));
     }
-    Ok(complete)
+    Ok(())
 }
 
 fn show_plan(plan: &Plan, store: &Store, global: &Global) -> Result<u8, Error> {

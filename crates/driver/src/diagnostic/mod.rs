@@ -53,6 +53,8 @@ pub struct Diagnostic {
     pub span: Option<Range<usize>>,
     /// What to do about it.
     pub hint: Option<String>,
+    /// Whether the case is refused only because it needs more memory than it may use.
+    pub lacks_memory: bool,
 }
 
 impl Diagnostic {
@@ -64,7 +66,14 @@ impl Diagnostic {
             path: path.into(),
             span: None,
             hint: None,
+            lacks_memory: false,
         }
+    }
+
+    /// Says that only memory is lacking.
+    pub fn for_lack_of_memory(&mut self) -> &mut Self {
+        self.lacks_memory = true;
+        self
     }
 
     /// Says what to do about it.

@@ -3,7 +3,7 @@
 use super::order::{self, ROUNDING};
 use super::record::{Measured, values};
 use crate::case::{self, Body};
-use crate::run::{RunError, RunOptions, taking};
+use crate::run::{RunOptions, taking};
 use crate::summary::{Estimate, Estimates, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::model::timoshenko_beam::Grid;
@@ -35,9 +35,13 @@ impl Loaded {
             Err(Failure::Memory(_)) => None,
             Err(Failure::Other(reason)) => return Err(reason),
         };
+        let mut remark = None;
         let (spacings, others) = match (finer, other(1.0 / ratio)) {
             (Some(finer), Ok(coarser)) => (vec![ratio, 1.0 / ratio], vec![coarser, finer]),
-            (Some(finer), Err(_)) => (vec![1.0 / ratio], vec![finer]),
+            (Some(finer), Err(failure)) => {
+                remark = Some(format!("no order can be observed: {}", failure.reason()));
+                (vec![1.0 / ratio], vec![finer])
+            }
             (None, Ok(coarser)) => {
                 let coarsest = other(1.0 / ratio / ratio).map_err(Failure::reason)?;
                 (vec![ratio * ratio, ratio], vec![coarsest, coarser])
@@ -54,6 +58,7 @@ impl Loaded {
             quantities: own.iter().filter_map(of).collect(),
             seconds: begin.elapsed().as_secs_f64(),
             spacings,
+            remark,
         })
     }
 
@@ -74,11 +79,14 @@ impl Loaded {
             Ok(summary) if summary.states.iter().all(|state| state.certificate.converged) => {
                 Ok(values(&summary))
             }
-            Ok(_) => Err(Failure::Other(format!("at 1/{factor} of the spacing a state did not converge"))),
-            Err(Error::Run(error @ RunError::Memory { .. })) => Err(Failure::Memory(error.to_string())),
+            Ok(_) => Err(Failure::Other(format!(
+                "at {} times the spacing a state did not converge",
+                times(1.0 / factor)
+            ))),
+            Err(error) if error.lacks_memory() => Err(Failure::Memory(error.to_string())),
             Err(Error::Case(report)) => {
                 let first = report.diagnostics.first().map_or(String::new(), |d| d.message.clone());
-                Err(Failure::Other(format!("at 1/{factor} of the spacing: {first}")))
+                Err(Failure::Other(format!("at {} times the spacing: {first}", times(1.0 / factor))))
             }
             Err(other) => Err(Failure::Other(other.to_string())),
         }
@@ -93,6 +101,11 @@ fn nested(body: &Body) -> f64 {
         _ => false,
     };
     if at_ends { 2.0 } else { 3.0 }
+}
+
+/// A multiple of the spacing in words.
+fn times(multiple: f64) -> String {
+    if multiple < 1.0 { format!("1/{}", multiple.recip().round()) } else { multiple.round().to_string() }
 }
 
 /// Why another spacing has no values.
@@ -117,15 +130,16 @@ fn estimate(own: &Measured, spacings: &[f64], others: &[f64]) -> Estimate {
     let (h, q): (Vec<f64>, Vec<f64>) = all.into_iter().unzip();
     let last = h.len() - 1;
     let observed = match (<[f64; 3]>::try_from(&h[..]), <[f64; 3]>::try_from(&q[..])) {
-        (Ok(h), Ok(q)) => order::of_three(h, q).ok().map(|order| order.max(LEAST)),
+        (Ok(h), Ok(q)) => order::of_three(h, q).ok(),
         _ => None,
     };
     let pair = ([h[last - 1], h[last]], [q[last - 1], q[last]]);
-    let limit = order::extrapolate(pair.0, pair.1, observed.unwrap_or(ASSUMED));
+    let limit = order::extrapolate(pair.0, pair.1, observed.map_or(ASSUMED, |order| order.max(LEAST)));
     let settled = (q[last] - q[last - 1]).abs() <= ROUNDING * q[last].abs();
     let error = (own.value - limit).abs();
     let basis = match observed {
         _ if settled => "both spacings agree to rounding".into(),
+        Some(order) if order < LEAST => format!("order {order:.2} observed, {LEAST} taken"),
         Some(order) => format!("order {order:.2} observed"),
         None => format!("order {ASSUMED} assumed"),
     };

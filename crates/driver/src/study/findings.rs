@@ -1,6 +1,6 @@
 //! What the records of a study say together: errors, orders and limits of every quantity of every series.
 
-use super::file::Study;
+use super::file::{Refine, Study};
 use super::order::{self, Fit, Limit};
 use super::plan::{Plan, Task};
 use super::record::Record;
@@ -31,7 +31,8 @@ pub struct Quantity {
     /// Exact value, where it is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exact: Option<f64>,
-    /// Relative errors: against the exact value or, where it is not known, the extrapolated one; none without either.
+    /// Errors against the exact value or, where it is not known, the extrapolated one, relative to it or, where it is zero, to
+    /// the largest value of the series; none without either.
     pub errors: Vec<f64>,
     /// Orders from level to level.
     pub orders: Vec<Option<f64>>,
@@ -79,7 +80,8 @@ impl Series {
 
 /// Whether settings have all of some values.
 pub(super) fn includes(settings: &Map<String, Value>, values: &Map<String, Value>) -> bool {
-    values.iter().all(|(path, value)| settings.get(path) == Some(value))
+    let same = |a: &Value, b: &Value| a == b || a.as_f64().is_some_and(|a| b.as_f64() == Some(a));
+    values.iter().all(|(path, value)| settings.get(path).is_some_and(|setting| same(setting, value)))
 }
 
 /// A value without the marks of JSON.
@@ -107,7 +109,10 @@ fn quantities(study: &Study, settings: &Map<String, Value>, levels: &[Level]) ->
     let values = first.record.values.iter().filter_map(|m| {
         let values = column(&m.name, |record| &record.values)?;
         let exact = study.exact.iter().find(|e| e.quantity == m.name && includes(settings, &e.r#where));
-        Some(Quantity::of_values(&m.name, &sizes, values, exact.map(|e| e.value)))
+        // Values of bodies that break or soften jump: they have no order.
+        let traced = levels.iter().any(|level| level.record.traced);
+        let sizes = if traced { &[][..] } else { &sizes };
+        Some(Quantity::of_values(&m.name, sizes, values, exact.map(|e| e.value)))
     });
     errors.chain(values).collect()
 }
@@ -130,9 +135,10 @@ impl Quantity {
     fn of_values(name: &str, sizes: &[f64], values: Vec<f64>, exact: Option<f64>) -> Self {
         let limit = (sizes.len() == values.len()).then(|| order::limit(sizes, &values));
         let reference = exact.or(limit.as_ref().and_then(Limit::value));
+        let largest = values.iter().fold(0.0, |a: f64, v| a.max(v.abs()));
         let error = |value: f64, reference: f64| {
-            let difference = (value - reference).abs();
-            if reference == 0.0 { difference } else { difference / reference.abs() }
+            let scale = if reference == 0.0 { largest } else { reference.abs() };
+            if value == reference { 0.0 } else { (value - reference).abs() / scale }
         };
         let errors = reference.map_or(Vec::new(), |r| values.iter().map(|v| error(*v, r)).collect());
         let mut quantity = Self::new(name, sizes, values, exact, errors);
@@ -145,6 +151,11 @@ impl Quantity {
             exact.zip(limit.as_ref().and_then(Limit::value)).map(|(e, v)| error(v, e));
         quantity.limit = limit;
         quantity
+    }
+
+    /// Whether its errors are against something known.
+    pub fn is_known(&self) -> bool {
+        self.exact.is_some() || self.values.is_empty()
     }
 
     /// Order over the last refinement.
@@ -184,6 +195,8 @@ pub struct Outcome {
 pub struct Findings {
     /// Title of the study.
     pub title: String,
+    /// What the sizes of its levels are, which orders are of: `horizon`, `spacing` or `size`.
+    pub size: &'static str,
     /// Number of tasks.
     pub tasks: usize,
     /// Numbers of the tasks that have no result.
@@ -208,6 +221,11 @@ impl Findings {
         };
         Self {
             title: plan.study.title.clone(),
+            size: match plan.study.refine {
+                Some(Refine::MConvergence(_)) => "spacing",
+                Some(Refine::Values(_)) => "size",
+                Some(Refine::DeltaConvergence(_) | Refine::JointConvergence(_)) | None => "horizon",
+            },
             tasks: plan.tasks.len(),
             missing: numbers(&|record| record.is_none()),
             not_converged: numbers(&|record| record.as_ref().is_some_and(|r| !r.converged)),

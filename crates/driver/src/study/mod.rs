@@ -13,6 +13,7 @@ mod plan;
 mod record;
 mod report;
 mod store;
+pub(crate) mod words;
 mod write;
 
 pub use file::{DeltaConvergence, Exact, Expect, JointConvergence, MConvergence, Refine, Study, Values};

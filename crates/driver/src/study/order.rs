@@ -4,8 +4,10 @@ use serde::Serialize;
 
 /// Relative errors below this are rounding: they have no order.
 pub const ROUNDING: f64 = 1e-12;
-/// Orders that a method may have.
+/// Orders that are looked for.
 const ORDERS: [f64; 2] = [0.05, 12.0];
+/// The largest order that is believed to be that of a method: values that happen to cross their limit seem to have higher ones.
+const MOST: f64 = 5.0;
 /// How far two successive orders may differ in the asymptotic range.
 const STABLE: f64 = 0.3;
 /// Halvings of the interval of orders: enough for double precision.
@@ -17,7 +19,7 @@ pub fn between(sizes: &[f64], errors: &[f64]) -> Vec<Option<f64>> {
     pairs
         .map(|(h, e)| {
             let order = (e[0] / e[1]).ln() / (h[0] / h[1]).ln();
-            (e[1] > ROUNDING && order.is_finite()).then_some(order)
+            (e[0] > ROUNDING && e[1] > ROUNDING && order.is_finite()).then_some(order)
         })
         .collect()
 }
@@ -62,7 +64,7 @@ pub enum Limit {
     Extrapolated {
         /// Richardson's value.
         value: f64,
-        /// Estimated error of it.
+        /// Estimated error of it: how far it is from that of the grids before or, of three grids, from the finest value.
         error_estimate: f64,
         /// Order of the last three values.
         order: f64,
@@ -86,7 +88,10 @@ impl Limit {
 /// The order at which three values, coarse to fine, go to their limit: p with `(q₀ − q₁)/(q₁ − q₂) = (h₀ᵖ − h₁ᵖ)/(h₁ᵖ − h₂ᵖ)`.
 pub fn of_three(h: [f64; 3], q: [f64; 3]) -> Result<f64, String> {
     let ratio = (q[0] - q[1]) / (q[1] - q[2]);
-    if ratio.is_nan() || ratio <= 0.0 {
+    if !ratio.is_finite() || ratio == 0.0 {
+        return Err("two of three values are the same".into());
+    }
+    if ratio < 0.0 {
         return Err("the last differences have different signs".into());
     }
     // Of sizes over the middle one, so that powers do not leave the range of doubles.
@@ -130,10 +135,15 @@ pub fn limit(sizes: &[f64], values: &[f64]) -> Limit {
         Ok(order) => order,
         Err(reason) => return Limit::NotInTheAsymptoticRange(reason),
     };
+    if order > MOST {
+        return Limit::NotInTheAsymptoticRange(format!(
+            "order {order:.2}, as of values that cross their limit"
+        ));
+    }
     let value = extrapolated(last, order);
     if last == 0 {
-        // One order cannot be compared with another: with the whole one next to it.
-        let error_estimate = (value - extrapolated(0, order.round().max(1.0))).abs();
+        // One order cannot be compared with another: the value is not said to be better than the finest.
+        let error_estimate = (value - finest).abs();
         return Limit::Extrapolated { value, error_estimate, order, confirmed: false };
     }
     let (h, q) = at(last - 1);
@@ -179,6 +189,16 @@ mod tests {
     }
 
     #[test]
+    fn three_values_promise_no_more_than_the_finest() {
+        match limit(&[1.0, 0.5, 0.25], &[1.4, 1.1, 1.025]) {
+            Limit::Extrapolated { value, error_estimate, confirmed: false, .. } => {
+                assert!((value - 1.0).abs() < 1e-12 && (error_estimate - 0.025).abs() < 1e-12);
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
     fn what_has_no_stable_order_is_said_to() {
         let halved = [1.0, 0.5, 0.25, 0.125];
         let reason = |values: &[f64]| match limit(&halved[..values.len()], values) {
@@ -189,6 +209,8 @@ mod tests {
         assert!(reason(&[1.0, 1.2, 1.1]).contains("signs"));
         assert!(reason(&[1.0, 1.1, 1.3]).contains("do not fall"));
         assert!(reason(&[2.0, 1.0, 0.9, 0.85]).contains("orders 3.32, then 1.00"));
+        assert!(reason(&[1.0, 1.1, 1.1]).contains("the same"));
+        assert!(reason(&[1.0, 1.1, 1.101]).contains("order 6.64"));
         assert_eq!(limit(&halved, &[1.0; 4]), Limit::Exact { value: 1.0 });
         assert_eq!(limit(&halved[..3], &[0.0; 3]), Limit::Exact { value: 0.0 });
     }
@@ -197,6 +219,7 @@ mod tests {
     fn errors_at_rounding_have_no_order() {
         let sizes = [1.0, 0.5, 0.25];
         assert_eq!(between(&sizes, &[1e-15, 3e-15, 0.0]), [None, None]);
+        assert_eq!(between(&sizes, &[1e-15, 1e-11, 2.5e-12]), [None, Some(2.0)]);
         assert_eq!(fit(&sizes, &[1e-15, 3e-15, 0.0]), None);
         assert_eq!(fit(&sizes, &[4e-2, 1e-2, 1e-16]).unwrap(), Fit { order: 2.0, spread: None });
     }

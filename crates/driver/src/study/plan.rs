@@ -1,6 +1,7 @@
 //! From a study to its tasks: cases that differ from the base case by overrides.
 
 use super::file::{Refine, Study};
+use super::findings::includes;
 use crate::case::{self, Case, Overrides, Source};
 use crate::diagnostic::{Diagnostic, Faults, JsonPath, Report, decode, parse};
 use serde_json::{Map, Value};
@@ -135,6 +136,7 @@ fn key(case: &Case, folder: &Path) -> String {
 /// Settings of all series; faults of the study.
 fn check(study: &Study, faults: &mut Faults) -> Vec<Map<String, Value>> {
     let root = |key: &str| JsonPath::default().key(key);
+    let levels = study.refine.as_ref().map_or(1, |refine| steps(refine).len());
     let mut series = vec![Map::new()];
     for (k, axis) in study.vary.iter().enumerate() {
         let place = root("vary").index(k);
@@ -150,9 +152,17 @@ fn check(study: &Study, faults: &mut Faults) -> Vec<Map<String, Value>> {
             faults.error(place, "the paths of an axis move together: their lists must be equally long");
             continue;
         }
-        if series.len().saturating_mul(length) > MOST {
-            faults.error(root("vary"), format!("more than {MOST} combinations"));
+        if series.len().saturating_mul(length).saturating_mul(levels) > MOST {
+            faults.error(root("vary"), format!("a study has at most {MOST} tasks"));
             break;
+        }
+        if let Some(path) = axis.keys().find(|path| series.iter().any(|s| s.contains_key(*path))) {
+            faults.error(place, format!("`{path}` is varied by another axis, too"));
+            continue;
+        }
+        if (1..length).any(|j| (0..j).any(|i| axis.values().all(|v| v[i] == v[j]))) {
+            faults.error(place, "two values of this axis are the same");
+            continue;
         }
         let with = |before: &Map<String, Value>, j: usize| {
             let own = axis.iter().map(|(path, values)| (path.clone(), values[j].clone()));
@@ -169,6 +179,16 @@ fn check(study: &Study, faults: &mut Faults) -> Vec<Map<String, Value>> {
         let unknown = values.keys().find(|path| !study.vary.iter().any(|axis| axis.contains_key(*path)));
         if let Some(path) = unknown {
             faults.error(place.key("where"), format!("`{path}` is not varied"));
+        } else if !series.iter().any(|settings| includes(settings, values)) {
+            faults.error(place.key("where"), "no series has these values");
+        }
+    }
+    for (k, expect) in study.expect.iter().enumerate() {
+        let asks = [expect.order, expect.error_at_most, expect.extrapolated_over_finest];
+        if asks.iter().all(Option::is_none) {
+            faults
+                .error(root("expect").index(k), "this expects nothing")
+                .hint("give an `order`, `error_at_most` or `extrapolated_over_finest`");
         }
     }
     series
@@ -176,29 +196,29 @@ fn check(study: &Study, faults: &mut Faults) -> Vec<Map<String, Value>> {
 
 fn check_refine(refine: &Refine, faults: &mut Faults) {
     let place = JsonPath::default().key("refine");
-    let mut check = |kind: &str, key: &str, values: &[f64], grow: bool| {
+    let mut check = |kind: &str, key: &str, values: &[f64], fine: &dyn Fn(usize) -> f64| {
         let path = place.key(kind).key(key);
         if values.len() < 2 {
             faults.error(path, "a refinement needs two values, an extrapolation three");
         } else if !values.iter().all(|v| *v > 0.0 && v.is_finite()) {
             faults.error(path, "all values must be greater than zero");
-        } else if grow && values.windows(2).any(|w| w[0] >= w[1]) {
-            faults.error(path, "every value must be larger than the one before: coarse to fine");
+        } else if (1..values.len()).any(|k| fine(k) <= fine(k - 1)) {
+            faults.error(path, "every level must be finer than the one before");
         }
     };
     match refine {
-        Refine::DeltaConvergence(r) => check("delta_convergence", "factors", &r.factors, true),
-        Refine::MConvergence(r) => check("m_convergence", "ratios", &r.ratios, true),
-        Refine::JointConvergence(r) => {
-            check("joint_convergence", "factors", &r.factors, true);
-            check("joint_convergence", "ratios", &r.ratios, false);
-            if r.factors.len() != r.ratios.len() {
-                let path = place.key("joint_convergence").key("ratios");
-                faults.error(path, "there must be as many ratios as factors");
-            }
+        Refine::DeltaConvergence(r) => check("delta_convergence", "factors", &r.factors, &|k| r.factors[k]),
+        Refine::MConvergence(r) => check("m_convergence", "ratios", &r.ratios, &|k| r.ratios[k]),
+        Refine::JointConvergence(r) if r.factors.len() == r.ratios.len() => {
+            check("joint_convergence", "factors", &r.factors, &|k| r.factors[k]);
+            check("joint_convergence", "ratios", &r.ratios, &|k| r.factors[k] * r.ratios[k]);
+        }
+        Refine::JointConvergence(_) => {
+            let path = place.key("joint_convergence").key("ratios");
+            faults.error(path, "there must be as many ratios as factors");
         }
         Refine::Values(r) => {
-            check("values", "sizes", &r.sizes, false);
+            check("values", "sizes", &r.sizes, &|k| -r.sizes[k]);
             let fits = |list: &Value| list.as_array().is_some_and(|list| list.len() == r.sizes.len());
             for (path, _) in r.set.iter().filter(|(_, list)| !fits(list)) {
                 let place = place.key("values").key("set").key(path.as_str());
@@ -220,7 +240,9 @@ fn steps(refine: &Refine) -> Vec<Step> {
         }
         Refine::Values(r) => {
             let given = |k: usize| {
-                let of = |(path, values): (&String, &Value)| format!("{path}={}", values[k]);
+                let of = |(path, values): (&String, &Value)| {
+                    format!("{path}={}", values.get(k).unwrap_or(&Value::Null))
+                };
                 r.set.iter().map(of).collect()
             };
             let all = r.sizes.iter().enumerate();

@@ -37,6 +37,8 @@ pub struct Record {
     pub unknowns: usize,
     /// Whether every state converged.
     pub converged: bool,
+    /// Whether the body breaks or softens, so that its values jump.
+    pub traced: bool,
     /// Wall time from reading the case to its last check, s.
     pub seconds: f64,
     /// Probes and stored energies.
@@ -68,9 +70,10 @@ impl Record {
             points: summary.sizes.points,
             unknowns: summary.sizes.unknowns,
             converged,
+            traced: loaded.scene.case().is_traced(),
             seconds,
-            values: values(&summary),
-            errors: errors(&summary),
+            values: distinct(values(&summary)),
+            errors: distinct(errors(&summary)),
             warnings: summary.warnings,
         })
     }
@@ -97,7 +100,20 @@ pub(super) fn values(summary: &Summary) -> Vec<Measured> {
     probes.chain(largest).chain(energies).filter(|m| m.value.is_finite()).collect()
 }
 
-/// Errors of the checks that compare with an exact solution.
+/// The same with a number behind names that others have, too.
+fn distinct(mut all: Vec<Measured>) -> Vec<Measured> {
+    for k in 1..all.len() {
+        let earlier =
+            all[..k].iter().filter(|m| m.name.trim_end_matches(char::is_numeric).trim_end() == all[k].name);
+        let same = earlier.count();
+        if same > 0 {
+            all[k].name = format!("{} {}", all[k].name, same + 1);
+        }
+    }
+    all
+}
+
+/// Errors of the checks that compare all points with an exact solution.
 fn errors(summary: &Summary) -> Vec<Measured> {
     let exact = summary.checks.iter().filter(|c| matches!(c.kind, "closed_form" | "formula"));
     let both = exact.flat_map(|check| {
@@ -106,4 +122,17 @@ fn errors(summary: &Summary) -> Vec<Measured> {
         [Some(max), check.l2_error.map(|l2| of("l2", l2))]
     });
     both.flatten().filter(|m| m.value.is_finite()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_names_are_numbered() {
+        let all = ["ux formula max", "energy", "ux formula max", "ux formula max"];
+        let all = all.map(|name| Measured { name: name.into(), value: 0.0 });
+        let names: Vec<String> = distinct(all.into()).into_iter().map(|m| m.name).collect();
+        assert_eq!(names, ["ux formula max", "energy", "ux formula max 2", "ux formula max 3"]);
+    }
 }

@@ -1,17 +1,20 @@
 //! The report of a study.
 
-use super::findings::{Findings, Quantity, Series};
-use super::order::{Limit, ROUNDING};
+use super::findings::Findings;
 use super::plan::Plan;
+use super::words;
 use super::write::{names, over_size, over_time};
 use crate::output::plot::LogLog;
 use crate::output::report;
 use crate::output::report::{
-    Axis, Badge, Block, Cell, Chart, Column, Look, Page, Section, Slope, Table, Tone, number,
+    Axis, Badge, Block, Cell, Chart, Column, Look, Page, Section, Slope, Table, Tone,
 };
+use crate::summary::words::Listing;
 
 /// Series of a chart, at most.
-const MOST_LINES: usize = 12;
+const MOST_LINES: usize = 6;
+/// Triangles of slope in a chart, at most.
+const MOST_TRIANGLES: usize = 4;
 
 /// The page of a study.
 pub(super) fn page(plan: &Plan, findings: &Findings) -> Page {
@@ -26,8 +29,11 @@ pub(super) fn page(plan: &Plan, findings: &Findings) -> Page {
     for series in &findings.series {
         let title = series.title();
         let title = if title.is_empty() { "Values".into() } else { title };
-        sections
-            .push(Section::new(title, vec![Block::Table(conclusions(series)), Block::Table(levels(series))]));
+        let tables = [
+            table("Quantities", words::conclusions(series)),
+            table("Levels", words::levels(series, &series.quantities)),
+        ];
+        sections.push(Section::new(title, tables.map(Block::Table).into()));
     }
     let timed = names(findings).into_iter().map(|name| chart(over_time(findings, name), name, false));
     let timed: Vec<Block> = timed.flatten().collect();
@@ -78,6 +84,12 @@ fn chart(diagram: LogLog, name: &str, with_slopes: bool) -> Option<Block> {
     }
     let lines = &diagram.lines[..diagram.lines.len().min(MOST_LINES)];
     let slopes = lines.iter().filter_map(|line| Slope::below(&line.points, line.slope?));
+    // More triangles would lie on each other.
+    let with_slopes = with_slopes && lines.len() <= MOST_TRIANGLES;
+    let note = match diagram.lines.len() > lines.len() {
+        true => format!("{} of {} series; `plots` has all of them", lines.len(), diagram.lines.len()),
+        false => String::new(),
+    };
     Some(Block::Chart(Chart {
         slopes: if with_slopes { slopes.collect() } else { Vec::new() },
         series: lines
@@ -89,80 +101,16 @@ fn chart(diagram: LogLog, name: &str, with_slopes: bool) -> Option<Block> {
             })
             .collect(),
         title: name.into(),
-        note: String::new(),
+        note,
         x: Axis::log(diagram.x_label),
         y: Axis::log(diagram.y_label),
     }))
 }
 
-/// Orders and limits of the quantities of a series.
-fn conclusions(series: &Series) -> Table {
-    let row = |quantity: &Quantity| {
-        let error = quantity.errors.last().map_or(String::new(), |error| match *error > ROUNDING {
-            true => number(*error),
-            false => "rounding".into(),
-        });
-        let fit = quantity.fit.map_or(String::new(), |fit| match fit.spread {
-            Some(spread) => format!("{:.2} ± {spread:.2}", fit.order),
-            None => format!("{:.2}", fit.order),
-        });
-        let last = quantity.last_order().map_or(String::new(), |order| format!("{order:.2}"));
-        let [limit, estimate] = match &quantity.limit {
-            None => Default::default(),
-            Some(Limit::Exact { value }) => [value.to_string(), "rounding".into()],
-            Some(Limit::Extrapolated { value, error_estimate, .. }) => {
-                [value.to_string(), number(*error_estimate)]
-            }
-            Some(Limit::NotInTheAsymptoticRange(reason)) => {
-                [format!("not in the asymptotic range: {reason}"), String::new()]
-            }
-        };
-        let exact = quantity.exact.map_or(String::new(), |exact| exact.to_string());
-        [quantity.name.clone(), error, last, fit, limit, estimate, exact].map(Cell::from).to_vec()
-    };
-    let titles = [
-        "error of the finest",
-        "last order",
-        "order by fit",
-        "extrapolated",
-        "estimated error of it",
-        "exact",
-    ];
-    Table {
-        title: "Quantities".into(),
-        columns: std::iter::once(Column::words("quantity")).chain(titles.map(Column::numbers)).collect(),
-        rows: series.quantities.iter().map(row).collect(),
-    }
-}
-
-/// Every level of a series.
-fn levels(series: &Series) -> Table {
-    let mut columns: Vec<Column> =
-        ["task", "horizon", "spacing", "points", "time, s"].map(Column::numbers).into();
-    let named =
-        |q: &Quantity| if q.values.is_empty() { q.name.clone() } else { format!("{}, error", q.name) };
-    for quantity in &series.quantities {
-        if !quantity.values.is_empty() {
-            columns.push(Column::numbers(quantity.name.clone()));
-        }
-        if !quantity.errors.is_empty() {
-            columns.push(Column::numbers(named(quantity)));
-        }
-    }
-    let row = |(k, level): (usize, &super::Level)| {
-        let r = &level.record;
-        let mut row: Vec<Cell> = vec![
-            level.task.to_string().into(),
-            number(r.horizon).into(),
-            number(r.spacing).into(),
-            r.points.to_string().into(),
-            format!("{:.3}", r.seconds).into(),
-        ];
-        for quantity in &series.quantities {
-            row.extend(quantity.values.get(k).map(|value| Cell::from(number(*value))));
-            row.extend(quantity.errors.get(k).map(|error| Cell::from(number(*error))));
-        }
-        row
-    };
-    Table { title: "Levels".into(), columns, rows: series.levels.iter().enumerate().map(row).collect() }
+/// A table of the record under a title; all columns but the first hold numbers.
+fn table(title: &str, listing: Listing) -> Table {
+    let columns = listing.header.iter().enumerate();
+    let columns = columns.map(|(k, title)| Column { title: title.clone(), numbers: k > 0 }).collect();
+    let row = |row: &Vec<String>| row.iter().map(|cell| Cell::from(cell.as_str())).collect();
+    Table { title: title.into(), columns, rows: listing.rows.iter().map(row).collect() }
 }

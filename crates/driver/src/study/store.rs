@@ -39,8 +39,10 @@ impl Store {
         let describe = |error: io::Error| {
             io::Error::new(error.kind(), format!("cannot write {}: {error}", folder.display()))
         };
-        fs::create_dir_all(folder.join("tasks")).map_err(describe)?;
+        // The mark comes first: what is in a folder without it is not ours.
+        fs::create_dir_all(folder).map_err(describe)?;
         fs::write(folder.join(MARK), "results of peristat\n").map_err(describe)?;
+        fs::create_dir_all(folder.join("tasks")).map_err(describe)?;
         Ok(Self::at(folder))
     }
 
@@ -70,6 +72,10 @@ impl Store {
     /// The file cannot be written.
     pub fn put(&self, record: &Record) -> io::Result<()> {
         let text = serde_json::to_string_pretty(record)?;
-        atomic::write_atomically(&self.file(&record.key), format!("{text}\n").as_bytes())
+        let file = self.file(&record.key);
+        let describe = |error: io::Error| {
+            io::Error::new(error.kind(), format!("cannot write {}: {error}", file.display()))
+        };
+        atomic::write_atomically(&file, format!("{text}\n").as_bytes()).map_err(describe)
     }
 }

@@ -22,24 +22,39 @@ pub fn write(folder: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> 
 
 fn write_all(folder: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> {
     let plots = folder.join("plots");
-    if plots.is_dir() {
-        fs::remove_dir_all(&plots)?;
-    }
-    fs::create_dir(&plots)?;
+    fs::create_dir_all(&plots)?;
+    let mut drawn = Vec::new();
     for (k, name) in names(findings).into_iter().enumerate() {
         let file = file_name(k, name);
-        draw(&plots.join(format!("{file}.svg")), over_size(findings, name))?;
-        draw(&plots.join(format!("{file}_time.svg")), over_time(findings, name))?;
+        for (file, diagram) in [
+            (format!("{file}.svg"), over_size(findings, name)),
+            (format!("{file}_time.svg"), over_time(findings, name)),
+        ] {
+            if !diagram.lines.is_empty() {
+                write_log_log(&plots.join(&file), &diagram)?;
+                drawn.push(file);
+            }
+        }
     }
+    sweep(&plots, &drawn)?;
     write_table(&folder.join("study.csv"), plan, findings)?;
     report::write(&folder.join("report.html"), &super::report::page(plan, findings))?;
     let text = serde_json::to_string_pretty(findings)?;
     atomic::write_atomically(&folder.join("study.json"), format!("{text}\n").as_bytes())
 }
 
-/// Writes a diagram, if it has lines.
-fn draw(file: &Path, diagram: LogLog) -> io::Result<()> {
-    if diagram.lines.is_empty() { Ok(()) } else { write_log_log(file, &diagram) }
+/// Removes diagrams that are no longer made; another process that collects the same study may have done so.
+fn sweep(plots: &Path, drawn: &[String]) -> io::Result<()> {
+    for entry in fs::read_dir(plots)? {
+        let name = entry?.file_name().to_string_lossy().into_owned();
+        if name.ends_with(".svg") && !drawn.contains(&name) {
+            match fs::remove_file(plots.join(&name)) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+                _ => {}
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Names of all quantities, each once.
@@ -75,16 +90,13 @@ fn lines<'a>(
     if tells { lines } else { Vec::new() }
 }
 
-/// Errors of a quantity over the horizon, or over the spacing where the horizon stays.
+/// Errors of a quantity over the size that its orders are of.
 pub(super) fn over_size(findings: &Findings, name: &str) -> LogLog {
-    let horizon_stays = findings.series.iter().all(|series| {
-        let first = series.levels.first().map_or(0.0, |l| l.record.horizon);
-        series.levels.iter().all(|l| (l.record.horizon - first).abs() <= 1e-9 * first)
-    });
     let line = |series: &Series, quantity: &Quantity| {
-        let size = series.levels.iter().filter(|l| l.size.is_some()).map(|l| match horizon_stays {
-            true => l.record.spacing,
-            false => l.record.horizon,
+        let size = series.levels.iter().filter_map(|l| match findings.size {
+            "horizon" => l.size.map(|_| l.record.horizon),
+            "spacing" => l.size.map(|_| l.record.spacing),
+            _ => l.size,
         });
         let slope = quantity.last_order();
         PowerLine {
@@ -95,7 +107,7 @@ pub(super) fn over_size(findings: &Findings, name: &str) -> LogLog {
     };
     LogLog {
         title: format!("{}: {name}", findings.title),
-        x_label: if horizon_stays { "spacing" } else { "horizon" }.into(),
+        x_label: findings.size.into(),
         y_label: "relative error".into(),
         lines: lines(findings, name, line),
     }
@@ -104,8 +116,7 @@ pub(super) fn over_size(findings: &Findings, name: &str) -> LogLog {
 /// Errors of a quantity over the run time, where they are errors against something known.
 pub(super) fn over_time(findings: &Findings, name: &str) -> LogLog {
     let line = |series: &Series, quantity: &Quantity| {
-        let known = quantity.exact.is_some() || quantity.values.is_empty();
-        let errors = if known { &quantity.errors[..] } else { &[] };
+        let errors = if quantity.is_known() { &quantity.errors[..] } else { &[] };
         let points = series.levels.iter().map(|l| l.record.seconds).zip(errors.iter().copied());
         PowerLine { label: series.title(), points: points.collect(), slope: None }
     };

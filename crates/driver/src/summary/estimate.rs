@@ -9,6 +9,9 @@ pub struct Estimates {
     pub against: String,
     /// Spacings that were solved beside the run's own, relative to it.
     pub spacings: Vec<f64>,
+    /// Why there is no coarser one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remark: Option<String>,
     /// Wall time of these, s.
     pub seconds: f64,
     /// Estimates.

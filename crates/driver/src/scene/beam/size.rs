@@ -37,6 +37,7 @@ pub(super) fn check(layout: &Layout, sections: &[Resolved], max_memory: Option<u
                 path.key("cells"),
                 format!("about {needed} of memory would be needed for {all} bonds that all differ, {allowed} may be used"),
             )
+            .for_lack_of_memory()
             .hint("use fewer cells or a shorter horizon, or raise `--max-memory`");
     }
 }

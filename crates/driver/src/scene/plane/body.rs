@@ -195,6 +195,7 @@ fn fits(
             path.key("spacing"),
             format!("about {needed} of memory would be needed for {points:e} points, {allowed} may be used"),
         )
+        .for_lack_of_memory()
         .hint("use a larger spacing, or raise `--max-memory`");
     false
 }

@@ -20,6 +20,25 @@ impl MakeOperators<f64> for Operators {
     }
 }
 
+/// Names that are no functions.
+const NAMES: [&str; 5] = ["x", "y", "pi", "e", "π"];
+
+/// Refuses names that neither are known nor have parentheses behind them: `sin x^2` could mean two things.
+fn check_names(text: &str) -> Result<(), String> {
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_alphanumeric()) {
+        let word = &rest[start..];
+        let end = word.find(|c: char| !c.is_alphanumeric() && c != '_' && c != '.').unwrap_or(word.len());
+        let (word, behind) = word.split_at(end);
+        let is_number = word.starts_with(|c: char| c.is_ascii_digit());
+        if !is_number && !NAMES.contains(&word) && !behind.trim_start().starts_with('(') {
+            return Err(format!("there is no `{word}` in formulas, or it lacks its parentheses"));
+        }
+        rest = behind;
+    }
+    if text.contains(['{', '}', '[', ']']) { Err("brackets of formulas are round".into()) } else { Ok(()) }
+}
+
 /// The expression with a zero before every minus that begins it or a part of it in parentheses, and no sign twice.
 fn with_zeros(text: &str) -> Result<String, String> {
     let (mut out, mut before, mut powers) = (String::with_capacity(text.len() + 8), '(', vec![0]);
@@ -74,6 +93,9 @@ impl Formula {
         if text.chars().count() > LONGEST {
             return Err(format!("a formula has at most {LONGEST} characters"));
         }
+        let text = text.replace(char::is_whitespace, " ");
+        check_names(&text)?;
+        // After the check no other name holds these letters.
         let parsed = FlatEx::<f64, Operators, Number>::parse(&with_zeros(&text.replace("pi", "PI"))?)
             .map_err(|error| format!("this is no formula: {error}"))?;
         let axis = |name: &String| match name.as_str() {
@@ -121,6 +143,7 @@ mod tests {
             ("2*x^2/4*y", 6.0),
             ("(x^2)^2", 16.0),
             ("cos(pi*x) + log(e)", 2.0),
+            ("sin (pi/x)\t+ min(x, y)", 3.0),
             ("7", 7.0),
         ] {
             match at(text, 2.0, 3.0) {
@@ -141,6 +164,10 @@ mod tests {
             ("x^y^2", "parentheses"),
             ("1/(x - 2)", "inf at the point (2, 3)"),
             ("sqrt(-x)", "NaN"),
+            ("sin x^2", "parentheses"),
+            ("x atan2 y", "parentheses"),
+            ("pix", "no `pix`"),
+            ("{x}", "round"),
             ("x; y", "formula"),
         ] {
             let found = at(text, 2.0, 3.0).unwrap_err();

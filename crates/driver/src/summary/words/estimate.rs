@@ -11,8 +11,9 @@ pub(crate) fn estimates(estimates: &Estimates) -> (String, Listing) {
     };
     let spacing = |s: &f64| if *s < 1.0 { format!("1/{}", s.recip().round()) } else { s.to_string() };
     let spacings: Vec<String> = estimates.spacings.iter().map(spacing).collect();
+    let remark = estimates.remark.as_ref().map_or(String::new(), |remark| format!("; {remark}"));
     let sentence = format!(
-        "error of the discretisation, against {}; from {} times the spacing, in {:.3} s",
+        "error of the discretisation, against {}; from {} times the spacing, in {:.3} s{remark}",
         estimates.against,
         spacings.join(" and "),
         estimates.seconds

@@ -41,7 +41,7 @@ impl Listing {
     }
 
     /// A table of all rows.
-    fn whole(header: &[&str], rows: Vec<Vec<String>>) -> Self {
+    pub(crate) fn whole(header: &[&str], rows: Vec<Vec<String>>) -> Self {
         Self { header: header.iter().map(ToString::to_string).collect(), rows, more: None }
     }
 }
