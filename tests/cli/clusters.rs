@@ -1,10 +1,9 @@
 //! The scripts of `docs/examples` that run a study on many machines, on this one. `PERISTAT_PYTHON` names a Python that has
 //! dask.
 
-use crate::support::{root, run};
+use crate::support::{python_with, root, run};
 use std::env;
 use std::fs;
-use std::io::Write;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -35,15 +34,7 @@ fn collected(output: &Output, folder: &Path) {
 
 #[test]
 fn dask_runs_a_study() {
-    let python = env::var("PERISTAT_PYTHON").unwrap_or_else(|_| "python3".into());
-    let has_dask = Command::new(&python).args(["-c", "import dask.distributed"]).output();
-    if !has_dask.is_ok_and(|o| o.status.success()) {
-        // Not through the captured stdout of a passing test.
-        let notice =
-            format!("\nnotice: not tested: `{python}` has no dask; set PERISTAT_PYTHON to one that has\n");
-        let _ = std::io::stderr().write_all(notice.as_bytes());
-        return;
-    }
+    let Some(python) = python_with("dask.distributed") else { return };
     let temporary = tempfile::tempdir().unwrap();
     let folder = temporary.path();
     let script = root().join("docs/examples/dask_study.py");

@@ -1,8 +1,6 @@
 //! Another program reads the fields. `PERISTAT_PYTHON` names a Python that has meshio.
 
-use crate::support::{gallery, run};
-use std::env;
-use std::io::Write;
+use crate::support::{gallery, python_with, run};
 use std::process::Command;
 
 /// Prints the sizes of a mesh and some of its values, a number per line.
@@ -20,15 +18,7 @@ print(" ".join(sorted(mesh.point_data)))
 
 #[test]
 fn meshio_reads_the_fields() {
-    let python = env::var("PERISTAT_PYTHON").unwrap_or_else(|_| "python3".into());
-    let has_meshio = Command::new(&python).args(["-c", "import meshio"]).output();
-    if !has_meshio.is_ok_and(|o| o.status.success()) {
-        // Not through the captured stdout of a passing test.
-        let notice =
-            format!("\nnotice: not tested: `{python}` has no meshio; set PERISTAT_PYTHON to one that has\n");
-        let _ = std::io::stderr().write_all(notice.as_bytes());
-        return;
-    }
+    let Some(python) = python_with("meshio") else { return };
     let folder = tempfile::tempdir().unwrap();
     let outcome = run(folder.path(), &["run", &gallery("rigid_link.json"), "-o", "out", "--json"]);
     let summary: serde_json::Value = serde_json::from_str(&outcome.stdout).unwrap();

@@ -3,6 +3,7 @@
 use assert_cmd::Command;
 use serde_json::Value;
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Root of the repository.
@@ -77,4 +78,17 @@ pub(crate) fn report_without_times(path: &Path) -> String {
     let (before, after) = text.split_once("<h2>Time and work</h2>").expect("the report has times");
     let (_, after) = after.split_once("</section>").expect("sections end");
     [before, after].concat()
+}
+
+/// The Python of `PERISTAT_PYTHON`, or any, if it has a module; else a notice, past the captured stdout of a passing test.
+pub(crate) fn python_with(module: &str) -> Option<String> {
+    let python = std::env::var("PERISTAT_PYTHON").unwrap_or_else(|_| "python3".into());
+    let import = std::process::Command::new(&python).args(["-c", &format!("import {module}")]).output();
+    if import.is_ok_and(|output| output.status.success()) {
+        return Some(python);
+    }
+    let notice =
+        format!("\nnotice: not tested: `{python}` has no {module}; set PERISTAT_PYTHON to one that has\n");
+    let _ = std::io::stderr().write_all(notice.as_bytes());
+    None
 }
