@@ -4,6 +4,7 @@ use super::order::{self, ROUNDING};
 use super::record::{Measured, values};
 use crate::case::{self, Body};
 use crate::run::{RunOptions, taking};
+use crate::summary::words::times;
 use crate::summary::{Estimate, Estimates, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::model::timoshenko_beam::Grid;
@@ -101,11 +102,6 @@ fn nested(body: &Body) -> f64 {
         _ => false,
     };
     if at_ends { 2.0 } else { 3.0 }
-}
-
-/// A multiple of the spacing in words.
-fn times(multiple: f64) -> String {
-    if multiple < 1.0 { format!("1/{}", multiple.recip().round()) } else { multiple.round().to_string() }
 }
 
 /// Why another spacing has no values.

@@ -4,6 +4,7 @@
 //! and the [`Store`] keeps it, so that a finished task is never solved again; [`Findings`] are what all records say
 //! together. Nothing here prints.
 
+mod check;
 mod estimate;
 mod expect;
 mod file;

@@ -7,7 +7,7 @@ mod path;
 mod plane;
 mod state;
 
-pub(crate) use estimate::estimates;
+pub(crate) use estimate::{estimates, times};
 pub(crate) use state::{extremes, place, position};
 
 use super::{Forces, Located, ModelSummary, StateSummary, Summary};
