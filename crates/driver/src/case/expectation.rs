@@ -278,7 +278,7 @@ pub struct Formula {
     /// Field that is compared.
     pub field: FieldName,
     /// The exact value at (x, y), such as `1e-3*x - 2*y^2`: + - * / ^, parentheses, pi, e, sqrt, exp, log, log10, sin, cos,
-    /// tan, asin, acos, atan, atan2(y, x), sinh, cosh, tanh, abs. `-x^2` is −(x²); powers of powers need parentheses.
+    /// tan, asin, acos, atan, atan2(y, x), sinh, cosh, tanh, abs, min, max. `-x^2` is −(x²); powers of powers need parentheses.
     pub is: String,
     /// Largest difference at any point, relative to the largest value of the formula.
     pub tolerance: f64,

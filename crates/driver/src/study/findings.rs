@@ -3,7 +3,7 @@
 use super::file::{Refine, Study};
 use super::order::{self, Fit, Limit};
 use super::plan::{Plan, Task};
-use super::record::Record;
+use super::record::{Measured, Record};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -98,8 +98,10 @@ fn words(value: &Value) -> String {
 /// Every quantity that all levels have.
 fn quantities(study: &Study, settings: &Map<String, Value>, levels: &[Level]) -> Vec<Quantity> {
     let Some(first) = levels.first() else { return Vec::new() };
-    let sizes: Vec<f64> = levels.iter().filter_map(|level| level.size).collect();
-    let column = |name: &str, of: fn(&Record) -> &Vec<super::record::Measured>| -> Option<Vec<f64>> {
+    // What jumps, as bodies that break or soften do, has no order.
+    let steady = levels.iter().filter(|level| !level.record.traced);
+    let sizes: Vec<f64> = steady.filter_map(|level| level.size).collect();
+    let column = |name: &str, of: fn(&Record) -> &Vec<Measured>| -> Option<Vec<f64>> {
         levels.iter().map(|l| of(&l.record).iter().find(|m| m.name == name).map(|m| m.value)).collect()
     };
     let errors = first.record.errors.iter().filter_map(|m| {
@@ -109,10 +111,7 @@ fn quantities(study: &Study, settings: &Map<String, Value>, levels: &[Level]) ->
     let values = first.record.values.iter().filter_map(|m| {
         let values = column(&m.name, |record| &record.values)?;
         let exact = study.exact.iter().find(|e| e.quantity == m.name && includes(settings, &e.r#where));
-        // Values of bodies that break or soften jump: they have no order.
-        let traced = levels.iter().any(|level| level.record.traced);
-        let sizes = if traced { &[][..] } else { &sizes };
-        Some(Quantity::of_values(&m.name, sizes, values, exact.map(|e| e.value)))
+        Some(Quantity::of_values(&m.name, &sizes, values, exact.map(|e| e.value)))
     });
     errors.chain(values).collect()
 }

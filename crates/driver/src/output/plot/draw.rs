@@ -3,6 +3,7 @@
 use std::error::Error;
 
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::ValueFormatter;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
@@ -32,7 +33,7 @@ const BOTTOM: i32 = SIZE.1 - 58;
 const LEGEND_END: i32 = 140;
 
 pub(super) const INK: RGBColor = RGBColor(0x33, 0x3A, 0x44);
-pub(super) const FAINT: RGBColor = RGBColor(0xE4, 0xE7, 0xEB);
+const FAINT: RGBColor = RGBColor(0xE4, 0xE7, 0xEB);
 pub(super) const ZERO: RGBColor = RGBColor(0x9A, 0xA3, 0xAE);
 /// Told apart in every common form of colour blindness (Okabe and Ito 2008), the yellow left out.
 pub(super) const COLORS: [RGBColor; 6] = [
@@ -80,14 +81,7 @@ fn draw(canvas: &Canvas<'_>, diagram: &Diagram, x: &Scale, y: &Scale) -> Drawn {
         .x_label_area_size((SIZE.1 - BOTTOM) * FINE)
         .y_label_area_size(LEFT * FINE)
         .build_cartesian_2d(x.clone(), y.clone())?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(FAINT.stroke_width(10))
-        .axis_style(ZERO.stroke_width(10))
-        .set_all_tick_mark_size(5 * FINE)
-        .label_style(font(12).color(&INK))
-        .draw()?;
+    mesh(&mut chart)?;
     if y.low < 0.0 && y.high > 0.0 {
         let line = [(x.low, 0.0), (x.high, 0.0)];
         chart.draw_series([PathElement::new(line, ZERO.stroke_width(12))])?;
@@ -106,6 +100,21 @@ fn draw(canvas: &Canvas<'_>, diagram: &Diagram, x: &Scale, y: &Scale) -> Drawn {
         extremes(canvas, &series.points, |p| chart.backend_coord(&p))?;
     }
     Ok(canvas.present()?)
+}
+
+/// The axes with their numbers, and faint lines across.
+pub(super) fn mesh<'a, X, Y>(chart: &mut ChartContext<'a, SVGBackend<'a>, Cartesian2d<X, Y>>) -> Drawn
+where
+    X: Ranged<ValueType = f64> + ValueFormatter<f64>,
+    Y: Ranged<ValueType = f64> + ValueFormatter<f64>,
+{
+    let mut mesh = chart.configure_mesh();
+    mesh.light_line_style(TRANSPARENT)
+        .bold_line_style(FAINT.stroke_width(10))
+        .axis_style(ZERO.stroke_width(10))
+        .set_all_tick_mark_size(5 * FINE)
+        .label_style(font(12).color(&INK));
+    Ok(mesh.draw()?)
 }
 
 /// The names of the axes, and the powers of ten that their numbers leave out.

@@ -1,6 +1,6 @@
 //! Errors over sizes: both axes logarithmic, with a triangle that shows the slope of each line.
 
-use super::draw::{self, COLORS, Canvas, Drawn, FINE, INK, at, font, on_canvas, text};
+use super::draw::{COLORS, Canvas, Drawn, FINE, INK, at, font, mesh, on_canvas, text};
 use crate::output::atomic;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::prelude::*;
@@ -84,14 +84,7 @@ fn draw(
         .x_label_area_size((SIZE.1 - BOTTOM) * FINE)
         .y_label_area_size(LEFT * FINE)
         .build_cartesian_2d(x.clone(), y.clone())?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(draw::FAINT.stroke_width(10))
-        .axis_style(draw::ZERO.stroke_width(10))
-        .set_all_tick_mark_size(5 * FINE)
-        .label_style(font(12).color(&INK))
-        .draw()?;
+    mesh(&mut chart)?;
     for ((points, line), color) in lines.iter().zip(&diagram.lines).zip(COLORS.iter().cycle()) {
         chart.draw_series(LineSeries::new(points.iter().copied(), color.stroke_width(18)))?;
         chart.draw_series(points.iter().map(|p| Circle::new(*p, 3 * FINE, color.filled())))?;
