@@ -16,6 +16,7 @@
 //! * `r . z` may end by wandering about a floor, or turn negative there. Below 1e-24 of the energy of the solution this
 //!   counts as converged.
 
+mod lanczos;
 mod report;
 
 use crate::sums::dot;

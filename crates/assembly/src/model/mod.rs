@@ -90,6 +90,12 @@ pub trait Model<const D: usize> {
     /// [`RIGID_MOTIONS`](Self::RIGID_MOTIONS); rotations are about `centre`.
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; D];
 
+    /// Relative error, in the energy norm, of a solution by the rounding of the numbers that the model is made of, such as
+    /// weights that were found by solving; what no residual shows.
+    fn calibration_error(&self) -> f64 {
+        8.0 * f64::EPSILON
+    }
+
     /// How far a unit rigid motion moves a point: m, or m per rad. Unlike unknowns, this compares motions of all kinds.
     fn displacement(&self, kind: usize, point: usize, centre: Point) -> f64 {
         let motion = self.rigid_motion(kind, point, centre).into_iter().zip(Self::IS_DISPLACEMENT);

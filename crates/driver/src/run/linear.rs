@@ -87,6 +87,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
                 solution.first_correction = report.first_correction;
             }
             solution.iterations += report.iterations;
+            solution.least_eigenvalue = solution.least_eigenvalue.min(report.least_eigenvalue);
             // A later pass that has nothing left to do may see only rounding.
             if pass == 0 || report.status == PcgStatus::Converged {
                 solution.status = report.status;
@@ -99,6 +100,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
                 break;
             }
         }
+        self.work.doubt(system, &mut *self.preconditioner, &mut solution);
         self.counters.right_hand_sides += 1;
         self.counters.pcg_iterations += solution.iterations;
         self.report.iterations.push(solution.iterations);

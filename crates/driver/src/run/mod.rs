@@ -20,6 +20,7 @@ mod verdict;
 mod workspace;
 
 pub use beam::BeamResult;
+pub(crate) use certificate::FEW_DIGITS;
 pub use certificate::{Balance, Certificate};
 pub use factor::{SolveFailure, SolverReport};
 pub use linear::LinearSolver;
@@ -263,7 +264,8 @@ fn solve_states<const D: usize, P: Problem<D>>(
         let motion_factor = problem.add_load(state, &mut load);
         let (mut solution, mut certificate) =
             certified(problem, system, solver, (&load, motion_factor), &mut timing);
-        if !certificate.converged && method::can_fall_back(problem) {
+        let is_poor = !certificate.converged || certificate.digits < FEW_DIGITS;
+        if is_poor && method::can_fall_back(problem) {
             solver.fall_back(problem, system, &mut timing)?;
             (solution, certificate) = certified(problem, system, solver, (&load, motion_factor), &mut timing);
         }

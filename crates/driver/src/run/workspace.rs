@@ -33,8 +33,13 @@ pub(super) struct StateSolution {
     pub(super) multipliers: Vec<f64>,
     /// Largest element-wise residual per component, constrained unknowns left out.
     pub(super) residual: Vec<f64>,
-    /// The correction that one more solve with the preconditioner would make, relative to the unknowns.
+    /// The correction that one more solve would make, relative to the unknowns.
     pub(super) next_correction: f64,
+    /// Twice the energy of that correction.
+    pub(super) correction_energy: f64,
+    /// Least eigenvalue of the preconditioned stiffness that was seen, at most 1: the preconditioner alone corrects a part
+    /// of the error that is no smaller.
+    pub(super) least_eigenvalue: f64,
     /// Size of all corrections after the first solve with the preconditioner, relative to the solution, in energy norm.
     pub(super) first_correction: f64,
     /// Iterations of all passes.
@@ -53,6 +58,8 @@ impl StateSolution {
             multipliers: Vec::new(),
             residual: Vec::new(),
             next_correction: f64::INFINITY,
+            correction_energy: 0.0,
+            least_eigenvalue: 1.0,
             first_correction: 0.0,
             iterations: 0,
             status: PcgStatus::Converged,
@@ -126,11 +133,37 @@ impl<const D: usize> Workspace<D> {
         solution.held = self.constraint_forces(system);
         solution.multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
         constraints.restrict(&mut self.residual);
-        let correction = self.pcg.precondition(preconditioner, &self.residual);
-        let sizes = [size(correction, &self.scales), size(&solution.u, &self.scales)];
-        solution.next_correction = sizes[0] / sizes[1].max(f64::MIN_POSITIVE);
+        [solution.next_correction, solution.correction_energy] = self.correction(preconditioner, solution);
         let n = system.points();
         solution.residual = (0..D).map(|c| largest(&self.residual[c * n..][..n])).collect();
+    }
+
+    /// What one more solve would correct of the unknowns if the residual at hand were theirs, relative to them, and twice
+    /// its energy. The preconditioner alone may be stiffer than the system: by no more than its least eigenvalue says.
+    fn correction(&mut self, preconditioner: &mut dyn Preconditioner, solution: &StateSolution) -> [f64; 2] {
+        let correction = self.pcg.precondition(preconditioner, &self.residual);
+        let sizes = [size(correction, &self.scales), size(&solution.u, &self.scales)];
+        let energy: f64 = correction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
+        [sizes[0] / sizes[1].max(f64::MIN_POSITIVE), energy.abs()]
+            .map(|seen| seen / solution.least_eigenvalue)
+    }
+
+    /// Adds what the rounding of forces does to a solution that was weighed: the residual that it was found with is as small
+    /// as that rounding makes it seem. Three times the unknowns round otherwise.
+    pub(super) fn doubt(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        solution: &mut StateSolution,
+    ) {
+        let mut other: Vec<f64> = solution.u.iter().map(|u| 3.0 * u).collect();
+        system.force(&other, &mut self.residual);
+        system.force(&solution.u, &mut other);
+        self.residual.iter_mut().zip(&other).for_each(|(r, f)| *r = *r / 3.0 - f);
+        system.constraints().restrict(&mut self.residual);
+        let [size, energy] = self.correction(preconditioner, solution);
+        solution.next_correction = solution.next_correction.max(size);
+        solution.correction_energy = solution.correction_energy.max(energy);
     }
 
     /// Improves unknowns under a load and the prescribed motions until the residual is at most `target` in the 2-norm, or
@@ -148,7 +181,7 @@ impl<const D: usize> Workspace<D> {
         self.refresh_residual(system, load, u);
         constraints.restrict(&mut self.residual);
         let mut residual = norm(&self.residual);
-        let mut iterations = 0;
+        let (mut iterations, mut least_eigenvalue) = (0, 1.0);
         if residual > target {
             let options = PcgOptions {
                 max_iterations,
@@ -160,9 +193,10 @@ impl<const D: usize> Workspace<D> {
             let mut preconditioner = Inert { inner: preconditioner, rows: constraints.rows() };
             let report = self.pass(system, &mut preconditioner, &options, u);
             (iterations, residual) = (report.iterations, norm(&self.residual));
+            least_eigenvalue = report.least_eigenvalue.min(1.0);
             constraints.expand(1.0, u);
         }
-        Followed { iterations, residual, reached: residual <= target }
+        Followed { iterations, residual, least_eigenvalue, reached: residual <= target }
     }
 
     /// Whether the residual of some unknowns acts on a motion that costs next to no energy: the direction in which the
@@ -238,6 +272,8 @@ pub(super) struct Followed {
     pub(super) iterations: usize,
     /// The last residual, 2-norm.
     pub(super) residual: f64,
+    /// As in [`StateSolution`].
+    pub(super) least_eigenvalue: f64,
     /// Whether it is small enough.
     pub(super) reached: bool,
 }

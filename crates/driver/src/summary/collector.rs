@@ -2,7 +2,7 @@
 
 use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, plane};
 use crate::memory;
-use crate::run::{CheckResult, ProbeResult, Range, RunReport, StateResult};
+use crate::run::{CheckResult, FEW_DIGITS, ProbeResult, Range, RunReport, StateResult};
 use crate::scene::Scene;
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;
@@ -64,7 +64,8 @@ impl Collector {
     }
 
     /// The summary of the run.
-    pub fn finish(self, scene: &Scene, report: RunReport, warnings: Vec<String>) -> Summary {
+    pub fn finish(self, scene: &Scene, report: RunReport, mut warnings: Vec<String>) -> Summary {
+        warnings.extend(few_digits(&self.states));
         // States before a restart are known from it alone.
         let converged = report.converged && self.states.iter().all(|s| s.certificate.converged);
         let status = match (converged, self.checks.iter().all(|c| c.passed)) {
@@ -99,6 +100,17 @@ impl Collector {
             version: env!("CARGO_PKG_VERSION"),
         }
     }
+}
+
+/// What there is to say of the state of which the fewest digits can be trusted, if these are few.
+fn few_digits(states: &[StateSummary]) -> Option<String> {
+    let fewest = |s: &&StateSummary| s.certificate.digits.min(s.certificate.strain_digits);
+    let worst = states.iter().min_by_key(fewest).filter(|s| fewest(s) < FEW_DIGITS)?;
+    let certificate = &worst.certificate;
+    Some(format!(
+        "{}: only {} digits of displacements and {} of strains and forces can be trusted, by rounding and iteration",
+        worst.name, certificate.digits, certificate.strain_digits
+    ))
 }
 
 /// Extreme values over all states.

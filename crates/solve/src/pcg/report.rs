@@ -1,5 +1,7 @@
 //! When the iteration ends, and what is said about it.
 
+use super::lanczos::Lanczos;
+
 /// `r . z` relative to the energy of the solution below which the iteration has reached
 /// rounding: the energy error is then 1e-12 of the solution's or less, and what
 /// looks like stagnation is the floor.
@@ -76,6 +78,9 @@ pub struct PcgReport {
     /// Energy norm of all steps after the first relative to that of the solution:
     /// how wrong the answer of the preconditioner alone was, up to its length.
     pub first_correction: f64,
+    /// Least eigenvalue of the preconditioned operator that the steps have seen, the smallest Ritz value; 1 if there were
+    /// none. `r . z` over it bounds the squared energy norm of the error.
+    pub least_eigenvalue: f64,
 }
 
 /// Follows `r . z` and the energy of the steps.
@@ -92,6 +97,7 @@ pub(super) struct Watch<'a> {
     /// Squared 2-norms of the residual, if asked for.
     first_square: f64,
     last_square: f64,
+    lanczos: Lanczos,
 }
 
 impl<'a> Watch<'a> {
@@ -108,6 +114,7 @@ impl<'a> Watch<'a> {
             later_energy: 0.0,
             first_square: 0.0,
             last_square: 0.0,
+            lanczos: Lanczos::default(),
         }
     }
 
@@ -174,6 +181,7 @@ impl<'a> Watch<'a> {
             self.later_energy += energy;
         }
         self.iterations += 1;
+        self.lanczos.step(step, next / rz);
         (self.previous, self.last) = (rz, next);
         if !next.is_finite() || !energy.is_finite() {
             return Some(PcgStatus::NotFinite);
@@ -228,6 +236,7 @@ impl<'a> Watch<'a> {
             energy_ratio: if self.first == 0.0 { 0.0 } else { self.last / self.first },
             residual_ratio: self.residual_ratio(),
             first_correction: share.sqrt(),
+            least_eigenvalue: self.lanczos.least_eigenvalue(),
         }
     }
 }

@@ -160,6 +160,10 @@ impl Model<3> for BeamBondOrthotropic {
         [x, y, 0.0]
     }
 
+    fn calibration_error(&self) -> f64 {
+        crate::model::plane::CALIBRATION
+    }
+
     fn terms(&self) -> Vec<Box<dyn Term<3>>> {
         let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.body.bonds.clone())];
         if self.triangles() > 0 {

@@ -22,6 +22,10 @@ impl Model<2> for BondPlane {
         [x, y, 0.0]
     }
 
+    fn calibration_error(&self) -> f64 {
+        crate::model::plane::CALIBRATION
+    }
+
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
         let mut terms: Vec<Box<dyn Term<2>>> = match &self.body {
             Body::Lattice(body) => vec![Box::new(body.bonds.clone())],

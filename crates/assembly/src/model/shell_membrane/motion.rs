@@ -106,6 +106,10 @@ impl Model<3> for ShellMembrane {
         [x, s, 0.0]
     }
 
+    fn calibration_error(&self) -> f64 {
+        crate::model::plane::CALIBRATION
+    }
+
     fn terms(&self) -> Vec<Box<dyn Term<3>>> {
         let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.bonds.clone())];
         if let Some(curvature) = &self.curvature {

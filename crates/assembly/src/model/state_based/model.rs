@@ -77,6 +77,10 @@ impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
         [x, y, 0.0]
     }
 
+    fn calibration_error(&self) -> f64 {
+        self.parameters.calibration_error()
+    }
+
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
         vec![Box::new(self.body.term.clone())]
     }

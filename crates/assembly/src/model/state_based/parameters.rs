@@ -1,6 +1,7 @@
 //! Material, family and treatments of state-based bodies.
 
 use super::super::bond_plane::Influence;
+use super::super::plane::CALIBRATION;
 use crate::bonds::Mat;
 use serde::{Deserialize, Serialize};
 
@@ -109,7 +110,8 @@ impl StateParameters {
     pub fn lame(&self) -> f64 {
         let (e, nu) = (self.youngs_modulus, self.poisson_ratio);
         match self.geometry {
-            Geometry::PlaneStress(_) => e * nu / (1.0 - nu * nu),
+            // 1 − ν² would lose what is left of 1 + ν where that vanishes.
+            Geometry::PlaneStress(_) => e * nu / ((1.0 + nu) * (1.0 - nu)),
             _ => e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)),
         }
     }
@@ -117,6 +119,14 @@ impl StateParameters {
     /// Modulus of a change of volume without one of shape, Pa: `λ + 2μ/3`.
     pub fn bulk_modulus(&self) -> f64 {
         self.lame() + 2.0 / 3.0 * self.shear_modulus()
+    }
+
+    /// Error of the weights of families, which are found by solving: next to an axis 1e-12 is measured. It weighs the more
+    /// the more a change of volume, or of shape, is resisted than the other.
+    pub(super) fn calibration_error(&self) -> f64 {
+        let weights = if self.is_axisymmetric() { 1e-12 } else { CALIBRATION };
+        let (shape, volume) = (self.shear_modulus(), self.lame() + self.shear_modulus());
+        weights * (shape / volume).max(volume / shape).sqrt()
     }
 
     /// From strains `[ε_xx, ε_yy, γ_xy]` without a strain across the section to stresses, Pa.

@@ -142,6 +142,16 @@ fn certificate(summary: &Summary) -> Vec<Block> {
         None => ("next correction", "what one more solve would change, over the largest unknown"),
     };
     let mut rows = vec![
+        row(
+            "error".into(),
+            largest(&|c| c.error),
+            "bound on the error of displacements by rounding and iteration",
+        ),
+        row(
+            "error of strains".into(),
+            largest(&|c| c.strain_error),
+            "the same of strains, stresses and forces",
+        ),
         row(correction.0.into(), largest(&|c| c.next_correction), correction.1),
         row(
             "residual".into(),

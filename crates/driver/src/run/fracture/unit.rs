@@ -182,18 +182,20 @@ impl<const D: usize> Unit<D> {
         let begin = Instant::now();
         let loads: Vec<f64> = self.loads.iter().map(|f| load_factor * f).collect();
         // What is recorded is better than what the next break is found with, and does not change it.
-        let mut u = self.u.clone();
+        let (mut u, mut least_eigenvalue) = (self.u.clone(), 1.0);
         if load_factor > 0.0 {
             let vectors = (&self.loads[..], &mut u[..]);
             let target = POLISHED * self.jump;
             let polished = self.work.follow(system, &mut self.factor, vectors, target, POLISHING);
             self.counters.pcg_iterations += polished.iterations;
+            least_eigenvalue = polished.least_eigenvalue;
         }
         let mut solution = StateSolution::of(u.into_iter().map(|u| load_factor * u).collect());
-        solution.iterations = self.iterations;
+        (solution.iterations, solution.least_eigenvalue) = (self.iterations, least_eigenvalue);
         let suddenly = load_factor * load_factor * jump_energy(system);
         solution.jump_energy = if is_slack { f64::INFINITY } else { suddenly };
         self.work.weigh(system, &mut self.factor, (&loads, load_factor), &mut solution);
+        self.work.doubt(system, &mut self.factor, &mut solution);
         if is_slack {
             // Displacements are rounding, too, and so is what would correct them.
             solution.next_correction = 0.0;

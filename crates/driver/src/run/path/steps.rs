@@ -1,6 +1,6 @@
 //! From state to state, to every place where the path turns.
 
-use super::super::certificate::{self, Certificate};
+use super::super::certificate::{self, Certificate, Seen};
 use super::super::workspace::StateSolution;
 use super::super::{Advance, Problem, RunError, RunReport, Sink, Sizes, SolvedState};
 use super::auto::Chosen;
@@ -13,6 +13,7 @@ use super::newton::TOLERANCE;
 use super::point::PathPoint;
 use super::problem::SofteningBody;
 use super::report::report;
+use peristat_assembly::model::Model;
 use peristat_assembly::system::System;
 use std::time::Instant;
 
@@ -156,14 +157,21 @@ fn certify<const D: usize, P: SofteningBody<D>>(body: &P, course: &Course<D>, lo
     let largest = state.answers.bonds.iter().map(|a| a.force.abs()).fold(0.0, f64::max);
     let residual = state.residual.iter().map(|r| r.abs()).fold(0.0, f64::max);
     let identity = last.identity.abs();
+    // The loads of parts that came off, and rigid motions of finite size, have no balance.
+    let calibration = body.problem().model().calibration_error();
+    let seen = Seen {
+        correction: last.residual,
+        strain_correction: last.residual,
+        imbalance: identity,
+        calibration,
+    };
     Certificate {
-        // The loads of parts that came off, and rigid motions of finite size, have no balance.
-        converged: last.residual <= 10.0 * TOLERANCE && identity <= certificate::UNBALANCED,
         residual: certificate::ratio(residual, largest),
         next_correction: last.residual,
         first_correction: 0.0,
         balance,
         energy_balance: identity,
         energy: last.stored,
+        ..seen.certificate(last.residual <= 10.0 * TOLERANCE, true)
     }
 }

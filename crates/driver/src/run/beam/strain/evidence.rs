@@ -1,6 +1,6 @@
 //! What a solution in strains is certified with.
 
-use crate::run::certificate::{Balance, CONVERGED, Certificate, STRAIN_FREE, UNBALANCED, ratio};
+use crate::run::certificate::{Balance, Certificate, STRAIN_FREE, Seen, ratio};
 use peristat_assembly::model::timoshenko_beam::StrainChecks;
 
 /// What a solution in strains tells of itself.
@@ -36,7 +36,7 @@ pub(super) struct Evidence {
 /// largest strain estimates the error of the strains; the next correction is the larger of this and of what the supports
 /// lack. Where springs take nearly all of the energy, strains are measured by it. The work of loads and reactions is that
 /// of the displacements: it agrees with the energy of the strains only if these were summed up as the loads were.
-pub(super) fn certify(motions: &[&'static str], evidence: &Evidence) -> Certificate {
+pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evidence) -> Certificate {
     let Evidence { checks, sizes, length, spring_energy, jump_energy, .. } = *evidence;
     let strains = evidence.loaded || checks.energy > STRAIN_FREE * jump_energy;
     let or_zero = |value: f64| if strains { value } else { 0.0 };
@@ -54,16 +54,21 @@ pub(super) fn certify(motions: &[&'static str], evidence: &Evidence) -> Certific
             relative: or_zero(ratio(sum.abs(), size)),
         })
         .collect();
-    let next_correction =
-        evidence.next_correction.max(or_zero(ratio(checks.residual, strain * evidence.least_eigenvalue)));
-    let balanced = balance.iter().map(|b| b.relative).fold(energy_balance, f64::max) <= UNBALANCED;
+    let strain_correction = or_zero(ratio(checks.residual, strain * evidence.least_eigenvalue));
+    let next_correction = evidence.next_correction.max(strain_correction);
+    let seen = Seen {
+        correction: next_correction,
+        strain_correction,
+        imbalance: balance.iter().map(|b| b.relative).fold(energy_balance, f64::max),
+        calibration,
+    };
     Certificate {
-        converged: balanced && energy.is_finite() && next_correction <= CONVERGED,
         residual: or_zero(ratio(checks.residual, action)),
         next_correction,
         first_correction: evidence.first_correction,
         balance,
         energy_balance,
         energy,
+        ..seen.certificate(energy.is_finite(), true)
     }
 }

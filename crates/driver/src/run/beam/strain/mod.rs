@@ -64,7 +64,8 @@ where
         let (solution, evidence) = solver.solve(loads, motion_factor)?;
         timing.solve += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
-        let certificate = evidence::certify(TimoshenkoBeam::RIGID_MOTIONS, &evidence);
+        let calibration = <TimoshenkoBeam as Model<D>>::calibration_error(parts.beam);
+        let certificate = evidence::certify(TimoshenkoBeam::RIGID_MOTIONS, calibration, &evidence);
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();

@@ -195,6 +195,8 @@ impl<'a> StrainSolver<'a> {
             held,
             residual: Vec::new(),
             next_correction: evidence.next_correction,
+            correction_energy: 0.0,
+            least_eigenvalue: 1.0,
             first_correction: evidence.first_correction,
             iterations: 0,
             status: PcgStatus::Converged,

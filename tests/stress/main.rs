@@ -1,0 +1,78 @@
+//! The stress suite: every model at its extremes, against closed forms and double-double references. An answer that is
+//! wrong by more than its certificate says is a failure; a refusal with its reason is not.
+//!
+//! `cargo test --release -p peristat --test stress -- --ignored --nocapture` solves all rows and prints the table; with
+//! `UPDATE_EXPECTED=1` it is written to `docs/stability.md`. A part of the rows runs with all other tests.
+#![allow(clippy::float_cmp, clippy::print_stdout)]
+
+mod axisymmetric;
+mod beams;
+mod bonds;
+mod frames;
+mod orthotropic;
+mod outcome;
+mod plates;
+mod row;
+mod shells;
+mod table;
+
+use outcome::{Outcome, solve};
+use row::Row;
+use std::path::Path;
+
+/// Rows of all models.
+fn rows() -> Vec<Row> {
+    [
+        beams::rows(),
+        frames::rows(),
+        plates::central(),
+        plates::state_based(),
+        bonds::rows(),
+        orthotropic::rows(),
+        axisymmetric::rows(),
+        shells::rows(),
+    ]
+    .concat()
+}
+
+fn solve_all(rows: Vec<Row>) -> Vec<(Row, Outcome)> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let solved = rows.into_iter().map(|row| {
+        let outcome = solve(&row, folder.path());
+        (row, outcome)
+    });
+    solved.collect()
+}
+
+/// Panics with all rows that are wrong by more than they say.
+fn assert_honest(solved: &[(Row, Outcome)]) {
+    let lies: Vec<String> = solved
+        .iter()
+        .filter_map(|(row, outcome)| Some(format!("{}: {}", row.name(), outcome.lie()?)))
+        .collect();
+    assert!(lies.is_empty(), "{} of {} rows:\n{}", lies.len(), solved.len(), lies.join("\n"));
+}
+
+#[test]
+fn a_part_of_the_rows_is_right_or_refused() {
+    /// Cells of a body above which a row is left to the whole suite.
+    const SMALL: usize = 1000;
+    /// One row of so many.
+    const SHARE: usize = 7;
+    let rows = rows().into_iter().filter(|row| row.cells <= SMALL).step_by(SHARE).collect();
+    assert_honest(&solve_all(rows));
+}
+
+#[test]
+#[ignore = "takes minutes: the whole stress suite"]
+fn every_row_is_right_or_refused() {
+    let solved = solve_all(rows());
+    let text = table::page(&solved);
+    println!("{text}");
+    if std::env::var_os("UPDATE_EXPECTED").is_some() {
+        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/stability.md");
+        std::fs::write(page, text).expect("the page can be written");
+    }
+    assert!(solved.len() >= 2000, "{} rows", solved.len());
+    assert_honest(&solved);
+}
