@@ -114,7 +114,7 @@ impl Lattice {
             case["solver"] = json!("auto");
         }
         let mut row = Row::new(
-            "bond_plane, cut",
+            if self.path.is_some() { "bond_plane that softens" } else { "bond_plane, cut" },
             sweep,
             format!("{at}{nx}x{ny}, m = {}, tip {tip}, {solver}", self.ratio),
             case,
@@ -196,7 +196,8 @@ pub(crate) fn rows() -> Vec<Row> {
             rows.extend(lattice.row("springs hold a part", format!("k = {spring:.0e} E t, "), solver));
         }
     }
-    for (tip, ratio) in [0.5, 3.07, 5.07, 5.57].into_iter().flat_map(|t| [1.5, 2.0, 3.0, 4.2].map(|m| (t, m)))
+    for (tip, ratio) in
+        [0.57, 3.07, 5.07, 5.57].into_iter().flat_map(|t| [1.5, 2.0, 3.0, 4.2].map(|m| (t, m)))
     {
         for (control, brittleness) in ["displacement", "event", "dissipation"]
             .into_iter()

@@ -3,6 +3,7 @@
 use crate::row::{Kind, Row};
 use peristat::results::finite;
 use peristat::run::{RunOptions, taking};
+use peristat::summary::Status;
 use peristat::{Error, Loaded};
 use std::io;
 use std::path::Path;
@@ -67,7 +68,7 @@ fn told(row: &Row, path: &Path) -> Result<Outcome, Error> {
     Ok(Outcome::Told(Told {
         errors: [Kind::Displacement, Kind::Force].map(error),
         bounds: [certificate.error, certificate.strain_error],
-        given: certificate.converged,
+        given: certificate.converged && summary.status != Status::NotConverged,
     }))
 }
 

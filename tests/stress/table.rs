@@ -16,47 +16,47 @@ struct Line<'a> {
     worst_at: &'a str,
     /// Largest error over its bound.
     closest: f64,
-    /// Fewest digits of an answer that is given.
+    /// Fewest digits of displacements of an answer that is given.
     digits: f64,
 }
 
 /// The page of the documentation.
 pub(crate) fn page(solved: &[(Row, Outcome)]) -> String {
-    let lines = lines(solved);
-    let mut text = String::from(HEAD);
-    let refused: usize = lines.iter().map(|l| l.refused).sum();
-    let doubted: usize = lines.iter().map(|l| l.doubted).sum();
-    let _ = writeln!(
-        text,
-        "{} rows: {} answers given, {refused} refused as input, {doubted} refused by their certificate, {} wrong by more than they say.\n",
+    let (models, sweeps) = (lines(solved, |_| ""), lines(solved, |row| row.sweep));
+    let [refused, doubted] =
+        [|l: &Line| l.refused, |l: &Line| l.doubted].map(|of| models.iter().map(of).sum::<usize>());
+    let lies = solved.iter().filter(|(_, outcome)| outcome.lie().is_some()).count();
+    let mut text = format!(
+        "<!-- Written by the stress suite: UPDATE_EXPECTED=1 cargo test --release -p peristat --test stress -- --ignored -->\n\n\
+         {} rows: {} answers, {refused} refused before they are solved, {doubted} refused by their certificate (exit code 1), \
+         {lies} wrong by more than they say.\n\n",
         solved.len(),
         solved.len() - refused - doubted,
-        solved.iter().filter(|(_, outcome)| outcome.lie().is_some()).count(),
     );
-    text.push_str("| model | at its extremes | rows | refused | no digits | worst error | its bound | error / bound, worst | fewest digits | worst at |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---|\n");
-    for line in &lines {
-        let Line { model, sweep, rows, refused, doubted, worst: [error, bound], worst_at, .. } = line;
-        let _ = writeln!(
-            text,
-            "| {model} | {sweep} | {rows} | {refused} | {doubted} | {error:.0e} | {bound:.0e} | {:.0e} | {:.0} | {worst_at} |",
-            line.closest, line.digits
-        );
+    text.push_str("## Worst of every model\n\n| model | rows | refused | no digits | worst error | its bound | error over bound, worst | fewest digits |\n|---|---:|---:|---:|---:|---:|---:|---:|\n");
+    for line in &models {
+        let _ = writeln!(text, "| {} | {} |", line.model, line.numbers());
     }
-    text.push_str("\nReasons of refusal\n\n");
+    text.push_str("\n## Every sweep\n\n| model | at its extremes | rows | refused | no digits | worst error | its bound | error over bound, worst | fewest digits | worst at |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---|\n");
+    for line in &sweeps {
+        let _ =
+            writeln!(text, "| {} | {} | {} | {} |", line.model, line.sweep, line.numbers(), line.worst_at);
+    }
+    text.push_str("\n## Reasons of refusal\n\n");
     for (reason, count) in reasons(solved) {
         let _ = writeln!(text, "* {count}: {reason}");
     }
     text
 }
 
-const HEAD: &str = "<!-- Written by the stress suite. -->\n\n";
-
-fn lines(solved: &[(Row, Outcome)]) -> Vec<Line<'_>> {
+/// One line for every model and what `part` says of its rows.
+fn lines(solved: &[(Row, Outcome)], part: impl Fn(&Row) -> &'static str) -> Vec<Line<'_>> {
     let mut lines: Vec<Line> = Vec::new();
     for (row, outcome) in solved {
-        let known = lines.iter().position(|l| l.model == row.model && l.sweep == row.sweep);
+        let sweep = part(row);
+        let known = lines.iter().position(|l| l.model == row.model && l.sweep == sweep);
         let k = known.unwrap_or_else(|| {
-            lines.push(Line::new(row));
+            lines.push(Line::new(row.model, sweep));
             lines.len() - 1
         });
         lines[k].take(row, outcome);
@@ -65,10 +65,10 @@ fn lines(solved: &[(Row, Outcome)]) -> Vec<Line<'_>> {
 }
 
 impl<'a> Line<'a> {
-    fn new(row: &'a Row) -> Self {
+    fn new(model: &'a str, sweep: &'a str) -> Self {
         Self {
-            model: row.model,
-            sweep: row.sweep,
+            model,
+            sweep,
             rows: 0,
             refused: 0,
             doubted: 0,
@@ -77,6 +77,13 @@ impl<'a> Line<'a> {
             closest: 0.0,
             digits: f64::INFINITY,
         }
+    }
+
+    /// Its numbers, as cells of a table.
+    fn numbers(&self) -> String {
+        let Self { rows, refused, doubted, worst: [error, bound], closest, digits, .. } = self;
+        let digits = if digits.is_finite() { format!("{digits:.0}") } else { String::new() };
+        format!("{rows} | {refused} | {doubted} | {error:.0e} | {bound:.0e} | {closest:.0e} | {digits}")
     }
 
     fn take(&mut self, row: &'a Row, outcome: &Outcome) {

@@ -35,6 +35,11 @@ pub struct Rows<const D: usize, const M: usize> {
 }
 
 impl<const D: usize, const M: usize> Rows<D, M> {
+    /// Half of the coefficients of the mean displacement: those of the sum.
+    pub fn half_mean(&self) -> Mat<M, D> {
+        self.mean.map(|row| row.map(|v| 0.5 * v))
+    }
+
     /// The M × D matrix that multiplies the first point's unknowns.
     pub fn first(&self) -> Mat<M, D> {
         from_fn(|m| from_fn(|c| 0.5 * self.mean[m][c] - self.difference[m][c]))

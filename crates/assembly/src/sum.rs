@@ -26,6 +26,25 @@ impl Sum {
         self.high = sum;
     }
 
+    /// Adds a product, exactly.
+    pub fn add_product(&mut self, a: f64, b: f64) {
+        let product = a * b;
+        self.add(product);
+        self.low += a.mul_add(b, -product);
+    }
+
+    /// Adds a multiple of another sum.
+    pub fn add_multiple(&mut self, factor: f64, other: Self) {
+        self.add_product(factor, other.high);
+        self.low += factor * other.low;
+    }
+
+    /// The sum as a double and what rounding takes from it.
+    pub fn parts(self) -> [f64; 2] {
+        let high = self.high + self.low;
+        [high, self.low - (high - self.high)]
+    }
+
     /// Adds another sum.
     pub fn join(&mut self, other: Self) {
         self.add(other.high);

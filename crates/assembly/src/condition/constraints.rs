@@ -3,6 +3,7 @@
 //! Prescribed motion, ghosts, mirror images, symmetry and rigid links are all rows of `T` and `g`. `q` keeps the
 //! numbering of `u`: the entries of constrained unknowns are inert and zero.
 
+use crate::sum::Sum;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use thiserror::Error;
 
@@ -130,6 +131,19 @@ impl Constraints {
         }
     }
 
+    /// As [`expand`](Self::expand), of unknowns in two parts: doubles, and what rounding took from them.
+    pub fn expand_twofold(&self, factor: f64, high: &mut [f64], low: &mut [f64]) {
+        for row in &self.rows {
+            let mut sum = Sum::default();
+            sum.add_product(factor, row.value);
+            for &(m, c) in &row.masters {
+                sum.add_product(c, high[m]);
+                sum.add_product(c, low[m]);
+            }
+            [high[row.unknown], low[row.unknown]] = sum.parts();
+        }
+    }
+
     /// Forces that hold the equations, one per equation, from the forces that act on the constrained unknowns: the
     /// derivative of the energy with respect to each right-hand side. An equation that only repeats others gets none.
     pub fn multipliers(&self, force: impl Fn(usize) -> f64) -> Vec<f64> {
@@ -139,6 +153,14 @@ impl Constraints {
             row.sources.iter().for_each(|&(equation, c)| multipliers[equation] += c * force);
         }
         multipliers
+    }
+
+    /// As [`restrict`](Self::restrict), of forces in twice the precision.
+    pub fn restrict_twofold(&self, force: &mut [Sum]) {
+        for row in &self.rows {
+            let held = std::mem::take(&mut force[row.unknown]);
+            row.masters.iter().for_each(|&(m, c)| force[m].add_multiple(c, held));
+        }
     }
 
     /// Turns a force on `u` into the force `Tᵀ f` on `q` in place.

@@ -90,10 +90,16 @@ pub trait Model<const D: usize> {
     /// [`RIGID_MOTIONS`](Self::RIGID_MOTIONS); rotations are about `centre`.
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; D];
 
-    /// Relative error, in the energy norm, of a solution by the rounding of the numbers that the model is made of, such as
-    /// weights that were found by solving; what no residual shows.
+    /// Relative error of the numbers that the model is made of, such as weights that were found by solving; what no residual
+    /// shows.
     fn calibration_error(&self) -> f64 {
         8.0 * f64::EPSILON
+    }
+
+    /// Root of the largest ratio of the moduli of two strains, at least 1: errors that are small in energy norm may be larger
+    /// by as much in the softer strain, and in the stress of the stiffer one.
+    fn contrast(&self) -> f64 {
+        1.0
     }
 
     /// How far a unit rigid motion moves a point: m, or m per rad. Unlike unknowns, this compares motions of all kinds.

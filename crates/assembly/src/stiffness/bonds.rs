@@ -1,7 +1,8 @@
 //! Bonds that share nothing: graded grids, varying sections.
 
-use super::{BlockMatrix, Survey, Term};
+use super::{BlockMatrix, Survey, Term, Twofold, twofold};
 use crate::bonds::{Mat, Rows, add, block};
+use crate::sum::Sum;
 use std::array::from_fn;
 
 /// A bond with its own measures and moduli.
@@ -75,6 +76,14 @@ impl<const D: usize, const M: usize> Term<D> for Bonds<D, M> {
                 force[c * self.points + j] += mean + difference;
             }
         }
+    }
+
+    fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
+        for bond in &self.bonds {
+            let rows = [&bond.rows.difference, &bond.rows.half_mean()];
+            twofold::add_bond((rows, &bond.moduli), self.points, bond.ends(), u, force);
+        }
+        true
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {

@@ -1,8 +1,9 @@
 //! Families of a fixed size: a point and a few others whose motion relative to it makes measures, such as the strain of a
 //! triangle.
 
-use super::{BlockMatrix, Survey, Term};
+use super::{BlockMatrix, Survey, Term, Twofold, twofold};
 use crate::bonds::{Mat, add};
+use crate::sum::Sum;
 use std::array::from_fn;
 
 /// A point, `E` others, and the measures `s = own·u_point + Σ_e rows[e]·(u_others[e] − u_point)` that they make together.
@@ -119,6 +120,11 @@ impl<const D: usize, const M: usize, const E: usize> Term<D> for Families<D, M, 
         for family in &self.families {
             family.add_work(n, &family.stress(&family.measures(n, u)), force);
         }
+    }
+
+    fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
+        self.families.iter().for_each(|family| twofold::add_family(family, self.points, u, force));
+        true
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {

@@ -12,6 +12,7 @@ mod parts;
 pub(crate) mod planes;
 mod springs;
 mod term;
+mod twofold;
 
 pub use block_matrix::BlockMatrix;
 pub use block_rows::BlockRows;
@@ -24,3 +25,4 @@ pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};
 pub use parts::{NumberedParts, Parts};
 pub use springs::{Spring, Springs};
 pub use term::{Share, Survey, TakeForces, Term};
+pub use twofold::Twofold;

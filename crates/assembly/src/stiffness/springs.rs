@@ -1,7 +1,8 @@
 //! Springs from a point to the ground.
 
-use super::{BlockMatrix, Share, Survey, Term};
+use super::{BlockMatrix, Share, Survey, Term, Twofold};
 use crate::bonds::{Mat, add};
+use crate::sum::Sum;
 
 /// A linear spring on one unknown of a point, or on a sum of two.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,6 +75,18 @@ impl<const D: usize> Term<D> for Springs {
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
         let forces = self.springs.iter().flat_map(|s| s.forces(self.points, u));
         forces.for_each(|(unknown, value)| force[unknown] += value);
+    }
+
+    fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
+        for spring in &self.springs {
+            let unknowns =
+                spring.shares.map(|(component, share)| (component * self.points + spring.point, share));
+            let mut motion = Sum::default();
+            unknowns.iter().for_each(|&(unknown, share)| motion.add_multiple(share, u.at(unknown)));
+            let action = spring.stiffness * motion.total();
+            unknowns.iter().for_each(|&(unknown, share)| force[unknown].add_product(share, action));
+        }
+        true
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {

@@ -2,7 +2,9 @@
 
 use super::BlockMatrix;
 use super::Parts;
+use super::Twofold;
 use crate::bonds::Mat;
+use crate::sum::Sum;
 use std::array::from_fn;
 use std::sync::Arc;
 
@@ -60,6 +62,11 @@ pub trait Term<const D: usize>: Send + Sync {
     /// of its tangent with `u`.
     fn add_force(&self, u: &[f64], force: &mut [f64]);
 
+    /// Adds the internal force of unknowns in two parts, in twice the precision. `false` if the term cannot.
+    fn add_force_twofold(&self, _u: Twofold<'_>, _force: &mut [Sum]) -> bool {
+        false
+    }
+
     /// Hands the internal force to `take`, stretch by stretch over all points, each with its part of `out`: what is made
     /// of the forces is then written while they are at hand. `false` if the term does not go from point to point.
     fn sweep(&self, _u: &[f64], _out: &mut [f64], _take: TakeForces<'_, D>) -> bool {
@@ -104,6 +111,10 @@ impl<const D: usize, T: Term<D> + ?Sized> Term<D> for Arc<T> {
 
     fn add_force(&self, u: &[f64], force: &mut [f64]) {
         (**self).add_force(u, force);
+    }
+
+    fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
+        (**self).add_force_twofold(u, force)
     }
 
     fn sweep(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {

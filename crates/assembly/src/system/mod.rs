@@ -12,7 +12,8 @@ pub use pattern::DifferencePattern;
 
 use crate::condition::{Constraints, Contradiction, Equation};
 use crate::model::Model;
-use crate::stiffness::{BlockMatrix, Survey, TakeForces, Term};
+use crate::stiffness::{BlockMatrix, Survey, TakeForces, Term, Twofold};
+use crate::sum::Sum;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -136,6 +137,14 @@ impl<const D: usize> System<D> {
         }
         others.iter().for_each(|t| t.add_force(u, force));
         self.count();
+    }
+
+    /// Overwrites `force` with the internal force of unknowns in two parts, in twice the precision. `false` if some term
+    /// cannot.
+    pub fn force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
+        force.fill(Sum::default());
+        self.count();
+        self.terms.iter().all(|term| term.add_force_twofold(u, force))
     }
 
     /// Overwrites `y` with `Tᵀ (Σ BᵀCB) T q`.

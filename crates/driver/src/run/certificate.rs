@@ -85,6 +85,7 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
         strain_correction: or_zero(ratio(solution.correction_energy, 2.0 * energy.abs()).sqrt()),
         imbalance: balance.iter().map(|b| b.relative).fold(energy_balance, f64::max),
         calibration: model.calibration_error(),
+        contrast: model.contrast(),
     };
     let status = solution.status;
     let failed =
@@ -111,14 +112,19 @@ pub(super) struct Seen {
     pub(super) imbalance: f64,
     /// Of the numbers that the model is made of.
     pub(super) calibration: f64,
+    /// How much larger errors may be in one strain than in energy norm.
+    pub(super) contrast: f64,
 }
 
 impl Seen {
     /// Bounds and digits, and whether they do: for a solve that is not `sound` never, for one that did not reach its own
     /// `end` if they are not few. All else is zero.
     pub(super) fn certificate(self, sound: bool, end: bool) -> Certificate {
-        let error = SAFETY * self.correction.max(self.calibration);
-        let strain_error = SAFETY * self.strain_correction.max(self.imbalance).max(self.calibration);
+        let calibration = self.contrast * self.calibration;
+        // Strains that are rounding have an energy, and it resists a motion that would cost none.
+        let error = SAFETY * self.correction.max(self.strain_correction.powi(2)).max(calibration);
+        let strain_error =
+            SAFETY * (self.contrast * self.strain_correction).max(self.imbalance).max(calibration);
         let [digits, strain_digits] = [error, strain_error].map(trusted);
         let least = if end { 1 } else { FEW_DIGITS };
         Certificate {

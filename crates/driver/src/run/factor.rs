@@ -51,6 +51,13 @@ pub struct SolverReport {
     pub factor_entries: usize,
     /// Conjugate-gradient iterations per state; empty where there are none.
     pub iterations: Vec<usize>,
+    /// States for which double precision did not do, and residuals in twice the precision were taken.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub refined: usize,
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 /// The stiffness in the layout of its method.
@@ -114,7 +121,7 @@ pub(super) fn factor<const D: usize>(
     };
     timing.factor += begin.elapsed().as_secs_f64();
     counters.factor_bytes = bytes;
-    let report = SolverReport { method, reason, factor_entries: bytes / 8, iterations: Vec::new() };
+    let report = SolverReport { method, reason, factor_entries: bytes / 8, ..SolverReport::default() };
     Ok((factor, report))
 }
 

@@ -3,6 +3,7 @@
 use super::factor::{SolveFailure, SolverReport};
 use super::method::{self, Finish, Method};
 use super::multigrid::Coarser;
+use super::refine::DOUBTFUL;
 use super::workspace::{StateSolution, Workspace};
 use super::{Counters, Problem, Timing};
 use peristat_assembly::system::System;
@@ -101,6 +102,12 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             }
         }
         self.work.doubt(system, &mut *self.preconditioner, &mut solution);
+        let doubtful = self.finish.is_exact && !(solution.next_correction <= DOUBTFUL);
+        if doubtful
+            && self.work.refine(system, &mut *self.preconditioner, (load, motion_factor), &mut solution)
+        {
+            self.report.refined += 1;
+        }
         self.counters.right_hand_sides += 1;
         self.counters.pcg_iterations += solution.iterations;
         self.report.iterations.push(solution.iterations);

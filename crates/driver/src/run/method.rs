@@ -27,12 +27,14 @@ pub(super) struct Finish {
     pub(super) options: PcgOptions,
     /// A next correction below this ends the passes.
     pub(super) settled: f64,
+    /// Whether rounding alone ends them.
+    pub(super) is_exact: bool,
 }
 
 impl Finish {
     /// With a factor: until nothing is left but the rounding of the unknowns themselves.
     fn of_factor() -> Self {
-        Self { options: PcgOptions::default(), settled: 1e-13 }
+        Self { options: PcgOptions::default(), settled: 1e-13, is_exact: true }
     }
 
     /// With an approximate inverse: every digit costs iterations, and ten are more than a discretisation has.
@@ -43,7 +45,7 @@ impl Finish {
             stagnation_window: max_iterations,
             ..PcgOptions::default()
         };
-        Self { options, settled: 1e-9 }
+        Self { options, settled: 1e-9, is_exact: false }
     }
 }
 
@@ -146,7 +148,8 @@ fn of_cycle<'a, const D: usize>(
     let (cycle, factor_entries) = multigrid::cycle(system, coarser, counters)?;
     timing.factor += begin.elapsed().as_secs_f64();
     counters.factor_bytes = factor_entries * size_of::<f64>();
-    let report = SolverReport { method: "multigrid".into(), reason, factor_entries, iterations: Vec::new() };
+    let report =
+        SolverReport { method: "multigrid".into(), reason, factor_entries, ..SolverReport::default() };
     Ok(Method { preconditioner: Box::new(cycle), report, finish: Finish::of_iteration(200) })
 }
 
@@ -159,7 +162,7 @@ fn of_blocks<'a, const D: usize>(
     let level = Level::new(system).map_err(|point| SolveFailure::Loose { point })?;
     timing.factor = begin.elapsed().as_secs_f64();
     let report =
-        SolverReport { method: "block_jacobi".into(), reason, factor_entries: 0, iterations: Vec::new() };
+        SolverReport { method: "block_jacobi".into(), reason, factor_entries: 0, ..SolverReport::default() };
     // About 1300 iterations at 1e5 points in the plane, growing with the number of points along a side.
     let limit = 1000 + 20 * (system.points() as f64).sqrt() as usize;
     Ok(Method { preconditioner: Box::new(Blocks(level)), report, finish: Finish::of_iteration(limit) })

@@ -14,6 +14,7 @@ pub mod path;
 pub mod plane;
 mod problem;
 mod range;
+mod refine;
 pub(crate) mod scan;
 mod sink;
 mod verdict;

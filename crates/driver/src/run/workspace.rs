@@ -8,7 +8,7 @@ use peristat_solve::{LinearOperator, Pcg, PcgOptions, PcgReport, PcgStatus, Prec
 use std::collections::HashMap;
 
 /// The element-wise stiffness of a system as the solver sees it.
-struct Elementwise<'a, const D: usize>(&'a System<D>);
+pub(super) struct Elementwise<'a, const D: usize>(pub(super) &'a System<D>);
 
 impl<const D: usize> LinearOperator for Elementwise<'_, D> {
     fn size(&self) -> usize {
@@ -72,8 +72,8 @@ const YIELDING: f64 = 1e-3;
 
 /// Vectors of one system, or of others with the same unknowns.
 pub(super) struct Workspace<const D: usize> {
-    pcg: Pcg,
-    residual: Vec<f64>,
+    pub(super) pcg: Pcg,
+    pub(super) residual: Vec<f64>,
     /// Displacements of each component that count as equally large.
     pub(super) scales: [f64; D],
 }
@@ -130,12 +130,36 @@ impl<const D: usize> Workspace<D> {
         let constraints = system.constraints();
         constraints.expand(motion_factor, &mut solution.u);
         self.refresh_residual(system, load, &solution.u);
-        solution.held = self.constraint_forces(system);
-        solution.multipliers = constraints.multipliers(|unknown| -self.residual[unknown]);
+        self.find_constraint_forces(system, solution);
         constraints.restrict(&mut self.residual);
         [solution.next_correction, solution.correction_energy] = self.correction(preconditioner, solution);
-        let n = system.points();
-        solution.residual = (0..D).map(|c| largest(&self.residual[c * n..][..n])).collect();
+        self.find_largest_residuals(solution);
+    }
+
+    /// Finds forces of constraints from the residual at hand, which is whole.
+    pub(super) fn find_constraint_forces(&self, system: &System<D>, solution: &mut StateSolution) {
+        solution.held = self.constraint_forces(system);
+        solution.multipliers = system.constraints().multipliers(|unknown| -self.residual[unknown]);
+    }
+
+    /// Finds the largest residual of each component.
+    pub(super) fn find_largest_residuals(&self, solution: &mut StateSolution) {
+        let planes = self.residual.chunks_exact(self.residual.len() / D);
+        solution.residual = planes.map(largest).collect();
+    }
+
+    /// Finds what the rounding of the unknowns does to strains, whatever soft supports make of it.
+    pub(super) fn weigh_strains(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        load: &[f64],
+        solution: &mut StateSolution,
+    ) {
+        solution.least_eigenvalue = 1.0;
+        self.refresh_residual(system, load, &solution.u);
+        system.constraints().restrict(&mut self.residual);
+        solution.correction_energy = self.correction(preconditioner, solution)[1];
     }
 
     /// What one more solve would correct of the unknowns if the residual at hand were theirs, relative to them, and twice
@@ -300,7 +324,7 @@ fn norm(v: &[f64]) -> f64 {
 }
 
 /// Largest entry of a vector of unknowns with every component in units of its scale.
-fn size<const D: usize>(v: &[f64], scales: &[f64; D]) -> f64 {
+pub(super) fn size<const D: usize>(v: &[f64], scales: &[f64; D]) -> f64 {
     let n = v.len() / D;
     (0..D).map(|c| largest(&v[c * n..][..n]) / scales[c]).fold(0.0, f64::max)
 }

@@ -1,6 +1,8 @@
 //! Bodies of beam bonds.
 
-use super::super::plane::{CriticalStretch, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel};
+use super::super::plane::{
+    CALIBRATION, CriticalStretch, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel,
+};
 use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
@@ -161,7 +163,14 @@ impl Model<3> for BeamBondOrthotropic {
     }
 
     fn calibration_error(&self) -> f64 {
-        crate::model::plane::CALIBRATION
+        CALIBRATION
+    }
+
+    fn contrast(&self) -> f64 {
+        let stiffness = self.stiffness();
+        let diagonal = [0, 1, 2].map(|k| stiffness[k][k]);
+        let [least, most] = [f64::min, f64::max].map(|of| diagonal.into_iter().reduce(of).unwrap_or(1.0));
+        (most / least).sqrt()
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<3>>> {

@@ -1,6 +1,6 @@
 //! What every model says of a shell membrane: terms, relations, rigid motions, stresses, coarser bodies.
 
-use super::super::plane::{FindCuts, Mirrors, PlaneFields, PlaneModel};
+use super::super::plane::{CALIBRATION, FindCuts, Mirrors, PlaneFields, PlaneModel};
 use super::{ShellKinematics, ShellMembrane};
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
@@ -107,7 +107,7 @@ impl Model<3> for ShellMembrane {
     }
 
     fn calibration_error(&self) -> f64 {
-        crate::model::plane::CALIBRATION
+        CALIBRATION
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<3>>> {

@@ -1,7 +1,6 @@
 //! Material, family and treatments of state-based bodies.
 
 use super::super::bond_plane::Influence;
-use super::super::plane::CALIBRATION;
 use crate::bonds::Mat;
 use serde::{Deserialize, Serialize};
 
@@ -121,12 +120,10 @@ impl StateParameters {
         self.lame() + 2.0 / 3.0 * self.shear_modulus()
     }
 
-    /// Error of the weights of families, which are found by solving: next to an axis 1e-12 is measured. It weighs the more
-    /// the more a change of volume, or of shape, is resisted than the other.
-    pub(super) fn calibration_error(&self) -> f64 {
-        let weights = if self.is_axisymmetric() { 1e-12 } else { CALIBRATION };
+    /// Root of the ratio of the moduli of changes of volume and of shape, the larger over the smaller.
+    pub(super) fn contrast(&self) -> f64 {
         let (shape, volume) = (self.shear_modulus(), self.lame() + self.shear_modulus());
-        weights * (shape / volume).max(volume / shape).sqrt()
+        (shape / volume).max(volume / shape).sqrt()
     }
 
     /// From strains `[ε_xx, ε_yy, γ_xy]` without a strain across the section to stresses, Pa.

@@ -9,9 +9,10 @@ mod survey;
 
 pub use chunks::Exception;
 
-use super::{BlockMatrix, Parts, Survey, TakeForces, Term};
+use super::{BlockMatrix, Parts, Survey, TakeForces, Term, Twofold, twofold};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, BondModel, Mat};
+use crate::sum::Sum;
 use chunks::{CHUNK, Chunks};
 use std::array::from_fn;
 use std::marker::PhantomData;
@@ -67,7 +68,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
             Class {
                 step: offset.step,
                 difference: rows.difference,
-                half_mean: rows.mean.map(|row| row.map(|v| 0.5 * v)),
+                half_mean: rows.half_mean(),
                 modulus: from_fn(|m| offset.weights[m] * moduli[m]),
             }
         };
@@ -198,6 +199,16 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
                 own.iter_mut().zip(forces).for_each(|(f, part)| *f += part);
             }
         });
+    }
+
+    fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
+        self.for_each_bond(|class, ends, factor| {
+            let class = &self.classes[class];
+            let moduli = class.modulus.map(|c| factor * c);
+            let rows = [&class.difference, &class.half_mean];
+            twofold::add_bond((rows, &moduli), self.lattice.points(), ends, u, force);
+        });
+        true
     }
 
     fn sweep(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {

@@ -7,8 +7,9 @@ mod weights;
 use weights::CHUNK;
 pub use weights::{Override, Weights};
 
-use super::{BlockMatrix, Parts, Survey, Term};
+use super::{BlockMatrix, Parts, Survey, Term, Twofold, twofold};
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
+use crate::sum::Sum;
 use std::marker::PhantomData;
 
 /// The points `first .. first + count` of a body of `points` points, in lattice order.
@@ -105,6 +106,20 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
             #[inline(always)]
             || self.add_force_plain(u, force),
         );
+    }
+
+    fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
+        for (index, class) in self.classes.iter().enumerate() {
+            let rows = [&class.rows.difference, &class.rows.half_mean()];
+            for lower in 0..self.lattice.count.saturating_sub(class.step) {
+                // The modulus holds the weight of the class, which may be zero.
+                let factor = self.weights.factor(index, lower);
+                let (moduli, i) = (class.modulus.map(|c| factor * c), self.lattice.first + lower);
+                let ends = [i, i + class.step];
+                twofold::add_bond((rows, &moduli), self.lattice.points, ends, u, force);
+            }
+        }
+        true
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {

@@ -82,12 +82,14 @@ impl Weights {
     /// Weight of the bond of a class at a lower point; zero where it does not exist.
     pub fn weight(&self, class: usize, lower: usize) -> f64 {
         let (step, weight) = self.classes[class];
-        if lower + step >= self.count {
-            return 0.0;
-        }
+        if lower + step < self.count { weight * self.factor(class, lower) } else { 0.0 }
+    }
+
+    /// Weight of the bond of a class at a lower point, which exists, over that of the class.
+    pub(super) fn factor(&self, class: usize, lower: usize) -> f64 {
         match self.chunks[lower / CHUNK] {
-            PLAIN => weight,
-            start => weight * self.factors[start as usize + class * CHUNK + lower % CHUNK],
+            PLAIN => 1.0,
+            start => self.factors[start as usize + class * CHUNK + lower % CHUNK],
         }
     }
 

@@ -48,7 +48,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             method: "sparse_cholesky".into(),
             reason: "a body that breaks keeps its factor from equilibrium to equilibrium".into(),
             factor_entries: counters.factor_bytes / size_of::<f64>(),
-            iterations: Vec::new(),
+            ..SolverReport::default()
         };
         counters.bond_evaluations = self.system.evaluations();
         counters.stored_bond_factors = self.system.terms().iter().map(|t| t.stored_factors()).sum();

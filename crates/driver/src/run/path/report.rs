@@ -94,7 +94,7 @@ pub(super) fn report<const D: usize>(
         reason: "the stiffness of a body that softens is factored anew in every iteration, with one analysis"
             .into(),
         factor_entries: counters.factor_bytes / size_of::<f64>(),
-        iterations: Vec::new(),
+        ..SolverReport::default()
     };
     let steps = course.points.len().saturating_sub(1);
     let per_step = |count: usize| count as f64 / steps.max(1) as f64;

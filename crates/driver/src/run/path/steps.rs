@@ -158,12 +158,13 @@ fn certify<const D: usize, P: SofteningBody<D>>(body: &P, course: &Course<D>, lo
     let residual = state.residual.iter().map(|r| r.abs()).fold(0.0, f64::max);
     let identity = last.identity.abs();
     // The loads of parts that came off, and rigid motions of finite size, have no balance.
-    let calibration = body.problem().model().calibration_error();
+    let model = body.problem().model();
     let seen = Seen {
         correction: last.residual,
         strain_correction: last.residual,
         imbalance: identity,
-        calibration,
+        calibration: model.calibration_error(),
+        contrast: model.contrast(),
     };
     Certificate {
         residual: certificate::ratio(residual, largest),

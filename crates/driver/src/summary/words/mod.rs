@@ -74,10 +74,13 @@ pub(crate) fn model(summary: &Summary) -> Vec<Fact> {
     let size = format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns);
     let iterations: Vec<String> = summary.solver.iterations.iter().map(ToString::to_string).collect();
     let method = &summary.solver.method;
-    let solver = match iterations.is_empty() {
+    let mut solver = match iterations.is_empty() {
         true => method.clone(),
         false => format!("{method} finished by {} PCG iterations on the bonds", iterations.join(", ")),
     };
+    if summary.solver.refined > 0 {
+        solver += ", with residuals in twice the precision";
+    }
     let rest = [("size", size), ("solver", solver), ("why", summary.solver.reason.clone())];
     told.extend(rest.map(|(key, text)| (key.into(), text)));
     told

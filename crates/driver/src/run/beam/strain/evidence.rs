@@ -61,6 +61,7 @@ pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evi
         strain_correction,
         imbalance: balance.iter().map(|b| b.relative).fold(energy_balance, f64::max),
         calibration,
+        contrast: 1.0,
     };
     Certificate {
         residual: or_zero(ratio(checks.residual, action)),

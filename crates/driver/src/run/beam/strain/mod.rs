@@ -88,7 +88,7 @@ where
             if supports == 1 { "" } else { "s" }
         ),
         factor_entries: solver.bytes() / size_of::<f64>(),
-        iterations: Vec::new(),
+        ..SolverReport::default()
     };
     Ok(RunReport {
         path: None,

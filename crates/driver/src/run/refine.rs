@@ -1,0 +1,82 @@
+//! Solutions that double precision cannot resolve: found again with residuals in twice the precision.
+//!
+//! The factor, and conjugate gradients on the bonds with it, know a correction to a few digits where they know the solution
+//! to none that another digit could be taken from. Repeated on an exact residual these digits add up.
+
+use super::workspace::{Elementwise, StateSolution, Workspace, size};
+use peristat_assembly::stiffness::Twofold;
+use peristat_assembly::sum::Sum;
+use peristat_assembly::system::System;
+use peristat_solve::{PcgOptions, PcgStatus, Preconditioner};
+
+/// A correction above this leaves doubt about digits that a double could hold.
+pub(super) const DOUBTFUL: f64 = 1e-12;
+/// A correction below this changes no digit of a double.
+const SETTLED: f64 = 4.0 * f64::EPSILON;
+/// Corrections at most.
+const PASSES: usize = 12;
+
+impl<const D: usize> Workspace<D> {
+    /// Improves a solution with its load and factor on prescribed motions until no digit changes. `false`, and nothing is
+    /// changed, if some term of the system has no forces in twice the precision.
+    pub(super) fn refine(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        (load, motion_factor): (&[f64], f64),
+        solution: &mut StateSolution,
+    ) -> bool {
+        let n = solution.u.len();
+        let (mut high, mut low, mut step) = (solution.u.clone(), vec![0.0; n], vec![0.0; n]);
+        let mut force = vec![Sum::default(); n];
+        let mut before = f64::INFINITY;
+        for pass in 0..=PASSES {
+            system.constraints().expand_twofold(motion_factor, &mut high, &mut low);
+            if !system.force_twofold(Twofold { high: &high, low: &low }, &mut force) {
+                return false;
+            }
+            self.take_residual(system, load, &mut force, solution);
+            step.fill(0.0);
+            let options = PcgOptions::default();
+            let report =
+                self.pcg.solve(&Elementwise(system), preconditioner, &mut self.residual, &mut step, &options);
+            solution.iterations += report.iterations;
+            let correction = size(&step, &self.scales) / size(&high, &self.scales).max(f64::MIN_POSITIVE);
+            solution.next_correction = correction;
+            // What does not shrink is as far as it goes; what is not a number ends here, too.
+            if correction <= SETTLED || !(correction < 0.5 * before) || pass == PASSES {
+                break;
+            }
+            before = correction;
+            for ((high, low), step) in high.iter_mut().zip(&mut low).zip(&step) {
+                let mut sum = Sum::of(*high);
+                sum.add(*low);
+                sum.add(*step);
+                [*high, *low] = sum.parts();
+            }
+        }
+        solution.u = high;
+        solution.status = PcgStatus::Converged;
+        self.weigh_strains(system, preconditioner, load, solution);
+        true
+    }
+
+    /// Takes the residual of forces in twice the precision, and what constraints and certificate need of it.
+    fn take_residual(
+        &mut self,
+        system: &System<D>,
+        load: &[f64],
+        force: &mut [Sum],
+        solution: &mut StateSolution,
+    ) {
+        for (force, load) in force.iter_mut().zip(load) {
+            *force = -*force;
+            force.add(*load);
+        }
+        self.residual.iter_mut().zip(&*force).for_each(|(r, f)| *r = f.total());
+        self.find_constraint_forces(system, solution);
+        system.constraints().restrict_twofold(force);
+        self.residual.iter_mut().zip(&*force).for_each(|(r, f)| *r = f.total());
+        self.find_largest_residuals(solution);
+    }
+}
