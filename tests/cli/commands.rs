@@ -8,7 +8,7 @@ use std::path::Path;
 /// A run of the cantilever with overrides, into `out`.
 fn cantilever(folder: &Path, overrides: &[&str]) -> Outcome {
     let case = gallery("cantilever.json");
-    let mut arguments = vec!["run", &case, "-o", "out"];
+    let mut arguments = vec!["run", &case, "-o", "out", "--force"];
     arguments.extend(overrides.iter().flat_map(|o| ["--set", o]));
     run(folder, &arguments)
 }

@@ -55,6 +55,8 @@ fn spawn(folder: &Path) -> Child {
     command.current_dir(folder).args(["run", "breaking.json", "-o", "out"]);
     if folder.join("out/restart.bin").exists() {
         command.arg("--resume");
+    } else if folder.join("out").exists() {
+        command.arg("--force");
     }
     command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the command starts")
 }

@@ -13,7 +13,7 @@ fn memory(folder: &Path, cells: usize, extra: &[(&str, Value)]) -> [f64; 2] {
     let mut case = beam(cells);
     extra.iter().for_each(|(path, value)| *case.pointer_mut(path).unwrap() = value.clone());
     fs::write(folder.join("case.json"), case.to_string()).unwrap();
-    let outcome = run(folder, &["run", "case.json", "-q", "-o", "out"]);
+    let outcome = run(folder, &["run", "case.json", "-q", "-o", "out", "--force"]);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     let summary = json(&folder.join("out/summary.json"));
     ["estimated_bytes", "peak_memory_bytes"].map(|key| summary[key].as_f64().unwrap())

@@ -161,6 +161,6 @@ fn a_plate_is_a_baseline_of_itself() {
     assert_eq!(outcome.code, 0, "{}\n{}", outcome.stdout, outcome.stderr);
     again["checks"][0]["baseline"]["file"] = json!("out/fields/step_000.csv");
     fs::write(folder.path().join("again.json"), again.to_string()).unwrap();
-    let other = run(folder.path(), &["run", "again.json", "-o", "again"]);
+    let other = run(folder.path(), &["run", "again.json", "-o", "other"]);
     assert_eq!(other.code, 1, "{}", other.stdout);
 }

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// Solves a case of the gallery into `out`; its folder.
 fn solved(folder: &Path, case: &str, more: &[&str]) -> PathBuf {
     let case = root().join("cases").join(case).display().to_string();
-    let mut arguments = vec!["run", &case, "-o", "out", "-q"];
+    let mut arguments = vec!["run", &case, "-o", "out", "-q", "--force"];
     arguments.extend(more);
     let outcome = run(folder, &arguments);
     assert!(outcome.stderr.is_empty(), "{}", outcome.stderr);

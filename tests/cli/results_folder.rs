@@ -147,11 +147,18 @@ fn a_summary_holds_what_it_promises() {
 }
 
 #[test]
-fn a_folder_of_peristat_is_replaced_as_a_whole() {
+fn an_earlier_run_is_replaced_as_a_whole_if_that_is_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     solve(folder.path(), "load_steps.json", &[]);
-    assert_eq!(solve(folder.path(), "cantilever.json", &[]).code, 0);
     let out = folder.path().join("out");
+    let before = fs::read(out.join("summary.json")).unwrap();
+    let refused = solve(folder.path(), "cantilever.json", &[]);
+    assert_eq!(refused.code, 2);
+    let message = "error: out holds a finished run of `A load in steps`\n\
+                   hint: choose another folder with `-o`, or add `--force` to replace it\n";
+    assert_eq!(refused.stderr, message);
+    assert_eq!(fs::read(out.join("summary.json")).unwrap(), before);
+    assert_eq!(solve(folder.path(), "cantilever.json", &["--force"]).code, 0);
     assert_eq!(
         names(&out.join("fields")),
         ["step_000.csv", "step_000.vtu"],
@@ -172,6 +179,7 @@ fn a_folder_with_other_files_is_left_alone_unless_forced() {
                    hint: choose another folder with `-o`, or add `--force`\n";
     assert_eq!(refused.stderr, message);
     assert_eq!(names(&out), ["thesis.tex"]);
+    assert_eq!(solve(folder.path(), "cantilever.json", &["--force"]).code, 0);
     assert_eq!(solve(folder.path(), "cantilever.json", &["--force"]).code, 0);
     assert!(out.join("summary.json").exists());
     assert_eq!(fs::read_to_string(out.join("thesis.tex")).unwrap(), "years of work");
@@ -210,7 +218,7 @@ fn an_input_fault_keeps_the_results_of_the_earlier_run() {
     let summary = folder.path().join("out/summary.json");
     let before = fs::read_to_string(&summary).unwrap();
     for fault in ["body.line.cells=0", "supports[0].phi=null", "loads[0].point.force=1e300"] {
-        assert_eq!(solve(folder.path(), "cantilever.json", &["--set", fault]).code, 2, "{fault}");
+        assert_eq!(solve(folder.path(), "cantilever.json", &["--force", "--set", fault]).code, 2, "{fault}");
         assert_eq!(fs::read_to_string(&summary).unwrap(), before, "{fault}");
     }
 }
@@ -246,6 +254,8 @@ fn a_file_of_the_user_among_the_fields_is_not_deleted() {
     assert_eq!(refused.code, 2);
     assert!(refused.stderr.contains("out holds `fields/notes.txt`"), "{}", refused.stderr);
     assert!(folder.path().join("out/fields/notes.txt").exists());
+    assert_eq!(solve(folder.path(), "cantilever.json", &["--force"]).code, 0);
+    assert_eq!(fs::read_to_string(folder.path().join("out/fields/notes.txt")).unwrap(), "mine");
 }
 
 #[test]
@@ -302,7 +312,7 @@ fn a_file_that_a_killed_run_was_writing_does_not_stand_in_the_way() {
     for file in ["out/.a1b2.part", "out/fields/.c3.part", "out/plots/.d4.part"] {
         fs::write(folder.path().join(file), "half").unwrap();
     }
-    let again = solve(folder.path(), "cantilever.json", &[]);
+    let again = solve(folder.path(), "cantilever.json", &["--force"]);
     assert_eq!(again.code, 0, "{}", again.stderr);
     assert!(files(folder.path(), ".part").is_empty());
 }

@@ -82,7 +82,15 @@ fn a_finished_task_is_never_solved_again() {
     study(folder.path(), &json!({ "title": "another" }));
     assert_eq!(run(folder.path(), &["study", &file]).code, 0);
     assert_eq!(finished(folder.path()), after);
-    assert_eq!(run(folder.path(), &["study", &file, "--set", "horizon_ratio=2"]).code, 0);
+    // Tables of other tasks are not lost without a word.
+    let other = ["study", &file, "--set", "horizon_ratio=2"];
+    let refused = run(folder.path(), &other);
+    assert_eq!(refused.code, 2);
+    let message = "error: results/tip holds tables of `another` with 6 tasks that this study has not\n\
+                   hint: choose another folder with `-o`, or add `--force` to replace the tables; finished tasks stay\n";
+    assert_eq!(refused.stderr, message);
+    assert_eq!(finished(folder.path()), after);
+    assert_eq!(run(folder.path(), &[&other[..], &["--force"]].concat()).code, 0);
     assert_eq!(finished(folder.path()).len(), 12);
 }
 

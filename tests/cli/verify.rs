@@ -91,6 +91,29 @@ fn results_of_every_case_are_written_where_that_is_asked_for() {
     run(folder.path(), &["verify", "good.json", "weak & soft.json", "-o", "out"]);
     assert_eq!(names(&folder.path().join("out")), ["good", "weak & soft"]);
     assert!(folder.path().join("out/good/summary.json").exists());
+    let again = ["verify", "good.json", "-o", "out"];
+    let refused = run(folder.path(), &again);
+    assert_eq!(refused.code, 2);
+    assert!(refused.stderr.contains("error: out/good holds a finished run of `"), "{}", refused.stderr);
+    assert!(refused.stdout.contains("ERROR"), "{}", refused.stdout);
+    assert_eq!(run(folder.path(), &[&again[..], &["--force"]].concat()).code, 0);
+    assert_eq!(run(folder.path(), &["verify", "good.json", "--force"]).code, 2);
+}
+
+#[test]
+fn cases_named_twice_are_solved_once_and_do_not_share_a_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    mixed(folder.path());
+    let twice = run(folder.path(), &["verify", "good.json", "good.json", "-o", "out"]);
+    assert!(twice.code == 0 && twice.stdout.contains("1 passed, 0 failed"), "{}", twice.stderr);
+    let outcome = run(folder.path(), &["verify", "good.json", "./good.json", "-o", "other"]);
+    assert_eq!(outcome.code, 2);
+    assert!(
+        outcome.stderr.contains("good.json would have their results in one folder"),
+        "{}",
+        outcome.stderr
+    );
+    assert!(!folder.path().join("other").exists());
 }
 
 #[test]

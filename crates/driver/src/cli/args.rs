@@ -80,6 +80,9 @@ pub(super) enum Command {
         /// Write the results of every case into a folder below this one.
         #[arg(short, long, value_name = "DIR")]
         output: Option<PathBuf>,
+        /// Replace earlier runs in those folders; other files there stay.
+        #[arg(long, requires = "output")]
+        force: bool,
     },
     /// Solve a case on many discretisations: orders of convergence and extrapolated values.
     Study(Study),
@@ -127,7 +130,7 @@ pub(super) struct Run {
     /// Replace a value of the case, such as `body.line.cells=200`.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub(super) overrides: Vec<String>,
-    /// Write into a folder that holds other files.
+    /// Replace an earlier run in the results folder; other files there stay.
     #[arg(long)]
     pub(super) force: bool,
     /// Go on with the interrupted run of a body that breaks in the results folder.
@@ -152,7 +155,7 @@ pub(super) struct Study {
     /// Replace a value of the base case, such as `body.line.cells=200`.
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub(super) overrides: Vec<String>,
-    /// Use a folder that holds other files.
+    /// Use a folder that holds other files, and replace the tables of another study there; finished tasks stay.
     #[arg(long)]
     pub(super) force: bool,
     /// List the tasks and solve nothing.

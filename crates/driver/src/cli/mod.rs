@@ -41,8 +41,8 @@ pub fn main() -> ExitCode {
     let outcome = match arguments.command {
         Command::Run(run) => solve::run(&run, &global),
         Command::Check { cases, overrides } => solve::check(&cases, &overrides, &global),
-        Command::Verify { paths, all, junit, output } => {
-            let request = verify::Request { paths, all, junit, output };
+        Command::Verify { paths, all, junit, output, force } => {
+            let request = verify::Request { paths, all, junit, output, force };
             verify::verify(&request, &global)
         }
         Command::Study(request) => study::study(&request, &global),
@@ -110,7 +110,9 @@ fn complain(error: &Error, global: &Global) {
             note(&format!("{error}\nhint: the same command with `--resume` goes on from here\n"));
         }
         Error::Run(error @ RunError::Misfit) => {
-            note(&format!("error: {error}\nhint: leave out `--resume` to run the case anew\n"));
+            note(&format!(
+                "error: {error}\nhint: add `--force` in place of `--resume` to run the case anew\n"
+            ));
         }
         other => note(&format!("error: {other}\n")),
     }

@@ -6,7 +6,7 @@ use super::progress::Progress;
 use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use crate::output::matrix_market;
-use crate::results::{Results, admit};
+use crate::results::{Claim, Results};
 use crate::run::fracture::Restart;
 use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
 use crate::scene::Scene;
@@ -26,7 +26,12 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         Some(folder) => folder.clone(),
         None => Path::new("results").join(arguments.case.file_stem().unwrap_or_default()),
     };
-    let restart = restart(arguments, &folder, &loaded)?;
+    let (claim, restart) = match arguments.resume {
+        true => {
+            Results::interrupted(&folder, &loaded.scene).map(|(claim, restart)| (claim, Some(restart)))?
+        }
+        false => (Claim::new(&folder, arguments.force)?, None),
+    };
     // Faults of the case come before the first file.
     sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
     if let Some(file) = &arguments.write_matrix {
@@ -36,7 +41,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         }
         write_matrix(&loaded, file)?;
     }
-    let mut writing = Writing::new(&loaded.scene, &folder);
+    let mut writing = Writing::new(&loaded.scene, claim);
     // What cannot be resumed is better killed by the first signal.
     if loaded.scene.case().fracture.is_some() {
         writing = writing.watched(Progress::new(global), Interrupt::listen(global.quiet)?);
@@ -76,20 +81,6 @@ pub(super) fn solve_into(
     }
     writing.finish(&summary)?;
     Ok(summary)
-}
-
-/// Whether there is a folder to write into, and what it holds to go on from.
-fn restart(arguments: &Run, folder: &Path, loaded: &Loaded) -> io::Result<Option<Restart>> {
-    if arguments.resume {
-        return Results::interrupted(folder, &loaded.scene).map(Some);
-    }
-    admit(folder, arguments.force).map(|()| None).map_err(|error| {
-        let hint = match folder.exists() && !folder.is_dir() {
-            true => "choose a folder with `-o`",
-            false => "choose another folder with `-o`, or add `--force`",
-        };
-        io::Error::new(error.kind(), format!("{error}\nhint: {hint}"))
-    })
 }
 
 /// What a run with all its outputs is asked for.

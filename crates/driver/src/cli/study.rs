@@ -4,8 +4,9 @@ use super::args::{Global, Study};
 use super::interrupt::Interrupt;
 use super::{DONE, FAILED, INTERRUPTED, complain, note, print_study, say};
 use crate::Error;
+use crate::output::lock::Hold;
 use crate::run::RunError;
-use crate::study::{self, Findings, Plan, Record, Store, Task};
+use crate::study::{self, Claimed, Findings, Plan, Record, Store, Task};
 use crate::workers::{self, side_by_side};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -18,7 +19,13 @@ pub(super) fn study(request: &Study, global: &Global) -> Result<u8, Error> {
         return show_plan(&plan, &Store::at(&folder), global);
     }
     let chosen = chosen(&plan, &request.task)?;
-    let store = Store::open(&folder, request.force)?;
+    // Tasks that are told apart are for many processes; what is collected may still grow.
+    let shares = request.collect || !request.task.is_empty();
+    let store = Store::open(&folder, request.force, if shares { Hold::Together } else { Hold::Alone })?;
+    if request.task.is_empty() && !request.force {
+        store.admit(&plan)?;
+    }
+    let _claims = claims(&chosen, &store, request)?;
     if !request.collect {
         match solve(&plan, &chosen, &store, global) {
             Err(Error::Run(RunError::Interrupted)) => {
@@ -55,6 +62,12 @@ fn chosen<'a>(plan: &'a Plan, numbers: &[usize]) -> io::Result<Vec<&'a Task>> {
     if numbers.is_empty() {
         return Ok(plan.tasks.iter().collect());
     }
+    let mut once: Vec<usize> = Vec::new();
+    for &number in numbers {
+        if !once.contains(&number) {
+            once.push(number);
+        }
+    }
     let find = |number: &usize| {
         number.checked_sub(1).and_then(|k| plan.tasks.get(k)).ok_or_else(|| {
             let message =
@@ -62,7 +75,22 @@ fn chosen<'a>(plan: &'a Plan, numbers: &[usize]) -> io::Result<Vec<&'a Task>> {
             io::Error::new(io::ErrorKind::InvalidInput, message)
         })
     };
-    numbers.iter().map(find).collect()
+    once.iter().map(find).collect()
+}
+
+/// Keeps other processes from solving the tasks that are asked for one by one, where they are not finished.
+fn claims(chosen: &[&Task], store: &Store, request: &Study) -> io::Result<Vec<Claimed>> {
+    let open = |task: &&&Task| !request.task.is_empty() && store.get(&task.key).is_none();
+    let claim = |task: &&Task| {
+        store.claim(&task.key)?.ok_or_else(|| {
+            let message = format!(
+                "another peristat is solving task {}\nhint: wait until it has ended, or solve other tasks",
+                task.number
+            );
+            io::Error::new(io::ErrorKind::AlreadyExists, message)
+        })
+    };
+    chosen.iter().filter(open).map(claim).collect()
 }
 
 /// What came of the tasks that were asked for.

@@ -3,11 +3,12 @@
 use super::args::Global;
 use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
-use crate::results::{MARK, admit};
+use crate::results::{Claim, MARK};
 use crate::run::{RunOptions, taking};
 use crate::summary::{Status, Summary};
 use crate::workers::side_by_side;
 use crate::{Error, Loaded};
+use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::fs;
 use std::io;
@@ -23,6 +24,7 @@ pub(super) struct Request {
     pub(super) all: bool,
     pub(super) junit: Option<PathBuf>,
     pub(super) output: Option<PathBuf>,
+    pub(super) force: bool,
 }
 
 /// The outcome of one case.
@@ -39,6 +41,11 @@ pub(super) fn verify(request: &Request, global: &Global) -> Result<u8, Error> {
     let paths = if request.paths.is_empty() { &default[..] } else { &request.paths };
     for path in paths {
         collect(path, request.all, &mut cases)?;
+    }
+    let mut named = HashSet::new();
+    cases.retain(|case| named.insert(case.clone()));
+    if request.output.is_some() {
+        apart(&cases)?;
     }
     let outcomes = solve_all(&cases, request, global);
     if outcomes.is_empty() {
@@ -115,6 +122,22 @@ fn inside(case: &Path) -> PathBuf {
     case.components().filter(|c| matches!(c, Component::Normal(_))).collect()
 }
 
+/// Whether no two cases would have their results in one folder.
+fn apart(cases: &[PathBuf]) -> io::Result<()> {
+    let mut folders: HashMap<PathBuf, &PathBuf> = HashMap::new();
+    for case in cases {
+        if let Some(other) = folders.insert(inside(case), case) {
+            let message = format!(
+                "{} and {} would have their results in one folder\nhint: verify them one by one, into folders of their own",
+                other.display(),
+                case.display()
+            );
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+        }
+    }
+    Ok(())
+}
+
 /// `None` for a slow case that nobody asked for.
 fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome> {
     let begin = Instant::now();
@@ -129,9 +152,8 @@ fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome>
     }
     let result = loaded.and_then(|loaded| match &request.output {
         Some(folder) => {
-            let folder = folder.join(inside(case));
-            admit(&folder, false)?;
-            solve::solve_into(&loaded, None, Writing::new(&loaded.scene, &folder), false, global)
+            let claim = Claim::new(&folder.join(inside(case)), request.force)?;
+            solve::solve_into(&loaded, None, Writing::new(&loaded.scene, claim), false, global)
         }
         None => {
             let options = RunOptions { recover: false, max_memory: global.max_memory };

@@ -2,27 +2,26 @@
 
 use super::interrupt::Interrupt;
 use super::progress::Progress;
-use crate::results::{Results, finite};
+use crate::results::{Claim, Results, finite};
 use crate::run::fracture::Restart;
 use crate::run::{Advance, Sink, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
 use std::io;
-use std::path::Path;
 
 /// A sink that writes a results folder, shows how far the run has come, and hears of signals.
 pub(super) struct Writing<'a> {
     scene: &'a Scene,
-    folder: &'a Path,
+    claim: Claim,
     results: Option<Results>,
     progress: Progress,
     interrupt: Interrupt,
 }
 
 impl<'a> Writing<'a> {
-    /// Writes a scene into a folder, which is made with the first result; silent and deaf.
-    pub(super) fn new(scene: &'a Scene, folder: &'a Path) -> Self {
-        Self { scene, folder, results: None, progress: Progress::Silent, interrupt: Interrupt::default() }
+    /// Writes a scene into a folder, where an earlier run stays until the first result; silent and deaf.
+    pub(super) fn new(scene: &'a Scene, claim: Claim) -> Self {
+        Self { scene, claim, results: None, progress: Progress::Silent, interrupt: Interrupt::default() }
     }
 
     /// The same with what goes on beside a run that takes long.
@@ -35,7 +34,7 @@ impl<'a> Writing<'a> {
     /// # Errors
     /// The folder cannot be read or written.
     pub(super) fn resume(&mut self, restart: &Restart) -> io::Result<()> {
-        let results = Results::resume(self.folder, self.scene, restart).map_err(|e| self.at(e))?;
+        let results = Results::resume(&self.claim, self.scene, restart).map_err(|e| self.at(e))?;
         self.results = Some(results);
         Ok(())
     }
@@ -46,20 +45,20 @@ impl<'a> Writing<'a> {
     /// The folder cannot be written.
     pub(super) fn finish(mut self, summary: &Summary) -> io::Result<()> {
         match self.results.take() {
-            Some(results) => results.finish(summary, self.scene.case()).map_err(|e| self.at(e)),
+            Some(results) => results.finish(summary, self.scene).map_err(|e| self.at(e)),
             None => Ok(()),
         }
     }
 
     fn at(&self, error: io::Error) -> io::Error {
-        io::Error::new(error.kind(), format!("cannot write {}: {error}", self.folder.display()))
+        io::Error::new(error.kind(), format!("cannot write {}: {error}", self.claim.folder().display()))
     }
 
     /// What the folder holds, begun if nothing was written yet.
     fn results(&mut self) -> io::Result<&mut Results> {
         let begun = match self.results.take() {
             Some(results) => results,
-            None => Results::begin(self.folder, self.scene).map_err(|e| self.at(e))?,
+            None => Results::begin(&self.claim, self.scene).map_err(|e| self.at(e))?,
         };
         Ok(self.results.insert(begun))
     }

@@ -2,11 +2,12 @@
 //!
 //! Each file appears whole or not at all ([`atomic`]), so a run that is interrupted leaves no torn file
 //! behind: rows of numbers as [`csv`], fields on points and cells as [`vtu`], a series of them over time as
-//! [`pvd`], lines over lines as [`plot`], and pages for people as [`report`]. The callers choose what is worth
-//! writing; a length that does not fit is a broken contract and panics.
+//! [`pvd`], lines over lines as [`plot`], and pages for people as [`report`]. [`lock`] keeps two
+//! processes apart. The callers choose what is worth writing; a length that does not fit is a broken contract and panics.
 
 pub mod atomic;
 pub mod csv;
+pub mod lock;
 pub mod matrix_market;
 pub mod plot;
 pub mod pvd;

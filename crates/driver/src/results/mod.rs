@@ -3,6 +3,7 @@
 
 mod any_curve;
 mod beam;
+mod claim;
 mod curve;
 mod envelope;
 mod factor;
@@ -15,10 +16,12 @@ mod resume;
 use crate::case::Case;
 use crate::output::{atomic, csv, pvd};
 use crate::run::fracture::Restart;
-use crate::run::{Advance, ProbeResult, StateRecord, StateResult};
+use crate::run::{Advance, ProbeResult, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
 use any_curve::AnyCurve;
+pub(crate) use claim::plain;
+pub use claim::{Claim, MARK};
 use envelope::Envelope;
 use report::Report;
 use std::fs;
@@ -59,6 +62,11 @@ pub struct Results {
 /// The first columns of `history.csv`; those of the probes follow.
 const HISTORY: [&str; 2] = ["step", "load_factor"];
 
+/// A row of `history.csv`.
+fn history_row(index: usize, load_factor: f64, probes: &[ProbeResult]) -> Vec<f64> {
+    [index as f64, load_factor].into_iter().chain(probes.iter().map(|p| p.value)).collect()
+}
+
 /// A column of a table.
 type Column = (&'static str, Vec<f64>);
 
@@ -66,41 +74,6 @@ type Column = (&'static str, Vec<f64>);
 fn write_table<'a>(file: &Path, columns: impl Iterator<Item = &'a Column>) -> io::Result<()> {
     let columns: Vec<(&str, &[f64])> = columns.map(|(name, values)| (*name, values.as_slice())).collect();
     csv::write(file, &columns)
-}
-
-/// Name of the file that marks a folder as written by peristat.
-pub const MARK: &str = ".peristat";
-
-/// Whether a run may write into a folder: it is new, empty, or holds nothing but an earlier run.
-///
-/// # Errors
-/// The folder holds something that peristat did not write, and `force` is not given.
-pub fn admit(folder: &Path, force: bool) -> io::Result<()> {
-    let foreign = |message: String| Err(io::Error::new(io::ErrorKind::AlreadyExists, message));
-    if folder.exists() && !folder.is_dir() {
-        return foreign(format!("{} is a file, not a folder", folder.display()));
-    }
-    if !folder.exists() || force {
-        return Ok(());
-    }
-    let names = names_in(folder)?;
-    let marked = names.iter().any(|n| n == MARK);
-    let own = |n: &str| OWN.contains(&n) || is_leftover(n);
-    let other = names.iter().find(|n| *n != MARK && !(marked && own(n)));
-    let inside = |part: &str, own: &dyn Fn(&str) -> bool| -> io::Result<Option<String>> {
-        let path = folder.join(part);
-        let foreign = |n: &String| !own(n) && !is_leftover(n);
-        let found = if path.is_dir() { names_in(&path)?.into_iter().find(foreign) } else { None };
-        Ok(found.map(|n| format!("{part}/{n}")))
-    };
-    let found = match other {
-        Some(name) => Some(name.clone()),
-        None => inside("fields", &|n| n.starts_with("step_"))?.or(inside("plots", &|n| n.ends_with(".svg"))?),
-    };
-    match found {
-        Some(name) => foreign(format!("{} holds `{name}`, which peristat did not write", folder.display())),
-        None => Ok(()),
-    }
 }
 
 /// Whether every value of a state that a folder would hold is a number.
@@ -124,32 +97,53 @@ fn sweep(folder: &Path) -> io::Result<()> {
     leftover.map(|name| folder.join(name)).try_for_each(fs::remove_file)
 }
 
+/// Removes an earlier run from a folder, and nothing else.
+fn clear(folder: &Path) -> io::Result<()> {
+    // The mark of a finished run goes first, so that an interrupted replacement cannot look finished.
+    for name in OWN.iter().rev() {
+        let path = folder.join(name);
+        match path.symlink_metadata() {
+            Ok(data) if data.is_dir() => {
+                let own = names_in(&path)?.into_iter().filter(|file| claim::is_of_part(name, file));
+                own.map(|file| path.join(file)).try_for_each(fs::remove_file)?;
+            }
+            Ok(_) => fs::remove_file(&path)?,
+            Err(_) => {}
+        }
+    }
+    sweep(folder)
+}
+
+/// The first file of recorded states that is not in a folder.
+fn lost(folder: &Path, scene: &Scene, recorded: usize) -> Option<String> {
+    let lines = match scene {
+        Scene::Beam(_) => &[][..],
+        Scene::Plane(scene) => &scene.lines,
+    };
+    let of_state = |index: usize| {
+        let name = step_name(index);
+        let lines: Vec<String> =
+            lines.iter().map(|line| format!("fields/{name}_{}.csv", line.name)).collect();
+        [format!("fields/{name}.csv"), format!("fields/{name}.vtu")].into_iter().chain(lines)
+    };
+    (0..recorded).flat_map(of_state).find(|file| !folder.join(file).is_file())
+}
+
 /// Names of what a folder holds.
 fn names_in(folder: &Path) -> io::Result<Vec<String>> {
     fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect()
 }
 
 impl Results {
-    /// Makes the folder, removes an earlier run from it and writes `case.json`.
+    /// Removes an earlier run from a folder and writes `case.json`.
     ///
     /// # Errors
     /// The folder cannot be written.
-    pub fn begin(folder: &Path, scene: &Scene) -> io::Result<Self> {
-        fs::create_dir_all(folder)?;
-        // The mark of a finished run goes first, so that an interrupted replacement cannot look finished.
-        for name in OWN.iter().rev() {
-            let path = folder.join(name);
-            match path.symlink_metadata() {
-                Ok(data) if data.is_dir() => fs::remove_dir_all(&path)?,
-                Ok(_) => fs::remove_file(&path)?,
-                Err(_) => {}
-            }
-        }
-        sweep(folder)?;
-        fs::write(folder.join(MARK), "results of peristat\n")?;
+    pub fn begin(claim: &Claim, scene: &Scene) -> io::Result<Self> {
+        let folder = claim.folder();
+        clear(folder)?;
         write_case(folder, scene)?;
-        fs::create_dir(folder.join("fields"))?;
-        fs::create_dir(folder.join("plots"))?;
+        claim::PARTS.iter().try_for_each(|part| fs::create_dir_all(folder.join(part)))?;
         Ok(Self {
             folder: folder.into(),
             steps: Vec::new(),
@@ -189,8 +183,9 @@ impl Results {
             self.report.take(record.index, figures);
         }
         self.steps.push(step(scene, record.index, record.load_factor));
+        self.history.push(history_row(record.index, record.load_factor, &probes));
         self.write_collection()?;
-        self.write_history(record, &probes)?;
+        self.write_history(&probes)?;
         self.draw_curve(scene.case())?;
         match &self.envelope {
             Some(envelope) if is_last => envelope.write(&self.folder.join("envelope.csv")),
@@ -226,9 +221,14 @@ impl Results {
     /// Writes `report.html` and then `summary.json`; there is nothing left to go on with.
     ///
     /// # Errors
-    /// The folder cannot be written.
-    pub fn finish(self, summary: &Summary, case: &Case) -> io::Result<()> {
+    /// The folder cannot be written, or someone has removed what was written into it.
+    pub fn finish(self, summary: &Summary, scene: &Scene) -> io::Result<()> {
+        let case = scene.case();
         self.draw_curve(case)?;
+        if let Some(file) = self.lost(scene) {
+            let message = format!("`{file}` was removed while the run went on\nhint: run the case again");
+            return Err(io::Error::new(io::ErrorKind::NotFound, message));
+        }
         let page = self.report.page(summary, case, self.curve.as_ref());
         crate::output::report::write(&self.folder.join(report::FILE), &page)?;
         let text = serde_json::to_string_pretty(summary)?;
@@ -237,6 +237,15 @@ impl Results {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
             _ => Ok(()),
         }
+    }
+
+    /// A file of the run that is not there any more.
+    fn lost(&self, scene: &Scene) -> Option<String> {
+        let curve = self.curve.as_ref().map(|_| curve::FILE);
+        let envelope = self.envelope.as_ref().map(|_| "envelope.csv");
+        let tables = ["case.json", "fields.pvd", "history.csv"].into_iter().chain(curve).chain(envelope);
+        let mut tables = tables.filter(|file| !self.folder.join(file).is_file());
+        tables.next().map(String::from).or_else(|| lost(&self.folder, scene, self.steps.len()))
     }
 
     fn draw_curve(&self, case: &Case) -> io::Result<()> {
@@ -251,10 +260,8 @@ impl Results {
         pvd::write(&self.folder.join("fields.pvd"), &steps)
     }
 
-    fn write_history(&mut self, record: &StateRecord, probes: &[ProbeResult]) -> io::Result<()> {
-        let mut row = vec![record.index as f64, record.load_factor];
-        row.extend(probes.iter().map(|p| p.value));
-        self.history.push(row);
+    /// Writes the table of states; `probes` are those of any of them.
+    fn write_history(&self, probes: &[ProbeResult]) -> io::Result<()> {
         let mut names = HISTORY.to_vec();
         names.extend(probes.iter().map(|p| p.name.as_str()));
         let columns: Vec<Vec<f64>> =

@@ -38,8 +38,10 @@ pub(super) fn write(path: &Path, restart: &Restart) -> io::Result<()> {
 /// [`ErrorKind::InvalidData`] if the file is another one, of another version, or damaged; what the file system reports.
 pub(super) fn read(path: &Path) -> io::Result<Restart> {
     decode(&fs::read(path)?).map_err(|reason| {
-        let message =
-            format!("{} {reason}\nhint: leave out `--resume` to run the case from its start", path.display());
+        let message = format!(
+            "{} {reason}\nhint: add `--force` in place of `--resume` to run the case anew",
+            path.display()
+        );
         io::Error::new(ErrorKind::InvalidData, message)
     })
 }

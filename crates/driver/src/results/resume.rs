@@ -3,21 +3,28 @@
 use super::curve::Curve;
 use super::report::Report;
 use super::{
-    AnyCurve, HISTORY, MARK, Results, is_leftover, names_in, restart, step, step_name, sweep, write_case,
+    AnyCurve, Claim, MARK, Results, history_row, is_leftover, lost, names_in, restart, step, step_name,
+    sweep, write_case,
 };
+use crate::run::ProbeResult;
 use crate::run::fracture::Restart;
 use crate::scene::Scene;
+use crate::summary::Collector;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
+/// What helps where nothing can be resumed.
+const ANEW: &str = "add `--force` in place of `--resume` to run the case anew";
+
 impl Results {
     /// What a folder holds of a run of this scene that was interrupted, and what to go on from. Nothing is written yet.
     ///
     /// # Errors
-    /// There is nothing to go on with, the run is finished or of another case, or a file is damaged; each with a hint.
-    pub fn interrupted(folder: &Path, scene: &Scene) -> io::Result<Restart> {
+    /// There is nothing to go on with, the run goes on, is finished or of another case, or a file is damaged or gone; each
+    /// with a hint.
+    pub fn interrupted(folder: &Path, scene: &Scene) -> io::Result<(Claim, Restart)> {
         let refuse =
             |kind, reason: String, hint: &str| Err(io::Error::new(kind, format!("{reason}\nhint: {hint}")));
         let place = folder.display();
@@ -25,41 +32,50 @@ impl Results {
             let reason = "only a run with `fracture` can be resumed".to_string();
             return refuse(ErrorKind::InvalidInput, reason, "leave out `--resume` to run the case");
         }
-        if folder.join("summary.json").exists() {
-            let reason = format!("the run in {place} is finished");
-            return refuse(ErrorKind::AlreadyExists, reason, "leave out `--resume` to run the case anew");
-        }
-        let path = folder.join(restart::FILE);
-        if !folder.join(MARK).exists() || !path.exists() {
+        let nothing = || {
             let reason = format!("there is no run in {place} to resume");
             let hint = "leave out `--resume` to begin one, or name its folder with `-o`";
-            return refuse(ErrorKind::NotFound, reason, hint);
+            refuse(ErrorKind::NotFound, reason, hint)
+        };
+        if !folder.join(MARK).exists() {
+            return nothing();
+        }
+        let claim = Claim::again(folder)?;
+        if folder.join("summary.json").exists() {
+            return refuse(ErrorKind::AlreadyExists, format!("the run in {place} is finished"), ANEW);
+        }
+        let path = folder.join(restart::FILE);
+        if !path.exists() {
+            return nothing();
         }
         let restart = restart::read(&path)?;
         if restart.case != scene.fingerprint()? {
             let reason = format!(
                 "the run in {place} is of another case, or the case or peristat has been changed since"
             );
-            let hint =
-                "resume it with the `case.json` in that folder, or leave out `--resume` to run the case anew";
+            let hint = "resume it with the `case.json` in that folder, or add `--force` in place of `--resume` to run the case anew";
             return refuse(ErrorKind::InvalidInput, reason, hint);
         }
-        if history(folder)?.len() < restart.recorded {
-            let reason = format!("{place}/history.csv lacks rows that were written");
-            return refuse(ErrorKind::InvalidData, reason, "leave out `--resume` to run the case anew");
+        if let Some(file) = lost(folder, scene, restart.recorded) {
+            return refuse(ErrorKind::NotFound, format!("{place} has lost `{file}`"), ANEW);
         }
-        Ok(restart)
+        Ok((claim, restart))
     }
 
     /// Goes on with the folder of an [interrupted](Self::interrupted) run: what was written after its restart is removed.
     ///
     /// # Errors
     /// The folder cannot be read or written.
-    pub fn resume(folder: &Path, scene: &Scene, restart: &Restart) -> io::Result<Self> {
+    pub fn resume(claim: &Claim, scene: &Scene, restart: &Restart) -> io::Result<Self> {
+        let folder = claim.folder();
         // Titles, checks and lines may have changed.
         write_case(folder, scene)?;
-        let mut history = history(folder)?;
-        history.truncate(restart.recorded);
+        // What is in the tables may have been edited: the restart knows.
+        let known = Collector::restore(scene, &restart.summaries)?;
+        let states: Vec<(f64, &[ProbeResult])> = known.history().collect();
+        let row =
+            |(index, (factor, probes)): (usize, &(f64, &[ProbeResult]))| history_row(index, *factor, probes);
+        let history: Vec<Vec<f64>> = states.iter().enumerate().map(row).collect();
         let steps = history.iter().enumerate().map(|(index, row)| step(scene, index, row[1])).collect();
         remove_later(&folder.join("fields"), restart.recorded)?;
         fs::create_dir_all(folder.join("plots"))?;
@@ -75,6 +91,9 @@ impl Results {
             due: None,
         };
         results.write_collection()?;
+        if let Some((_, probes)) = states.last() {
+            results.write_history(probes)?;
+        }
         Ok(results)
     }
 }
@@ -90,24 +109,6 @@ fn remove_later(fields: &Path, recorded: usize) -> io::Result<()> {
         }
     }
     Ok(())
-}
-
-/// Rows of `history.csv`; none if there is no such file yet.
-fn history(folder: &Path) -> io::Result<Vec<Vec<f64>>> {
-    let path = folder.join("history.csv");
-    let text = match fs::read_to_string(&path) {
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
-        text => text?,
-    };
-    let row = |line: &str| -> Option<Vec<f64>> {
-        let row: Result<Vec<f64>, _> = line.split(',').map(str::parse).collect();
-        row.ok().filter(|row| row.len() >= HISTORY.len())
-    };
-    let rows: Option<Vec<Vec<f64>>> = text.lines().skip(1).map(row).collect();
-    let alike = rows.filter(|rows| rows.iter().all(|row| row.len() == rows[0].len()));
-    alike.ok_or_else(|| {
-        io::Error::new(ErrorKind::InvalidData, format!("{} is no table of numbers", path.display()))
-    })
 }
 
 #[cfg(test)]
@@ -163,17 +164,30 @@ mod tests {
         Event { solve, load: [1.0, 0.3, 2.0][solve], load_factor: 0.1, ..Event::default() }
     }
 
-    fn restart(scene: &Scene, recorded: usize) -> Restart {
-        let events = (0..recorded).map(event).collect();
-        Restart { case: scene.fingerprint().unwrap(), events, recorded, ..Restart::default() }
+    fn restart(scene: &Scene, recorded: &[StateResult]) -> Restart {
+        let mut collector = Collector::default();
+        recorded.iter().for_each(|state| collector.take(scene, state));
+        Restart {
+            case: scene.fingerprint().unwrap(),
+            events: (0..recorded.len()).map(event).collect(),
+            recorded: recorded.len(),
+            summaries: collector.save(),
+            ..Restart::default()
+        }
     }
 
     /// Writes the equilibria from one on up to another, with a restart after each.
     fn go_on(results: &mut Results, scene: &Scene, states: &[StateResult], which: std::ops::Range<usize>) {
         for k in which {
             results.take(scene, &states[k]).unwrap();
-            results.advance(Advance::Break(&event(k)), Some(&|| restart(scene, k + 1)), true).unwrap();
+            let restart = || restart(scene, &states[..=k]);
+            results.advance(Advance::Break(&event(k)), Some(&restart), true).unwrap();
         }
+    }
+
+    /// A folder that is new or has been forced upon.
+    fn begin(folder: &Path, scene: &Scene) -> Results {
+        Results::begin(&Claim::new(folder, true).unwrap(), scene).unwrap()
     }
 
     /// Names and contents of all files.
@@ -197,9 +211,9 @@ mod tests {
         let (loaded, states) = plate(folder.path());
         let scene = &loaded.scene;
         let (whole, parts) = (folder.path().join("whole"), folder.path().join("parts"));
-        go_on(&mut Results::begin(&whole, scene).unwrap(), scene, &states, 0..3);
+        go_on(&mut begin(&whole, scene), scene, &states, 0..3);
 
-        let mut first = Results::begin(&parts, scene).unwrap();
+        let mut first = begin(&parts, scene);
         go_on(&mut first, scene, &states, 0..1);
         // Two equilibria more, of which the restart knows nothing, and a file that was being written.
         first.due = Some(Instant::now() + Duration::from_secs(3600));
@@ -211,15 +225,20 @@ mod tests {
         fs::write(parts.join("fields/.abc.part"), "half").unwrap();
         fs::write(parts.join(".def.part"), "half").unwrap();
         assert!(parts.join("fields/step_002_across.csv").exists());
-        super::super::admit(&parts, false).unwrap();
+        let refused = Claim::new(&parts, false).unwrap_err().to_string();
+        assert!(refused.contains("holds an unfinished run of `plate`\nhint: "), "{refused}");
+        // What was edited is not believed.
+        let history = fs::read_to_string(parts.join("history.csv")).unwrap();
+        fs::write(parts.join("history.csv"), history.replace("0.3", "0.4")).unwrap();
 
-        let found = Results::interrupted(&parts, scene).unwrap();
-        assert_eq!(found, restart(scene, 1));
-        let mut second = Results::resume(&parts, scene, &found).unwrap();
+        let (claim, found) = Results::interrupted(&parts, scene).unwrap();
+        assert_eq!(found, restart(scene, &states[..1]));
+        let running = Results::interrupted(&parts, scene).unwrap_err().to_string();
+        assert!(running.contains("another peristat is writing into"), "{running}");
+        let mut second = Results::resume(&claim, scene, &found).unwrap();
         assert!(!parts.join("fields/step_001.vtu").exists() && parts.join("fields/step_000.vtu").exists());
         go_on(&mut second, scene, &states, 1..3);
         assert!(contents(&whole) == contents(&parts));
-        assert_eq!(history(&parts).unwrap().len(), 3);
     }
 
     #[test]
@@ -229,18 +248,16 @@ mod tests {
         let out = folder.path().join("out");
         let refused = |scene: &Scene| Results::interrupted(&out, scene).unwrap_err().to_string();
         assert!(refused(&loaded.scene).contains("out to resume\nhint: "));
-        let mut results = Results::begin(&out, &loaded.scene).unwrap();
+        let mut results = begin(&out, &loaded.scene);
         assert!(refused(&loaded.scene).contains("out to resume\nhint: "));
         go_on(&mut results, &loaded.scene, &states, 0..3);
         let unbroken = Loaded::read(&folder.path().join("plate.json"), &[], None).unwrap();
         let summary = unbroken.run(&RunOptions::default(), None, &mut taking(|_| Ok(()))).unwrap();
-        results.finish(&summary, loaded.scene.case()).unwrap();
+        results.finish(&summary, &loaded.scene).unwrap();
         let plots = names_in(&out.join("plots")).unwrap();
         assert!(["load_curve.svg", "energy.svg"].iter().all(|name| plots.iter().any(|n| n == name)));
         assert!(out.join("curve.csv").exists() && !out.join("restart.bin").exists());
-        assert!(
-            refused(&loaded.scene).ends_with("is finished\nhint: leave out `--resume` to run the case anew")
-        );
+        assert!(refused(&loaded.scene).contains("is finished\nhint: add `--force` in place of"));
         assert!(refused(&unbroken.scene).starts_with("only a run with `fracture` can be resumed\nhint: "));
     }
 
@@ -249,7 +266,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (mut loaded, states) = plate(folder.path());
         let out = folder.path().join("out");
-        let mut results = Results::begin(&out, &loaded.scene).unwrap();
+        let mut results = begin(&out, &loaded.scene);
         go_on(&mut results, &loaded.scene, &states, 0..2);
         drop(results);
         let change = |loaded: &mut Loaded, change: &dyn Fn(&mut Fracture)| {
@@ -258,8 +275,9 @@ mod tests {
             change(scene.case.fracture.as_mut().unwrap());
         };
         change(&mut loaded, &|f| (f.max_solves, f.record_every) = (Some(7), Some(1)));
-        let restart = Results::interrupted(&out, &loaded.scene).unwrap();
-        Results::resume(&out, &loaded.scene, &restart).unwrap();
+        let (claim, restart) = Results::interrupted(&out, &loaded.scene).unwrap();
+        Results::resume(&claim, &loaded.scene, &restart).unwrap();
+        drop(claim);
         assert!(fs::read_to_string(out.join("case.json")).unwrap().contains("\"title\": \"another\""));
 
         let refused = |loaded: &Loaded| Results::interrupted(&out, &loaded.scene).unwrap_err().to_string();
@@ -269,12 +287,10 @@ mod tests {
                 .contains("is of another case, or the case or peristat has been changed since\nhint: ")
         );
         change(&mut loaded, &|f| f.critical.stretch = Some(0.1));
-        let table = fs::read_to_string(out.join("history.csv")).unwrap();
-        let header_and_first: Vec<&str> = table.lines().take(2).collect();
-        fs::write(out.join("history.csv"), header_and_first.join("\n")).unwrap();
-        assert!(refused(&loaded).contains("history.csv lacks rows that were written\nhint: "));
-        fs::write(out.join("history.csv"), "step\nx\n").unwrap();
-        assert!(refused(&loaded).contains("history.csv is no table of numbers"));
+        for file in ["fields/step_001_across.csv", "fields/step_000.vtu"] {
+            fs::remove_file(out.join(file)).unwrap();
+            assert!(refused(&loaded).contains(&format!("out has lost `{file}`\nhint: ")));
+        }
         fs::write(out.join("restart.bin"), "{}").unwrap();
         assert!(refused(&loaded).contains("restart.bin is not a restart of peristat\nhint: "));
     }

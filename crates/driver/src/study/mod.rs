@@ -21,5 +21,5 @@ pub use file::{DeltaConvergence, Exact, Expect, JointConvergence, MConvergence, 
 pub use findings::{Findings, Level, Outcome, Quantity, Series};
 pub use plan::{Plan, Task};
 pub use record::{Measured, Record};
-pub use store::Store;
+pub use store::{Claimed, Store};
 pub use write::write;

@@ -50,6 +50,15 @@ impl Collector {
         }
     }
 
+    /// Load factor and probes of every state so far.
+    pub fn history(&self) -> impl Iterator<Item = (f64, &[ProbeResult])> {
+        let share = self.probes.len() / self.states.len().max(1);
+        let of_state = move |(k, state): (usize, &StateSummary)| {
+            (state.load_factor, &self.probes[k * share..(k + 1) * share])
+        };
+        self.states.iter().enumerate().map(of_state)
+    }
+
     /// As [`restore`](Self::restore), with forces of one kind: without reactions, kinds look alike.
     fn read<F: DeserializeOwned>(saved: &str, forces: fn(F) -> Forces) -> serde_json::Result<Self> {
         let (states, probes): (Vec<StateSummary<F>>, _) = serde_json::from_str(saved)?;

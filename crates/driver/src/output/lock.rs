@@ -1,0 +1,95 @@
+//! Locks on files, which end with their process, however it ends.
+
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Who else may hold a lock at the same time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    /// Nobody.
+    Alone,
+    /// All who hold it together, too.
+    Together,
+}
+
+/// A locked file.
+#[derive(Debug)]
+pub struct Lock {
+    path: PathBuf,
+    _file: File,
+}
+
+impl Lock {
+    /// Locks a file, which is made if it is not there; `None` if someone else has locked it. Where the file system knows no
+    /// locks, everyone gets one.
+    ///
+    /// # Errors
+    /// The file cannot be opened for writing.
+    pub fn take(path: &Path, hold: Hold) -> io::Result<Option<Self>> {
+        loop {
+            let file = OpenOptions::new().create(true).truncate(false).write(true).read(true).open(path)?;
+            let locked = match hold {
+                Hold::Alone => file.try_lock(),
+                Hold::Together => file.try_lock_shared(),
+            };
+            if matches!(locked, Err(TryLockError::WouldBlock)) {
+                return Ok(None);
+            }
+            // Whoever held it may have removed the file since it was opened: its lock would be of nothing.
+            if is_at(&file, path) {
+                return Ok(Some(Self { path: path.into(), _file: file }));
+            }
+        }
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+/// Whether an open file is the one at a path.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let place = |data: std::fs::Metadata| (data.dev(), data.ino());
+    matches!((file.metadata().map(place), path.metadata().map(place)), (Ok(a), Ok(b)) if a == b)
+}
+
+/// Systems that keep files which are open at their place.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> bool {
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_locked_by_one_or_by_those_who_share_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let take = |hold| Lock::take(&path, hold).unwrap();
+        let alone = take(Hold::Alone).unwrap();
+        assert!(take(Hold::Alone).is_none() && take(Hold::Together).is_none());
+        drop(alone);
+        let together = [take(Hold::Together).unwrap(), take(Hold::Together).unwrap()];
+        assert!(take(Hold::Alone).is_none());
+        drop(together);
+        assert!(take(Hold::Alone).is_some());
+        assert!(Lock::take(&folder.path().join("no/lock"), Hold::Alone).is_err());
+    }
+
+    #[test]
+    fn the_lock_of_a_file_that_was_removed_holds_nobody_up() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("lock");
+        let first = Lock::take(&path, Hold::Alone).unwrap().unwrap();
+        std::fs::remove_file(first.path()).unwrap();
+        let second = Lock::take(&path, Hold::Alone).unwrap().unwrap();
+        assert!(Lock::take(&path, Hold::Alone).unwrap().is_none());
+        drop((first, second));
+    }
+}

@@ -1,0 +1,148 @@
+//! Which folders a run may write into, and that no two write into one at once.
+
+use super::{OWN, is_leftover, names_in, restart};
+use crate::output::lock::{Hold, Lock};
+use std::fs;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+/// Name of the file that marks a folder as written by peristat; whoever writes into the folder holds a lock on it.
+pub const MARK: &str = ".peristat";
+
+/// A folder that one run writes into, and no other one until this is dropped. If nothing came of it, it leaves no folder.
+#[derive(Debug)]
+pub struct Claim {
+    folder: PathBuf,
+    /// Whether the folder was made for this.
+    is_new: bool,
+    _mark: Lock,
+}
+
+impl Claim {
+    /// A folder that is made for a run, or is empty; with `force` one that holds something else, too.
+    ///
+    /// # Errors
+    /// The folder holds an earlier run or something that peristat did not write, another run writes into it, or it cannot
+    /// be made; each but the last with a hint.
+    pub fn new(folder: &Path, force: bool) -> io::Result<Self> {
+        if !folder.join(MARK).exists() {
+            vacant(folder, force)?;
+        }
+        let is_new = !folder.exists();
+        let describe = |error: io::Error| {
+            io::Error::new(error.kind(), format!("cannot write {}: {error}", folder.display()))
+        };
+        fs::create_dir_all(folder).map_err(describe)?;
+        let claim = Self { folder: folder.into(), is_new, _mark: mark(folder)? };
+        // What is in a folder can be told for certain only when nobody else writes there.
+        vacant(folder, force)?;
+        Ok(claim)
+    }
+
+    /// A folder that a run has written into.
+    ///
+    /// # Errors
+    /// Another run writes into it; the mark cannot be opened.
+    pub(super) fn again(folder: &Path) -> io::Result<Self> {
+        Ok(Self { folder: folder.into(), is_new: false, _mark: mark(folder)? })
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+}
+
+impl Drop for Claim {
+    fn drop(&mut self) {
+        let came_to_nothing = || names_in(&self.folder).is_ok_and(|names| names == [MARK]);
+        if self.is_new && came_to_nothing() {
+            // An empty folder that stays does no harm.
+            let _ = fs::remove_file(self.folder.join(MARK)).and_then(|()| fs::remove_dir(&self.folder));
+        }
+    }
+}
+
+/// Locks the mark of a folder.
+fn mark(folder: &Path) -> io::Result<Lock> {
+    let place = folder.display();
+    match Lock::take(&folder.join(MARK), Hold::Alone) {
+        Ok(Some(lock)) => Ok(lock),
+        Ok(None) => refuse(format!(
+            "another peristat is writing into {place}\nhint: choose another folder with `-o`, or wait until it has ended"
+        )),
+        Err(error) => Err(io::Error::new(error.kind(), format!("cannot write {place}: {error}"))),
+    }
+}
+
+fn refuse<T>(message: String) -> io::Result<T> {
+    Err(io::Error::new(ErrorKind::AlreadyExists, message))
+}
+
+/// Whether a run may write into a folder without loss: it is not there, empty, or given up.
+fn vacant(folder: &Path, force: bool) -> io::Result<()> {
+    let place = folder.display();
+    if folder.exists() && !folder.is_dir() {
+        return refuse(format!("{place} is a file, not a folder\nhint: choose a folder with `-o`"));
+    }
+    if !folder.exists() || force {
+        return Ok(());
+    }
+    if let Some(name) = foreign(folder)? {
+        return refuse(format!(
+            "{place} holds {name}\nhint: choose another folder with `-o`, or add `--force`"
+        ));
+    }
+    let has = |name: &str| folder.join(name).exists();
+    if !names_in(folder)?.iter().any(|name| name != MARK && !is_leftover(name)) {
+        return Ok(());
+    }
+    let state = if has("summary.json") { "a finished" } else { "an unfinished" };
+    let of = title(folder).map_or(String::new(), |title| format!(" of `{title}`"));
+    let resume = match has(restart::FILE) && !has("summary.json") {
+        true => "; `peristat run` goes on with it if `--resume` is added",
+        false => "",
+    };
+    refuse(format!(
+        "{place} holds {state} run{of}\n\
+         hint: choose another folder with `-o`, or add `--force` to replace it{resume}"
+    ))
+}
+
+/// What is in a folder that no run wrote, in words.
+fn foreign(folder: &Path) -> io::Result<Option<String>> {
+    let names = names_in(folder)?;
+    let marked = names.iter().any(|name| name == MARK);
+    if marked && names.iter().any(|name| name == "tasks") {
+        return Ok(Some("a study".into()));
+    }
+    let own = |name: &str| OWN.contains(&name) || is_leftover(name);
+    let mut found = names.into_iter().find(|name| name != MARK && !(marked && own(name)));
+    for part in PARTS {
+        let path = folder.join(part);
+        if found.is_none() && path.is_dir() {
+            let inside = names_in(&path)?.into_iter().find(|name| !is_of_part(part, name));
+            found = inside.map(|name| format!("{part}/{name}"));
+        }
+    }
+    Ok(found.map(|name| format!("`{name}`, which peristat did not write")))
+}
+
+/// Folders in that of a run.
+pub(super) const PARTS: [&str; 2] = ["fields", "plots"];
+
+/// Whether a run writes files of such a name into a folder of its folder.
+pub(super) fn is_of_part(part: &str, name: &str) -> bool {
+    is_leftover(name) || if part == "fields" { name.starts_with("step_") } else { name.ends_with(".svg") }
+}
+
+/// Title of the case that a folder is of.
+fn title(folder: &Path) -> Option<String> {
+    let case: serde_json::Value = serde_json::from_slice(&fs::read(folder.join("case.json")).ok()?).ok()?;
+    Some(plain(case.get("title")?.as_str()?))
+}
+
+/// A title as a part of a message: on one line, of moderate length.
+pub(crate) fn plain(title: &str) -> String {
+    title.chars().take(80).map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
