@@ -9,7 +9,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// A plate with a crack at its left edge that is pulled apart, bond by bond.
-fn case() -> Value {
+pub(crate) fn case() -> Value {
     json!({
         "title": "Plate that breaks", "units": "mm-N-MPa",
         "model": { "bond_plane": { "youngs_modulus": 70000, "state": "plane_stress", "thickness": 1.0 } },
@@ -42,7 +42,7 @@ fn beams() -> Value {
 
 const CANTILEVERS: u32 = 20;
 
-fn solve(folder: &Path, case: &Value, more: &[&str]) -> Outcome {
+pub(crate) fn solve(folder: &Path, case: &Value, more: &[&str]) -> Outcome {
     fs::write(folder.join("breaking.json"), format!("{case:#}")).unwrap();
     let mut arguments = vec!["run", "breaking.json"];
     arguments.extend(more);
@@ -50,7 +50,7 @@ fn solve(folder: &Path, case: &Value, more: &[&str]) -> Outcome {
 }
 
 /// The run in `out`, to be stopped; it goes on with what is there, if there is anything to go on with.
-fn spawn(folder: &Path) -> Child {
+pub(crate) fn spawn(folder: &Path) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_peristat"));
     command.current_dir(folder).args(["run", "breaking.json", "-o", "out"]);
     if folder.join("out/restart.bin").exists() {
@@ -62,7 +62,7 @@ fn spawn(folder: &Path) -> Child {
 }
 
 /// Waits until the table of equilibria has more rows than some number, or the process has ended.
-fn wait_for_rows(folder: &Path, child: &mut Child, rows: usize) {
+pub(crate) fn wait_for_rows(folder: &Path, child: &mut Child, rows: usize) {
     let begin = Instant::now();
     let count = || fs::read_to_string(folder.join("out/curve.csv")).map_or(0, |text| text.lines().count());
     while count() <= rows && child.try_wait().unwrap().is_none() {
@@ -93,7 +93,7 @@ fn outcome(out: &Path) -> Vec<(String, Vec<u8>)> {
     found
 }
 
-fn assert_same(found: &Path, expected: &Path) {
+pub(crate) fn assert_same(found: &Path, expected: &Path) {
     let (found, expected) = (outcome(found), outcome(expected));
     let names = |all: &[(String, Vec<u8>)]| all.iter().map(|f| f.0.clone()).collect::<Vec<_>>();
     assert_eq!(names(&found), names(&expected));
@@ -140,7 +140,7 @@ fn killed_again_and_again(case: &Value) {
 
 /// Runs a case into `whole`, and into `out` until some equilibria are found and it is interrupted; what that said.
 #[cfg(unix)]
-fn interrupted(folder: &Path, case: &Value, rows: usize) -> String {
+pub(crate) fn interrupted(folder: &Path, case: &Value, rows: usize) -> String {
     use std::os::unix::process::ExitStatusExt;
     let whole = solve(folder, case, &["-o", "whole"]);
     assert_eq!(whole.code, 0, "{}\n{}", whole.stdout, whole.stderr);

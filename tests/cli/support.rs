@@ -80,15 +80,18 @@ pub(crate) fn report_without_times(path: &Path) -> String {
     [before, after].concat()
 }
 
-/// The Python of `PERISTAT_PYTHON`, or any, if it has a module; else a notice, past the captured stdout of a passing test.
+/// The Python of `PERISTAT_PYTHON`, or any, if it has a module; else a notice.
 pub(crate) fn python_with(module: &str) -> Option<String> {
     let python = std::env::var("PERISTAT_PYTHON").unwrap_or_else(|_| "python3".into());
     let import = std::process::Command::new(&python).args(["-c", &format!("import {module}")]).output();
     if import.is_ok_and(|output| output.status.success()) {
         return Some(python);
     }
-    let notice =
-        format!("\nnotice: not tested: `{python}` has no {module}; set PERISTAT_PYTHON to one that has\n");
-    let _ = std::io::stderr().write_all(notice.as_bytes());
+    notice(&format!("`{python}` has no {module}; set PERISTAT_PYTHON to one that has"));
     None
+}
+
+/// Tells what cannot be tested here, past the captured output of a passing test.
+pub(crate) fn notice(reason: &str) {
+    let _ = std::io::stderr().write_all(format!("\nnotice: not tested: {reason}\n").as_bytes());
 }
