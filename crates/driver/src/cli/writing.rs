@@ -45,7 +45,7 @@ impl<'a> Writing<'a> {
     /// The folder cannot be written.
     pub(super) fn finish(mut self, summary: &Summary) -> io::Result<()> {
         match self.results.take() {
-            Some(results) => results.finish(summary, self.scene).map_err(|e| self.at(e)),
+            Some(results) => results.finish(summary, self.scene.case()).map_err(|e| self.at(e)),
             None => Ok(()),
         }
     }

@@ -50,6 +50,8 @@ const SELDOM: u32 = 20;
 #[derive(Debug)]
 pub struct Results {
     folder: PathBuf,
+    /// Files of states.
+    files: Vec<String>,
     steps: Vec<(f64, String)>,
     history: Vec<Vec<f64>>,
     envelope: Option<Envelope>,
@@ -114,19 +116,14 @@ fn clear(folder: &Path) -> io::Result<()> {
     sweep(folder)
 }
 
-/// The first file of recorded states that is not in a folder.
-fn lost(folder: &Path, scene: &Scene, recorded: usize) -> Option<String> {
-    let lines = match scene {
-        Scene::Beam(_) => &[][..],
-        Scene::Plane(scene) => &scene.lines,
-    };
-    let of_state = |index: usize| {
-        let name = step_name(index);
-        let lines: Vec<String> =
-            lines.iter().map(|line| format!("fields/{name}_{}.csv", line.name)).collect();
-        [format!("fields/{name}.csv"), format!("fields/{name}.vtu")].into_iter().chain(lines)
-    };
-    (0..recorded).flat_map(of_state).find(|file| !folder.join(file).is_file())
+/// The table and the grid of a state.
+fn fields(index: usize) -> [String; 2] {
+    ["csv", "vtu"].map(|extension| format!("fields/{}.{extension}", step_name(index)))
+}
+
+/// The first of some files that is not in a folder.
+fn lost(folder: &Path, files: impl IntoIterator<Item = String>) -> Option<String> {
+    files.into_iter().find(|file| !folder.join(file).is_file())
 }
 
 /// Names of what a folder holds.
@@ -146,6 +143,7 @@ impl Results {
         claim::PARTS.iter().try_for_each(|part| fs::create_dir_all(folder.join(part)))?;
         Ok(Self {
             folder: folder.into(),
+            files: Vec::new(),
             steps: Vec::new(),
             history: Vec::new(),
             envelope: scene.has_envelope().then(Envelope::default),
@@ -162,6 +160,7 @@ impl Results {
     pub fn take(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
         let record = result.record();
         let name = step_name(record.index);
+        self.files.extend(fields(record.index));
         // Which equilibrium is the last of a body that breaks is known only after it: any may be.
         let is_last = self.curve.is_some() || record.index + 1 == scene.states();
         let is_drawn = is_last || self.report.shows_all();
@@ -174,6 +173,7 @@ impl Results {
             }
             (Scene::Plane(scene), StateResult::Plane(result)) => {
                 plane::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
+                self.files.extend(scene.lines.iter().map(|line| format!("fields/{name}_{}.csv", line.name)));
                 let draw = || plane::draw(plots.as_deref(), scene, result);
                 (crate::run::plane::probes(scene, result), is_drawn.then(draw).transpose()?)
             }
@@ -222,10 +222,9 @@ impl Results {
     ///
     /// # Errors
     /// The folder cannot be written, or someone has removed what was written into it.
-    pub fn finish(self, summary: &Summary, scene: &Scene) -> io::Result<()> {
-        let case = scene.case();
+    pub fn finish(self, summary: &Summary, case: &Case) -> io::Result<()> {
         self.draw_curve(case)?;
-        if let Some(file) = self.lost(scene) {
+        if let Some(file) = self.lost() {
             let message = format!("`{file}` was removed while the run went on\nhint: run the case again");
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
         }
@@ -240,12 +239,11 @@ impl Results {
     }
 
     /// A file of the run that is not there any more.
-    fn lost(&self, scene: &Scene) -> Option<String> {
+    fn lost(&self) -> Option<String> {
         let curve = self.curve.as_ref().map(|_| curve::FILE);
         let envelope = self.envelope.as_ref().map(|_| "envelope.csv");
         let tables = ["case.json", "fields.pvd", "history.csv"].into_iter().chain(curve).chain(envelope);
-        let mut tables = tables.filter(|file| !self.folder.join(file).is_file());
-        tables.next().map(String::from).or_else(|| lost(&self.folder, scene, self.steps.len()))
+        lost(&self.folder, tables.map(String::from).chain(self.files.iter().cloned()))
     }
 
     fn draw_curve(&self, case: &Case) -> io::Result<()> {

@@ -3,7 +3,7 @@
 use super::curve::Curve;
 use super::report::Report;
 use super::{
-    AnyCurve, Claim, MARK, Results, history_row, is_leftover, lost, names_in, restart, step, step_name,
+    AnyCurve, Claim, MARK, Results, fields, history_row, is_leftover, lost, names_in, restart, step, step_name,
     sweep, write_case,
 };
 use crate::run::ProbeResult;
@@ -56,7 +56,7 @@ impl Results {
             let hint = "resume it with the `case.json` in that folder, or add `--force` in place of `--resume` to run the case anew";
             return refuse(ErrorKind::InvalidInput, reason, hint);
         }
-        if let Some(file) = lost(folder, scene, restart.recorded) {
+        if let Some(file) = lost(folder, (0..restart.recorded).flat_map(fields)) {
             return refuse(ErrorKind::NotFound, format!("{place} has lost `{file}`"), ANEW);
         }
         Ok((claim, restart))
@@ -83,6 +83,8 @@ impl Results {
         ["fields", "plots"].iter().try_for_each(|part| sweep(&folder.join(part)))?;
         let results = Self {
             folder: folder.into(),
+            // Lines may have been others.
+            files: (0..restart.recorded).flat_map(fields).collect(),
             steps,
             history,
             envelope: None,
@@ -253,7 +255,7 @@ mod tests {
         go_on(&mut results, &loaded.scene, &states, 0..3);
         let unbroken = Loaded::read(&folder.path().join("plate.json"), &[], None).unwrap();
         let summary = unbroken.run(&RunOptions::default(), None, &mut taking(|_| Ok(()))).unwrap();
-        results.finish(&summary, &loaded.scene).unwrap();
+        results.finish(&summary, loaded.scene.case()).unwrap();
         let plots = names_in(&out.join("plots")).unwrap();
         assert!(["load_curve.svg", "energy.svg"].iter().all(|name| plots.iter().any(|n| n == name)));
         assert!(out.join("curve.csv").exists() && !out.join("restart.bin").exists());
@@ -287,7 +289,7 @@ mod tests {
                 .contains("is of another case, or the case or peristat has been changed since\nhint: ")
         );
         change(&mut loaded, &|f| f.critical.stretch = Some(0.1));
-        for file in ["fields/step_001_across.csv", "fields/step_000.vtu"] {
+        for file in ["fields/step_001.csv", "fields/step_000.vtu"] {
             fs::remove_file(out.join(file)).unwrap();
             assert!(refused(&loaded).contains(&format!("out has lost `{file}`\nhint: ")));
         }

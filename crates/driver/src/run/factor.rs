@@ -128,12 +128,13 @@ pub(super) fn factor<const D: usize>(
 /// A factor of a sparse matrix.
 pub(super) enum SparseFactor {
     Whole(Box<SparseCholesky>),
-    /// Halves side by side.
+    /// By halves.
     Dissected(Box<DissectedCholesky>),
 }
 
 impl SparseFactor {
-    /// Points in a plane below which two threads cost more than they bring.
+    /// Points in a plane below which two threads cost more than they bring. How many threads there are does not count:
+    /// the other factor rounds otherwise, and a body that softens may take another path.
     const FEW: usize = 2000;
 
     pub(super) fn analyse<const D: usize>(
@@ -144,7 +145,7 @@ impl SparseFactor {
             return SparseCholesky::analyse(matrix, Ordering::MinimumDegree).map(Box::new).map(Self::Whole);
         };
         let dissection = nested_dissection(positions, &PointGraph::from_matrix(matrix, D));
-        match rayon::current_num_threads() > 1 && positions.len() > Self::FEW {
+        match positions.len() > Self::FEW {
             true => DissectedCholesky::analyse(matrix, &dissection, D).map(Box::new).map(Self::Dissected),
             false => {
                 let ordering = Ordering::Points { order: dissection.order(), components: D };

@@ -1,4 +1,4 @@
-//! Cholesky factor of a dissected matrix, its halves side by side in two threads.
+//! Cholesky factor of a dissected matrix, its halves side by side where there are two threads.
 
 mod part;
 mod structure;
@@ -20,13 +20,13 @@ use sprs::CsMat;
 ///     [ B1'  B2' C  ]
 /// ```
 ///
-/// Two threads factor the principal submatrices `[Ai Bi; Bi' C]`, positive definite as `A` is, with
+/// The halves are the principal submatrices `[Ai Bi; Bi' C]`, positive definite as `A` is, with
 /// S last. The last columns `Gi` of these factors give `Gi Gi' = C - Bi' Ai^-1 Bi`, and the Schur
 /// complement of S in `A` is `G1 G1' + G2 G2' - C`, which is factored densely. Solves go through
 /// the halves side by side, to S and back.
 ///
-/// The results do not depend on timing. With one thread, [`SparseCholesky`](crate::SparseCholesky)
-/// in the order of the dissection does a little less work.
+/// The results depend neither on timing nor on the number of threads. On one,
+/// [`SparseCholesky`](crate::SparseCholesky) in the order of the dissection does a little less work.
 pub struct DissectedCholesky {
     parts: [Part; 2],
     /// Unknowns of the separator.
@@ -188,8 +188,11 @@ impl Preconditioner for DissectedCholesky {
     }
 }
 
-/// Two tasks side by side.
+/// Two tasks, side by side where there are threads for both.
 fn both<A: Send, B>(first: impl FnOnce() -> A + Send, second: impl FnOnce() -> B) -> (A, B) {
+    if rayon::current_num_threads() < 2 {
+        return (first(), second());
+    }
     std::thread::scope(|scope| {
         let first = scope.spawn(first);
         let second = second();
