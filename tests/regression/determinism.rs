@@ -5,14 +5,18 @@ use peristat::summary::Summary;
 use std::path::Path;
 
 /// Cases that take as long as all the others together, and are solved like some of those.
-const LONG: [&str; 7] = [
+const LONG: [&str; 11] = [
     "cases/axisymmetric/ring_crack.json",
     "cases/ductile/ct_2024_damage.json",
+    "cases/ductile/ct_elastic_045.json",
+    "cases/ductile/ct_elastic_055.json",
     "cases/ductile/notched_strip.json",
+    "cases/ductile/panel.json",
     "cases/orthotropic/case_b_0.json",
     "cases/orthotropic/case_b_30_turned.json",
     "cases/orthotropic/case_b_45.json",
     "cases/orthotropic/case_b_90.json",
+    "cases/plate/plate_with_hole_off_lines.json",
 ];
 
 /// The record of a run on so many threads, but for times and memory.

@@ -3,8 +3,8 @@
 use super::curve::Curve;
 use super::report::Report;
 use super::{
-    AnyCurve, Claim, MARK, Results, fields, history_row, is_leftover, lost, names_in, restart, step, step_name,
-    sweep, write_case,
+    AnyCurve, Claim, MARK, Results, fields, history_row, is_leftover, lost, names_in, restart, step,
+    step_name, sweep, write_case,
 };
 use crate::run::ProbeResult;
 use crate::run::fracture::Restart;
