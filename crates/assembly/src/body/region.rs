@@ -5,7 +5,7 @@ use super::geometry::{dot, left_normal, moved};
 use super::outline::{Outline, Shape};
 use super::select::{nearest, points_in};
 use super::{BORDER, PlaneBody};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
 
 /// Which points of a body. Lengths in m; borders belong to regions, within [`BORDER`].
@@ -82,6 +82,9 @@ pub enum RegionError {
         /// Its name.
         name: String,
     },
+    /// Unions name unions that name unions, too often.
+    #[error("unions are nested more than {DEEPEST} deep")]
+    Deep,
     /// A length is not above zero.
     #[error("`{what}` must be above zero, found {found}")]
     NotPositive {
@@ -100,6 +103,18 @@ pub enum RegionError {
 
 fn known_text(known: &[String]) -> String {
     if known.is_empty() { String::new() } else { format!(", only {}", known.join(", ")) }
+}
+
+/// Unions within unions, at most.
+const DEEPEST: usize = 64;
+
+/// What was met on the way through unions within unions.
+#[derive(Default)]
+struct Unions<'r> {
+    /// Names from the outermost one inwards.
+    open: Vec<&'r str>,
+    /// All names: a region counts once, however often it is named.
+    met: BTreeSet<&'r str>,
 }
 
 /// What regions are found on.
@@ -121,12 +136,12 @@ impl Regions<'_> {
     /// # Errors
     /// [`RegionError`].
     pub fn select(&self, region: &Region) -> Result<Vec<u32>, RegionError> {
-        self.inside(region, &mut Vec::new())
+        self.inside(region, &mut Unions::default())
     }
 
-    fn inside<'r>(&'r self, region: &'r Region, open: &mut Vec<&'r str>) -> Result<Vec<u32>, RegionError> {
+    fn inside<'r>(&'r self, region: &'r Region, unions: &mut Unions<'r>) -> Result<Vec<u32>, RegionError> {
         let parts = match region {
-            Region::Union { of } => return self.union(of, open),
+            Region::Union { of } => return self.union(of, unions),
             Region::Group { name } => return self.group(name),
             Region::Corner { at } => return Ok(nearest(self.body, finite("at", *at)?)),
             Region::Edge { name, depth } => vec![self.edge(name, *depth)?],
@@ -163,18 +178,23 @@ impl Regions<'_> {
         positive("depth", depth.unwrap_or(self.body.spacing()))
     }
 
-    fn union<'r>(&'r self, of: &'r [String], open: &mut Vec<&'r str>) -> Result<Vec<u32>, RegionError> {
+    fn union<'r>(&'r self, of: &'r [String], unions: &mut Unions<'r>) -> Result<Vec<u32>, RegionError> {
+        if unions.open.len() >= DEEPEST {
+            return Err(RegionError::Deep);
+        }
         let mut found = Vec::new();
         for name in of {
             let Some(region) = self.named.get(name) else {
                 return Err(unknown("region", name, self.named.keys().map(String::as_str)));
             };
-            if open.contains(&name.as_str()) {
+            if unions.open.contains(&name.as_str()) {
                 return Err(RegionError::Cycle { name: name.clone() });
             }
-            open.push(name);
-            found.push(self.inside(region, open)?);
-            open.pop();
+            if unions.met.insert(name) {
+                unions.open.push(name);
+                found.push(self.inside(region, unions)?);
+                unions.open.pop();
+            }
         }
         Ok(sorted(found.into_iter()))
     }

@@ -25,12 +25,17 @@ fn as_cloud(body: &PlaneBody) -> PlaneBody {
 
 fn select(region: &Region) -> Result<Vec<u32>, RegionError> {
     let (outline, body) = plate();
-    let named = BTreeMap::from([
+    let mut named = BTreeMap::from([
         ("corners".into(), Region::Union { of: vec!["a".into(), "b".into()] }),
         ("a".into(), Region::Corner { at: [0.0, 0.0] }),
         ("b".into(), Region::Corner { at: [9.0, 0.5] }),
         ("loop".into(), Region::Union { of: vec!["a".into(), "loop".into()] }),
     ]);
+    // Two hundred unions, each of the next one twice: of the last sixty there are 2⁶⁰ ways to a corner.
+    named.extend((0..200).map(|k| {
+        let next = if k == 199 { "a".into() } else { format!("u{}", k + 1) };
+        (format!("u{k}"), Region::Union { of: vec![next.clone(), next] })
+    }));
     let regions = Regions { body: &body, outline: Some(&outline), named: &named };
     let found = regions.select(region);
     // Listed points give the same answer, though another code finds it.
@@ -92,6 +97,9 @@ fn faults_are_named() {
     ));
     let looped = Region::Union { of: vec!["loop".into()] };
     assert_eq!(select(&looped), Err(RegionError::Cycle { name: "loop".into() }));
+    let nested = |first: usize| select(&Region::Union { of: vec![format!("u{first}")] });
+    assert_eq!(nested(140), Ok(vec![0]));
+    assert_eq!(nested(0), Err(RegionError::Deep));
     assert_eq!(
         select(&edge("left", Some(-1.0))),
         Err(RegionError::NotPositive { what: "depth", found: -1.0 })
