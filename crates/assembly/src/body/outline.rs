@@ -1,8 +1,9 @@
 //! Outlines of bodies: a polygon with holes and named edges.
 
-use super::geometry::{Point, meet, to_segment};
+use super::geometry::{Point, distance, meet, to_segment};
 use super::polygon::{Polygon, PolygonError};
 use super::turn::Turn;
+use std::f64::consts::TAU;
 use thiserror::Error;
 
 /// A straight edge of an outline.
@@ -209,6 +210,15 @@ fn edges(polygon: &Polygon, names: impl IntoIterator<Item = String>) -> Vec<Edge
 }
 
 impl Shape {
+    /// Length of the border, m.
+    pub fn perimeter(&self) -> f64 {
+        match self {
+            Self::Circle { radius, .. } => TAU * radius,
+            Self::Slot { from, to, radius } => TAU * radius + 2.0 * distance(*from, *to),
+            Self::Polygon(polygon) => polygon.perimeter(),
+        }
+    }
+
     /// A circle and a slot as segment and radius.
     pub(super) fn stadium(&self) -> Option<(Point, Point, f64)> {
         match self {

@@ -1,6 +1,6 @@
 //! Simple polygons.
 
-use super::geometry::{Point, between_segments, dot, in_box, left_normal, meet, minus, side};
+use super::geometry::{Point, between_segments, distance, dot, in_box, left_normal, meet, minus, side};
 use super::turn::Turn;
 use thiserror::Error;
 
@@ -103,6 +103,11 @@ impl Polygon {
         let normal = left_normal(from, to);
         // Adding zero removes the sign of a zero.
         if self.counter_clockwise { normal.map(|x| -x + 0.0) } else { normal.map(|x| x + 0.0) }
+    }
+
+    /// Length of the border, m.
+    pub fn perimeter(&self) -> f64 {
+        self.edges().map(|[a, b]| distance(a, b)).sum()
     }
 
     /// Area, m².

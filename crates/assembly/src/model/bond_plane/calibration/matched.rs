@@ -7,6 +7,7 @@ use super::super::super::plane::{direction_product, is_within, length, project};
 use super::super::{BondPlaneError, PlaneParameters};
 use crate::body::Cell;
 use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeMap;
 
 /// Pairs of strains that have a modulus.
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (0, 1), (2, 2), (0, 2), (1, 2)];
@@ -58,13 +59,12 @@ pub(in super::super) fn weights(
 
 /// Gives offsets that are images of each other in the symmetries of the square the same weight, to the last bit.
 fn equalise(weights: &mut DVector<f64>, offsets: &[Cell]) {
-    let kind = |[a, b]: Cell| [a.abs().max(b.abs()), a.abs().min(b.abs())];
-    for k in 0..offsets.len() {
-        let alike: Vec<usize> =
-            (0..offsets.len()).filter(|&l| kind(offsets[l]) == kind(offsets[k])).collect();
-        if alike[0] == k {
-            let mean = alike.iter().map(|&l| weights[l]).sum::<f64>() / alike.len() as f64;
-            alike.iter().for_each(|&l| weights[l] = mean);
-        }
+    let mut kinds: BTreeMap<Cell, Vec<usize>> = BTreeMap::new();
+    for (k, [a, b]) in offsets.iter().map(|offset| offset.map(i32::abs)).enumerate() {
+        kinds.entry([a.max(b), a.min(b)]).or_default().push(k);
+    }
+    for alike in kinds.values() {
+        let mean = alike.iter().map(|&k| weights[k]).sum::<f64>() / alike.len() as f64;
+        alike.iter().for_each(|&k| weights[k] = mean);
     }
 }
