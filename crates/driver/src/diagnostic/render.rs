@@ -6,6 +6,8 @@ use super::excerpt::{Excerpt, clip, escape};
 use super::locate::{line_and_column, locate};
 use super::{Diagnostic, Report, Severity};
 
+/// Most faults of a report that are shown.
+const SHOWN: usize = 100;
 /// Longest path that is shown whole.
 const PATH: usize = 100;
 /// Columns at which a hint is wrapped.
@@ -18,12 +20,21 @@ const CYAN: &str = "36";
 impl Report {
     /// The whole report: errors in the order of the file, then warnings, then a count if several.
     pub fn render(&self, color: bool) -> String {
-        let mut located: Vec<_> = self.diagnostics.iter().map(|d| (self.span(d), d)).collect();
+        // Nobody reads more, and to find the places of very many takes long.
+        let mut shown: Vec<_> = self.diagnostics.iter().collect();
+        shown.sort_by_key(|d| d.severity);
+        shown.truncate(SHOWN);
+        let mut located: Vec<_> = shown.into_iter().map(|d| (self.span(d), d)).collect();
         let start = |span: &Option<Range<usize>>| span.as_ref().map_or(usize::MAX, |s| s.start);
         located.sort_by_key(|(span, diagnostic)| (diagnostic.severity, start(span)));
         let mut parts: Vec<_> = located.into_iter().map(|(s, d)| self.one(d, s, color)).collect();
         if parts.len() > 1 {
-            parts.push(format!("{} in {}\n", self.count(), escape(&self.file)));
+            let rest = if parts.len() < self.diagnostics.len() {
+                format!(", {SHOWN} are shown")
+            } else {
+                String::new()
+            };
+            parts.push(format!("{} in {}{rest}\n", self.count(), escape(&self.file)));
         }
         parts.join("\n")
     }
