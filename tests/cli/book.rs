@@ -77,7 +77,9 @@ fn was_printed(line: &str, printed: &str) -> bool {
 fn faults(page: &str, examples: &[String]) -> Vec<String> {
     let temporary = tempfile::tempdir().unwrap();
     let folder = temporary.path();
-    std::os::unix::fs::symlink(root().join("cases"), folder.join("cases")).unwrap();
+    // No link: studies read no cases through one that leads out of their folder.
+    let copied = Command::new("cp").arg("-r").arg(root().join("cases")).arg(folder).status().unwrap();
+    assert!(copied.success());
     let (mut faults, mut printed) = (Vec::new(), String::new());
     for block in blocks(page) {
         let text = block.lines.join("\n") + "\n";

@@ -15,6 +15,7 @@ mod memory;
 mod meshio;
 mod messages;
 mod numbers;
+mod outside;
 mod plane_folder;
 mod readme;
 mod report;

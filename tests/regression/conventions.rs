@@ -104,7 +104,7 @@ fn only_the_driver_prints_reads_the_clock_and_touches_files() {
 /// Words of a text that are paths into the repository.
 fn paths(text: &str) -> Vec<&str> {
     let separator = |c: char| c.is_whitespace() || "`()[]<>\"',;|".contains(c);
-    let folders = ["crates/", "cases/", "tests/", "bench/", "docs/", ".ci/"];
+    let folders = ["crates/", "cases/", "tests/", "bench/", "docs/", "fuzz/", ".ci/"];
     let words = text.split(separator).map(|word| word.trim_start_matches("./").trim_end_matches(['.', ':']));
     words
         .filter(|word| folders.iter().any(|f| word.starts_with(f)) && !word.contains(['*', '{', '…', '$']))

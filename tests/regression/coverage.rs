@@ -102,7 +102,7 @@ fn the_table_of_cases_has_every_case_and_no_other() {
     let text = fs::read_to_string(root().join("cases/README.md")).unwrap();
     let rows = text.lines().filter_map(|line| line.strip_prefix("| `cases/")?.split(".json`").next());
     let rows: Vec<String> = rows.map(ToString::to_string).collect();
-    let studies = files(&root().join("cases/studies"), ".json");
+    let studies = files(&root().join("cases"), ".study.json");
     let cases = gallery().into_iter().chain(studies).map(|case| {
         let path = case.strip_prefix(root().join("cases")).unwrap().with_extension("");
         path.display().to_string()

@@ -1,6 +1,7 @@
 //! Every case of the gallery passes its own checks, one test per folder.
 
 use crate::support::{files, gallery, load, root, short, solve};
+use peristat::input::Reach;
 use peristat::study::{Findings, Plan, Record};
 use peristat::summary::Status;
 use std::fmt::Write;
@@ -93,13 +94,12 @@ fn every_folder_of_cases_has_its_test() {
 
 #[test]
 fn studies_find_what_they_expect() {
-    let studies = files(&root().join("cases/studies"), ".study.json");
+    let studies = files(&root().join("cases"), ".study.json");
     assert!(!studies.is_empty());
     for file in studies {
-        let plan = Plan::read(&file, &[]).unwrap_or_else(|report| panic!("{report}"));
-        let folder = plan.case_file.parent().unwrap();
+        let plan = Plan::read(&file, &[], Reach::Inside).unwrap_or_else(|report| panic!("{report}"));
         let solve = |task| {
-            Some(Record::solve(task, folder, None).unwrap_or_else(|e| panic!("{}: {e}", short(&file))))
+            Some(Record::solve(task, &plan.folder, None).unwrap_or_else(|e| panic!("{}: {e}", short(&file))))
         };
         let records: Vec<Option<Record>> = plan.tasks.iter().map(solve).collect();
         let findings = Findings::new(&plan, &records);

@@ -38,11 +38,12 @@ pub mod summary;
 mod workers;
 
 use diagnostic::{Faults, Report, Severity};
+use input::{Folder, Reach};
 use run::fracture::Restart;
 use run::{Advance, RunError, RunOptions, Sink, StateResult, taking};
 use scene::Scene;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use summary::{Collector, Summary};
 use thiserror::Error;
 
@@ -92,7 +93,7 @@ pub struct Solved {
 /// [`enum@Error`] with the place of the fault.
 pub fn solve_text(text: &str) -> Result<Solved, Error> {
     let source = case::from_text("case", text.into(), &[]).map_err(Error::Case)?;
-    let loaded = Loaded::from_source(source, Path::new("."), None)?;
+    let loaded = Loaded::from_source(source, Path::new(".").into(), None)?;
     let mut states = Vec::new();
     let options = RunOptions { recover: true, max_memory: None };
     let mut push = taking(|result| {
@@ -112,32 +113,28 @@ pub struct Loaded {
     /// The case as its author wrote it.
     pub(crate) written: case::Case,
     /// Folder of the files that it names.
-    pub(crate) folder: PathBuf,
+    pub(crate) folder: Folder,
     pub(crate) file: String,
     pub(crate) text: String,
 }
 
 impl Loaded {
     /// Reads a case file, applies overrides `path=value`, and resolves it within a limit on memory, bytes; without one it
-    /// may use what the machine has.
+    /// may use what the machine has. Files that the case names must lie in its folder, or below.
     ///
     /// # Errors
     /// [`Error::Case`] with all faults.
     pub fn read(path: &Path, overrides: &[String], max_memory: Option<u64>) -> Result<Self, Error> {
         let source = case::read(path, overrides).map_err(Error::Case)?;
-        Self::from_source(source, path.parent().unwrap_or(Path::new("")), max_memory)
+        Self::from_source(source, Folder::of(path, Reach::Inside), max_memory)
     }
 
     /// The same of a case that is read; `folder` is where files that it names are looked for.
-    pub(crate) fn from_source(
-        source: case::Source,
-        folder: &Path,
-        max_memory: Option<u64>,
-    ) -> Result<Self, Error> {
+    pub fn from_source(source: case::Source, folder: Folder, max_memory: Option<u64>) -> Result<Self, Error> {
         let case::Source { case, file, text } = source;
         let written = case.clone();
-        let scene = Scene::new(case, folder, &file, &text, max_memory).map_err(Error::Case)?;
-        Ok(Self { scene, written, folder: folder.into(), file, text })
+        let scene = Scene::new(case, &folder, &file, &text, max_memory).map_err(Error::Case)?;
+        Ok(Self { scene, written, folder, file, text })
     }
 
     /// The error of a run with the place in the case, where it is the case's fault.

@@ -1,8 +1,27 @@
 //! Memory of this process and of the machine, on systems that have `/proc`.
 
+use crate::diagnostic::{Faults, JsonPath};
+
 /// Memory that may be used, bytes: what is allowed, else what programs can have without swapping.
 pub(crate) fn allowed(limit: Option<u64>) -> Option<u64> {
     limit.or_else(|| value("/proc/meminfo", "MemAvailable:"))
+}
+
+/// Whether so many bytes may be used for `what`; if not, a fault at `path`. The hint is what to do instead of raising the limit.
+pub(crate) fn fits(
+    bytes: f64,
+    (what, hint): (&str, &str),
+    limit: Option<u64>,
+    path: JsonPath,
+    faults: &mut Faults,
+) -> bool {
+    let Some(allowed) = allowed(limit).filter(|&allowed| bytes > allowed as f64) else { return true };
+    let [needed, allowed] = [bytes as u64, allowed].map(words);
+    faults
+        .error(path, format!("about {needed} of memory would be needed for {what}, {allowed} may be used"))
+        .for_lack_of_memory()
+        .hint(format!("{hint}, or raise `--max-memory`"));
+    false
 }
 
 /// Largest resident memory of this process so far, bytes.

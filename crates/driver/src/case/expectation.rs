@@ -260,7 +260,7 @@ pub struct Limit {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Baseline {
-    /// CSV file with columns `x` (`s` for a frame, `x` and `y` in the plane) and the field, relative to the case: a file of the folder `fields` of an earlier run will do.
+    /// CSV file with columns `x` (`s` for a frame, `x` and `y` in the plane) and the field, relative to the case, in its folder or below: a file of the folder `fields` of an earlier run will do.
     pub file: String,
     /// Field that is compared.
     pub field: FieldName,

@@ -40,7 +40,7 @@ pub struct OutlineBody {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointsBody {
-    /// CSV file with the columns `x`, `y` and `area` or `volume`, relative to the case.
+    /// CSV file with the columns `x`, `y` and `area` or `volume`, relative to the case, in its folder or below.
     pub file: String,
 }
 
@@ -48,7 +48,7 @@ pub struct PointsBody {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshBody {
-    /// Gmsh file (MSH 4.1, ASCII), relative to the case.
+    /// Gmsh file (MSH 4.1, ASCII), relative to the case, in its folder or below.
     pub file: String,
 }
 

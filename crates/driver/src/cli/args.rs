@@ -1,5 +1,6 @@
 //! The command line.
 
+use crate::input::Reach;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -39,6 +40,16 @@ pub(super) struct Global {
     /// Memory that a case may need, such as `2GB`; it is estimated before anything is allocated.
     #[arg(long, global = true, value_name = "SIZE", value_parser = size)]
     pub(super) max_memory: Option<u64>,
+    /// Read files that cases and studies name even where they lie outside their folders.
+    #[arg(long, global = true)]
+    pub(super) allow_outside: bool,
+}
+
+impl Global {
+    /// How far the files may lie that cases and studies name.
+    pub(super) fn reach(&self) -> Reach {
+        if self.allow_outside { Reach::Anywhere } else { Reach::Inside }
+    }
 }
 
 /// When to colour messages.

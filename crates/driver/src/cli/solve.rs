@@ -5,6 +5,9 @@ use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
+use crate::case;
+use crate::input::Folder;
+use crate::output::folder::below;
 use crate::output::matrix_market;
 use crate::results::{Claim, Results};
 use crate::run::fracture::Restart;
@@ -18,13 +21,21 @@ use peristat_assembly::system::System;
 use std::io;
 use std::path::{Path, PathBuf};
 
+/// Reads a case and resolves it.
+pub(super) fn load(case: &Path, overrides: &[String], global: &Global) -> Result<Loaded, Error> {
+    let source = case::read(case, overrides)?;
+    Loaded::from_source(source, Folder::of(case, global.reach()), global.max_memory)
+}
+
 /// Solves a case into its results folder.
 pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
-    let loaded = Loaded::read(&arguments.case, &arguments.overrides, global.max_memory)?;
+    let loaded = load(&arguments.case, &arguments.overrides, global)?;
     warn(&loaded, global);
     let folder = match &arguments.output {
         Some(folder) => folder.clone(),
-        None => Path::new("results").join(arguments.case.file_stem().unwrap_or_default()),
+        None => {
+            below(Path::new(""), &Path::new("results").join(arguments.case.file_stem().unwrap_or_default()))?
+        }
     };
     let (claim, restart) = match arguments.resume {
         true => {
@@ -108,7 +119,7 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     let mut code = DONE;
     let mut all = Vec::new();
     for path in cases {
-        let estimated = Loaded::read(path, overrides, global.max_memory).and_then(|loaded| {
+        let estimated = load(path, overrides, global).and_then(|loaded| {
             warn(&loaded, global);
             sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))
         });

@@ -4,6 +4,7 @@ use super::args::{Global, Study};
 use super::interrupt::Interrupt;
 use super::{DONE, FAILED, INTERRUPTED, complain, note, print_study, say};
 use crate::Error;
+use crate::output::folder::below;
 use crate::output::lock::Hold;
 use crate::run::RunError;
 use crate::study::{self, Claimed, Findings, Plan, Record, Store, Task};
@@ -13,8 +14,8 @@ use std::path::{Path, PathBuf};
 
 /// Plans a study, solves what is not finished, and says what it found.
 pub(super) fn study(request: &Study, global: &Global) -> Result<u8, Error> {
-    let plan = Plan::read(&request.study, &request.overrides)?;
-    let folder = folder(request);
+    let plan = Plan::read(&request.study, &request.overrides, global.reach())?;
+    let folder = folder(request)?;
     if request.plan {
         return show_plan(&plan, &Store::at(&folder), global);
     }
@@ -51,10 +52,13 @@ pub(super) fn study(request: &Study, global: &Global) -> Result<u8, Error> {
 }
 
 /// The folder of the study: as asked, or named like the file.
-fn folder(request: &Study) -> PathBuf {
+fn folder(request: &Study) -> io::Result<PathBuf> {
     let name = request.study.file_stem().unwrap_or_default().to_string_lossy();
     let name = name.strip_suffix(".study").unwrap_or(&name);
-    request.output.clone().unwrap_or_else(|| Path::new("results").join(name))
+    match &request.output {
+        Some(folder) => Ok(folder.clone()),
+        None => below(Path::new(""), &Path::new("results").join(name)),
+    }
 }
 
 /// The tasks that are asked for, all if none is.
@@ -112,12 +116,11 @@ fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Resul
     }
     let interrupt = Interrupt::listen(global.quiet)?;
     let bar = super::progress::of_tasks(global, todo.len());
-    let folder = plan.case_file.parent().unwrap_or(Path::new(""));
     let attempt = |task: &Task, max_memory: Option<u64>| -> Option<Result<(), Error>> {
         if interrupt.is_asked() {
             return None;
         }
-        let solved = Record::solve(task, folder, max_memory);
+        let solved = Record::solve(task, &plan.folder, max_memory);
         let kept = solved.and_then(|record| Ok(store.put(&record)?));
         bar.inc(1);
         Some(kept)

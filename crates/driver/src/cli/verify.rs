@@ -3,11 +3,12 @@
 use super::args::Global;
 use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
+use crate::Error;
+use crate::output::folder::below;
 use crate::results::{Claim, MARK};
 use crate::run::{RunOptions, taking};
 use crate::summary::{Status, Summary};
 use crate::workers::side_by_side;
-use crate::{Error, Loaded};
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 use std::fs;
@@ -100,11 +101,12 @@ fn collect(path: &Path, all: bool, cases: &mut Vec<PathBuf>) -> io::Result<()> {
     entries.sort();
     for entry in entries {
         let name = entry.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        // A link to a folder may lead anywhere, round in circles, too.
         if entry.is_dir() {
-            if name != "invalid" && (all || name != "bench") {
+            if !entry.is_symlink() && name != "invalid" && (all || name != "bench") {
                 collect(&entry, all, cases)?;
             }
-        } else if name.ends_with(".json") && !name.ends_with(STUDY) {
+        } else if entry.is_file() && name.ends_with(".json") && !name.ends_with(STUDY) {
             cases.push(entry);
         }
     }
@@ -141,7 +143,7 @@ fn apart(cases: &[PathBuf]) -> io::Result<()> {
 /// `None` for a slow case that nobody asked for.
 fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome> {
     let begin = Instant::now();
-    let loaded = Loaded::read(case, &[], global.max_memory);
+    let loaded = solve::load(case, &[], global);
     let named = request.paths.iter().any(|p| p == case);
     if let Ok(loaded) = &loaded
         && loaded.scene.case().slow
@@ -152,7 +154,7 @@ fn solve_one(case: &Path, request: &Request, global: &Global) -> Option<Outcome>
     }
     let result = loaded.and_then(|loaded| match &request.output {
         Some(folder) => {
-            let claim = Claim::new(&folder.join(inside(case)), request.force)?;
+            let claim = Claim::new(&below(folder, &inside(case))?, request.force)?;
             solve::solve_into(&loaded, None, Writing::new(&loaded.scene, claim), false, global)
         }
         None => {

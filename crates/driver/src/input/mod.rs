@@ -1,11 +1,15 @@
-//! Files that cases name: meshes and lists of points.
+//! Files that cases name: where they may lie, meshes and lists of points.
 //!
 //! Readers take the bytes of a file and never panic on any; what they hold grows with what they have read, never with a
 //! number in the file. Faults say the line and what belongs there.
 
+mod folder;
 pub mod gmsh;
 mod lines;
 pub mod points;
+
+pub(crate) use folder::Refusal;
+pub use folder::{Folder, Reach};
 
 use std::fmt;
 

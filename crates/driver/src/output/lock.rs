@@ -1,7 +1,7 @@
 //! Locks on files, which end with their process, however it ends.
 
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Who else may hold a lock at the same time.
@@ -25,8 +25,14 @@ impl Lock {
     /// locks, everyone gets one.
     ///
     /// # Errors
-    /// The file cannot be opened for writing.
+    /// The file is a link, or cannot be opened for writing.
     pub fn take(path: &Path, hold: Hold) -> io::Result<Option<Self>> {
+        if path.is_symlink() {
+            return Err(io::Error::new(
+                ErrorKind::InvalidInput,
+                "it is a link, and nothing is written through it",
+            ));
+        }
         loop {
             let file = OpenOptions::new().create(true).truncate(false).write(true).read(true).open(path)?;
             let locked = match hold {

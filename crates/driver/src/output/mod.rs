@@ -7,6 +7,7 @@
 
 pub mod atomic;
 pub mod csv;
+pub mod folder;
 pub mod lock;
 pub mod matrix_market;
 pub mod plot;

@@ -1,7 +1,8 @@
 //! Which folders a run may write into, and that no two write into one at once.
 
-use super::{OWN, is_leftover, names_in, restart};
+use super::{OWN, inputs, is_leftover, names_in, restart};
 use crate::output::lock::{Hold, Lock};
+use crate::scene::INPUTS;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -118,22 +119,27 @@ fn foreign(folder: &Path) -> io::Result<Option<String>> {
     }
     let own = |name: &str| OWN.contains(&name) || is_leftover(name);
     let mut found = names.into_iter().find(|name| name != MARK && !(marked && own(name)));
-    for part in PARTS {
+    for part in PARTS.into_iter().chain([INPUTS]) {
         let path = folder.join(part);
         if found.is_none() && path.is_dir() {
-            let inside = names_in(&path)?.into_iter().find(|name| !is_of_part(part, name));
+            let inside = names_in(&path)?.into_iter().find(|name| !is_of_part(folder, part, name));
             found = inside.map(|name| format!("{part}/{name}"));
         }
     }
     Ok(found.map(|name| format!("`{name}`, which peristat did not write")))
 }
 
-/// Folders in that of a run.
+/// Folders in that of every run.
 pub(super) const PARTS: [&str; 2] = ["fields", "plots"];
 
 /// Whether a run writes files of such a name into a folder of its folder.
-pub(super) fn is_of_part(part: &str, name: &str) -> bool {
-    is_leftover(name) || if part == "fields" { name.starts_with("step_") } else { name.ends_with(".svg") }
+pub(super) fn is_of_part(folder: &Path, part: &str, name: &str) -> bool {
+    is_leftover(name)
+        || match part {
+            "fields" => name.starts_with("step_"),
+            INPUTS => inputs::wrote(folder, name),
+            _ => name.ends_with(".svg"),
+        }
 }
 
 /// Title of the case that a folder is of.

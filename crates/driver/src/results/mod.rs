@@ -7,6 +7,7 @@ mod claim;
 mod curve;
 mod envelope;
 mod factor;
+mod inputs;
 mod path_curve;
 mod plane;
 mod report;
@@ -14,10 +15,10 @@ mod restart;
 mod resume;
 
 use crate::case::Case;
-use crate::output::{atomic, csv, pvd};
+use crate::output::{self, atomic, csv, pvd};
 use crate::run::fracture::Restart;
 use crate::run::{Advance, ProbeResult, StateResult};
-use crate::scene::Scene;
+use crate::scene::{INPUTS, Scene};
 use crate::summary::Summary;
 use any_curve::AnyCurve;
 pub(crate) use claim::plain;
@@ -30,8 +31,9 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// What peristat writes into a folder.
-const OWN: [&str; 10] = [
+const OWN: [&str; 11] = [
     "case.json",
+    INPUTS,
     "fields",
     "fields.pvd",
     "history.csv",
@@ -106,7 +108,7 @@ fn clear(folder: &Path) -> io::Result<()> {
         let path = folder.join(name);
         match path.symlink_metadata() {
             Ok(data) if data.is_dir() => {
-                let own = names_in(&path)?.into_iter().filter(|file| claim::is_of_part(name, file));
+                let own = names_in(&path)?.into_iter().filter(|file| claim::is_of_part(folder, name, file));
                 own.map(|file| path.join(file)).try_for_each(fs::remove_file)?;
             }
             Ok(_) => fs::remove_file(&path)?,
@@ -140,7 +142,7 @@ impl Results {
         let folder = claim.folder();
         clear(folder)?;
         write_case(folder, scene)?;
-        claim::PARTS.iter().try_for_each(|part| fs::create_dir_all(folder.join(part)))?;
+        claim::PARTS.iter().try_for_each(|part| output::folder::make(&folder.join(part)))?;
         Ok(Self {
             folder: folder.into(),
             files: Vec::new(),
@@ -282,8 +284,9 @@ fn step(scene: &Scene, index: usize, load_factor: f64) -> (f64, String) {
     (time, format!("fields/{}.vtu", step_name(index)))
 }
 
-/// Writes `case.json`.
+/// Writes `case.json` and the files that it names.
 fn write_case(folder: &Path, scene: &Scene) -> io::Result<()> {
+    inputs::write(folder, scene)?;
     let case = serde_json::to_string_pretty(scene.case())?;
     atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())
 }

@@ -41,7 +41,7 @@ impl PathCurve {
             let name = case.probes[k].name.replace([',', '"'], " ");
             let _ = write!(header, ",{name}");
         }
-        let mut file = File::create(folder.join(FILE))?;
+        let mut file = File::create_new(folder.join(FILE))?;
         file.write_all((header + "\n").as_bytes())?;
         let opening = path.opening.as_ref().and_then(|name| case.probes.iter().position(|p| p.name == *name));
         Ok(Self { file, points: Vec::new(), probes, opening })

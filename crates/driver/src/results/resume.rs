@@ -6,6 +6,7 @@ use super::{
     AnyCurve, Claim, MARK, Results, fields, history_row, is_leftover, lost, names_in, restart, step,
     step_name, sweep, write_case,
 };
+use crate::output;
 use crate::run::ProbeResult;
 use crate::run::fracture::Restart;
 use crate::scene::Scene;
@@ -78,7 +79,7 @@ impl Results {
         let history: Vec<Vec<f64>> = states.iter().enumerate().map(row).collect();
         let steps = history.iter().enumerate().map(|(index, row)| step(scene, index, row[1])).collect();
         remove_later(&folder.join("fields"), restart.recorded)?;
-        fs::create_dir_all(folder.join("plots"))?;
+        output::folder::make(&folder.join("plots"))?;
         sweep(folder)?;
         ["fields", "plots"].iter().try_for_each(|part| sweep(&folder.join(part)))?;
         let results = Self {
@@ -102,7 +103,7 @@ impl Results {
 
 /// Removes the files of all states but the first ones, and those that were being written.
 fn remove_later(fields: &Path, recorded: usize) -> io::Result<()> {
-    fs::create_dir_all(fields)?;
+    output::folder::make(fields)?;
     let kept: BTreeSet<String> = (0..recorded).map(step_name).collect();
     for name in names_in(fields)? {
         let state = name.split(['.', '_']).take(2).collect::<Vec<_>>().join("_");
@@ -205,6 +206,25 @@ mod tests {
         }
         found.sort();
         found
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_run_is_not_resumed_through_a_link() {
+        let folder = tempfile::tempdir().unwrap();
+        let (loaded, states) = plate(folder.path());
+        let (scene, out, aside) = (&loaded.scene, folder.path().join("out"), folder.path().join("aside"));
+        go_on(&mut Results::begin(&out, scene).unwrap(), scene, &states, 0..1);
+        let found = Results::interrupted(&out, scene).unwrap();
+        for part in ["fields", "plots"] {
+            fs::rename(out.join(part), &aside).unwrap();
+            std::os::unix::fs::symlink(&aside, out.join(part)).unwrap();
+            let error = Results::resume(&out, scene, &found).unwrap_err();
+            assert!(error.to_string().contains("is a link"), "{error}");
+            fs::remove_file(out.join(part)).unwrap();
+            fs::rename(&aside, out.join(part)).unwrap();
+        }
+        Results::resume(&out, scene, &found).unwrap();
     }
 
     #[test]

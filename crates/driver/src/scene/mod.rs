@@ -4,6 +4,7 @@
 
 pub mod beam;
 mod expectation;
+mod files;
 mod fingerprint;
 pub mod fracture;
 mod horizon;
@@ -16,11 +17,12 @@ mod words;
 
 pub use beam::BeamScene;
 pub use expectation::{Expectation, ExpectationKind};
+pub use files::{INPUTS, InputFile};
 pub use plane::PlaneScene;
 
 use crate::case::{Case, Model};
 use crate::diagnostic::{Faults, JsonPath, Report};
-use std::path::Path;
+use crate::input::Folder;
 
 /// A problem, resolved.
 #[derive(Debug)]
@@ -34,15 +36,6 @@ pub enum Scene {
 /// Path of a key at the root of a case.
 fn root(key: &str) -> JsonPath {
     JsonPath::default().key(key)
-}
-
-/// Names the files of a case by their full paths, so that the case can be run again from another folder.
-fn keep_files(case: &mut Case, folder: &Path) {
-    for file in case.files_mut() {
-        if let Ok(path) = folder.join(&*file).canonicalize() {
-            *file = path.display().to_string();
-        }
-    }
 }
 
 fn check_title(title: &str, faults: &mut Faults) {
@@ -59,11 +52,12 @@ impl Scene {
     /// All faults of the case in one [`Report`].
     pub fn new(
         case: Case,
-        folder: &Path,
+        folder: impl Into<Folder>,
         file: &str,
         text: &str,
         max_memory: Option<u64>,
     ) -> Result<Self, Report> {
+        let folder = &folder.into();
         let mut faults = Faults::default();
         numbers::check(&case, &mut faults);
         check_title(&case.title, &mut faults);
@@ -92,7 +86,7 @@ impl Scene {
     fn in_plane(
         case: Case,
         model: plane::Given,
-        folder: &Path,
+        folder: &Folder,
         max_memory: Option<u64>,
         faults: Faults,
     ) -> Result<Self, Faults> {
@@ -105,6 +99,14 @@ impl Scene {
         match self {
             Self::Beam(scene) => &scene.case,
             Self::Plane(scene) => &scene.case,
+        }
+    }
+
+    /// Files that the case names, as its results keep them.
+    pub fn files(&self) -> &[InputFile] {
+        match self {
+            Self::Beam(scene) => &scene.files,
+            Self::Plane(scene) => &scene.files,
         }
     }
 

@@ -72,7 +72,7 @@ impl Loaded {
         overrides.push("checks=[]".into());
         let solved = case::from_text(&self.file, self.text.clone(), &overrides)
             .map_err(Error::Case)
-            .and_then(|source| Loaded::from_source(source, &self.folder, max_memory))
+            .and_then(|source| Loaded::from_source(source, self.folder.clone(), max_memory))
             .and_then(|loaded| {
                 loaded.run(&RunOptions { recover: false, max_memory }, None, &mut taking(|_| Ok(())))
             });

@@ -16,7 +16,7 @@ pub struct Study {
     /// One or two sentences on what it shows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub about: Option<String>,
-    /// The base case, a file relative to the study.
+    /// The base case, a file relative to the study, in its folder or below.
     pub case: String,
     /// Values of the base case that are replaced, by their paths, such as `"body.line.cells": 24`.
     #[serde(default, skip_serializing_if = "Map::is_empty")]

@@ -4,6 +4,8 @@ use super::check::check;
 use super::file::{Refine, Study};
 use crate::case::{self, Case, Overrides, Source};
 use crate::diagnostic::{Diagnostic, Faults, JsonPath, Report, decode, parse};
+use crate::input::{Folder, Reach};
+use crate::memory;
 use serde_json::{Map, Value};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -32,6 +34,8 @@ pub struct Plan {
     pub study: Study,
     /// Case file of all tasks.
     pub case_file: PathBuf,
+    /// Its folder.
+    pub folder: Folder,
     /// Tasks, those of a series from coarse to fine one after the other.
     pub tasks: Vec<Task>,
 }
@@ -47,12 +51,16 @@ pub(super) struct Step {
     given: Vec<String>,
 }
 
+/// Memory of a task per byte of its case: its text with overrides, and what is made of it.
+const PER_BYTE: f64 = 6.0;
+
 impl Plan {
-    /// Reads a study and makes its tasks; `overrides` of the command line come behind those of the study.
+    /// Reads a study and makes its tasks; `overrides` of the command line come behind those of the study, `reach` is how far
+    /// its base case may lie, and the files that this one names.
     ///
     /// # Errors
     /// All faults of the study, or the first fault of one of its cases.
-    pub fn read(file: &Path, overrides: &[String]) -> Result<Self, Report> {
+    pub fn read(file: &Path, overrides: &[String], reach: Reach) -> Result<Self, Report> {
         let name = file.display().to_string();
         let failed = |message: String| {
             Report::of(&name, String::new(), Diagnostic::error(JsonPath::default(), message))
@@ -69,13 +77,22 @@ impl Plan {
             return Err(faults.into_report(name, text));
         }
         let case_file = file.parent().unwrap_or(Path::new("")).join(&study.case);
-        let base = case::read_text(&case_file)?;
+        let base = base(file, &study, &text, reach)?;
+        let folder = Folder::of(&case_file, reach);
+        let levels = study.refine.as_ref().map_or(1, |refine| steps(refine).len());
+        let tasks = series.len().saturating_mul(levels);
+        let what = format!("{tasks} tasks, each with its case");
+        let needed = PER_BYTE * base.len() as f64 * tasks as f64;
+        let place = JsonPath::default().key("vary");
+        if !memory::fits(needed, (&what, "vary fewer values"), None, place, &mut faults) {
+            return Err(faults.into_report(name, text));
+        }
         let fixed: Vec<String> = study.set.iter().map(assignment).chain(overrides.iter().cloned()).collect();
         let mut tasks = Vec::new();
         for settings in series {
             let own = fixed.iter().cloned().chain(settings.iter().map(assignment)).collect();
             let Some(refine) = &study.refine else {
-                tasks.push(task(&case_file, &base, (settings, None), own, tasks.len() + 1)?);
+                tasks.push(task((&case_file, &folder), &base, (settings, None), own, tasks.len() + 1)?);
                 continue;
             };
             let start = case::from_text(&case_file.display().to_string(), base.clone(), &own)?.case;
@@ -87,10 +104,10 @@ impl Plan {
                 })?;
                 let all = own.iter().cloned().chain(refined).collect();
                 let settings = (settings.clone(), Some(step.size));
-                tasks.push(task(&case_file, &base, settings, all, tasks.len() + 1)?);
+                tasks.push(task((&case_file, &folder), &base, settings, all, tasks.len() + 1)?);
             }
         }
-        Ok(Self { study, case_file, tasks })
+        Ok(Self { study, case_file, folder, tasks })
     }
 
     /// Ranges of tasks that differ by their refinement only, coarse to fine.
@@ -104,20 +121,35 @@ fn assignment((path, value): (&String, &Value)) -> String {
     format!("{path}={value}")
 }
 
+/// The text of the base case of a study.
+fn base(file: &Path, study: &Study, text: &str, reach: Reach) -> Result<String, Report> {
+    let name = file.with_file_name(&study.case).display().to_string();
+    match Folder::of(file, reach).read(&study.case, None) {
+        Ok(bytes) => decode(&name, bytes),
+        Err(refusal) => {
+            let mut faults = Faults::default();
+            let message = format!("the case {} {}", study.case, refusal.reason);
+            let fault = faults.error(JsonPath::default().key("case"), message);
+            fault.hint(refusal.hint.unwrap_or("the path is relative to the study"));
+            Err(faults.into_report(file.display().to_string(), text))
+        }
+    }
+}
+
 fn task(
-    file: &Path,
+    (file, folder): (&Path, &Folder),
     base: &str,
     (settings, size): (Map<String, Value>, Option<f64>),
     overrides: Vec<String>,
     number: usize,
 ) -> Result<Task, Report> {
     let source = case::from_text(&file.display().to_string(), base.into(), &overrides)?;
-    let key = key(&source.case, file.parent().unwrap_or(Path::new("")));
+    let key = key(&source.case, folder);
     Ok(Task { number, settings, size, overrides, key, source })
 }
 
 /// Hash of a case without its words, of the files it names, and of the version of this program.
-fn key(case: &Case, folder: &Path) -> String {
+fn key(case: &Case, folder: &Folder) -> String {
     let mut case = case.clone();
     (case.schema, case.about, case.title) = (None, None, String::new());
     let mut hasher = blake3::Hasher::new();
@@ -125,7 +157,7 @@ fn key(case: &Case, folder: &Path) -> String {
     hasher.update(serde_json::to_string(&case).unwrap_or_default().as_bytes());
     for file in case.files_mut() {
         // What cannot be read is a fault of the case, told when it is solved.
-        hasher.update(&fs::read(folder.join(&*file)).unwrap_or_default());
+        hasher.update(&folder.read(file, None).unwrap_or_default());
     }
     hasher.finalize().to_hex()[..32].into()
 }

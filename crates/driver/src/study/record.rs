@@ -1,11 +1,11 @@
 //! What a task finds.
 
 use super::plan::Task;
+use crate::input::Folder;
 use crate::run::{RunOptions, taking};
 use crate::summary::{ModelSummary, Summary};
 use crate::{Error, Loaded};
 use serde::{Deserialize, Serialize};
-use std::path::Path;
 use std::time::Instant;
 
 /// Fields of displacements, by name.
@@ -55,9 +55,9 @@ impl Record {
     ///
     /// # Errors
     /// Faults of the case, or why it has no result.
-    pub fn solve(task: &Task, folder: &Path, max_memory: Option<u64>) -> Result<Self, Error> {
+    pub fn solve(task: &Task, folder: &Folder, max_memory: Option<u64>) -> Result<Self, Error> {
         let begin = Instant::now();
-        let loaded = Loaded::from_source(task.source.clone(), folder, max_memory)?;
+        let loaded = Loaded::from_source(task.source.clone(), folder.clone(), max_memory)?;
         let options = RunOptions { recover: false, max_memory };
         let summary = loaded.run(&options, None, &mut taking(|_| Ok(())))?;
         let seconds = begin.elapsed().as_secs_f64();

@@ -2,8 +2,8 @@
 
 use super::plan::Plan;
 use super::record::Record;
-use crate::output::atomic;
 use crate::output::lock::{Hold, Lock};
+use crate::output::{self, atomic};
 use crate::results::{MARK, plain};
 use serde_json::Value;
 use std::fs;
@@ -62,7 +62,7 @@ impl Store {
                 folder.display()
             ));
         };
-        fs::create_dir_all(folder.join("tasks")).map_err(describe)?;
+        output::folder::make(&folder.join("tasks")).map_err(describe)?;
         Ok(Self { folder: folder.into(), _mark: Some(mark) })
     }
 

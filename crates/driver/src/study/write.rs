@@ -4,7 +4,7 @@ use super::findings::{Findings, Quantity, Series};
 use super::order::ROUNDING;
 use super::plan::Plan;
 use crate::output::plot::{LogLog, PowerLine, write_log_log};
-use crate::output::{atomic, csv, report};
+use crate::output::{atomic, csv, folder as folders, report};
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -22,7 +22,7 @@ pub fn write(folder: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> 
 
 fn write_all(folder: &Path, plan: &Plan, findings: &Findings) -> io::Result<()> {
     let plots = folder.join("plots");
-    fs::create_dir_all(&plots)?;
+    folders::make(&plots)?;
     let mut drawn = Vec::new();
     for (k, name) in names(findings).into_iter().enumerate() {
         let file = file_name(k, name);

@@ -1,6 +1,7 @@
 //! Stored values that results are compared with.
 
 use super::checks::Context;
+use super::files::text;
 use super::words::tidy;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
@@ -12,20 +13,7 @@ pub(super) fn stored(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Vec<(f64, f64)>> {
-    let file = context.folder.join(&check.file);
-    let text = match std::fs::read_to_string(&file) {
-        Ok(text) => text,
-        Err(error) => {
-            let reason = match error.kind() {
-                std::io::ErrorKind::NotFound => "does not exist".into(),
-                _ => format!("cannot be read: {error}"),
-            };
-            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file)).hint(
-                "the path is relative to the case; `fields/step_000.csv` of an earlier run is a baseline",
-            );
-            return None;
-        }
-    };
+    let text = text(context.folder, &check.file, context.max_memory, path, faults)?;
     let fitting = |stored| fits(stored, context.beam);
     let place = if context.on_frame { "s" } else { "x" };
     match columns(&text, place, check.field.name()).and_then(fitting) {

@@ -7,7 +7,7 @@ use super::loads::ResolvedLoads;
 use super::numbers::positive;
 use super::place::{Layout, LayoutLine};
 use super::section::Resolved;
-use super::size::is_special;
+use super::size::{self, is_special};
 use super::{HeldPoint, RigidBar, root};
 use crate::case::{Beam, Case};
 use crate::diagnostic::{Faults, JsonPath};
@@ -20,7 +20,25 @@ use peristat_assembly::model::timoshenko_beam::{
 pub(super) const MOST_POINTS: usize = 2_000_000_000;
 
 /// The lines with their horizons.
-pub(super) fn layout(case: &Case, model: &Beam, faults: &mut Faults) -> Option<Layout> {
+pub(super) fn layout(
+    case: &Case,
+    model: &Beam,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Layout> {
+    let graded: usize = match &case.body {
+        crate::case::Body::Frame(frame) => {
+            let members = frame.members.iter().filter(|m| m.grading.is_some());
+            members.fold(0, |sum, member| sum.saturating_add(member.cells))
+        }
+        body => {
+            let lines = body.lines().iter().filter(|line| line.grading.is_some());
+            lines.fold(0, |sum, line| sum.saturating_add(line.cells))
+        }
+    };
+    if !size::check_graded(graded, max_memory, faults) {
+        return None;
+    }
     let treatment = end_treatment::find(model.end_treatment.as_deref()?)?;
     if let crate::case::Body::Frame(frame) = &case.body {
         return super::frame::layout(case, frame, treatment, faults);

@@ -6,10 +6,10 @@ use super::foundation::Bed;
 use super::{HeldPoint, ProbePoint, RigidBar, State, baseline};
 use crate::case::{Case, ClosedForm, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::input::Folder;
 use crate::reference::{self, Field, Solution};
 use crate::scene::{Expectation, ExpectationKind};
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
-use std::path::Path;
 
 /// A comparison at all points of a beam.
 #[derive(Debug)]
@@ -61,7 +61,8 @@ pub(super) struct Context<'a> {
     pub(super) bars: &'a [RigidBar],
     pub(super) beds: &'a [Bed],
     pub(super) states: &'a [State],
-    pub(super) folder: &'a Path,
+    pub(super) folder: &'a Folder,
+    pub(super) max_memory: Option<u64>,
 }
 
 /// Checks of the case.

@@ -69,12 +69,24 @@ pub(super) fn load_cases(
 }
 
 /// The right-hand sides of the case.
-pub(super) fn states(case: &Case, cases: &[ResolvedLoads], faults: &mut Faults) -> Vec<State> {
+pub(super) fn states(
+    case: &Case,
+    cases: &[ResolvedLoads],
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Vec<State>> {
+    let sums = super::states::sums(case, faults);
+    let loads = |k: usize| (cases[k].loads.point.len() + cases[k].loads.distributed.len()) as f64;
+    let all: f64 = sums.iter().flat_map(|sum| &sum.terms).map(|&(k, _)| loads(k)).sum();
+    let key = if case.steps.is_some() { "steps" } else { "combinations" };
+    if sums.len() > cases.len() && !super::size::check_loads(all, key, max_memory, faults) {
+        return None;
+    }
     let lumped = cases.first().is_some_and(|c| c.loads.lumped);
     let state = |sum: Sum| {
         let mut loads = BeamLoads { lumped, ..Default::default() };
         sum.terms.iter().for_each(|&(k, factor)| loads.extend(cases[k].loads.scaled(factor)));
         State { name: sum.name, load_factor: sum.load_factor, motion_factor: sum.load_factor, loads }
     };
-    super::states::sums(case, faults).into_iter().map(state).collect()
+    Some(sums.into_iter().map(state).collect())
 }

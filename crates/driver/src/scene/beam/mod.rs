@@ -40,21 +40,23 @@ pub use section::SectionAlong;
 pub use supports::HeldPoint;
 
 use super::fracture::FractureScene;
-use super::{Expectation, expectation, keep_files, numbers, root, states, words};
+use super::{Expectation, InputFile, expectation, files, numbers, root, states, words};
 use crate::case::{Beam, Case, Fracture, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::input::Folder;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, CriticalStrains, TimoshenkoBeam};
 use peristat_assembly::stiffness::Spring;
 use std::ops::Range;
-use std::path::Path;
 
 /// A beam or a frame of beams, resolved.
 #[derive(Debug)]
 pub struct BeamScene {
     /// The case with its defaults filled in.
     pub case: Case,
+    /// Files that it names.
+    pub files: Vec<InputFile>,
     /// Units of all numbers.
     pub units: Units,
     /// The discretised beam.
@@ -132,7 +134,7 @@ impl BeamScene {
     pub(super) fn new(
         mut case: Case,
         mut model: Beam,
-        folder: &Path,
+        folder: &Folder,
         max_memory: Option<u64>,
         mut faults: Faults,
     ) -> Result<Self, Faults> {
@@ -143,8 +145,8 @@ impl BeamScene {
             Some(scene) if !faults.has_errors() => {
                 case.model = Model::TimoshenkoBeam(Box::new(model));
                 case.fracture = fracture;
-                keep_files(&mut case, folder);
-                Ok(Self { warnings: faults, case, ..scene })
+                let files = files::keep(&mut case, folder, max_memory);
+                Ok(Self { warnings: faults, case, files, ..scene })
             }
             _ => Err(faults),
         }
@@ -155,7 +157,7 @@ impl BeamScene {
     fn resolve(
         case: &Case,
         (model, fracture): (&mut Beam, &mut Option<Fracture>),
-        folder: &Path,
+        folder: &Folder,
         max_memory: Option<u64>,
         faults: &mut Faults,
     ) -> Option<Self> {
@@ -163,7 +165,7 @@ impl BeamScene {
             return None;
         }
         let material = material::material(case, model, faults);
-        let layout = body::layout(case, model, faults)?;
+        let layout = body::layout(case, model, max_memory, faults)?;
         fracture::check(case, &layout, faults);
         let (held, ends) = supports::held(case, &layout, faults);
         let beds = foundation::beds(case, &layout, faults);
@@ -185,7 +187,7 @@ impl BeamScene {
         let held: Vec<HeldPoint> =
             held.into_iter().map(|h| h.numbered(&numbers, &layout, has_axial)).collect();
         let bars: Vec<RigidBar> = bars.into_iter().map(|b| b.numbered(&numbers)).collect();
-        let states = loads::states(case, &cases, faults);
+        let states = loads::states(case, &cases, max_memory, faults)?;
         warnings::collect(case, model, &layout, &beam, &sections, &beds, faults);
         let context = probes::Context {
             model,
@@ -207,11 +209,13 @@ impl BeamScene {
             beds: &beds,
             states: &states,
             folder,
+            max_memory,
         };
         let expectations = checks::expectations(case, &context, &probes, faults);
         let (supports, bedding) = (holds::springs(&held), foundation::springs(&beds, &beam));
         Some(Self {
             case: case.clone(),
+            files: Vec::new(),
             units: case.units,
             equations: equations(&held, &bars, &layout, &numbers, has_axial),
             bedding: supports.len()..supports.len() + bedding.len(),

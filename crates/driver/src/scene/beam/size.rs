@@ -5,7 +5,7 @@ use super::section::Resolved;
 use super::{frame, root};
 use crate::diagnostic::Faults;
 use crate::memory;
-use peristat_assembly::model::timoshenko_beam::BeamBond;
+use peristat_assembly::model::timoshenko_beam::{BeamBond, Distributed, PointAction};
 use peristat_assembly::stiffness::Bond;
 
 /// Largest number of bonds that are each their own: they are all kept.
@@ -29,17 +29,32 @@ pub(super) fn check(layout: &Layout, sections: &[Resolved], max_memory: Option<u
             .hint(format!("on a graded grid or a varying section `cells` times `horizon_ratio` is at most {MOST_BONDS}, over all lines"));
         return;
     }
-    let needed = (all * (size_of::<BeamBond>() + size_of::<Bond<2, 2>>())) as u64;
-    if let Some(allowed) = memory::allowed(max_memory).filter(|&allowed| needed > allowed) {
-        let [needed, allowed] = [needed, allowed].map(memory::words);
-        faults
-            .error(
-                path.key("cells"),
-                format!("about {needed} of memory would be needed for {all} bonds that all differ, {allowed} may be used"),
-            )
-            .for_lack_of_memory()
-            .hint("use fewer cells or a shorter horizon, or raise `--max-memory`");
-    }
+    let needed = (all * (size_of::<BeamBond>() + size_of::<Bond<2, 2>>())) as f64;
+    let what = format!("{all} bonds that all differ");
+    memory::fits(
+        needed,
+        (&what, "use fewer cells or a shorter horizon"),
+        max_memory,
+        path.key("cells"),
+        faults,
+    );
+}
+
+/// Whether the positions of graded cells fit into memory, of which all lines and members have so many.
+pub(super) fn check_graded(cells: usize, max_memory: Option<u64>, faults: &mut Faults) -> bool {
+    // They are summed up in one list and kept in another one.
+    let needed = (2 * size_of::<f64>()) as f64 * cells as f64;
+    let what = format!("the positions of {cells} graded cells");
+    memory::fits(needed, (&what, "use fewer cells"), max_memory, root("body"), faults)
+}
+
+/// Memory of a load of a state, of whichever kind, bytes.
+const PER_LOAD: f64 = (size_of::<Distributed>() + size_of::<PointAction>()) as f64;
+
+/// Whether so many loads of all load steps, or load cases and combinations, fit into memory.
+pub(super) fn check_loads(loads: f64, key: &str, max_memory: Option<u64>, faults: &mut Faults) -> bool {
+    let what = format!("{loads:e} loads of all steps or combinations");
+    memory::fits(PER_LOAD * loads, (&what, "use fewer of them"), max_memory, root(key), faults)
 }
 
 /// Whether the bonds of a line differ from each other.

@@ -1,13 +1,13 @@
 //! The points of a body in the plane and its outline.
 
 use super::super::words::tidy;
-use super::{files, root};
+use super::{boundary, files, root};
 use crate::case::{Body, Case, Hole, Model};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::memory;
 use peristat_assembly::body::{self, FillError, HoleError, Outline, OutlineError, PlaneBody, Polygon, Shape};
-use std::path::Path;
 
 /// Memory per point of what a scene keeps of a lattice and its model, bytes.
 const PER_POINT: f64 = 150.0;
@@ -38,7 +38,7 @@ pub(super) fn build(
     case: &Case,
     thickness: f64,
     angle: f64,
-    folder: &Path,
+    folder: &Folder,
     max_memory: Option<u64>,
     faults: &mut Faults,
 ) -> Option<Built> {
@@ -83,11 +83,9 @@ pub(super) fn build(
     }
     let filled = outline.cells(spacing, angle).and_then(|cells| {
         let box_points = f64::from(cells[0]) * f64::from(cells[1]);
-        Ok(if fits(&outline, box_points, max_memory, &path, faults) {
-            Some(outline.fill_turned(spacing, angle)?)
-        } else {
-            None
-        })
+        let fits = fits(&outline, box_points, max_memory, &path, faults)
+            && boundary::fits(&outline, spacing, max_memory, &path, faults);
+        Ok(if fits { Some(outline.fill_turned(spacing, angle)?) } else { None })
     });
     match filled {
         Ok(lattice) => {
@@ -187,17 +185,8 @@ fn fits(
     let [low, high] = outline.bounds();
     let share = outline.border().area() / ((high[0] - low[0]) * (high[1] - low[1]));
     let points = (box_points * share).round();
-    let needed = (points * PER_POINT) as u64;
-    let Some(allowed) = memory::allowed(max_memory).filter(|&allowed| needed > allowed) else { return true };
-    let [needed, allowed] = [needed, allowed].map(memory::words);
-    faults
-        .error(
-            path.key("spacing"),
-            format!("about {needed} of memory would be needed for {points:e} points, {allowed} may be used"),
-        )
-        .for_lack_of_memory()
-        .hint("use a larger spacing, or raise `--max-memory`");
-    false
+    let what = format!("{points:e} points");
+    memory::fits(points * PER_POINT, (&what, "use a larger spacing"), max_memory, path.key("spacing"), faults)
 }
 
 /// A fault for an outline that cells do not fill.

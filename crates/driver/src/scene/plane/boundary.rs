@@ -4,6 +4,7 @@ use super::super::words::suggest;
 use super::ground::Ground;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
+use crate::memory;
 use peristat_assembly::body::{Edge, Outline, PlaneBody, Shape};
 use std::f64::consts::TAU;
 
@@ -40,6 +41,26 @@ pub(super) enum Border {
 
 /// Stretches per spacing of curved borders, at least.
 const PER_SPACING: f64 = 8.0;
+
+/// Whether the borders of an outline fit into memory: a hole may be much larger than what it leaves of a body.
+pub(super) fn fits(
+    outline: &Outline,
+    spacing: f64,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> bool {
+    let bytes = |length: f64| length / spacing * PER_SPACING * size_of::<Stretch>() as f64;
+    let edges = outline.edges().iter().map(|e| (e.to[0] - e.from[0]).hypot(e.to[1] - e.from[1]));
+    let holes: Vec<f64> = outline.holes().iter().map(|h| h.shape.perimeter()).collect();
+    let all = bytes(edges.sum::<f64>() + holes.iter().sum::<f64>());
+    let longest = (0..holes.len()).max_by(|&a, &b| holes[a].total_cmp(&holes[b]));
+    let place = match longest.filter(|&k| bytes(holes[k]) > 0.5 * all) {
+        Some(k) => path.key("holes").index(k),
+        None => path.key("spacing"),
+    };
+    memory::fits(all, ("borders", "use a larger spacing, or smaller holes"), max_memory, place, faults)
+}
 
 /// The border of a name: an edge, a hole, or a named curve of a mesh.
 pub(super) fn find(

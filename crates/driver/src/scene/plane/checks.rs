@@ -1,13 +1,14 @@
 //! Checks of a body in the plane.
 
 use super::super::expectation::{self, Expectation, PointsCheck};
+use super::super::files::{BASELINE, text};
 use super::super::words::tidy;
 use super::PlaneBonds;
 use super::formula;
 use crate::case::{Baseline, Case, FieldName, Formula};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::input::Folder;
 use peristat_assembly::body::PlaneBody;
-use std::path::Path;
 
 /// What is compared at all points of a body in the plane.
 #[derive(Clone, Debug)]
@@ -30,7 +31,7 @@ pub(super) fn expectations(
     (body, bonds): (&PlaneBody, &PlaneBonds),
     states: &[&str],
     probes: &[&str],
-    folder: &Path,
+    (folder, max_memory): (&Folder, Option<u64>),
     faults: &mut Faults,
 ) -> Vec<Expectation<PlaneComparison>> {
     let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| match check {
@@ -40,7 +41,7 @@ pub(super) fn expectations(
                 .hint("compare all points with a `formula` or a `baseline`, or a probe with a number by a `value` check");
             None
         }
-        PointsCheck::Baseline(check) => baseline(check, (body, bonds), folder, path, faults),
+        PointsCheck::Baseline(check) => baseline(check, (body, bonds), (folder, max_memory), path, faults),
         PointsCheck::Formula(check) => of_formula(check, (body, bonds), path, faults),
     };
     expectation::expectations(case, states, probes, compare, faults)
@@ -89,19 +90,15 @@ fn of_formula(
 fn baseline(
     check: &Baseline,
     (body, bonds): (&PlaneBody, &PlaneBonds),
-    folder: &Path,
+    (folder, max_memory): (&Folder, Option<u64>),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<PlaneComparison> {
     if !is_field(check.field, bonds, path, faults) {
         return None;
     }
-    let stored = match std::fs::read_to_string(folder.join(&check.file)) {
-        Ok(text) => columns(&text, check.field.name()).and_then(|rows| fitting(&rows, body)),
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Err("does not exist".into()),
-        Err(error) => Err(format!("cannot be read: {error}")),
-    };
-    match stored {
+    let text = text(folder, &check.file, max_memory, path, faults)?;
+    match columns(&text, check.field.name()).and_then(|rows| fitting(&rows, body)) {
         Ok(expected) => Some(PlaneComparison {
             field: check.field,
             expected,
@@ -110,9 +107,7 @@ fn baseline(
             tolerance: check.tolerance,
         }),
         Err(reason) => {
-            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file)).hint(
-                "the path is relative to the case; `fields/step_000.csv` of an earlier run is a baseline",
-            );
+            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file)).hint(BASELINE);
             None
         }
     }

@@ -68,16 +68,16 @@ pub use supported::PlaneSupport;
 
 use super::path::PathScene;
 use super::states::{self, Sum};
-use super::{Expectation, keep_files, root};
+use super::{Expectation, InputFile, root};
 use crate::case::{Case, Fracture, Path as CasePath, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::input::Folder;
 use crate::run::path::PATH_FACTS;
 use ground::Ground;
 use interpolate::Interpolation;
 use model::Recipe;
 use peristat_assembly::body::{Cell, Crack, Outline, PlaneBody, SquareLattice};
 use peristat_assembly::condition::Equation;
-use std::path::Path;
 use supports::Held;
 
 /// A body in the plane, resolved. Points have the numbers of the model, images in mirrors among them, wherever nothing
@@ -86,6 +86,8 @@ use supports::Held;
 pub struct PlaneScene {
     /// The case with its defaults filled in.
     pub case: Case,
+    /// Files that it names.
+    pub files: Vec<InputFile>,
     /// Units of all numbers.
     pub units: Units,
     /// The discretised body.
@@ -146,7 +148,7 @@ impl PlaneScene {
     pub(super) fn new(
         mut case: Case,
         mut model: Given,
-        folder: &Path,
+        folder: &Folder,
         max_memory: Option<u64>,
         mut faults: Faults,
     ) -> Result<Self, Faults> {
@@ -161,7 +163,7 @@ impl PlaneScene {
         model.settle(scene.bonds(), &mut case);
         case.model = model.into();
         (case.fracture, case.path) = traced;
-        keep_files(&mut case, folder);
+        scene.files = super::files::keep(&mut case, folder, max_memory);
         (scene.case, scene.warnings) = (case, faults);
         Ok(scene)
     }
@@ -170,7 +172,7 @@ impl PlaneScene {
     fn checked(
         case: &Case,
         filled: (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
-        folder: &Path,
+        folder: &Folder,
         max_memory: Option<u64>,
         faults: &mut Faults,
     ) -> Option<Self> {
@@ -189,7 +191,7 @@ impl PlaneScene {
     fn resolve(
         case: &Case,
         (model, traced): (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
-        folder: &Path,
+        folder: &Folder,
         max_memory: Option<u64>,
         faults: &mut Faults,
     ) -> Option<Self> {
@@ -242,7 +244,7 @@ impl PlaneScene {
             conditions: &conditions,
         };
         let mut probes = probes::probes(&context, faults);
-        let lines = outputs::lines(&ground, &interpolation, &number, faults);
+        let lines = outputs::lines(&ground, &interpolation, &number, max_memory, faults);
         let contains = |tip: [f64; 2]| {
             let at = JsonPath::default();
             let is_near = || ground.point_at(tip, &at, "", &mut Faults::default()).is_some();
@@ -279,10 +281,17 @@ impl PlaneScene {
         }
         names.extend(facts.iter().map(String::as_str));
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
-        let expectations =
-            checks::expectations(case, (&recipe.body, &recipe.bonds), &state_names, &names, folder, faults);
+        let expectations = checks::expectations(
+            case,
+            (&recipe.body, &recipe.bonds),
+            &state_names,
+            &names,
+            (folder, max_memory),
+            faults,
+        );
         Some(Self {
             case: case.clone(),
+            files: Vec::new(),
             units: case.units,
             equations: conditions.equations(&|p| built.place(p)),
             load_cases: load_cases

@@ -6,6 +6,7 @@ use super::interpolate::{Interpolation, Weights};
 use super::{NamedCrack, root, tips};
 use crate::case::{Case, Tips};
 use crate::diagnostic::Faults;
+use crate::memory;
 use peristat_assembly::body::Crack;
 use std::collections::HashSet;
 
@@ -40,6 +41,9 @@ pub struct Intensity {
     pub tips: Tips,
 }
 
+/// Memory of a position with the shares of the points around it, bytes.
+const PER_POSITION: f64 = (size_of::<LinePoint>() + 8 * size_of::<(u32, f64)>()) as f64;
+
 /// Most positions of a line.
 const MOST: usize = 100_000;
 
@@ -48,8 +52,14 @@ pub(super) fn lines(
     ground: &Ground,
     interpolation: &Interpolation,
     number: &dyn Fn(u32) -> u32,
+    max_memory: Option<u64>,
     faults: &mut Faults,
 ) -> Vec<OutputLine> {
+    let all: f64 = ground.case.lines.iter().map(|line| line.points.min(MOST) as f64).sum();
+    let what = format!("{all:e} positions on lines");
+    if !memory::fits(all * PER_POSITION, (&what, "ask for fewer points"), max_memory, root("lines"), faults) {
+        return Vec::new();
+    }
     let mut names = HashSet::new();
     let mut lines = Vec::new();
     for (k, line) in ground.case.lines.iter().enumerate() {

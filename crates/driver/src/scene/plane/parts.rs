@@ -6,9 +6,9 @@ use super::model::Recipe;
 use super::{NamedCrack, body, cracks, periodic, state_based, symmetry};
 use crate::case::Case;
 use crate::diagnostic::Faults;
+use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
-use std::path::Path;
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
 const MOST_RATIO: f64 = 100.0;
@@ -25,7 +25,7 @@ pub(super) struct Parts {
 pub(super) fn parts(
     case: &Case,
     model: &mut Given,
-    folder: &Path,
+    folder: &Folder,
     max_memory: Option<u64>,
     faults: &mut Faults,
 ) -> Option<Parts> {
