@@ -193,7 +193,9 @@ fn report(outcomes: &[Outcome]) -> String {
         vec![
             o.case.display().to_string(),
             summary.map_or(String::new(), |s| s.checks.len().to_string()),
-            worst.map_or(String::new(), |c| format!("{:.1e}", c.error)),
+            worst.map_or(String::new(), |c| {
+                if c.error.is_finite() { format!("{:.1e}", c.error) } else { "none".into() }
+            }),
             worst.map_or(String::new(), |c| format!("{:.0e}", c.tolerance)),
             format!("{:.3}", o.seconds),
             verdict(o).into(),

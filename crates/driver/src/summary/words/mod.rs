@@ -49,6 +49,8 @@ impl Listing {
 /// A number with six digits, the way engineers write it.
 pub(crate) fn number(value: f64) -> String {
     match value.abs() {
+        // Such as the load at the first break of a body that does not break.
+        size if !size.is_finite() => "none".into(),
         0.0 => "0".into(),
         size if (1e-3..1e6).contains(&size) => {
             let digits = (5 - size.log10().floor() as i32).max(0) as usize;
@@ -135,7 +137,7 @@ pub(crate) fn checks(checks: &[CheckResult]) -> Listing {
             c.name.clone(),
             number(c.expected),
             number(c.found),
-            format!("{:.2e}", c.error),
+            if c.error.is_finite() { format!("{:.2e}", c.error) } else { "none".into() },
             format!("{:.0e}", c.tolerance),
             if c.passed { "passed".into() } else { "FAILED".into() },
         ]
@@ -150,7 +152,7 @@ mod tests {
 
     #[test]
     fn numbers_have_six_digits() {
-        let text = [0.0, 1.0, -0.003_206_24, 123_456.7, 2e11, 5.208_333_333e-7].map(number);
-        assert_eq!(text, ["0", "1", "-0.00320624", "123457", "2e11", "5.20833e-7"]);
+        let text = [0.0, 1.0, -0.003_206_24, 123_456.7, 2e11, 5.208_333_333e-7, f64::NAN].map(number);
+        assert_eq!(text, ["0", "1", "-0.00320624", "123457", "2e11", "5.20833e-7", "none"]);
     }
 }
