@@ -123,7 +123,11 @@ fn what_a_few_digits_ask_for_is_refused_before_it_is_made() {
     let lines: Vec<String> = (0..40).map(|k| line.replace('k', &format!("k{k}"))).collect();
     let load = r#"{ "point": { "at": { "x": 1.0 }, "force": 1 } }"#;
     let several = |part: &str, count: usize| format!("[{}]", vec![part; count].join(","));
-    let cases: [(&str, &str, Vec<String>); 5] = [
+    let thick = root().join("cases/axisymmetric/lame.json").display().to_string();
+    let crack = r#"cracks=[{ "path": [[20.5, -1], [20.5, 10]] }]"#;
+    let cases: [(&str, &str, Vec<String>); 7] = [
+        ("families of their own", &thick, vec!["horizon_ratio=60".into()]),
+        ("bonds that a crack cuts", &plate, vec![crack.into(), "horizon_ratio=50".into()]),
         ("the border of a hole", &plate, vec![format!("body.rectangle.holes={hole}")]),
         ("positions on lines", &plate, vec![format!("lines=[{}]", lines.join(","))]),
         (

@@ -128,16 +128,21 @@ impl FamilyWeights {
 
     /// Removes bonds, by offset of the half and ends, from the families of both of their points. Weighted volumes stay.
     pub(super) fn remove(&mut self, bonds: &[(usize, [usize; 2])]) {
-        let half = self.offsets.len() / 2;
+        let (half, shared) = (self.offsets.len() / 2, self.sets.len());
         for &(offset, [lower, upper]) in bonds {
             for (point, offset) in [(lower, offset), (upper, offset + half)] {
-                let Some(number) = self.set_of[point] else { continue };
-                let mut set = self.sets[number as usize].clone();
-                if set.weights[offset] != 0.0 {
-                    set.weights[offset] = 0.0;
-                    self.set_of[point] = Some(self.sets.len() as u32);
-                    self.sets.push(set);
+                let Some(number) = self.set_of[point].map(|number| number as usize) else { continue };
+                if self.sets[number].weights[offset] == 0.0 {
+                    continue;
                 }
+                // The first bond that a point loses gives it a set of its own.
+                let mut own = number;
+                if number < shared {
+                    own = self.sets.len();
+                    self.set_of[point] = Some(own as u32);
+                    self.sets.push(self.sets[number].clone());
+                }
+                self.sets[own].weights[offset] = 0.0;
             }
         }
     }

@@ -51,9 +51,8 @@ pub(super) fn fits(
     faults: &mut Faults,
 ) -> bool {
     let bytes = |length: f64| length / spacing * PER_SPACING * size_of::<Stretch>() as f64;
-    let edges = outline.edges().iter().map(|e| (e.to[0] - e.from[0]).hypot(e.to[1] - e.from[1]));
     let holes: Vec<f64> = outline.holes().iter().map(|h| h.shape.perimeter()).collect();
-    let all = bytes(edges.sum::<f64>() + holes.iter().sum::<f64>());
+    let all = bytes(outline.border().perimeter() + holes.iter().sum::<f64>());
     let longest = (0..holes.len()).max_by(|&a, &b| holes[a].total_cmp(&holes[b]));
     let place = match longest.filter(|&k| bytes(holes[k]) > 0.5 * all) {
         Some(k) => path.key("holes").index(k),

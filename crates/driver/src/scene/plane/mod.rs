@@ -37,6 +37,7 @@ mod problem;
 mod rigid_mirror;
 mod round;
 mod shell;
+mod size;
 mod specimen;
 mod state_based;
 mod stress_field;

@@ -3,7 +3,7 @@
 use super::super::{horizon, root, words::tidy};
 use super::given::Given;
 use super::model::Recipe;
-use super::{NamedCrack, body, cracks, periodic, state_based, symmetry};
+use super::{NamedCrack, body, cracks, periodic, size, state_based, symmetry};
 use crate::case::Case;
 use crate::diagnostic::Faults;
 use crate::input::Folder;
@@ -68,6 +68,10 @@ pub(super) fn parts(
         return None;
     }
     let bonds = bonds.with_horizon_ratio(ratio);
+    let cracks = cracks?;
+    if !size::fits(case, &bonds, (&body, outline.as_ref()), &cracks, max_memory, faults) {
+        return None;
+    }
     let horizon = ratio * body.spacing();
     // The other treatments of edges know whole cells only, and loads have the volumes of the model.
     let body = match body {
@@ -77,5 +81,5 @@ pub(super) fn parts(
         body => body,
     };
     let recipe = Recipe { body, file, symmetry, bearings: Vec::new(), bonds, horizon };
-    Some(Parts { recipe, outline, curves, cracks: cracks? })
+    Some(Parts { recipe, outline, curves, cracks })
 }

@@ -1,0 +1,63 @@
+//! Whether bonds that differ from those inside of a body fit into memory, before they are made: with long horizons they are
+//! far more than the points.
+
+use super::bonds::PlaneBonds;
+use super::{NamedCrack, root};
+use crate::case::Case;
+use crate::diagnostic::Faults;
+use crate::memory;
+use peristat_assembly::body::{Outline, PlaneBody};
+use peristat_assembly::model::plane::Edges;
+use std::f64::consts::PI;
+
+// Bytes, measured on squares of 3600 and 14400 points with horizons of 10 and 20 spacings.
+/// Of a bond that a crack cuts.
+const CUT: f64 = 220.0;
+/// Of a bond near an edge, where it has a factor of its own, and of one of listed points.
+const OWN: f64 = 65.0;
+/// Of a neighbour in a family of its own.
+const NEIGHBOUR: f64 = 180.0;
+
+/// Bonds of `bonds` on a body.
+pub(super) fn fits(
+    case: &Case,
+    bonds: &PlaneBonds,
+    (body, outline): (&PlaneBody, Option<&Outline>),
+    cracks: &[NamedCrack],
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> bool {
+    let (m, points) = (bonds.horizon_ratio(), body.points() as f64);
+    let family = PI * m * m;
+    let border = outline.map_or(points, |outline| length_of(outline) / body.spacing());
+    let near = points.min(border * m);
+    // Along straight edges families repeat themselves, and those of four corners are left.
+    let is_plain = outline.is_some_and(|o| o.is_rectangle() && o.holes().is_empty());
+    let distinct = if is_plain { near.min(4.0 * (m + 1.0) * (m + 1.0)) } else { near };
+    let crack = cracks.iter().map(|c| length_inside(&c.crack, outline) / body.spacing()).sum::<f64>();
+    let cut = CUT * (crack * 2.0 / 3.0 * m.powi(3)).min(0.5 * points * family);
+    let own = match bonds {
+        PlaneBonds::State(_) => NEIGHBOUR * family * points.min(distinct + crack * 2.0 * m),
+        _ if bonds.edges() == Some(Edges::Overlay) && outline.is_some() => 0.0,
+        _ => OWN * 0.5 * family * near,
+    };
+    let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
+    let what = format!("bonds over a horizon of {} spacings", super::super::words::tidy(m));
+    memory::fits(cut + own, (&what, "use a shorter horizon"), max_memory, root(key), faults)
+}
+
+/// Length of all borders, m.
+fn length_of(outline: &Outline) -> f64 {
+    let holes = outline.holes().iter().map(|h| h.shape.perimeter());
+    outline.border().perimeter() + holes.sum::<f64>()
+}
+
+/// Length of a crack, m; of each of its straight parts no more than the box around the body has room for.
+fn length_inside(crack: &peristat_assembly::body::Crack, outline: Option<&Outline>) -> f64 {
+    let most = outline.map_or(f64::INFINITY, |outline| {
+        let [low, high] = outline.bounds();
+        (high[0] - low[0]).hypot(high[1] - low[1])
+    });
+    let parts = crack.vertices().windows(2);
+    parts.map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1]).min(most)).sum()
+}
