@@ -8,7 +8,13 @@ use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::{Parts, Term};
 use peristat_assembly::system::System;
+use proptest::test_runner::{Config, RngSeed};
 use sprs::CsMat;
+
+/// A number of random cases, the same ones in every run.
+pub(crate) fn cases(number: u32) -> Config {
+    Config { cases: number, rng_seed: RngSeed::Fixed(20), failure_persistence: None, ..Config::default() }
+}
 
 /// Numbers between −1 and 1 from a seed (SplitMix64).
 pub(crate) struct Noise(pub(crate) u64);
