@@ -28,6 +28,8 @@ mod recover;
 mod sizes;
 mod strain;
 mod terms;
+#[cfg(test)]
+mod tests;
 mod toughness;
 mod weights;
 
