@@ -3,6 +3,8 @@
 //! Energy, force and tangent belong together, the tangent is symmetric and not negative, rigid motions cost nothing,
 //! and both layouts of the assembled matrix hold the same numbers, with constraints and without.
 
+use crate::loose::free_motions_are_free;
+use crate::smoothing::steps_are_what_they_say;
 use nalgebra::DMatrix;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::Model;
@@ -51,11 +53,11 @@ fn force<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<f64> {
     force
 }
 
-fn largest(v: &[f64]) -> f64 {
+pub(crate) fn largest(v: &[f64]) -> f64 {
     v.iter().fold(0.0, |a, x| if x.is_nan() { f64::INFINITY } else { a.max(x.abs()) })
 }
 
-fn assert_close(found: &[f64], expected: &[f64], scale: f64, tolerance: f64, what: &str) {
+pub(crate) fn assert_close(found: &[f64], expected: &[f64], scale: f64, tolerance: f64, what: &str) {
     let difference = largest(&combine(found, -1.0, expected));
     assert!(difference <= tolerance * scale, "{what}: {difference:e} of {scale:e}");
 }
@@ -77,6 +79,8 @@ pub(crate) fn check<const D: usize, M: Model<D>>(
     elements_are_the_couplings(&free);
     layouts_agree(model, extra(), &mut noise);
     constrained_operator_is_the_folded_matrix(model, extra(), &mut noise);
+    steps_are_what_they_say(model, extra(), &mut noise);
+    free_motions_are_free(model, extra, &mut noise);
 }
 
 fn force_is_the_gradient_of_the_energy<const D: usize>(system: &System<D>, noise: &mut Noise) {
@@ -183,6 +187,17 @@ fn held<const D: usize>(points: usize, noise: &mut Noise) -> Vec<Equation> {
     (0..3).map(|_| one(noise)).collect()
 }
 
+/// The same, and one unknown that follows two others.
+pub(crate) fn constrained<const D: usize>(points: usize, noise: &mut Noise) -> Vec<Equation> {
+    let mut equations = held::<D>(points, noise);
+    let terms = [1.0, -0.7, 0.4].map(|c| {
+        let (component, point) = (noise.index(D), noise.index(points));
+        (Unknown { component, point }, c)
+    });
+    equations.push(Equation { terms: terms.to_vec(), value: 0.0, origin: "tie".into() });
+    equations
+}
+
 fn layouts_agree<const D: usize, M: Model<D>>(model: &M, extra: Vec<Box<dyn Term<D>>>, noise: &mut Noise) {
     let n = model.points();
     let system = System::new(model, extra, held::<D>(n, noise)).expect("no contradiction");
@@ -209,14 +224,8 @@ fn constrained_operator_is_the_folded_matrix<const D: usize, M: Model<D>>(
     noise: &mut Noise,
 ) {
     let n = model.points();
-    let mut equations = held::<D>(n, noise);
-    // One unknown follows two others.
-    let terms = [1.0, -0.7, 0.4].map(|c| {
-        let (component, point) = (noise.index(D), noise.index(n));
-        (Unknown { component, point }, c)
-    });
-    equations.push(Equation { terms: terms.to_vec(), value: 0.0, origin: "tie".into() });
-    let system = System::new(model, extra, equations).expect("homogeneous equations never contradict");
+    let system = System::new(model, extra, constrained::<D>(n, noise))
+        .expect("homogeneous equations never contradict");
     let k = whole(&system.assemble_sparse());
     let mut q = noise.vector(D * n);
     let rows = system.constraints().rows();

@@ -6,10 +6,12 @@ mod consistency;
 mod corpus;
 mod entry;
 mod hostile;
+mod loose;
 mod mutate;
 mod random_beam;
 mod random_beams;
 mod small_cases;
+mod smoothing;
 
 use consistency::cases;
 use proptest::test_runner::Config;

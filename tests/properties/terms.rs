@@ -4,10 +4,12 @@
 mod beam_terms;
 mod consistency;
 mod constraints;
+mod loose;
 mod members;
 mod orthotropic_terms;
 mod plane_terms;
 mod shell_terms;
+mod smoothing;
 mod state_terms;
 
 use consistency::cases;
