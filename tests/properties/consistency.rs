@@ -137,6 +137,11 @@ fn rigid_motions_cost_nothing<const D: usize, M: Model<D>>(model: &M, system: &S
         let amount = noise.next();
         let motion: Vec<f64> =
             (0..D * n).map(|i| amount * model.rigid_motion(kind, i % n, [0.0; 3])[i / n]).collect();
+        assert!(largest(&motion) > 0.0, "{} moves something", M::RIGID_MOTIONS[kind]);
+        if M::RIGID_MOTIONS[kind] == "rotation" {
+            let turned = |centre: usize| model.displacement(kind, n - 1, model.position(centre));
+            assert!(turned(n - 1) <= 1e-15 && (n == 1 || turned(0) > 0.0), "a rotation leaves its centre");
+        }
         let size = scale * largest(&motion);
         assert_close(&force(system, &motion), &vec![0.0; D * n], size, 1e-14, M::RIGID_MOTIONS[kind]);
         let energy = system.survey(&motion).energy;

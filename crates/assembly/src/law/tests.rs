@@ -155,3 +155,18 @@ fn laws_that_cannot_be_are_refused() {
         Err(BilinearError::PlasticDamage)
     );
 }
+
+#[test]
+fn a_law_tells_its_stretches_and_its_faults() {
+    for law in all() {
+        assert_eq!([law.yield_stretch(), law.failure_stretch()], STRETCHES);
+        assert!((law.brittleness() - 5.0).abs() < 1e-15);
+    }
+    let make = |stretches: [f64; 2]| Bilinear::new(stretches, Unloading::Plastic, Compression::Elastic);
+    assert!(make([0.1, 0.1]).is_ok());
+    assert_eq!(make([0.2, 0.1]), Err(BilinearError::FailsBeforeItYields { failure: 0.1, yielding: 0.2 }));
+    assert_eq!(make([0.0, 0.1]), Err(BilinearError::NotPositive(0.0, 0.1)));
+    assert_eq!(make([0.1, -0.1]), Err(BilinearError::NotPositive(0.1, -0.1)));
+    let pressed = Bilinear::new(STRETCHES, Unloading::Damage, Compression::PerfectlyPlastic);
+    assert_eq!(pressed, Err(BilinearError::PlasticDamage));
+}

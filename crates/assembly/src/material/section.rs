@@ -268,6 +268,41 @@ mod tests {
     }
 
     #[test]
+    fn tubes_circles_and_given_numbers_have_textbook_properties() {
+        let t = properties(Section::Tube { diameter: 0.3, wall: 0.02 });
+        // π/4 (D² − d²) and π/64 (D⁴ − d⁴) with D = 0.3, d = 0.26.
+        assert!((t.area / (PI * 0.0056) - 1.0).abs() < 1e-14, "{}", t.area);
+        assert!((t.second_moment / (PI / 64.0 * (0.0081 - 0.004_569_76)) - 1.0).abs() < 1e-13);
+        assert_eq!(t.height, Some(0.3));
+        let c = properties(Section::Circle { diameter: 0.3 });
+        assert!((c.area / (PI * 0.0225) - 1.0).abs() < 1e-15);
+        assert!((c.second_moment / (PI * 0.0081 / 64.0) - 1.0).abs() < 1e-15);
+        let given = Section::General { area: 0.2, second_moment: 0.03, kappa: 0.7, height: Some(0.4) };
+        let of = |shear| given.properties(shear, 0.3).unwrap();
+        let expected = SectionProperties { area: 0.2, second_moment: 0.03, kappa: 0.7, height: Some(0.4) };
+        assert_eq!(of(ShearCorrection::Classical), expected);
+        assert_eq!(of(ShearCorrection::Value(0.6)), SectionProperties { kappa: 0.6, ..expected });
+        for value in [0.0, -0.5, f64::INFINITY] {
+            let error = given.properties(ShearCorrection::Value(value), 0.3).unwrap_err();
+            assert_eq!(error, SectionError::NotPositive { name: "shear_correction", value });
+        }
+    }
+
+    #[test]
+    fn cowper_is_his_table_for_thin_and_round_sections() {
+        let kappa = |s: Section| s.properties(ShearCorrection::Cowper, 0.3).unwrap().kappa;
+        // Circle 6(1 + ν)/(7 + 6ν), thin tube 2(1 + ν)/(4 + 3ν); half as thick a tube by hand: m = 1/2.
+        assert!((kappa(Section::Circle { diameter: 0.3 }) - 7.8 / 8.8).abs() < 1e-15);
+        let thin = kappa(Section::Tube { diameter: 1.0, wall: 1e-7 });
+        assert!((thin - 2.6 / 4.9).abs() < 1e-6, "{thin}");
+        let half = kappa(Section::Tube { diameter: 0.4, wall: 0.1 });
+        assert!((half - 7.8 * 1.5625 / (8.8 * 1.5625 + 23.6 * 0.25)).abs() < 1e-15, "{half}");
+        // Thin-walled I with m = 1 and n = 1/2: 10·1.3·16/(324 + 0.3·302 + 15 + 0.3·21.25).
+        let i = Section::I { width: 0.1, height: 0.21, web: 0.01, flange: 0.01 };
+        assert!((kappa(i) - 208.0 / 435.975).abs() < 1e-14, "{}", kappa(i));
+    }
+
+    #[test]
     fn impossible_sections_name_the_key() {
         let error = |s: Section| s.properties(ShearCorrection::Classical, 0.3).unwrap_err();
         let negative = error(Section::Rectangle { width: -1.0, height: 0.2 });

@@ -29,3 +29,44 @@ pub fn published_critical_stretch(release_rate: f64, parameters: &PlaneParameter
         PlaneState::Strain => (5.0 * PI * release_rate / (12.0 * e * horizon)).sqrt(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::bond_plane::{Influence, PlaneMaterial, VolumeFactor};
+    use crate::model::plane::{Calibration, Edges};
+
+    fn parameters(state: PlaneState, horizon_ratio: f64) -> PlaneParameters {
+        PlaneParameters {
+            material: PlaneMaterial { youngs_modulus: 73100.0, thickness: 25.0, state },
+            horizon_ratio,
+            influence: Influence::Constant,
+            calibration: Calibration::Matched,
+            volume_factor: VolumeFactor::Ramp,
+            edges: Edges::Overlay,
+        }
+    }
+
+    #[test]
+    fn published_stretches_release_the_energy_of_a_crack() {
+        // Plane stress √(4π·2/(9·73100·3)), plane strain √(5π·2/(12·73100·3)).
+        for (state, expected) in [(PlaneState::Stress, 3.568_447_9e-3), (PlaneState::Strain, 3.455_134_8e-3)]
+        {
+            let found = published_critical_stretch(2.0, &parameters(state, 3.0), 3.0);
+            assert!((found / expected - 1.0).abs() < 1e-6, "{found:e}");
+        }
+    }
+
+    #[test]
+    fn fine_lattices_break_like_the_continuum() {
+        for state in [PlaneState::Stress, PlaneState::Strain] {
+            let ratio = |m: f64| {
+                let parameters = parameters(state, m);
+                critical_stretch(2.0, &parameters, 3.0 / m).unwrap()
+                    / published_critical_stretch(2.0, &parameters, 3.0)
+            };
+            let found = [3.0, 6.0].map(ratio);
+            assert!(found.iter().all(|r| (r - 1.0).abs() < 0.1), "{found:?}");
+        }
+    }
+}

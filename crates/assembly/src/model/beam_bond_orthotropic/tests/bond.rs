@@ -1,7 +1,11 @@
 //! The bond is a beam with shear.
 
 use super::*;
+use crate::body::SquareLattice;
 use crate::bonds::{BondGeometry, BondModel, block};
+use crate::model::Model;
+use crate::model::plane::{Mirrors, PlaneModel};
+use std::sync::Arc;
 
 /// Beam of length ξ along the angle φ with the stiffness densities c and d and the shear flexibility β, unknowns
 /// `u, v, θ` of both ends: the textbook matrix in the axes of the bond, turned.
@@ -83,4 +87,22 @@ fn only_rigid_motions_are_free() {
     let matrix = nalgebra::DMatrix::from_fn(6, 6, |r, c| k[r][c]);
     let values = matrix.symmetric_eigenvalues();
     assert_eq!(values.iter().filter(|v| **v > 1e-6).count(), 3, "{values}");
+}
+
+#[test]
+fn a_coarser_body_is_the_body_of_coarser_cells() {
+    for parameters in [parameters(A, 0.0, 3.0), as_published(B, 0.0, 3.0)] {
+        let parameters = OrthotropicParameters { edges: Edges::None, ..parameters };
+        let of = |h: f64, size: [i32; 2]| {
+            let lattice = Arc::new(SquareLattice::rectangle(h, [1.0, 2.0], size));
+            BeamBondOrthotropic::on_lattice(lattice, Mirrors::NONE, parameters, &[]).unwrap()
+        };
+        let coarse = of(0.5, [12, 8]).coarser(&|_, _| Vec::new()).unwrap();
+        let u: Vec<f64> = (0..3 * 24).map(|k| f64::from(k * 7919 % 1013) / 1013.0 - 0.5).collect();
+        // The third unknown stays a rotation times the spacing of the finest body.
+        let expected: Vec<f64> = (0..72).map(|k| if k < 48 { u[k] } else { 2.0 * u[k] }).collect();
+        let [found, expected] = [(coarse, u), (of(1.0, [6, 4]), expected)]
+            .map(|(body, u)| body.terms().iter().map(|term| term.survey(&u).energy).sum::<f64>());
+        assert!((found / expected - 1.0).abs() < 1e-14, "{found} {expected}");
+    }
 }

@@ -3,7 +3,8 @@
 use super::super::*;
 use super::bodies::*;
 use super::patch::{STRAINS, check_fields, check_rigid, strain_of};
-use crate::model::plane::{Calibration, Edges, PlaneModel};
+use crate::model::Breakable;
+use crate::model::plane::{Calibration, CriticalStretch, Edges, PlaneModel};
 
 /// Scattered points in a rectangle with a hole, areas that differ, in a unit of length.
 pub(super) fn scattered(unit: f64) -> (Vec<[f64; 2]>, Vec<f64>) {
@@ -106,4 +107,34 @@ fn what_clouds_cannot_have_is_refused() {
     assert_eq!(of(area, vec![[0.0; 2]]), Err(BondPlaneError::AreaNeedsCells));
     let twice = of(parameters(3.0, MM_MPA), vec![[0.0; 2], [0.0; 2]]);
     assert_eq!(twice, Err(BondPlaneError::Coincident { first: 0, second: 1 }));
+}
+
+#[test]
+fn a_point_that_loses_its_bonds_is_damaged_wholly() {
+    for calibration in [Calibration::Matched, Calibration::Published] {
+        let given = PlaneParameters { calibration, edges: Edges::None, ..parameters(3.0, MM_MPA) };
+        let mut plane = cloud(MM_MPA, given);
+        let n = plane.point_count();
+        // All bonds are longer in a body that swells.
+        let u: Vec<f64> = (0..2 * n).map(|k| plane.place(k % n)[k / n]).collect();
+        let (mut own, mut neighbours) = (Vec::new(), Vec::new());
+        plane.for_each_ratio(&u, &CriticalStretch(vec![0.5]), &mut |bond, ratio| {
+            // A stretch of one.
+            assert!((ratio - 2.0).abs() < 1e-12);
+            let [i, j] = plane.ends(bond);
+            if i == 70 || j == 70 {
+                own.push(bond);
+                neighbours.push(i + j - 70);
+            }
+        });
+        assert!(own.len() > 10);
+        plane.break_bonds(&own);
+        for (point, damage) in plane.damage().into_iter().enumerate() {
+            match point {
+                70 => assert!((damage - 1.0).abs() < 1e-14, "{damage}"),
+                _ if neighbours.contains(&point) => assert!(damage > 0.0 && damage < 0.2, "{damage}"),
+                _ => assert_eq!(damage, 0.0),
+            }
+        }
+    }
 }

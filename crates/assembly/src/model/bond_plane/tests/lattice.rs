@@ -98,3 +98,18 @@ fn three_and_a_little_more_are_the_same() {
     assert_eq!(of(3.0), of(3.015));
     assert_eq!(of(3.0).offsets.len(), 14);
 }
+
+#[test]
+fn a_coarser_body_is_the_body_of_coarser_cells() {
+    for calibration in [Calibration::Matched, Calibration::Published] {
+        let given = PlaneParameters { calibration, edges: Edges::None, ..parameters(3.0, MM_MPA) };
+        let of =
+            |h: f64, size: [i32; 2]| plane(&Arc::new(SquareLattice::rectangle(h, [1.0, 2.0], size)), given);
+        let coarse = of(0.5, [12, 8]).coarser(&|_, _| Vec::new()).unwrap();
+        let expected = of(1.0, [6, 4]);
+        assert_eq!(coarse.point_count(), 24);
+        let u = random(48);
+        let [found, expected] = [&coarse, &expected].map(|plane| energy(plane, &u));
+        assert!((found / expected - 1.0).abs() < 1e-14, "{found} {expected}");
+    }
+}

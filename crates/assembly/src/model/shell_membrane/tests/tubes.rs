@@ -126,3 +126,20 @@ pub(super) fn solve(shell: &ShellMembrane, f: &[f64], held: impl Fn(usize) -> bo
     free.iter().enumerate().for_each(|(a, &k)| all[k] = found[a]);
     all
 }
+
+#[test]
+fn joined_rows_close_with_the_radius_of_their_turns() {
+    let spacing = std::f64::consts::TAU * 2.0 / 20.0 * (1.0 + 1e-6);
+    let exact = 2.0 * (1.0 + 1e-6);
+    // Once around, half and a quarter of it, twice around.
+    for rows in [20, 10, 5, 40] {
+        let found = ShellMembrane::closed_radius(2.0, spacing, Some(rows));
+        assert!((found / exact - 1.0).abs() < 1e-14, "{rows}: {found}");
+    }
+    // No part of a circumference, a single row, an open shell: the radius as given.
+    for rows in [Some(19), Some(30), Some(1), None] {
+        assert_eq!(ShellMembrane::closed_radius(2.0, spacing, rows), 2.0);
+    }
+    let parts = |arc: f64| ShellMembrane::parts_of_circumference(2.0, std::f64::consts::TAU * arc);
+    assert_eq!([parts(2.0), parts(0.5), parts(0.75), parts(4.0)], [Some(1.0), Some(4.0), None, None]);
+}

@@ -64,3 +64,18 @@ fn a_spinning_cylinder_converges() {
     assert!(coarse < 2.5e-3, "{coarse:e}");
     assert!((coarse / fine).log2() > 1.8, "{coarse:e} {fine:e}");
 }
+
+#[test]
+fn columns_may_be_counted_from_anywhere() {
+    // A solid cylinder and one with a bore, on lattices whose first column is not the zeroth.
+    for radius in [0.0, 1.5] {
+        let make = |corner: f64, first: i32| {
+            let lattice = SquareLattice::new(0.5, [corner, 0.0], first..first + 6, 0..4, |_| true);
+            body::<true>(lattice, Mirrors::NONE, RING)
+        };
+        let (usual, moved) = (make(radius, 0), make(radius - 1.5, 3));
+        let [a, b] = [&usual, &moved].map(real_points);
+        assert_eq!(usual.points(), moved.points());
+        a.iter().zip(&b).for_each(|(&i, &j)| assert_eq!(usual.place(i), moved.place(j)));
+    }
+}

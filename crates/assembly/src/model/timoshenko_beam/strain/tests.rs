@@ -102,7 +102,8 @@ fn forces_and_strains_agree(beam: &TimoshenkoBeam) {
     let action = |k: usize| StrainAction { point: k % n, component: k / n, value: Sum::of(force[k]) };
     let actions: Vec<StrainAction> = (0..2 * n).map(action).collect();
     let (r, resultant) = right_hand_side(&form, None, &actions);
-    let kv = dense(&form) * &v;
+    let k = dense(&form);
+    let kv = &k * &v;
     let error = (&r - &kv).amax() / r.amax();
     assert!(error < 2e-13, "{error}"); // 2e-14 at most
     (0..2).for_each(|k| assert!(resultant.sum[k].abs() < 1e-12 * resultant.size[k]));
@@ -110,6 +111,12 @@ fn forces_and_strains_agree(beam: &TimoshenkoBeam) {
     // Actions between the cells are summed apart from them, which shows in the last bit.
     again.iter().zip(&u).for_each(|(a, b)| assert!((a - b).abs() < 1e-15));
     assert!(checks.residual < 1e-12 * checks.action, "{checks:?}");
+    // Scales are those of a diagonal of ones.
+    let most = |value: &dyn Fn(usize) -> f64| (0..v.len()).map(value).fold(0.0, f64::max);
+    let action = most(&|i| r[i].abs() / k[(i, i)].sqrt());
+    let strain = most(&|i| v[i].abs() * k[(i, i)].sqrt());
+    assert!((checks.action / action - 1.0).abs() < 1e-12, "{checks:?} {action}");
+    assert!((checks.strain / strain - 1.0).abs() < 1e-12, "{checks:?} {strain}");
     let energy = terms.iter().map(|t| t.survey(&u)).fold(Survey::EMPTY, Survey::join).energy;
     assert!(
         (checks.energy / energy - 1.0).abs() < 1e-12 && (checks.work / energy - 1.0).abs() < 1e-12,
