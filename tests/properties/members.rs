@@ -1,11 +1,15 @@
 //! Members that vary: graded grids, varying and coupled sections, any direction, with and without axial unknowns.
 
 use crate::consistency::{Noise, check};
+use crate::loose::costs_nothing;
+use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::material::{Profile, SectionStiffness};
+use peristat_assembly::model::Model;
 use peristat_assembly::model::timoshenko_beam::{
-    Axial, BeamParameters, Line, TimoshenkoBeam, VolumeFactor, bond_law, end_treatment,
+    Axial, BeamParameters, Line, PHI, TimoshenkoBeam, U, VolumeFactor, W, bond_law, end_treatment,
 };
-use peristat_assembly::system::System;
+use peristat_assembly::stiffness::{Spring, Springs, Term};
+use peristat_assembly::system::{System, free_motions};
 use proptest::prelude::*;
 
 fn parameters() -> BeamParameters {
@@ -122,4 +126,42 @@ fn loaded(beam: &TimoshenkoBeam, state: &[f64; 9]) -> Vec<f64> {
         u.push(u[k] + du);
     }
     [w, phi, u].concat()
+}
+
+/// Two members at an angle, the second one from the end of the first.
+#[test]
+fn members_are_as_loose_as_statics_says() {
+    let line = Line::new(2.0, 8, SectionStiffness::uniform(2.0, 30.0, 5.0, 0.3));
+    let second = Line { origin: [2.0, 0.0], direction: [0.6, 0.8], ..line.clone() };
+    let frame = TimoshenkoBeam::new(parameters(), vec![line, second]).expect("a frame");
+    let equation = |terms: &[(usize, usize, f64)]| Equation {
+        terms: terms.iter().map(|&(component, point, c)| (Unknown { component, point }, c)).collect(),
+        value: 0.0,
+        origin: String::new(),
+    };
+    // Displacements along x and y: −s w + c u and c w + s u.
+    let hinge = [
+        equation(&[(U, 8, 1.0), (W, 9, 0.8), (U, 9, -0.6)]),
+        equation(&[(W, 8, 1.0), (W, 9, -0.6), (U, 9, -0.8)]),
+    ];
+    let clamp = [W, PHI, U].map(|c| equation(&[(c, 0, 1.0)]));
+    let roller = [equation(&[(W, 17, 0.6), (U, 17, 0.8)])];
+    let count = |equations: &[&[Equation]], springs: Vec<Spring>| {
+        let extra: Vec<Box<dyn Term<3>>> = vec![Box::new(Springs::new(18, springs))];
+        let system = System::new(&frame, extra, equations.concat()).expect("no contradiction");
+        let found = free_motions(&frame, &system);
+        let parts = Model::<3>::connected(&frame);
+        found
+            .iter()
+            .for_each(|m| costs_nothing(&frame, &system, &parts, m, system.constraints().equations()));
+        found.len()
+    };
+    let turn = Spring::on(PHI, 12, 4.0);
+    assert_eq!(count(&[], Vec::new()), 6);
+    assert_eq!(count(&[], vec![turn]), 5);
+    assert_eq!(count(&[&hinge], Vec::new()), 4);
+    assert_eq!(count(&[&clamp], Vec::new()), 3);
+    assert_eq!(count(&[&clamp, &hinge], Vec::new()), 1);
+    assert_eq!(count(&[&clamp, &hinge], vec![turn]), 0);
+    assert_eq!(count(&[&clamp, &hinge, &roller], Vec::new()), 0);
 }
