@@ -163,7 +163,8 @@ impl Model<3> for BeamBondOrthotropic {
     }
 
     fn calibration_error(&self) -> f64 {
-        CALIBRATION
+        // More unknowns than central bonds have, and what they leave bends long strips: measured.
+        20.0 * CALIBRATION
     }
 
     fn contrast(&self) -> f64 {

@@ -172,6 +172,24 @@ impl<const D: usize> Body<D> {
         self.factor_filled()
     }
 
+    /// What would correct the unknowns of a state whose residual is not zero: by its tangent, or by its secant stiffness
+    /// where that is not positive definite. It tells of the state and is no part of the path: nothing of it is counted.
+    ///
+    /// # Errors
+    /// As [`Self::factor`].
+    pub(super) fn correction(&mut self, state: &State<D>) -> Result<Vec<f64>, SolveFailure> {
+        let (counters, timing) = (self.counters.clone(), self.timing.clone());
+        let mut correction = vec![0.0; state.u.len()];
+        for secant_part in [0.0, 1.0] {
+            if self.factor(state, secant_part)? {
+                self.solve(&state.residual, &mut correction);
+                break;
+            }
+        }
+        (self.counters, self.timing) = (counters, timing);
+        Ok(correction)
+    }
+
     /// The same with the stiffness of every bond, N/m, along it.
     ///
     /// # Errors

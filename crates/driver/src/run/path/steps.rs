@@ -1,6 +1,7 @@
 //! From state to state, to every place where the path turns.
 
 use super::super::certificate::{self, Certificate, Seen};
+use super::super::scan;
 use super::super::workspace::StateSolution;
 use super::super::{Advance, Problem, RunError, RunReport, Sink, Sizes, SolvedState};
 use super::auto::Chosen;
@@ -125,7 +126,8 @@ impl<const D: usize, P: SofteningBody<D>> Run<'_, D, P> {
         let begin = Instant::now();
         let (course, body) = (&mut self.course, &mut *self.body);
         let loads: Vec<f64> = course.body.loads.iter().map(|f| course.state.load_factor * f).collect();
-        let certificate = certify(body, course, &loads);
+        let correction = course.body.correction(&course.state)?;
+        let certificate = certify(body, course, &loads, &correction);
         let solution = StateSolution {
             multipliers: course.body.multipliers(&course.state),
             ..StateSolution::of(course.state.u.clone())
@@ -143,7 +145,12 @@ impl<const D: usize, P: SofteningBody<D>> Run<'_, D, P> {
 
 /// What shows that the last state is in equilibrium: balance of forces and moments, the residual, and the work of the path
 /// by forces of bonds.
-fn certify<const D: usize, P: SofteningBody<D>>(body: &P, course: &Course<D>, loads: &[f64]) -> Certificate {
+fn certify<const D: usize, P: SofteningBody<D>>(
+    body: &P,
+    course: &Course<D>,
+    loads: &[f64],
+    correction: &[f64],
+) -> Certificate {
     let (state, constraints) = (&course.state, course.body.system.constraints());
     let mut held = vec![0.0; state.u.len()];
     for row in constraints.rows() {
@@ -159,9 +166,10 @@ fn certify<const D: usize, P: SofteningBody<D>>(body: &P, course: &Course<D>, lo
     let identity = last.identity.abs();
     // The loads of parts that came off, and rigid motions of finite size, have no balance.
     let model = body.problem().model();
+    let energy = correction.iter().zip(&state.residual).map(|(d, r)| d * r).sum::<f64>().abs();
     let seen = Seen {
-        correction: last.residual,
-        strain_correction: last.residual,
+        correction: certificate::ratio(scan::largest(correction), scan::largest(&state.u)),
+        strain_correction: certificate::ratio(energy, 2.0 * last.stored).sqrt(),
         imbalance: identity,
         calibration: model.calibration_error(),
         contrast: model.contrast(),
