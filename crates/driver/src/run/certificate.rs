@@ -83,7 +83,7 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
     let seen = Seen {
         correction: solution.next_correction,
         strain_correction: or_zero(ratio(solution.correction_energy, 2.0 * energy.abs()).sqrt()),
-        imbalance: balance.iter().map(|b| b.relative).fold(energy_balance, f64::max),
+        imbalance: worst(balance.iter().map(|b| b.relative).chain([energy_balance])),
         calibration: model.calibration_error(),
         contrast: model.contrast(),
     };
@@ -120,11 +120,12 @@ impl Seen {
     /// Bounds and digits, and whether they do: for a solve that is not `sound` never, for one that did not reach its own
     /// `end` if they are not few. All else is zero.
     pub(super) fn certificate(self, sound: bool, end: bool) -> Certificate {
+        let bound = |sample: f64| (SAFETY * sample).min(f64::MAX);
         let calibration = self.contrast * self.calibration;
         // Strains that are rounding have an energy, and it resists a motion that would cost none.
-        let error = SAFETY * self.correction.max(self.strain_correction.powi(2)).max(calibration);
+        let error = bound(worst([self.correction, self.strain_correction.powi(2), calibration]));
         let strain_error =
-            SAFETY * (self.contrast * self.strain_correction).max(self.imbalance).max(calibration);
+            bound(worst([self.contrast * self.strain_correction, self.imbalance, calibration]));
         let [digits, strain_digits] = [error, strain_error].map(trusted);
         let least = if end { 1 } else { FEW_DIGITS };
         Certificate {
@@ -143,7 +144,13 @@ impl Seen {
     }
 }
 
-/// Digits that a relative error leaves; none if it is no number.
+/// The largest of some samples; infinite if one of them is no number.
+pub(super) fn worst(samples: impl IntoIterator<Item = f64>) -> f64 {
+    let number = |sample: f64| if sample.is_nan() { f64::INFINITY } else { sample };
+    samples.into_iter().map(number).fold(0.0, f64::max)
+}
+
+/// Digits that a relative error leaves.
 fn trusted(error: f64) -> u32 {
     (-error.log10()).floor().clamp(0.0, 15.0) as u32
 }
@@ -214,11 +221,48 @@ pub(super) fn balance<const D: usize, T: Model<D>>(
 
 #[cfg(test)]
 mod tests {
-    use super::trusted;
+    use super::{FEW_DIGITS, Seen, trusted};
 
     #[test]
     fn an_error_leaves_the_digits_before_it() {
         assert_eq!([0.2, 0.1, 3e-7, 1e-20, 0.0].map(trusted), [0, 1, 6, 15, 15]);
-        assert_eq!([1.0, 1e300, f64::INFINITY, f64::NAN].map(trusted), [0; 4]);
+        assert_eq!([1.0, 1e300, f64::MAX].map(trusted), [0; 3]);
+    }
+
+    const SEEN: Seen =
+        Seen { correction: 1e-14, strain_correction: 1e-12, imbalance: 1e-13, calibration: 1e-15 };
+
+    #[test]
+    fn the_largest_sample_decides() {
+        let certificate = SEEN.certificate(true, true);
+        assert_eq!([certificate.error, certificate.strain_error].map(|e| (e / 3e-13).round()), [1.0, 100.0]);
+        assert_eq!((certificate.converged, certificate.digits, certificate.strain_digits), (true, 12, 10));
+        let calibrated = Seen { calibration: 1e-9, ..SEEN }.certificate(true, true);
+        assert_eq!([calibrated.digits, calibrated.strain_digits], [7, 7]);
+        assert_eq!(Seen { imbalance: 1e-5, ..SEEN }.certificate(true, true).strain_digits, 3);
+        assert!(!SEEN.certificate(false, true).converged);
+    }
+
+    #[test]
+    fn what_ended_early_needs_more_than_a_digit() {
+        let with = |correction: f64, end: bool| Seen { correction, ..SEEN }.certificate(true, end);
+        let [rough, fine] = [1e-6, 1e-8];
+        assert!(with(rough, true).converged && with(rough, true).digits < FEW_DIGITS);
+        assert!(!with(rough, false).converged && with(fine, false).converged);
+        assert!(!with(0.01, true).converged);
+    }
+
+    #[test]
+    fn a_sample_that_is_no_number_leaves_no_digits_and_a_bound_that_is_one() {
+        let lost = [
+            Seen { correction: f64::NAN, ..SEEN },
+            Seen { strain_correction: f64::NAN, ..SEEN },
+            Seen { imbalance: f64::INFINITY, ..SEEN },
+        ];
+        for seen in lost {
+            let certificate = seen.certificate(true, true);
+            assert!(!certificate.converged, "{certificate:?}");
+            assert!(certificate.error.is_finite() && certificate.strain_error.is_finite(), "{certificate:?}");
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! What a solution in strains is certified with.
 
-use crate::run::certificate::{Balance, Certificate, STRAIN_FREE, Seen, ratio};
+use crate::run::certificate::{Balance, Certificate, STRAIN_FREE, Seen, ratio, worst};
 use peristat_assembly::model::timoshenko_beam::StrainChecks;
 
 /// What a solution in strains tells of itself.
@@ -59,7 +59,7 @@ pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evi
     let seen = Seen {
         correction: next_correction,
         strain_correction,
-        imbalance: balance.iter().map(|b| b.relative).fold(energy_balance, f64::max),
+        imbalance: worst(balance.iter().map(|b| b.relative).chain([energy_balance])),
         calibration,
         contrast: 1.0,
     };
