@@ -8,6 +8,7 @@ mod support;
 mod axial;
 mod balance;
 mod beam_fracture;
+mod certificate;
 mod closed_forms;
 mod convergence;
 mod definiteness;
