@@ -1,6 +1,6 @@
 //! Numbers in result files.
 
-use crate::support::{files, gallery, json, names, report_without_times, root, run};
+use crate::support::{Outcome, files, gallery, json, names, report_without_times, root, run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -75,6 +75,42 @@ fn results_beyond_double_precision_are_an_error_and_no_folder() {
         outcome.stderr
     );
     assert_eq!(names(folder.path()), Vec::<String>::new());
+}
+
+/// A cantilever that turns on a spring in place of its clamp, N m, solved in displacements.
+fn on_a_spring(folder: &Path, stiffness: f64) -> Outcome {
+    let supports = format!(r#"supports=[{{"at":{{"x":0}},"w":0,"phi_spring":{stiffness}}}]"#);
+    let case = gallery("cantilever.json");
+    let sets = [supports.as_str(), "solver=band", "checks=[]"];
+    let mut arguments = vec!["run", &case, "-o", "out", "--force"];
+    arguments.extend(sets.iter().flat_map(|s| ["--set", s]));
+    run(folder, &arguments)
+}
+
+#[test]
+fn few_digits_are_a_warning_and_none_is_no_result() {
+    let folder = tempfile::tempdir().unwrap();
+    for (stiffness, code, status, warned) in
+        [(1e4, 0, "passed", false), (1e-2, 0, "passed", true), (1e-12, 1, "not_converged", true)]
+    {
+        let outcome = on_a_spring(folder.path(), stiffness);
+        assert_eq!(outcome.code, code, "{stiffness}: {}{}", outcome.stdout, outcome.stderr);
+        let summary = json(&folder.path().join("out/summary.json"));
+        assert_eq!(summary["status"], status, "{stiffness}");
+        let certificate = &summary["states"][0]["certificate"];
+        let digits = ["digits", "strain_digits"].map(|key| certificate[key].as_u64().unwrap());
+        let text = format!(
+            "loads: only {} digits of displacements and {} of strains and forces can be trusted, by rounding and iteration",
+            digits[0], digits[1]
+        );
+        let told = summary["warnings"].as_array().unwrap().iter().any(|w| *w == text.as_str());
+        assert_eq!([told, outcome.stderr.contains(&text)], [warned; 2], "{stiffness}: {text}");
+        let printed = format!("digits you can trust: {} of displacements, {} of", digits[0], digits[1]);
+        assert!(outcome.stdout.contains(&printed), "{}", outcome.stdout);
+        assert_eq!(outcome.stdout.contains("NOT CONVERGED"), code == 1);
+        assert_eq!(warned, digits.iter().any(|d| *d < 6), "{digits:?}");
+        assert_eq!(code == 1, digits.contains(&0), "{digits:?}");
+    }
 }
 
 /// Everything a run wrote, but times.

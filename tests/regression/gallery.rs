@@ -16,6 +16,9 @@ fn failures(folder: &str) -> String {
         if summary.status == Status::NotConverged {
             let _ = writeln!(text, "{}: not converged", short(&case));
         }
+        for warning in summary.warnings.iter().filter(|w| w.contains("can be trusted")) {
+            let _ = writeln!(text, "{}: {warning}", short(&case));
+        }
         for check in summary.checks.iter().filter(|c| !c.passed) {
             let _ = writeln!(
                 text,
