@@ -110,8 +110,7 @@ fn a_read_only_folder_is_told() {
         let said = format!("error: cannot write {place}: Permission denied");
         assert!(ended.status.code() == Some(2) && stderr(&ended).starts_with(&said), "{}", stderr(&ended));
     }
-    let study =
-        format!("exec \"$peristat\" study {}/cases/studies/beam_orders.study.json -o out", root().display());
+    let study = format!("exec \"$peristat\" study {}/cases/beam_orders.study.json -o out", root().display());
     let ended = shell(folder.path(), form, &study);
     assert!(
         ended.status.code() == Some(2) && stderr(&ended).contains("cannot write out"),

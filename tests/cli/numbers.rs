@@ -36,7 +36,9 @@ fn no_file_of_the_gallery_holds_a_value_that_is_not_a_number() {
     }
     for file in files(folder.path(), ".csv") {
         for line in fs::read_to_string(&file).unwrap().lines().skip(1) {
-            let mut values = line.split(',').map(|cell| cell.parse::<f64>().unwrap());
+            // A cell without a value is empty.
+            let cells = line.split(',').filter(|cell| !cell.is_empty());
+            let mut values = cells.map(|cell| cell.parse::<f64>().unwrap());
             assert!(values.all(f64::is_finite), "{}: {line}", file.display());
         }
     }
@@ -91,7 +93,7 @@ fn on_a_spring(folder: &Path, stiffness: f64) -> Outcome {
 fn few_digits_are_a_warning_and_none_is_no_result() {
     let folder = tempfile::tempdir().unwrap();
     for (stiffness, code, status, warned) in
-        [(1e4, 0, "passed", false), (1e-2, 0, "passed", true), (1e-12, 1, "not_converged", true)]
+        [(1e4, 0, "passed", false), (1e-2, 0, "passed", true), (1e-20, 1, "not_converged", true)]
     {
         let outcome = on_a_spring(folder.path(), stiffness);
         assert_eq!(outcome.code, code, "{stiffness}: {}{}", outcome.stdout, outcome.stderr);

@@ -82,7 +82,7 @@ fn results_hold_all_that_their_case_names_and_run_again_wherever_they_are() {
         fs::read(path("elsewhere/moved/case.json")).unwrap()
     );
     // Into its own folder, whose files are removed on the way.
-    assert_eq!(run(folder.path(), &["run", "again/case.json", "-o", "again"]).code, 0);
+    assert_eq!(run(folder.path(), &["run", "again/case.json", "-o", "again", "--force"]).code, 0);
     assert_eq!(fields("again"), before);
     // A file of the user among those of the case is not lost.
     fs::write(path("again/inputs/mine.csv"), "mine").unwrap();
@@ -94,6 +94,7 @@ fn results_hold_all_that_their_case_names_and_run_again_wherever_they_are() {
 #[cfg(unix)]
 mod links {
     use super::*;
+    use peristat::results::MARK;
     use std::os::unix::fs::symlink;
 
     fn beam(folder: &Path) -> String {
@@ -141,10 +142,17 @@ mod links {
             let remove = if is_folder { fs::remove_dir_all } else { fs::remove_file };
             let _ = remove(path.clone());
             symlink(if is_folder { "../aside/folder" } else { "../aside/file" }, &path).unwrap();
-            let outcome = run(folder.path(), &["run", &case, "-o", "out"]);
-            assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+            let outcome = run(folder.path(), &["run", &case, "-o", "out", "--force"]);
             assert_eq!(held(folder.path()), before, "{name}");
-            assert!(!path.is_symlink(), "{name}");
+            if name == MARK {
+                // It is locked, and never replaced.
+                assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+                assert!(outcome.stderr.contains("is a link"), "{}", outcome.stderr);
+                fs::remove_file(&path).unwrap();
+            } else {
+                assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
+                assert!(!path.is_symlink(), "{name}");
+            }
         }
     }
 
@@ -170,11 +178,11 @@ mod links {
             symlink(if is_folder { "../aside/folder" } else { "../aside/file" }, &path).unwrap();
             let outcome = run(folder.path(), &arguments);
             assert_eq!(held(folder.path()), before, "{name}");
-            if is_folder {
+            if is_folder || name == MARK {
                 assert_eq!(outcome.code, 2, "{name}: {}", outcome.stderr);
                 assert!(outcome.stderr.contains("is a link"), "{name}: {}", outcome.stderr);
                 fs::remove_file(&path).unwrap();
-                assert_eq!(run(folder.path(), &arguments).code, 0);
+                assert_eq!(run(folder.path(), &[&arguments[..], &["--force"]].concat()).code, 0);
             } else {
                 assert_eq!(outcome.code, 0, "{name}: {}", outcome.stderr);
                 assert!(!path.is_symlink(), "{name}");

@@ -67,10 +67,11 @@ fn a_run_that_comes_to_nothing_leaves_no_folder_and_no_lock() {
 /// A study with two tasks that take long.
 fn study(folder: &Path) {
     let study = json!({
-        "title": "slow", "case": gallery("cantilever.json"),
+        "title": "slow", "case": "cantilever.json",
         "set": { "body.line.cells": 60_000, "checks": [], "solver": "band" },
         "vary": [{ "horizon_ratio": [5, 6] }]
     });
+    fs::copy(gallery("cantilever.json"), folder.join("cantilever.json")).unwrap();
     fs::write(folder.join("slow.study.json"), study.to_string()).unwrap();
 }
 

@@ -6,7 +6,7 @@ use peristat::Loaded;
 use peristat::case::{self, Case};
 use peristat::diagnostic::decode;
 use peristat::input::{Folder, Reach, gmsh, points};
-use peristat::results::{Results, finite};
+use peristat::results::{Claim, Results, finite};
 use peristat::run::{Advance, RunOptions, Sink, StateResult, fracture::Restart};
 use peristat::scene::Scene;
 use proptest::prelude::*;
@@ -37,7 +37,8 @@ struct Checking<'a> {
 impl Checking<'_> {
     fn results(&mut self) -> io::Result<Option<&mut Results>> {
         if let (Some(folder), None) = (self.folder, &self.results) {
-            self.results = Some(Results::begin(folder, self.scene)?);
+            let claim = Claim::new(folder, true)?;
+            self.results = Some(Results::begin(&claim, self.scene)?);
         }
         Ok(self.results.as_mut())
     }

@@ -214,17 +214,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (loaded, states) = plate(folder.path());
         let (scene, out, aside) = (&loaded.scene, folder.path().join("out"), folder.path().join("aside"));
-        go_on(&mut Results::begin(&out, scene).unwrap(), scene, &states, 0..1);
-        let found = Results::interrupted(&out, scene).unwrap();
+        go_on(&mut begin(&out, scene), scene, &states, 0..1);
+        let (claim, found) = Results::interrupted(&out, scene).unwrap();
         for part in ["fields", "plots"] {
             fs::rename(out.join(part), &aside).unwrap();
             std::os::unix::fs::symlink(&aside, out.join(part)).unwrap();
-            let error = Results::resume(&out, scene, &found).unwrap_err();
+            let error = Results::resume(&claim, scene, &found).unwrap_err();
             assert!(error.to_string().contains("is a link"), "{error}");
             fs::remove_file(out.join(part)).unwrap();
             fs::rename(&aside, out.join(part)).unwrap();
         }
-        Results::resume(&out, scene, &found).unwrap();
+        Results::resume(&claim, scene, &found).unwrap();
     }
 
     #[test]

@@ -229,8 +229,13 @@ mod tests {
         assert_eq!([1.0, 1e300, f64::MAX].map(trusted), [0; 3]);
     }
 
-    const SEEN: Seen =
-        Seen { correction: 1e-14, strain_correction: 1e-12, imbalance: 1e-13, calibration: 1e-15 };
+    const SEEN: Seen = Seen {
+        correction: 1e-14,
+        strain_correction: 1e-12,
+        imbalance: 1e-13,
+        calibration: 1e-15,
+        contrast: 1.0,
+    };
 
     #[test]
     fn the_largest_sample_decides() {
@@ -240,6 +245,9 @@ mod tests {
         let calibrated = Seen { calibration: 1e-9, ..SEEN }.certificate(true, true);
         assert_eq!([calibrated.digits, calibrated.strain_digits], [7, 7]);
         assert_eq!(Seen { imbalance: 1e-5, ..SEEN }.certificate(true, true).strain_digits, 3);
+        // Strains that are rounding make a body stiffer by the square of what they are, and weigh as the moduli differ.
+        let rounded = Seen { strain_correction: 1e-4, contrast: 10.0, ..SEEN }.certificate(true, true);
+        assert_eq!((rounded.digits, rounded.strain_digits), (6, 1));
         assert!(!SEEN.certificate(false, true).converged);
     }
 

@@ -120,9 +120,10 @@ impl StateParameters {
         self.lame() + 2.0 / 3.0 * self.shear_modulus()
     }
 
-    /// Root of the ratio of the moduli of changes of volume and of shape, the larger over the smaller.
+    /// Root of the ratio of the moduli of changes of volume, or of area in the plane, and of shape, the larger over the smaller.
     pub(super) fn contrast(&self) -> f64 {
-        let (shape, volume) = (self.shear_modulus(), self.lame() + self.shear_modulus());
+        let shape = self.shear_modulus();
+        let volume = if self.is_axisymmetric() { self.bulk_modulus() } else { self.lame() + shape };
         (shape / volume).max(volume / shape).sqrt()
     }
 
