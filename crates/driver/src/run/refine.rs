@@ -57,8 +57,30 @@ impl<const D: usize> Workspace<D> {
         }
         solution.u = high;
         solution.status = PcgStatus::Converged;
+        let rounded =
+            self.rounding_of_loads(system, preconditioner, load, &mut step) / size(&solution.u, &self.scales);
+        solution.next_correction = solution.next_correction.max(rounded);
         self.weigh_strains(system, preconditioner, load, solution);
         true
+    }
+
+    /// How far loads that are rounded otherwise would move the body: they are doubles, and where they all but balance each
+    /// other a soft support feels it.
+    fn rounding_of_loads(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        load: &[f64],
+        step: &mut [f64],
+    ) -> f64 {
+        let is_up = |k: usize| (k as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 0;
+        let rounding = |(k, f): (usize, &f64)| if is_up(k) { f64::EPSILON * f } else { -f64::EPSILON * f };
+        self.residual.iter_mut().zip(load.iter().enumerate().map(rounding)).for_each(|(r, f)| *r = f);
+        system.constraints().restrict(&mut self.residual);
+        step.fill(0.0);
+        let options = PcgOptions::default();
+        self.pcg.solve(&Elementwise(system), preconditioner, &mut self.residual, step, &options);
+        size(step, &self.scales)
     }
 
     /// Takes the residual of forces in twice the precision, and what constraints and certificate need of it.

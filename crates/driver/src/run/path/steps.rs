@@ -23,6 +23,8 @@ struct Run<'a, const D: usize, P> {
     body: &'a mut P,
     course: Course<D>,
     recorded: usize,
+    /// Largest displacement of a recorded state so far: back at none, there is still a scale.
+    farthest: f64,
     /// Wall time of records, s.
     seconds: f64,
 }
@@ -46,7 +48,7 @@ pub(in super::super) fn run<const D: usize, P: SofteningBody<D>>(
     let (unit, work) = &course.unit;
     let elastic = body.probes(&unit.u, &course.body.multipliers(unit))[scene.load];
     body.set_elastic(elastic, *work);
-    let mut run = Run { body, course, recorded: 0, seconds: 0.0 };
+    let mut run = Run { body, course, recorded: 0, farthest: 0.0, seconds: 0.0 };
     let rest = run.course.at_rest();
     run.tell(rest, 1.0, sink)?;
     let mut ending = Ending::Arrived;
@@ -127,7 +129,8 @@ impl<const D: usize, P: SofteningBody<D>> Run<'_, D, P> {
         let (course, body) = (&mut self.course, &mut *self.body);
         let loads: Vec<f64> = course.body.loads.iter().map(|f| course.state.load_factor * f).collect();
         let correction = course.body.correction(&course.state)?;
-        let certificate = certify(body, course, &loads, &correction);
+        self.farthest = self.farthest.max(scan::largest(&course.state.u));
+        let certificate = certify(body, course, &loads, (&correction, self.farthest));
         let solution = StateSolution {
             multipliers: course.body.multipliers(&course.state),
             ..StateSolution::of(course.state.u.clone())
@@ -149,7 +152,7 @@ fn certify<const D: usize, P: SofteningBody<D>>(
     body: &P,
     course: &Course<D>,
     loads: &[f64],
-    correction: &[f64],
+    (correction, farthest): (&[f64], f64),
 ) -> Certificate {
     let (state, constraints) = (&course.state, course.body.system.constraints());
     let mut held = vec![0.0; state.u.len()];
@@ -166,10 +169,11 @@ fn certify<const D: usize, P: SofteningBody<D>>(
     let identity = last.identity.abs();
     // The loads of parts that came off, and rigid motions of finite size, have no balance.
     let model = body.problem().model();
+    let stored = course.points.iter().map(|p| p.stored).fold(0.0, f64::max);
     let energy = correction.iter().zip(&state.residual).map(|(d, r)| d * r).sum::<f64>().abs();
     let seen = Seen {
-        correction: certificate::ratio(scan::largest(correction), scan::largest(&state.u)),
-        strain_correction: certificate::ratio(energy, 2.0 * last.stored).sqrt(),
+        correction: certificate::ratio(scan::largest(correction), farthest),
+        strain_correction: certificate::ratio(energy, 2.0 * stored).sqrt(),
         imbalance: identity,
         calibration: model.calibration_error(),
         contrast: model.contrast(),
