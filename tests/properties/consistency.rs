@@ -137,8 +137,10 @@ fn rigid_motions_cost_nothing<const D: usize, M: Model<D>>(model: &M, system: &S
         let amount = noise.next();
         let motion: Vec<f64> =
             (0..D * n).map(|i| amount * model.rigid_motion(kind, i % n, [0.0; 3])[i / n]).collect();
-        assert!(largest(&motion) > 0.0, "{} moves something", M::RIGID_MOTIONS[kind]);
-        if M::RIGID_MOTIONS[kind] == "rotation" {
+        // Published elongations of shells resist theirs, which are none then.
+        let may_be_none = M::RIGID_MOTIONS[kind].ends_with("degrees");
+        assert!(may_be_none || largest(&motion) > 0.0, "{} moves something", M::RIGID_MOTIONS[kind]);
+        if ["rotation", "rotation about z"].contains(&M::RIGID_MOTIONS[kind]) {
             let turned = |centre: usize| model.displacement(kind, n - 1, model.position(centre));
             assert!(turned(n - 1) <= 1e-15 && (n == 1 || turned(0) > 0.0), "a rotation leaves its centre");
         }

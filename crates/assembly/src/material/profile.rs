@@ -107,4 +107,13 @@ mod tests {
         let values = [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, 9.0].map(|s| t.value(s));
         assert_eq!(values, [2.0, 2.0, 3.0, 10.0, 5.0, 0.0, 0.0]);
     }
+
+    #[test]
+    fn integrals_are_areas() {
+        assert_eq!(Profile::Uniform(3.0).integral(1.0, 3.5), 7.5);
+        // s³ − s² from 1 to 2, and a trapezium, a jump and a rectangle.
+        assert_eq!(Profile::Polynomial(vec![0.0, -2.0, 3.0]).integral(1.0, 2.0), 4.0);
+        let table = Profile::Table(vec![[0.0, 1.0], [2.0, 3.0], [2.0, 5.0]]);
+        assert_eq!(table.integral(1.0, 4.0), 2.5 + 10.0);
+    }
 }
