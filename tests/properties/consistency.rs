@@ -231,8 +231,8 @@ fn constrained_operator_is_the_folded_matrix<const D: usize, M: Model<D>>(
     noise: &mut Noise,
 ) {
     let n = model.points();
-    let system = System::new(model, extra, constrained::<D>(n, noise))
-        .expect("homogeneous equations never contradict");
+    let mut system = System::new(model, extra, Vec::new()).expect("no contradiction");
+    system.constrain(model, constrained::<D>(n, noise)).expect("homogeneous equations never contradict");
     let k = whole(&system.assemble_sparse());
     let mut q = noise.vector(D * n);
     let rows = system.constraints().rows();

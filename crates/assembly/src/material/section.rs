@@ -256,6 +256,8 @@ mod tests {
         let ipe = Section::I { width: 0.1, height: 0.2, web: 0.0056, flange: 0.0085 };
         let p = properties(ipe);
         assert!((p.second_moment - 1.8456e-5).abs() < 1e-8, "{}", p.second_moment);
+        // 2·0.1·0.0085 + 0.183·0.0056.
+        assert!((p.area - 2.7248e-3).abs() < 1e-15, "{}", p.area);
         assert!((p.kappa - 0.2 * 0.0056 / p.area).abs() < 1e-15);
     }
 
