@@ -90,13 +90,9 @@ impl Plate {
 }
 
 fn edges([x, y, shear]: [f64; 3]) -> Value {
-    let on = |edge: &str, t: [f64; 2]| json!({ "traction": { "edge": edge, "uniform": t } });
-    json!([
-        on("right", [x, shear]),
-        on("left", [-x, -shear]),
-        on("top", [shear, y]),
-        on("bottom", [-shear, -y])
-    ])
+    let all = [("right", [x, shear]), ("left", [-x, -shear]), ("top", [shear, y]), ("bottom", [-shear, -y])];
+    let loaded = all.into_iter().filter(|(_, t)| *t != [0.0; 2]);
+    loaded.map(|(edge, t)| json!({ "traction": { "edge": edge, "uniform": t } })).collect()
 }
 
 /// Central bonds.

@@ -102,7 +102,8 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
             }
         }
         self.work.doubt(system, &mut *self.preconditioner, &mut solution);
-        let doubtful = self.finish.is_exact && !(solution.next_correction <= DOUBTFUL);
+        let next = solution.next_correction;
+        let doubtful = self.finish.is_exact && (next > DOUBTFUL || next.is_nan());
         if doubtful
             && self.work.refine(system, &mut *self.preconditioner, (load, motion_factor), &mut solution)
         {

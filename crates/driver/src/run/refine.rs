@@ -44,7 +44,8 @@ impl<const D: usize> Workspace<D> {
             let correction = size(&step, &self.scales) / size(&high, &self.scales).max(f64::MIN_POSITIVE);
             solution.next_correction = correction;
             // What does not shrink is as far as it goes; what is not a number ends here, too.
-            if correction <= SETTLED || !(correction < 0.5 * before) || pass == PASSES {
+            let shrinks = correction > SETTLED && correction < 0.5 * before;
+            if !shrinks || pass == PASSES {
                 break;
             }
             before = correction;

@@ -19,7 +19,7 @@ impl Lanczos {
     pub(super) fn step(&mut self, step: f64, ratio: f64) {
         let inverse = 1.0 / step;
         // Where the iteration wanders about its floor the coefficients tell nothing.
-        if !(inverse > 0.0 && inverse.is_finite()) || !ratio.is_finite() {
+        if !(inverse > 0.0 && inverse.is_finite() && ratio.is_finite()) {
             return;
         }
         self.diagonal.push(inverse + self.carry);

@@ -1,7 +1,7 @@
 //! Bodies of beam bonds.
 
 use super::super::plane::{
-    CALIBRATION, CriticalStretch, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel,
+    CriticalStretch, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, calibration_error,
 };
 use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};
@@ -163,8 +163,7 @@ impl Model<3> for BeamBondOrthotropic {
     }
 
     fn calibration_error(&self) -> f64 {
-        // More unknowns than central bonds have, and what they leave bends long strips: measured.
-        20.0 * CALIBRATION
+        calibration_error(self)
     }
 
     fn contrast(&self) -> f64 {

@@ -1,6 +1,6 @@
 //! A plate as a model with two unknowns per point.
 
-use super::super::plane::{CALIBRATION, PlaneModel};
+use super::super::plane::{PlaneModel, calibration_error};
 use super::{Body, BondPlane};
 use crate::bonds::Point;
 use crate::condition::Equation;
@@ -23,7 +23,7 @@ impl Model<2> for BondPlane {
     }
 
     fn calibration_error(&self) -> f64 {
-        CALIBRATION
+        calibration_error(self)
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {

@@ -41,8 +41,20 @@ pub const UX: usize = 0;
 pub const UY: usize = 1;
 
 /// Relative error of weights that make a lattice exact, which are found by solving; the largest that the stress suite sees
-/// in a solution is 9e-14.
+/// in the solution of a square is 9e-14.
 pub(super) const CALIBRATION: f64 = 2e-14;
+
+/// Relative error of a body with such weights: they bend it, and a long one the more, by its length over its width.
+pub(super) fn calibration_error(model: &dyn PlaneModel) -> f64 {
+    let places = || (0..model.point_count()).map(|p| model.place(p));
+    let side = |k: usize| {
+        let [low, high] = [f64::min, f64::max].map(|of| places().map(|at| at[k]).reduce(of).unwrap_or(0.0));
+        high - low
+    };
+    let (short, long) = (side(0).min(side(1)), side(0).max(side(1)));
+    // A single row does not bend: its bonds lie in a line.
+    if short > 0.0 { CALIBRATION * long / short } else { CALIBRATION }
+}
 
 /// Finds the cuts on a lattice: indices into the offsets, and lower points.
 pub type FindCuts<'a> = dyn Fn(&SquareLattice, &[Cell]) -> Vec<(usize, usize)> + 'a;

@@ -1,6 +1,6 @@
 //! State-based bodies as models: two unknowns per point, the displacements along x and y.
 
-use super::super::plane::{CALIBRATION, Mirrors, PlaneModel};
+use super::super::plane::{Mirrors, PlaneModel, calibration_error};
 use super::body::{StateBody, cell_volume};
 use super::ghosts::Separated;
 use super::weights::offsets;
@@ -79,7 +79,7 @@ impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
 
     fn calibration_error(&self) -> f64 {
         // Next to an axis weights are found with fewer digits, measured.
-        if REVOLVED { 3e-12 } else { CALIBRATION }
+        if REVOLVED { 3e-12 } else { calibration_error(self) }
     }
 
     fn contrast(&self) -> f64 {
