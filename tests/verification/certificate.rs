@@ -90,11 +90,11 @@ fn the_error_of_a_plate_that_all_but_floats_is_within_its_bound_with_a_factor() 
 
 #[test]
 fn the_error_of_a_plate_that_all_but_floats_is_within_its_bound_with_blocks_of_points() {
-    // Below 1e-8 the force on the springs is less than the residual that the iteration ends with.
-    for exponent in (0..=8).step_by(2) {
+    // Below 1e-8 the force on the springs is less than the residual that the iteration ends with: off by a half, and said.
+    for exponent in (0..=14).step_by(2) {
         let (case, expected) = afloat(10_f64.powi(-exponent), "pcg");
         let (_, certificate) = solve(&case, &expected);
         // Measured 4e-16 of 3e-11, 1e-13 of 9e-8 with 1e-4, 4e-9 of 1e-3 with 1e-8. The blocks alone see 1e-14 of that.
-        assert!(certificate.converged, "1e-{exponent}: {certificate:?}");
+        assert!(certificate.converged || exponent > 8, "1e-{exponent}: {certificate:?}");
     }
 }

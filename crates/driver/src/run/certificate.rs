@@ -1,7 +1,7 @@
 //! What every result is certified with.
 
 use super::extent;
-use super::workspace::StateSolution;
+use super::workspace::{StateSolution, size};
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Survey;
 use peristat_assembly::sum::Sum;
@@ -81,7 +81,7 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
     balance.iter_mut().for_each(|b| b.relative = or_zero(b.relative));
     let energy_balance = or_zero(energy_balance);
     let seen = Seen {
-        correction: solution.next_correction,
+        correction: worst([solution.next_correction, adrift(model, system, load, solution, scales)]),
         strain_correction: or_zero(ratio(solution.correction_energy, 2.0 * energy.abs()).sqrt()),
         imbalance: worst(balance.iter().map(|b| b.relative).chain([energy_balance])),
         calibration: model.calibration_error(),
@@ -153,6 +153,41 @@ pub(super) fn worst(samples: impl IntoIterator<Item = f64>) -> f64 {
 /// Digits that a relative error leaves.
 fn trusted(error: f64) -> u32 {
     (-error.log10()).floor().clamp(0.0, 15.0) as u32
+}
+
+/// Least eigenvalue of the preconditioned stiffness below which its solver may end before it has met a soft motion.
+const FAR: f64 = 0.3;
+
+/// How far rigid motions would carry a body to take their part of the residual, relative to the unknowns: on springs that are
+/// soft enough an iteration ends before it has met them. With a factor there is no such doubt.
+fn adrift<const D: usize, T: Model<D>>(
+    model: &T,
+    system: &System<D>,
+    load: &[f64],
+    solution: &StateSolution,
+    scales: &[f64; D],
+) -> f64 {
+    if solution.least_eigenvalue > FAR {
+        return 0.0;
+    }
+    let (n, origin) = (system.points(), model.position(0));
+    let mut residual = vec![0.0; system.size()];
+    system.force(&solution.u, &mut residual);
+    residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
+    system.constraints().restrict(&mut residual);
+    let (mut motion, mut force) = (vec![0.0; system.size()], vec![0.0; system.size()]);
+    let drift = |kind: usize| {
+        for (k, value) in motion.iter_mut().enumerate() {
+            *value = model.rigid_motion(kind, k % n, origin)[k / n];
+        }
+        system.constraints().rows().iter().for_each(|row| motion[row.unknown] = 0.0);
+        system.product(&motion, &mut force);
+        let along = |other: &[f64]| motion.iter().zip(other).map(|(m, o)| m * o).sum::<f64>();
+        let (work, stiffness) = (along(&residual), along(&force));
+        ratio(work.abs(), stiffness) * size(&motion, scales)
+    };
+    let drift = worst((0..T::RIGID_MOTIONS.len()).map(drift));
+    ratio(drift, size(&solution.u, scales))
 }
 
 /// Whether a load acts on anything that can move.
