@@ -3,6 +3,7 @@
 //! The factor, and conjugate gradients on the bonds with it, know a correction to a few digits where they know the solution
 //! to none that another digit could be taken from. Repeated on an exact residual these digits add up.
 
+use super::certificate::worst;
 use super::workspace::{Elementwise, StateSolution, Workspace, size};
 use peristat_assembly::stiffness::Twofold;
 use peristat_assembly::sum::Sum;
@@ -41,7 +42,11 @@ impl<const D: usize> Workspace<D> {
             let report =
                 self.pcg.solve(&Elementwise(system), preconditioner, &mut self.residual, &mut step, &options);
             solution.iterations += report.iterations;
-            let correction = size(&step, &self.scales) / size(&high, &self.scales).max(f64::MIN_POSITIVE);
+            // A correction that could not be found says nothing: the last one was as large as the error may be.
+            let correction = match report.status {
+                PcgStatus::NotFinite | PcgStatus::IndefiniteOperator => before,
+                _ => size(&step, &self.scales) / size(&high, &self.scales).max(f64::MIN_POSITIVE),
+            };
             solution.next_correction = correction;
             // What does not shrink is as far as it goes; what is not a number ends here, too.
             let shrinks = correction > SETTLED && correction < 0.5 * before;
@@ -60,7 +65,7 @@ impl<const D: usize> Workspace<D> {
         solution.status = PcgStatus::Converged;
         let rounded =
             self.rounding_of_loads(system, preconditioner, load, &mut step) / size(&solution.u, &self.scales);
-        solution.next_correction = solution.next_correction.max(rounded);
+        solution.next_correction = worst([solution.next_correction, rounded]);
         self.weigh_strains(system, preconditioner, load, solution);
         true
     }

@@ -1,5 +1,6 @@
 //! The vectors that solutions are found and weighed with.
 
+use super::certificate::worst;
 use super::scan::largest;
 use super::{Problem, extent};
 use peristat_assembly::condition::Row;
@@ -186,8 +187,8 @@ impl<const D: usize> Workspace<D> {
         self.residual.iter_mut().zip(&other).for_each(|(r, f)| *r = *r / 3.0 - f);
         system.constraints().restrict(&mut self.residual);
         let [size, energy] = self.correction(preconditioner, solution);
-        solution.next_correction = solution.next_correction.max(size);
-        solution.correction_energy = solution.correction_energy.max(energy);
+        solution.next_correction = worst([solution.next_correction, size]);
+        solution.correction_energy = worst([solution.correction_energy, energy]);
     }
 
     /// Improves unknowns under a load and the prescribed motions until the residual is at most `target` in the 2-norm, or

@@ -55,7 +55,7 @@ pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evi
         })
         .collect();
     let strain_correction = or_zero(ratio(checks.residual, strain * evidence.least_eigenvalue));
-    let next_correction = evidence.next_correction.max(strain_correction);
+    let next_correction = worst([evidence.next_correction, strain_correction]);
     let seen = Seen {
         correction: next_correction,
         strain_correction,
