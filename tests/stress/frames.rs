@@ -32,6 +32,15 @@ fn joint(row: Row, name: &str, [ux, uy, phi]: [f64; 3], length: f64) -> Row {
     )
 }
 
+/// Section forces of that frame, which statics tells: the column bends alike all along, the arm most at its beginning.
+fn sections(row: Row, force: f64) -> Row {
+    let [column, arm] = ["column", "arm"].map(|name| json!({ "member": name, "x": 0.0 }));
+    row.expect(column.clone(), "M", Kind::Force, 1.0, -1.5 * force)
+        .expect(column, "N", Kind::Force, 1.0, -force)
+        .expect(arm.clone(), "M", Kind::Force, 1.0, -1.5 * force)
+        .expect(arm, "V", Kind::Force, 1.0, -force)
+}
+
 /// A cantilever of several members in a line at some angle, under a force across it.
 fn angles() -> Vec<Row> {
     let mut rows = Vec::new();
@@ -99,7 +108,7 @@ fn contrasts() -> Vec<Row> {
             case["loads"] = json!([{ "point": { "at": { "joint": "tip" }, "force_y": -1.0 } }]);
             let name = format!("{ratio:.0e}, L/h = {slender:.0e}, {cells} cells");
             let row = Row::new(MODEL, "stiffness contrast of members", name, case, 2 * cells);
-            rows.push(joint(row, "tip", tip(1.0, column, arm), 2.5));
+            rows.push(sections(joint(row, "tip", tip(1.0, column, arm), 2.5), 1.0));
         }
     }
     rows
@@ -124,7 +133,8 @@ fn soft_feet() -> Vec<Row> {
             );
             let [ux, uy, phi] = tip(1.0, column, column);
             let turn = 1.5 / stiffness;
-            rows.push(joint(row, "tip", [ux + 2.0 * turn, uy - 1.5 * turn, phi - turn], 2.5));
+            let row = joint(row, "tip", [ux + 2.0 * turn, uy - 1.5 * turn, phi - turn], 2.5);
+            rows.push(sections(row, 1.0));
         }
     }
     rows
@@ -137,7 +147,7 @@ fn sizes() -> Vec<Row> {
         let mut case = angle_frame(10, column, column);
         case["loads"] = json!([{ "point": { "at": { "joint": "tip" }, "force_y": -force } }]);
         let row = Row::new(MODEL, "loads of 1e±200", format!("{force:.0e}"), case, 20);
-        rows.push(joint(row, "tip", tip(force, column, column), 2.5));
+        rows.push(sections(joint(row, "tip", tip(force, column, column), 2.5), force));
     }
     rows
 }

@@ -5,8 +5,8 @@ use peristat::results::finite;
 use peristat::run::{RunOptions, taking};
 use peristat::summary::Status;
 use peristat::{Error, Loaded};
-use std::io;
 use std::path::Path;
+use std::{fmt, io};
 
 /// Errors and what the certificate says of them.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,9 @@ const MEMORY: u64 = 8_000_000_000;
 
 pub(crate) fn solve(row: &Row, folder: &Path) -> Outcome {
     let path = folder.join("case.json");
-    std::fs::write(&path, row.case.to_string()).expect("a file can be written");
+    let write = |path: &Path, text: &str| std::fs::write(path, text).expect("a file can be written");
+    write(&path, &row.case.to_string());
+    row.files.iter().for_each(|(name, text)| write(&folder.join(name), text));
     match told(row, &path) {
         Ok(told) => told,
         Err(error) => Outcome::Refused(reason(&error)),
@@ -79,7 +81,25 @@ fn reason(error: &Error) -> String {
     line.trim_start_matches("error: ").to_string()
 }
 
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Refused(why) => write!(f, "refused: {why}"),
+            Self::Lost(what) => f.write_str(what),
+            Self::Told(Told { errors: [u, s], bounds: [u_bound, s_bound], given }) => {
+                let verdict = if *given { "" } else { "no digits: " };
+                write!(f, "{verdict}off by {u:.1e} of {u_bound:.1e}, forces by {s:.1e} of {s_bound:.1e}")
+            }
+        }
+    }
+}
+
 impl Outcome {
+    /// Whether there is an answer.
+    pub(crate) fn is_given(&self) -> bool {
+        matches!(self, Self::Told(told) if told.given)
+    }
+
     /// What is wrong with it although it is given as right.
     pub(crate) fn lie(&self) -> Option<String> {
         match self {
@@ -87,11 +107,7 @@ impl Outcome {
             Self::Lost(what) => Some(what.clone()),
             Self::Told(told) => {
                 let exceeds = (0..2).any(|k| told.errors[k] > told.bounds[k]);
-                (told.given && exceeds).then(|| {
-                    let [u, f] = told.errors;
-                    let [u_bound, f_bound] = told.bounds;
-                    format!("off by {u:.1e} of {u_bound:.1e}, forces by {f:.1e} of {f_bound:.1e}")
-                })
+                (told.given && exceeds).then(|| self.to_string())
             }
         }
     }

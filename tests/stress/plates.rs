@@ -87,6 +87,25 @@ impl Plate {
         let (field, stress) = all.into_iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).expect("three");
         row.expect(json!({ "x": corners[2][0], "y": corners[2][1] }), field, Kind::Force, 1.0, stress)
     }
+
+    /// The plate held by nothing but springs at two corners: a force on one of them moves it by as much as it strains.
+    fn afloat(&self, spring: f64) -> Row {
+        let [near, right, far, top] = self.corners();
+        let place = |at: [f64; 2]| json!({ "x": at[0], "y": at[1] });
+        let mut row = self.row("springs hold the body", format!("k = {spring:.0e} E t, "), 0.0);
+        row.case["supports"] = json!([
+            { "at": place(near), "ux_spring": spring, "uy_spring": spring }, { "at": place(right), "uy_spring": spring }
+        ]);
+        row.case["loads"]
+            .as_array_mut()
+            .expect("a list")
+            .push(json!({ "point": { "at": place(near), "force_x": spring } }));
+        let [xx, yy] = [self.gradient()[0][0], self.gradient()[1][1]];
+        let u = |at: [f64; 2]| [1.0 + xx * (at[0] - near[0]), yy * (at[1] - near[1])];
+        let bare = Row::new(row.model, row.sweep, row.at, row.case, row.cells);
+        let row = [near, right, far, top].into_iter().fold(bare, |row, at| row.moved(at, u(at)));
+        row.expect(place(far), "stress_xx", Kind::Force, 1.0, self.stress[0])
+    }
 }
 
 fn edges([x, y, shear]: [f64; 3]) -> Value {
@@ -197,6 +216,14 @@ fn common(plate: Plate) -> Vec<Row> {
     {
         let row = Plate { solver, ..plate };
         rows.push(row.row("rigid motion over strain", format!("{turn:.0e}, "), turn));
+    }
+    for (spring, solver) in
+        decades(-14, 4, 1).flat_map(|k| ["auto", "sparse", "pcg", "multigrid"].map(|s| (k, s)))
+    {
+        for (cells, modulus) in [([12, 4], 1.0), ([24, 12], 1.0), ([60, 48], 200.0)] {
+            let row = Plate { cells, solver, stress: [1.0, -0.3, 0.0], modulus, ..plate };
+            rows.push(row.afloat(spring));
+        }
     }
     rows
 }

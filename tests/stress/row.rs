@@ -29,6 +29,8 @@ pub(crate) struct Row {
     /// Where on the way it is.
     pub(crate) at: String,
     pub(crate) case: Value,
+    /// Names and texts of the files beside it.
+    pub(crate) files: Vec<(&'static str, String)>,
     /// Probes of the case, in their order.
     pub(crate) truths: Vec<Truth>,
     /// Size of the body.
@@ -46,7 +48,7 @@ impl Row {
         let mut case = case;
         case["title"] = json!("stress");
         case["probes"] = json!([]);
-        Self { model, sweep, at, case, truths: Vec::new(), cells }
+        Self { model, sweep, at, case, files: Vec::new(), truths: Vec::new(), cells }
     }
 
     /// Adds a probe and what it must find.

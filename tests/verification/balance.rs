@@ -98,7 +98,7 @@ fn refuses(summary: &Summary, error: f64) -> bool {
 #[test]
 fn a_spring_so_soft_that_rounding_moves_it_leaves_few_digits_or_none() {
     let loads = json!([{ "point": { "at": { "x": 1.0 }, "force": 1000.0 } }]);
-    for (stiffness, is_soft) in [(1e3, false), (1.0, false), (1e-6, true), (1e-10, true)] {
+    for (stiffness, is_soft) in [(1e3, false), (1.0, false), (1e-6, false), (1e-14, true)] {
         let mut case = steel(0.05, "exact", 24);
         case["supports"] = json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi_spring": stiffness }]);
         case["loads"] = loads.clone();

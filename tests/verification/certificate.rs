@@ -40,9 +40,13 @@ fn the_error_of_a_beam_on_a_soft_spring_is_within_its_bound() {
     for exponent in (4..=40).step_by(4) {
         let (case, expected) = hinged(2_f64.powi(-exponent));
         let (error, certificate) = solve(&case, &expected);
-        // Measured from 3e-16 of 7e-14 by 7e-12 of 3e-10 to 1e-4 of 8e-3; the bound is at most 240 times the error.
+        // Loads may be off by a rounding, which turns the beam by ε over the spring; the bound is 20 to 40 times that.
+        let rounding = f64::EPSILON * 2_f64.powi(exponent);
         assert!(certificate.converged, "2^-{exponent}: {certificate:?}");
-        assert!(certificate.error <= 1e4 * error.max(1e-16), "2^-{exponent}: {error:e} of {certificate:?}");
+        assert!(
+            certificate.error <= 1e3 * error.max(rounding),
+            "2^-{exponent}: {error:e} of {certificate:?}"
+        );
     }
 }
 
@@ -82,8 +86,8 @@ fn the_error_of_a_plate_that_all_but_floats_is_within_its_bound_with_a_factor() 
     for exponent in (0..=14).step_by(2) {
         let (case, expected) = afloat(10_f64.powi(-exponent), "sparse");
         let (_, certificate) = solve(&case, &expected);
-        // Measured 1e-16 of 6e-13, 5e-10 of 2e-7 with 1e-8, 4e-6 of 2e-3 with 1e-12, and no digits with 1e-14.
-        assert_eq!(certificate.converged, exponent < 14, "1e-{exponent}: {certificate:?}");
+        // Measured 1e-16 of 1e-12, 2e-9 of 7e-8 with 1e-8, 2e-5 of 7e-4 with 1e-12, 2e-3 of 7e-2 with 1e-14.
+        assert!(certificate.converged, "1e-{exponent}: {certificate:?}");
         assert!(certificate.digits >= 2 || exponent > 12, "1e-{exponent}: {certificate:?}");
     }
 }

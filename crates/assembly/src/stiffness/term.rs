@@ -58,6 +58,13 @@ pub trait Term<const D: usize>: Send + Sync {
     /// Visits the motions that this term holds to the ground, each a sum of unknowns with coefficients.
     fn ground_motions(&self, _visit: &mut dyn FnMut(&[Share])) {}
 
+    /// Whether this term holds motions to the ground.
+    fn is_grounded(&self) -> bool {
+        let mut found = false;
+        self.ground_motions(&mut |_| found = true);
+        found
+    }
+
     /// Adds the internal force `Σ B_eᵀ C_e (B_e u)`, element by element. For a linear term this is also the product
     /// of its tangent with `u`.
     fn add_force(&self, u: &[f64], force: &mut [f64]);

@@ -4,7 +4,7 @@ use super::System;
 use super::elimination::Elimination;
 use crate::bonds::Point;
 use crate::model::Model;
-use crate::stiffness::Parts;
+use crate::stiffness::{NumberedParts, Parts};
 
 /// A motion that costs no energy and no constraint prevents.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,8 +24,41 @@ pub struct PartMotion {
     pub amounts: Vec<f64>,
 }
 
+impl FreeMotion {
+    /// How it moves the unknowns of a point; `parts` are those of the model.
+    pub fn at<const D: usize, T: Model<D>>(
+        &self,
+        model: &T,
+        parts: &NumberedParts,
+        point: usize,
+    ) -> [f64; D] {
+        let (mut sum, own) = ([0.0; D], parts.of(point));
+        if let Some(k) = self.parts.iter().position(|span| parts.of(span[0]) == own) {
+            let PartMotion { centre, amounts } = &self.moves[k];
+            for (kind, amount) in amounts.iter().enumerate().filter(|a| *a.1 != 0.0) {
+                let unit = model.rigid_motion(kind, point, *centre);
+                (0..D).for_each(|c| sum[c] += amount * unit[c]);
+            }
+        }
+        sum
+    }
+}
+
 /// All independent free motions of a system.
 pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) -> Vec<FreeMotion> {
+    motions(model, system, true)
+}
+
+/// All independent motions that no constraint prevents and that cost no energy but that of springs to the ground.
+pub fn sprung_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) -> Vec<FreeMotion> {
+    motions(model, system, false)
+}
+
+fn motions<const D: usize, T: Model<D>>(
+    model: &T,
+    system: &System<D>,
+    springs_hold: bool,
+) -> Vec<FreeMotion> {
     let mut parts = Parts::new(system.points());
     system.terms().iter().for_each(|t| t.join(&mut parts));
     let parts = parts.numbered();
@@ -50,7 +83,7 @@ pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) 
         })
     };
     let mut held: Vec<Vec<(usize, f64)>> = system.constraints().equations().to_vec();
-    for term in system.terms() {
+    for term in system.terms().iter().filter(|_| springs_hold) {
         term.ground_motions(&mut |motion| {
             let number = |&(component, point, share)| (component * system.points() + point, share);
             held.push(motion.iter().map(number).collect());

@@ -7,7 +7,7 @@ mod pattern;
 mod scatter;
 
 pub use level::Level;
-pub use mobility::{FreeMotion, PartMotion, free_motions};
+pub use mobility::{FreeMotion, PartMotion, free_motions, sprung_motions};
 pub use pattern::DifferencePattern;
 
 use crate::condition::{Constraints, Contradiction, Equation};
@@ -164,6 +164,13 @@ impl<const D: usize> System<D> {
     pub fn survey(&self, u: &[f64]) -> Survey<D> {
         self.count();
         self.terms.iter().map(|t| t.survey(u)).fold(Survey::EMPTY, Survey::join)
+    }
+
+    /// The same of what strains: all but what is held to the ground.
+    pub fn survey_body(&self, u: &[f64]) -> Survey<D> {
+        self.count();
+        let strains = self.terms.iter().filter(|t| !t.is_grounded());
+        strains.map(|t| t.survey(u)).fold(Survey::EMPTY, Survey::join)
     }
 
     /// Largest difference of the numbers of two coupled points.

@@ -1,7 +1,9 @@
 //! What every result is certified with.
 
-use super::extent;
-use super::workspace::{StateSolution, size};
+use super::drift::drift;
+use super::problem::Spread;
+use super::workspace::{StateSolution, work};
+use super::{Problem, extent};
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Survey;
 use peristat_assembly::sum::Sum;
@@ -30,7 +32,7 @@ pub struct Certificate {
     pub strain_digits: u32,
     /// Bound on the error of displacements and rotations by rounding and iteration, relative to the largest.
     pub error: f64,
-    /// Bound on the error of strains by rounding and iteration, relative, in energy norm; and of reactions.
+    /// Bound on the error of strains by rounding and iteration, relative to the largest; and of reactions.
     pub strain_error: f64,
     /// Largest element-wise residual over the largest end action of a bond, the worst component.
     pub residual: f64,
@@ -59,30 +61,39 @@ pub(super) const STRAIN_FREE: f64 = 1e-24;
 
 /// Certifies a solution; `scales` are displacements of each component that count as equally large, so that forces and
 /// moments can be compared by their works.
-pub(super) fn certify<const D: usize, T: Model<D>>(
-    model: &T,
+pub(super) fn certify<const D: usize, P: Problem<D>>(
+    problem: &P,
     system: &System<D>,
     load: &[f64],
     solution: &StateSolution,
     scales: &[f64; D],
 ) -> Certificate {
-    let u = &solution.u;
+    let (model, u) = (problem.model(), &solution.u);
     let Survey { energy, largest_action } = system.survey(u);
-    let work = |forces: &[f64]| forces.iter().zip(scales).map(|(f, s)| f * s).fold(0.0, f64::max);
-    let residual = ratio(work(&solution.residual), work(&largest_action));
-    let mut work = Sum::default();
-    u.iter().zip(load).for_each(|(u, f)| work.add(0.5 * u * f));
-    solution.held.iter().for_each(|&(k, r)| work.add(0.5 * u[k] * r));
-    let energy_balance = ratio((energy - work.total()).abs(), energy.abs().max(work.total().abs()));
+    let residual = ratio(work(&solution.residual, scales), work(&largest_action, scales));
+    let mut works = Sum::default();
+    u.iter().zip(load).for_each(|(u, f)| works.add(0.5 * u * f));
+    solution.held.iter().for_each(|&(k, r)| works.add(0.5 * u[k] * r));
+    let works = works.total();
+    let energy_balance = ratio((energy - works).abs(), energy.abs().max(works.abs()));
     // Motions alone that strain nothing leave only the rounding of a sudden jump, which has no balance.
     let strains = is_loaded(system, load) || energy > STRAIN_FREE * solution.jump_energy;
     let or_zero = |value: f64| if strains { value } else { 0.0 };
     let mut balance = balance(model, load, solution.held.iter().copied().chain(ground(system, u)));
     balance.iter_mut().for_each(|b| b.relative = or_zero(b.relative));
     let energy_balance = or_zero(energy_balance);
+    let adrift = if solution.by_factor { 0.0 } else { drift(model, system, load, solution, scales) };
+    let stiffening = ratio(solution.correction_energy, 2.0 * energy.abs());
+    let strain_correction = match problem.spread() {
+        // Section forces are sums of loads and of what holds a line: only the energy density is one of strains.
+        Spread::Chain => stiffening.sqrt(),
+        _ => ratio(solution.correction_action, solution.action.max(usual_action(load, scales))),
+    };
+    let held_error = ratio(solution.held_error, solution.action);
     let seen = Seen {
-        correction: worst([solution.next_correction, adrift(model, system, load, solution, scales)]),
-        strain_correction: or_zero(ratio(solution.correction_energy, 2.0 * energy.abs()).sqrt()),
+        correction: worst([solution.next_correction, adrift]),
+        stiffening: or_zero(stiffening),
+        strain_correction: or_zero(worst([strain_correction, held_error])),
         imbalance: worst(balance.iter().map(|b| b.relative).chain([energy_balance])),
         calibration: model.calibration_error(),
         contrast: model.contrast(),
@@ -101,18 +112,31 @@ pub(super) fn certify<const D: usize, T: Model<D>>(
     }
 }
 
+/// The action of an element, as a work, of a body in the plane that bears its loads by strains. One that hands each load to a
+/// spring beneath it has actions that are rounding, and no measure of themselves.
+fn usual_action<const D: usize>(load: &[f64], scales: &[f64; D]) -> f64 {
+    /// Bonds of a point that share what a section bears.
+    const BONDS: f64 = 10.0;
+    let points = load.len() / D;
+    let works =
+        load.chunks_exact(points).zip(scales).map(|(f, s)| s * f.iter().map(|f| f.abs()).sum::<f64>());
+    works.sum::<f64>() / (BONDS * (points as f64).sqrt())
+}
+
 /// Samples of the errors of a solution, all relative.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
     /// Of displacements.
     pub(super) correction: f64,
-    /// Of strains, in energy norm.
+    /// Of the energy, by strains that are rounding: they resist a motion that would cost none.
+    pub(super) stiffening: f64,
+    /// Of strains.
     pub(super) strain_correction: f64,
     /// Of forces, moments and energies.
     pub(super) imbalance: f64,
     /// Of the numbers that the model is made of.
     pub(super) calibration: f64,
-    /// How much larger errors may be in one strain than in energy norm.
+    /// How much larger errors may be in one strain than in all.
     pub(super) contrast: f64,
 }
 
@@ -122,10 +146,8 @@ impl Seen {
     pub(super) fn certificate(self, sound: bool, end: bool) -> Certificate {
         let bound = |sample: f64| (SAFETY * sample).min(f64::MAX);
         let calibration = self.contrast * self.calibration;
-        // Strains that are rounding have an energy, and it resists a motion that would cost none.
-        let error = bound(worst([self.correction, self.strain_correction.powi(2), calibration]));
-        let strain_error =
-            bound(worst([self.contrast * self.strain_correction, self.imbalance, calibration]));
+        let error = bound(worst([self.correction, self.stiffening, calibration]));
+        let strain_error = bound(worst([self.strain_correction, self.imbalance, calibration]));
         let [digits, strain_digits] = [error, strain_error].map(trusted);
         let least = if end { 1 } else { FEW_DIGITS };
         Certificate {
@@ -155,41 +177,6 @@ fn trusted(error: f64) -> u32 {
     (-error.log10()).floor().clamp(0.0, 15.0) as u32
 }
 
-/// Least eigenvalue of the preconditioned stiffness below which its solver may end before it has met a soft motion.
-const FAR: f64 = 0.3;
-
-/// How far rigid motions would carry a body to take their part of the residual, relative to the unknowns: on springs that are
-/// soft enough an iteration ends before it has met them. With a factor there is no such doubt.
-fn adrift<const D: usize, T: Model<D>>(
-    model: &T,
-    system: &System<D>,
-    load: &[f64],
-    solution: &StateSolution,
-    scales: &[f64; D],
-) -> f64 {
-    if solution.least_eigenvalue > FAR {
-        return 0.0;
-    }
-    let (n, origin) = (system.points(), model.position(0));
-    let mut residual = vec![0.0; system.size()];
-    system.force(&solution.u, &mut residual);
-    residual.iter_mut().zip(load).for_each(|(r, f)| *r = f - *r);
-    system.constraints().restrict(&mut residual);
-    let (mut motion, mut force) = (vec![0.0; system.size()], vec![0.0; system.size()]);
-    let drift = |kind: usize| {
-        for (k, value) in motion.iter_mut().enumerate() {
-            *value = model.rigid_motion(kind, k % n, origin)[k / n];
-        }
-        system.constraints().rows().iter().for_each(|row| motion[row.unknown] = 0.0);
-        system.product(&motion, &mut force);
-        let along = |other: &[f64]| motion.iter().zip(other).map(|(m, o)| m * o).sum::<f64>();
-        let (work, stiffness) = (along(&residual), along(&force));
-        ratio(work.abs(), stiffness) * size(&motion, scales)
-    };
-    let drift = worst((0..T::RIGID_MOTIONS.len()).map(drift));
-    ratio(drift, size(&solution.u, scales))
-}
-
 /// Whether a load acts on anything that can move.
 fn is_loaded<const D: usize>(system: &System<D>, load: &[f64]) -> bool {
     let held = system.constraints().rows().iter().filter(|row| row.masters.is_empty());
@@ -203,7 +190,7 @@ pub(super) fn ratio(a: f64, b: f64) -> f64 {
 }
 
 /// Forces on the body of the terms that are tied to the ground, by unknown.
-fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usize, f64)> {
+pub(super) fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usize, f64)> {
     let mut forces = Vec::new();
     for term in system.terms() {
         let mut unknowns = Vec::new();
@@ -266,6 +253,7 @@ mod tests {
 
     const SEEN: Seen = Seen {
         correction: 1e-14,
+        stiffening: 1e-24,
         strain_correction: 1e-12,
         imbalance: 1e-13,
         calibration: 1e-15,
@@ -280,9 +268,11 @@ mod tests {
         let calibrated = Seen { calibration: 1e-9, ..SEEN }.certificate(true, true);
         assert_eq!([calibrated.digits, calibrated.strain_digits], [7, 7]);
         assert_eq!(Seen { imbalance: 1e-5, ..SEEN }.certificate(true, true).strain_digits, 3);
-        // Strains that are rounding make a body stiffer by the square of what they are, and weigh as the moduli differ.
-        let rounded = Seen { strain_correction: 1e-4, contrast: 10.0, ..SEEN }.certificate(true, true);
-        assert_eq!((rounded.digits, rounded.strain_digits), (6, 1));
+        let rounded = Seen { stiffening: 1e-8, strain_correction: 1e-4, ..SEEN }.certificate(true, true);
+        assert_eq!((rounded.digits, rounded.strain_digits), (6, 2));
+        // What the numbers of bonds lack weighs as the moduli differ.
+        let stiff = Seen { calibration: 1e-9, contrast: 10.0, ..SEEN }.certificate(true, true);
+        assert_eq!([stiff.digits, stiff.strain_digits], [6, 6]);
         assert!(!SEEN.certificate(false, true).converged);
     }
 

@@ -1,9 +1,11 @@
 //! A factored system and its solutions.
 
+use super::certificate::worst;
 use super::factor::{SolveFailure, SolverReport};
+use super::load::Load;
 use super::method::{self, Finish, Method};
 use super::multigrid::Coarser;
-use super::refine::DOUBTFUL;
+use super::refine::{DOUBTFUL, DOUBTFUL_FORCES};
 use super::workspace::{StateSolution, Workspace};
 use super::{Counters, Problem, Timing};
 use peristat_assembly::system::System;
@@ -38,7 +40,12 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         Ok(Self { preconditioner, finish, work: Workspace::new(problem, system), report, counters })
     }
 
-    /// Takes a factor instead of a method that did not converge.
+    /// Whether its preconditioner is a factor.
+    pub(super) fn has_factor(&self) -> bool {
+        self.finish.is_exact
+    }
+
+    /// Takes a factor instead of a method that left too few digits.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has none.
@@ -50,8 +57,10 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     ) -> Result<(), SolveFailure> {
         let Method { preconditioner, report, finish } =
             method::of_factor(problem, system, timing, &mut self.counters)?;
-        let reason = format!("{} did not converge; {}", self.report.method, report.reason);
-        let iterations = std::mem::take(&mut self.report.iterations);
+        let reason = format!("{} left too few digits; {}", self.report.method, report.reason);
+        let mut iterations = std::mem::take(&mut self.report.iterations);
+        // The state is solved again.
+        iterations.pop();
         self.report = SolverReport { reason, iterations, ..report };
         (self.preconditioner, self.finish) = (preconditioner, finish);
         Ok(())
@@ -77,10 +86,11 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     /// Every pass solves for the correction of the true, element-wise residual. Without prescribed motions the first
     /// pass is nearly always the last; with them the first residual is that of a sudden jump and carries its rounding,
     /// so a second pass starts from the smooth solution.
-    pub(super) fn solve(&mut self, system: &System<D>, load: &[f64], motion_factor: f64) -> StateSolution {
+    pub(super) fn solve(&mut self, system: &System<D>, load: &Load, motion_factor: f64) -> StateSolution {
         let mut solution = StateSolution::of(vec![0.0; system.size()]);
+        solution.by_factor = self.finish.is_exact;
         let moves = system.constraints().moves();
-        solution.jump_energy = self.work.start(system, load, motion_factor, &mut solution.u);
+        solution.jump_energy = self.work.start(system, load.forces, motion_factor, &mut solution.u);
         for pass in 0..PASSES {
             let (preconditioner, options) = (&mut *self.preconditioner, &self.finish.options);
             let report = self.work.pass(system, preconditioner, options, &mut solution.u);
@@ -94,20 +104,27 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
                 solution.status = report.status;
             }
             let before = solution.next_correction;
-            self.work.weigh(system, preconditioner, (load, motion_factor), &mut solution);
+            self.work.weigh(system, preconditioner, (load.forces, motion_factor), &mut solution);
             let next = solution.next_correction;
             let settled = next <= self.finish.settled && !(pass == 0 && moves);
             if settled || next >= 0.1 * before || !next.is_finite() {
                 break;
             }
         }
-        self.work.doubt(system, &mut *self.preconditioner, &mut solution);
+        self.work.doubt(system, &mut *self.preconditioner, load, &mut solution);
         let next = solution.next_correction;
-        let doubtful = self.finish.is_exact && (next > DOUBTFUL || next.is_nan());
-        if doubtful
+        let unknowns = next > DOUBTFUL || next.is_nan();
+        // Without a strain there is no measure of forces.
+        let forces = solution.action > 0.0 && solution.held_error > DOUBTFUL_FORCES * solution.action;
+        if self.finish.is_exact
+            && (unknowns || forces)
             && self.work.refine(system, &mut *self.preconditioner, (load, motion_factor), &mut solution)
         {
             self.report.refined += 1;
+            if !unknowns {
+                // They had their digits; more would be those of bonds whose numbers are rounded, too.
+                solution.next_correction = worst([next, solution.next_correction]);
+            }
         }
         self.counters.right_hand_sides += 1;
         self.counters.pcg_iterations += solution.iterations;

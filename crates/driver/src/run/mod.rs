@@ -2,11 +2,13 @@
 
 pub mod beam;
 mod certificate;
+mod drift;
 mod extent;
 mod factor;
 pub mod fracture;
 mod kept_factor;
 mod linear;
+mod load;
 mod memory;
 mod method;
 mod multigrid;
@@ -37,6 +39,7 @@ use crate::diagnostic::Faults;
 use crate::memory::words;
 use crate::scene::Scene;
 use fracture::Restart;
+use load::Load;
 use peristat_assembly::system::System;
 use std::time::Instant;
 use thiserror::Error;
@@ -237,10 +240,10 @@ fn certified<const D: usize, P: Problem<D>>(
     timing: &mut Timing,
 ) -> (StateSolution, Certificate) {
     let begin = Instant::now();
-    let solution = solver.solve(system, load, motion_factor);
+    let solution = solver.solve(system, &Load::new(problem.model(), load), motion_factor);
     timing.solve += begin.elapsed().as_secs_f64();
     let begin = Instant::now();
-    let certificate = certificate::certify(problem.model(), system, load, &solution, solver.scales());
+    let certificate = certificate::certify(problem, system, load, &solution, solver.scales());
     timing.certify += begin.elapsed().as_secs_f64();
     (solution, certificate)
 }
@@ -266,7 +269,7 @@ fn solve_states<const D: usize, P: Problem<D>>(
         let (mut solution, mut certificate) =
             certified(problem, system, solver, (&load, motion_factor), &mut timing);
         let is_poor = !certificate.converged || certificate.digits < FEW_DIGITS;
-        if is_poor && method::can_fall_back(problem) {
+        if is_poor && !solver.has_factor() && method::can_fall_back(problem) {
             solver.fall_back(problem, system, &mut timing)?;
             (solution, certificate) = certified(problem, system, solver, (&load, motion_factor), &mut timing);
         }

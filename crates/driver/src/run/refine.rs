@@ -3,7 +3,8 @@
 //! The factor, and conjugate gradients on the bonds with it, know a correction to a few digits where they know the solution
 //! to none that another digit could be taken from. Repeated on an exact residual these digits add up.
 
-use super::certificate::worst;
+use super::certificate::{ratio, worst};
+use super::load::Load;
 use super::workspace::{Elementwise, StateSolution, Workspace, size};
 use peristat_assembly::stiffness::Twofold;
 use peristat_assembly::sum::Sum;
@@ -12,8 +13,11 @@ use peristat_solve::{PcgOptions, PcgStatus, Preconditioner};
 
 /// A correction above this leaves doubt about digits that a double could hold.
 pub(super) const DOUBTFUL: f64 = 1e-12;
-/// A correction below this changes no digit of a double.
-const SETTLED: f64 = 4.0 * f64::EPSILON;
+/// Forces of constraints, such as those of joints, are small differences of large ones where members are stiff: an error above
+/// this leaves doubt about digits that somebody may want.
+pub(super) const DOUBTFUL_FORCES: f64 = 1e-11;
+/// A correction below this changes no digit of a double, nor one of the forces of members 1e12 times as stiff as the softest.
+const SETTLED: f64 = 1e-28;
 /// Corrections at most.
 const PASSES: usize = 12;
 
@@ -24,7 +28,7 @@ impl<const D: usize> Workspace<D> {
         &mut self,
         system: &System<D>,
         preconditioner: &mut dyn Preconditioner,
-        (load, motion_factor): (&[f64], f64),
+        (load, motion_factor): (&Load, f64),
         solution: &mut StateSolution,
     ) -> bool {
         let n = solution.u.len();
@@ -36,7 +40,7 @@ impl<const D: usize> Workspace<D> {
             if !system.force_twofold(Twofold { high: &high, low: &low }, &mut force) {
                 return false;
             }
-            self.take_residual(system, load, &mut force, solution);
+            self.take_residual(system, load.forces, &mut force, solution);
             step.fill(0.0);
             let options = PcgOptions::default();
             let report =
@@ -44,8 +48,10 @@ impl<const D: usize> Workspace<D> {
             solution.iterations += report.iterations;
             // A correction that could not be found says nothing: the last one was as large as the error may be.
             let correction = match report.status {
-                PcgStatus::NotFinite | PcgStatus::IndefiniteOperator => before,
-                _ => size(&step, &self.scales) / size(&high, &self.scales).max(f64::MIN_POSITIVE),
+                PcgStatus::Converged | PcgStatus::Stagnated => {
+                    size(&step, &self.scales) / size(&high, &self.scales).max(f64::MIN_POSITIVE)
+                }
+                _ => before,
             };
             solution.next_correction = correction;
             // What does not shrink is as far as it goes; what is not a number ends here, too.
@@ -63,10 +69,18 @@ impl<const D: usize> Workspace<D> {
         }
         solution.u = high;
         solution.status = PcgStatus::Converged;
-        let rounded =
-            self.rounding_of_loads(system, preconditioner, load, &mut step) / size(&solution.u, &self.scales);
+        let rounded = ratio(
+            self.rounding_of_loads(system, preconditioner, load, &mut step),
+            size(&solution.u, &self.scales),
+        );
         solution.next_correction = worst([solution.next_correction, rounded]);
-        self.weigh_strains(system, preconditioner, load, solution);
+        self.weigh_strains(system, preconditioner, load.forces, solution);
+        // Forces of constraints are of both parts of the unknowns, and rounded once.
+        solution.held_error = solution
+            .held
+            .iter()
+            .map(|h| f64::EPSILON * h.1.abs() * self.scales[h.0 / system.points()])
+            .fold(0.0, f64::max);
         true
     }
 
@@ -76,17 +90,18 @@ impl<const D: usize> Workspace<D> {
         &mut self,
         system: &System<D>,
         preconditioner: &mut dyn Preconditioner,
-        load: &[f64],
+        load: &Load,
         step: &mut [f64],
     ) -> f64 {
-        let is_up = |k: usize| (k as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 0;
-        let rounding = |(k, f): (usize, &f64)| if is_up(k) { f64::EPSILON * f } else { -f64::EPSILON * f };
-        self.residual.iter_mut().zip(load.iter().enumerate().map(rounding)).for_each(|(r, f)| *r = f);
+        self.residual.copy_from_slice(load.rounding());
         system.constraints().restrict(&mut self.residual);
         step.fill(0.0);
         let options = PcgOptions::default();
-        self.pcg.solve(&Elementwise(system), preconditioner, &mut self.residual, step, &options);
-        size(step, &self.scales)
+        let report = self.pcg.solve(&Elementwise(system), preconditioner, &mut self.residual, step, &options);
+        match report.status {
+            PcgStatus::Converged | PcgStatus::Stagnated => size(step, &self.scales),
+            _ => f64::INFINITY,
+        }
     }
 
     /// Takes the residual of forces in twice the precision, and what constraints and certificate need of it.

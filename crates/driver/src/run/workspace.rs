@@ -1,6 +1,7 @@
 //! The vectors that solutions are found and weighed with.
 
 use super::certificate::worst;
+use super::load::Load;
 use super::scan::largest;
 use super::{Problem, extent};
 use peristat_assembly::condition::Row;
@@ -38,6 +39,14 @@ pub(super) struct StateSolution {
     pub(super) next_correction: f64,
     /// Twice the energy of that correction.
     pub(super) correction_energy: f64,
+    /// The largest end action of the body in that correction, as a work on [`Workspace::scales`].
+    pub(super) correction_action: f64,
+    /// What rounding makes of the forces of constraints, as a work.
+    pub(super) held_error: f64,
+    /// The largest end action of the body, as a work.
+    pub(super) action: f64,
+    /// Whether it was found with a factor, which knows soft motions as well as stiff ones.
+    pub(super) by_factor: bool,
     /// Least eigenvalue of the preconditioned stiffness that was seen, at most 1: the preconditioner alone corrects a part
     /// of the error that is no smaller.
     pub(super) least_eigenvalue: f64,
@@ -60,6 +69,10 @@ impl StateSolution {
             residual: Vec::new(),
             next_correction: f64::INFINITY,
             correction_energy: 0.0,
+            correction_action: 0.0,
+            held_error: 0.0,
+            action: 0.0,
+            by_factor: true,
             least_eigenvalue: 1.0,
             first_correction: 0.0,
             iterations: 0,
@@ -70,6 +83,14 @@ impl StateSolution {
 
 /// Energy over work below which a motion is one of a mechanism.
 const YIELDING: f64 = 1e-3;
+
+/// Largest work of some forces, one of each component, on displacements that count as equally large.
+pub(super) fn work(forces: &[f64], scales: &[f64]) -> f64 {
+    worst(forces.iter().zip(scales).map(|(f, s)| f * s))
+}
+
+/// A multiple of the unknowns whose forces round otherwise, also those of small numbers and powers of two.
+const OTHER: f64 = std::f64::consts::PI;
 
 /// Vectors of one system, or of others with the same unknowns.
 pub(super) struct Workspace<const D: usize> {
@@ -133,7 +154,7 @@ impl<const D: usize> Workspace<D> {
         self.refresh_residual(system, load, &solution.u);
         self.find_constraint_forces(system, solution);
         constraints.restrict(&mut self.residual);
-        [solution.next_correction, solution.correction_energy] = self.correction(preconditioner, solution);
+        solution.next_correction = self.correction(preconditioner, solution);
         self.find_largest_residuals(solution);
     }
 
@@ -160,35 +181,66 @@ impl<const D: usize> Workspace<D> {
         solution.least_eigenvalue = 1.0;
         self.refresh_residual(system, load, &solution.u);
         system.constraints().restrict(&mut self.residual);
-        solution.correction_energy = self.correction(preconditioner, solution)[1];
+        self.correct_strains(system, preconditioner, &mut vec![0.0; load.len()], solution);
     }
 
-    /// What one more solve would correct of the unknowns if the residual at hand were theirs, relative to them, and twice
-    /// its energy. The preconditioner alone may be stiffer than the system: by no more than its least eigenvalue says.
-    fn correction(&mut self, preconditioner: &mut dyn Preconditioner, solution: &StateSolution) -> [f64; 2] {
+    /// What one more solve would correct of the unknowns if the residual at hand were theirs, relative to them. The
+    /// preconditioner alone may be stiffer than the system: by no more than its least eigenvalue says.
+    fn correction(&mut self, preconditioner: &mut dyn Preconditioner, solution: &StateSolution) -> f64 {
         let correction = self.pcg.precondition(preconditioner, &self.residual);
         let sizes = [size(correction, &self.scales), size(&solution.u, &self.scales)];
-        let energy: f64 = correction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
-        [sizes[0] / sizes[1].max(f64::MIN_POSITIVE), energy.abs()]
-            .map(|seen| seen / solution.least_eigenvalue)
+        sizes[0] / sizes[1].max(f64::MIN_POSITIVE) / solution.least_eigenvalue
     }
 
-    /// Adds what the rounding of forces does to a solution that was weighed: the residual that it was found with is as small
-    /// as that rounding makes it seem. Three times the unknowns round otherwise.
+    /// The same for strains, kept with the solution: the energy and the largest action of that correction. And for what holds
+    /// the body, which bears the correction and the `errors` of the forces on it.
+    fn correct_strains(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        errors: &mut [f64],
+        solution: &mut StateSolution,
+    ) {
+        let mut correction = self.pcg.precondition(preconditioner, &self.residual).to_vec();
+        let energy: f64 = correction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
+        system.constraints().expand(0.0, &mut correction);
+        let action = |u: &[f64]| work(&system.survey_body(u).largest_action, &self.scales);
+        solution.action = action(&solution.u);
+        solution.correction_action = action(&correction);
+        system.force(&correction, &mut self.residual);
+        errors.iter_mut().zip(&self.residual).for_each(|(e, f)| *e += f);
+        let of_row = |row: &Row| (errors[row.unknown] * self.scales[row.unknown / system.points()]).abs();
+        solution.held_error = worst(system.constraints().rows().iter().map(of_row));
+        solution.correction_energy = energy.abs();
+        for seen in
+            [&mut solution.correction_energy, &mut solution.correction_action, &mut solution.held_error]
+        {
+            *seen /= solution.least_eigenvalue;
+        }
+    }
+
+    /// Adds what the rounding of forces and loads does to a solution that was weighed: the residual that it was found with is
+    /// as small as that rounding makes it seem, and where nothing rounds the loads are doubles all the same. The residual at
+    /// hand is that of the solution.
     pub(super) fn doubt(
         &mut self,
         system: &System<D>,
         preconditioner: &mut dyn Preconditioner,
+        load: &Load,
         solution: &mut StateSolution,
     ) {
-        let mut other: Vec<f64> = solution.u.iter().map(|u| 3.0 * u).collect();
-        system.force(&other, &mut self.residual);
+        let mut other: Vec<f64> = solution.u.iter().map(|u| OTHER * u).collect();
+        let mut force = vec![0.0; other.len()];
+        system.force(&other, &mut force);
         system.force(&solution.u, &mut other);
-        self.residual.iter_mut().zip(&other).for_each(|(r, f)| *r = *r / 3.0 - f);
+        for (k, f) in force.iter_mut().enumerate() {
+            *f = *f / OTHER - other[k] + load.rounding()[k];
+        }
+        self.residual.iter_mut().zip(&force).for_each(|(r, f)| *r += f);
         system.constraints().restrict(&mut self.residual);
-        let [size, energy] = self.correction(preconditioner, solution);
-        solution.next_correction = worst([solution.next_correction, size]);
-        solution.correction_energy = worst([solution.correction_energy, energy]);
+        let next_correction = self.correction(preconditioner, solution);
+        solution.next_correction = worst([solution.next_correction, next_correction]);
+        self.correct_strains(system, preconditioner, &mut force, solution);
     }
 
     /// Improves unknowns under a load and the prescribed motions until the residual is at most `target` in the 2-norm, or

@@ -7,7 +7,7 @@
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::NumberedParts;
-use peristat_assembly::system::{FreeMotion, PartMotion, System, free_motions};
+use peristat_assembly::system::{FreeMotion, System, free_motions};
 
 /// Work of loads on a motion over the sum of its parts, below which it is rounding.
 const NO_WORK: f64 = 1e-9;
@@ -85,9 +85,8 @@ impl Islands {
             let mut still = Vec::new();
             for motion in &motions {
                 let moving: Vec<usize> = motion.parts.iter().map(|span| parts.of(span[0])).collect();
-                let motion = Motion { free: motion, parts: &moving };
-                if moving.iter().any(|part| held[*part]) && !motion.is_driven(model, &parts, loads) {
-                    still.push(motion.stop(model, system, &parts));
+                if moving.iter().any(|part| held[*part]) && !is_driven(motion, model, &parts, loads) {
+                    still.push(stop(motion, model, system, &parts));
                 } else {
                     moving.iter().for_each(|&part| free[part] = true);
                 }
@@ -131,62 +130,46 @@ impl Islands {
     }
 }
 
-/// A free motion and the parts that it moves.
-struct Motion<'a> {
-    free: &'a FreeMotion,
-    parts: &'a [usize],
+/// Whether loads work on a motion.
+fn is_driven<const D: usize>(
+    motion: &FreeMotion,
+    model: &impl Model<D>,
+    parts: &NumberedParts,
+    loads: &[f64],
+) -> bool {
+    let points = model.points();
+    let (mut work, mut size) = (0.0, 0.0);
+    for point in 0..points {
+        for (c, moved) in motion.at(model, parts, point).into_iter().enumerate() {
+            let part = moved * loads[c * points + point];
+            work += part;
+            size += part.abs();
+        }
+    }
+    work.abs() > NO_WORK * size
 }
 
-impl Motion<'_> {
-    /// How the motion moves the unknowns of a point.
-    fn at<const D: usize>(&self, model: &impl Model<D>, parts: &NumberedParts, point: usize) -> [f64; D] {
-        let mut sum = [0.0; D];
-        if let Some(k) = self.parts.iter().position(|&part| part == parts.of(point)) {
-            let PartMotion { centre, amounts } = &self.free.moves[k];
-            for (kind, amount) in amounts.iter().enumerate().filter(|a| *a.1 != 0.0) {
-                let unit = model.rigid_motion(kind, point, *centre);
-                (0..D).for_each(|c| sum[c] += amount * unit[c]);
-            }
-        }
-        sum
-    }
-
-    /// Whether loads work on it.
-    fn is_driven<const D: usize>(&self, model: &impl Model<D>, parts: &NumberedParts, loads: &[f64]) -> bool {
-        let points = model.points();
-        let (mut work, mut size) = (0.0, 0.0);
-        for point in 0..points {
-            for (c, moved) in self.at(model, parts, point).into_iter().enumerate() {
-                let part = moved * loads[c * points + point];
-                work += part;
-                size += part.abs();
-            }
-        }
-        work.abs() > NO_WORK * size
-    }
-
-    /// The free unknown that moves most, to be held: nothing works on it.
-    fn stop<const D: usize>(
-        &self,
-        model: &impl Model<D>,
-        system: &System<D>,
-        parts: &NumberedParts,
-    ) -> Option<Unknown> {
-        let points = model.points();
-        let mut is_held = vec![false; D * points];
-        system.constraints().rows().iter().for_each(|row| is_held[row.unknown] = true);
-        let all = (0..points).flat_map(|point| {
-            let moved = self.at(model, parts, point);
-            (0..D).map(move |component| (moved[component].abs(), Unknown { component, point }))
-        });
-        let free = all.filter(|(moved, u)| *moved > 0.0 && !is_held[u.component * points + u.point]);
-        // The first of those that move alike.
-        free.fold(None, |best: Option<(f64, Unknown)>, next| match best {
-            Some(best) if best.0 >= next.0 => Some(best),
-            _ => Some(next),
-        })
-        .map(|(_, unknown)| unknown)
-    }
+/// The free unknown that a motion moves most, to be held: nothing works on it.
+fn stop<const D: usize>(
+    motion: &FreeMotion,
+    model: &impl Model<D>,
+    system: &System<D>,
+    parts: &NumberedParts,
+) -> Option<Unknown> {
+    let points = model.points();
+    let mut is_held = vec![false; D * points];
+    system.constraints().rows().iter().for_each(|row| is_held[row.unknown] = true);
+    let all = (0..points).flat_map(|point| {
+        let moved = motion.at(model, parts, point);
+        (0..D).map(move |component| (moved[component].abs(), Unknown { component, point }))
+    });
+    let free = all.filter(|(moved, u)| *moved > 0.0 && !is_held[u.component * points + u.point]);
+    // The first of those that move alike.
+    free.fold(None, |best: Option<(f64, Unknown)>, next| match best {
+        Some(best) if best.0 >= next.0 => Some(best),
+        _ => Some(next),
+    })
+    .map(|(_, unknown)| unknown)
 }
 
 /// Which parts an equation names, or a spring holds.

@@ -3,11 +3,13 @@
 use super::super::certificate::{self, Certificate};
 use super::super::factor::SolveFailure;
 use super::super::kept_factor::KeptFactor;
+use super::super::load::Load;
 use super::super::workspace::{StateSolution, Workspace, jump, jump_energy};
 use super::super::{Counters, Problem, Timing};
 use super::Restart;
 use super::ledger::UnitEnergy;
 use peristat_assembly::system::System;
+use peristat_solve::PcgStatus;
 use std::time::Instant;
 
 /// Iterations after which a new factor is cheaper than going on: breaking n bonds of m measures costs about n m of them.
@@ -182,25 +184,30 @@ impl<const D: usize> Unit<D> {
         let begin = Instant::now();
         let loads: Vec<f64> = self.loads.iter().map(|f| load_factor * f).collect();
         // What is recorded is better than what the next break is found with, and does not change it.
-        let (mut u, mut least_eigenvalue) = (self.u.clone(), 1.0);
+        let (mut u, mut least_eigenvalue, mut status) = (self.u.clone(), 1.0, PcgStatus::Converged);
         if load_factor > 0.0 {
             let vectors = (&self.loads[..], &mut u[..]);
             let target = POLISHED * self.jump;
             let polished = self.work.follow(system, &mut self.factor, vectors, target, POLISHING);
             self.counters.pcg_iterations += polished.iterations;
             least_eigenvalue = polished.least_eigenvalue;
+            if !polished.reached {
+                status = PcgStatus::IterationLimit;
+            }
         }
         let mut solution = StateSolution::of(u.into_iter().map(|u| load_factor * u).collect());
-        (solution.iterations, solution.least_eigenvalue) = (self.iterations, least_eigenvalue);
+        (solution.iterations, solution.least_eigenvalue, solution.status) =
+            (self.iterations, least_eigenvalue, status);
         let suddenly = load_factor * load_factor * jump_energy(system);
         solution.jump_energy = if is_slack { f64::INFINITY } else { suddenly };
         self.work.weigh(system, &mut self.factor, (&loads, load_factor), &mut solution);
-        self.work.doubt(system, &mut self.factor, &mut solution);
+        let load = Load::new(problem.model(), &loads);
+        self.work.doubt(system, &mut self.factor, &load, &mut solution);
         if is_slack {
             // Displacements are rounding, too, and so is what would correct them.
             solution.next_correction = 0.0;
         }
-        let certificate = certificate::certify(problem.model(), system, &loads, &solution, &self.work.scales);
+        let certificate = certificate::certify(problem, system, &loads, &solution, &self.work.scales);
         timing.certify += begin.elapsed().as_secs_f64();
         (loads, solution, certificate)
     }

@@ -173,15 +173,17 @@ impl<const D: usize> Body<D> {
     }
 
     /// What would correct the unknowns of a state whose residual is not zero: by its tangent, or by its secant stiffness
-    /// where that is not positive definite. It tells of the state and is no part of the path: nothing of it is counted.
+    /// where that is not positive definite; infinite where neither has a factor. It tells of the state and is no part of the
+    /// path: nothing of it is counted.
     ///
     /// # Errors
     /// As [`Self::factor`].
     pub(super) fn correction(&mut self, state: &State<D>) -> Result<Vec<f64>, SolveFailure> {
         let (counters, timing) = (self.counters.clone(), self.timing.clone());
-        let mut correction = vec![0.0; state.u.len()];
+        let mut correction = vec![f64::INFINITY; state.u.len()];
         for secant_part in [0.0, 1.0] {
             if self.factor(state, secant_part)? {
+                correction.fill(0.0);
                 self.solve(&state.residual, &mut correction);
                 break;
             }

@@ -171,9 +171,11 @@ fn certify<const D: usize, P: SofteningBody<D>>(
     let model = body.problem().model();
     let stored = course.points.iter().map(|p| p.stored).fold(0.0, f64::max);
     let energy = correction.iter().zip(&state.residual).map(|(d, r)| d * r).sum::<f64>().abs();
+    let stiffening = certificate::ratio(energy, 2.0 * stored);
     let seen = Seen {
         correction: certificate::ratio(scan::largest(correction), farthest),
-        strain_correction: certificate::ratio(energy, 2.0 * stored).sqrt(),
+        stiffening,
+        strain_correction: model.contrast() * stiffening.sqrt(),
         imbalance: identity,
         calibration: model.calibration_error(),
         contrast: model.contrast(),

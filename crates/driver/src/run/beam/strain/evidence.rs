@@ -58,6 +58,7 @@ pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evi
     let next_correction = worst([evidence.next_correction, strain_correction]);
     let seen = Seen {
         correction: next_correction,
+        stiffening: strain_correction.powi(2),
         strain_correction,
         imbalance: worst(balance.iter().map(|b| b.relative).chain([energy_balance])),
         calibration,

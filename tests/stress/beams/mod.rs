@@ -1,5 +1,7 @@
 //! Beams on a straight line, against closed forms: the law `exact` is exact at every point, whatever the grid.
 
+mod supports;
+
 use crate::row::{Kind, Row, decades};
 use serde_json::{Value, json};
 
@@ -20,12 +22,16 @@ struct Beam {
 /// Deflection and rotation at z = x/L, with bending compliance `f = L³/EI` and shear compliance `g = L/κGA` of a force.
 type Form = fn(z: f64, f: f64, g: f64) -> [f64; 2];
 
-/// Supports, load and closed form of a beam; rotations are times L.
+/// Bending moment over the length and shear force at z = x/L under a unit load.
+type Statics = fn(z: f64) -> [f64; 2];
+
+/// Supports, load and closed forms of a beam; rotations are times L.
 struct Standard {
     name: &'static str,
     ends: [&'static str; 2],
     load: &'static str,
     form: Form,
+    statics: Statics,
 }
 
 const STANDARDS: [Standard; 5] = [
@@ -34,12 +40,14 @@ const STANDARDS: [Standard; 5] = [
         ends: ["clamped", "free"],
         load: "force",
         form: |z, f, g| [f * z * z * (3.0 - z) / 6.0 + g * z, f * z * (2.0 - z) / 2.0],
+        statics: |z| [1.0 - z, 1.0],
     },
     Standard {
         name: "cantilever, end moment",
         ends: ["clamped", "free"],
         load: "moment",
         form: |z, f, _| [f * z * z / 2.0, f * z],
+        statics: |_| [1.0, 0.0],
     },
     Standard {
         name: "cantilever, uniform load",
@@ -51,6 +59,7 @@ const STANDARDS: [Standard; 5] = [
                 f * z * (3.0 - 3.0 * z + z * z) / 6.0,
             ]
         },
+        statics: |z| [0.5 * (1.0 - z).powi(2), 1.0 - z],
     },
     Standard {
         name: "simple supports, uniform load",
@@ -63,6 +72,7 @@ const STANDARDS: [Standard; 5] = [
                 f * (1.0 - 2.0 * z) * (1.0 + 2.0 * z * y) / 24.0,
             ]
         },
+        statics: |z| [-0.5 * z * (1.0 - z), 0.5 - z],
     },
     Standard {
         name: "clamped ends, uniform load",
@@ -72,6 +82,7 @@ const STANDARDS: [Standard; 5] = [
             let y = 1.0 - z;
             [f * z * z * y * y / 24.0 + g * z * y / 2.0, f * z * y * (1.0 - 2.0 * z) / 12.0]
         },
+        statics: |z| [(1.0 - 6.0 * z * (1.0 - z)) / 12.0, 0.5 - z],
     },
 ];
 
@@ -117,7 +128,8 @@ impl Beam {
         let row = Row::new(MODEL, sweep, format!("{at}{}, {}", self.name(), standard.name), case, self.cells);
         let [f, g] = [force * self.length.powi(3) / self.bending, force * self.length / self.shear];
         let stations = [0, self.cells / 4, self.cells / 2, self.cells];
-        self.expect(row, &stations, |z| (standard.form)(z, f, g))
+        let row = self.expect(row, &stations, |z| (standard.form)(z, f, g));
+        self.bears(row, 0.25, |z| (standard.statics)(z).map(|s| force * s))
     }
 
     /// Expects w and φ L at some points of an even grid.
@@ -128,6 +140,19 @@ impl Beam {
             row = self.expect_at(row, z, form(z));
         }
         row
+    }
+
+    /// Expects bending moment, over the length, and shear force at the last point of an even grid up to some place.
+    fn bears(&self, row: Row, z: f64, statics: impl Fn(f64) -> [f64; 2]) -> Row {
+        let z = (z * self.cells as f64).floor() / self.cells as f64;
+        let (place, [moment, shear]) = (json!({ "x": z * self.length }), statics(z));
+        row.expect(place.clone(), "M", Kind::Force, 1.0 / self.length, moment * self.length).expect(
+            place,
+            "V",
+            Kind::Force,
+            1.0,
+            shear,
+        )
     }
 
     fn expect_at(&self, row: Row, z: f64, [w, turn]: [f64; 2]) -> Row {
@@ -143,20 +168,8 @@ impl Beam {
 }
 
 pub(crate) fn rows() -> Vec<Row> {
-    [
-        slenderness(),
-        horizons(),
-        laws(),
-        grids(),
-        weights(),
-        units(),
-        contrasts(),
-        springs(),
-        sizes(),
-        motions(),
-        bedded(),
-    ]
-    .concat()
+    [slenderness(), horizons(), laws(), grids(), weights(), units(), contrasts(), sizes(), supports::rows()]
+        .concat()
 }
 
 fn slenderness() -> Vec<Row> {
@@ -357,41 +370,8 @@ fn contrasts() -> Vec<Row> {
             let row =
                 Row::new(MODEL, "stiffness contrast", format!("{ratio:.0e}, {}", beam.name()), case, cells);
             let row = beam.expect_at(row, 0.5, middle);
+            let row = [0.25, 0.75].into_iter().fold(row, |row, z| beam.bears(row, z, |z| [1.0 - z, 1.0]));
             rows.push(beam.expect_at(row, 1.0, [half[0] + tip[0], half[1] + tip[1]]));
-        }
-    }
-    rows
-}
-
-fn springs() -> Vec<Row> {
-    let mut rows = Vec::new();
-    for stiffness in decades(-12, 12, 2) {
-        for (cells, solver) in [4, 100, 2000].into_iter().flat_map(|n| ["auto", "band"].map(|s| (n, s))) {
-            let beam = Beam::unit(20.0, cells, solver);
-            let at = format!("k = {stiffness:.0e} EI/L³, {}", beam.name());
-            let row = |supports: Value| {
-                let mut case = beam.case();
-                case["supports"] = supports;
-                case["loads"] = json!([{ "point": { "at": { "x": 1.0 }, "force": 1.0 } }]);
-                Row::new(MODEL, "springs, almost mechanisms", at.clone(), case, cells)
-            };
-            let tip = STANDARDS[0].form;
-            let [own, turn] = tip(1.0, 1.0, 1.0 / beam.shear);
-            // A spring at the tip takes its share; the rest bends the beam.
-            let left = 1.0 / (1.0 + stiffness * own);
-            let propped = row(
-                json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0 }, { "at": { "x": 1.0 }, "w_spring": stiffness }]),
-            );
-            rows.push(beam.expect_at(propped, 1.0, [own * left, turn * left]));
-            // Hinged at one end on a spring against turning: a mechanism but for it.
-            let hinged = row(json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi_spring": stiffness }]));
-            rows.push(beam.expect_at(hinged, 1.0, [own + 1.0 / stiffness, turn + 1.0 / stiffness]));
-            // On a spring and a pin: the force over the spring.
-            let seesaw =
-                row(json!([{ "at": { "x": 0.0 }, "w_spring": stiffness }, { "at": { "x": 0.5 }, "w": 0.0 }]));
-            let [arm, _] = tip(1.0, 0.125, 0.5 / beam.shear);
-            let lean = 1.0 / stiffness;
-            rows.push(beam.expect_at(seesaw, 1.0, [2.0 * arm + lean, 2.0 * arm + 2.0 * lean + 0.125]));
         }
     }
     rows
@@ -405,57 +385,6 @@ fn sizes() -> Vec<Row> {
         {
             let beam = Beam::unit(50.0, 100, solver);
             rows.push(beam.standard("loads of 1e±200", &format!("{force:.0e}, "), standard, force));
-        }
-    }
-    rows
-}
-
-fn motions() -> Vec<Row> {
-    let mut rows = Vec::new();
-    for by in [1e-200, 1e-60, 1e-10, 1.0, 1e10, 1e60, 1e200] {
-        for (slender, cells) in [1.0, 1e3, 1e6].into_iter().flat_map(|s| [10, 1000].map(|n| (s, n))) {
-            for solver in ["auto", "band"] {
-                let beam = Beam::unit(slender, cells, solver);
-                let mut case = beam.case();
-                case["supports"] = json!([
-                    { "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0 }, { "at": { "x": 1.0 }, "w": by, "phi": 0.0 }
-                ]);
-                let row = Row::new(
-                    MODEL,
-                    "prescribed motions of 1e±200",
-                    format!("{by:.0e}, L/h = {slender:.0e}, {}", beam.name()),
-                    case,
-                    cells,
-                );
-                // Settlement of a clamped end, w = δ (z² (3 − 2 z) + Φ z)/(1 + Φ), Φ = 12 EI/(κGA L²).
-                let phi = 12.0 / beam.shear;
-                rows.push(beam.expect(row, &[0, cells / 2, cells], |z| {
-                    let share = by / (1.0 + phi);
-                    [share * (z * z * (3.0 - 2.0 * z) + phi * z), share * 6.0 * z * (1.0 - z)]
-                }));
-            }
-        }
-    }
-    rows
-}
-
-fn bedded() -> Vec<Row> {
-    let mut rows = Vec::new();
-    for stiffness in decades(-12, 12, 2) {
-        for (cells, slender) in [4, 100, 2000].into_iter().flat_map(|n| [1.0, 1e4].map(|s| (n, s))) {
-            let beam = Beam::unit(slender, cells, "auto");
-            let mut case = beam.case();
-            case["foundation"] = json!([{ "stiffness": { "uniform": stiffness } }]);
-            case["loads"] = json!([{ "distributed": { "force": { "uniform": 1.0 } } }]);
-            // It sinks as a whole.
-            let row = Row::new(
-                MODEL,
-                "foundation",
-                format!("k = {stiffness:.0e} EI/L⁴, L/h = {slender:.0e}, {}", beam.name()),
-                case,
-                cells,
-            );
-            rows.push(beam.expect(row, &[0, cells / 2, cells], |_| [1.0 / stiffness, 0.0]));
         }
     }
     rows

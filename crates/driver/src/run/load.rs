@@ -1,0 +1,46 @@
+//! Loads of a state, and how far they may be from what was meant.
+
+use peristat_assembly::model::Model;
+
+/// Forces on the unknowns, and what their rounding may be.
+pub(super) struct Load<'a> {
+    pub(super) forces: &'a [f64],
+    rounding: Vec<f64>,
+}
+
+impl<'a> Load<'a> {
+    pub(super) fn new<const D: usize, T: Model<D>>(model: &T, forces: &'a [f64]) -> Self {
+        Self { forces, rounding: rounding(model, forces) }
+    }
+
+    /// An error that the rounding of the loads may be, on every unknown.
+    pub(super) fn rounding(&self) -> &[f64] {
+        &self.rounding
+    }
+}
+
+/// Part of its rounding by which a double is off, other for every one: no two of them cancel.
+fn part(k: usize) -> f64 {
+    let hash = (k as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
+    f64::EPSILON * (hash as f64 / f64::from(1_u32 << 31) - 1.0)
+}
+
+/// The rounding of every force on an unknown; and where a point is pushed in more than one direction, of the components along
+/// the axes that loads are given in: a slanted member has mixed them.
+fn rounding<const D: usize, T: Model<D>>(model: &T, forces: &[f64]) -> Vec<f64> {
+    let (n, origin) = (model.points(), model.position(0));
+    let mut rounding: Vec<f64> = forces.iter().enumerate().map(|(k, f)| part(k) * f).collect();
+    let translations =
+        (0..T::RIGID_MOTIONS.len()).filter(|&kind| T::RIGID_MOTIONS[kind].starts_with("translation"));
+    let pushes =
+        |point: usize| (0..D).filter(|&c| T::IS_DISPLACEMENT[c] && forces[c * n + point] != 0.0).count();
+    let mixed: Vec<usize> = (0..n).filter(|&point| pushes(point) > 1).collect();
+    for (axis, kind) in translations.enumerate() {
+        for &point in &mixed {
+            let along = model.rigid_motion(kind, point, origin);
+            let force: f64 = (0..D).map(|c| along[c] * forces[c * n + point]).sum();
+            (0..D).for_each(|c| rounding[c * n + point] += part(axis * n + point) * along[c] * force);
+        }
+    }
+    rounding
+}
