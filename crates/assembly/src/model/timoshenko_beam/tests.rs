@@ -248,3 +248,21 @@ fn lumped_loads_keep_their_sum_and_their_section_forces() {
         (fields.forces.moment[11][1], fields.forces.shear[11][1], fields.forces.axial[11][1])
     );
 }
+
+#[test]
+fn bars_stretch_evenly_between_their_ends() {
+    let parameters = *beams().parameters();
+    let section = SectionStiffness::uniform(2.0, 30.0, 5.0, 0.3);
+    let line = |axial, cells| Line { axial, ..Line::new(2.0, cells, section.clone()) };
+    let beam = TimoshenkoBeam::new(parameters, vec![line(Axial::Points, 4), line(Axial::Ends, 5)]).unwrap();
+    let n = beam.points();
+    let mut u: Vec<f64> = (0..3 * n).map(|k| ((k * k) % 17) as f64).collect();
+    let before = u.clone();
+    beam.fill_axial(&mut u);
+    let bar = 2 * n + 5..3 * n;
+    assert_eq!(u[..bar.start], before[..bar.start]);
+    let (start, end) = (before[bar.start], before[bar.end - 1]);
+    for (k, found) in u[bar].iter().enumerate() {
+        assert!((found - (start + (end - start) * k as f64 / 5.0)).abs() < 1e-14, "{k}: {found}");
+    }
+}

@@ -132,6 +132,26 @@ fn ratios_grow_in_proportion_and_keep_their_numbers() {
     assert_eq!(ratios(&beam, &u, &critical), rest);
 }
 
+fn parts_act_on_the_ends_of_their_bonds<const D: usize>(beam: &TimoshenkoBeam)
+where
+    TimoshenkoBeam: Breakable<D>,
+{
+    let n = beam.points();
+    let u = random(D * n);
+    for (bond, _) in ratios(beam, &u, &critical(beam, 1.0, 1.0)) {
+        let mut force = vec![0.0; D * n];
+        Breakable::<D>::part(beam, &[bond]).iter().for_each(|t| t.add_force(&u, &mut force));
+        let moved: Vec<usize> = (0..n).filter(|p| (0..D).any(|k| force[k * n + p] != 0.0)).collect();
+        assert_eq!(moved, Breakable::<D>::ends(beam, bond), "{bond}");
+    }
+}
+
+#[test]
+fn bonds_act_on_their_ends() {
+    parts_act_on_the_ends_of_their_bonds::<2>(&mixed("exact"));
+    parts_act_on_the_ends_of_their_bonds::<3>(&mixed("exact"));
+}
+
 #[test]
 fn bonds_are_strained_as_the_beam_is() {
     let (moment, force) = (2.0, 5.0);

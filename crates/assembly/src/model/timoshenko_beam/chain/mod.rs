@@ -4,6 +4,8 @@ mod layout;
 mod places;
 mod relations;
 mod table;
+#[cfg(test)]
+mod tests;
 
 pub use table::BondTable;
 pub(super) use table::pieces;

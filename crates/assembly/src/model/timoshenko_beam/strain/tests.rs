@@ -190,6 +190,7 @@ fn solve(
     let at = |u: &[f64], s: &StrainSupport| u[s.component * n + s.point];
     let held: Vec<StrainSupport> = supports.iter().map(|s| s.0).collect();
     let mut method = ForceMethod::new(form, held.clone());
+    assert!((method.length() - 1.0).abs() < 1e-15);
     for (column, unit) in method.units() {
         let v = k.solve(&right_hand_side(form, None, &[unit]).0);
         let u = displacements(form, &v, None, &[unit], [0.0; 2]).0;
@@ -291,6 +292,39 @@ fn supports_springs_and_settlements_agree_with_displacements() {
             let error = u.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest;
             assert!(error < 2e-11, "{error} for {supports:?}");
             assert!(checks.residual < 1e-13 * checks.action, "{checks:?}");
+        }
+    }
+}
+
+#[test]
+fn the_size_of_a_resultant_counts_what_cancels() {
+    let spread = |along, start, end| {
+        let intensity = Intensity::Linear { start, end };
+        Distributed { chain: 0, from: 0.1, to: 0.9, intensity, along }
+    };
+    let distributed = vec![spread(Along::Transverse, 3.0, -5.0), spread(Along::Rotation, -1.0, 2.0)];
+    let loads = BeamLoads { distributed, ..Default::default() };
+    for beam in [uniform(2, 24, 3.0, 5.0, &[]), graded(2, 24, 3.0)] {
+        let form = StrainForm::new(&beam).unwrap();
+        let n = beam.points();
+        let x = |p: usize| Model::<2>::position(&beam, p)[0];
+        let action = StrainAction { point: 7, component: W, value: Sum::of(-2.0) };
+        let resultant = right_hand_side(&form, Some(&loads.on_chain(&beam, 0)), &[action]).1;
+        let mut f = vec![0.0; 2 * n];
+        loads.add_to(&beam, &mut f);
+        f[7] -= 2.0;
+        // The load on the point of the action is counted apart from it.
+        let doubled = (f[7] + 2.0).abs() + 2.0 - f[7].abs();
+        let total = |of: &dyn Fn(usize) -> f64| (0..n).map(of).sum::<f64>();
+        let sum = [total(&|p| f[p]), total(&|p| f[p] * x(p) + f[n + p])];
+        let size = [
+            total(&|p| f[p].abs()) + doubled,
+            total(&|p| f[p].abs() * x(p) + f[n + p].abs()) + doubled * x(7),
+        ];
+        for k in 0..2 {
+            // Measured: 2e-16.
+            assert!((resultant.sum[k] - sum[k]).abs() < 1e-14 * size[k], "{resultant:?} {sum:?}");
+            assert!((resultant.size[k] / size[k] - 1.0).abs() < 1e-14, "{resultant:?} {size:?}");
         }
     }
 }
