@@ -92,6 +92,28 @@ proptest! {
     }
 
     #[test]
+    fn multipliers_are_the_work_per_change_of_an_equation(number in 1_usize..10, seed in any::<u64>()) {
+        let mut noise = Noise(seed);
+        let solution = noise.vector(SIZE);
+        let set = consistent(number, &solution, &mut noise);
+        let constraints = Constraints::new(POINTS, &equations(&set)).expect("consistent");
+        let (mut before, force) = (noise.vector(SIZE), noise.vector(SIZE));
+        constraints.expand(1.0, &mut before);
+        let multipliers = constraints.multipliers(|unknown| force[unknown]);
+        for (k, multiplier) in multipliers.into_iter().enumerate() {
+            let mut changed = set.clone();
+            changed[k].1 += 1.0;
+            // What other equations repeat cannot change alone.
+            let Ok(changed) = Constraints::new(POINTS, &equations(&changed)) else { continue };
+            let mut after = before.clone();
+            changed.expand(1.0, &mut after);
+            let work = dot(&force, &after) - dot(&force, &before);
+            let size: f64 = 1.0 + after.iter().map(|v| v.abs()).sum::<f64>();
+            prop_assert!((work - multiplier).abs() <= 1e-11 * size, "{work} and {multiplier}");
+        }
+    }
+
+    #[test]
     fn the_order_of_equations_does_not_matter(number in 1_usize..10, seed in any::<u64>()) {
         let mut noise = Noise(seed);
         let solution = noise.vector(SIZE);
