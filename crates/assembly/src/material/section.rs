@@ -299,9 +299,9 @@ mod tests {
         assert!((thin - 2.6 / 4.9).abs() < 1e-6, "{thin}");
         let half = kappa(Section::Tube { diameter: 0.4, wall: 0.1 });
         assert!((half - 7.8 * 1.5625 / (8.8 * 1.5625 + 23.6 * 0.25)).abs() < 1e-15, "{half}");
-        // Thin-walled I with m = 1 and n = 1/2: 10·1.3·16/(324 + 0.3·302 + 15 + 0.3·21.25).
-        let i = Section::I { width: 0.1, height: 0.21, web: 0.01, flange: 0.01 };
-        assert!((kappa(i) - 208.0 / 435.975).abs() < 1e-14, "{}", kappa(i));
+        // Thin-walled I with m = 2 and n = 1/2: 10·1.3·49/(1476 + 0.3·1403 + 45 + 0.3·65).
+        let i = Section::I { width: 0.1, height: 0.22, web: 0.01, flange: 0.02 };
+        assert!((kappa(i) - 637.0 / 1961.4).abs() < 1e-14, "{}", kappa(i));
     }
 
     #[test]

@@ -251,6 +251,27 @@ mod tests {
     }
 
     #[test]
+    fn copies_of_a_body_that_stretches_grow_by_whole_periods() {
+        let [joined, stretches] = [[true, false]; 2];
+        let mirrors = Mirrors { columns: [Some(1), Some(4)], joined, stretches, ..Mirrors::NONE };
+        let real = SquareLattice::new(1.0, [0.0; 2], 1..4, 0..2, |_| true);
+        let lattice = mirrors.extended(&real, 7);
+        let relations = mirrors.relations::<2>(&lattice, &mirrors.ghosts(&lattice), |signs| signs);
+        // What repeats, and half a unit more along x per column.
+        let value = |Unknown { component, point }: Unknown| {
+            let [column, row] = lattice.cell(point);
+            let repeated = (column.rem_euclid(3) * 5 + row * 3) % 7 + component as i32;
+            f64::from(repeated) + if component == 0 { 0.5 * f64::from(column) } else { 0.0 }
+        };
+        assert!(relations.iter().any(|relation| relation.terms.len() > 2));
+        for Equation { terms, value: right, origin } in relations {
+            let left: f64 = terms.iter().map(|(unknown, factor)| factor * value(*unknown)).sum();
+            assert!((left - right).abs() < 1e-13, "{terms:?}");
+            assert_eq!(origin, "periodic");
+        }
+    }
+
+    #[test]
     fn images_are_added_and_taken_away() {
         let hole = |c: Cell| c != [1, 1];
         let real = SquareLattice::new(1.0, [0.0; 2], 0..5, 0..4, hole);

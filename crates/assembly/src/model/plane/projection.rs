@@ -130,6 +130,27 @@ mod tests {
     }
 
     #[test]
+    fn no_other_solution_is_closer() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for _ in 0..200 {
+            let matrix = DMatrix::from_fn(2, 6, |_, _| random() - 0.3);
+            let [start, scales] = [-0.5, 0.5].map(|least| DVector::from_fn(6, |_, _| random() + least));
+            let other = DVector::from_fn(6, |_, _| (random() - 0.4).max(0.0));
+            let rhs = &matrix * &other;
+            let found = project(&matrix, &rhs, &start, &scales);
+            assert!(found.min() >= 0.0 && (&matrix * &found - rhs).amax() < 1e-9, "{found}");
+            // On the way to any other solution the distance grows.
+            let way = (&other - &found).component_div(&scales);
+            let slope = way.dot(&(&found - &start).component_div(&scales));
+            assert!(slope > -1e-9, "{slope:e}");
+        }
+    }
+
+    #[test]
     fn what_cannot_be_solved_leaves_a_residual() {
         let matrix = DMatrix::from_row_slice(1, 2, &[1.0, 1.0]);
         let found = project(

@@ -277,3 +277,22 @@ fn committed_energies_are_the_potential() {
         assert_eq!(bonds.commit(&found)[1], 0);
     }
 }
+
+#[test]
+fn turns_are_those_of_bonds_that_bear_something() {
+    for kinematics in KINEMATICS {
+        let list = vec![bond([0, 1], [[0.3, 0.1], [1.1, 0.7]], 2.0)];
+        let mut bonds = HistoryBonds::new(2, kinematics, vec![laws()[0]], list);
+        for angle in [0.2_f64, -0.4] {
+            let u = stretched(&bonds, 0.02, angle, [0.5, -0.3]);
+            let expected = match kinematics {
+                Kinematics::Linear => (angle.sin().abs() / 1.02).atan(),
+                Kinematics::Finite => angle.abs(),
+            };
+            assert!((bonds.largest_turn(&u) - expected).abs() < 1e-14, "{kinematics:?} {angle}");
+        }
+        let turned = stretched(&bonds, 0.0, 0.2, [0.0; 2]);
+        bonds.fail(0);
+        assert_eq!(bonds.largest_turn(&turned), 0.0);
+    }
+}

@@ -78,9 +78,14 @@ fn bonds_of_negative_stiffness_are_refused_with_a_way_out() {
     let (wide, soft) = (error(as_published(wide, 0.0, 3.0)), error(as_published(soft, 0.0, 3.0)));
     assert!(matches!(wide, OrthotropicError::NegativeMatrixShear { .. }));
     assert!(matches!(soft, OrthotropicError::NegativeFibreShear { .. }));
-    for error in [wide, soft] {
+    for error in [&wide, &soft] {
         assert!(error.to_string().ends_with("`published`; take the calibration `matched`"), "{error}");
     }
+    // The least shear modulus that is named is enough, and no less is.
+    let OrthotropicError::NegativeFibreShear { least, .. } = soft else { unreachable!() };
+    let with = |shear_modulus_12| as_published(OrthotropicMaterial { shear_modulus_12, ..A }, 0.0, 3.0);
+    assert!(BeamNeighbourhood::new(&with(least * (1.0 + 1e-9))).is_ok());
+    assert!(matches!(error(with(least * (1.0 - 1e-9))), OrthotropicError::NegativeFibreShear { .. }));
     // ν12 = 1/3 has none of the matrix; negative Poisson ratios are no trouble.
     for nu in [1.0 / 3.0, -0.3] {
         let material = OrthotropicMaterial { poisson_ratio_12: nu, shear_modulus_12: 7000.0 * MPA, ..A };

@@ -93,6 +93,25 @@ fn a_published_cloud_of_cells_is_the_published_lattice() {
 }
 
 #[test]
+fn volumes_of_families_make_up_for_what_a_disc_lacks() {
+    let of = |edges| {
+        let published = PlaneParameters {
+            calibration: Calibration::Published,
+            volume_factor: VolumeFactor::Full,
+            edges,
+            ..parameters(3.0, MM_MPA)
+        };
+        let positions = vec![[0.0, 0.0], [1.0, 0.5]];
+        BondPlane::on_cloud(positions, vec![1.0, 2.0], 3.0, published, &|_, _| false).unwrap()
+    };
+    let u = [0.0, 1e-3, 0.0, 0.0];
+    let forces = [Edges::None, Edges::Volume].map(|edges| force(&of(edges), &u)[1]);
+    // A disc of the radius 3 over the mean of the families, which are the other point each.
+    let factor = 9.0 * std::f64::consts::PI / 1.5;
+    assert!(forces[0] > 0.0 && (forces[1] / forces[0] / factor - 1.0).abs() < 1e-14, "{forces:?}");
+}
+
+#[test]
 fn what_clouds_cannot_have_is_refused() {
     let of = |parameters, positions: Vec<[f64; 2]>| {
         let areas = vec![1.0; positions.len()];

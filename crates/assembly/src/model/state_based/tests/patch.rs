@@ -122,6 +122,26 @@ fn a_third_in_plane_stress_has_one_hop() {
 }
 
 #[test]
+fn strains_of_stresses_follow_hookes_law() {
+    let StateParameters { youngs_modulus: e, poisson_ratio: nu, .. } = RING;
+    let stress @ [x, y, xy] = [2.0, -0.7, 0.4];
+    let follows = |strain: [f64; 3], across: f64| {
+        let exact = [(x - nu * (y + across)) / e, (y - nu * (x + across)) / e, 2.0 * (1.0 + nu) / e * xy];
+        (0..3).for_each(|k| assert!((strain[k] - exact[k]).abs() < 1e-14, "{strain:?} {exact:?}"));
+    };
+    for (geometry, across) in [(Geometry::PlaneStress(0.5), 0.0), (Geometry::PlaneStrain(0.5), nu * (x + y))]
+    {
+        let parameters = StateParameters { geometry, ..RING };
+        let model: StateBased<false> = body(cells(0.1, 0.0, [8, 8]), Mirrors::NONE, parameters);
+        assert!((model.stress_across(stress) - across).abs() < 1e-15);
+        follows(model.strain_of(stress), across);
+        follows(model.strain_with(stress, f64::NAN), across);
+    }
+    let ring: StateBased<true> = body(cells(0.1, 1.0, [8, 8]), Mirrors::NONE, RING);
+    follows(ring.strain_with(stress, 1.1), 1.1);
+}
+
+#[test]
 fn strains_and_stresses_are_those_of_the_motion() {
     for dilatation in [Dilatation::Points, Dilatation::Blocks] {
         let parameters = StateParameters { dilatation, ..RING };
@@ -136,5 +156,36 @@ fn strains_and_stresses_are_those_of_the_motion() {
             }
             assert!((fields.across[p] - 2e-3 * shear).abs() < 1e-15);
         }
+        let parameters = StateParameters { dilatation, ..PLATE };
+        let model: StateBased<false> = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, parameters);
+        let [a, b, c, d] = [1e-3, 4e-4, -1e-4, 5e-4];
+        let fields = model.fields(&linear(&model, [a, b, c, d]));
+        let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
+        let (pressure, turn) = (lame * (a + d), b + c);
+        let expected = [pressure + 2.0 * shear * a, pressure + 2.0 * shear * d, shear * turn];
+        let density = 0.5 * (expected[0] * a + expected[1] * d + expected[2] * turn);
+        for p in 0..model.points() {
+            for k in 0..3 {
+                assert!((fields.stress[k][p] - expected[k]).abs() < 1e-15, "{p} {k}");
+            }
+            assert!((fields.energy_density[p] / density - 1.0).abs() < 1e-11, "{p}");
+        }
+    }
+}
+
+#[test]
+fn forces_on_ghosts_go_where_their_displacements_come_from() {
+    let model: StateBased<false> = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, PLATE);
+    let n = model.points();
+    let force: Vec<f64> = (0..2 * n).map(|k| (k * 7919 % 1013) as f64 / 1013.0 - 0.5).collect();
+    let mut folded = force.clone();
+    model.fold(&mut folded);
+    assert!(!model.ghosts().is_empty());
+    model.ghosts().iter().for_each(|&g| assert_eq!([folded[g as usize], folded[n + g as usize]], [0.0; 2]));
+    // Ghosts continue a linear displacement.
+    for motion in [[1.0, 0.3, 0.0, 0.0], [0.0, 0.0, -0.4, 1.0]] {
+        let u = linear(&model, motion);
+        let work = |f: &[f64]| f.iter().zip(&u).map(|(f, u)| f * u).sum::<f64>();
+        assert!((work(&folded) - work(&force)).abs() < 1e-12, "{} {}", work(&folded), work(&force));
     }
 }
