@@ -1,46 +1,49 @@
 #!/usr/bin/env python3
 """Mutation test of a random sample: what share of small faults in `assembly` and `solve` do their own tests see?
 
-    bench/mutants.py                     # 400 mutants, score at the end; hours
+    bench/mutants.py                     # 400 mutants, score at the end; about an hour
     bench/mutants.py --only missed.txt   # the mutants of a file, one name per line
 
-`cargo mutants` (install it with `cargo install cargo-mutants`) lists the mutants; they are applied and tested here, one
-by one in a copy of the committed files, because its filter of names lets some pass and it has no test stop at the first
-failure. The sample are the mutants whose names, without line and column, have the lowest hashes: an edit elsewhere
-leaves it as it is, and the first hundred are a sample, too. Results are in target/mutants.
+`cargo mutants` (install it with `cargo install cargo-mutants`) lists the mutants. They are compiled at once, in a copy
+of the committed files, into programs that hold a switch for each (`switches.py`). Every test is run once by itself to see
+which mutants it reaches and how long it takes; then each mutant is switched on in the tests that reach it, shortest first,
+until one fails. A mutant that no switch can hold is compiled by itself. The sample are the mutants whose names, without
+line and column, have the lowest hashes: an edit elsewhere leaves it as it is, and the first hundred are a sample, too.
+Results are in target/mutants.
 """
 import argparse
 import collections
 import hashlib
 import json
+import os
 import re
+import resource
 import shutil
+import signal
 import subprocess
 import sys
-import threading
+import time
 from pathlib import Path
+
+import switches
 
 ROOT = Path(__file__).resolve().parent.parent
 OUTPUT = ROOT / "target" / "mutants"
 TREE = OUTPUT / "tree"
-LIMIT = 300.0  # seconds for a program of tests, which takes 5 to 20
-SLOW = [  # run only if all others pass
-    "body::fill::tests::filling_agrees_with_exact_tests_of_every_centre",
-    "model::bond_plane::tests::properties::the_stiffness_is_semidefinite_with_the_force_as_its_product",
-    "model::shell_membrane::tests::spectrum::only_rigid_motions_are_free",
-    "model::shell_membrane::tests::spectrum::short_horizons_leave_patterns_free",
-]
+PACKAGES = ["peristat-assembly", "peristat-solve"]
+CRATES = [word for package in PACKAGES for word in ("--package", package)]
+LIMIT = 20.0  # seconds of a processor for a test, beside ten times what it takes
 LEFT_OUT = [
     r"in .*::bytes$",  # bytes of memory only feed the estimates that are printed
     r"impl std::fmt::Debug for",  # text for people who debug
     r"in worth_threads$",  # when a second thread is worth its start; the results are the same
 ]
+Test = collections.namedtuple("Test", "package program name seconds reached")
 
 
 def listed():
     """All mutants by name, in the order of the files."""
-    command = ["cargo", "mutants", "--list", "--json", "-p", "peristat-assembly", "-p", "peristat-solve"]
-    answer = subprocess.run(command, cwd=TREE, check=True, capture_output=True, text=True)
+    answer = subprocess.run(["cargo", "mutants", "--list", "--json", *CRATES], cwd=TREE, check=True, capture_output=True, text=True)
     mutants = {mutant["name"]: mutant for mutant in json.loads(answer.stdout)}
     return {name: mutant for name, mutant in mutants.items() if not any(re.search(e, name) for e in LEFT_OUT)}
 
@@ -56,72 +59,125 @@ def sample(names, seed, count):
     return sorted(names, key=ranks.get)[:count]
 
 
-def mutated(text, mutant):
-    """The file with the span of the mutant replaced; rows and columns count from one."""
-    starts = [0]
-    for line in text.splitlines(keepends=True):
-        starts.append(starts[-1] + len(line))
-    first, last = (starts[mutant["span"][end]["line"] - 1] + mutant["span"][end]["column"] - 1 for end in ("start", "end"))
-    return text[:first] + mutant["replacement"] + text[last:]
-
-
-def binaries(package, targets):
-    """Builds tests of a crate and returns their programs; none if they do not compile."""
-    command = ["cargo", "test", "--profile", "mutants", "--package", package, targets, "--no-run", "--message-format", "json"]
-    built = subprocess.run(command, cwd=TREE, capture_output=True, text=True)
-    messages = [json.loads(line) for line in built.stdout.splitlines() if line.startswith("{")]
-    return [m["executable"] for m in messages if m.get("executable") and m["profile"]["test"]] if built.returncode == 0 else []
-
-
-def verdict(program, folder, arguments):
-    """Whether a test program passes, and by which test or signal it does not."""
-    run = subprocess.Popen([program, *arguments], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    hung = threading.Event()
-    timer = threading.Timer(LIMIT, lambda: (hung.set(), run.kill()))
-    timer.start()
-    for line in run.stdout:
-        if line.startswith("test ") and line.rstrip().endswith("FAILED"):
-            run.kill()
-            run.wait()
-            timer.cancel()
-            return "caught", line.split()[1]
-    timer.cancel()
-    if hung.is_set():
-        return "timeout", ""
-    return ("passed", "") if run.wait() == 0 else ("caught", f"exit {run.returncode}")
-
-
-def tested(mutant):
-    """What becomes of a mutant: unviable, caught, timeout or missed."""
-    path = TREE / mutant["file"]
-    text = path.read_text()
-    path.write_text(mutated(text, mutant))
-    try:
-        done = set()
-        # Unit tests first: most mutants need no other program to be built.
-        for targets in ("--lib", "--tests"):
-            programs = binaries(mutant["package"], targets)
-            if not programs:
-                return "unviable", ""
-            others = [word for test in SLOW for word in ("--skip", test)]
-            for arguments in (others, ["--exact", *SLOW]):
-                for program in set(programs) - done:
-                    result = verdict(program, TREE / "crates" / mutant["file"].split("/")[1], arguments)
-                    if result[0] != "passed":
-                        return result
-            done.update(programs)
-        return "missed", ""
-    finally:
-        path.write_text(text)
+def source(package):
+    """The folder of a crate."""
+    return Path("crates") / package.removeprefix("peristat-")
 
 
 def prepare():
     """A copy of the committed files, which keeps what it has compiled."""
-    for folder in ("crates", "tests"):
-        shutil.rmtree(TREE / folder, ignore_errors=True)
+    for part in ("crates", "tests"):
+        shutil.rmtree(TREE / part, ignore_errors=True)
     TREE.mkdir(parents=True, exist_ok=True)
     archive = subprocess.run(["git", "archive", "HEAD"], cwd=ROOT, check=True, capture_output=True)
-    subprocess.run(["tar", "x", "-C", str(TREE)], input=archive.stdout, check=True)
+    subprocess.run(["tar", "xm", "-C", str(TREE)], input=archive.stdout, check=True)
+
+
+def written(span):
+    """The file and lines of an error, where its macro is called."""
+    while span["expansion"]:
+        span = span["expansion"]["span"]
+    return span["file_name"], span["line_start"], span["line_end"]
+
+
+def built():
+    """Builds all tests: pairs of a package and a program, and the file and lines of every error."""
+    command = ["cargo", "test", "--profile", "mutants", "--no-run", "--message-format", "json", *CRATES]
+    answer = subprocess.run(command, cwd=TREE, capture_output=True, text=True)
+    messages = [json.loads(line) for line in answer.stdout.splitlines() if line.startswith("{")]
+    if answer.returncode != 0:
+        faults = [m["message"] for m in messages if m["reason"] == "compiler-message" and m["message"]["level"] == "error"]
+        return [], {written(span) for fault in faults for span in fault["spans"] if span["is_primary"]}
+    programs = [m for m in messages if m.get("executable") and m["profile"]["test"]]
+    return [(re.split("[#@]", m["package_id"])[-2], m["executable"]) for m in programs], set()
+
+
+def with_switches(mutants):
+    """Programs that hold as many of the mutants as they can, and the numbers of those."""
+    libraries = [str(source(package) / "src" / "lib.rs") for package in PACKAGES]
+    texts = {file: (TREE / file).read_text() for file in {*libraries, *(mutant["file"] for mutant in mutants.values())}}
+    held = set(mutants)
+    while True:
+        lines = {}
+        for file, text in texts.items():
+            changed, places = switches.switched(text, {k: mutants[k] for k in held if mutants[k]["file"] == file})
+            (TREE / file).write_text(changed + (switches.module(len(mutants)) if file in libraries else ""))
+            lines.update({k: (file, *place) for k, place in places.items()})
+        programs, errors = built()
+        if programs:
+            return programs, set(lines)
+        held = {k for k, (f, a, b) in lines.items() if not any(f == g and a <= d and c <= b for g, c, d in errors)}
+        if held == set(lines):
+            sys.exit("the tests do not compile without a mutant")
+        print(f"{len(held)} mutants are held by switches", flush=True)
+
+
+def verdict(test, **environment):
+    """Whether a test passes, fails or does not end."""
+    limit = int(LIMIT + 10.0 * test.seconds)
+    run = subprocess.Popen(
+        [test.program, "--exact", test.name],
+        cwd=TREE / source(test.package),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        # Cases that fail are not kept: no mutant is to be seen by what another one left.
+        env={**os.environ, "PROPTEST_DISABLE_FAILURE_PERSISTENCE": "1", **environment},
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)),
+    )
+    try:
+        code = run.wait(timeout=10 * limit)
+    except subprocess.TimeoutExpired:
+        run.kill()
+        return "timeout"
+    return {0: "passed", -signal.SIGXCPU: "timeout", -signal.SIGKILL: "timeout"}.get(code, "caught")
+
+
+def measured(programs):
+    """All tests with their times and the numbers of the mutants that they reach, shortest first."""
+    tests = []
+    record = OUTPUT / "reached.txt"
+    for package, program in programs:
+        names = subprocess.run([program, "--list", "--format", "terse"], check=True, capture_output=True, text=True).stdout
+        for name in re.findall(r"^(.*): test$", names, re.MULTILINE):
+            record.write_text("")
+            start = time.monotonic()
+            test = Test(package, program, name, LIMIT, set())
+            if verdict(test, REACHED=str(record)) != "passed":
+                sys.exit(f"{name} fails without a mutant")
+            tests.append(test._replace(seconds=time.monotonic() - start, reached=set(map(int, record.read_text().split()))))
+    return sorted(tests, key=lambda test: test.seconds)
+
+
+def result(tests, **environment):
+    """What becomes of a mutant, and by which test."""
+    for test in tests:
+        answer = verdict(test, **environment)
+        if answer != "passed":
+            return answer, test.name
+    return "missed", "" if tests else "not reached"
+
+
+def alone(mutant, tests):
+    """The same of a mutant that is compiled by itself."""
+    path = TREE / mutant["file"]
+    text = path.read_text()
+    path.write_text(switches.mutated(text, mutant))
+    try:
+        programs, _ = built()
+        return result([t for t in tests if t.package == mutant["package"]]) if programs else ("unviable", "")
+    finally:
+        path.write_text(text)
+
+
+def results(mutants):
+    """Pairs of the number of a mutant and its result."""
+    programs, held = with_switches(mutants)
+    tests = measured(programs)
+    for number in sorted(held):
+        yield number, result([t for t in tests if number in t.reached], MUTANT=str(number))
+    prepare()
+    for number in sorted(set(mutants) - held):
+        yield number, alone(mutants[number], tests)
 
 
 def main():
@@ -135,15 +191,12 @@ def main():
     prepare()
     mutants = listed()
     names = given.only.read_text().splitlines() if given.only else sample(mutants, given.seed, given.count)
-    if any(not binaries(package, "--tests") for package in ("peristat-assembly", "peristat-solve")):
-        sys.exit("the tests do not compile without a mutant")
     counts = collections.Counter()
-    with open(OUTPUT / "results.txt", "w") as results:
-        for name in names:
-            result, test = tested(mutants[name])
-            counts[result] += 1
-            line = f"{result}\t{name}\t{test}"
-            print(line, file=results, flush=True)
+    with open(OUTPUT / "results.txt", "w") as file:
+        for number, (answer, test) in results({k: mutants[name] for k, name in enumerate(names)}):
+            counts[answer] += 1
+            line = f"{answer}\t{names[number]}\t{test}"
+            print(line, file=file, flush=True)
             print(line, flush=True)
     seen = counts["caught"] + counts["timeout"]
     print(dict(counts), f"score {100 * seen / max(seen + counts['missed'], 1):.1f} %")
