@@ -8,7 +8,7 @@ use crate::smoothing::steps_are_what_they_say;
 use nalgebra::DMatrix;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::Model;
-use peristat_assembly::stiffness::{Parts, Term, Twofold};
+use peristat_assembly::stiffness::{BlockMatrix, Parts, Term, Twofold};
 use peristat_assembly::sum::Sum;
 use peristat_assembly::system::System;
 use proptest::test_runner::{Config, RngSeed};
@@ -102,6 +102,12 @@ fn force_is_the_gradient_of_the_energy<const D: usize>(system: &System<D>, noise
         let second = above + below - 2.0 * system.survey(&u).energy;
         let curvature = dot(&force(system, &v), &v);
         assert!((second - curvature).abs() <= 1e-13 * (above + below), "{second} for {curvature}");
+    }
+    // What elements do to their ends grows with the displacement.
+    let [once, twice] =
+        [1.0, 2.0].map(|factor| system.survey(&u.iter().map(|u| factor * u).collect::<Vec<_>>()));
+    for c in 0..D {
+        assert_eq!(twice.largest_action[c], 2.0 * once.largest_action[c], "twice the action");
     }
 }
 
@@ -232,6 +238,17 @@ fn layouts_agree<const D: usize, M: Model<D>>(model: &M, extra: Vec<Box<dyn Term
     if system.constraints().has_slaves() {
         return;
     }
+    let mut band = BlockMatrix::band(n, system.reach());
+    system.terms().iter().for_each(|term| term.add_tangent(&mut band));
+    let [banded, rows] =
+        [band, system.stiffness()].map(|k| dense(&k.to_csr(|point, component| component * n + point)));
+    assert_close(
+        banded.as_slice(),
+        rows.as_slice(),
+        largest(rows.as_slice()),
+        1e-14,
+        "entries of both layouts",
+    );
     let (half_bandwidth, values) = system.assemble_band();
     let sparse = whole(&system.assemble_sparse());
     let number = |unknown: usize| (unknown % D) * n + unknown / D;

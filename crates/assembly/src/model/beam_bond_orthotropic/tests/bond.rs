@@ -106,3 +106,19 @@ fn a_coarser_body_is_the_body_of_coarser_cells() {
         assert!((found / expected - 1.0).abs() < 1e-14, "{found} {expected}");
     }
 }
+
+#[test]
+fn bonds_that_never_joined_are_no_damage() {
+    let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [12, 8]));
+    let parameters = as_published(A, 0.0, 3.0);
+    let offsets = BeamNeighbourhood::new(&parameters).unwrap().offsets().to_vec();
+    let all = (0..lattice.points()).flat_map(|point| (0..offsets.len()).map(move |k| (k, point)));
+    let is_cut = |&(k, point): &(usize, usize)| {
+        let [_, row] = lattice.cell(point);
+        (row < 4) != (row + offsets[k][1] < 4)
+    };
+    let cuts: Vec<(usize, usize)> = all.filter(is_cut).collect();
+    let plate = BeamBondOrthotropic::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &cuts).unwrap();
+    assert!(plate.damage().iter().any(|&d| d > 0.2));
+    assert!(plate.never_joined(&cuts).damage().iter().all(|&d| d == 0.0));
+}
