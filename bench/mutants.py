@@ -43,7 +43,8 @@ Test = collections.namedtuple("Test", "package program name seconds reached")
 
 def listed():
     """All mutants by name, in the order of the files."""
-    answer = subprocess.run(["cargo", "mutants", "--list", "--json", *CRATES], cwd=TREE, check=True, capture_output=True, text=True)
+    command = ["cargo", "mutants", "--list", "--json", *CRATES]
+    answer = subprocess.run(command, cwd=TREE, check=True, capture_output=True, text=True)
     mutants = {mutant["name"]: mutant for mutant in json.loads(answer.stdout)}
     return {name: mutant for name, mutant in mutants.items() if not any(re.search(e, name) for e in LEFT_OUT)}
 
@@ -74,22 +75,33 @@ def prepare():
 
 
 def written(span):
-    """The file and lines of an error, where its macro is called."""
+    """Where an error ends: file, line and column, where its macro is called."""
     while span["expansion"]:
         span = span["expansion"]["span"]
-    return span["file_name"], span["line_start"], span["line_end"]
+    return span["file_name"], span["line_end"], span["column_end"]
 
 
 def built():
-    """Builds all tests: pairs of a package and a program, and the file and lines of every error."""
+    """Builds all tests: pairs of a package and a program, and the places of the errors."""
     command = ["cargo", "test", "--profile", "mutants", "--no-run", "--message-format", "json", *CRATES]
     answer = subprocess.run(command, cwd=TREE, capture_output=True, text=True)
     messages = [json.loads(line) for line in answer.stdout.splitlines() if line.startswith("{")]
     if answer.returncode != 0:
-        faults = [m["message"] for m in messages if m["reason"] == "compiler-message" and m["message"]["level"] == "error"]
-        return [], {written(span) for fault in faults for span in fault["spans"] if span["is_primary"]}
+        told = [m["message"] for m in messages if m["reason"] == "compiler-message"]
+        spans = [span for message in told if message["level"] == "error" for span in message["spans"]]
+        return [], {written(span) for span in spans if span["is_primary"]}
     programs = [m for m in messages if m.get("executable") and m["profile"]["test"]]
     return [(re.split("[#@]", m["package_id"])[-2], m["executable"]) for m in programs], set()
+
+
+def blamed(error, lines):
+    """The numbers of the mutants that may have made an error: that of the last switch before it, or all of its line."""
+    file, line, column = error
+    before = (TREE / file).read_text().splitlines()[line - 1][: column - 1] if (TREE / file).exists() else ""
+    switches_before = re.findall(r"switch::on\((\d+)\)", before)
+    if switches_before:
+        return {int(switches_before[-1])}
+    return {number for number, (f, first, last) in lines.items() if f == file and first <= line <= last}
 
 
 def with_switches(mutants):
@@ -106,7 +118,7 @@ def with_switches(mutants):
         programs, errors = built()
         if programs:
             return programs, set(lines)
-        held = {k for k, (f, a, b) in lines.items() if not any(f == g and a <= d and c <= b for g, c, d in errors)}
+        held = set(lines).difference(*(blamed(error, lines) for error in errors))
         if held == set(lines):
             sys.exit("the tests do not compile without a mutant")
         print(f"{len(held)} mutants are held by switches", flush=True)
@@ -137,14 +149,16 @@ def measured(programs):
     tests = []
     record = OUTPUT / "reached.txt"
     for package, program in programs:
-        names = subprocess.run([program, "--list", "--format", "terse"], check=True, capture_output=True, text=True).stdout
+        command = [program, "--list", "--format", "terse"]
+        names = subprocess.run(command, check=True, capture_output=True, text=True).stdout
         for name in re.findall(r"^(.*): test$", names, re.MULTILINE):
             record.write_text("")
             start = time.monotonic()
             test = Test(package, program, name, LIMIT, set())
             if verdict(test, REACHED=str(record)) != "passed":
                 sys.exit(f"{name} fails without a mutant")
-            tests.append(test._replace(seconds=time.monotonic() - start, reached=set(map(int, record.read_text().split()))))
+            seconds, reached = time.monotonic() - start, set(map(int, record.read_text().split()))
+            tests.append(test._replace(seconds=seconds, reached=reached))
     return sorted(tests, key=lambda test: test.seconds)
 
 

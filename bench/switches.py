@@ -96,7 +96,11 @@ def around(found, partners, first, last):
     """The offsets of what an operator can rebind."""
     begin = next(k for k, token in enumerate(found) if token[0] == first)
     operator = found[begin][2]
-    bounds = BOUNDS | (set() if operator in ASSIGNMENTS else ASSIGNMENTS) | (set() if operator in ("&&", "||") else {"&&"})
+    bounds = set(BOUNDS)
+    if operator not in ASSIGNMENTS:
+        bounds |= ASSIGNMENTS
+    if operator not in ("&&", "||"):
+        bounds.add("&&")
     low = high = begin
     while low > 0 and found[low - 1][2] not in bounds | {"(", "[", "}"}:
         low = partners.get(low - 1, low - 1)
@@ -135,7 +139,7 @@ def switched(text, mutants):
         parts = []
         while low < high:
             parts += heads.get(low, []) if not inside or low != inside[0] else []
-            regions = [r for r in edits if r[0] == low and r[1] <= high and (not inside or r[1] - r[0] < inside[1] - inside[0])]
+            regions = [region for region in edits if region[0] == low and region[1] <= high and region != inside]
             if regions:
                 region = max(regions)
                 parts += ["(", *edits[region], "{ ", rendered(*region, region), " })"]
