@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Mutation test of a random sample: what share of small faults in `assembly` and `solve` do their own tests see?
 
-    bench/mutants.py                     # 400 mutants, score at the end; about an hour
+    bench/mutants.py                     # 400 mutants, score at the end; about half an hour
     bench/mutants.py --only missed.txt   # the mutants of a file, one name per line
 
 `cargo mutants` (install it with `cargo install cargo-mutants`) lists the mutants. They are compiled at once, in a copy
