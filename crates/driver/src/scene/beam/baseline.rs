@@ -27,15 +27,14 @@ pub(super) fn stored(
 
 /// Stored values, if they are at the points of the beam.
 fn fits(stored: Vec<(f64, f64)>, beam: &TimoshenkoBeam) -> Result<Vec<(f64, f64)>, String> {
-    let chains = beam.chains().iter();
-    let points: Vec<(f64, f64)> =
-        chains.flat_map(|c| (0..c.points).map(|k| (c.position(c.ghosts[0] + k), c.spacing))).collect();
-    if stored.len() != points.len() {
-        let (rows, points) = (stored.len(), points.len());
-        return Err(format!("has {rows} rows, and the beam has {points} points"));
+    let chains = beam.chains();
+    let (rows, number) = (stored.len(), chains.iter().map(|c| c.points).sum::<usize>());
+    if rows != number {
+        return Err(format!("has {rows} rows, and the beam has {number} points"));
     }
-    let apart = |(s, p): &(&(f64, f64), &(f64, f64))| (s.0 - p.0).abs() > 1e-6 * p.1;
-    match stored.iter().zip(&points).find(apart) {
+    let points = chains.iter().flat_map(|c| (0..c.points).map(|k| (c.position(c.ghosts[0] + k), c.spacing)));
+    let apart = |(s, p): &(&(f64, f64), (f64, f64))| (s.0 - p.0).abs() > 1e-6 * p.1;
+    match stored.iter().zip(points).find(apart) {
         Some((s, p)) => {
             Err(format!("has a row at x = {}, where the beam has its point at {}", tidy(s.0), tidy(p.0)))
         }

@@ -68,13 +68,20 @@ fn can_carry(stiffness: &Profile, length: f64, path: &JsonPath, faults: &mut Fau
     carries
 }
 
-/// The springs of foundations: the value at a point times its part of the line; the integral over a part that the
+/// The largest number of springs of foundations.
+pub(super) fn count(beds: &[Bed], layout: &Layout) -> f64 {
+    // Beside both ends of a foundation there may be one more.
+    beds.iter().map(|bed| layout.lines[bed.chain].cells_between(bed.extent[0], bed.extent[1]) + 3.0).sum()
+}
+
+/// Adds the springs of foundations: the value at a point times its part of the line; the integral over a part that the
 /// foundation covers in part or on which it does not vary smoothly.
-pub(super) fn springs(beds: &[Bed], beam: &TimoshenkoBeam) -> Vec<Spring> {
-    let mut springs = Vec::new();
+pub(super) fn add_springs(beds: &[Bed], beam: &TimoshenkoBeam, springs: &mut Vec<Spring>) {
     for bed in beds {
         let (chain, [from, to]) = (&beam.chains()[bed.chain], bed.extent);
         let (first, last) = (chain.nearest(from), chain.nearest(to));
+        // They may be as many as points: none is copied.
+        springs.reserve_exact(last + 3 - first);
         for k in first.saturating_sub(1)..=(last + 1).min(chain.points - 1) {
             let Some(([a, b], at)) = chain.share(k, bed.extent) else { continue };
             let breaks = || bed.stiffness.breaks().iter().map(|pair| from + pair[0]);
@@ -87,5 +94,4 @@ pub(super) fn springs(beds: &[Bed], beam: &TimoshenkoBeam) -> Vec<Spring> {
             }
         }
     }
-    springs
 }

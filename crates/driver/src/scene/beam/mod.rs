@@ -41,7 +41,7 @@ pub use supports::HeldPoint;
 
 use super::fracture::FractureScene;
 use super::{Expectation, InputFile, expectation, files, numbers, root, states, words};
-use crate::case::{Beam, Case, Fracture, Model, Solver, Units};
+use crate::case::{Beam, Case, Check, Fracture, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use peristat_assembly::condition::Equation;
@@ -177,6 +177,9 @@ impl BeamScene {
         let has_axial = axial::is_needed(&layout, &held, &cases, &stiffness);
         axial::check(case, &layout, &resolved, has_axial, faults);
         size::check(&layout, &resolved, max_memory, faults);
+        let baselines = case.checks.iter().filter(|check| matches!(check, Check::Baseline(_))).count();
+        size::check_baselines(baselines, &layout, max_memory, faults);
+        size::check_springs(foundation::count(&beds, &layout), max_memory, faults);
         if faults.has_errors() {
             return None;
         }
@@ -212,14 +215,16 @@ impl BeamScene {
             max_memory,
         };
         let expectations = checks::expectations(case, &context, &probes, faults);
-        let (supports, bedding) = (holds::springs(&held), foundation::springs(&beds, &beam));
+        let mut springs = holds::springs(&held);
+        let supports = springs.len();
+        foundation::add_springs(&beds, &beam, &mut springs);
         Some(Self {
             case: case.clone(),
             files: Vec::new(),
             units: case.units,
             equations: equations(&held, &bars, &layout, &numbers, has_axial),
-            bedding: supports.len()..supports.len() + bedding.len(),
-            springs: [supports, bedding].concat(),
+            bedding: supports..springs.len(),
+            springs,
             has_axial,
             frame: layout.frame,
             solver: case.solver,

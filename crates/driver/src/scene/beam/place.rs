@@ -215,12 +215,16 @@ impl Layout {
     }
 }
 
+/// How many numbers of cells are tried for a hint.
+const MOST_TRIED: usize = 1_000_000;
+
 /// The smallest number of cells, not below the present one, that puts a point at `x`.
 fn cells_with_point(line: &LayoutLine, x: f64) -> Option<usize> {
     let z = (x - line.from) / line.length;
     (line.grid == Grid::Nodes && line.stations.is_none())
         .then(|| {
             (line.cells..=2 * line.cells + 100)
+                .take(MOST_TRIED)
                 .find(|&n| ((z * n as f64).round() - z * n as f64).abs() < 1e-9)
         })
         .flatten()

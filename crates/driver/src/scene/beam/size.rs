@@ -6,7 +6,7 @@ use super::{frame, root};
 use crate::diagnostic::Faults;
 use crate::memory;
 use peristat_assembly::model::timoshenko_beam::{BeamBond, Distributed, PointAction};
-use peristat_assembly::stiffness::Bond;
+use peristat_assembly::stiffness::{Bond, Spring};
 
 /// Largest number of bonds that are each their own: they are all kept.
 const MOST_BONDS: usize = 50_000_000;
@@ -46,6 +46,26 @@ pub(super) fn check_graded(cells: usize, max_memory: Option<u64>, faults: &mut F
     let needed = (2 * size_of::<f64>()) as f64 * cells as f64;
     let what = format!("the positions of {cells} graded cells");
     memory::fits(needed, (&what, "use fewer cells"), max_memory, root("body"), faults)
+}
+
+/// Whether so many springs of foundations, one for every point, fit into memory.
+pub(super) fn check_springs(springs: f64, max_memory: Option<u64>, faults: &mut Faults) -> bool {
+    let needed = size_of::<Spring>() as f64 * springs;
+    let what = format!("{springs:.2e} springs of foundations");
+    memory::fits(needed, (&what, "use fewer cells"), max_memory, root("foundation"), faults)
+}
+
+/// Whether so many lists of values at all points, which baselines are, fit into memory.
+pub(super) fn check_baselines(
+    lists: usize,
+    layout: &Layout,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> bool {
+    let points: usize = layout.lines.iter().map(LayoutLine::points).sum();
+    let needed = (lists * size_of::<(f64, f64)>()) as f64 * points as f64;
+    let what = format!("{lists} baselines at {points} points");
+    memory::fits(needed, (&what, "use fewer of them"), max_memory, root("checks"), faults)
 }
 
 /// Memory of a load of a state, of whichever kind, bytes.

@@ -78,6 +78,12 @@ impl<'a> Ground<'a> {
         self.named.keys().map(String::as_str)
     }
 
+    /// Number of points of the region of a name; none where it cannot be made.
+    pub(super) fn count(&self, name: &str) -> usize {
+        let region = self.named.get(name);
+        region.and_then(|region| self.select(region).ok()).map_or(0, |points| points.len())
+    }
+
     /// Points of a region that a case defines, with its faults.
     fn define(&self, name: &str, path: &JsonPath, faults: &mut Faults) {
         let Some(region) = self.named.get(name) else { return };

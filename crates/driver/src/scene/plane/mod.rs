@@ -7,6 +7,7 @@ mod boundary;
 mod checks;
 mod clamped;
 mod conditions;
+mod counts;
 mod cracks;
 mod critical;
 mod fading;
@@ -200,6 +201,9 @@ impl PlaneScene {
         let parts::Parts { mut recipe, outline, curves, cracks } =
             parts::parts(case, model, folder, max_memory, faults)?;
         let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
+        if !counts::fit(&ground, max_memory, faults) {
+            return None;
+        }
         let held = supports::held(&ground, &recipe.symmetry, &recipe.bonds, faults);
         let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
         rigid_mirror::check(&rigid, &recipe, faults);

@@ -187,6 +187,7 @@ pub(super) fn rigid(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) -
                     format!("the region `{}` shares points with that of `{}`", given.region, other.origin),
                 )
                 .hint("two rigid bodies that share points are one: take the union of both regions");
+            continue;
         }
         rigid.push(resolve_rigid(given, points, ground, &path));
     }
