@@ -1,6 +1,7 @@
 //! Neighbours within a radius, found by a list of points per cell.
 
 use super::geometry::{Point, distance};
+use std::collections::HashMap;
 
 /// Per point its neighbours in ascending order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,6 +46,24 @@ impl Neighbours {
             self.of(p).iter().filter(move |q| **q > own).map(move |q| [own, *q])
         })
     }
+}
+
+/// About how many pairs of points there are at a distance of at most `radius` (m, above zero), from the numbers of points in
+/// squares of this side: in time that grows with the points alone, however many pairs there are.
+pub(super) fn about(positions: &[Point], radius: f64) -> f64 {
+    // Beside its own square a circle covers this part of the eight around it.
+    const PART: f64 = (std::f64::consts::PI - 1.0) / 8.0;
+    let mut squares: HashMap<[i64; 2], f64> = HashMap::new();
+    for p in positions {
+        *squares.entry(p.map(|x| (x / radius).floor() as i64)).or_default() += 1.0;
+    }
+    let of_square = |(&[i, j], own): (&[i64; 2], &f64)| {
+        let square = |a: i64, b: i64| squares.get(&[i.saturating_add(a), j.saturating_add(b)]);
+        let block: f64 = (-1..=1).flat_map(|a| (-1..=1).filter_map(move |b| square(a, b))).sum();
+        own * (own - 1.0 + PART * (block - own))
+    };
+    // Whole numbers and one factor: the order does not matter but for rounding.
+    0.5 * squares.iter().map(of_square).sum::<f64>()
 }
 
 struct Cells {
@@ -122,6 +141,27 @@ mod tests {
                 prop_assert_eq!(found.of(p), all);
             }
             prop_assert_eq!(2 * found.pairs().count(), found.list.len());
+        }
+    }
+
+    /// Squares, clusters in one square and at the corner of four, and lines.
+    #[test]
+    fn the_number_of_pairs_is_known_without_them() {
+        let grid = |n: i32, h: f64| (0..n * n).map(move |k| [f64::from(k % n) * h, f64::from(k / n) * h]);
+        let line = |n: i32, h: f64| (0..n).map(move |k| [f64::from(k) * h, 0.5 * f64::from(k) * h]);
+        let moved = |by: f64| grid(20, 1e-3).map(move |[x, y]| [x + by, y + by]);
+        let bodies: [Vec<Point>; 5] = [
+            grid(60, 0.3).collect(),
+            moved(0.5).collect(),
+            moved(-0.01).collect(),
+            moved(0.5).chain(line(300, 0.2)).collect(),
+            line(2000, 0.1).collect(),
+        ];
+        for positions in bodies {
+            let exact = Neighbours::within(&positions, 1.0).pairs().count() as f64;
+            let ratio = about(&positions, 1.0) / exact;
+            // Measured 0.94, 1, 0.45, 0.99 and 0.90.
+            assert!((0.4..1.1).contains(&ratio), "{ratio} of {exact}");
         }
     }
 
