@@ -121,7 +121,7 @@ fn gallery() -> Vec<PathBuf> {
 
 /// A case of the gallery with a solver; `None` if the solver does not apply.
 fn solved(path: &Path, solver: &str) -> Option<Run> {
-    let source = peristat::case::read(path, &[format!("solver={solver}")]).expect("a case");
+    let source = peristat::case::read(path, &[format!("solver={solver}")], None).expect("a case");
     let scene = Scene::new(source.case, path.parent().expect("a folder"), "case", &source.text, None)
         .expect("a scene");
     let scene = scene.into_beam().expect("a beam");

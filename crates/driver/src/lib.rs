@@ -125,7 +125,7 @@ impl Loaded {
     /// # Errors
     /// [`Error::Case`] with all faults.
     pub fn read(path: &Path, overrides: &[String], max_memory: Option<u64>) -> Result<Self, Error> {
-        let source = case::read(path, overrides).map_err(Error::Case)?;
+        let source = case::read(path, overrides, max_memory).map_err(Error::Case)?;
         Self::from_source(source, Folder::of(path, Reach::Inside), max_memory)
     }
 

@@ -2,9 +2,8 @@
 
 use super::Case;
 use crate::diagnostic::{self, Diagnostic, JsonPath, Report, Segment, decode};
+use crate::input;
 use serde_json::Value;
-use std::fs;
-use std::io::ErrorKind;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -19,30 +18,31 @@ pub struct Source {
     pub text: String,
 }
 
-/// Reads a case and applies overrides of the form `path=value`.
+/// Reads a case and applies overrides of the form `path=value`; `max_memory` is in bytes, without it there is what the
+/// machine has.
 ///
 /// # Errors
 /// A [`Report`] with the place of the fault.
-pub fn read(path: &Path, overrides: &[String]) -> Result<Source, Report> {
-    from_text(&path.display().to_string(), read_text(path)?, overrides)
+pub fn read(path: &Path, overrides: &[String], max_memory: Option<u64>) -> Result<Source, Report> {
+    from_text(&path.display().to_string(), read_text(path, max_memory)?, overrides)
 }
 
-/// The text of a case file.
+/// The text of a case file, which is regular and fits into so many bytes of memory, or what the machine has.
 ///
 /// # Errors
 /// A [`Report`] that says why it cannot be read.
-pub fn read_text(path: &Path) -> Result<String, Report> {
+pub fn read_text(path: &Path, max_memory: Option<u64>) -> Result<String, Report> {
     let file = path.display().to_string();
-    let bytes = fs::read(path).map_err(|error| {
-        let (message, hint) = match error.kind() {
+    let bytes = input::file::read(path, max_memory).map_err(|refusal| {
+        let (message, hint) = match path.try_exists() {
             _ if path.is_dir() => {
                 ("this is a folder, not a case".into(), Some("`peristat verify` runs all cases of a folder"))
             }
-            ErrorKind::NotFound => (
+            Ok(false) => (
                 "there is no such file".into(),
                 Some("`peristat new timoshenko_beam` prints a case to begin with"),
             ),
-            _ => (format!("the file cannot be read: {error}"), None),
+            _ => (format!("the file {}", refusal.reason), refusal.hint),
         };
         let mut diagnostic = Diagnostic::error(JsonPath::default(), message);
         diagnostic.hint = hint.map(Into::into);

@@ -3,9 +3,7 @@
 //! A case may come from anywhere. What it names is read only where it lies in the folder of the case, or below; links that
 //! lead out of it count as outside.
 
-use crate::memory;
-use std::fs;
-use std::io::{self, ErrorKind, Read};
+use super::file::{self, Refusal};
 use std::path::{Component, Path, PathBuf};
 
 /// How far from a case the files may lie that it names.
@@ -37,25 +35,6 @@ impl From<&Folder> for Folder {
     }
 }
 
-/// Why a file gives no bytes.
-#[derive(Debug)]
-pub(crate) struct Refusal {
-    /// What is said of the file, such as `does not exist`.
-    pub(crate) reason: String,
-    /// What to do about it, where that is not to mend its name.
-    pub(crate) hint: Option<&'static str>,
-}
-
-impl From<io::Error> for Refusal {
-    fn from(error: io::Error) -> Self {
-        let reason = match error.kind() {
-            ErrorKind::NotFound => "does not exist".into(),
-            _ => format!("cannot be read: {error}"),
-        };
-        Self { reason, hint: None }
-    }
-}
-
 const OUTSIDE: &str = "put the file beside the case, or add `--allow-outside` if you trust the case";
 
 impl Folder {
@@ -75,27 +54,11 @@ impl Folder {
     /// # Errors
     /// It lies outside, is none, is too large, or cannot be read.
     pub(crate) fn read(&self, file: &str, max_memory: Option<u64>) -> Result<Vec<u8>, Refusal> {
-        let path = self.find(file)?;
-        let most = memory::allowed(max_memory).unwrap_or(u64::MAX - 1);
-        let refuse = |reason: &str, hint| Err(Refusal { reason: reason.into(), hint });
-        let large = || Refusal {
-            reason: format!("is larger than the {} of memory that may be used", memory::words(most)),
-            hint: Some("raise `--max-memory`"),
-        };
-        let kind = fs::metadata(&path)?;
-        match (kind.is_dir(), kind.is_file()) {
-            (true, _) => return refuse("is a folder", None),
-            // A device or a pipe may have no end.
-            (_, false) => return refuse("is no regular file", Some("name a file that lies on a disk")),
-            _ if kind.len() > most => return Err(large()),
-            _ => {}
-        }
-        let mut bytes = Vec::new();
-        fs::File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
-        if bytes.len() as u64 > most { Err(large()) } else { Ok(bytes) }
+        file::read(&self.find(file)?, max_memory)
     }
 
-    /// The path of a file; nothing is asked of the file system about places outside.
+    /// The path of a file. Names that lead outside are refused as they are written; links in a name that stays inside are
+    /// followed to see where they lead, and nothing is read there.
     fn find(&self, file: &str) -> Result<PathBuf, Refusal> {
         let path = self.path.join(file);
         if self.reach == Reach::Anywhere {
@@ -129,6 +92,7 @@ fn leaves(path: &Path) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn steps_up_leave_only_where_none_down_came_before() {

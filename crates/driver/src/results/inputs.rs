@@ -1,8 +1,8 @@
 //! The files that a case names, beside its `case.json`.
 
+use crate::input::file;
 use crate::output::{atomic, folder};
 use crate::scene::{INPUTS, Scene};
-use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -21,6 +21,7 @@ pub(super) fn write(results: &Path, scene: &Scene) -> io::Result<()> {
 
 /// Whether an earlier run wrote a file: its case names it.
 pub(super) fn wrote(results: &Path, name: &str) -> bool {
-    let case = fs::read_to_string(results.join("case.json")).unwrap_or_default();
+    let case = file::read(&results.join("case.json"), Some(file::LARGEST_RECORD)).unwrap_or_default();
+    let case = String::from_utf8(case).unwrap_or_default();
     serde_json::to_string(&format!("{INPUTS}/{name}")).is_ok_and(|written| case.contains(&written))
 }

@@ -71,7 +71,7 @@ mod tests {
         let mesh = std::fs::read_to_string(cases.join("bracket.msh")).unwrap();
         let of = |mesh: &str| {
             std::fs::write(folder.path().join("bracket.msh"), mesh).unwrap();
-            let source = crate::case::read(&cases.join("bracket.json"), &["checks=[]".into()]).unwrap();
+            let source = crate::case::read(&cases.join("bracket.json"), &["checks=[]".into()], None).unwrap();
             Scene::new(source.case, folder.path(), "case", "", None).unwrap().fingerprint().unwrap()
         };
         let first = of(&mesh);

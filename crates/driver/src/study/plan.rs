@@ -4,10 +4,9 @@ use super::check::check;
 use super::file::{Refine, Study};
 use crate::case::{self, Case, Overrides, Source};
 use crate::diagnostic::{Diagnostic, Faults, JsonPath, Report, decode, parse};
-use crate::input::{Folder, Reach};
+use crate::input::{self, Folder, Reach};
 use crate::memory;
 use serde_json::{Map, Value};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// One case to solve.
@@ -62,12 +61,14 @@ impl Plan {
     /// All faults of the study, or the first fault of one of its cases.
     pub fn read(file: &Path, overrides: &[String], reach: Reach) -> Result<Self, Report> {
         let name = file.display().to_string();
-        let failed = |message: String| {
-            Report::of(&name, String::new(), Diagnostic::error(JsonPath::default(), message))
-        };
-        let bytes = fs::read(file).map_err(|error| match file.is_dir() {
-            true => failed("this is a folder, not a study".into()),
-            false => failed(format!("the study cannot be read: {error}")),
+        let bytes = input::file::read(file, None).map_err(|refusal| {
+            let message = match file.is_dir() {
+                true => "this is a folder, not a study".into(),
+                false => format!("the study {}", refusal.reason),
+            };
+            let mut diagnostic = Diagnostic::error(JsonPath::default(), message);
+            diagnostic.hint = refusal.hint.map(Into::into);
+            Report::of(&name, String::new(), diagnostic)
         })?;
         let text = decode(&name, bytes)?;
         let study: Study = parse(&name, &text)?;
