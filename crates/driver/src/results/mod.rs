@@ -5,6 +5,7 @@ mod any_curve;
 mod beam;
 mod claim;
 mod curve;
+mod digest;
 mod envelope;
 mod factor;
 mod inputs;
@@ -23,6 +24,7 @@ use crate::summary::Summary;
 use any_curve::AnyCurve;
 pub(crate) use claim::plain;
 pub use claim::{Claim, MARK};
+use digest::Digest;
 use envelope::Envelope;
 use report::Report;
 use std::fs;
@@ -54,6 +56,8 @@ pub struct Results {
     folder: PathBuf,
     /// Files of states.
     files: Vec<String>,
+    /// Those of their tables and grids, where a run can be resumed.
+    digests: Vec<Digest>,
     steps: Vec<(f64, String)>,
     history: Vec<Vec<f64>>,
     envelope: Option<Envelope>,
@@ -146,6 +150,7 @@ impl Results {
         Ok(Self {
             folder: folder.into(),
             files: Vec::new(),
+            digests: Vec::new(),
             steps: Vec::new(),
             history: Vec::new(),
             envelope: scene.has_envelope().then(Envelope::default),
@@ -181,6 +186,11 @@ impl Results {
             }
             _ => unreachable!("a scene has results of its own kind"),
         };
+        if scene.case().fracture.is_some() {
+            for file in fields(record.index) {
+                self.digests.push(Digest::of(&self.folder.join(file))?);
+            }
+        }
         if let Some(figures) = figures {
             self.report.take(record.index, figures);
         }
@@ -212,7 +222,7 @@ impl Results {
         let Some(restart) = restart else { return Ok(()) };
         let begin = Instant::now();
         if ends || self.due.is_none_or(|due| due <= begin) {
-            restart::write(&self.folder.join(restart::FILE), &restart())?;
+            restart::write(&self.folder.join(restart::FILE), &restart(), &self.digests)?;
             let end = Instant::now();
             let pause = (end - begin).saturating_mul(SELDOM);
             self.due = Some(end.checked_add(pause).unwrap_or(end + Duration::from_secs(60)));

@@ -1,11 +1,13 @@
 //! `restart.bin`: what a run goes on from.
 //!
 //! The file is `peristat restart\n`, the version of its content, the length of that (both little-endian), the BLAKE3 hash of
-//! the content, and the content itself in the format of `postcard`.
+//! the content, and the content itself in the format of `postcard`: what the solution goes on from, and the digests of the
+//! tables and grids that were written before.
 
+use super::digest::Digest;
+use crate::input::file;
 use crate::output::atomic;
 use crate::run::fracture::Restart;
-use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
@@ -13,16 +15,16 @@ use std::path::Path;
 pub(super) const FILE: &str = "restart.bin";
 
 const MAGIC: &[u8; 17] = b"peristat restart\n";
-/// To be raised with every change of [`Restart`].
-const VERSION: u32 = 1;
+/// To be raised with every change of the content, what a summary says of states among it.
+const VERSION: u32 = 2;
 const HASH: usize = blake3::OUT_LEN;
 
 /// Writes what a run goes on from in place of an older file.
 ///
 /// # Errors
 /// What the file system reports; the older file is then unchanged.
-pub(super) fn write(path: &Path, restart: &Restart) -> io::Result<()> {
-    let content = postcard::to_stdvec(restart).map_err(io::Error::other)?;
+pub(super) fn write(path: &Path, restart: &Restart, digests: &[Digest]) -> io::Result<()> {
+    let content = postcard::to_stdvec(&(restart, digests)).map_err(io::Error::other)?;
     atomic::replace(path, |file| {
         file.write_all(MAGIC)?;
         file.write_all(&VERSION.to_le_bytes())?;
@@ -36,8 +38,9 @@ pub(super) fn write(path: &Path, restart: &Restart) -> io::Result<()> {
 ///
 /// # Errors
 /// [`ErrorKind::InvalidData`] if the file is another one, of another version, or damaged; what the file system reports.
-pub(super) fn read(path: &Path) -> io::Result<Restart> {
-    decode(&fs::read(path)?).map_err(|reason| {
+pub(super) fn read(path: &Path) -> io::Result<(Restart, Vec<Digest>)> {
+    let bytes = file::read(path, None).map_err(|refusal| refusal.reason);
+    bytes.and_then(|bytes| decode(&bytes).map_err(Into::into)).map_err(|reason| {
         let message = format!(
             "{} {reason}\nhint: add `--force` in place of `--resume` to run the case anew",
             path.display()
@@ -46,7 +49,7 @@ pub(super) fn read(path: &Path) -> io::Result<Restart> {
     })
 }
 
-fn decode(bytes: &[u8]) -> Result<Restart, &'static str> {
+fn decode(bytes: &[u8]) -> Result<(Restart, Vec<Digest>), &'static str> {
     const DAMAGED: &str = "is damaged";
     let rest = bytes.strip_prefix(MAGIC).ok_or("is not a restart of peristat")?;
     let (version, rest) = rest.split_first_chunk().ok_or(DAMAGED)?;
@@ -68,6 +71,7 @@ fn decode(bytes: &[u8]) -> Result<Restart, &'static str> {
 mod tests {
     use super::*;
     use crate::run::fracture::Event;
+    use std::fs;
 
     fn restart() -> Restart {
         let values = [0.1, -0.0, 1.0 / 3.0, 5e-324, f64::MAX, -1e-7, 2.0_f64.powi(60) + 256.0];
@@ -89,14 +93,27 @@ mod tests {
         }
     }
 
+    /// Those of two files.
+    fn digests(folder: &Path) -> Vec<Digest> {
+        let of = |text: &str| {
+            let path = folder.join("field");
+            fs::write(&path, text).unwrap();
+            let digest = Digest::of(&path).unwrap();
+            fs::remove_file(&path).unwrap();
+            digest
+        };
+        vec![of(""), of("x,y\n")]
+    }
+
     #[test]
     fn everything_reads_back_to_the_same_bits() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(FILE);
-        write(&path, &Restart::default()).unwrap();
-        write(&path, &restart()).unwrap();
-        let found = read(&path).unwrap();
-        assert_eq!(found, restart());
+        let digests = digests(folder.path());
+        write(&path, &Restart::default(), &[]).unwrap();
+        write(&path, &restart(), &digests).unwrap();
+        let (found, kept) = read(&path).unwrap();
+        assert_eq!((&found, &kept[..]), (&restart(), &digests[..]));
         for (found, expected) in found.unit.iter().zip(restart().unit) {
             assert_eq!(found.to_bits(), expected.to_bits());
         }
@@ -107,7 +124,8 @@ mod tests {
     fn a_file_that_is_cut_off_anywhere_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(FILE);
-        write(&path, &restart()).unwrap();
+        let digests = digests(folder.path());
+        write(&path, &restart(), &digests).unwrap();
         let whole = fs::read(&path).unwrap();
         for length in 0..whole.len() {
             assert!(decode(&whole[..length]).is_err(), "{length} of {}", whole.len());
@@ -123,7 +141,8 @@ mod tests {
     fn a_foreign_changed_or_future_file_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(FILE);
-        write(&path, &restart()).unwrap();
+        let digests = digests(folder.path());
+        write(&path, &restart(), &digests).unwrap();
         let whole = fs::read(&path).unwrap();
         assert_eq!(decode(b"{}"), Err("is not a restart of peristat"));
         for place in MAGIC.len()..whole.len() {

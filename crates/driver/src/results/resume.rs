@@ -1,6 +1,7 @@
 //! Going on with the folder of a run that was interrupted.
 
 use super::curve::Curve;
+use super::digest::Digest;
 use super::report::Report;
 use super::{
     AnyCurve, Claim, MARK, Results, fields, history_row, is_leftover, lost, names_in, restart, step,
@@ -49,7 +50,7 @@ impl Results {
         if !path.exists() {
             return nothing();
         }
-        let restart = restart::read(&path)?;
+        let (restart, digests) = restart::read(&path)?;
         if restart.case != scene.fingerprint()? {
             let reason = format!(
                 "the run in {place} is of another case, or the case or peristat has been changed since"
@@ -57,8 +58,17 @@ impl Results {
             let hint = "resume it with the `case.json` in that folder, or add `--force` in place of `--resume` to run the case anew";
             return refuse(ErrorKind::InvalidInput, reason, hint);
         }
-        if let Some(file) = lost(folder, (0..restart.recorded).flat_map(fields)) {
+        let files = || (0..restart.recorded).flat_map(fields);
+        if let Some(file) = lost(folder, files()) {
             return refuse(ErrorKind::NotFound, format!("{place} has lost `{file}`"), ANEW);
+        }
+        let changed = files().enumerate().find(|(k, file)| {
+            let digest = digests.get(*k);
+            digest.is_none_or(|digest| !digest.is_of(&folder.join(file)))
+        });
+        if let Some((_, file)) = changed {
+            let reason = format!("`{file}` in {place} has been changed since it was written");
+            return refuse(ErrorKind::InvalidData, reason, ANEW);
         }
         Ok((claim, restart))
     }
@@ -82,10 +92,13 @@ impl Results {
         output::folder::make(&folder.join("plots"))?;
         sweep(folder)?;
         ["fields", "plots"].iter().try_for_each(|part| sweep(&folder.join(part)))?;
+        // Lines may have been others.
+        let files: Vec<String> = (0..restart.recorded).flat_map(fields).collect();
+        let digests = files.iter().map(|file| Digest::of(&folder.join(file)));
         let results = Self {
             folder: folder.into(),
-            // Lines may have been others.
-            files: (0..restart.recorded).flat_map(fields).collect(),
+            digests: digests.collect::<io::Result<_>>()?,
+            files,
             steps,
             history,
             envelope: None,
@@ -225,6 +238,32 @@ mod tests {
             fs::rename(&aside, out.join(part)).unwrap();
         }
         Results::resume(&claim, scene, &found).unwrap();
+    }
+
+    #[test]
+    fn a_run_of_which_a_field_was_changed_is_not_resumed() {
+        let folder = tempfile::tempdir().unwrap();
+        let (loaded, states) = plate(folder.path());
+        let (scene, out) = (&loaded.scene, folder.path().join("out"));
+        go_on(&mut begin(&out, scene), scene, &states, 0..1);
+        // A second equilibrium after a resumption.
+        let (claim, found) = Results::interrupted(&out, scene).unwrap();
+        go_on(&mut Results::resume(&claim, scene, &found).unwrap(), scene, &states, 1..2);
+        drop(claim);
+        for file in ["step_000.csv", "step_000.vtu", "step_001.csv", "step_001.vtu"] {
+            let path = out.join("fields").join(file);
+            let whole = fs::read(&path).unwrap();
+            let mut other = whole.clone();
+            *other.last_mut().unwrap() ^= 1;
+            for changed in [&other, &whole[1..], b"garbage"] {
+                fs::write(&path, changed).unwrap();
+                let error = Results::interrupted(&out, scene).unwrap_err().to_string();
+                let said = format!("`fields/{file}` in {} has been changed", out.display());
+                assert!(error.starts_with(&said) && error.contains("\nhint: "), "{error}");
+            }
+            fs::write(&path, whole).unwrap();
+        }
+        Results::interrupted(&out, scene).unwrap();
     }
 
     #[test]
