@@ -292,6 +292,47 @@ fn a_matrix_does_not_overwrite_a_file_unless_forced() {
 }
 
 #[test]
+fn a_matrix_is_not_written_where_the_results_would_replace_it() {
+    let folder = tempfile::tempdir().unwrap();
+    for file in ["out/summary.json", "out/.peristat", "out/../out/history.csv"] {
+        let refused = solve(folder.path(), "cantilever.json", &["--write-matrix", file]);
+        assert_eq!(refused.code, 2, "{file}: {}", refused.stderr);
+        assert!(names(folder.path()).is_empty(), "{file}");
+        if file != "out/.peristat" {
+            let message = format!("error: the results would replace {file}\nhint: ");
+            assert!(refused.stderr.starts_with(&message), "{}", refused.stderr);
+        }
+    }
+    assert_eq!(solve(folder.path(), "cantilever.json", &["--write-matrix", "out/k.mtx"]).code, 0);
+    assert!(folder.path().join("out/k.mtx").exists());
+    for file in ["out/summary.json", "out/fields/k.mtx"] {
+        let refused = solve(folder.path(), "cantilever.json", &["--force", "--write-matrix", file]);
+        assert_eq!(refused.code, 2, "{file}");
+        assert!(refused.stderr.contains("the results would replace"), "{}", refused.stderr);
+    }
+}
+
+#[test]
+fn a_folder_of_the_user_with_the_name_of_a_file_is_left_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawing = folder.path().join("out/summary.json/drawing.svg");
+    fs::create_dir_all(drawing.parent().unwrap()).unwrap();
+    fs::write(&drawing, "mine").unwrap();
+    fs::create_dir(folder.path().join("out/plots")).unwrap();
+    fs::write(folder.path().join("out/plots/notes.txt"), "mine").unwrap();
+    let refused = solve(folder.path(), "cantilever.json", &["--force"]);
+    assert_eq!(refused.code, 2, "{}", refused.stderr);
+    let message = "error: out holds a folder `summary.json`, where a file of this name belongs\nhint: ";
+    assert!(refused.stderr.starts_with(message), "{}", refused.stderr);
+    for file in [drawing, folder.path().join("out/plots/notes.txt")] {
+        assert_eq!(fs::read_to_string(file).unwrap(), "mine");
+    }
+    fs::remove_dir_all(folder.path().join("out/summary.json")).unwrap();
+    assert_eq!(solve(folder.path(), "cantilever.json", &["--force"]).code, 0);
+    assert!(folder.path().join("out/plots/notes.txt").exists());
+}
+
+#[test]
 fn only_a_run_of_a_body_that_breaks_is_resumed() {
     let folder = tempfile::tempdir().unwrap();
     let refused = solve(folder.path(), "cantilever.json", &["--resume"]);

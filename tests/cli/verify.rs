@@ -85,6 +85,30 @@ fn the_junit_report_counts_and_escapes() {
 }
 
 #[test]
+fn the_junit_report_replaces_only_a_report_unless_forced() {
+    let folder = tempfile::tempdir().unwrap();
+    mixed(folder.path());
+    let before = fs::read_to_string(folder.path().join("good.json")).unwrap();
+    let onto = |file: &str, more: &[&str]| {
+        run(folder.path(), &[&["verify", "good.json", "--junit", file], more].concat())
+    };
+    let refused = onto("good.json", &[]);
+    assert_eq!(refused.code, 2);
+    let message =
+        "error: good.json exists and is no JUnit report\nhint: choose another file, or add `--force`\n";
+    assert_eq!((refused.stderr.as_str(), refused.stdout.as_str()), (message, ""));
+    assert_eq!(fs::read_to_string(folder.path().join("good.json")).unwrap(), before);
+    for file in ["report.xml", "report.xml"] {
+        assert_eq!(onto(file, &[]).code, 0);
+    }
+    fs::write(folder.path().join("notes.xml"), "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<notes/>")
+        .unwrap();
+    assert_eq!(onto("notes.xml", &[]).code, 2);
+    assert_eq!(onto("notes.xml", &["--force"]).code, 0);
+    assert_eq!(onto("both.xml", &["-o", "out", "--force"]).code, 0);
+}
+
+#[test]
 fn results_of_every_case_are_written_where_that_is_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     mixed(folder.path());

@@ -1,7 +1,7 @@
 //! The command line.
 
 use crate::input::Reach;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
 /// Implicit static peridynamics: plates, beams and plane frames.
@@ -78,6 +78,7 @@ pub(super) enum Command {
         overrides: Vec<String>,
     },
     /// Solve cases and make their checks; writes no results.
+    #[command(group(ArgGroup::new("written").args(["junit", "output"]).multiple(true)))]
     Verify {
         /// Case files and folders of them; `cases` if none is given.
         #[arg(value_name = "PATH")]
@@ -91,8 +92,8 @@ pub(super) enum Command {
         /// Write the results of every case into a folder below this one.
         #[arg(short, long, value_name = "DIR")]
         output: Option<PathBuf>,
-        /// Replace earlier runs in those folders; other files there stay.
-        #[arg(long, requires = "output")]
+        /// Replace earlier runs in those folders, other files there stay; write the report in place of any file.
+        #[arg(long, requires = "written")]
         force: bool,
     },
     /// Solve a case on many discretisations: orders of convergence and extrapolated values.

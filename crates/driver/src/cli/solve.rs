@@ -50,6 +50,13 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
             let message = format!("{} exists\nhint: choose another file, or add `--force`", file.display());
             return Err(io::Error::new(io::ErrorKind::AlreadyExists, message).into());
         }
+        if claim.writes(file) {
+            let message = format!(
+                "the results would replace {}\nhint: choose another file for the matrix",
+                file.display()
+            );
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, message).into());
+        }
         write_matrix(&loaded, file)?;
     }
     let mut writing = Writing::new(&loaded.scene, claim);

@@ -4,6 +4,7 @@ use super::args::Global;
 use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, complain, note, print, say, solve};
 use crate::Error;
+use crate::input::file;
 use crate::output::folder::below;
 use crate::results::{Claim, MARK};
 use crate::run::{RunOptions, taking};
@@ -47,6 +48,9 @@ pub(super) fn verify(request: &Request, global: &Global) -> Result<u8, Error> {
     cases.retain(|case| named.insert(case.clone()));
     if request.output.is_some() {
         apart(&cases)?;
+    }
+    if let Some(file) = request.junit.as_ref().filter(|_| !request.force) {
+        replaceable(file)?;
     }
     let outcomes = solve_all(&cases, request, global);
     if outcomes.is_empty() {
@@ -226,14 +230,27 @@ fn json(outcomes: &[Outcome]) -> String {
     format!("{:#}\n", serde_json::Value::from(list.collect::<Vec<_>>()))
 }
 
+/// How every JUnit report begins.
+const JUNIT: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"peristat\" ";
+
+/// Whether a JUnit report may be written to a file: it is not there, or holds an earlier report.
+fn replaceable(path: &Path) -> io::Result<()> {
+    let is_report = || file::read(path, None).is_ok_and(|bytes| bytes.starts_with(JUNIT.as_bytes()));
+    if !path.exists() || is_report() {
+        return Ok(());
+    }
+    let message = format!(
+        "{} exists and is no JUnit report\nhint: choose another file, or add `--force`",
+        path.display()
+    );
+    Err(io::Error::new(io::ErrorKind::AlreadyExists, message))
+}
+
 /// The outcomes in the form that CI servers read.
 fn junit(outcomes: &[Outcome]) -> String {
     let xml = crate::output::xml;
     let failed = outcomes.iter().filter(|o| !matches!(verdict(o), "passed" | "no checks")).count();
-    let mut text = format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"peristat\" tests=\"{}\" failures=\"{failed}\">\n",
-        outcomes.len()
-    );
+    let mut text = format!("{JUNIT}tests=\"{}\" failures=\"{failed}\">\n", outcomes.len());
     for o in outcomes {
         let name = xml(&o.case.display().to_string());
         let _ = write!(text, "  <testcase name=\"{name}\" classname=\"peristat\" time=\"{:.3}\"", o.seconds);

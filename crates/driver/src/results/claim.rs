@@ -1,6 +1,7 @@
 //! Which folders a run may write into, and that no two write into one at once.
 
 use super::{OWN, inputs, is_leftover, names_in, restart};
+use crate::input::file;
 use crate::output::lock::{Hold, Lock};
 use crate::scene::INPUTS;
 use std::fs;
@@ -52,6 +53,17 @@ impl Claim {
     pub fn folder(&self) -> &Path {
         &self.folder
     }
+
+    /// Whether a path is that of a file which a run writes into the folder, or lies where one writes.
+    pub fn writes(&self, path: &Path) -> bool {
+        let outer = path.parent().filter(|outer| !outer.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let (Ok(outer), Ok(folder)) = (outer.canonicalize(), self.folder.canonicalize()) else {
+            return false;
+        };
+        let place = outer.join(path.file_name().unwrap_or_default());
+        let first = place.strip_prefix(folder).ok().and_then(|inner| inner.iter().next()?.to_str());
+        first.is_some_and(|name| name == MARK || OWN.contains(&name))
+    }
 }
 
 impl Drop for Claim {
@@ -85,6 +97,13 @@ fn vacant(folder: &Path, force: bool) -> io::Result<()> {
     let place = folder.display();
     if folder.exists() && !folder.is_dir() {
         return refuse(format!("{place} is a file, not a folder\nhint: choose a folder with `-o`"));
+    }
+    let in_the_way =
+        |name: &&&str| !is_part(name) && folder.join(name).symlink_metadata().is_ok_and(|data| data.is_dir());
+    if let Some(name) = OWN.iter().find(in_the_way) {
+        return refuse(format!(
+            "{place} holds a folder `{name}`, where a file of this name belongs\nhint: choose another folder with `-o`"
+        ));
     }
     if !folder.exists() || force {
         return Ok(());
@@ -132,6 +151,11 @@ fn foreign(folder: &Path) -> io::Result<Option<String>> {
 /// Folders in that of every run.
 pub(super) const PARTS: [&str; 2] = ["fields", "plots"];
 
+/// Whether this is the name of a folder in that of a run.
+pub(super) fn is_part(name: &str) -> bool {
+    name == INPUTS || PARTS.contains(&name)
+}
+
 /// Whether a run writes files of such a name into a folder of its folder.
 pub(super) fn is_of_part(folder: &Path, part: &str, name: &str) -> bool {
     is_leftover(name)
@@ -144,7 +168,8 @@ pub(super) fn is_of_part(folder: &Path, part: &str, name: &str) -> bool {
 
 /// Title of the case that a folder is of.
 fn title(folder: &Path) -> Option<String> {
-    let case: serde_json::Value = serde_json::from_slice(&fs::read(folder.join("case.json")).ok()?).ok()?;
+    let case = file::read(&folder.join("case.json"), Some(file::LARGEST_RECORD)).ok()?;
+    let case: serde_json::Value = serde_json::from_slice(&case).ok()?;
     Some(plain(case.get("title")?.as_str()?))
 }
 

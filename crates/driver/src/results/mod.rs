@@ -100,7 +100,7 @@ fn is_leftover(name: &str) -> bool {
 }
 
 /// Removes what was being written in a folder when its run was killed.
-fn sweep(folder: &Path) -> io::Result<()> {
+pub(crate) fn sweep(folder: &Path) -> io::Result<()> {
     let leftover = names_in(folder)?.into_iter().filter(|name| is_leftover(name));
     leftover.map(|name| folder.join(name)).try_for_each(fs::remove_file)
 }
@@ -111,6 +111,8 @@ fn clear(folder: &Path) -> io::Result<()> {
     for name in OWN.iter().rev() {
         let path = folder.join(name);
         match path.symlink_metadata() {
+            // Where a run writes a file, a folder is somebody else's.
+            Ok(data) if data.is_dir() && !claim::is_part(name) => {}
             Ok(data) if data.is_dir() => {
                 let own = names_in(&path)?.into_iter().filter(|file| claim::is_of_part(folder, name, file));
                 own.map(|file| path.join(file)).try_for_each(fs::remove_file)?;
