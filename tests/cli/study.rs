@@ -293,6 +293,22 @@ fn other_files_are_not_mixed_with_those_of_a_study() {
 }
 
 #[test]
+fn what_a_killed_study_was_writing_is_removed() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = study(folder.path(), &json!({ "vary": [] }));
+    assert_eq!(run(folder.path(), &["study", &file]).code, 0);
+    let part = |name: &str| folder.path().join("results/tip").join(name);
+    for name in ["tasks/.a1.part", "plots/.b2.part"] {
+        fs::write(part(name), "half").unwrap();
+    }
+    // Others may be writing where one task is solved.
+    assert_eq!(run(folder.path(), &["study", &file, "--task", "1"]).code, 0);
+    assert!(part("tasks/.a1.part").exists() && part("plots/.b2.part").exists());
+    assert_eq!(run(folder.path(), &["study", &file]).code, 0);
+    assert!(files(folder.path(), ".part").is_empty());
+}
+
+#[test]
 fn a_run_estimates_its_error() {
     let folder = tempfile::tempdir().unwrap();
     let case = gallery("published.json");

@@ -2,9 +2,10 @@
 
 use super::plan::Plan;
 use super::record::Record;
+use crate::input::file;
 use crate::output::lock::{Hold, Lock};
 use crate::output::{self, atomic};
-use crate::results::{MARK, plain};
+use crate::results::{MARK, plain, sweep};
 use serde_json::Value;
 use std::fs;
 use std::io;
@@ -62,7 +63,13 @@ impl Store {
                 folder.display()
             ));
         };
-        output::folder::make(&folder.join("tasks")).map_err(describe)?;
+        let parts = ["tasks", "plots"].map(|part| folder.join(part));
+        output::folder::make(&parts[0]).map_err(describe)?;
+        if hold == Hold::Alone {
+            // Nobody else is writing: what is there in part was left when a study was killed.
+            let own = parts.iter().filter(|part| part.is_dir() && !part.is_symlink());
+            own.map(PathBuf::as_path).try_for_each(sweep).map_err(describe)?;
+        }
         Ok(Self { folder: folder.into(), _mark: Some(mark) })
     }
 
@@ -82,7 +89,8 @@ impl Store {
     /// # Errors
     /// They are of another study.
     pub fn admit(&self, plan: &Plan) -> io::Result<()> {
-        let Ok(text) = fs::read(self.folder.join("study.json")) else { return Ok(()) };
+        let tables = file::read(&self.folder.join("study.json"), Some(file::LARGEST_RECORD));
+        let Ok(text) = tables else { return Ok(()) };
         let tables: Value = serde_json::from_slice(&text).unwrap_or_default();
         let all = |value: &Value, key: &str| value[key].as_array().cloned().unwrap_or_default();
         let levels = all(&tables, "series").into_iter().flat_map(|series| all(&series, "levels"));
@@ -116,7 +124,8 @@ impl Store {
 
     /// The record of a task, if it is finished. A file that is no such record counts as none.
     pub fn get(&self, key: &str) -> Option<Record> {
-        let record: Record = serde_json::from_slice(&fs::read(self.file(key)).ok()?).ok()?;
+        let record: Record =
+            serde_json::from_slice(&file::read(&self.file(key), Some(file::LARGEST_RECORD)).ok()?).ok()?;
         (record.key == key).then_some(record)
     }
 
