@@ -13,6 +13,9 @@ pub enum Hold {
     Together,
 }
 
+/// How often a file is opened that others remove at the same time.
+const TRIES: usize = 1000;
+
 /// A locked file.
 #[derive(Debug)]
 pub struct Lock {
@@ -25,16 +28,10 @@ impl Lock {
     /// locks, everyone gets one.
     ///
     /// # Errors
-    /// The file is a link, or cannot be opened for writing.
+    /// The file is a link, cannot be opened for writing, or is removed again and again.
     pub fn take(path: &Path, hold: Hold) -> io::Result<Option<Self>> {
-        if path.is_symlink() {
-            return Err(io::Error::new(
-                ErrorKind::InvalidInput,
-                "it is a link, and nothing is written through it",
-            ));
-        }
-        loop {
-            let file = OpenOptions::new().create(true).truncate(false).write(true).read(true).open(path)?;
+        for _ in 0..TRIES {
+            let Some(file) = open(path)? else { continue };
             let locked = match hold {
                 Hold::Alone => file.try_lock(),
                 Hold::Together => file.try_lock_shared(),
@@ -47,6 +44,7 @@ impl Lock {
                 return Ok(Some(Self { path: path.into(), _file: file }));
             }
         }
+        Err(io::Error::other("it is removed again and again"))
     }
 
     /// The file.
@@ -55,12 +53,32 @@ impl Lock {
     }
 }
 
-/// Whether an open file is the one at a path.
+/// Opens a file, which is made if it is not there; `None` if it has gone meanwhile.
+fn open(path: &Path) -> io::Result<Option<File>> {
+    let mut options = OpenOptions::new();
+    options.write(true).read(true);
+    // What is made new is never made through a link.
+    match options.create_new(true).open(path) {
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+        made => return made.map(Some),
+    }
+    if path.is_symlink() {
+        let name = path.file_name().unwrap_or_default().display();
+        let message = format!("`{name}` is a link, and nothing is written through it\nhint: remove it");
+        return Err(io::Error::new(ErrorKind::InvalidInput, message));
+    }
+    match options.create_new(false).open(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        opened => opened.map(Some),
+    }
+}
+
+/// Whether an open file is the one at a path, which is no link to it.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     let place = |data: std::fs::Metadata| (data.dev(), data.ino());
-    matches!((file.metadata().map(place), path.metadata().map(place)), (Ok(a), Ok(b)) if a == b)
+    matches!((file.metadata().map(place), path.symlink_metadata().map(place)), (Ok(a), Ok(b)) if a == b)
 }
 
 /// Systems that keep files which are open at their place.
@@ -86,6 +104,20 @@ mod tests {
         drop(together);
         assert!(take(Hold::Alone).is_some());
         assert!(Lock::take(&folder.path().join("no/lock"), Hold::Alone).is_err());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn nothing_is_made_or_locked_through_a_link() {
+        let folder = tempfile::tempdir().unwrap();
+        let (link, file) = (folder.path().join("link"), folder.path().join("file"));
+        std::os::unix::fs::symlink(&file, &link).unwrap();
+        let refused = || Lock::take(&link, Hold::Alone).unwrap_err().to_string().contains("is a link");
+        assert!(refused() && !file.exists());
+        std::fs::write(&file, "").unwrap();
+        assert!(refused());
+        assert!(!is_at(&std::fs::File::open(&link).unwrap(), &link));
+        assert!(is_at(&std::fs::File::open(&file).unwrap(), &file));
     }
 
     #[test]
