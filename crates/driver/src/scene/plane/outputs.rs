@@ -47,6 +47,9 @@ const PER_POSITION: f64 = (size_of::<LinePoint>() + 8 * size_of::<(u32, f64)>())
 /// Most positions of a line.
 const MOST: usize = 100_000;
 
+/// Longest name of a line, bytes: file systems allow 255, of which some are for the number of the step.
+const LONGEST: usize = 200;
+
 /// Lines of the case; `number` makes the number in the model of that in the body.
 pub(super) fn lines(
     ground: &Ground,
@@ -66,6 +69,15 @@ pub(super) fn lines(
         let path = root("lines").index(k);
         if !names.insert(&line.name) {
             faults.error(path.key("name"), format!("there are two lines `{}`", line.name));
+        }
+        if line.name.len() > LONGEST {
+            faults
+                .error(
+                    path.key("name"),
+                    format!("a name of {} bytes is too long for a file", line.name.len()),
+                )
+                .hint(format!("use at most {LONGEST} letters without accents"));
+            continue;
         }
         let fits = |c: char| c.is_alphanumeric() || " _-+.".contains(c);
         if line.name.is_empty() || !line.name.chars().all(fits) {
