@@ -9,6 +9,7 @@ mod disk;
 mod faults;
 mod fracture;
 mod hostile_input;
+mod limits;
 mod links;
 mod manual;
 mod memory;
