@@ -86,6 +86,11 @@ pub trait Model<const D: usize> {
         0
     }
 
+    /// Whether nothing reads an unknown.
+    fn is_idle(&self, _component: usize, _point: usize) -> bool {
+        false
+    }
+
     /// Unknowns of a point under the unit rigid motion of a kind, an index into
     /// [`RIGID_MOTIONS`](Self::RIGID_MOTIONS); rotations are about `centre`.
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; D];

@@ -2,7 +2,8 @@
 
 use super::drift::drift;
 use super::problem::Spread;
-use super::workspace::{StateSolution, work};
+use super::weigh::work;
+use super::workspace::StateSolution;
 use super::{Problem, extent};
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Survey;
@@ -102,9 +103,9 @@ pub(super) fn certify<const D: usize, P: Problem<D>>(
     let failed =
         matches!(status, PcgStatus::NotFinite | PcgStatus::IndefiniteOperator) || !energy.is_finite();
     Certificate {
-        residual: or_zero(residual),
-        next_correction: solution.next_correction,
-        first_correction: solution.first_correction,
+        residual: finite(or_zero(residual)),
+        next_correction: finite(solution.next_correction),
+        first_correction: finite(solution.first_correction),
         balance,
         energy_balance,
         energy,
@@ -164,6 +165,11 @@ impl Seen {
             energy: 0.0,
         }
     }
+}
+
+/// A measure of doubt that can be written: the largest number for what is none.
+fn finite(value: f64) -> f64 {
+    worst([value]).min(f64::MAX)
 }
 
 /// The largest of some samples; infinite if one of them is no number.

@@ -25,21 +25,22 @@ fn part(k: usize) -> f64 {
     f64::EPSILON * (hash as f64 / f64::from(1_u32 << 31) - 1.0)
 }
 
-/// The rounding of every force on an unknown; and where a point is pushed in more than one direction, of the components along
-/// the axes that loads are given in: a slanted member has mixed them.
+/// The rounding of every force on an unknown, and of the components along the axes that loads are given in: a slanted member has
+/// mixed them.
 fn rounding<const D: usize, T: Model<D>>(model: &T, forces: &[f64]) -> Vec<f64> {
     let (n, origin) = (model.points(), model.position(0));
     let mut rounding: Vec<f64> = forces.iter().enumerate().map(|(k, f)| part(k) * f).collect();
     let translations =
         (0..T::RIGID_MOTIONS.len()).filter(|&kind| T::RIGID_MOTIONS[kind].starts_with("translation"));
-    let pushes =
-        |point: usize| (0..D).filter(|&c| T::IS_DISPLACEMENT[c] && forces[c * n + point] != 0.0).count();
-    let mixed: Vec<usize> = (0..n).filter(|&point| pushes(point) > 1).collect();
+    let is_pushed = |&point: &usize| (0..D).any(|c| T::IS_DISPLACEMENT[c] && forces[c * n + point] != 0.0);
+    let pushed: Vec<usize> = (0..n).filter(is_pushed).collect();
     for (axis, kind) in translations.enumerate() {
-        for &point in &mixed {
+        for &point in &pushed {
             let along = model.rigid_motion(kind, point, origin);
             let force: f64 = (0..D).map(|c| along[c] * forces[c * n + point]).sum();
-            (0..D).for_each(|c| rounding[c * n + point] += part(axis * n + point) * along[c] * force);
+            for c in (0..D).filter(|&c| !model.is_idle(c, point)) {
+                rounding[c * n + point] += part(axis * n + point) * along[c] * force;
+            }
         }
     }
     rounding

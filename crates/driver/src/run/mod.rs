@@ -20,6 +20,7 @@ mod refine;
 pub(crate) mod scan;
 mod sink;
 mod verdict;
+mod weigh;
 mod workspace;
 
 pub use beam::BeamResult;

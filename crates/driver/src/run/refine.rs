@@ -67,6 +67,8 @@ impl<const D: usize> Workspace<D> {
                 [*high, *low] = sum.parts();
             }
         }
+        // Forces of constraints are of both parts of the unknowns, without the last correction, and rounded once.
+        let held_error = self.error_of_constraints(system, &mut step, &solution.held);
         solution.u = high;
         solution.status = PcgStatus::Converged;
         let rounded = ratio(
@@ -75,13 +77,21 @@ impl<const D: usize> Workspace<D> {
         );
         solution.next_correction = worst([solution.next_correction, rounded]);
         self.weigh_strains(system, preconditioner, load.forces, solution);
-        // Forces of constraints are of both parts of the unknowns, and rounded once.
-        solution.held_error = solution
-            .held
-            .iter()
-            .map(|h| f64::EPSILON * h.1.abs() * self.scales[h.0 / system.points()])
-            .fold(0.0, f64::max);
+        solution.held_error = if solution.next_correction.is_finite() { held_error } else { f64::INFINITY };
         true
+    }
+
+    /// The largest error of forces of constraints that a correction would take out, or that is their rounding.
+    fn error_of_constraints(&mut self, system: &System<D>, step: &mut [f64], held: &[(usize, f64)]) -> f64 {
+        system.constraints().expand(0.0, step);
+        system.force(step, &mut self.residual);
+        let scale = |unknown: usize| self.scales[unknown / system.points()];
+        let left = system
+            .constraints()
+            .rows()
+            .iter()
+            .map(|row| (self.residual[row.unknown] * scale(row.unknown)).abs());
+        worst(left.chain(held.iter().map(|&(unknown, force)| f64::EPSILON * force.abs() * scale(unknown))))
     }
 
     /// How far loads that are rounded otherwise would move the body: they are doubles, and where they all but balance each

@@ -1,6 +1,6 @@
 //! A beam as a model with two or three unknowns per point.
 
-use super::TimoshenkoBeam;
+use super::{TimoshenkoBeam, U};
 use crate::bonds::Point;
 use crate::condition::Equation;
 use crate::model::{Model, ModelSizes};
@@ -93,6 +93,14 @@ impl Model<3> for TimoshenkoBeam {
         // Displacements along a bar between its ends.
         let bars = self.chains.iter().filter(|chain| chain.stretches_as_bar());
         bars.map(|chain| chain.points.saturating_sub(2)).sum()
+    }
+
+    fn is_idle(&self, component: usize, point: usize) -> bool {
+        component == U
+            && self.chains.iter().zip(&self.first).any(|(chain, first)| {
+                chain.stretches_as_bar()
+                    && (first + 1..(first + chain.points).saturating_sub(1)).contains(&point)
+            })
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {

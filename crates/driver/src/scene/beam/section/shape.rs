@@ -5,7 +5,7 @@ use super::taper::{self, Taper};
 use super::{Resolved, SectionAlong, scaled, shear_modulus};
 use crate::case::Beam;
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::material::{Profile, Section, SectionError, SectionStiffness};
+use peristat_assembly::material::{Profile, Section, SectionError, SectionProperties, SectionStiffness};
 
 /// Sections of a shape, which may vary linearly to that at the end.
 pub(super) fn resolve(
@@ -37,6 +37,9 @@ pub(super) fn resolve(
         Some(end) if end == section => start.map(|s| Taper::uniform(&s)),
         Some(end) => {
             let end_properties = properties(end, "end_section");
+            if let (Some(start), Some(end)) = (&start, &end_properties) {
+                check_ends([start, end], own, faults);
+            }
             let taper = Taper::between(section, end, length, own, correction, faults);
             start.zip(end_properties).and(taper)
         }
@@ -57,6 +60,21 @@ pub(super) fn resolve(
         kappa: Some(start.kappa),
     };
     Some(Resolved { stiffness, section, has_axial: true })
+}
+
+/// A second moment of area is a polynomial along the line: at an end that is next to nothing only its rounding is left.
+fn check_ends(ends: [&SectionProperties; 2], own: &JsonPath, faults: &mut Faults) {
+    const LEAST: f64 = 1e-10;
+    let [a, b] = ends.map(|section| section.second_moment);
+    let part = a.min(b) / a.max(b);
+    if part < LEAST {
+        faults
+            .error(
+                own.key("end_section"),
+                format!("the second moment of area at one end is {part:.1e} of that at the other"),
+            )
+            .hint("below 1e-10 nothing but rounding is left; end at a hundredth of the height");
+    }
 }
 
 fn section_fault(

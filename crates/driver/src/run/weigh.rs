@@ -1,0 +1,144 @@
+//! What a solution tells of its own errors.
+
+use super::certificate::worst;
+use super::load::Load;
+use super::scan::largest;
+use super::workspace::{StateSolution, Workspace, size};
+use peristat_assembly::condition::Row;
+use peristat_assembly::system::System;
+use peristat_solve::Preconditioner;
+use std::collections::HashMap;
+
+/// Largest work of some forces, one of each component, on displacements that count as equally large.
+pub(super) fn work(forces: &[f64], scales: &[f64]) -> f64 {
+    worst(forces.iter().zip(scales).map(|(f, s)| f * s))
+}
+
+/// A multiple of the unknowns whose forces round otherwise, also those of small numbers and powers of two.
+const OTHER: f64 = std::f64::consts::PI;
+
+impl<const D: usize> Workspace<D> {
+    /// Finds what belongs to the unknowns of a solution: those that depend on others, forces of constraints, the residual,
+    /// and what one more solve with the preconditioner would correct.
+    pub(super) fn weigh(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        (load, motion_factor): (&[f64], f64),
+        solution: &mut StateSolution,
+    ) {
+        let constraints = system.constraints();
+        constraints.expand(motion_factor, &mut solution.u);
+        self.refresh_residual(system, load, &solution.u);
+        self.find_constraint_forces(system, solution);
+        constraints.restrict(&mut self.residual);
+        solution.next_correction = self.correction(preconditioner, solution);
+        self.find_largest_residuals(solution);
+    }
+
+    /// Finds forces of constraints from the residual at hand, which is whole.
+    pub(super) fn find_constraint_forces(&self, system: &System<D>, solution: &mut StateSolution) {
+        solution.held = self.constraint_forces(system);
+        solution.multipliers = system.constraints().multipliers(|unknown| -self.residual[unknown]);
+    }
+
+    /// Finds the largest residual of each component.
+    pub(super) fn find_largest_residuals(&self, solution: &mut StateSolution) {
+        let planes = self.residual.chunks_exact(self.residual.len() / D);
+        solution.residual = planes.map(largest).collect();
+    }
+
+    /// Finds what the rounding of the unknowns does to strains, whatever soft supports make of it.
+    pub(super) fn weigh_strains(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        load: &[f64],
+        solution: &mut StateSolution,
+    ) {
+        solution.least_eigenvalue = 1.0;
+        self.refresh_residual(system, load, &solution.u);
+        system.constraints().restrict(&mut self.residual);
+        self.correct_strains(system, preconditioner, &mut vec![0.0; load.len()], solution);
+    }
+
+    /// What one more solve would correct of the unknowns if the residual at hand were theirs, relative to them. The
+    /// preconditioner alone may be stiffer than the system: by no more than its least eigenvalue says.
+    fn correction(&mut self, preconditioner: &mut dyn Preconditioner, solution: &StateSolution) -> f64 {
+        let correction = self.pcg.precondition(preconditioner, &self.residual);
+        relative(correction, solution, &self.scales)
+    }
+
+    /// The same, and what is kept with the solution: the energy and the largest action of that correction, and the error of what
+    /// holds the body, which bears the correction and the `errors` of the forces on it.
+    fn correct_strains(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        errors: &mut [f64],
+        solution: &mut StateSolution,
+    ) -> f64 {
+        let mut correction = self.pcg.precondition(preconditioner, &self.residual).to_vec();
+        let next_correction = relative(&correction, solution, &self.scales);
+        let energy: f64 = correction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
+        system.constraints().expand(0.0, &mut correction);
+        let action = |u: &[f64]| work(&system.survey_body(u).largest_action, &self.scales);
+        solution.action = action(&solution.u);
+        solution.correction_action = action(&correction);
+        system.force(&correction, &mut self.residual);
+        errors.iter_mut().zip(&self.residual).for_each(|(e, f)| *e += f);
+        let of_row = |row: &Row| (errors[row.unknown] * self.scales[row.unknown / system.points()]).abs();
+        solution.held_error = worst(system.constraints().rows().iter().map(of_row));
+        solution.correction_energy = energy.abs();
+        for seen in
+            [&mut solution.correction_energy, &mut solution.correction_action, &mut solution.held_error]
+        {
+            *seen /= solution.least_eigenvalue;
+        }
+        next_correction
+    }
+
+    /// Adds what the rounding of forces and loads does to a solution that was weighed: the residual that it was found with is
+    /// as small as that rounding makes it seem, and where nothing rounds the loads are doubles all the same. The residual at
+    /// hand is that of the solution.
+    pub(super) fn doubt(
+        &mut self,
+        system: &System<D>,
+        preconditioner: &mut dyn Preconditioner,
+        load: &Load,
+        solution: &mut StateSolution,
+    ) {
+        let mut other: Vec<f64> = solution.u.iter().map(|u| OTHER * u).collect();
+        let mut force = vec![0.0; other.len()];
+        system.force(&other, &mut force);
+        system.force(&solution.u, &mut other);
+        for (k, f) in force.iter_mut().enumerate() {
+            *f = *f / OTHER - other[k] + load.rounding()[k];
+        }
+        self.residual.iter_mut().zip(&force).for_each(|(r, f)| *r += f);
+        system.constraints().restrict(&mut self.residual);
+        let next_correction = self.correct_strains(system, preconditioner, &mut force, solution);
+        solution.next_correction = worst([solution.next_correction, next_correction]);
+    }
+
+    /// Forces of constraints from a whole residual: on every constrained unknown, and shares of it, with the opposite
+    /// sign, on the unknowns that move it. So a link balances itself, whatever the rounding of the forces it joins.
+    fn constraint_forces(&self, system: &System<D>) -> Vec<(usize, f64)> {
+        let mut forces: HashMap<usize, f64> = HashMap::new();
+        for row in system.constraints().rows() {
+            let force = -self.residual[row.unknown];
+            *forces.entry(row.unknown).or_default() += force;
+            row.masters.iter().for_each(|&(m, c)| *forces.entry(m).or_default() -= c * force);
+        }
+        let mut forces: Vec<(usize, f64)> = forces.into_iter().collect();
+        // In the order of the unknowns, so that sums do not depend on the hash.
+        forces.sort_by_key(|f| f.0);
+        forces
+    }
+}
+
+/// Size of a correction relative to the unknowns, however much stiffer than the system the preconditioner is.
+fn relative<const D: usize>(correction: &[f64], solution: &StateSolution, scales: &[f64; D]) -> f64 {
+    let unknowns = size(&solution.u, scales).max(f64::MIN_POSITIVE);
+    size(correction, scales) / unknowns / solution.least_eigenvalue
+}
