@@ -118,6 +118,12 @@ impl SquareLattice {
         &self.cut
     }
 
+    /// The same of consecutive points.
+    pub fn cut_cells_of(&self, points: Range<usize>) -> &[(u32, f64)] {
+        let before = |end: usize| self.cut.partition_point(|&(p, _)| (p as usize) < end);
+        &self.cut[before(points.start)..before(points.end)]
+    }
+
     /// Area of a point per that of a whole cell.
     pub fn fraction(&self, point: usize) -> f64 {
         let found = self.cut.binary_search_by_key(&point, |c| c.0 as usize);

@@ -1,5 +1,6 @@
 //! What is done about the bonds that points near edges lack.
 
+mod deficit;
 mod factors;
 mod overlay;
 mod triangle;

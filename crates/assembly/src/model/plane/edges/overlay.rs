@@ -10,8 +10,9 @@ use super::super::bond::PlaneBond;
 use super::super::geometry;
 use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
+use super::deficit::Shares;
 use crate::body::{Cell, SquareLattice};
-use crate::bonds::{Mat, block};
+use crate::bonds::block;
 use crate::stiffness::Family;
 use std::collections::HashSet;
 
@@ -33,20 +34,15 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
     points: impl Iterator<Item = usize>,
     cuts: &HashSet<(usize, usize)>,
 ) -> Overlay<D, S> {
-    let shares: Vec<Mat<S, S>> = hood
-        .offsets
-        .iter()
-        .zip(&hood.weights)
-        .map(|(&step, weights)| {
-            let geometry = geometry(lattice, step);
-            let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
-            block(&uniform, &std::array::from_fn(|m| 0.5 * weights[m] * unit[m]), &uniform)
-        })
-        .collect();
+    let shares = Shares::new(hood, |k| {
+        let geometry = geometry(lattice, hood.offsets[k]);
+        let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
+        block(&uniform, &std::array::from_fn(|m| 0.5 * hood.weights[k][m] * unit[m]), &uniform)
+    });
     let mut overlay = Overlay { triangles: Vec::new(), uncorrected: 0 };
     for point in points {
         let cell = lattice.cell(point);
-        let Some(deficit) = deficit(lattice, hood, &shares, cell) else { continue };
+        let Some(deficit) = shares.deficit(lattice, cell) else { continue };
         let mut corners = quadrants(lattice, cell);
         if corners.is_empty() {
             corners = nearest(lattice, hood, cell);
@@ -71,29 +67,6 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
     overlay
 }
 
-/// `½ Σ (a_i − f_ij) Uᵀ c U` with the part a_i of its cell and the factors `f_ij = min(a_i, a_j)` of its bonds, zero where
-/// they are missing; none where nothing is missing. `shares` are `½ Uᵀ c U` per offset.
-fn deficit<const M: usize, const S: usize>(
-    lattice: &SquareLattice,
-    hood: &Neighbourhood<M>,
-    shares: &[Mat<S, S>],
-    cell: Cell,
-) -> Option<Mat<S, S>> {
-    let (mut sum, mut lacks) = ([[0.0; S]; S], false);
-    let own = lattice.number(cell).map_or(1.0, |p| lattice.fraction(p));
-    for k in hood.bonded() {
-        let step = hood.offsets[k];
-        let parts =
-            [true, false].map(|side| lattice.number(at(cell, step, side)).map(|p| lattice.fraction(p)));
-        let missing: f64 = parts.iter().map(|other| own - other.map_or(0.0, |o| own.min(o))).sum();
-        if missing > 0.0 {
-            lacks = true;
-            (0..S).for_each(|r| (0..S).for_each(|c| sum[r][c] += missing * shares[k][r][c]));
-        }
-    }
-    lacks.then_some(sum)
-}
-
 /// The triangles with the next cells to the left or right and above or below.
 fn quadrants(lattice: &SquareLattice, cell: Cell) -> Vec<Corners> {
     let exists = |c: &Cell| lattice.number(*c).is_some();
@@ -108,21 +81,27 @@ const AS_GOOD: f64 = 4.0;
 /// The nearest, best shaped triangles of neighbours within the horizon: all that are about equally good, so that images in
 /// a mirror choose images, and that a point is not a hinge between the triangles on its sides.
 fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cell: Cell) -> Vec<Corners> {
+    let squared = |[x, y]: Cell| f64::from(x * x + y * y);
     let steps = hood.offsets.iter().flat_map(|&[a, b]| [[a, b], [-a, -b]]);
-    let near: Vec<Cell> = steps.filter(|&s| lattice.number(at(cell, s, true)).is_some()).collect();
+    let mut near: Vec<Cell> = steps.filter(|&s| lattice.number(at(cell, s, true)).is_some()).collect();
+    near.sort_by(|&a, &b| squared(a).total_cmp(&squared(b)));
     let mut found: Vec<(f64, Corners)> = Vec::new();
-    for (k, &a) in near.iter().enumerate() {
-        for &b in &near[k + 1..] {
+    let mut least = f64::INFINITY;
+    for (k, &b) in near.iter().enumerate() {
+        // No triangle is better than the square of its longest side.
+        if squared(b) > AS_GOOD * least {
+            break;
+        }
+        for &a in &near[..k] {
             let twice_area = (a[0] * b[1] - a[1] * b[0]).abs();
             if twice_area != 0 && hood.between(a, b).is_some() {
-                let squared = |[x, y]: Cell| f64::from(x * x + y * y);
                 let sides = squared(a) + squared(b) + squared([b[0] - a[0], b[1] - a[1]]);
                 let badness = sides * sides / f64::from(twice_area);
+                least = least.min(badness);
                 found.push((badness, [at(cell, a, true), at(cell, b, true)]));
             }
         }
     }
-    let least = found.iter().map(|f| f.0).fold(f64::INFINITY, f64::min);
     found.into_iter().filter(|f| f.0 <= AS_GOOD * least).map(|f| f.1).collect()
 }
 
