@@ -30,7 +30,10 @@ impl HeldEdge {
         // Where the edge lies between the centres of cells.
         let at = (edge.from[axis] - lattice.corner()[axis]) / lattice.spacing();
         let between = (at - at.round()).abs() < 1e-6;
+        let extent = if axis == 0 { lattice.columns() } else { lattice.rows() };
         let [normal, tangential] = match between && bonds.is_exact_at_edges() {
+            // The traction reaches behind all points: whatever its shares, they are held themselves.
+            true if (extent.len() as i32) < bonds.depth().ok()? => [vec![1.0], vec![1.0]],
             true => [shares_of(bonds, [1.0, 0.0, 0.0], 0)?, shares_of(bonds, [0.0, 0.0, 1.0], 1)?],
             // The other treatments are not exact at edges: a line through two points is good enough.
             false => [vec![1.5, -0.5], vec![1.5, -0.5]],
@@ -63,7 +66,12 @@ fn shares_of(bonds: &PlaneBonds, stress: [f64; 3], component: usize) -> Option<V
     /// Below this part of the whole it is rounding.
     const ROUNDING: f64 = 1e-12;
     let depth = bonds.depth().ok()?;
-    let (columns, rows) = (4 * depth + 4, 6 * depth + 7);
+    // How far a side is felt: families join points two horizons apart, and ghosts those two cells further.
+    let felt = match bonds {
+        PlaneBonds::State(_) => 2 * depth + 4,
+        _ => depth + 2,
+    };
+    let (columns, rows) = (2 * felt, 2 * felt + 1);
     let real = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
     let body = bonds.unrolled().on_lattice(&real, Mirrors::NONE, &|_, _| Vec::new(), &|_, _| false).ok()?;
     let n = body.point_count();
@@ -120,6 +128,25 @@ mod tests {
                     let moment: f64 = shares.iter().enumerate().map(|(k, s)| s * (k as f64 + 0.5)).sum();
                     assert!(moment.abs() < 1e-13, "{moment}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn points_of_thin_bodies_are_held_as_the_shares_have_it() {
+        for horizon_ratio in [2.0, 3.0, 4.5, 6.0] {
+            let bonds = bonds(horizon_ratio);
+            let held = |columns: f64| {
+                let outline = Outline::rectangle([0.0; 2], [columns, 4.0]).unwrap();
+                let lattice = outline.fill(1.0).unwrap();
+                let held = HeldEdge::new(outline.edge("left").unwrap(), &lattice, &bonds).unwrap();
+                (lattice, held)
+            };
+            let (_, wide) = held(30.0);
+            for columns in 1..10 {
+                let (lattice, thin) = held(f64::from(columns));
+                let points: Vec<u32> = (0..4).map(|row| lattice.number([0, row]).unwrap() as u32).collect();
+                assert_eq!(thin.chains(&lattice, &points), wide.chains(&lattice, &points), "{columns}");
             }
         }
     }
