@@ -81,8 +81,8 @@ pub(super) fn certify<const D: usize, P: Problem<D>>(
     let strains = is_loaded(system, load) || energy > STRAIN_FREE * solution.jump_energy;
     let or_zero = |value: f64| if strains { value } else { 0.0 };
     let mut balance = balance(model, load, solution.held.iter().copied().chain(ground(system, u)));
-    balance.iter_mut().for_each(|b| b.relative = or_zero(b.relative));
-    let energy_balance = or_zero(energy_balance);
+    balance.iter_mut().for_each(|b| b.relative = finite(or_zero(b.relative)));
+    let energy_balance = finite(or_zero(energy_balance));
     let adrift = if solution.by_factor { 0.0 } else { drift(model, system, load, solution, scales) };
     let stiffening = ratio(solution.correction_energy, 2.0 * energy.abs());
     let strain_correction = match problem.spread() {

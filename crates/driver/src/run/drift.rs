@@ -62,6 +62,10 @@ fn carried<const D: usize>(
         motions.iter().enumerate().for_each(|(j, other)| stiffness[(i, j)] = along(other, &force));
     }
     let work = DVector::from_iterator(n, motions.iter().map(|motion| along(motion, residual)));
+    // The search for eigenvalues of what is no number would not end.
+    if stiffness.iter().chain(&work).any(|value| !value.is_finite()) {
+        return f64::INFINITY;
+    }
     let eigen = stiffness.symmetric_eigen();
     let mut amounts = eigen.eigenvectors.transpose() * work;
     let largest = eigen.eigenvalues.amax();

@@ -113,7 +113,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         }
         self.work.doubt(system, &mut *self.preconditioner, load, &mut solution);
         let next = solution.next_correction;
-        let unknowns = next > DOUBTFUL || next.is_nan();
+        let unknowns = next > DOUBTFUL;
         // Without a strain there is no measure of forces.
         let forces = solution.action > 0.0 && solution.held_error > DOUBTFUL_FORCES * solution.action;
         if self.finish.is_exact

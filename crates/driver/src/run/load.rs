@@ -5,17 +5,13 @@ use peristat_assembly::model::Model;
 /// Forces on the unknowns, and what their rounding may be.
 pub(super) struct Load<'a> {
     pub(super) forces: &'a [f64],
-    rounding: Vec<f64>,
+    /// An error that their rounding may be.
+    pub(super) rounding: Vec<f64>,
 }
 
 impl<'a> Load<'a> {
     pub(super) fn new<const D: usize, T: Model<D>>(model: &T, forces: &'a [f64]) -> Self {
         Self { forces, rounding: rounding(model, forces) }
-    }
-
-    /// An error that the rounding of the loads may be, on every unknown.
-    pub(super) fn rounding(&self) -> &[f64] {
-        &self.rounding
     }
 }
 

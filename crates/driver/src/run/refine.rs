@@ -86,12 +86,8 @@ impl<const D: usize> Workspace<D> {
         system.constraints().expand(0.0, step);
         system.force(step, &mut self.residual);
         let scale = |unknown: usize| self.scales[unknown / system.points()];
-        let left = system
-            .constraints()
-            .rows()
-            .iter()
-            .map(|row| (self.residual[row.unknown] * scale(row.unknown)).abs());
-        worst(left.chain(held.iter().map(|&(unknown, force)| f64::EPSILON * force.abs() * scale(unknown))))
+        let rounded = held.iter().map(|&(unknown, force)| f64::EPSILON * force.abs() * scale(unknown));
+        worst(rounded.chain([self.largest_held(system, &self.residual)]))
     }
 
     /// How far loads that are rounded otherwise would move the body: they are doubles, and where they all but balance each
@@ -103,7 +99,7 @@ impl<const D: usize> Workspace<D> {
         load: &Load,
         step: &mut [f64],
     ) -> f64 {
-        self.residual.copy_from_slice(load.rounding());
+        self.residual.copy_from_slice(&load.rounding);
         system.constraints().restrict(&mut self.residual);
         step.fill(0.0);
         let options = PcgOptions::default();

@@ -87,8 +87,7 @@ impl<const D: usize> Workspace<D> {
         solution.correction_action = action(&correction);
         system.force(&correction, &mut self.residual);
         errors.iter_mut().zip(&self.residual).for_each(|(e, f)| *e += f);
-        let of_row = |row: &Row| (errors[row.unknown] * self.scales[row.unknown / system.points()]).abs();
-        solution.held_error = worst(system.constraints().rows().iter().map(of_row));
+        solution.held_error = self.largest_held(system, errors);
         solution.correction_energy = energy.abs();
         for seen in
             [&mut solution.correction_energy, &mut solution.correction_action, &mut solution.held_error]
@@ -96,6 +95,12 @@ impl<const D: usize> Workspace<D> {
             *seen /= solution.least_eigenvalue;
         }
         next_correction
+    }
+
+    /// The largest of some forces on what is held, as a work.
+    pub(super) fn largest_held(&self, system: &System<D>, forces: &[f64]) -> f64 {
+        let of_row = |row: &Row| (forces[row.unknown] * self.scales[row.unknown / system.points()]).abs();
+        worst(system.constraints().rows().iter().map(of_row))
     }
 
     /// Adds what the rounding of forces and loads does to a solution that was weighed: the residual that it was found with is
@@ -113,7 +118,7 @@ impl<const D: usize> Workspace<D> {
         system.force(&other, &mut force);
         system.force(&solution.u, &mut other);
         for (k, f) in force.iter_mut().enumerate() {
-            *f = *f / OTHER - other[k] + load.rounding()[k];
+            *f = *f / OTHER - other[k] + load.rounding[k];
         }
         self.residual.iter_mut().zip(&force).for_each(|(r, f)| *r += f);
         system.constraints().restrict(&mut self.residual);

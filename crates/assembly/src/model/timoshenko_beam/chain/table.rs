@@ -110,7 +110,7 @@ pub(in super::super) fn pieces(line: &Line, breaks: &[f64], a: f64, b: f64) -> V
 fn divide(line: &Line, a: f64, b: f64, depth: u32, pieces: &mut Vec<(f64, f64)>) {
     // Halvings of a cell: beyond, its points coincide.
     const DEEPEST: u32 = 48;
-    /// Pieces of a cell: poles need some hundred, and a stiffness that is rounding would never end.
+    // Pieces of a cell: poles need some hundred, and a stiffness that is rounding would never end.
     const MOST: usize = 4096;
     let varies = || {
         // Just inside: at a jump the value on the other side does not count.
