@@ -124,7 +124,7 @@ fn peak() -> u64 {
 }
 
 /// Cases of the gallery that take little, with their folders.
-static GALLERY: LazyLock<Vec<(PathBuf, Value)>> = LazyLock::new(|| {
+pub(crate) static GALLERY: LazyLock<Vec<(PathBuf, Value)>> = LazyLock::new(|| {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let mut found = Vec::new();
     for folder in ["beam", "frame", "plate", "orthotropic", "axisymmetric", "shell", "ductile"] {

@@ -25,6 +25,16 @@ pub enum ShellError {
         /// Spacing over radius.
         per_radius: f64,
     },
+    /// Lengths or weights of bonds that no double holds.
+    #[error(
+        "bonds of a spacing of {spacing:e} on a cylinder of radius {radius:e} do not fit doubles; use other units"
+    )]
+    OutOfRange {
+        /// Spacing, m.
+        spacing: f64,
+        /// R, m.
+        radius: f64,
+    },
     /// Bonds reach around the cylinder.
     #[error("the horizon {horizon} reaches half around a cylinder of radius {radius}; use a smaller spacing")]
     Around {

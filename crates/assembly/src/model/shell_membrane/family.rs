@@ -57,6 +57,10 @@ pub(super) fn offsets(
             ShellOffset { step, xi, row: bond.coefficients(xi), product, weight: start, start }
         })
         .collect();
+    let fits = |o: &ShellOffset| o.start.is_normal() && o.product.iter().chain(&o.row).all(|v| v.is_finite());
+    if !found.iter().all(fits) {
+        return Err(ShellError::OutOfRange { spacing, radius: parameters.radius });
+    }
     if parameters.calibration == Calibration::Matched {
         let half: Vec<Member> = found.iter().map(|o| o.member(bond)).collect();
         let full: Vec<Member> = half.iter().flat_map(|m| [*m, *m]).collect();

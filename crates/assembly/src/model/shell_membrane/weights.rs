@@ -28,6 +28,10 @@ pub(super) fn corrected<const Q: usize>(
         matrix += *w * h * g.transpose();
         rest -= *w * h;
     }
+    // The search for singular values of what is no number would not end.
+    if matrix.iter().any(|value| !value.is_finite()) {
+        return begin.to_vec();
+    }
     let decomposed = nalgebra::DMatrix::from_iterator(Q, Q, matrix.iter().copied()).svd(true, true);
     let least = ROUNDING * decomposed.singular_values.max();
     let rest = nalgebra::DVector::from_iterator(Q, rest.iter().copied());

@@ -114,7 +114,7 @@ fn check_body(given: &Shell, case: &Case, path: &JsonPath, faults: &mut Faults) 
 pub(super) fn refuse(error: &ShellError, faults: &mut Faults) {
     let path = match error {
         ShellError::ShortHorizon { .. } => root("horizon_ratio"),
-        ShellError::NotRepresentable { .. } | ShellError::Around { .. } => {
+        ShellError::NotRepresentable { .. } | ShellError::Around { .. } | ShellError::OutOfRange { .. } => {
             root("model").key("shell_membrane").key("radius")
         }
     };

@@ -147,6 +147,13 @@ fn what_shells_cannot_have_is_refused() {
     let lattice = std::sync::Arc::new(crate::body::SquareLattice::rectangle(0.1, [0.0; 2], [9, 9]));
     let made = ShellMembrane::on_lattice(lattice, crate::model::plane::Mirrors::NONE, chords());
     assert!(matches!(made, Err(ShellError::Around { .. })));
+    // A chord that overflows, and a weight, over a third power, that does.
+    for (spacing, radius) in [(0.02, 1e308), (1e-150, 1e-149)] {
+        let lattice = std::sync::Arc::new(crate::body::SquareLattice::rectangle(spacing, [0.0; 2], [9, 9]));
+        let parameters = ShellParameters { radius, ..chords() };
+        let made = ShellMembrane::on_lattice(lattice, crate::model::plane::Mirrors::NONE, parameters);
+        assert_eq!(made.err(), Some(ShellError::OutOfRange { spacing, radius }));
+    }
     assert_eq!(ShellMembrane::parts_of_circumference(0.1592, 1.0), Some(1.0));
     assert_eq!(ShellMembrane::parts_of_circumference(R, 0.25), Some(4.0));
     assert_eq!(ShellMembrane::parts_of_circumference(R, 0.9), None);
