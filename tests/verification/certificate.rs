@@ -50,6 +50,32 @@ fn the_error_of_a_beam_on_a_soft_spring_is_within_its_bound() {
     }
 }
 
+#[test]
+fn what_section_forces_lose_to_a_force_on_a_support_is_within_their_bound() {
+    for solver in ["strain", "band"] {
+        for exponent in [0, 6, 12, 15, 18] {
+            let mut case = unit(50.0, "exact", 24);
+            case["solver"] = json!(solver);
+            case["supports"] = json!([{ "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0 }]);
+            // The support takes it at once, and its reaction has no digits left for the rest.
+            let force = 10_f64.powi(exponent) / 3.0;
+            case["loads"] = json!([
+                { "point": { "at": { "x": 0.0 }, "force": force } },
+                { "distributed": { "force": { "uniform": 1.0 } } }
+            ]);
+            let probe = |field: &str| json!({ "name": field, "at": { "x": 0.0 }, "field": field });
+            case["probes"] = json!([probe("V"), probe("M")]);
+            let summary = solve_text(&case.to_string()).unwrap_or_else(|e| panic!("{e}: {case}")).summary;
+            let found: Vec<f64> = summary.probes.iter().map(|p| p.value).collect();
+            let (error, certificate) = (error(&found, &[1.0, 0.5]), &summary.states[0].certificate);
+            assert!(error <= certificate.strain_error, "{solver} {force:e}: {error:e} of {certificate:?}");
+            // The bound is that of a force anywhere, and 20 times what rounding takes.
+            let rounding = f64::EPSILON * force.max(1.0);
+            assert!(certificate.strain_error <= 1e3 * rounding, "{solver} {force:e}: {certificate:?}");
+        }
+    }
+}
+
 /// A plate of cells under the uniform stress (1, −0.3) with E = 1, held by springs at two corners. A force along x on the first
 /// of them moves it by 1.
 fn afloat(spring: f64, solver: &str) -> (Value, Vec<f64>) {

@@ -53,10 +53,7 @@ impl StrainForm<'_> {
     ///
     /// It is 1 for m = 1, 0.4 for 3 and 0.2 for 5, whatever the slenderness, unless the law `published` locks.
     pub fn least_eigenvalue(&self) -> f64 {
-        const CELLS: usize = 256;
         let mut columns = vec![Block::default(); self.reach()];
-        let count = CELLS.min(self.cells());
-        let cell = |k: usize| if count == 1 { 0 } else { k * (self.cells() - 1) / (count - 1) };
         let of = |cell: usize| {
             self.columns(cell, &mut columns);
             let (alpha, bond) = (self.chain.weights.weight(0, cell), self.chain.bonds.bond(0, cell));
@@ -68,7 +65,25 @@ impl StrainForm<'_> {
             let larger = 0.5 * (a + b) + (0.25 * (a - b) * (a - b) + c).sqrt();
             alpha * bond.bending / theta * (alpha * bond.shear / g) / larger
         };
-        (0..count).map(cell).map(of).fold(f64::INFINITY, f64::min)
+        self.samples().map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The most that a force, N, and a couple, N m, anywhere on the beam make of `|r| / √K_cc`, √J, in at most 256 cells.
+    pub fn most_action(&self, [force, couple]: [f64; 2]) -> f64 {
+        let mut columns = vec![Block::default(); self.reach()];
+        let moment = couple + force * self.distance(self.cells());
+        let of = |cell: usize| {
+            self.columns(cell, &mut columns);
+            (moment / columns[0][0][0].sqrt()).max(force / columns[0][1][1].sqrt())
+        };
+        self.samples().map(of).fold(0.0, f64::max)
+    }
+
+    /// Cells that stand for all, the first and the last among them.
+    fn samples(&self) -> impl Iterator<Item = usize> + use<> {
+        const CELLS: usize = 256;
+        let (cells, count) = (self.cells(), CELLS.min(self.cells()));
+        (0..count).map(move |k| if count == 1 { 0 } else { k * (cells - 1) / (count - 1) })
     }
 
     /// Whether the columns of the cells `start..end` are those of ordinary cells.

@@ -22,6 +22,8 @@ pub(super) struct Evidence {
     pub(super) first_correction: f64,
     /// Whether there are loads.
     pub(super) loaded: bool,
+    /// What reactions, as doubles, lack makes this much of the actions on the strains at most, √J.
+    pub(super) rounding: f64,
     /// Energy of the springs.
     pub(super) spring_energy: f64,
     /// Energy of prescribed motions of about this size, if they are resisted.
@@ -35,7 +37,8 @@ pub(super) struct Evidence {
 /// the stiffness has eigenvalues of about one, unless the bond law locks. The residual over the least of them and the
 /// largest strain estimates the error of the strains; the next correction is the larger of this and of what the supports
 /// lack. Where springs take nearly all of the energy, strains are measured by it. The work of loads and reactions is that
-/// of the displacements: it agrees with the energy of the strains only if these were summed up as the loads were.
+/// of the displacements: it agrees with the energy of the strains only if these were summed up as the loads were. Section
+/// forces are those of reactions that are rounded, which are much larger where a support takes a load at once.
 pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evidence) -> Certificate {
     let Evidence { checks, sizes, length, spring_energy, jump_energy, .. } = *evidence;
     let strains = evidence.loaded || checks.energy > STRAIN_FREE * jump_energy;
@@ -59,7 +62,7 @@ pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evi
     let seen = Seen {
         correction: next_correction,
         stiffening: strain_correction.powi(2),
-        strain_correction,
+        strain_correction: worst([strain_correction, or_zero(ratio(evidence.rounding, action))]),
         imbalance: worst(balance.iter().map(|b| b.relative).chain([energy_balance])),
         calibration,
         contrast: 1.0,

@@ -51,6 +51,15 @@ impl Reactions {
         left_over
     }
 
+    /// What rounding takes from all forces, and from all couples, as doubles.
+    pub(super) fn rounding(&self, supports: &[StrainSupport]) -> [f64; 2] {
+        let mut rounding = [0.0; 2];
+        for (s, reaction) in supports.iter().zip(&self.0) {
+            rounding[s.component] += reaction.parts()[1].abs();
+        }
+        rounding
+    }
+
     /// Magnitudes of all forces, the reactions of the first point included.
     pub(super) fn sizes(&self, supports: &[StrainSupport], resultant: Resultant) -> [f64; 2] {
         let mut sizes = resultant.size;

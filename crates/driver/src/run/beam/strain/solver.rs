@@ -140,6 +140,7 @@ impl<'a> StrainSolver<'a> {
         }
         (evidence.length, evidence.cells) = (self.method.length(), self.passes.form().cells());
         evidence.least_eigenvalue = self.passes.form().least_eigenvalue();
+        evidence.rounding = self.passes.form().most_action(reactions.rounding(self.method.supports()));
         Ok((self.finish(u, &reactions, motion_factor, &mut evidence), evidence))
     }
 
