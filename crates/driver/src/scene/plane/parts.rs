@@ -69,7 +69,8 @@ pub(super) fn parts(
     }
     let bonds = bonds.with_horizon_ratio(ratio);
     let cracks = cracks?;
-    if !size::fits(case, &bonds, (&body, outline.as_ref()), &cracks, max_memory, faults) {
+    if !size::fits(case, &bonds, (&body, outline.as_ref()), (&cracks, &symmetry.mirrors), max_memory, faults)
+    {
         return None;
     }
     let horizon = ratio * body.spacing();
