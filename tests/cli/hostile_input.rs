@@ -125,7 +125,9 @@ fn what_a_few_digits_ask_for_is_refused_before_it_is_made() {
     let several = |part: &str, count: usize| format!("[{}]", vec![part; count].join(","));
     let thick = root().join("cases/axisymmetric/lame.json").display().to_string();
     let crack = r#"cracks=[{ "path": [[20.5, -1], [20.5, 10]] }]"#;
-    let cases: [(&str, &str, Vec<String>); 7] = [
+    let mirrors = r#"symmetry=["left","right","bottom","top"]"#;
+    let cases: [(&str, &str, Vec<String>); 8] = [
+        ("bonds of images", &plate, vec![mirrors.into(), "horizon_ratio=90".into()]),
         ("families of their own", &thick, vec!["horizon_ratio=60".into()]),
         ("bonds that a crack cuts", &plate, vec![crack.into(), "horizon_ratio=50".into()]),
         ("the border of a hole", &plate, vec![format!("body.rectangle.holes={hole}")]),
