@@ -8,6 +8,7 @@
 use super::bonds::PlaneBonds;
 use peristat_assembly::body::{Cell, Edge, SquareLattice};
 use peristat_assembly::model::plane::Mirrors;
+use std::cell::OnceCell;
 
 /// How an edge is held.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +21,7 @@ pub struct HeldEdge {
 
 impl HeldEdge {
     /// A straight edge along a lattice; `None` for any other, and wherever a lattice is turned.
-    pub(super) fn new(edge: &Edge, lattice: &SquareLattice, bonds: &PlaneBonds) -> Option<Self> {
+    pub(super) fn new(edge: &Edge, lattice: &SquareLattice, shares: &EdgeShares) -> Option<Self> {
         if lattice.is_turned() {
             return None;
         }
@@ -31,10 +32,10 @@ impl HeldEdge {
         let at = (edge.from[axis] - lattice.corner()[axis]) / lattice.spacing();
         let between = (at - at.round()).abs() < 1e-6;
         let extent = if axis == 0 { lattice.columns() } else { lattice.rows() };
-        let [normal, tangential] = match between && bonds.is_exact_at_edges() {
+        let [normal, tangential] = match between && shares.bonds.is_exact_at_edges() {
             // The traction reaches behind all points: whatever its shares, they are held themselves.
-            true if (extent.len() as i32) < bonds.depth().ok()? => [vec![1.0], vec![1.0]],
-            true => [shares_of(bonds, [1.0, 0.0, 0.0], 0)?, shares_of(bonds, [0.0, 0.0, 1.0], 1)?],
+            true if (extent.len() as i32) < shares.bonds.depth().ok()? => [vec![1.0], vec![1.0]],
+            true => shares.found()?.clone(),
             // The other treatments are not exact at edges: a line through two points is good enough.
             false => [vec![1.5, -0.5], vec![1.5, -0.5]],
         };
@@ -61,8 +62,27 @@ impl HeldEdge {
     }
 }
 
-/// How the traction of a stress on the left side of a body reaches the points behind each other, far from its other sides.
-fn shares_of(bonds: &PlaneBonds, stress: [f64; 3], component: usize) -> Option<Vec<f64>> {
+/// The shares that the points behind an edge have in it: the same for all edges of a body, and found when one asks for them.
+pub(super) struct EdgeShares<'a> {
+    bonds: &'a PlaneBonds,
+    found: OnceCell<Option<[Vec<f64>; 2]>>,
+}
+
+impl<'a> EdgeShares<'a> {
+    /// Shares with some bonds.
+    pub(super) fn new(bonds: &'a PlaneBonds) -> Self {
+        Self { bonds, found: OnceCell::new() }
+    }
+
+    /// Across and along the edge.
+    fn found(&self) -> Option<&[Vec<f64>; 2]> {
+        self.found.get_or_init(|| shares(self.bonds)).as_ref()
+    }
+}
+
+/// How the traction of a stress on the left side of a body reaches the points behind each other, far from its other sides:
+/// for one across the side, and one along it.
+fn shares(bonds: &PlaneBonds) -> Option<[Vec<f64>; 2]> {
     /// Below this part of the whole it is rounding.
     const ROUNDING: f64 = 1e-12;
     let depth = bonds.depth().ok()?;
@@ -74,16 +94,18 @@ fn shares_of(bonds: &PlaneBonds, stress: [f64; 3], component: usize) -> Option<V
     let (columns, rows) = (2 * felt, 2 * felt + 1);
     let real = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
     let body = bonds.unrolled().on_lattice(&real, Mirrors::NONE, &|_, _| Vec::new(), &|_, _| false).ok()?;
-    let n = body.point_count();
-    let mut force = vec![0.0; body.components() * n];
-    body.add_stress_load(None, &|_| stress, &mut force);
-    body.fold(&mut force);
-    let (lattice, _) = body.lattice()?;
-    let at = |column: i32| lattice.number([column, rows / 2]).map(|p| force[component * n + p]);
-    let forces: Vec<f64> = (0..columns / 2).map(at).collect::<Option<_>>()?;
-    let total: f64 = forces.iter().sum();
-    let last = forces.iter().rposition(|f| f.abs() > ROUNDING * total.abs())?;
-    (forces[0] != 0.0).then(|| forces[..=last].iter().map(|f| f / total).collect())
+    let (n, (lattice, _)) = (body.point_count(), body.lattice()?);
+    let of = |stress: [f64; 3], component: usize| {
+        let mut force = vec![0.0; body.components() * n];
+        body.add_stress_load(None, &|_| stress, &mut force);
+        body.fold(&mut force);
+        let at = |column: i32| lattice.number([column, rows / 2]).map(|p| force[component * n + p]);
+        let forces: Vec<f64> = (0..columns / 2).map(at).collect::<Option<_>>()?;
+        let total: f64 = forces.iter().sum();
+        let last = forces.iter().rposition(|f| f.abs() > ROUNDING * total.abs())?;
+        (forces[0] != 0.0).then(|| forces[..=last].iter().map(|f| f / total).collect())
+    };
+    Some([of([1.0, 0.0, 0.0], 0)?, of([0.0, 0.0, 1.0], 1)?])
 }
 
 #[cfg(test)]
@@ -110,7 +132,10 @@ mod tests {
     fn an_edge_beside_turned_rows_is_held_by_its_points() {
         let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
         let lattice = outline.fill_turned(1.0, 0.3).unwrap();
-        assert_eq!(HeldEdge::new(outline.edge("left").unwrap(), &lattice, &bonds(3.0)), None);
+        assert_eq!(
+            HeldEdge::new(outline.edge("left").unwrap(), &lattice, &EdgeShares::new(&bonds(3.0))),
+            None
+        );
     }
 
     #[test]
@@ -120,7 +145,8 @@ mod tests {
             let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
             let lattice = outline.fill(1.0).unwrap();
             for (name, inward) in [("left", [1, 0]), ("top", [0, -1])] {
-                let held = HeldEdge::new(outline.edge(name).unwrap(), &lattice, &bonds).unwrap();
+                let held =
+                    HeldEdge::new(outline.edge(name).unwrap(), &lattice, &EdgeShares::new(&bonds)).unwrap();
                 assert_eq!(held.inward, inward);
                 for shares in &held.shares {
                     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-14);
@@ -139,7 +165,8 @@ mod tests {
             let held = |columns: f64| {
                 let outline = Outline::rectangle([0.0; 2], [columns, 4.0]).unwrap();
                 let lattice = outline.fill(1.0).unwrap();
-                let held = HeldEdge::new(outline.edge("left").unwrap(), &lattice, &bonds).unwrap();
+                let held =
+                    HeldEdge::new(outline.edge("left").unwrap(), &lattice, &EdgeShares::new(&bonds)).unwrap();
                 (lattice, held)
             };
             let (_, wide) = held(30.0);

@@ -3,7 +3,7 @@
 use super::bonds::PlaneBonds;
 use super::conditions::{HeldPoints, RigidPoints};
 use super::ground::{Ground, Spot};
-use super::held_edge::HeldEdge;
+use super::held_edge::{EdgeShares, HeldEdge};
 use super::symmetry::Symmetry;
 use super::{model::Recipe, root, support_keys};
 use crate::case::{Rigid, Support};
@@ -52,6 +52,7 @@ pub(super) fn held(
         faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(hint);
     }
     let each = case.supports.iter().enumerate();
+    let shares = EdgeShares::new(bonds);
     each.filter_map(|(k, support)| {
         let path = root("supports").index(k);
         support_keys::check(support, bonds, &path, faults);
@@ -67,7 +68,7 @@ pub(super) fn held(
             (ground.body, &support.at.region, bonds.deflects())
         {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
-            held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, bonds));
+            held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, &shares));
             held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
         }
         Some(held)
