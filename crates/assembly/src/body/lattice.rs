@@ -118,7 +118,7 @@ impl SquareLattice {
         &self.cut
     }
 
-    /// The same of consecutive points.
+    /// Those of [`cut_cells`](Self::cut_cells) among consecutive points.
     pub fn cut_cells_of(&self, points: Range<usize>) -> &[(u32, f64)] {
         let before = |end: usize| self.cut.partition_point(|&(p, _)| (p as usize) < end);
         &self.cut[before(points.start)..before(points.end)]

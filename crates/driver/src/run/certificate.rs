@@ -168,7 +168,7 @@ impl Seen {
 }
 
 /// A measure of doubt that can be written: the largest number for what is none.
-fn finite(value: f64) -> f64 {
+pub(super) fn finite(value: f64) -> f64 {
     worst([value]).min(f64::MAX)
 }
 

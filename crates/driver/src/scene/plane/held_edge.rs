@@ -34,7 +34,7 @@ impl HeldEdge {
         let extent = if axis == 0 { lattice.columns() } else { lattice.rows() };
         let [normal, tangential] = match between && shares.bonds.is_exact_at_edges() {
             // The traction reaches behind all points: whatever its shares, they are held themselves.
-            true if (extent.len() as i32) < shares.bonds.depth().ok()? => [vec![1.0], vec![1.0]],
+            true if !takes_shares(extent.len(), shares.bonds) => [vec![1.0], vec![1.0]],
             true => shares.found()?.clone(),
             // The other treatments are not exact at edges: a line through two points is good enough.
             false => [vec![1.5, -0.5], vec![1.5, -0.5]],
@@ -80,6 +80,12 @@ impl<'a> EdgeShares<'a> {
     }
 }
 
+/// Whether so many points behind each other can share an edge. Bonds of the length of the horizon may have no weight, so that
+/// shares end a row or column before it.
+pub(super) fn takes_shares(extent: usize, bonds: &PlaneBonds) -> bool {
+    extent as f64 + 2.0 > bonds.horizon_ratio()
+}
+
 /// How the traction of a stress on the left side of a body reaches the points behind each other, far from its other sides:
 /// for one across the side, and one along it.
 fn shares(bonds: &PlaneBonds) -> Option<[Vec<f64>; 2]> {
@@ -116,6 +122,9 @@ mod tests {
         Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
     };
     use peristat_assembly::model::plane::{Calibration, Edges};
+    use peristat_assembly::model::state_based::{
+        Axis, Dilatation, Geometry, Measure, StateEdges, StateParameters,
+    };
 
     fn bonds(horizon_ratio: f64) -> PlaneBonds {
         PlaneBonds::Central(PlaneParameters {
@@ -160,20 +169,37 @@ mod tests {
 
     #[test]
     fn points_of_thin_bodies_are_held_as_the_shares_have_it() {
-        for horizon_ratio in [2.0, 3.0, 4.5, 6.0] {
-            let bonds = bonds(horizon_ratio);
-            let held = |columns: f64| {
-                let outline = Outline::rectangle([0.0; 2], [columns, 4.0]).unwrap();
-                let lattice = outline.fill(1.0).unwrap();
-                let held =
-                    HeldEdge::new(outline.edge("left").unwrap(), &lattice, &EdgeShares::new(&bonds)).unwrap();
-                (lattice, held)
-            };
-            let (_, wide) = held(30.0);
-            for columns in 1..10 {
-                let (lattice, thin) = held(f64::from(columns));
-                let points: Vec<u32> = (0..4).map(|row| lattice.number([0, row]).unwrap() as u32).collect();
-                assert_eq!(thin.chains(&lattice, &points), wide.chains(&lattice, &points), "{columns}");
+        // The longest bonds of the influence `linear` have no weight.
+        let family = |horizon_ratio: f64| {
+            PlaneBonds::State(StateParameters {
+                youngs_modulus: 7.0,
+                poisson_ratio: 0.2,
+                geometry: Geometry::PlaneStress(0.3),
+                horizon_ratio,
+                influence: Influence::Linear,
+                edges: StateEdges::Ghosts,
+                measure: Measure::default(),
+                axis: Axis::default(),
+                dilatation: Dilatation::Points,
+            })
+        };
+        for horizon_ratio in [2.0, 3.0, 4.0, 4.5, 5.0, 6.0] {
+            for bonds in [bonds(horizon_ratio), family(horizon_ratio)] {
+                let held = |columns: f64| {
+                    let outline = Outline::rectangle([0.0; 2], [columns, 4.0]).unwrap();
+                    let lattice = outline.fill(1.0).unwrap();
+                    let shares = EdgeShares::new(&bonds);
+                    let held = HeldEdge::new(outline.edge("left").unwrap(), &lattice, &shares).unwrap();
+                    (lattice, held)
+                };
+                let (_, wide) = held(30.0);
+                for columns in 1..10 {
+                    let (lattice, thin) = held(f64::from(columns));
+                    let points: Vec<u32> =
+                        (0..4).map(|row| lattice.number([0, row]).unwrap() as u32).collect();
+                    let found = thin.chains(&lattice, &points);
+                    assert_eq!(found, wide.chains(&lattice, &points), "{horizon_ratio} {columns}");
+                }
             }
         }
     }

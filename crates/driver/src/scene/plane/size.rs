@@ -2,6 +2,7 @@
 //! far more than the points.
 
 use super::bonds::PlaneBonds;
+use super::held_edge::takes_shares;
 use super::{NamedCrack, root};
 use crate::case::Case;
 use crate::diagnostic::Faults;
@@ -47,8 +48,13 @@ pub(super) fn fits(
         (PlaneBody::Cloud(cloud), _) => LISTED * cloud.about_pairs(m * body.spacing()),
         (PlaneBody::Lattice(lattice), PlaneBonds::State(_)) => {
             let sides = [lattice.columns().len(), lattice.rows().len()];
-            let strip = if sides.iter().any(|&n| n as f64 >= m) { 16.0 * m * m } else { 0.0 };
-            family * (NEIGHBOUR * points.min(distinct + crack * 2.0 * m) + STRIP * strip)
+            let holds = bonds.is_exact_at_edges() && !case.supports.is_empty();
+            let strip = match holds && sides.iter().any(|&n| takes_shares(n, bonds)) {
+                true => STRIP * 16.0 * m * m,
+                false => 0.0,
+            };
+            // It is gone before the families are made.
+            family * strip.max(NEIGHBOUR * points.min(distinct + crack * 2.0 * m))
         }
         _ if bonds.edges() == Some(Edges::Overlay) => 0.0,
         _ => OWN * 0.5 * family * near,

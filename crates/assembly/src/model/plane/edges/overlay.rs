@@ -88,7 +88,7 @@ fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cel
     let mut found: Vec<(f64, Corners)> = Vec::new();
     let mut least = f64::INFINITY;
     for (k, &b) in near.iter().enumerate() {
-        // No triangle is better than the square of its longest side.
+        // The badness of a triangle is at least the square of its longest side.
         if squared(b) > AS_GOOD * least {
             break;
         }

@@ -1,6 +1,6 @@
 //! What a solution in strains is certified with.
 
-use crate::run::certificate::{Balance, Certificate, STRAIN_FREE, Seen, ratio, worst};
+use crate::run::certificate::{Balance, Certificate, STRAIN_FREE, Seen, finite, ratio, worst};
 use peristat_assembly::model::timoshenko_beam::StrainChecks;
 
 /// What a solution in strains tells of itself.
@@ -42,7 +42,7 @@ pub(super) struct Evidence {
 pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evidence) -> Certificate {
     let Evidence { checks, sizes, length, spring_energy, jump_energy, .. } = *evidence;
     let strains = evidence.loaded || checks.energy > STRAIN_FREE * jump_energy;
-    let or_zero = |value: f64| if strains { value } else { 0.0 };
+    let or_zero = |value: f64| if strains { finite(value) } else { 0.0 };
     // Springs do half the work of their reactions, and store it.
     let (energy, work) = (checks.energy + spring_energy, checks.work + spring_energy);
     let energy_balance = or_zero(ratio((energy - work).abs(), energy.abs().max(work.abs())));
