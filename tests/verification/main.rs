@@ -35,6 +35,7 @@ mod plane_patch_holes;
 mod plane_results;
 mod plane_solvers;
 mod reactions;
+mod ring_tractions;
 mod section_forces;
 mod sections;
 mod shell;

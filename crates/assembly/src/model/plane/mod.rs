@@ -164,8 +164,9 @@ pub trait PlaneModel: Debug + Send + Sync {
 
     /// Adds the forces `Σ_k V_k S_k : E_k` of a stress `[S_xx, S_yy, S_xy]`, Pa, with E the strain of a point: with one
     /// stress for all points and the tractions that it has at the edges, the linear displacement that belongs to it is the
-    /// solution to rounding. Where S varies, `V div S` has to be added. `points` are those where S can be other than zero,
-    /// none for all.
+    /// solution to rounding. The forces have no resultant: `V div S` has to be added by the caller, in the plane where S
+    /// varies, in a body of revolution, where the stress across is S_xx, also `V S_xy/x` along the axis. `points` are those
+    /// where S can be other than zero, none for all.
     fn add_stress_load(
         &self,
         points: Option<&[usize]>,

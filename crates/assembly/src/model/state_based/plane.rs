@@ -155,16 +155,13 @@ impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
         if !REVOLVED {
             return;
         }
-        // The stress across is that along x, with the volumes of the energies; of the divergence of a ring's stress S_xy/x is
-        // left.
+        // The stress across is that along x, with the volumes of the energies.
         let n = self.point_count();
         let cell = cell_volume(&self.parameters, self.body.lattice.spacing());
         let families = &self.body.families;
         let mut add = |p: usize| {
             if families.set_of[p].is_some() {
-                let ([xx, _, xy], x) = (stress(p), self.place(p)[0]);
-                force[p] += cell * families.energy[p] * xx / x;
-                force[n + p] += cell * families.volume[p] * xy / x;
+                force[p] += cell * families.energy[p] * stress(p)[0] / self.place(p)[0];
             }
         };
         match points {

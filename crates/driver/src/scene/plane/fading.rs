@@ -128,7 +128,9 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
     let points = regions.select(&Region::Box { from: edge.from, to: inner }).unwrap_or_default();
     let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
     for &p in &points {
-        let divergence = fading.divergence(context.ground.body.position(p as usize));
+        let position = context.ground.body.position(p as usize);
+        let mut divergence = fading.divergence(position);
+        divergence[1] += around_axis(fading.stress(position), position, context);
         if divergence != [0.0; 2] {
             forces.insert(p, divergence.map(|b| b * context.volume(p)));
         }
@@ -138,6 +140,11 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
     forces.extend(missing(&forces, traction, context));
     let points = points.into_iter().map(|p| p as usize).collect();
     Ok((StressField::faded(points, fading), forces))
+}
+
+/// What the divergence of a stress along the axis of a body of revolution has beside that in the plane: `S_xy/x`, N/m³.
+pub(super) fn around_axis([_, _, shear]: [f64; 3], [x, _]: [f64; 2], context: &Context) -> f64 {
+    if context.bonds.is_revolved() { shear / x } else { 0.0 }
 }
 
 /// Whether at both ends of an edge another one goes on against its normal, for this length at least (m).

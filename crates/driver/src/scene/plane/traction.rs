@@ -257,7 +257,7 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
     if let Some(uniform) = uniform_stress::find(tractions, context) {
         to.carry_ends = true;
         to.stresses.push(StressField::uniform(uniform.stress));
-        to.forces.extend(uniform.on_held_edges);
+        to.forces.extend(uniform.forces);
         return;
     }
     for traction in tractions {

@@ -1,6 +1,7 @@
 //! One stress that has the tractions of all borders of a body.
 
 use super::boundary::{self, Border};
+use super::fading::around_axis;
 use super::loads::{Context, is_held};
 use super::lump::{self, Forces};
 use super::periodic;
@@ -15,8 +16,8 @@ const SLACK: f64 = 1e-12;
 pub(super) struct UniformStress {
     /// `[S_xx, S_yy, S_xy]`, Pa.
     pub(super) stress: [f64; 3],
-    /// What it does to edges that supports hold, taken back there.
-    pub(super) on_held_edges: Forces,
+    /// What it does to edges that supports hold, taken back there, and its divergence in a body of revolution.
+    pub(super) forces: Forces,
 }
 
 /// Linear conditions on a stress, met one after the other by the smallest change.
@@ -125,8 +126,22 @@ pub(super) fn find(tractions: &[OnBorder], context: &Context) -> Option<UniformS
         return None;
     }
     let stress = conditions.stress;
-    let on_held_edges = held.iter().flat_map(|(edge, t)| taken_back(edge, *t, stress, context)).collect();
-    Some(UniformStress { stress, on_held_edges })
+    let mut forces: Forces =
+        held.iter().flat_map(|(edge, t)| taken_back(edge, *t, stress, context)).collect();
+    forces.extend(divergence(stress, context));
+    Some(UniformStress { stress, forces })
+}
+
+/// Forces of the divergence that a uniform shear has in a body of revolution.
+fn divergence(stress: [f64; 3], context: &Context) -> Forces {
+    if !context.bonds.is_revolved() || stress[2] == 0.0 {
+        return Vec::new();
+    }
+    let force = |p: u32| {
+        let position = context.ground.body.position(p as usize);
+        (p, [0.0, context.volume(p) * around_axis(stress, position, context)])
+    };
+    (0..context.ground.body.points() as u32).map(force).collect()
 }
 
 /// What a stress is along sides that are joined or both mirrors: that of the force through sides which move apart, and where
