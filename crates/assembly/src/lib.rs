@@ -10,7 +10,7 @@
 //! ([`model::Breakable`]).
 //!
 //! Modules use only what stands to their left:
-//! `sum → law → material → bonds → body → condition → stiffness → model → system`.
+//! `sum → quadrature → law → material → bonds → body → condition → stiffness → model → system`.
 #![cfg_attr(test, allow(clippy::float_cmp))]
 
 pub mod body;
@@ -19,6 +19,7 @@ pub mod condition;
 pub mod law;
 pub mod material;
 pub mod model;
+pub mod quadrature;
 mod register;
 pub mod stiffness;
 pub mod sum;

@@ -1,7 +1,7 @@
-//! Gauss' rule for integrals over a cell.
+//! Gauss' rule for integrals over a cell or a part of a border.
 
 /// Gauss-Legendre rule with 8 points on (0, 1), exact to degree 15: `(position, weight)`.
-pub(super) const GAUSS: [(f64, f64); 8] = {
+pub const GAUSS: [(f64, f64); 8] = {
     const X: [f64; 4] =
         [0.183_434_642_495_649_8, 0.525_532_409_916_329, 0.796_666_477_413_626_7, 0.960_289_856_497_536_3];
     const W: [f64; 4] =

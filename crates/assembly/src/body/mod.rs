@@ -5,6 +5,7 @@
 //! distance far below the spacing and far above rounding ([`BORDER`], [`CRACK_SLACK`]): what belongs to a body, to a
 //! region or to a crack does not depend on how a coordinate was rounded, and mirrored bodies have mirrored points.
 
+mod border;
 mod cloud;
 mod convex;
 mod cover;
@@ -22,6 +23,7 @@ mod select;
 mod transfer;
 mod turn;
 
+pub use border::BorderPart;
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
 pub use fill::FillError;

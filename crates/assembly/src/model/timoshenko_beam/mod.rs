@@ -21,7 +21,6 @@ pub mod bond_law;
 mod breaking;
 mod chain;
 pub mod end_treatment;
-mod gauss;
 mod load;
 mod motion;
 mod recover;

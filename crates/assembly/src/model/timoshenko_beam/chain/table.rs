@@ -1,10 +1,10 @@
 //! Measures and moduli of the bonds of a line: one per class where nothing varies, else one per bond.
 
 use super::super::bond::{BeamBond, Flexibility, UniformBending, UniformSection};
-use super::super::gauss::GAUSS;
 use super::Line;
 use crate::bonds::BondGeometry;
 use crate::material::Compliance;
+use crate::quadrature::GAUSS;
 use crate::stiffness::Weights;
 
 /// The bonds of a line.

@@ -1,8 +1,9 @@
 //! Fixed-end forces: what the loads inside a bond put on its two points.
 
-use super::{BeamLoads, Distributed, EndForces, GAUSS, PointAction, Span};
+use super::{BeamLoads, Distributed, EndForces, PointAction, Span};
 use crate::model::timoshenko_beam::Chain;
 use crate::model::timoshenko_beam::chain::pieces;
+use crate::quadrature::GAUSS;
 
 /// Loads that bonds carry.
 struct Carried<'a> {

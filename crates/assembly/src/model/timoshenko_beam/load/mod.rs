@@ -11,8 +11,8 @@ mod span;
 pub(super) use fixed_end::FixedEnd;
 pub use nodal::ChainLoads;
 
-use super::gauss::GAUSS;
 use super::{PHI, U, W};
+use crate::quadrature::GAUSS;
 use span::{EndForces, Span};
 use std::f64::consts::PI;
 
