@@ -4,7 +4,7 @@ use super::drift::drift;
 use super::problem::Spread;
 use super::weigh::work;
 use super::workspace::StateSolution;
-use super::{Problem, extent};
+use super::{Problem, Resultants, extent};
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Survey;
 use peristat_assembly::sum::Sum;
@@ -48,6 +48,26 @@ pub struct Certificate {
     pub energy_balance: f64,
     /// Stored energy.
     pub energy: f64,
+    /// Resultants of loads as they were asked for and as they act, and of reactions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub resultants: Option<Resultants>,
+}
+
+/// Difference of the loads as asked and as applied, relative to their magnitudes, that is rounding: the gallery has 1e-14, and
+/// a million points 1e-13.
+pub(crate) const ASKED: f64 = 1e-10;
+
+impl Certificate {
+    /// Takes the resultants of a state. Other loads than were asked for are no solution, unless they are those of a published
+    /// form, which has them in the limit: then `exact` is false.
+    pub(super) fn account(&mut self, resultants: Resultants, exact: bool) {
+        if exact && resultants.difference > ASKED {
+            self.converged = false;
+            self.strain_error = self.strain_error.max(resultants.difference);
+            self.strain_digits = trusted(self.strain_error);
+        }
+        self.resultants = Some(resultants);
+    }
 }
 
 /// What is seen of an error is a sample of it: bound over sample. The stress suite finds errors of up to 20 samples.
@@ -163,6 +183,7 @@ impl Seen {
             balance: Vec::new(),
             energy_balance: 0.0,
             energy: 0.0,
+            resultants: None,
         }
     }
 }

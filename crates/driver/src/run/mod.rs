@@ -17,6 +17,7 @@ pub mod plane;
 mod problem;
 mod range;
 mod refine;
+mod resultants;
 pub(crate) mod scan;
 mod sink;
 mod verdict;
@@ -24,7 +25,7 @@ mod weigh;
 mod workspace;
 
 pub use beam::BeamResult;
-pub(crate) use certificate::FEW_DIGITS;
+pub(crate) use certificate::{ASKED, FEW_DIGITS};
 pub use certificate::{Balance, Certificate};
 pub use factor::{SolveFailure, SolverReport};
 pub use linear::LinearSolver;
@@ -33,6 +34,7 @@ pub use multigrid::Coarser;
 pub use plane::PlaneResult;
 pub use problem::{Problem, Sizes, Spread, prepare};
 pub(crate) use range::Range;
+pub use resultants::{Resultants, Total};
 pub use sink::{Advance, Sink, taking};
 pub use verdict::{CheckResult, ProbeResult};
 

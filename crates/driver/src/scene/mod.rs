@@ -12,6 +12,7 @@ mod numbers;
 pub mod path;
 pub mod plane;
 mod probes;
+mod resultant;
 mod states;
 mod words;
 
@@ -19,6 +20,7 @@ pub use beam::BeamScene;
 pub use expectation::{Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
 pub use plane::PlaneScene;
+pub use resultant::Resultant;
 
 use crate::case::{Case, Model};
 use crate::diagnostic::{Faults, JsonPath, Report};

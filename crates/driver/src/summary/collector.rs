@@ -2,7 +2,7 @@
 
 use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, plane};
 use crate::memory;
-use crate::run::{CheckResult, FEW_DIGITS, ProbeResult, Range, RunReport, StateResult};
+use crate::run::{ASKED, CheckResult, FEW_DIGITS, ProbeResult, Range, RunReport, StateResult};
 use crate::scene::Scene;
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;
@@ -75,6 +75,7 @@ impl Collector {
     /// The summary of the run.
     pub fn finish(self, scene: &Scene, report: RunReport, mut warnings: Vec<String>) -> Summary {
         warnings.extend(few_digits(&self.states));
+        warnings.extend(misapplied(&self.states));
         // States before a restart are known from it alone.
         let converged = report.converged && self.states.iter().all(|s| s.certificate.converged);
         let status = match (converged, self.checks.iter().all(|c| c.passed)) {
@@ -119,6 +120,18 @@ fn few_digits(states: &[StateSummary]) -> Option<String> {
     Some(format!(
         "{}: only {} digits of displacements and {} of strains and forces can be trusted, by rounding and iteration",
         worst.name, certificate.digits, certificate.strain_digits
+    ))
+}
+
+/// What there is to say of the state whose loads differ most from what was asked for, if it did not pass for that.
+fn misapplied(states: &[StateSummary]) -> Option<String> {
+    let difference = |s: &&StateSummary| s.certificate.resultants.as_ref().map_or(0.0, |r| r.difference);
+    let refused = states.iter().filter(|s| !s.certificate.converged && difference(s) > ASKED);
+    let worst = refused.max_by(|a, b| difference(a).total_cmp(&difference(b)))?;
+    Some(format!(
+        "{}: the loads that act are not those that were asked for, by {:.1e} of them: see their resultants; this is a fault of the program",
+        worst.name,
+        difference(&worst)
     ))
 }
 

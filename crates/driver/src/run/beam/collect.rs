@@ -2,8 +2,8 @@
 
 use super::{BeamResult, LineFields, LinePoints, reaction};
 use crate::case::FieldName;
-use crate::run::{SolvedState, StateRecord};
-use crate::scene::beam::{BeamScene, State};
+use crate::run::{Resultants, SolvedState, StateRecord};
+use crate::scene::beam::{BeamScene, State, resultant, resultant_of};
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, Grid, TimoshenkoBeam};
 
 /// Collects the result of a state.
@@ -20,7 +20,7 @@ pub(super) fn of_beam(
     solved: SolvedState,
     recover: bool,
 ) -> BeamResult {
-    let SolvedState { state: index, load, solution, certificate } = solved;
+    let SolvedState { state: index, load, solution, mut certificate } = solved;
     let n = beam.points();
     let mut u = solution.u;
     if scene.has_axial {
@@ -41,6 +41,11 @@ pub(super) fn of_beam(
         }
     };
     let lines = (0..beam.chains().len()).map(line).collect();
+    // A strain form whose forces on points nobody asks for has none.
+    if !load.is_empty() {
+        let resultants = resultants(scene, beam, state, (load, &solution.held), &u);
+        certificate.account(resultants, scene.loads_are_exact(&state.loads));
+    }
     let held = reaction::forces(scene, &solution.multipliers, &u);
     let fields: &'static [FieldName] = match (&scene.frame, scene.has_axial) {
         (Some(_), _) => &FieldName::FRAME,
@@ -57,6 +62,20 @@ pub(super) fn of_beam(
         points: n,
         fields,
     }
+}
+
+/// Resultants of the loads of a state, and of what holds the beam.
+fn resultants(
+    scene: &BeamScene,
+    beam: &TimoshenkoBeam,
+    state: &State,
+    (load, held): (&[f64], &[(usize, f64)]),
+    u: &[f64],
+) -> Resultants {
+    let n = beam.points();
+    let springs = scene.springs.iter().flat_map(|spring| spring.forces(n, u)).map(|(k, f)| (k, -f));
+    let reactions = resultant_of(beam, held.iter().copied().chain(springs));
+    Resultants::new(&scene.asked(state), &resultant(beam, load), &reactions, scene.statical())
 }
 
 /// Loads and the forces of supports, links and springs, by unknown.

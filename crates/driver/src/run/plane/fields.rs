@@ -2,7 +2,8 @@
 
 use super::reaction::{self, MirrorReaction, PlaneReaction};
 use crate::case::FieldName;
-use crate::run::{SolvedState, StateRecord};
+use crate::run::{Resultants, SolvedState, StateRecord};
+use crate::scene::Resultant;
 use crate::scene::plane::{PlaneScene, Weights};
 use peristat_assembly::model::plane::PlaneModel;
 use std::borrow::Cow;
@@ -82,7 +83,8 @@ pub(super) fn collect(
         facts: None,
     };
     let intensities = intensities.iter().map(|k| k[index]).collect();
-    PlaneResult::new((scene, &*scene.model), record, (solution.multipliers, load), intensities, recover)
+    let forces = (solution.multipliers, load, scene.asked(state));
+    PlaneResult::new((scene, &*scene.model), record, forces, intensities, recover)
 }
 
 /// Von Mises stress, with the stress across the plane.
@@ -109,12 +111,12 @@ fn of_stress(model: &dyn PlaneModel, field: FieldName) -> Option<impl Fn([f64; 3
 }
 
 impl PlaneResult {
-    /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model, and
-    /// the loads.
+    /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model, the
+    /// loads, and their resultant as it was asked for.
     pub(super) fn new(
         (scene, model): (&PlaneScene, &dyn PlaneModel),
-        record: StateRecord,
-        (mut multipliers, load): (Vec<f64>, &[f64]),
+        mut record: StateRecord,
+        (mut multipliers, load, asked): (Vec<f64>, &[f64], Resultant),
         intensities: Vec<f64>,
         recover: bool,
     ) -> Self {
@@ -134,6 +136,9 @@ impl PlaneResult {
         let mirrors = reaction::of_mirrors(scene, &multipliers, load);
         multipliers.truncate(scene.equations.len());
         let reactions = reaction::of_supports(scene, &multipliers, &record.u);
+        let held = reaction::resultant(scene, &multipliers, &record.u, &mirrors);
+        let resultants = Resultants::new(&asked, &scene.resultant(load), &held, scene.statical());
+        record.certificate.account(resultants, true);
         Self {
             record,
             recovered,

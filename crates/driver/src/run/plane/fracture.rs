@@ -4,6 +4,7 @@ use super::fields::PlaneResult;
 use super::verdict;
 use crate::run::fracture::{BreakingBody, Facts};
 use crate::run::{Problem, SolvedState, StateRecord, StateResult};
+use crate::scene::Resultant;
 use crate::scene::fracture::FractureScene;
 use crate::scene::plane::{PlaneFracture, PlaneProblem, Quantity};
 use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
@@ -68,8 +69,15 @@ where
         let SolvedState { state: index, solution, certificate, load, .. } = solved;
         let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
         let (scene, model) = (self.problem.scene, &self.problem.model);
-        let result =
-            PlaneResult::new((scene, model), record, (solution.multipliers, load), Vec::new(), self.recover);
+        let mut asked = Resultant::default();
+        asked.add_multiple(load_factor, &scene.asked(&scene.states[0]));
+        let result = PlaneResult::new(
+            (scene, model),
+            record,
+            (solution.multipliers, load, asked),
+            Vec::new(),
+            self.recover,
+        );
         StateResult::Plane(result)
     }
 }

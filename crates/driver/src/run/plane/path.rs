@@ -5,6 +5,7 @@ use super::{crack_front, verdict};
 use crate::run::fracture::Facts;
 use crate::run::path::{PathPoint, SofteningBody, SofteningBonds};
 use crate::run::{Problem, SolvedState, StateRecord, StateResult};
+use crate::scene::Resultant;
 use crate::scene::path::PathScene;
 use crate::scene::plane::PlaneProblem;
 use peristat_assembly::law::{Bilinear, Law};
@@ -88,8 +89,10 @@ impl SofteningBody<2> for SofteningPlane<'_> {
         let SolvedState { state: index, solution, certificate, load, .. } = solved;
         let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
         let (scene, model) = (self.problem.scene, &self.problem.model);
+        let mut asked = Resultant::default();
+        asked.add_multiple(load_factor, &scene.asked(&scene.states[0]));
         let mut result =
-            PlaneResult::new((scene, model), record, (solution.multipliers, load), Vec::new(), false);
+            PlaneResult::new((scene, model), record, (solution.multipliers, load, asked), Vec::new(), false);
         if self.recover {
             result.recovered = Some(recovered(model, bonds, answers));
         }

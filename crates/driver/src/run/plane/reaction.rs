@@ -1,5 +1,6 @@
 //! What supports, rigid regions and lines of symmetry do to a body in the plane.
 
+use crate::scene::Resultant;
 use crate::scene::plane::{PlaneScene, PlaneSupport};
 use peristat_assembly::sum::Sum;
 use serde::{Deserialize, Serialize};
@@ -65,6 +66,31 @@ pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) ->
         }
     };
     scene.supports.iter().map(of).collect()
+}
+
+/// Resultant of supports, springs and lines of symmetry.
+pub(super) fn resultant(
+    scene: &PlaneScene,
+    multipliers: &[f64],
+    u: &[f64],
+    mirrors: &[MirrorReaction],
+) -> Resultant {
+    let n = scene.model.point_count();
+    let mut forces = vec![0.0; u.len()];
+    for (equation, multiplier) in scene.equations.iter().zip(multipliers) {
+        for (unknown, coefficient) in &equation.terms {
+            forces[unknown.component * n + unknown.point] += coefficient * multiplier;
+        }
+    }
+    for (unknown, force) in scene.conditions.springs.iter().flat_map(|spring| spring.forces(n, u)) {
+        forces[unknown] -= force;
+    }
+    let mut sum = scene.resultant(&forces);
+    for mirror in mirrors {
+        let across = |k: usize| if SIDES[2 * k..][..2].contains(&&*mirror.side) { mirror.force } else { 0.0 };
+        sum.add([0, 1].map(across), [0.0; 2]);
+    }
+    sum
 }
 
 /// Forces through lines of symmetry: the equation `u_ghost + u_real = 0` of the component across a line holds with the same

@@ -26,6 +26,7 @@ mod profile;
 mod section;
 mod size;
 mod spot;
+mod statics;
 mod support_keys;
 mod supports;
 mod warnings;
@@ -37,6 +38,7 @@ pub use links::RigidBar;
 pub use place::Place;
 pub use probes::ProbePoint;
 pub use section::SectionAlong;
+pub(crate) use statics::{resultant, resultant_of};
 pub use supports::HeldPoint;
 
 use super::fracture::FractureScene;

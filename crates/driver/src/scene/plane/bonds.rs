@@ -1,5 +1,6 @@
 //! The models of bodies in the plane: what they are made of, and the bodies made of them.
 
+use super::super::Resultant;
 use super::orthotropic;
 use peristat_assembly::body::{Cell, SquareLattice};
 use peristat_assembly::model::beam_bond_orthotropic::{
@@ -203,6 +204,17 @@ impl PlaneBonds {
     /// Length of the body across the plane at a position, m: the thickness, or the way round the axis.
     pub fn across(&self, [x, _]: [f64; 2]) -> f64 {
         if self.is_revolved() { TAU * x } else { self.thickness() }
+    }
+
+    /// Adds a force, N, at a position to a resultant: what a shell has along its circumference turns it about its axis.
+    pub(super) fn add_force(&self, to: &mut Resultant, force: [f64; 2], at: [f64; 2]) {
+        match self {
+            Self::Shell(shell) => {
+                to.add([force[0], 0.0], [0.0; 2]);
+                to.add_moment(shell.radius * force[1]);
+            }
+            _ => to.add(force, at),
+        }
     }
 
     /// Whether the plane is a section of a body of revolution.

@@ -1,8 +1,9 @@
 //! A stress that has the traction of an edge and fades inwards.
 
+use super::super::Resultant;
 use super::boundary::{self, Border, is_aligned};
 use super::loads::Context;
-use super::lump::{self, Forces, Resultant};
+use super::lump::{self, Forces};
 use super::stress_field::StressField;
 use super::traction::{OnBorder, Profile, may_be_consistent};
 use super::uniform_stress::traction_of;
@@ -210,7 +211,7 @@ fn elsewhere(stress: &dyn Fn([f64; 2]) -> [f64; 3], own: Own, context: &Context)
             }
             if t.iter().any(|v| v.abs() > 0.0) {
                 let points = points.as_deref().unwrap_or(&[]);
-                forces.extend(lump::on_points(&[stretch], &|_, _| t, points, context));
+                forces.extend(lump::on_points(&[stretch], &|s| lump::constant(t, s), points, context));
             }
         }
     }
@@ -224,22 +225,19 @@ pub(super) fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: 
     forces.iter().for_each(|&(p, f)| rest.add(f.map(|f| -f), at(p)));
     let lumped = lump::forces(traction, context);
     lumped.iter().for_each(|&(p, f)| rest.add(f, at(p)));
-    let mirrors = context.symmetry.mirrors;
-    for (axis, lines) in mirrors.lines().into_iter().enumerate() {
-        if lines != [None; 2] && !mirrors.joined[axis] {
-            rest.force[axis] = 0.0;
-        }
-    }
     let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
-    if context.bonds.is_revolved() {
-        rest.force[0] = 0.0;
-    }
-    if !mirrors.is_none() || context.bonds.is_revolved() {
-        // Only the force: its moment about the middle of the points is left to the mirror.
-        let count = small.len() as f64;
-        small.iter_mut().for_each(|f| f.1 = rest.force.map(|f| f / count));
+    let mirrors = context.symmetry.mirrors;
+    if mirrors.is_none() && !context.bonds.is_revolved() {
+        lump::add_resultant(&mut small, &rest, context);
         return small;
     }
-    lump::add_resultant(&mut small, rest, context);
+    // Only the force: its moment about the middle of the points is left to the mirror, and rings have no force along x.
+    let is_taken = |axis: usize| {
+        let by_mirror = mirrors.lines()[axis] != [None; 2] && !mirrors.joined[axis];
+        by_mirror || (axis == 0 && context.bonds.is_revolved())
+    };
+    let (force, count) = (rest.force(), small.len() as f64);
+    let share = [0, 1].map(|axis| if is_taken(axis) { 0.0 } else { force[axis] / count });
+    small.iter_mut().for_each(|f| f.1 = share);
     small
 }

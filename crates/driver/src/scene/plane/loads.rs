@@ -1,8 +1,11 @@
 //! Loads of a body in the plane as forces and stresses on its points.
 
-use super::super::states;
+use super::super::words::tidy;
+use super::super::{Resultant, states};
+use super::asked;
 use super::bonds::PlaneBonds;
-use super::ground::{Ground, PLACE};
+use super::ground::{Ground, PLACE, Spot};
+use super::interpolate::{Interpolation, Weights};
 use super::stress_field::StressField;
 use super::symmetry::Symmetry;
 use super::traction;
@@ -10,6 +13,7 @@ use super::{Held, root, shell};
 use crate::case::{BodyForce, Load, PointLoad};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
+use peristat_assembly::body::Crack;
 use peristat_assembly::model::plane::PlaneModel;
 
 /// The loads of one load case.
@@ -27,6 +31,8 @@ pub struct PlaneLoads {
     pub(super) stresses: Vec<StressField>,
     /// Whether these carry the forces through joined sides.
     pub(super) carry_ends: bool,
+    /// Resultant as the case asks for it.
+    pub(super) asked: Resultant,
 }
 
 /// What the resolution of loads looks at.
@@ -74,6 +80,7 @@ pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoa
                 }
             }
         }
+        tractions.iter().for_each(|t| resolved.asked.add_multiple(1.0, &asked::of_traction(t, context)));
         traction::add(&tractions, context, &mut resolved, faults);
         resolved
     };
@@ -112,18 +119,62 @@ fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoa
     super::supports::not_mirrored(load.at.region.as_deref(), &at.key("region"), context.symmetry, faults);
     let Some(spot) = context.ground.spot(&load.at, &at, "the load", faults) else { return };
     let acts = force != [0.0; 2];
-    if acts && (0..2).all(|c| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held))) {
+    let is_fixed = |c: usize| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held));
+    let is_fixed = (0..2).all(is_fixed);
+    let shares = shares(load, &spot, is_fixed, context);
+    let at_place = place(load, &shares, context, &at, faults);
+    context.bonds.add_force(&mut to.asked, force, at_place);
+    if points_turn {
+        to.asked.add_moment(load.moment);
+    }
+    if acts && is_fixed {
         faults
             .warning(at, format!("supports hold {} against this force: it deforms nothing", spot.words))
             .hint("it only adds to the reaction of the support");
     }
-    let share = force.map(|f| f / spot.points.len() as f64);
     if acts {
-        to.forces.extend(spot.points.iter().map(|&p| (p, share)));
+        to.forces.extend(shares.iter().map(|&(p, share)| (p, force.map(|f| share * f))));
     }
     if across != 0.0 {
-        let share = across / spot.points.len() as f64;
-        to.across.extend(spot.points.iter().map(|&p| (p, share)));
+        to.across.extend(shares.iter().map(|&(p, share)| (p, share * across)));
+    }
+}
+
+/// Where a force acts: at the position that is given, or in the middle of a region. A doubt where no points around the position
+/// can share it.
+fn place(
+    load: &PointLoad,
+    shares: &Weights,
+    context: &Context,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> [f64; 2] {
+    let body = context.ground.body;
+    let middle = [0, 1].map(|k| shares.iter().map(|&(p, s)| s * body.position(p as usize)[k]).sum::<f64>());
+    let (Some(x), Some(y)) = (load.at.x, load.at.y) else { return middle };
+    let moved = (x - middle[0]).hypot(y - middle[1]);
+    if moved < 1e-9 * body.spacing() {
+        return [x, y];
+    }
+    if moved > 1e-3 * body.spacing() {
+        let [a, b] = middle.map(tidy);
+        faults
+            .warning(path.clone(), format!("the load acts on the point at ({a}, {b})"))
+            .hint("give the position of that point, or a region");
+    }
+    middle
+}
+
+/// Points and their shares of a force at a place: those of a region alike; at a position those with which values are
+/// interpolated there, so that the force has its moment. A point that is held takes it alone.
+fn shares(load: &PointLoad, spot: &Spot, is_fixed: bool, context: &Context) -> Weights {
+    match (load.at.x, load.at.y, &spot.points[..]) {
+        (Some(x), Some(y), &[nearest]) if !is_fixed => {
+            let cracks: Vec<Crack> = context.cracks.iter().map(|c| c.crack.clone()).collect();
+            let interpolation = Interpolation { body: context.ground.body, cracks: &cracks, reach: 1 };
+            interpolation.at([x, y], nearest)
+        }
+        (.., points) => points.iter().map(|&p| (p, 1.0 / points.len() as f64)).collect(),
     }
 }
 
@@ -178,10 +229,16 @@ fn body_force(
     };
     let density = if is_total { value.map(|f| f / volume) } else { value };
     match points {
-        None => (0..2).for_each(|k| to.density[k] += density[k]),
+        None => {
+            to.asked.add_multiple(1.0, &asked::of_body(density, context));
+            (0..2).for_each(|k| to.density[k] += density[k]);
+        }
         Some(points) => {
-            let force = |&p: &u32| (p, density.map(|b| b * context.volume(p)));
-            to.forces.extend(points.iter().map(force));
+            for p in points {
+                let force = density.map(|b| b * context.volume(p));
+                context.bonds.add_force(&mut to.asked, force, context.ground.body.position(p as usize));
+                to.forces.push((p, force));
+            }
         }
     }
 }

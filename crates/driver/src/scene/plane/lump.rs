@@ -1,5 +1,6 @@
 //! Tractions as forces on the nearest points.
 
+use super::super::Resultant;
 use super::boundary::{Border, Stretch};
 use super::loads::Context;
 use super::traction::OnBorder;
@@ -9,28 +10,15 @@ use std::collections::BTreeMap;
 /// Forces on points of the body, N.
 pub(super) type Forces = Vec<(u32, [f64; 2])>;
 
-/// Force and moment about the origin.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Resultant {
-    pub(super) force: [f64; 2],
-    pub(super) moment: f64,
-}
-
-impl Resultant {
-    /// Adds a force at a position.
-    pub(super) fn add(&mut self, force: [f64; 2], at: [f64; 2]) {
-        (0..2).for_each(|k| self.force[k] += force[k]);
-        self.moment += at[0] * force[1] - at[1] * force[0];
-    }
-}
+/// Positions on a stretch, m, and tractions there times the lengths that they stand for, N/m.
+type OnStretch = Vec<([f64; 2], [f64; 2])>;
 
 /// Forces of a traction on points of the body, each stretch of its border on the nearest point, with the exact force and
 /// moment.
 pub(super) fn forces(traction: &OnBorder, context: &Context) -> Forces {
     let stretches = traction.stretches(context.ground);
     let candidates = candidates(traction, context);
-    let profile = |place: f64, normal: [f64; 2]| traction.profile.at(place, normal);
-    on_points(&stretches, &profile, &candidates, context)
+    on_points(&stretches, &|stretch| traction.profile.on(stretch), &candidates, context)
 }
 
 /// Points that a border can act on.
@@ -42,11 +30,16 @@ fn candidates(traction: &OnBorder, context: &Context) -> Vec<u32> {
     }
 }
 
-/// The same for any stretches and any traction by place and normal, Pa; curves of meshes know their points, other
-/// stretches take the nearest of the candidates.
+/// Positions on a stretch with a traction that is the same all along it, Pa.
+pub(super) fn constant(traction: [f64; 2], stretch: &Stretch) -> OnStretch {
+    stretch.samples().map(|s| (s.at, traction.map(|t| s.length * t))).collect()
+}
+
+/// The same for any stretches and any traction on them; curves of meshes know their points, other stretches take the nearest
+/// of the candidates.
 pub(super) fn on_points(
     stretches: &[Stretch],
-    traction: &dyn Fn(f64, [f64; 2]) -> [f64; 2],
+    traction: &dyn Fn(&Stretch) -> OnStretch,
     candidates: &[u32],
     context: &Context,
 ) -> Forces {
@@ -54,15 +47,9 @@ pub(super) fn on_points(
     let mut wanted = Resultant::default();
     for stretch in stretches {
         let points = nearest(stretch, candidates, context);
-        let ends = [(-1.0, 1.0 / 6.0), (0.0, 4.0 / 6.0), (1.0, 1.0 / 6.0)];
         let mut force = [0.0; 2];
-        // Simpson's rule is exact for parabolas and their moments.
-        for (step, weight) in ends {
-            let t = traction(stretch.place + step * stretch.half, stretch.normal);
-            let tangent = [-stretch.normal[1], stretch.normal[0]];
-            let along = tangent_sign(stretches, tangent) * step * 0.5 * stretch.length;
-            let at = [0, 1].map(|k| stretch.middle[k] + along * tangent[k]);
-            let share = t.map(|t| weight * stretch.length * context.bonds.across(at) * t);
+        for (at, along) in traction(stretch) {
+            let share = along.map(|t| context.bonds.across(at) * t);
             (0..2).for_each(|k| force[k] += share[k]);
             if !points.is_empty() {
                 wanted.add(share, at);
@@ -92,14 +79,6 @@ fn on_held_lines(forces: BTreeMap<u32, [f64; 2]>, context: &Context) -> Forces {
         }
     }
     shared.into_iter().collect()
-}
-
-/// Whether places grow along a tangent, 1, or against it, −1.
-fn tangent_sign(stretches: &[Stretch], tangent: [f64; 2]) -> f64 {
-    let [Some(first), Some(last)] = [stretches.first(), stretches.last()] else { return 1.0 };
-    let along =
-        (last.middle[0] - first.middle[0]) * tangent[0] + (last.middle[1] - first.middle[1]) * tangent[1];
-    if along < 0.0 { -1.0 } else { 1.0 }
 }
 
 /// Positions this close to each other, in spacings, are as near.
@@ -148,7 +127,7 @@ fn is_halved(stretches: &[Stretch], context: &Context) -> bool {
 
 /// Adds small forces to those of some points so that force and moment are the wanted ones; none where a mirror
 /// halves the border: forces are exact without, and the image has the opposite moment.
-fn settle(forces: &mut [(u32, [f64; 2])], wanted: Resultant, is_halved: bool, context: &Context) {
+fn settle(forces: &mut [(u32, [f64; 2])], mut wanted: Resultant, is_halved: bool, context: &Context) {
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut found = Resultant::default();
     forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
@@ -156,25 +135,23 @@ fn settle(forces: &mut [(u32, [f64; 2])], wanted: Resultant, is_halved: bool, co
     if is_halved || context.bonds.is_revolved() {
         return;
     }
-    let missing = Resultant {
-        force: [0, 1].map(|k| wanted.force[k] - found.force[k]),
-        moment: wanted.moment - found.moment,
-    };
-    add_resultant(forces, missing, context);
+    wanted.add_multiple(-1.0, &found);
+    add_resultant(forces, &wanted, context);
 }
 
 /// Adds a resultant to forces on points: a uniform part, and one that turns about the middle of the points.
-pub(super) fn add_resultant(forces: &mut [(u32, [f64; 2])], missing: Resultant, context: &Context) {
+pub(super) fn add_resultant(forces: &mut [(u32, [f64; 2])], missing: &Resultant, context: &Context) {
+    let (force_missing, moment_missing) = (missing.force(), missing.moment());
     let count = forces.len() as f64;
     let at = |p: u32| context.ground.body.position(p as usize);
     let middle = [0, 1].map(|k| forces.iter().map(|f| at(f.0)[k] / count).sum::<f64>());
     let arm = |p: u32| [0, 1].map(|k| at(p)[k] - middle[k]);
     let inertia: f64 = forces.iter().map(|f| arm(f.0)[0].powi(2) + arm(f.0)[1].powi(2)).sum();
-    let about_middle = missing.moment - (middle[0] * missing.force[1] - middle[1] * missing.force[0]);
+    let about_middle = moment_missing - (middle[0] * force_missing[1] - middle[1] * force_missing[0]);
     let turn = if inertia > 0.0 { about_middle / inertia } else { 0.0 };
     for (point, force) in forces {
         let [x, y] = arm(*point);
-        force[0] += missing.force[0] / count - turn * y;
-        force[1] += missing.force[1] / count + turn * x;
+        force[0] += force_missing[0] / count - turn * y;
+        force[1] += force_missing[1] / count + turn * x;
     }
 }

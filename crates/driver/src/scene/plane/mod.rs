@@ -1,5 +1,6 @@
 //! Scenes of bodies in the plane.
 
+mod asked;
 mod bearing;
 mod body;
 mod bonds;
@@ -41,6 +42,7 @@ mod shell;
 mod size;
 mod specimen;
 mod state_based;
+mod statics;
 mod stress_field;
 mod support_keys;
 mod supported;

@@ -2,8 +2,8 @@
 
 use super::boundary;
 use super::loads::Context;
-use super::root;
 use super::symmetry::{SIDES, Symmetry, edge_on, line_on};
+use super::{root, traction};
 use crate::case::{Axis, Case, Periodic};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{Outline, SquareLattice};
@@ -103,7 +103,7 @@ pub(super) fn stress(axis: usize, context: &Context) -> Option<f64> {
     let outline = context.ground.outline?;
     let (edge, _) = edge_on(outline, 2 * axis)?;
     let stretches = boundary::of_edge(outline.edge(&edge)?, context.ground);
-    let area: f64 = stretches.iter().map(|s| s.length * context.bonds.across(s.middle)).sum();
+    let area = traction::area(&stretches, context);
     (area > 0.0).then(|| force / area)
 }
 

@@ -8,7 +8,7 @@
 
 use super::super::numbers::positive;
 use super::super::words::tidy;
-use super::boundary::{self, Border, Stretch, is_aligned};
+use super::boundary::{self, Border, Sample, Stretch, is_aligned};
 use super::ground::Ground;
 use super::loads::{Context, PlaneLoads};
 use super::lump;
@@ -16,7 +16,9 @@ use super::stress_field::StressField;
 use super::uniform_stress;
 use crate::case::{Hertz, LoadSharing, Traction};
 use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::body::BorderPart;
 use peristat_assembly::model::plane::Calibration;
+use peristat_assembly::quadrature::GAUSS;
 
 /// How a traction varies along its border.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +58,27 @@ impl Profile {
         }
     }
 
+    /// Positions on a stretch, m, with the traction there times the length that they stand for, N/m: sums over them are
+    /// integrals to rounding.
+    pub(super) fn on(&self, stretch: &Stretch) -> Vec<([f64; 2], [f64; 2])> {
+        let Self::Hertz { centre, radius, peak } = *self else {
+            let value = |s: Sample| (s.at, self.at(s.place, s.normal).map(|t| s.length * t));
+            return stretch.samples().map(value).collect();
+        };
+        // Over the angle whose sine is the place in the contact, the root is smooth.
+        let angle =
+            |end: f64| ((stretch.place + end * stretch.half - centre) / radius).clamp(-1.0, 1.0).asin();
+        let [start, end] = [-1.0, 1.0].map(angle);
+        let value = |&(share, weight): &(f64, f64)| {
+            let (sin, cos) = (start + share * (end - start)).sin_cos();
+            let inside = (centre + radius * sin - stretch.place) / (2.0 * stretch.half) + 0.5;
+            let length = weight * (end - start) * radius * cos / (2.0 * stretch.half) * stretch.length;
+            let sample = stretch.sample(inside, length);
+            (sample.at, sample.normal.map(|n| -length * peak * cos * n))
+        };
+        GAUSS.iter().map(value).collect()
+    }
+
     /// The value that it has everywhere on a border of this normal, if it is one.
     pub(super) fn constant(&self, normal: [f64; 2]) -> Option<[f64; 2]> {
         match *self {
@@ -85,6 +108,23 @@ impl OnBorder {
         match &self.border {
             Border::Edge(edge) => boundary::of_edge(edge, ground),
             Border::Curved { stretches, .. } => stretches.clone(),
+        }
+    }
+
+    /// Parts of the border with their places along it at start and end.
+    pub(super) fn parts(&self, ground: &Ground) -> Vec<(BorderPart, [f64; 2])> {
+        match (&self.border, ground.outline) {
+            (Border::Edge(edge), _) => {
+                let places = |part: &BorderPart| [0.0, 1.0].map(|s| boundary::place_on(edge, part.at(s)));
+                boundary::parts_of_edge(edge, ground).into_iter().map(|part| (part, places(&part))).collect()
+            }
+            // On a hole every place is like any other.
+            (Border::Curved { hole: Some(k), .. }, Some(outline)) => {
+                outline.hole_parts(*k).into_iter().map(|part| (part, [0.0, 1.0])).collect()
+            }
+            (Border::Curved { stretches, .. }, _) => {
+                stretches.iter().map(|s| (s.part, [s.place - s.half, s.place + s.half])).collect()
+            }
         }
     }
 }
@@ -136,7 +176,7 @@ pub(super) fn resolve(
         path: path.clone(),
     };
     let stretches = on.stretches(context.ground);
-    let area = stretches.iter().map(|s| s.length * context.bonds.across(s.middle)).sum::<f64>();
+    let area = area(&stretches, context);
     if !positive(area, "area of the border", place.clone(), faults) {
         return None;
     }
@@ -157,15 +197,23 @@ pub(super) fn resolve(
     if [0.0, within, 1.0].iter().all(|&q| profile.at(q, [1.0, 0.0]) == [0.0; 2]) {
         faults.error(path.clone(), "this traction is zero");
     }
-    if let (Border::Curved { hole: Some(_), .. }, Profile::Linear([a, b])) = (&on.border, &profile)
-        && a != b
-    {
+    let varies = match profile {
+        Profile::Linear([a, b]) => (a != b).then_some("linear"),
+        Profile::Parabolic(_) => Some("parabolic"),
+        _ => None,
+    };
+    if let (Border::Curved { hole: Some(_), .. }, Some(key)) = (&on.border, varies) {
         faults
-            .error(path.key("linear"), "a hole has neither start nor end")
+            .error(path.key(key), "a hole has neither start nor end")
             .hint("use `uniform`, `pressure` or `total` on holes");
     }
     check_sharing(load, &on, context, &path, faults);
     Some(OnBorder { profile, ..on })
+}
+
+/// Area of some stretches, m².
+pub(super) fn area(stretches: &[Stretch], context: &Context) -> f64 {
+    stretches.iter().flat_map(Stretch::samples).map(|s| s.length * context.bonds.across(s.at)).sum()
 }
 
 /// A contact pressure by places along its edge.

@@ -182,7 +182,7 @@ fn taken_back(edge: &Edge, t: [f64; 2], stress: [f64; 3], context: &Context) -> 
     let rest = [0, 1].map(|k| t[k] - own[k]);
     let points = context.ground.region(&edge.name, &Default::default(), &mut Faults::default());
     let stretches = boundary::of_edge(edge, context.ground);
-    lump::on_points(&stretches, &|_, _| rest, &points.unwrap_or_default(), context)
+    lump::on_points(&stretches, &|s| lump::constant(rest, s), &points.unwrap_or_default(), context)
 }
 
 /// `S n`.

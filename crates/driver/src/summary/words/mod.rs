@@ -5,6 +5,7 @@ mod estimate;
 mod fracture;
 mod path;
 mod plane;
+mod resultants;
 mod state;
 
 pub(crate) use estimate::{estimates, times};
@@ -94,12 +95,14 @@ pub(crate) fn course(summary: &Summary) -> Option<Vec<Fact>> {
     broken.or_else(|| summary.path.as_ref().map(path::path))
 }
 
-/// Forces of members and of what holds the body.
+/// Forces of members and of what holds the body, and the resultants of all that acts on it.
 pub(crate) fn forces(state: &StateSummary, units: Units) -> Vec<Listing> {
-    match &state.forces {
+    let mut tables = match &state.forces {
         Forces::Beam(forces) => beam::forces(forces),
         Forces::Plane(forces) => plane::forces(forces, units),
-    }
+    };
+    tables.extend(state.certificate.resultants.as_ref().map(|found| resultants::table(found, state, units)));
+    tables
 }
 
 /// Smallest and largest values over all load cases and combinations.

@@ -1,0 +1,93 @@
+//! Resultants of what acts on a beam or frame.
+
+use super::super::Resultant;
+use super::{BeamScene, State};
+use peristat_assembly::model::timoshenko_beam::{
+    Along, BeamLoads, Distributed, Intensity, Line, PHI, TimoshenkoBeam, U, W,
+};
+use std::f64::consts::PI;
+
+impl BeamScene {
+    /// Resultant of the loads of a state, as the case asks for them: by integrals in closed form along its lines.
+    pub fn asked(&self, state: &State) -> Resultant {
+        let mut sum = Resultant::default();
+        for load in &state.loads.point {
+            let line = self.beam.chains()[load.chain].line();
+            let parts = [(W, load.force), (PHI, load.moment), (U, load.axial)];
+            parts.into_iter().for_each(|(component, value)| act(&mut sum, line, load.x, (component, value)));
+        }
+        for load in &state.loads.distributed {
+            let (value, first) = moments(load);
+            let line = self.beam.chains()[load.chain].line();
+            act(&mut sum, line, load.from, (load.along.component(), value));
+            if load.along == Along::Transverse {
+                sum.add_moment(first);
+            }
+        }
+        sum
+    }
+
+    /// Whether discrete loads have exactly the resultant that is asked for: values at points times lengths, and loads beyond
+    /// the last point of a grid of cells, are forms of the literature that have it in the limit.
+    pub fn loads_are_exact(&self, loads: &BeamLoads) -> bool {
+        let is_lumped = loads.lumped && !loads.distributed.is_empty();
+        !is_lumped && self.beam.parameters().end_treatment.covers()
+    }
+
+    /// Which parts of resultants mean anything: forces along x and y, that of w on a line, and the moment.
+    pub fn statical(&self) -> [bool; 3] {
+        [self.has_axial, true, true]
+    }
+}
+
+/// Resultant of forces on all unknowns, component by component, ghosts included.
+pub(crate) fn resultant(beam: &TimoshenkoBeam, forces: &[f64]) -> Resultant {
+    let (n, mut sum) = (beam.points(), Resultant::default());
+    for (c, chain) in beam.chains().iter().enumerate() {
+        for k in 0..chain.extended() {
+            let point = beam.first(c) + k;
+            for (component, plane) in forces.chunks_exact(n).enumerate().filter(|p| p.1[point] != 0.0) {
+                act(&mut sum, chain.line(), chain.position(k), (component, plane[point]));
+            }
+        }
+    }
+    sum
+}
+
+/// The same of forces on some unknowns, by number.
+pub(crate) fn resultant_of(beam: &TimoshenkoBeam, forces: impl Iterator<Item = (usize, f64)>) -> Resultant {
+    let (n, mut sum) = (beam.points(), Resultant::default());
+    for (unknown, force) in forces {
+        let (component, point) = (unknown / n, unknown % n);
+        let c = beam.chain_of(point);
+        let chain = &beam.chains()[c];
+        act(&mut sum, chain.line(), chain.position(point - beam.first(c)), (component, force));
+    }
+    sum
+}
+
+/// Adds a force or a moment on an unknown of a line at a position along it.
+fn act(sum: &mut Resultant, line: &Line, x: f64, (component, value): (usize, f64)) {
+    let ([c, s], at) = (line.direction, [0, 1].map(|k| line.origin[k] + x * line.direction[k]));
+    match component {
+        _ if value == 0.0 => {}
+        W => sum.add([-s * value, c * value], at),
+        U => sum.add([c * value, s * value], at),
+        _ => sum.add_moment(value),
+    }
+}
+
+/// Integrals of a distributed load, and of the load times the distance from its start.
+fn moments(load: &Distributed) -> (f64, f64) {
+    let length = load.to - load.from;
+    let (value, first) = match load.intensity {
+        Intensity::Linear { start, end } => (0.5 * (start + end), (start + 2.0 * end) / 6.0),
+        Intensity::Sine { amplitude, half_waves } => {
+            let waves = f64::from(half_waves) * PI;
+            // cos nπ is 1 or −1.
+            let last = if half_waves.is_multiple_of(2) { 1.0 } else { -1.0 };
+            (amplitude * (1.0 - last) / waves, -amplitude * last / waves)
+        }
+    };
+    (value * length, first * length * length)
+}
