@@ -138,7 +138,7 @@ impl PlaneResult {
         let reactions = reaction::of_supports(scene, &multipliers, &record.u);
         let held = reaction::resultant(scene, &multipliers, &record.u, &mirrors);
         let resultants = Resultants::new(&asked, &scene.resultant(load), &held, scene.statical());
-        record.certificate.account(resultants, true);
+        record.certificate.account(resultants, scene.loads_are_exact());
         Self {
             record,
             recovered,

@@ -1,9 +1,11 @@
 //! A stress that has the traction of an edge and fades inwards.
 
 use super::super::Resultant;
+use super::bonds::PlaneBonds;
 use super::boundary::{self, Border, is_aligned};
 use super::loads::Context;
 use super::lump::{self, Forces};
+use super::statics;
 use super::stress_field::StressField;
 use super::traction::{OnBorder, Profile, may_be_consistent};
 use super::uniform_stress::traction_of;
@@ -138,9 +140,9 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
     }
     add_rest(&mut forces, &|position| fading.stress(position), Own::Edge(edge), context);
     let mut forces: Forces = forces.into_iter().collect();
-    forces.extend(missing(&forces, traction, context));
-    let points = points.into_iter().map(|p| p as usize).collect();
-    Ok((StressField::faded(points, fading), forces))
+    let field = StressField::faded(points.into_iter().map(|p| p as usize).collect(), fading);
+    forces.extend(missing((&forces, &field), traction, context));
+    Ok((field, forces))
 }
 
 /// What the divergence of a stress along the axis of a body of revolution has beside that in the plane: `S_xy/x`, N/m³.
@@ -218,26 +220,48 @@ fn elsewhere(stress: &dyn Fn([f64; 2]) -> [f64; 3], own: Own, context: &Context)
     forces
 }
 
-/// Small forces along the edge that make force and moment exact, as far as no mirror takes part in them.
-pub(super) fn missing(forces: &[(u32, [f64; 2])], traction: &OnBorder, context: &Context) -> Forces {
+/// Small forces along the border of a traction that make force and moment of these forces and a stress exact.
+pub(super) fn missing(
+    (forces, stress): (&Forces, &StressField),
+    traction: &OnBorder,
+    context: &Context,
+) -> Forces {
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut rest = Resultant::default();
-    forces.iter().for_each(|&(p, f)| rest.add(f.map(|f| -f), at(p)));
     let lumped = lump::forces(traction, context);
-    lumped.iter().for_each(|&(p, f)| rest.add(f, at(p)));
+    lumped.iter().for_each(|&(p, f)| context.bonds.add_force(&mut rest, f, at(p)));
+    forces.iter().for_each(|&(p, f)| context.bonds.add_force(&mut rest, f.map(|f| -f), at(p)));
     let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
-    let mirrors = context.symmetry.mirrors;
-    if mirrors.is_none() && !context.bonds.is_revolved() {
+    let Some(model) = context.model else { return small };
+    if context.symmetry.mirrors.is_none() && !model.is_revolved() {
+        // A stress that goes through no mirror has no resultant.
         lump::add_resultant(&mut small, &rest, context);
         return small;
     }
-    // Only the force: its moment about the middle of the points is left to the mirror, and rings have no force along x.
-    let is_taken = |axis: usize| {
-        let by_mirror = mirrors.lines()[axis] != [None; 2] && !mirrors.joined[axis];
-        by_mirror || (axis == 0 && context.bonds.is_revolved())
+    let mut through = vec![0.0; model.components() * model.point_count()];
+    stress.numbered(&|p| context.recipe.number(model, p)).add_to(model, 1.0, &mut through);
+    rest.add_multiple(-1.0, &statics::resultant(model, context.bonds, &through));
+    let rest = match (context.bonds, &traction.profile) {
+        (PlaneBonds::Shell(shell), _) => [rest.force()[0], rest.moment() / shell.radius],
+        // Rings have no force along x; a pressure is off by the same part all around.
+        (bonds, Profile::Pressure(_)) if bonds.is_revolved() => {
+            let [x, y] = [0, 1].map(|k| lumped.iter().map(|f| f.1[k]).sum::<f64>());
+            [if y == 0.0 { 0.0 } else { rest.force()[1] * x / y }, rest.force()[1]]
+        }
+        (bonds, _) => [if bonds.is_revolved() { 0.0 } else { rest.force()[0] }, rest.force()[1]],
     };
-    let (force, count) = (rest.force(), small.len() as f64);
-    let share = [0, 1].map(|axis| if is_taken(axis) { 0.0 } else { force[axis] / count });
-    small.iter_mut().for_each(|f| f.1 = share);
-    small
+    shared(rest, &lumped)
+}
+
+/// A force shared as others are, along each axis; alike where those have next to no sum.
+fn shared(force: [f64; 2], like: &Forces) -> Forces {
+    /// Part of the magnitudes that the sum of forces has at least, to be a measure of them.
+    const ONE_WAY: f64 = 0.1;
+    let sum = [0, 1].map(|k| like.iter().map(|f| f.1[k]).sum::<f64>());
+    let size = [0, 1].map(|k| like.iter().map(|f| f.1[k].abs()).sum::<f64>());
+    let share = |k: usize, f: f64| match sum[k].abs() > ONE_WAY * size[k] {
+        true => force[k] * f / sum[k],
+        false => force[k] / like.len() as f64,
+    };
+    like.iter().map(|&(p, f)| (p, [share(0, f[0]), share(1, f[1])])).collect()
 }

@@ -6,6 +6,7 @@ use super::asked;
 use super::bonds::PlaneBonds;
 use super::ground::{Ground, PLACE, Spot};
 use super::interpolate::{Interpolation, Weights};
+use super::model::Recipe;
 use super::stress_field::StressField;
 use super::symmetry::Symmetry;
 use super::traction;
@@ -45,6 +46,10 @@ pub(super) struct Context<'a> {
     pub(super) held: &'a [Held],
     /// Paths of cracks, images left out.
     pub(super) cracks: &'a [super::NamedCrack],
+    /// What numbers the points of the body in the model.
+    pub(super) recipe: &'a Recipe,
+    /// The discretised body, if it can be made.
+    pub(super) model: Option<&'a dyn PlaneModel>,
 }
 
 impl Context<'_> {
@@ -283,11 +288,7 @@ impl PlaneLoads {
     pub(super) fn numbered(mut self, number: &dyn Fn(u32) -> u32) -> Self {
         self.forces.iter_mut().for_each(|f| f.0 = number(f.0));
         self.across.iter_mut().for_each(|m| m.0 = number(m.0));
-        for field in &mut self.stresses {
-            if let Some(points) = &mut field.points {
-                points.iter_mut().for_each(|p| *p = number(*p as u32) as usize);
-            }
-        }
+        self.stresses.iter_mut().for_each(|field| *field = field.numbered(number));
         self
     }
 
@@ -329,10 +330,7 @@ impl PlaneLoads {
                 }
             }
         }
-        for field in &self.stresses {
-            let at = |position: [f64; 2]| field.at(position).map(|s| factor * s);
-            model.add_stress_load(field.points.as_deref(), &at, force);
-        }
+        self.stresses.iter().for_each(|field| field.add_to(model, factor, force));
     }
 }
 

@@ -210,6 +210,8 @@ impl PlaneScene {
         let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
         rigid_mirror::check(&rigid, &recipe, faults);
         recipe.bearings = bearing::bearings(case, &rigid, faults);
+        let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
+        let built = recipe.make(&paths).map_err(|error| model::refuse(&error, case, faults)).ok();
         let context = loads::Context {
             ground: &ground,
             symmetry: &recipe.symmetry,
@@ -218,14 +220,14 @@ impl PlaneScene {
             horizon: recipe.horizon,
             held: &held,
             cracks: &cracks,
+            recipe: &recipe,
+            model: built.as_deref(),
         };
         let load_cases = loads::load_cases(&context, faults);
         let moves = held.iter().flat_map(|h| &h.motions).any(|m| m.1 != 0.0)
             || rigid.iter().flat_map(|r| r.prescribed).flatten().any(|v| v != 0.0);
         loads::check_loaded(&ground, &load_cases, moves, faults);
         let states = states(case, faults);
-        let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
-        let built = recipe.make(&paths).map_err(|error| model::refuse(&error, case, faults)).ok();
         cracks::check(
             &cracks,
             &recipe.body,

@@ -94,6 +94,7 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
     let own = fading::Own::Hole(*hole);
     fading::add_rest(&mut forces, &|position| round.stress(position), own, context);
     let mut forces: Forces = forces.into_iter().collect();
-    forces.extend(fading::missing(&forces, traction, context));
-    Ok((StressField::round(points.into_iter().map(|p| p as usize).collect(), round), forces))
+    let field = StressField::round(points.into_iter().map(|p| p as usize).collect(), round);
+    forces.extend(fading::missing((&forces, &field), traction, context));
+    Ok((field, forces))
 }

@@ -1,7 +1,8 @@
 //! Resultants of what acts on a body in the plane.
 
 use super::super::Resultant;
-use super::{PlaneScene, PlaneState};
+use super::{PlaneBonds, PlaneScene, PlaneState};
+use peristat_assembly::model::plane::PlaneModel;
 
 impl PlaneScene {
     /// Resultant of the loads of a state, as the case asks for them.
@@ -11,42 +12,59 @@ impl PlaneScene {
         sum
     }
 
-    /// Which parts of resultants mean anything: forces along x and y, and the moment. Rings have forces along their axis
-    /// only, and a line of symmetry takes moments.
+    /// Which parts of resultants mean anything: forces along x and y, and the moment.
     pub fn statical(&self) -> [bool; 3] {
-        if self.model.is_revolved() {
-            return [false, true, false];
-        }
-        let mirrors = self.model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
-        match self.model.deflects() {
-            true => {
-                let turns = mirrors.joined[1] || mirrors.rows == [None; 2];
-                [true, false, turns]
-            }
-            false => [true, true, mirrors.is_none()],
-        }
+        statical(&*self.model)
     }
 
-    /// Resultant of forces on the unknowns, component by component. What acts on an image acts on its point, in its mirror.
+    /// Resultant of forces on the unknowns, component by component.
     pub fn resultant(&self, forces: &[f64]) -> Resultant {
-        let (n, turning) = (self.model.point_count(), self.model.turning());
-        let lattice = self.model.lattice().filter(|(_, mirrors)| !mirrors.is_none());
-        let mut sum = Resultant::default();
-        for point in 0..n {
-            let mut force = [forces[point], forces[n + point]];
-            let mut at = None;
-            if let Some((lattice, mirrors)) = lattice {
-                let (cell, signs) = mirrors.image(lattice.cell(point));
-                (0..2).for_each(|k| force[k] *= signs[k]);
-                at = Some(lattice.centre(cell));
-            }
-            if force != [0.0; 2] {
-                self.bonds().add_force(&mut sum, force, at.unwrap_or_else(|| self.model.place(point)));
-            }
-            if let Some(length) = turning.filter(|_| forces[2 * n + point] != 0.0) {
-                sum.add_moment(forces[2 * n + point] * length);
-            }
-        }
-        sum
+        resultant(&*self.model, self.bonds(), forces)
     }
+
+    /// Whether discrete loads have exactly the resultant that is asked for. One stress in all of a solid body of revolution is
+    /// exact for the energies of its points, and those beside the axis have other volumes than the points.
+    pub fn loads_are_exact(&self) -> bool {
+        let has_axis = self.model.lattice().is_some_and(|(_, mirrors)| mirrors.columns[0].is_some());
+        !(self.model.is_revolved() && has_axis && self.load_cases.iter().any(|loads| loads.carry_ends))
+    }
+}
+
+/// Which parts of resultants mean anything: forces along x and y, and the moment. Rings have forces along their axis only, and
+/// a line of symmetry takes moments.
+pub(super) fn statical(model: &dyn PlaneModel) -> [bool; 3] {
+    if model.is_revolved() {
+        return [false, true, false];
+    }
+    let mirrors = model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
+    match model.deflects() {
+        true => [true, false, mirrors.joined[1] || mirrors.rows == [None; 2]],
+        false => [true, true, mirrors.is_none()],
+    }
+}
+
+/// Resultant of forces on the unknowns of a model, component by component. What acts on an image acts on its point, in its
+/// mirror.
+pub(super) fn resultant(model: &dyn PlaneModel, bonds: &PlaneBonds, forces: &[f64]) -> Resultant {
+    let (n, turning) = (model.point_count(), model.turning());
+    let lattice = model.lattice().filter(|(_, mirrors)| !mirrors.is_none());
+    let mut sum = Resultant::default();
+    for point in 0..n {
+        let mut force = [forces[point], forces[n + point]];
+        let turn = turning.map_or(0.0, |length| length * forces[2 * n + point]);
+        if force == [0.0; 2] && turn == 0.0 {
+            continue;
+        }
+        let mut at = model.place(point);
+        if let Some((lattice, mirrors)) = lattice {
+            let (cell, signs) = mirrors.image(lattice.cell(point));
+            (0..2).for_each(|k| force[k] *= signs[k]);
+            at = lattice.centre(cell);
+        }
+        bonds.add_force(&mut sum, force, at);
+        if turn != 0.0 {
+            sum.add_moment(turn);
+        }
+    }
+    sum
 }

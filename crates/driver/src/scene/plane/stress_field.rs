@@ -2,6 +2,7 @@
 
 use super::fading::Fading;
 use super::round::Round;
+use peristat_assembly::model::plane::PlaneModel;
 
 /// A stress that acts by the rows of the bonds.
 #[derive(Clone, Debug)]
@@ -39,6 +40,18 @@ impl StressField {
 
     pub(super) fn round(points: Vec<usize>, round: Round) -> Self {
         Self { points: Some(points), kind: Kind::Round(round) }
+    }
+
+    /// The same with the numbers that points have in the model.
+    pub(super) fn numbered(&self, number: &dyn Fn(u32) -> u32) -> Self {
+        let renumber = |points: &Vec<usize>| points.iter().map(|&p| number(p as u32) as usize).collect();
+        Self { points: self.points.as_ref().map(renumber), kind: self.kind.clone() }
+    }
+
+    /// Adds its load times a factor to `force`, N, component by component.
+    pub(super) fn add_to(&self, model: &dyn PlaneModel, factor: f64, force: &mut [f64]) {
+        let at = |position: [f64; 2]| self.at(position).map(|s| factor * s);
+        model.add_stress_load(self.points.as_deref(), &at, force);
     }
 
     /// `[S_xx, S_yy, S_xy]` at a position, Pa.

@@ -235,9 +235,11 @@ fn on_edge(
     }
     // Along the axis in which the edge runs.
     let along = usize::from((edge.to[1] - edge.from[1]).abs() > (edge.to[0] - edge.from[0]).abs());
-    let length = edge.to[along] - edge.from[along];
+    let extent = edge.to[along] - edge.from[along];
+    let length = (edge.to[0] - edge.from[0]).hypot(edge.to[1] - edge.from[1]);
+    let reach = load.radius * extent.abs() / length;
     let [low, high] = [edge.from[along].min(edge.to[along]), edge.from[along].max(edge.to[along])];
-    if load.centre + load.radius <= low || high <= load.centre - load.radius {
+    if load.centre + reach <= low || high <= load.centre - reach {
         let (at, name) = (path.key("centre"), ["x", "y"][along]);
         faults
             .error(
@@ -261,8 +263,8 @@ fn on_edge(
             )
             .hint("stresses near it need ten spacings or more over its radius");
     }
-    let place = (load.centre - edge.from[along]) / length;
-    Some(Profile::Hertz { centre: place, radius: load.radius / length.abs(), peak: load.peak })
+    let place = (load.centre - edge.from[along]) / extent;
+    Some(Profile::Hertz { centre: place, radius: load.radius / length, peak: load.peak })
 }
 
 /// A fault where consistent sharing is asked for and cannot be.
