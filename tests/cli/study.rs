@@ -207,14 +207,43 @@ fn faults_of_a_study_are_told_at_their_place() {
 }
 
 #[test]
-fn a_task_at_fault_does_not_stop_the_others() {
+fn faults_of_all_tasks_are_told_before_one_is_solved() {
     let folder = tempfile::tempdir().unwrap();
-    let changes = json!({ "vary": [{ "probes[0].at.x": [1.0, 0.3] }], "exact": [] });
+    // Two places between points, which only a grid shows, and a support that leaves the beam free.
+    let changes = json!({
+        "vary": [{ "probes[0].at.x": [1.0, 0.3, 0.7] }, { "supports[0].phi": [0.0, null] }], "exact": []
+    });
     let file = study(folder.path(), &changes);
     let outcome = run(folder.path(), &["study", &file]);
-    assert_eq!(outcome.code, 1, "{}", outcome.stderr);
-    assert!(outcome.stderr.contains("task 4 of 6") && outcome.stderr.contains("between two points"));
-    assert_eq!(finished(folder.path()).len(), 3);
+    assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+    // The tasks of (1.0, held) are sound; of the others, 0.3 and 0.7 are on no grid of 24, 48 or 96 cells.
+    for told in [
+        "tasks 4 to 6 of 18",
+        "free to rotate",
+        "tasks 7 and 10 of 18",
+        "between two points",
+        "tasks 15 and 18 of 18",
+    ] {
+        assert!(outcome.stderr.contains(told), "{told}: {}", outcome.stderr);
+    }
+    assert!(!outcome.stderr.contains("tasks 1 "), "{}", outcome.stderr);
+    assert_eq!(finished(folder.path()).len(), 0);
+    // Sound tasks that are asked for one by one are solved.
+    assert_eq!(run(folder.path(), &["study", &file, "--task", "2"]).code, 0);
+    assert_eq!(finished(folder.path()).len(), 1);
+}
+
+#[test]
+fn values_that_are_none_are_told_of_all_tasks() {
+    let folder = tempfile::tempdir().unwrap();
+    let changes = json!({ "vary": [{ "body.line.length": [1.0, "long", [2]] }], "exact": [] });
+    let file = study(folder.path(), &changes);
+    let outcome = run(folder.path(), &["study", &file]);
+    assert_eq!(outcome.code, 2, "{}", outcome.stderr);
+    for told in ["tasks 4 to 6 of 9", "tasks 7 to 9 of 9"] {
+        assert!(outcome.stderr.contains(told), "{told}: {}", outcome.stderr);
+    }
+    assert!(!folder.path().join("results").exists());
 }
 
 #[test]

@@ -27,15 +27,77 @@ fn a_failing_case_is_named_with_its_checks_and_gives_exit_code_1() {
 fn a_faulty_case_does_not_keep_the_others_from_running() {
     let folder = tempfile::tempdir().unwrap();
     mixed(folder.path());
-    fs::write(folder.path().join("bad.json"), "{}").unwrap();
+    for (text, told) in [(r#"{ "title": "t" }"#, "`model` is missing"), (r#"{ "title": "#, "bad.json:1")] {
+        fs::write(folder.path().join("bad.json"), text).unwrap();
+        let outcome = run(folder.path(), &["verify", "."]);
+        assert_eq!(outcome.code, 2);
+        assert!(outcome.stderr.contains(told), "{}", outcome.stderr);
+        assert!(
+            outcome.stdout.contains("ERROR") && outcome.stdout.contains("1 passed, 2 failed"),
+            "{}",
+            outcome.stdout
+        );
+    }
+}
+
+/// A folder with a case that passes, one without checks, and files that are skipped: two studies, a schema, a slow case, a
+/// list and the file of another program.
+fn crowded(folder: &Path) {
+    let text = fs::read_to_string(gallery("cantilever.json")).unwrap();
+    let mut unchecked: serde_json::Value = serde_json::from_str(&text).unwrap();
+    unchecked.as_object_mut().unwrap().remove("checks");
+    let schema = run(folder, &["schema"]).stdout;
+    let study = r#"{ "title": "orders", "case": "good.json", "refine": { "delta_convergence": { "factors": [1, 2] } } }"#;
+    for (name, text) in [
+        ("good.json", text.as_str()),
+        ("plain.json", &unchecked.to_string()),
+        ("slow.json", &text.replacen('{', "{ \"slow\": true,", 1)),
+        ("orders.json", study),
+        ("more.study.json", study),
+        ("case.schema.json", &schema),
+        ("list.json", "[1, 2]"),
+        ("package.json", r#"{ "name": "shelf", "version": "1" }"#),
+    ] {
+        fs::write(folder.join(name), text).unwrap();
+    }
+}
+
+#[test]
+fn what_tests_nothing_is_counted_as_such_and_what_is_no_case_is_skipped() {
+    let folder = tempfile::tempdir().unwrap();
+    crowded(folder.path());
     let outcome = run(folder.path(), &["verify", "."]);
-    assert_eq!(outcome.code, 2);
-    assert!(outcome.stderr.contains("`title` is missing"), "{}", outcome.stderr);
-    assert!(
-        outcome.stdout.contains("ERROR") && outcome.stdout.contains("1 passed, 2 failed"),
-        "{}",
-        outcome.stdout
-    );
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let last = outcome.stdout.lines().last().unwrap();
+    assert_eq!(last, "1 passed, 0 failed, 1 without checks, 6 skipped");
+    for reason in
+        ["skipped 2 files: study", "skipped 1 file: schema", "skipped 1 file: slow", "2 files: no case"]
+    {
+        assert!(outcome.stdout.contains(reason), "{reason}: {}", outcome.stdout);
+    }
+    assert!(outcome.stdout.contains("without checks |"), "{}", outcome.stdout);
+    let named = run(folder.path(), &["verify", ".", "-v"]).stdout;
+    for line in ["skipped ./orders.json: study", "skipped ./package.json: no case"] {
+        assert!(named.lines().any(|l| l == line), "{line}: {named}");
+    }
+    let list: serde_json::Value =
+        serde_json::from_str(&run(folder.path(), &["verify", ".", "--json"]).stdout).unwrap();
+    let verdicts: Vec<&str> =
+        list.as_array().unwrap().iter().map(|o| o["verdict"].as_str().unwrap()).collect();
+    assert_eq!(verdicts.iter().filter(|v| **v == "skipped").count(), 6, "{verdicts:?}");
+    // What is named is taken for a case.
+    assert_eq!(run(folder.path(), &["verify", "package.json"]).code, 2);
+}
+
+#[test]
+fn the_junit_report_skips_what_tests_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    crowded(folder.path());
+    run(folder.path(), &["verify", ".", "--junit", "report.xml", "-q"]);
+    let report = fs::read_to_string(folder.path().join("report.xml")).unwrap();
+    assert!(report.contains("tests=\"8\" failures=\"0\" skipped=\"7\">"), "{report}");
+    assert_eq!(report.matches("<skipped message=").count(), 7, "{report}");
+    assert!(report.contains("<skipped message=\"without checks\"/>"), "{report}");
 }
 
 #[test]
@@ -65,7 +127,7 @@ fn slow_benchmark_and_invalid_cases_run_only_when_asked_for() {
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         outcome.stdout.lines().last().unwrap().to_string()
     };
-    assert_eq!(passed(&["verify", "."]), "1 passed, 0 failed");
+    assert_eq!(passed(&["verify", "."]), "1 passed, 0 failed, 1 skipped");
     assert_eq!(passed(&["verify", ".", "--all"]), "3 passed, 0 failed");
     assert_eq!(passed(&["verify", "slow.json"]), "1 passed, 0 failed");
     assert_eq!(passed(&["verify", "bench"]), "1 passed, 0 failed");
@@ -78,7 +140,10 @@ fn the_junit_report_counts_and_escapes() {
     run(folder.path(), &["verify", ".", "--junit", "report.xml", "-q"]);
     let report = fs::read_to_string(folder.path().join("report.xml")).unwrap();
     assert!(report.starts_with("<?xml version=\"1.0\""));
-    assert!(report.contains("<testsuite name=\"peristat\" tests=\"2\" failures=\"1\">"), "{report}");
+    assert!(
+        report.contains("<testsuite name=\"peristat\" tests=\"2\" failures=\"1\" skipped=\"0\">"),
+        "{report}"
+    );
     assert_eq!(report.matches("<testcase ").count(), 2);
     assert!(report.contains("weak &amp; soft.json") && report.contains("tip &lt;= L/250"), "{report}");
     assert!(report.trim_end().ends_with("</testsuite>"));

@@ -44,6 +44,7 @@ use run::{Advance, RunError, RunOptions, Sink, StateResult, taking};
 use scene::Scene;
 use std::io;
 use std::path::Path;
+use study::TaskFaults;
 use summary::{Collector, Summary};
 use thiserror::Error;
 
@@ -56,6 +57,9 @@ pub enum Error {
     /// The case needs more memory than is allowed, or has no factor.
     #[error("{0}")]
     Run(RunError),
+    /// Some tasks of a study cannot be solved.
+    #[error("{0}")]
+    Tasks(TaskFaults),
     /// A file cannot be written.
     #[error(transparent)]
     Io(#[from] io::Error),
@@ -67,7 +71,7 @@ impl Error {
         match self {
             Self::Case(report) => report.diagnostics.iter().any(|d| d.lacks_memory),
             Self::Run(error) => matches!(error, RunError::Memory { .. }),
-            Self::Io(_) => false,
+            Self::Tasks(_) | Self::Io(_) => false,
         }
     }
 }

@@ -16,6 +16,7 @@ mod writing;
 
 use crate::Error;
 use crate::run::RunError;
+use crate::study::TaskFaults;
 use args::{Arguments, Color, Command, Global};
 use clap::{CommandFactory, Parser};
 use std::io::{self, IsTerminal, Write};
@@ -98,8 +99,18 @@ fn colored(global: &Global) -> bool {
     }
 }
 
+/// Tells every fault of tasks with the numbers of those that have it.
+fn complain_of_tasks(faults: &TaskFaults, global: &Global) {
+    for (tasks, error) in faults.groups() {
+        note(&format!("{tasks}:\n"));
+        complain(error, global);
+        note("\n");
+    }
+}
+
 fn complain(error: &Error, global: &Global) {
     match error {
+        Error::Tasks(faults) => complain_of_tasks(faults, global),
         Error::Case(report) => note(&format!("{}\n", report.render(colored(global)).trim_end())),
         Error::Run(error @ RunError::Memory { .. }) => {
             note(&format!(

@@ -2,12 +2,12 @@
 
 use super::args::{Global, Study};
 use super::interrupt::Interrupt;
-use super::{DONE, FAILED, INTERRUPTED, complain, note, print_study, say};
+use super::{DONE, FAILED, INTERRUPTED, complain_of_tasks, note, print_study, say};
 use crate::Error;
 use crate::output::folder::below;
 use crate::output::lock::Hold;
 use crate::run::RunError;
-use crate::study::{self, Claimed, Findings, Plan, Record, Store, Task};
+use crate::study::{self, Claimed, Findings, Plan, Record, Store, Task, TaskFaults};
 use crate::workers::{self, side_by_side};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -108,15 +108,46 @@ fn tell_tasks(chosen: &[&Task], store: &Store, global: &Global) -> Result<u8, Er
     Ok(if fine { DONE } else { FAILED })
 }
 
-/// Solves tasks that are not finished, side by side. Those that need more memory than their share follow alone.
+/// Does something with every task, side by side. Those that need more memory than their share follow alone; `None` are those
+/// that nobody waited for.
+fn with_all<T: Send>(
+    tasks: &[&Task],
+    global: &Global,
+    work: impl Fn(&Task, Option<u64>) -> Option<Result<T, Error>> + Sync,
+) -> Vec<Option<Result<T, Error>>> {
+    let allowed = crate::memory::allowed(global.max_memory);
+    let share = allowed.map(|all| all / workers::threads(global.threads, tasks.len()) as u64);
+    let first = side_by_side(global.threads, tasks.len(), |k| work(tasks[k], share));
+    let again = |(task, outcome): (&&Task, Option<Result<T, Error>>)| match outcome {
+        Some(Err(error)) if error.lacks_memory() => work(task, global.max_memory),
+        other => other,
+    };
+    tasks.iter().zip(first).map(again).collect()
+}
+
+/// Finds the faults of all tasks before one is solved. Too little memory is none: the smaller tasks tell something, too.
+fn check(plan: &Plan, tasks: &[&Task], interrupt: &Interrupt, global: &Global) -> Result<(), Error> {
+    let checked = with_all(tasks, global, |task, max_memory| {
+        (!interrupt.is_asked()).then(|| task.check(&plan.folder, max_memory))
+    });
+    let fault = |(task, outcome): (&&Task, Option<Result<(), Error>>)| {
+        let error = outcome?.err().filter(|error| !error.lacks_memory())?;
+        Some((task.number, error))
+    };
+    let faults = TaskFaults::new(plan.tasks.len(), tasks.iter().zip(checked).filter_map(fault).collect());
+    if faults.is_empty() { Ok(()) } else { Err(Error::Tasks(faults)) }
+}
+
+/// Solves tasks that are not finished.
 fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Result<(), Error> {
     let todo: Vec<&Task> = chosen.iter().copied().filter(|task| store.get(&task.key).is_none()).collect();
     if todo.is_empty() {
         return Ok(());
     }
     let interrupt = Interrupt::listen(global.quiet)?;
+    check(plan, &todo, &interrupt, global)?;
     let bar = super::progress::of_tasks(global, todo.len());
-    let attempt = |task: &Task, max_memory: Option<u64>| -> Option<Result<(), Error>> {
+    let outcomes = with_all(&todo, global, |task, max_memory| {
         if interrupt.is_asked() {
             return None;
         }
@@ -124,27 +155,17 @@ fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Resul
         let kept = solved.and_then(|record| Ok(store.put(&record)?));
         bar.inc(1);
         Some(kept)
-    };
-    let allowed = crate::memory::allowed(global.max_memory);
-    let threads = workers::threads(global.threads, todo.len()) as u64;
-    let first =
-        side_by_side(global.threads, todo.len(), |k| attempt(todo[k], allowed.map(|all| all / threads)));
-    for (task, outcome) in todo.iter().zip(first) {
-        let outcome = match outcome {
-            Some(Err(error)) if error.lacks_memory() => attempt(task, global.max_memory),
-            other => other,
-        };
+    });
+    bar.finish_and_clear();
+    let mut faults = Vec::new();
+    for (task, outcome) in todo.iter().zip(outcomes) {
         match outcome {
             Some(Ok(())) | None => {}
             Some(Err(Error::Io(error))) => return Err(Error::Io(error)),
-            Some(Err(error)) => {
-                note(&format!("task {} of {}:\n", task.number, plan.tasks.len()));
-                complain(&error, global);
-                note("\n");
-            }
+            Some(Err(error)) => faults.push((task.number, error)),
         }
     }
-    bar.finish_and_clear();
+    complain_of_tasks(&TaskFaults::new(plan.tasks.len(), faults), global);
     if interrupt.is_asked() {
         return Err(Error::Run(RunError::Interrupted));
     }

@@ -7,6 +7,7 @@
 mod check;
 mod estimate;
 mod expect;
+mod faults;
 mod file;
 mod findings;
 pub mod order;
@@ -17,6 +18,7 @@ mod store;
 pub(crate) mod words;
 mod write;
 
+pub use faults::TaskFaults;
 pub use file::{DeltaConvergence, Exact, Expect, JointConvergence, MConvergence, Refine, Study, Values};
 pub use findings::{Findings, Level, Outcome, Quantity, Series};
 pub use plan::{Plan, Task};

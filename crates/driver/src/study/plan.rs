@@ -1,11 +1,14 @@
 //! From a study to its tasks: cases that differ from the base case by overrides.
 
 use super::check::check;
+use super::faults::TaskFaults;
 use super::file::{Refine, Study};
 use crate::case::{self, Case, Overrides, Source};
 use crate::diagnostic::{Diagnostic, Faults, JsonPath, Report, decode, parse};
 use crate::input::{self, Folder, Reach};
 use crate::memory;
+use crate::run::{RunOptions, sizes};
+use crate::{Error, Loaded};
 use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 
@@ -24,6 +27,19 @@ pub struct Task {
     pub key: String,
     /// The case.
     pub source: Source,
+}
+
+impl Task {
+    /// Whether it can be solved: its case is resolved and put together, without a solution. `folder` is where files that the
+    /// case names are.
+    ///
+    /// # Errors
+    /// Faults of the case, or that it needs more memory than it may use.
+    pub fn check(&self, folder: &Folder, max_memory: Option<u64>) -> Result<(), Error> {
+        let loaded = Loaded::from_source(self.source.clone(), folder.clone(), max_memory)?;
+        let options = RunOptions { recover: false, max_memory };
+        sizes(&loaded.scene, &options).map(|_| ()).map_err(|error| loaded.explain(error))
+    }
 }
 
 /// The tasks of a study.
@@ -58,8 +74,8 @@ impl Plan {
     /// its base case may lie, and the files that this one names.
     ///
     /// # Errors
-    /// All faults of the study, or the first fault of one of its cases.
-    pub fn read(file: &Path, overrides: &[String], reach: Reach) -> Result<Self, Report> {
+    /// All faults of the study, or those of all its tasks whose case cannot be read.
+    pub fn read(file: &Path, overrides: &[String], reach: Reach) -> Result<Self, Error> {
         let name = file.display().to_string();
         let bytes = input::file::read(file, None).map_err(|refusal| {
             let message = match file.is_dir() {
@@ -75,7 +91,7 @@ impl Plan {
         let mut faults = Faults::default();
         let series = check(&study, &mut faults);
         if faults.has_errors() {
-            return Err(faults.into_report(name, text));
+            return Err(faults.into_report(name, text).into());
         }
         let case_file = file.parent().unwrap_or(Path::new("")).join(&study.case);
         let base = base(file, &study, &text, reach)?;
@@ -86,35 +102,55 @@ impl Plan {
         let needed = PER_BYTE * base.len() as f64 * tasks as f64;
         let place = JsonPath::default().key("vary");
         if !memory::fits(needed, (&what, "vary fewer values"), None, place, &mut faults) {
-            return Err(faults.into_report(name, text));
+            return Err(faults.into_report(name, text).into());
         }
+        let of_refinement = |message: String| {
+            let mut faults = Faults::default();
+            faults.error(JsonPath::default().key("refine"), message);
+            faults.into_report(name.clone(), text.clone())
+        };
         let fixed: Vec<String> = study.set.iter().map(assignment).chain(overrides.iter().cloned()).collect();
-        let mut tasks = Vec::new();
+        let mut made = Vec::new();
         for settings in series {
             let own = fixed.iter().cloned().chain(settings.iter().map(assignment)).collect();
-            let Some(refine) = &study.refine else {
-                tasks.push(task((&case_file, &folder), &base, (settings, None), own, tasks.len() + 1)?);
-                continue;
-            };
-            let start = case::from_text(&case_file.display().to_string(), base.clone(), &own)?.case;
-            for step in steps(refine) {
-                let refined = refined(&start, &step).map_err(|message| {
-                    let mut faults = Faults::default();
-                    faults.error(JsonPath::default().key("refine"), message);
-                    faults.into_report(name.clone(), text.clone())
-                })?;
-                let all = own.iter().cloned().chain(refined).collect();
-                let settings = (settings.clone(), Some(step.size));
-                tasks.push(task((&case_file, &folder), &base, settings, all, tasks.len() + 1)?);
+            for (size, overrides) in levels_of(&study, (&case_file, &base), own, &of_refinement) {
+                let settings = (settings.clone(), size);
+                let made_of =
+                    |overrides| task((&case_file, &folder), &base, settings, overrides, made.len() + 1);
+                made.push(overrides.and_then(made_of));
             }
         }
-        Ok(Self { study, case_file, folder, tasks })
+        let faults = (1..).zip(&made).filter_map(|(k, task)| Some((k, task.as_ref().err()?.clone().into())));
+        let faults = TaskFaults::new(tasks, faults.collect());
+        if !faults.is_empty() {
+            return Err(Error::Tasks(faults));
+        }
+        Ok(Self { study, case_file, folder, tasks: made.into_iter().flatten().collect() })
     }
 
     /// Ranges of tasks that differ by their refinement only, coarse to fine.
     pub fn series(&self) -> impl Iterator<Item = &[Task]> {
         self.tasks.chunk_by(|a, b| a.settings == b.settings && a.size.is_some() && b.size.is_some())
     }
+}
+
+/// Size and overrides of every task of a series, whose own overrides are given, or why it has none.
+type Levels = Vec<(Option<f64>, Result<Vec<String>, Report>)>;
+
+/// The levels of a series with overrides of its own.
+fn levels_of(
+    study: &Study,
+    (file, base): (&Path, &str),
+    own: Vec<String>,
+    fault: &dyn Fn(String) -> Report,
+) -> Levels {
+    let Some(refine) = &study.refine else { return vec![(None, Ok(own))] };
+    let start = case::from_text(&file.display().to_string(), base.into(), &own);
+    let of = |step: &Step| {
+        let refined = refined(&start.as_ref().map_err(Clone::clone)?.case, step).map_err(fault)?;
+        Ok(own.iter().cloned().chain(refined).collect())
+    };
+    steps(refine).iter().map(|step| (Some(step.size), of(step))).collect()
 }
 
 /// An override as `--set` takes it.
