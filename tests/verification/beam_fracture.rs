@@ -191,6 +191,18 @@ fn a_resumed_run_ends_as_if_it_had_not_stopped() {
 }
 
 #[test]
+fn a_law_that_is_far_from_the_exact_one_before_the_first_break_is_told() {
+    for (law, told) in [("exact", false), ("corrected", true)] {
+        let mut case = cantilever("worst");
+        case["body"]["line"]["cells"] = json!(2);
+        case["model"]["timoshenko_beam"]["bond_law"] = json!(law);
+        let (_, report) = run(&case, None);
+        let text = report.warnings.into_report("case", "").to_string();
+        assert_eq!(text.contains("% from the exact one in deflection at x = 1"), told, "{law}: {text}");
+    }
+}
+
+#[test]
 fn what_beams_cannot_do_when_they_break_is_refused() {
     let change = |key: &str, value: Value| {
         let mut case = cantilever("worst");

@@ -1,9 +1,7 @@
 //! The laws `published` and `corrected`: their own numbers, their orders, and where the first one locks.
 
 use crate::support::standard::{CASES, SECTIONS, Section, Standard};
-use crate::support::{relative, run, scene};
-use peristat::diagnostic::Severity;
-use serde_json::{Value, json};
+use crate::support::{relative, run};
 
 /// Largest error of w against the local solution.
 fn local_error(standard: &Standard, section: &Section, law: &str, cells: usize) -> f64 {
@@ -105,33 +103,6 @@ fn the_corrected_law_does_not_lock_and_the_published_one_does() {
     let locked = local_error(&standard, slender, "published", 192);
     // 0.43 in quadruple precision, measured 0.427.
     assert!((locked - 0.43).abs() <= 0.01, "{locked}");
-}
-
-/// Warnings of a case on its bond law.
-fn warnings_on_law(case: &Value) -> Vec<String> {
-    let scene = scene(case);
-    let report = scene.warnings.into_report("case", "");
-    let warnings = report.diagnostics.iter().filter(|d| d.severity == Severity::Warning);
-    let on_law = warnings.filter(|d| d.path.to_string().ends_with("bond_law"));
-    on_law.map(|d| d.message.clone()).collect()
-}
-
-#[test]
-fn a_published_horizon_beyond_three_section_heights_is_warned_of() {
-    let standard = Standard::named("cantilever under a tip force");
-    // δ = 3/20 is three heights of 0.05 m; 3/19 is more.
-    for (law, cells, m, expected) in [
-        ("published", 20, 3, false),
-        ("published", 19, 3, true),
-        ("published", 2, 1, false),
-        ("corrected", 10, 3, false),
-        ("exact", 10, 3, false),
-    ] {
-        let mut case = standard.case(&SECTIONS[1], law, cells);
-        case["horizon_ratio"] = json!(m);
-        let warnings = warnings_on_law(&case);
-        assert_eq!(!warnings.is_empty(), expected, "{law}, {cells} cells, m = {m}: {warnings:?}");
-    }
 }
 
 #[test]

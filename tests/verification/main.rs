@@ -11,6 +11,7 @@ mod beam_fracture;
 mod certificate;
 mod closed_forms;
 mod convergence;
+mod default_law;
 mod definiteness;
 mod ductile;
 mod equation_12;

@@ -64,10 +64,12 @@ fn one_cell_is_one_element_of_the_textbook() {
 }
 
 #[test]
-fn a_horizon_longer_than_the_beam_is_a_warning() {
+fn a_horizon_longer_than_the_beam_is_a_warning_where_it_counts() {
     let standard = Standard::named("cantilever under a tip force");
-    for (cells, m, expected) in [(3, 3, false), (2, 3, true), (1, 1, false), (1, 2, true)] {
-        let mut case = standard.case(&SECTIONS[0], "corrected", cells);
+    let corrected = [(3, 3, false), (2, 3, true), (1, 1, false), (1, 2, true)];
+    let laws = corrected.map(|row| ("corrected", row)).into_iter().chain([("exact", (1, 3, false))]);
+    for (law, (cells, m, expected)) in laws {
+        let mut case = standard.case(&SECTIONS[0], law, cells);
         case["horizon_ratio"] = json!(m);
         let report = scene(&case).warnings.into_report("case", "");
         let longer = |d: &peristat::diagnostic::Diagnostic| {

@@ -37,7 +37,7 @@ pub mod study;
 pub mod summary;
 mod workers;
 
-use diagnostic::{Faults, Report, Severity};
+use diagnostic::{Diagnostic, Faults, Report, Severity};
 use input::{Folder, Reach};
 use run::fracture::Restart;
 use run::{Advance, RunError, RunOptions, Sink, StateResult, taking};
@@ -210,5 +210,6 @@ impl Sink for Collecting<'_> {
 fn warning_texts(faults: &Faults, file: &str) -> Vec<String> {
     let report = faults.clone().into_report(file, "");
     let warnings = report.diagnostics.iter().filter(|d| d.severity == Severity::Warning);
-    warnings.map(|d| format!("{}: {}", d.path, d.message)).collect()
+    let hint = |d: &Diagnostic| d.hint.as_ref().map_or(String::new(), |hint| format!("\nhint: {hint}"));
+    warnings.map(|d| format!("{}: {}{}", d.path, d.message, hint(d))).collect()
 }

@@ -69,7 +69,7 @@ pub struct Beam {
     /// Where the shear correction factor κ comes from; `classical` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_correction: Option<ShearCorrection>,
-    /// Shear stiffness of a bond, by name; `corrected` if not given, `exact` where a section varies along its line.
+    /// Shear stiffness of a bond, by name; `exact` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "bond_laws")]
     pub bond_law: Option<String>,

@@ -108,6 +108,11 @@ impl Faults {
         self.add(Diagnostic { severity: Severity::Warning, ..Diagnostic::error(path, message) })
     }
 
+    /// Adds those of others.
+    pub fn append(&mut self, others: Faults) {
+        self.diagnostics.extend(others.diagnostics);
+    }
+
     fn add(&mut self, diagnostic: Diagnostic) -> &mut Diagnostic {
         self.diagnostics.push(diagnostic);
         self.diagnostics.last_mut().expect("one was pushed in the line above")

@@ -89,6 +89,8 @@ pub struct Timing {
     pub certify: f64,
     /// Recovery of fields, checks, and writing.
     pub record: f64,
+    /// Solving once more with exact bonds, where a beam has others: what these are off by.
+    pub compare: f64,
 }
 
 /// Everything about a run but the fields.

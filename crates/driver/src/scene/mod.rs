@@ -21,6 +21,7 @@ pub use expectation::{Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
 pub use plane::PlaneScene;
 pub use resultant::Resultant;
+pub(crate) use words::tidy;
 
 use crate::case::{Case, Model};
 use crate::diagnostic::{Faults, JsonPath, Report};

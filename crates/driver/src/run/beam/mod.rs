@@ -5,6 +5,7 @@ mod comparison;
 mod extremes;
 mod fields;
 mod fracture;
+mod law;
 mod line_points;
 mod reaction;
 mod skipped;
@@ -23,15 +24,33 @@ use super::problem::prepare_within;
 use super::{RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, memory, solve_states};
 use crate::scene::beam::BeamScene;
 use fracture::BreakingBeam;
+use law::Gauge;
 use peristat_assembly::model::timoshenko_beam::{CriticalStrains, TimoshenkoBeam};
 use peristat_assembly::model::{Breakable, Model};
 use peristat_assembly::system::System;
 
-/// Solves every state of a beam and hands its result to `sink` as it comes.
+/// Solves every state of a beam and hands its result to `sink` as it comes. A bond law that is not exact is compared with
+/// the one that is.
 ///
 /// # Errors
 /// As [`super::run`].
 pub fn run(
+    scene: &BeamScene,
+    options: &RunOptions,
+    sink: &mut dyn FnMut(BeamResult) -> std::io::Result<()>,
+) -> Result<RunReport, RunError> {
+    let Some(mut gauge) = Gauge::new(scene, options) else { return run_linear(scene, options, sink) };
+    let mut report = run_linear(scene, options, &mut |result| {
+        gauge.compare(scene, &result);
+        sink(result)
+    })?;
+    report.timing.compare = gauge.seconds;
+    gauge.warn(&mut report.warnings);
+    Ok(report)
+}
+
+/// The same without a comparison.
+fn run_linear(
     scene: &BeamScene,
     options: &RunOptions,
     sink: &mut dyn FnMut(BeamResult) -> std::io::Result<()>,
@@ -63,6 +82,7 @@ pub fn run_breaking(
         true => break_beam::<3>(scene, options, resume, sink)?,
         false => break_beam::<2>(scene, options, resume, sink)?,
     };
+    report.timing.compare = law::warn_of_intact(scene, options, &mut report.warnings);
     report.skipped = skipped::skipped(scene, &report, recover);
     Ok(report)
 }

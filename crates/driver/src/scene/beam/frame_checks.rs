@@ -1,7 +1,7 @@
 //! What a frame must be beside well-formed: names that tell things apart, joints that join, hinges that turn.
 
 use super::frame::path;
-use crate::case::{Frame, MemberEnd};
+use crate::case::Frame;
 use crate::diagnostic::{Faults, JsonPath};
 use std::collections::{HashMap, HashSet};
 
@@ -34,24 +34,13 @@ pub(super) fn check_joints(frame: &Frame, known: &HashMap<String, usize>, faults
     }
 }
 
-/// A hinge needs something to turn against.
+/// An end has one hinge. One where no other member ends does nothing, and does no harm.
 pub(super) fn check_hinges(frame: &Frame, faults: &mut Faults) {
-    let ends = |name: &str| -> usize {
-        frame.members.iter().map(|m| usize::from(m.from == name) + usize::from(m.to == name)).sum()
-    };
     for (k, member) in frame.members.iter().enumerate() {
         let at = path().key("members").index(k).key("hinges");
         for (h, hinge) in member.hinges.iter().enumerate() {
-            let joint = if *hinge == MemberEnd::From { &member.from } else { &member.to };
             if member.hinges[..h].contains(hinge) {
                 faults.error(at.index(h), "this end has a hinge already").hint("remove one of them");
-            } else if ends(joint) == 1 {
-                faults
-                    .error(
-                        at.index(h),
-                        format!("no other member ends at the joint `{joint}`, so a hinge there does nothing"),
-                    )
-                    .hint("remove the hinge; a support there holds the rotation only if it gives `phi`");
             }
         }
     }

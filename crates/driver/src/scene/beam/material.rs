@@ -11,7 +11,7 @@ use peristat_assembly::model::timoshenko_beam::{
     end_treatment::{self, EndTreatment},
 };
 
-/// The bond law whose bonds are the exact elements of their spans.
+/// The default: the bond law whose bonds are the exact elements of their spans.
 const EXACT: &str = "exact";
 
 /// Calibration, and the sections of every line of the body, filling in the defaults of the model.
@@ -89,8 +89,7 @@ fn law(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<&'static BondLaw> {
-    let default = if peculiarity.is_some() { EXACT } else { "corrected" };
-    let name = beam.bond_law.get_or_insert_with(|| default.into()).as_str();
+    let name = beam.bond_law.get_or_insert_with(|| EXACT.into()).as_str();
     let Some(law) = bond_law::find(name) else {
         faults
             .error(path.key("bond_law"), format!("there is no bond law `{name}`"))

@@ -193,7 +193,7 @@ impl BeamScene {
             held.into_iter().map(|h| h.numbered(&numbers, &layout, has_axial)).collect();
         let bars: Vec<RigidBar> = bars.into_iter().map(|b| b.numbered(&numbers)).collect();
         let states = loads::states(case, &cases, max_memory, faults)?;
-        warnings::collect(case, model, &layout, &beam, &sections, &beds, faults);
+        warnings::collect(case, model, &layout, &beam, &beds, faults);
         let context = probes::Context {
             model,
             layout: &layout,

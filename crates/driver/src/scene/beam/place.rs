@@ -124,17 +124,6 @@ impl LayoutLine {
         self.coordinate(to) - self.coordinate(from)
     }
 
-    /// The longest horizon of a point of the line.
-    pub(super) fn longest_horizon(&self) -> f64 {
-        match &self.stations {
-            None => self.horizon_ratio * self.spacing(),
-            Some(stations) => {
-                let reach = (self.horizon_ratio as usize).min(self.cells);
-                stations.windows(reach + 1).map(|w| w[reach] - w[0]).fold(0.0, f64::max)
-            }
-        }
-    }
-
     /// Nearest point to a position on the line.
     pub(super) fn nearest(&self, x: f64) -> usize {
         (self.coordinate(x).round().max(0.0) as usize).min(self.points() - 1)

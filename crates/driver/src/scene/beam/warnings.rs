@@ -4,8 +4,8 @@ use super::beam_path;
 use super::foundation::Bed;
 use super::place::{Layout, LayoutLine};
 use super::profile;
+use super::root;
 use super::words::tidy;
-use super::{SectionAlong, root};
 use crate::case::{Beam, Case, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::{Chain, TimoshenkoBeam, VolumeFactor};
@@ -16,18 +16,18 @@ pub(super) fn collect(
     model: &Beam,
     layout: &Layout,
     beam: &TimoshenkoBeam,
-    sections: &[SectionAlong],
     beds: &[Bed],
     faults: &mut Faults,
 ) {
     let horizon = root(if case.horizon.is_some() { "horizon" } else { "horizon_ratio" });
-    short_lines(layout, &horizon, faults);
-    for ((line, chain), section) in layout.lines.iter().zip(beam.chains()).zip(sections) {
-        if !layout.treatment.covers() && model.volume_factor == VolumeFactor::HalfEdge {
+    // Exact elements over any span add up to the line, until the first one breaks.
+    let adds_up = beam.parameters().bond_law.is_element;
+    if !adds_up || !layout.treatment.covers() || case.fracture.is_some() {
+        short_lines(layout, &horizon, faults);
+    }
+    if !layout.treatment.covers() && model.volume_factor == VolumeFactor::HalfEdge {
+        for (line, chain) in layout.lines.iter().zip(beam.chains()) {
             softness(line, chain, &horizon, faults);
-        }
-        if beam.parameters().bond_law.name == "published" {
-            locking(line, chain, section, faults);
         }
     }
     for (k, bed) in beds.iter().enumerate() {
@@ -83,23 +83,6 @@ fn softness(line: &LayoutLine, chain: &Chain, path: &JsonPath, faults: &mut Faul
                 ),
             )
             .hint("use a whole horizon ratio, or the end treatment `cover`, which makes up for it");
-    }
-}
-
-/// Horizons beyond which the law `published` locks.
-fn locking(line: &LayoutLine, chain: &Chain, section: &SectionAlong, faults: &mut Faults) {
-    let horizon = line.longest_horizon();
-    let Some(height) = section.height.as_ref().map(|h| h.value(0.0)) else { return };
-    if chain.weights.classes() > 1 && horizon > 3.0 * height {
-        faults
-            .warning(
-                beam_path().key("bond_law"),
-                format!(
-                    "the horizon is {:.3} section heights; beyond 3 the law `published` locks",
-                    horizon / height
-                ),
-            )
-            .hint("the deflection is too small whatever the spacing: use `corrected`, or a shorter horizon");
     }
 }
 

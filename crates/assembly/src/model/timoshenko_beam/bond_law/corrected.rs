@@ -6,7 +6,7 @@ use super::BondLaw;
 /// `1 + S δ²(1 + 1/m²)/(24 EI)`.
 pub(super) const ENTRY: BondLaw = BondLaw {
     name: "corrected",
-    about: "Eq. (12) with one corrected shear micromodulus; third order, free of locking (default)",
+    about: "Eq. (12) with one corrected shear micromodulus; third order, free of locking",
     shear_stiffness: |bond| {
         1.0 / (1.0 / bond.shear_stiffness + bond.mean_square_length / (12.0 * bond.bending_stiffness))
     },
