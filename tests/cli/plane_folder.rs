@@ -94,7 +94,7 @@ fn tables_and_grids_hold_the_points_of_the_body() {
     assert_eq!(solve(folder.path(), &case(), &[]).code, 0);
     let out = folder.path().join("out/fields");
     let table = fs::read_to_string(out.join("step_000.csv")).unwrap();
-    let header = "x,y,ux,uy,strain_xx,strain_yy,strain_xy,stress_xx,stress_yy,stress_xy,von_mises,energy_density,damage";
+    let header = "x,y,ux,uy,strain_xx,strain_yy,strain_xy,stress_xx,stress_yy,stress_xy,stress_zz,von_mises,energy_density,damage";
     assert_eq!(table.lines().next(), Some(header));
     // 16 × 32 cells without those that have their centres in the slot.
     let points = table.lines().count() - 1;

@@ -17,6 +17,7 @@ mod ductile;
 mod equation_12;
 mod estimates;
 mod exact_law;
+mod fields;
 mod foundation;
 mod fracture_plane;
 mod frames;

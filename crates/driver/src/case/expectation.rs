@@ -53,7 +53,7 @@ pub enum FieldName {
     /// Shear stress, in the plane.
     #[serde(rename = "stress_xy")]
     StressXy,
-    /// Normal stress around the axis of a body of revolution.
+    /// Normal stress across the plane: around the axis of a body of revolution; zero in plane stress and in shells.
     #[serde(rename = "stress_zz")]
     StressZz,
     /// Von Mises stress, in the plane.
@@ -63,7 +63,7 @@ pub enum FieldName {
     /// normal to it, of a crack along y of the right one less the left one. Both faces are extrapolated from two rows.
     #[serde(rename = "opening")]
     Opening,
-    /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane.
+    /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane; zero where nothing is cut.
     #[serde(rename = "damage")]
     Damage,
     /// Strain energy density, per volume.
@@ -86,11 +86,11 @@ pub enum FieldName {
 
 impl FieldName {
     /// The fields that every point of a line has, in the order of tables.
-    pub const LINE: [Self; 7] =
+    const LINE: [Self; 7] =
         [Self::W, Self::Phi, Self::M, Self::V, Self::StressTop, Self::StressBottom, Self::EnergyDensity];
 
     /// The same where the line has axial unknowns.
-    pub const STRETCHED: [Self; 9] = [
+    const STRETCHED: [Self; 9] = [
         Self::W,
         Self::Phi,
         Self::U,
@@ -103,7 +103,7 @@ impl FieldName {
     ];
 
     /// The fields that every point of a frame has, in the order of tables.
-    pub const FRAME: [Self; 11] = [
+    const FRAME: [Self; 11] = [
         Self::Ux,
         Self::Uy,
         Self::W,
@@ -117,8 +117,7 @@ impl FieldName {
         Self::EnergyDensity,
     ];
 
-    /// The fields that every point of a body in the plane has, in the order of tables; `phi` where points turn, `w` of
-    /// shells, `damage` where there are cracks.
+    /// The fields that points of bodies in the plane have, in the order of tables; `phi` where they turn, `w` in shells.
     pub const PLANE: [Self; 14] = [
         Self::Ux,
         Self::Uy,
@@ -135,6 +134,15 @@ impl FieldName {
         Self::EnergyDensity,
         Self::Damage,
     ];
+
+    /// The fields that every point of a beam has, in the order of tables.
+    pub fn of_beam(on_frame: bool, has_axial: bool) -> &'static [Self] {
+        match (on_frame, has_axial) {
+            (true, _) => &Self::FRAME,
+            (false, true) => &Self::STRETCHED,
+            (false, false) => &Self::LINE,
+        }
+    }
 
     /// The name in case files.
     pub fn name(self) -> &'static str {

@@ -54,7 +54,7 @@ fn unknown(rest: &str) -> (&str, Vec<&str>) {
 }
 
 fn misspelt(noun: &str, name: &str, allowed: &[&str]) -> Diagnostic {
-    let plain = name.to_lowercase().replace([' ', '-'], "_");
+    let plain = in_our_words(&name.to_lowercase().replace([' ', '-'], "_"));
     let likeness = |known: &&str| strsim::jaro_winkler(&plain, &known.to_lowercase());
     let nearest = allowed.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
     let mut diagnostic = Diagnostic::error(JsonPath::default(), format!("unknown {noun} {}", quote(name)));
@@ -64,6 +64,19 @@ fn misspelt(noun: &str, name: &str, allowed: &[&str]) -> Diagnostic {
         Some(_) => format!("allowed here: `{}`", allowed.join("`, `")),
     });
     diagnostic
+}
+
+/// What other programs call stresses and strains.
+const OTHER_WORDS: [(&str, &str); 5] =
+    [("sigma", "stress"), ("tau", "stress"), ("epsilon", "strain"), ("eps", "strain"), ("gamma", "strain")];
+
+/// A name such as `sigma_xx` with our word for its symbol.
+fn in_our_words(name: &str) -> String {
+    let known = OTHER_WORDS.iter().find_map(|(word, ours)| Some((name.strip_prefix(word)?, ours)));
+    match known {
+        Some((component, ours)) => format!("{ours}_{}", component.trim_start_matches('_')),
+        None => name.to_string(),
+    }
 }
 
 /// Underlines the key at `path` and not its value.
@@ -182,6 +195,23 @@ mod tests {
             "timoshenko_beam" => "Timoshenko-Beam" | unknown key `Timoshenko-Beam` | "Timoshenko-Beam" | did you mean `timoshenko_beam`?
             "#,
         );
+    }
+
+    #[test]
+    fn symbols_are_offered_our_words() {
+        let known = ["strain_xx", "strain_xy", "stress_xx", "stress_xy", "von_mises"];
+        for (name, ours) in [
+            ("sigma_xx", "stress_xx"),
+            ("Sigma-XX", "stress_xx"),
+            ("sigmaxx", "stress_xx"),
+            ("tau_xy", "stress_xy"),
+            ("eps_xx", "strain_xx"),
+            ("epsilon_xy", "strain_xy"),
+            ("mises", "von_mises"),
+        ] {
+            let diagnostic = super::misspelt("value", name, &known);
+            assert_eq!(diagnostic.hint, Some(format!("did you mean `{ours}`?")), "{name}");
+        }
     }
 
     #[test]

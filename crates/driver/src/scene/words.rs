@@ -1,5 +1,7 @@
 //! Words of messages.
 
+use crate::case::FieldName;
+
 /// A number for a message: without the last digits, which rounding left, and not longer than it must be.
 pub(crate) fn tidy(value: f64) -> String {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
@@ -16,6 +18,12 @@ pub(super) fn suggest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> S
         Some(_) => format!("known are {}", known.join(", ")),
         None => "there are none".into(),
     }
+}
+
+/// The fields that there are where another one was asked for, for a hint.
+pub(super) fn there_are(fields: &[FieldName]) -> String {
+    let names: Vec<&str> = fields.iter().map(|f| f.name()).collect();
+    format!("there are {}", names.join(", "))
 }
 
 #[cfg(test)]

@@ -47,11 +47,7 @@ pub(super) fn of_beam(
         certificate.account(resultants, scene.loads_are_exact(&state.loads));
     }
     let held = reaction::forces(scene, &solution.multipliers, &u);
-    let fields: &'static [FieldName] = match (&scene.frame, scene.has_axial) {
-        (Some(_), _) => &FieldName::FRAME,
-        (None, true) => &FieldName::STRETCHED,
-        (None, false) => &FieldName::LINE,
-    };
+    let fields = FieldName::of_beam(scene.frame.is_some(), scene.has_axial);
     let (name, load_factor) = (state.name.clone(), state.load_factor);
     BeamResult {
         record: StateRecord { index, name, load_factor, u, certificate, facts: None },

@@ -4,7 +4,7 @@ use super::reaction::{self, MirrorReaction, PlaneReaction};
 use crate::case::FieldName;
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
-use crate::scene::plane::{PlaneScene, Weights};
+use crate::scene::plane::{Has, PlaneScene, Weights, of_points};
 use peristat_assembly::model::plane::PlaneModel;
 use std::borrow::Cow;
 
@@ -59,6 +59,8 @@ pub struct PlaneResult {
     pub intensities: Vec<f64>,
     /// Number of points of the model.
     points: usize,
+    /// The fields that its points have, but for those that are zero everywhere by the nature of the body.
+    shown: Vec<FieldName>,
     /// Whether the third unknown of a point is a displacement across the plane.
     deflects: bool,
     /// Forces that hold the equations of the scene, in their order.
@@ -93,21 +95,38 @@ fn von_mises([x, y, shear]: [f64; 3], z: f64) -> f64 {
     (0.5 * squares + 3.0 * shear * shear).sqrt()
 }
 
-/// A field as a function of the stresses `[σ_xx, σ_yy, σ_xy]` and σ_zz of a point.
-fn of_stress(model: &dyn PlaneModel, field: FieldName) -> Option<impl Fn([f64; 3], f64) -> f64> {
-    let strain = |k: usize, factor: f64| (Some(k), factor);
-    let (component, factor) = match field {
-        FieldName::StrainXx => strain(0, 1.0),
-        FieldName::StrainYy => strain(1, 1.0),
-        // ε_xy is half of γ_xy.
-        FieldName::StrainXy => strain(2, 0.5),
-        FieldName::VonMises => (None, 1.0),
-        _ => return None,
-    };
-    Some(move |stress: [f64; 3], across: f64| match component {
-        Some(k) => factor * model.strain_with(stress, across)[k],
-        None => von_mises(stress, across),
-    })
+/// What follows from the stresses of a point.
+#[derive(Clone, Copy, Debug)]
+enum OfStress {
+    /// σ_zz itself.
+    Across,
+    /// A component of the strains, and what multiplies it.
+    Strain(usize, f64),
+    /// The von Mises stress.
+    VonMises,
+}
+
+impl OfStress {
+    fn field(field: FieldName) -> Option<Self> {
+        match field {
+            FieldName::StressZz => Some(Self::Across),
+            FieldName::StrainXx => Some(Self::Strain(0, 1.0)),
+            FieldName::StrainYy => Some(Self::Strain(1, 1.0)),
+            // ε_xy is half of γ_xy.
+            FieldName::StrainXy => Some(Self::Strain(2, 0.5)),
+            FieldName::VonMises => Some(Self::VonMises),
+            _ => None,
+        }
+    }
+
+    /// The value with stresses `[σ_xx, σ_yy, σ_xy]` and σ_zz.
+    fn value(self, model: &dyn PlaneModel, stress: [f64; 3], across: f64) -> f64 {
+        match self {
+            Self::Across => across,
+            Self::Strain(component, factor) => factor * model.strain_with(stress, across)[component],
+            Self::VonMises => von_mises(stress, across),
+        }
+    }
 }
 
 impl PlaneResult {
@@ -122,8 +141,7 @@ impl PlaneResult {
     ) -> Self {
         let recovered = recover.then(|| {
             let fields = model.fields(&record.u);
-            let is_damaged = !scene.cracks.is_empty() || scene.case.is_traced();
-            let damage = is_damaged.then(|| model.damage());
+            let damage = scene.is_damaged().then(|| model.damage());
             let mut found = Recovered {
                 stress: fields.stress,
                 across: fields.across,
@@ -146,21 +164,19 @@ impl PlaneResult {
             mirrors,
             intensities,
             points: scene.model.point_count(),
+            shown: FieldName::PLANE
+                .into_iter()
+                .filter(|&field| of_points(field, model, scene.is_damaged()) == Has::Values)
+                .collect(),
             deflects: scene.model.deflects(),
             multipliers,
         }
     }
 
-    /// The fields that all points have, in the order of tables.
+    /// The fields that tables show, in their order: those that all points have, but for those that are zero everywhere by
+    /// the nature of the body.
     pub fn fields(&self) -> impl Iterator<Item = FieldName> {
-        FieldName::PLANE.into_iter().filter(|f| match f {
-            FieldName::Ux | FieldName::Uy => true,
-            FieldName::Phi => self.record.u.len() > 2 * self.points && !self.deflects,
-            FieldName::W => self.deflects,
-            FieldName::Damage => self.recovered.as_ref().is_some_and(|r| r.damage.is_some()),
-            FieldName::StressZz => self.recovered.as_ref().is_some_and(|r| !r.across.is_empty()),
-            _ => self.recovered.is_some(),
-        })
+        self.shown.iter().copied().filter(|f| self.recovered.is_some() || !f.is_recovered())
     }
 
     /// Values that are kept, with the numbers that points have in the model.
@@ -173,7 +189,9 @@ impl PlaneResult {
             FieldName::StressXx => Some(&recovered?.stress[0]),
             FieldName::StressYy => Some(&recovered?.stress[1]),
             FieldName::StressXy => Some(&recovered?.stress[2]),
-            FieldName::StressZz => Some(&recovered?.across),
+            FieldName::StressZz => {
+                Some(&recovered?.across).filter(|across| !across.is_empty()).map(|a| &a[..])
+            }
             FieldName::EnergyDensity => Some(&recovered?.energy_density),
             FieldName::Damage => recovered?.damage.as_deref(),
             _ => None,
@@ -198,12 +216,16 @@ impl PlaneResult {
                 false => scene.real_points().map(|p| kept[p]).collect(),
             });
         }
-        let of = of_stress(&*scene.model, field)?;
         let recovered = self.recovered.as_ref()?;
+        if field == FieldName::Damage {
+            return Some(vec![0.0; scene.body().points()].into());
+        }
+        let of = OfStress::field(field)?;
         let [x, y, shear] = &recovered.stress;
         let at = |p: usize| {
             let stress = [x[p], y[p], shear[p]];
-            of(stress, recovered.across.get(p).copied().unwrap_or_else(|| scene.model.stress_across(stress)))
+            let across = recovered.across.get(p).copied();
+            of.value(&*scene.model, stress, across.unwrap_or_else(|| scene.model.stress_across(stress)))
         };
         Some(match whole {
             true => (0..x.len()).map(at).collect(),
@@ -220,14 +242,17 @@ impl PlaneResult {
         if let Some(kept) = self.kept(field) {
             return Some(sum(kept));
         }
-        let of = of_stress(&*scene.model, field)?;
         let recovered = self.recovered.as_ref()?;
+        if field == FieldName::Damage {
+            return Some(0.0);
+        }
+        let of = OfStress::field(field)?;
         let stress = recovered.stress.each_ref().map(|values| sum(values));
         let across = match recovered.across.is_empty() {
             true => scene.model.stress_across(stress),
             false => sum(&recovered.across),
         };
-        Some(of(stress, across))
+        Some(of.value(&*scene.model, stress, across))
     }
 }
 
@@ -267,7 +292,7 @@ mod tests {
     #[test]
     fn strains_are_components_of_the_tensor() {
         let model = model(3.0, PlaneState::Stress);
-        let at = |field, stress| of_stress(&model, field).unwrap()(stress, 0.0);
+        let at = |field, stress| OfStress::field(field).unwrap().value(&model, stress, 0.0);
         assert!((at(FieldName::StrainXx, [3.0, 0.0, 0.0]) - 1.0).abs() < 1e-15);
         assert!((at(FieldName::StrainYy, [3.0, 0.0, 0.0]) + 1.0 / 3.0).abs() < 1e-15);
         // ε_xy = σ_xy/(2G), 2G = E/(1 + ν) = 9/4.

@@ -3,8 +3,8 @@
 use super::expectation::{self, PointsCheck};
 use super::facts::facts;
 use super::foundation::Bed;
-use super::{HeldPoint, ProbePoint, RigidBar, State, baseline};
-use crate::case::{Case, ClosedForm, FieldName};
+use super::{HeldPoint, ProbePoint, RigidBar, State, baseline, words};
+use crate::case::{Baseline, Case, ClosedForm, FieldName};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use crate::reference::{self, Field, Solution};
@@ -56,6 +56,8 @@ pub(super) struct Context<'a> {
     /// Names beside those of the probes that checks can ask for.
     pub(super) facts: &'a [&'a str],
     pub(super) on_frame: bool,
+    /// The fields that points have.
+    pub(super) fields: &'a [FieldName],
     pub(super) beam: &'a TimoshenkoBeam,
     pub(super) held: &'a [HeldPoint],
     pub(super) bars: &'a [RigidBar],
@@ -84,7 +86,7 @@ pub(super) fn expectations(
         }),
         PointsCheck::Baseline(c) => Some(BeamComparison::Baseline {
             field: c.field,
-            stored: baseline::stored(context, c, path, faults)?,
+            stored: stored(context, c, path, faults)?,
             tolerance: c.tolerance,
         }),
         PointsCheck::Formula(_) => {
@@ -97,6 +99,22 @@ pub(super) fn expectations(
     expectation::expectations(case, &states, &probes, compare, faults)
 }
 
+/// The stored values of a baseline of a field that points have.
+fn stored(
+    context: &Context,
+    check: &Baseline,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Vec<(f64, f64)>> {
+    if !context.fields.contains(&check.field) {
+        faults
+            .error(path.key("field"), format!("`{}` is no field of all points of a beam", check.field.name()))
+            .hint(words::there_are(context.fields));
+        return None;
+    }
+    baseline::stored(context, check, path, faults)
+}
+
 fn closed_form(
     context: &Context,
     check: &ClosedForm,
@@ -107,7 +125,7 @@ fn closed_form(
     let Some(reference) = reference::find(&check.name) else {
         faults
             .error(path.key("name"), format!("there is no closed form `{}`", check.name))
-            .hint(super::words::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
+            .hint(words::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
         return None;
     };
     if context.on_frame {

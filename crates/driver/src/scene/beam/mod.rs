@@ -43,7 +43,7 @@ pub use supports::HeldPoint;
 
 use super::fracture::FractureScene;
 use super::{Expectation, InputFile, expectation, files, numbers, root, states, words};
-use crate::case::{Beam, Case, Check, Fracture, Model, Solver, Units};
+use crate::case::{Beam, Case, Check, FieldName, Fracture, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use peristat_assembly::condition::Equation;
@@ -208,6 +208,7 @@ impl BeamScene {
         let context = checks::Context {
             facts: fracture::facts(breaks.as_ref()),
             on_frame: layout.frame.is_some(),
+            fields: FieldName::of_beam(layout.frame.is_some(), has_axial),
             beam: &beam,
             held: &held,
             bars: &bars,

@@ -2,7 +2,7 @@
 
 use super::place::{Layout, Place};
 use super::spot::{self, Spot};
-use super::words::tidy;
+use super::words::{self, tidy};
 use super::{HeldPoint, SectionAlong};
 use crate::case::{Beam, Case, FieldName, Probe};
 use crate::diagnostic::{Faults, JsonPath};
@@ -77,32 +77,39 @@ fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Fault
     })
 }
 
+/// The fields that probes can ask for.
+fn probed(on_frame: bool, has_axial: bool) -> Vec<FieldName> {
+    use FieldName::{ReactionForce, ReactionMoment, ReactionX, ReactionY};
+    let reactions: &[FieldName] = match (on_frame, has_axial) {
+        (true, _) => &[ReactionX, ReactionY, ReactionMoment],
+        (false, true) => &[ReactionX, ReactionForce, ReactionMoment],
+        (false, false) => &[ReactionForce, ReactionMoment],
+    };
+    [FieldName::of_beam(on_frame, has_axial), reactions].concat()
+}
+
 /// Whether a field exists on a body of this kind.
 fn fits_body(field: FieldName, context: &Context, path: &JsonPath, faults: &mut Faults) -> bool {
-    use FieldName::{Damage, StrainXx, StrainXy, StrainYy, StressXx, StressXy, StressYy, VonMises};
     use FieldName::{N, ReactionForce, ReactionX, ReactionY, U, Ux, Uy};
-    let name = field.name();
-    let misfit = match (context.layout.frame.is_some(), field) {
-        (_, StrainXx | StrainYy | StrainXy | StressXx | StressYy | StressXy | VonMises | Damage) => Some((
-            format!("`{name}` is for bodies in the plane"),
-            "on beams there are `stress_top` and `stress_bottom`",
-        )),
-        (true, ReactionForce) => {
-            Some((format!("`{name}` is for lines"), "on a frame take `reaction_x` and `reaction_y`"))
-        }
-        (false, Ux) => Some((format!("`{name}` is for frames"), "on a line take `u`")),
-        (false, Uy) => Some((format!("`{name}` is for frames"), "on a line take `w`")),
-        (false, ReactionY) => Some((format!("`{name}` is for frames"), "on a line take `reaction_force`")),
-        (false, N | U | ReactionX) if !context.has_axial => Some((
-            "nothing moves this beam along its axis".to_string(),
-            "an axial load or a support with `ux` gives it axial displacements and forces",
-        )),
-        _ => None,
-    };
-    if let Some((message, hint)) = &misfit {
-        faults.error(path.clone(), message.clone()).hint(*hint);
+    let on_frame = context.layout.frame.is_some();
+    let there_are = probed(on_frame, context.has_axial);
+    if there_are.contains(&field) {
+        return true;
     }
-    misfit.is_none()
+    let name = field.name();
+    let (message, instead) = match (on_frame, field) {
+        (true, ReactionForce) => (format!("`{name}` is for lines"), "take `reaction_x` and `reaction_y`; "),
+        (false, Ux) => (format!("`{name}` is for frames"), "on a line take `u`; "),
+        (false, Uy) => (format!("`{name}` is for frames"), "on a line take `w`; "),
+        (false, ReactionY) => (format!("`{name}` is for frames"), "on a line take `reaction_force`; "),
+        (false, N | U | ReactionX) => (
+            "nothing moves this beam along its axis".into(),
+            "an axial load or a support with `ux` gives it axial displacements and forces; ",
+        ),
+        _ => (format!("`{name}` is no field of a beam"), ""),
+    };
+    faults.error(path.clone(), message).hint(format!("{instead}{}", words::there_are(&there_are)));
+    false
 }
 
 /// Line and point that answer for a joint: fields that its members do not share have no value there.

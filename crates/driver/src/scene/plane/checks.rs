@@ -2,13 +2,14 @@
 
 use super::super::expectation::{self, Expectation, PointsCheck};
 use super::super::files::{BASELINE, text};
-use super::super::words::tidy;
-use super::PlaneBonds;
+use super::super::words::{self, tidy};
+use super::fields;
 use super::formula;
 use crate::case::{Baseline, Case, FieldName, Formula};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use peristat_assembly::body::PlaneBody;
+use peristat_assembly::model::plane::PlaneModel;
 
 /// What is compared at all points of a body in the plane.
 #[derive(Clone, Debug)]
@@ -25,15 +26,26 @@ pub struct PlaneComparison {
     pub tolerance: f64,
 }
 
-/// Checks of the case on a body with its bonds; states and probes by their names.
+/// Checks of the case on a body with its model; states and probes by their names.
 pub(super) fn expectations(
     case: &Case,
-    (body, bonds): (&PlaneBody, &PlaneBonds),
+    (body, model): (&PlaneBody, &dyn PlaneModel),
     states: &[&str],
     probes: &[&str],
     (folder, max_memory): (&Folder, Option<u64>),
     faults: &mut Faults,
 ) -> Vec<Expectation<PlaneComparison>> {
+    let is_field = |field: FieldName, path: &JsonPath, faults: &mut Faults| {
+        let there_are: Vec<FieldName> = fields::answered(model).collect();
+        let is_there = there_are.contains(&field);
+        if !is_there {
+            let (name, model) = (field.name(), case.model.name());
+            faults
+                .error(path.key("field"), format!("`{name}` is no field of all points of `{model}`"))
+                .hint(words::there_are(&there_are));
+        }
+        is_there
+    };
     let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| match check {
         PointsCheck::ClosedForm(_) => {
             faults
@@ -41,37 +53,21 @@ pub(super) fn expectations(
                 .hint("compare all points with a `formula` or a `baseline`, or a probe with a number by a `value` check");
             None
         }
-        PointsCheck::Baseline(check) => baseline(check, (body, bonds), (folder, max_memory), path, faults),
-        PointsCheck::Formula(check) => of_formula(check, (body, bonds), path, faults),
+        PointsCheck::Baseline(check) => is_field(check.field, path, faults)
+            .then(|| baseline(check, body, (folder, max_memory), path, faults))?,
+        PointsCheck::Formula(check) => {
+            is_field(check.field, path, faults).then(|| of_formula(check, body, path, faults))?
+        }
     };
     expectation::expectations(case, states, probes, compare, faults)
 }
 
-/// Whether all points have a field; a fault if not.
-fn is_field(field: FieldName, bonds: &PlaneBonds, path: &JsonPath, faults: &mut Faults) -> bool {
-    let missing = match field {
-        FieldName::Phi => !bonds.points_turn(),
-        FieldName::W => !bonds.deflects(),
-        field => !FieldName::PLANE.contains(&field),
-    };
-    if missing {
-        faults.error(
-            path.key("field"),
-            format!("`{}` is no field of all points of a body in the plane", field.name()),
-        );
-    }
-    !missing
-}
-
 fn of_formula(
     check: &Formula,
-    (body, bonds): (&PlaneBody, &PlaneBonds),
+    body: &PlaneBody,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<PlaneComparison> {
-    if !is_field(check.field, bonds, path, faults) {
-        return None;
-    }
     match formula::values(&check.is, body) {
         Ok(expected) => Some(PlaneComparison {
             field: check.field,
@@ -89,14 +85,11 @@ fn of_formula(
 
 fn baseline(
     check: &Baseline,
-    (body, bonds): (&PlaneBody, &PlaneBonds),
+    body: &PlaneBody,
     (folder, max_memory): (&Folder, Option<u64>),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<PlaneComparison> {
-    if !is_field(check.field, bonds, path, faults) {
-        return None;
-    }
     let text = text(folder, &check.file, max_memory, path, faults)?;
     match columns(&text, check.field.name()).and_then(|rows| fitting(&rows, body)) {
         Ok(expected) => Some(PlaneComparison {

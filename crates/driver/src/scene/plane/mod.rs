@@ -12,6 +12,7 @@ mod counts;
 mod cracks;
 mod critical;
 mod fading;
+mod fields;
 mod files;
 mod foreign;
 mod formula;
@@ -60,6 +61,7 @@ pub use bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
 pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
 pub use cracks::NamedCrack;
+pub(crate) use fields::{Has, of_points};
 pub use fracture::PlaneFracture;
 pub(super) use given::Given;
 pub use held_edge::HeldEdge;
@@ -292,7 +294,7 @@ impl PlaneScene {
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
         let expectations = checks::expectations(
             case,
-            (&recipe.body, &recipe.bonds),
+            (&recipe.body, &*built),
             &state_names,
             &names,
             (folder, max_memory),
@@ -332,6 +334,11 @@ impl PlaneScene {
         let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty() && !turned;
         let whole = self.cracks.is_empty() && self.recipe.bearings.is_empty();
         !(whole && self.outline().is_some_and(plain))
+    }
+
+    /// Whether bonds are cut or can fail.
+    pub(crate) fn is_damaged(&self) -> bool {
+        !self.cracks.is_empty() || self.case.is_traced()
     }
 
     /// The points without images, in the order of the body.

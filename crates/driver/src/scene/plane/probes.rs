@@ -2,6 +2,7 @@
 
 use super::super::words::{suggest, tidy};
 use super::conditions::Conditions;
+use super::fields::{self, REACTIONS};
 use super::ground::{Ground, PLACE};
 use super::interpolate::{Interpolation, Weights};
 use super::{model::Recipe, opening, supports::Held};
@@ -21,10 +22,6 @@ pub struct PlaneProbe {
     /// Where it is, unless the place is a region or a crack.
     pub position: Option<[f64; 2]>,
 }
-
-/// Reactions by their components: the third is that of points that turn, the fourth that across the plane.
-const REACTIONS: [FieldName; 4] =
-    [FieldName::ReactionX, FieldName::ReactionY, FieldName::ReactionMoment, FieldName::ReactionForce];
 
 /// What a probe reports.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,27 +100,21 @@ fn resolve(
     faults: &mut Faults,
 ) -> Option<(Quantity, String)> {
     let (at, field) = (path.key("at"), probe.field);
-    let (points_turn, deflects) = (context.model.turning().is_some(), context.model.deflects());
+    let (ground, case) = (context.ground, context.ground.case);
+    let there_are = fields::probed(context.model, case);
+    if !there_are.contains(&field) {
+        fields::refuse(field, &there_are, case, path.key("field"), faults);
+        return None;
+    }
     if field == FieldName::Opening {
         return opening::resolve(probe, context, &at, faults);
     }
-    let own = FieldName::PLANE.contains(&field) && (field != FieldName::W || deflects);
-    let has = [true, true, points_turn, deflects];
-    let reactions = || REACTIONS.iter().zip(has).filter(|r| r.1).map(|r| r.0);
-    if !own && !reactions().any(|r| *r == field) {
-        let is_told = |f: &&FieldName| **f != FieldName::Phi && (**f != FieldName::W || deflects);
-        let names = FieldName::PLANE.iter().filter(is_told).chain(reactions());
-        let names = names.map(|f| f.name()).chain(["phi", "opening"]);
-        let hint = format!("in the plane there are {}", names.collect::<Vec<_>>().join(", "));
-        faults.error(path.key("field"), format!("`{}` is for beams", field.name())).hint(hint);
-        return None;
-    }
-    let is_rigid = |name: &String| context.ground.case.rigid.iter().any(|r| r.region == *name);
+    let is_rigid = |name: &String| case.rigid.iter().any(|r| r.region == *name);
+    let points_turn = context.model.turning().is_some();
     if field == FieldName::Phi && (!points_turn || probe.at.region.as_ref().is_some_and(is_rigid)) {
         return rotation(probe, context, path, faults);
     }
-    let ground = context.ground;
-    if !own {
+    if field.is_reaction() {
         let spot = ground.spot(&probe.at, &at, "the probe", faults)?;
         let quantity = reaction(field, &spot.points, &spot.words, context, &at, faults)?;
         return Some((quantity, spot.words));
@@ -186,10 +177,10 @@ fn rotation(
     let name = context.ground.region_name(&probe.at, &at, faults)?;
     let found = name.and_then(|name| rigid.iter().position(|r| r.region == name));
     let Some(k) = found else {
-        let hint = match (name, rigid.is_empty()) {
-            (_, true) => "there are none: `rigid` is empty".into(),
-            (Some(name), _) => suggest(name, rigid.iter().map(|r| r.region.as_str())),
-            (None, _) => format!("write {{ \"region\": \"{}\" }}", rigid[0].region),
+        let regions = || rigid.iter().map(|r| r.region.as_str());
+        let hint = match name {
+            Some(name) => suggest(name, regions()),
+            None => format!("write {{ \"region\": \"{}\" }}", regions().next().unwrap_or_default()),
         };
         faults.error(at, "`phi` is the rotation of a rigid region, and this is none").hint(hint);
         return None;
