@@ -36,6 +36,7 @@ mod plane_patch;
 mod plane_patch_holes;
 mod plane_results;
 mod plane_solvers;
+mod polygons;
 mod reactions;
 mod ring_tractions;
 mod section_forces;

@@ -1,6 +1,7 @@
 //! The points of a body in the plane and its outline.
 
 use super::super::words::tidy;
+use super::snap::Snap;
 use super::{boundary, files, root};
 use crate::case::{Body, Case, Hole, Model};
 use crate::diagnostic::{Faults, JsonPath};
@@ -46,11 +47,13 @@ pub(super) fn build(
     let (outline, spacing) = match &case.body {
         Body::Rectangle(b) => {
             let made = Outline::rectangle(b.from, b.size);
-            (cut(made, &b.holes, &path, faults)?, b.spacing)
+            let snap = Snap::new(&[b.from, [0, 1].map(|k| b.from[k] + b.size[k])], &[], &b.holes);
+            (cut(made, (&b.holes, &snap), &path, faults)?, b.spacing)
         }
         Body::Outline(b) => {
-            let made = Outline::polygon(b.vertices.clone());
-            (cut(made, &b.holes, &path, faults)?, b.spacing)
+            let snap = Snap::new(&[], &b.vertices, &b.holes);
+            let made = Outline::polygon(snap.positions(&b.vertices));
+            (cut(made, (&b.holes, &snap), &path, faults)?, b.spacing)
         }
         Body::Points(b) => {
             let (body, file) = files::points(folder, &b.file, thickness, max_memory, &path, faults)?;
@@ -127,10 +130,10 @@ fn bounds(body: &PlaneBody) -> [[f64; 2]; 2] {
     })
 }
 
-/// The outline with its holes.
+/// The outline with its holes, without the noise of their coordinates.
 fn cut(
     made: Result<Outline, OutlineError>,
-    holes: &[Hole],
+    (holes, snap): (&[Hole], &Snap),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Outline> {
@@ -148,10 +151,10 @@ fn cut(
     };
     for (k, hole) in holes.iter().enumerate() {
         let path = path.key("holes").index(k);
-        let (key, shape) = match hole {
+        let (key, shape) = match snap.hole(hole) {
             Hole::Circle(c) => ("circle", Ok(Shape::Circle { centre: c.centre, radius: c.radius })),
             Hole::Slot(s) => ("slot", Ok(Shape::Slot { from: s.from, to: s.to, radius: s.radius })),
-            Hole::Polygon(p) => ("polygon", Polygon::new(p.vertices.clone()).map(Shape::Polygon)),
+            Hole::Polygon(p) => ("polygon", Polygon::new(p.vertices).map(Shape::Polygon)),
         };
         let path = path.key(key);
         let shape = match shape {

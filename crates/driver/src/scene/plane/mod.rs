@@ -41,6 +41,7 @@ mod rigid_mirror;
 mod round;
 mod shell;
 mod size;
+mod snap;
 mod specimen;
 mod state_based;
 mod statics;

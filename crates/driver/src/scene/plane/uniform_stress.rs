@@ -1,4 +1,5 @@
-//! One stress that has the tractions of all borders of a body.
+//! One stress that has the tractions of all borders of a body, as one least-squares fit: of hundreds of edges neighbours are
+//! all but parallel, and conditions met one after the other hand the rounding of each on to the next.
 
 use super::boundary::{self, Border};
 use super::fading::around_axis;
@@ -7,44 +8,75 @@ use super::lump::{self, Forces};
 use super::periodic;
 use super::traction::{OnBorder, Profile, may_be_consistent};
 use crate::diagnostic::Faults;
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use peristat_assembly::body::Edge;
 
-/// How far a stress may miss a traction, relative to the largest one.
-const SLACK: f64 = 1e-12;
+/// How far a stress may miss a traction, relative to the largest one: what vertices of ten digits do to the normals of short
+/// edges. What is missed acts on its edge by itself.
+const SLACK: f64 = 1e-9;
+/// Misses below this part of the largest traction are rounding.
+const ROUNDING: f64 = 1e-13;
+/// Directions of stress whose squared share in the conditions is below this part of the largest one are not settled by them.
+const UNSETTLED: f64 = 1e-12;
 
 /// A stress that acts everywhere.
 pub(super) struct UniformStress {
     /// `[S_xx, S_yy, S_xy]`, Pa.
     pub(super) stress: [f64; 3],
-    /// What it does to edges that supports hold, taken back there, and its divergence in a body of revolution.
+    /// What acts beyond it: on edges, what supports hold there and what it misses; in a body of revolution its divergence.
     pub(super) forces: Forces,
 }
 
-/// Linear conditions on a stress, met one after the other by the smallest change.
+/// Linear conditions `row · S = value` on a stress.
+#[derive(Default)]
 struct Conditions {
-    stress: [f64; 3],
-    /// Directions in which it is settled, orthonormal.
-    settled: Vec<[f64; 3]>,
-    slack: f64,
+    /// Those that it must meet.
+    needed: Vec<(Vector3<f64>, f64)>,
+    /// Those that settle it where the others do not.
+    otherwise: Vec<(Vector3<f64>, f64)>,
+    /// The largest value.
+    size: f64,
 }
 
 impl Conditions {
-    /// Whether `row · S = value` can be met together with all before.
-    fn meet(&mut self, row: [f64; 3], value: f64) -> bool {
-        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        let mut rest = row;
-        for direction in &self.settled {
-            let share = dot(rest, *direction);
-            (0..3).for_each(|k| rest[k] -= share * direction[k]);
+    fn need(&mut self, row: [f64; 3], value: f64) {
+        self.needed.push((row.into(), value));
+        self.size = self.size.max(value.abs());
+    }
+
+    fn settle(&mut self, row: [f64; 3], value: f64) {
+        self.otherwise.push((row.into(), value));
+    }
+
+    /// The smallest stress that meets all conditions as one fit, if there is one.
+    fn met(&self) -> Option<[f64; 3]> {
+        let squares = self.needed.iter().fold(Matrix3::zeros(), |sum, (row, _)| sum + row * row.transpose());
+        let fit = SymmetricEigen::try_new(squares, f64::EPSILON, 100)?;
+        let least = UNSETTLED * fit.eigenvalues.max();
+        let directions = fit.eigenvalues.iter().copied().zip(fit.eigenvectors.column_iter());
+        let kept = directions.filter(|(value, _)| *value > least).map(|(value, d)| (value, d.into_owned()));
+        let (weights, mut settled): (Vec<f64>, Vec<Vector3<f64>>) = kept.unzip();
+        let mut stress = Vector3::zeros();
+        // What the squares lose by rounding, the same step gives back.
+        for _ in 0..3 {
+            let missed = |(row, value): &(Vector3<f64>, f64)| row * (value - row.dot(&stress));
+            let missed: Vector3<f64> = self.needed.iter().map(missed).sum();
+            stress +=
+                weights.iter().zip(&settled).map(|(w, d)| d * (d.dot(&missed) / w)).sum::<Vector3<f64>>();
         }
-        let (size, missing) = (dot(rest, rest).sqrt(), value - dot(row, self.stress));
-        if size < 1e-9 {
-            return missing.abs() <= self.slack;
+        let missed = |(row, value): &(Vector3<f64>, f64)| (value - row.dot(&stress)).abs();
+        if self.needed.iter().map(missed).any(|miss| miss > SLACK * self.size) {
+            return None;
         }
-        let direction = rest.map(|r| r / size);
-        (0..3).for_each(|k| self.stress[k] += missing / size * direction[k]);
-        self.settled.push(direction);
-        true
+        for (row, value) in &self.otherwise {
+            let rest = settled.iter().fold(*row, |rest, d| rest - d * rest.dot(d));
+            if rest.norm_squared() > UNSETTLED * row.norm_squared() {
+                let direction = rest.normalize();
+                stress += direction * ((value - row.dot(&stress)) / rest.norm());
+                settled.push(direction);
+            }
+        }
+        Some(stress.into())
     }
 }
 
@@ -59,7 +91,6 @@ pub(super) fn find(tractions: &[OnBorder], context: &Context) -> Option<UniformS
     if !tractions.iter().all(|t| may_be_consistent(t, context)) {
         return None;
     }
-    let mut size = 0.0_f64;
     let mut on_edge = vec![[0.0; 2]; outline.edges().len()];
     let mut pressure = vec![0.0; outline.holes().len()];
     for traction in tractions {
@@ -68,35 +99,27 @@ pub(super) fn find(tractions: &[OnBorder], context: &Context) -> Option<UniformS
                 let t = profile.constant(edge.normal)?;
                 let k = outline.edges().iter().position(|e| e.name == edge.name)?;
                 (0..2).for_each(|c| on_edge[k][c] += t[c]);
-                size = size.max(t[0].abs()).max(t[1].abs());
             }
             (Border::Curved { hole: Some(k), .. }, Profile::Pressure(p)) => {
                 pressure[*k] += p;
-                size = size.max(p.abs());
             }
             _ => return None,
         }
     }
-    let mut conditions = Conditions { stress: [0.0; 3], settled: Vec::new(), slack: SLACK * size };
+    let mut conditions = Conditions::default();
     for p in pressure {
-        let fine = [([1.0, 0.0, 0.0], -p), ([0.0, 1.0, 0.0], -p), ([0.0, 0.0, 1.0], 0.0)]
-            .into_iter()
-            .all(|(row, value)| conditions.meet(row, value));
-        if !fine {
-            return None;
-        }
+        let whole = [([1.0, 0.0, 0.0], -p), ([0.0, 1.0, 0.0], -p), ([0.0, 0.0, 1.0], 0.0)];
+        whole.into_iter().for_each(|(row, value)| conditions.need(row, value));
     }
     // Faces of cracks are free.
     for crack in context.cracks {
         for ends in crack.crack.vertices().windows(2) {
             let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
             let normal = [(ends[0][1] - ends[1][1]) / length, (ends[1][0] - ends[0][0]) / length];
-            if !rows(normal).into_iter().all(|row| conditions.meet(row, 0.0)) {
-                return None;
-            }
+            rows(normal).into_iter().for_each(|row| conditions.need(row, 0.0));
         }
     }
-    let mut held = Vec::new();
+    let mut real = Vec::new();
     for (edge, t) in outline.edges().iter().zip(&on_edge) {
         let [x, y] = rows(edge.normal);
         if context.symmetry.joins(&edge.name) {
@@ -107,27 +130,21 @@ pub(super) fn find(tractions: &[OnBorder], context: &Context) -> Option<UniformS
             // A mirror holds what is normal to it; along it nothing acts.
             let [nx, ny] = edge.normal;
             let tangential = [0, 1, 2].map(|k| nx * y[k] - ny * x[k]);
-            if !conditions.meet(tangential, 0.0) {
-                return None;
-            }
+            conditions.need(tangential, 0.0);
             continue;
         }
         let holds = held_components(edge, context);
-        for (component, row) in [x, y].into_iter().enumerate() {
-            if !holds[component] && !conditions.meet(row, t[component]) {
-                return None;
-            }
+        for (component, row) in [x, y].into_iter().enumerate().filter(|(c, _)| !holds[*c]) {
+            conditions.need(row, t[component]);
         }
-        if holds != [false; 2] {
-            held.push((edge, *t));
-        }
+        real.push((edge, *t));
     }
-    if !meet_along_joined_sides(&mut conditions, size, context) {
-        return None;
-    }
-    let stress = conditions.stress;
-    let mut forces: Forces =
-        held.iter().flat_map(|(edge, t)| taken_back(edge, *t, stress, context)).collect();
+    along_joined_sides(&mut conditions, context);
+    let stress = conditions.met()?;
+    let acts = |rest: &[f64; 2]| rest.iter().any(|r| r.abs() > ROUNDING * conditions.size);
+    let beyond = real.into_iter().map(|(edge, t)| (edge, beyond(t, stress, edge.normal)));
+    let beyond = beyond.filter(|(_, rest)| acts(rest));
+    let mut forces: Forces = beyond.flat_map(|(edge, rest)| on_edge_points(edge, rest, context)).collect();
     forces.extend(divergence(stress, context));
     Some(UniformStress { stress, forces })
 }
@@ -145,25 +162,20 @@ fn divergence(stress: [f64; 3], context: &Context) -> Forces {
 }
 
 /// What a stress is along sides that are joined or both mirrors: that of the force through sides which move apart, and where
-/// they stay, that which keeps their distance, if nothing else settles it. False where the force asks for another one.
-fn meet_along_joined_sides(conditions: &mut Conditions, size: f64, context: &Context) -> bool {
+/// they stay, that which keeps their distance, if nothing else settles it.
+fn along_joined_sides(conditions: &mut Conditions, context: &Context) {
     let mirrors = context.symmetry.mirrors;
     for axis in 0..2 {
         let along = [f64::from(u8::from(axis == 0)), f64::from(u8::from(axis == 1)), 0.0];
         if mirrors.stretches[axis] {
-            let wanted = periodic::stress(axis, context).unwrap_or(0.0);
-            conditions.slack = SLACK * size.max(wanted.abs());
-            if !conditions.meet(along, wanted) {
-                return false;
-            }
+            conditions.need(along, periodic::stress(axis, context).unwrap_or(0.0));
         } else if axis == 1 && context.bonds.deflects() {
             // A tube grows wider as it likes.
-            conditions.meet(along, 0.0);
+            conditions.settle(along, 0.0);
         } else if mirrors.joined[axis] || mirrors.lines()[axis].iter().all(Option::is_some) {
-            conditions.meet(context.bonds.strain_row(axis), 0.0);
+            conditions.settle(context.bonds.strain_row(axis), 0.0);
         }
     }
-    true
 }
 
 /// Which components supports prescribe on all points of an edge.
@@ -176,13 +188,17 @@ fn held_components(edge: &Edge, context: &Context) -> [bool; 2] {
     [0, 1].map(|c| !points.is_empty() && points.iter().all(|&p| is_held(p, c, context.held)))
 }
 
-/// Forces of what acts on a held edge beyond the stress.
-fn taken_back(edge: &Edge, t: [f64; 2], stress: [f64; 3], context: &Context) -> Forces {
-    let own = traction_of(stress, edge.normal);
-    let rest = [0, 1].map(|k| t[k] - own[k]);
+/// What a traction is beyond that of a stress.
+fn beyond(t: [f64; 2], stress: [f64; 3], normal: [f64; 2]) -> [f64; 2] {
+    let own = traction_of(stress, normal);
+    [0, 1].map(|k| t[k] - own[k])
+}
+
+/// Forces of a uniform traction on the points of an edge.
+fn on_edge_points(edge: &Edge, traction: [f64; 2], context: &Context) -> Forces {
     let points = context.ground.region(&edge.name, &Default::default(), &mut Faults::default());
     let stretches = boundary::of_edge(edge, context.ground);
-    lump::on_points(&stretches, &|s| lump::constant(rest, s), &points.unwrap_or_default(), context)
+    lump::on_points(&stretches, &|s| lump::constant(traction, s), &points.unwrap_or_default(), context)
 }
 
 /// `S n`.
