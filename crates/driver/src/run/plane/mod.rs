@@ -4,10 +4,12 @@
 mod crack_front;
 mod fields;
 mod fracture;
+mod grips;
 mod intensity;
 mod path;
 mod reaction;
 mod skipped;
+mod softness;
 mod tips;
 mod verdict;
 
@@ -102,12 +104,15 @@ pub fn run_softening(
     let prepared = prepare(&problem, options)?;
     let found = intensity::of_states(scene, options)?;
     let intensity = found.values.first().map(|k| k[0]);
-    let mut body = SofteningPlane { problem, path, recover, intensity, elastic: [0.0; 2], front: None };
+    let (elastic, front, softened) = ([0.0; 2], None, Vec::new());
+    let mut body = SofteningPlane { problem, path, recover, intensity, elastic, front, softened };
     body.front = crack_front::Front::new(scene, &super::path::SofteningBody::bonds(&body));
     let mut report = super::path::run(&mut body, prepared, sink)?;
     report.skipped = skipped::skipped(scene, &report, recover);
     add(&mut report.counters, &found.counters);
     report.timing.solve += found.seconds;
+    grips::tell(scene, &body.softened, &mut report.warnings);
+    softness::tell(scene, options, &mut report);
     Ok(report)
 }
 
@@ -127,6 +132,7 @@ where
     let mut breaking = BreakingPlane { problem, fracture, recover: options.recover };
     let mut report = super::fracture::run(&mut breaking, prepared, resume, sink)?;
     report.skipped = skipped::skipped(scene, &report, options.recover);
+    softness::tell(scene, options, &mut report);
     Ok(report)
 }
 

@@ -1,7 +1,7 @@
 //! Bodies in the plane whose bonds soften.
 
 use super::fields::{PlaneResult, Recovered};
-use super::{crack_front, verdict};
+use super::{crack_front, grips, verdict};
 use crate::run::fracture::Facts;
 use crate::run::path::{PathPoint, SofteningBody, SofteningBonds};
 use crate::run::{Problem, SolvedState, StateRecord, StateResult};
@@ -23,6 +23,8 @@ pub(super) struct SofteningPlane<'a> {
     /// Load and work of the elastic body at a load factor of one.
     pub(super) elastic: [f64; 2],
     pub(super) front: Option<crack_front::Front>,
+    /// Ends of the bonds that have softened in the last state.
+    pub(super) softened: Vec<[usize; 2]>,
 }
 
 /// Laws of the bonds: those of the material, and of bonds that stay elastic.
@@ -86,6 +88,7 @@ impl SofteningBody<2> for SofteningPlane<'_> {
         facts: Facts,
         (bonds, answers): (&SofteningBonds<2>, &BondAnswers<2>),
     ) -> StateResult {
+        self.softened = grips::softened(bonds);
         let SolvedState { state: index, solution, certificate, load, .. } = solved;
         let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
         let (scene, model) = (self.problem.scene, &self.problem.model);

@@ -62,10 +62,7 @@ pub(super) fn resolve(
         let points = context.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();
         points.iter().for_each(|&p| exempt[context.recipe.number(context.model, p) as usize] = true);
     }
-    let conditions = context.conditions;
-    let held = conditions.holds.iter().flat_map(|h| &h.points);
-    let rigid = conditions.rigid.iter().flat_map(|r| &r.points);
-    held.chain(rigid).for_each(|&p| exempt[p as usize] = true);
+    context.conditions.held_points().for_each(|p| exempt[p] = true);
     let (critical, fibres) = critical(fracture, context, &path.key("critical"), faults)?;
     check_directions(fracture, &general_facts(&fibres), &path.key("directions"), faults);
     check_load(&fracture.load, context.ground.case, &path.key("load"), faults);

@@ -4,6 +4,8 @@ use super::bonds::PlaneBonds;
 use super::{material, orthotropic, shell, state_based};
 use crate::case::{Axisymmetric, Case, LatticeRows, Model, Orthotropic, Plane, Shell, StatePlane};
 use crate::diagnostic::Faults;
+use peristat_assembly::model::plane::Calibration;
+use peristat_assembly::model::state_based::{Measure, StateEdges};
 
 /// A model of a body in the plane.
 #[derive(Clone, Debug)]
@@ -37,6 +39,31 @@ impl Given {
         match self {
             Self::Beams(model) if model.lattice == LatticeRows::Fibre => model.fibre_angle.to_radians(),
             _ => 0.0,
+        }
+    }
+
+    /// The same with the bonds that elastic bodies have by default.
+    pub(super) fn with_usual_bonds(self) -> Self {
+        match self {
+            Self::Central(model) => Self::Central(Plane {
+                calibration: None,
+                volume_factor: None,
+                edges: None,
+                bond_law: None,
+                ..model
+            }),
+            Self::Beams(model) => {
+                let calibration = Calibration::default();
+                Self::Beams(Orthotropic { calibration, start: None, edges: None, ..model })
+            }
+            Self::State(model) => Self::State(StatePlane { edges: StateEdges::default(), ..model }),
+            Self::Revolved(model) => Self::Revolved(Axisymmetric {
+                edges: StateEdges::default(),
+                measure: Measure::default(),
+                axis: None,
+                ..model
+            }),
+            Self::Shell(model) => Self::Shell(model),
         }
     }
 

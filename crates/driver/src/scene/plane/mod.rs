@@ -11,6 +11,7 @@ mod conditions;
 mod counts;
 mod cracks;
 mod critical;
+mod elastic;
 mod fading;
 mod fields;
 mod files;
@@ -80,6 +81,7 @@ use crate::case::{Case, Fracture, Path as CasePath, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use crate::run::path::PATH_FACTS;
+use elastic::Elastic;
 use ground::Ground;
 use interpolate::Interpolation;
 use model::Recipe;
@@ -131,6 +133,7 @@ pub struct PlaneScene {
     pub facts: Vec<String>,
     recipe: Box<Recipe>,
     outline: Option<Box<Outline>>,
+    elastic: Option<Box<Elastic>>,
 }
 
 /// One right-hand side: a load step, a load case or a combination.
@@ -163,6 +166,7 @@ impl PlaneScene {
         let usual = usual.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
         let Some(expanded) = specimen::expand(&mut case, usual, &mut faults) else { return Err(faults) };
         let mut traced = (case.fracture.clone(), case.path.clone());
+        let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, &model, folder, max_memory)));
         let filled = (&mut model, &mut traced);
         let scene = Self::checked(&expanded.case, filled, folder, max_memory, &mut faults);
         expanded.relocate(&mut faults);
@@ -170,6 +174,7 @@ impl PlaneScene {
         model.settle(scene.bonds(), &mut case);
         case.model = model.into();
         (case.fracture, case.path) = traced;
+        scene.elastic = elastic.filter(|elastic| elastic.differs_from(scene.bonds()));
         scene.files = super::files::keep(&mut case, folder, max_memory);
         (scene.case, scene.warnings) = (case, faults);
         Ok(scene)
@@ -326,6 +331,7 @@ impl PlaneScene {
             model: built,
             recipe: Box::new(recipe),
             outline: outline.map(Box::new),
+            elastic: None,
         })
     }
 
@@ -335,6 +341,11 @@ impl PlaneScene {
         let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty() && !turned;
         let whole = self.cracks.is_empty() && self.recipe.bearings.is_empty();
         !(whole && self.outline().is_some_and(plain))
+    }
+
+    /// The elastic body beside one that breaks or softens, where its bonds or edges would be others by default.
+    pub(crate) fn elastic(&self) -> Option<Self> {
+        self.elastic.as_ref()?.scene()
     }
 
     /// Whether bonds are cut or can fail.

@@ -67,6 +67,7 @@ pub(super) fn resolve(path: &mut Path, context: &Context, faults: &mut Faults) -
             context.ground.region(name, &place.key("no_damage").index(k), faults).unwrap_or_default();
         points.iter().for_each(|&p| exempt[p as usize] = true);
     }
+    context.conditions.gripped_points().for_each(|p| exempt[p] = true);
     check_load(&path.load, case, &place.key("load"), faults);
     let law = law(given, &parameters, context, faults)?;
     let spacing = context.recipe.body.spacing();
