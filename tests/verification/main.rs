@@ -14,6 +14,7 @@ mod convergence;
 mod default_law;
 mod definiteness;
 mod ductile;
+mod edges_cost;
 mod equation_12;
 mod estimates;
 mod exact_law;

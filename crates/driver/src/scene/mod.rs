@@ -14,7 +14,7 @@ pub mod plane;
 mod probes;
 mod resultant;
 mod states;
-mod words;
+pub(crate) mod words;
 
 pub use beam::BeamScene;
 pub use expectation::{Expectation, ExpectationKind};

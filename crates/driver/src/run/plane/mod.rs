@@ -6,6 +6,7 @@ mod fields;
 mod fracture;
 mod grips;
 mod intensity;
+mod layers;
 mod path;
 mod reaction;
 mod skipped;
@@ -49,9 +50,11 @@ fn run_model<const D: usize, M: Model<D> + PlaneModel>(
     let (system, sizes) = prepare(problem, options)?;
     let found = intensity::of_states(scene, options)?;
     let tips = tips::Tips::of(scene);
+    let mut layers = layers::Layers::of(scene);
     let mut warnings = Faults::default();
     let mut take = |solved: SolvedState| {
         tips.check(scene, solved.state, &solved.solution.u, &mut warnings);
+        layers.check(scene, &solved.solution.u, &mut warnings);
         sink(fields::collect(scene, solved, &found.values, recover))
     };
     let mut report = solve_states(problem, (&system, sizes), &mut take)?;

@@ -21,6 +21,7 @@ mod fracture;
 mod gaps;
 mod given;
 mod ground;
+mod held_corner;
 mod held_edge;
 mod interpolate;
 mod levels;

@@ -6,7 +6,7 @@ use super::model::tell;
 use super::{PlaneScene, root};
 use crate::case::{Axisymmetric, Case, PlaneState, StatePlane};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::body::{Outline, SquareLattice};
+use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::state_based::{
     Axis, Dilatation, Geometry, Measure, StateEdges, StateError, StateParameters,
@@ -181,5 +181,27 @@ pub(super) fn warn(parameters: &StateParameters, scene: &PlaneScene, faults: &mu
         faults
             .warning(model.key("dilatation"), "with `points` a body that hardly changes its volume locks")
             .hint("use `blocks`");
+    }
+    warn_of_single_rows(parameters, scene, faults);
+}
+
+/// A single row has no neighbours across it that could tell its width: it is held to what it was.
+fn warn_of_single_rows(parameters: &StateParameters, scene: &PlaneScene, faults: &mut Faults) {
+    let (PlaneBody::Lattice(lattice), nu) = (scene.body(), parameters.poisson_ratio) else { return };
+    let stiffer = match parameters.geometry {
+        Geometry::PlaneStress(_) => 1.0 / (1.0 - nu * nu),
+        Geometry::PlaneStrain(_) => (1.0 - nu) * (1.0 - nu) / (1.0 - 2.0 * nu),
+        Geometry::Axisymmetric => return,
+    };
+    let lines = scene.recipe.symmetry.mirrors.lines();
+    let is_single = |across: usize| {
+        let extent = [lattice.columns(), lattice.rows()][across].len();
+        extent == 1 && lines[across].iter().all(Option::is_none)
+    };
+    if stiffer > 1.001 && (0..2).any(is_single) {
+        let path = root("body");
+        let message =
+            format!("a single row keeps its width: it is {:.1} % too stiff", 100.0 * (stiffer - 1.0));
+        faults.warning(path, message).hint("use a smaller spacing: two rows contract as they should");
     }
 }

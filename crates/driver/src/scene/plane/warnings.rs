@@ -1,7 +1,7 @@
 //! Doubts about a body in the plane that can be solved.
 
 use super::super::words::tidy;
-use super::{PlaneBonds, PlaneScene, clamped, gaps, orthotropic, root, shell, state_based};
+use super::{PlaneBonds, PlaneScene, clamped, gaps, held_corner, orthotropic, root, shell, state_based};
 use crate::case::Units;
 use crate::diagnostic::{Faults, JsonPath};
 
@@ -41,7 +41,7 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             .warning(
                 root("model").key(scene.bonds().name()).key("edges"),
                 format!(
-                    "{uncorrected} point{s} {verb} too soft: no triangle of points completes the bonds there"
+                    "{uncorrected} point{s} {verb} too soft, and stresses there are too small: no triangle of points completes the bonds"
                 ),
             )
             .hint("such points stand in single rows or between cracks: use a smaller spacing");
@@ -60,6 +60,7 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             .hint("draw a crack along the gap, which cuts these bonds, or use a smaller spacing");
     }
     clamped::warn(scene, faults);
+    held_corner::warn(scene, faults);
     let moduli = match scene.bonds() {
         PlaneBonds::Shell(parameters) => {
             shell::warn(parameters, uncorrected, faults);
