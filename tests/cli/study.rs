@@ -341,16 +341,32 @@ fn what_a_killed_study_was_writing_is_removed() {
 fn a_run_estimates_its_error() {
     let folder = tempfile::tempdir().unwrap();
     let case = gallery("published.json");
-    let outcome = run(folder.path(), &["run", &case, "--estimate", "-o", "out"]);
-    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
-    assert!(outcome.stdout.contains("error of the discretisation"), "{}", outcome.stdout);
-    let summary = json(&folder.path().join("out/summary.json"));
-    let tip = &summary["estimate"]["quantities"][0];
+    let estimated = |option: &str, out: &str| {
+        let outcome = run(folder.path(), &["run", &case, option, "-o", out]);
+        assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+        (outcome.stdout, json(&folder.path().join(out).join("summary.json")))
+    };
     let exact = 3.20624e-3;
-    let ratio = tip["error"].as_f64().unwrap() / (tip["value"].as_f64().unwrap() - exact).abs();
-    // 0.95.
-    assert!((0.5..=2.0).contains(&ratio), "{ratio} {tip}");
-    // Without the option nothing is solved twice.
-    run(folder.path(), &["run", &case, "-o", "plain"]);
-    assert!(json(&folder.path().join("plain/summary.json")).get("estimate").is_none());
+    // 0.95 and 0.86.
+    for (option, kind) in [("--estimate", "finer_and_coarser"), ("--verbose", "coarser")] {
+        let (printed, summary) = estimated(option, kind);
+        assert!(printed.contains("error of the grid, against the local solution"), "{printed}");
+        assert_eq!(summary["estimate"]["kind"], kind);
+        let tip = &summary["estimate"]["quantities"][0];
+        let ratio = tip["error"].as_f64().unwrap() / (tip["value"].as_f64().unwrap() - exact).abs();
+        assert!((0.5..=2.0).contains(&ratio), "{ratio} {tip}");
+    }
+    let (printed, summary) = estimated("--no-estimate", "without");
+    assert!(summary.get("estimate").is_none() && !printed.contains("error of the grid"), "{printed}");
+}
+
+#[test]
+fn why_there_is_no_estimate_is_said_in_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let outcome = run(folder.path(), &["run", &gallery("graded_positions.json"), "-o", "out"]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let lines: Vec<&str> = outcome.stdout.lines().filter(|l| l.contains("error of the grid")).collect();
+    assert!(lines.len() == 1 && lines[0].contains("not estimated; `body.line.cells`"), "{lines:?}");
+    let summary = json(&folder.path().join("out/summary.json"));
+    assert!(summary["no_estimate"].as_str().unwrap().contains("no spacing to change"));
 }

@@ -38,6 +38,7 @@ mod plane_patch_holes;
 mod plane_results;
 mod plane_solvers;
 mod polygons;
+mod plausibility;
 mod reactions;
 mod ring_tractions;
 mod section_forces;

@@ -148,9 +148,12 @@ pub(super) struct Run {
     /// Go on with the interrupted run of a body that breaks in the results folder.
     #[arg(long, conflicts_with = "force")]
     pub(super) resume: bool,
-    /// Estimate the discretisation error of every probe, by solving the case on a finer and a coarser grid, too.
+    /// Estimate the discretisation error of every probe from a finer grid, too, which costs more than the run.
     #[arg(long)]
     pub(super) estimate: bool,
+    /// Leave the estimate out that runs make from coarser grids.
+    #[arg(long, conflicts_with = "estimate")]
+    pub(super) no_estimate: bool,
     /// Write the assembled stiffness, before supports, as a Matrix Market file.
     #[arg(long, value_name = "FILE")]
     pub(super) write_matrix: Option<PathBuf>,

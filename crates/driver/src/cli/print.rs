@@ -58,17 +58,16 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
         words::forces(state, summary.units).iter().for_each(|l| listing(&mut out, l));
         print_state::certificate(&mut out, state);
     }
+    if let Some((sentence, table)) = words::estimates(summary) {
+        let _ = writeln!(out, "\n  {sentence}");
+        table.iter().for_each(|table| listing(&mut out, table));
+    }
     if let Some(envelope) = words::envelope(summary) {
         out.push_str("\nenvelope\n");
         listing(&mut out, &envelope);
     }
     if !summary.probes.is_empty() && !is_traced {
         listing(&mut out, &words::probes(summary.probes.iter(), &|value| format!("{value:?}")));
-    }
-    if let Some(estimates) = &summary.estimate {
-        let (sentence, table) = words::estimates(estimates);
-        let _ = writeln!(out, "\n{sentence}");
-        listing(&mut out, &table);
     }
     if !summary.checks.is_empty() {
         let _ = write!(out, "\n{}", checks(&summary.checks));

@@ -9,7 +9,7 @@ pub(super) fn certificate(out: &mut String, state: &StateSummary) {
     let balance: Vec<String> = c.balance.iter().map(|b| format!("{} {:.1e}", b.motion, b.relative)).collect();
     let _ = writeln!(
         out,
-        "\n  certificate: {}, digits you can trust: {} of displacements, {} of strains and forces\n    next correction {:.1e}, residual {:.1e}, balance of {}, energy {:.1e}",
+        "\n  certificate of the discrete solution: {}, digits you can trust: {} of displacements, {} of strains and forces\n    next correction {:.1e}, residual {:.1e}, balance of {}, energy {:.1e}",
         if c.converged { "converged" } else { "NOT CONVERGED" },
         c.digits,
         c.strain_digits,

@@ -14,7 +14,7 @@ use crate::run::fracture::Restart;
 use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
 use crate::scene::Scene;
 use crate::scene::plane::{PlaneProblem, for_plane_model};
-use crate::summary::{Status, Summary};
+use crate::summary::{Grids, Status, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::system::System;
@@ -64,7 +64,12 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     if loaded.scene.case().fracture.is_some() {
         writing = writing.watched(Progress::new(global), Interrupt::listen(global.quiet)?);
     }
-    let summary = solve_into(&loaded, restart, writing, arguments.estimate, global)?;
+    let wanted = match (arguments.estimate, arguments.no_estimate) {
+        (true, _) => Wanted::FromFiner,
+        (_, true) => Wanted::Nothing,
+        _ => Wanted::Cheap,
+    };
+    let summary = solve_into(&loaded, restart, writing, wanted, global)?;
     if !global.quiet {
         // Those of the case have been shown.
         let shown = loaded.warnings().map_or(0, |report| report.diagnostics.len());
@@ -79,23 +84,38 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     Ok(exit_code(&summary))
 }
 
-/// Solves a scene, from a restart if there is one, into its folder, and estimates its errors if that is asked for.
+/// The estimate of discretisation errors that a run makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    /// None.
+    Nothing,
+    /// That of coarser grids, where it is cheap.
+    Cheap,
+    /// That of a finer grid, whatever it costs.
+    FromFiner,
+}
+
+/// Solves a scene, from a restart if there is one, into its folder, and estimates its errors.
 pub(super) fn solve_into(
     loaded: &Loaded,
     restart: Option<Restart>,
     mut writing: Writing,
-    estimate: bool,
+    wanted: Wanted,
     global: &Global,
 ) -> Result<Summary, Error> {
     if let Some(restart) = &restart {
         writing.resume(restart)?;
     }
     let mut summary = loaded.run(&with_fields(global), restart, &mut writing)?;
-    if estimate {
-        match loaded.estimate(&summary, global.max_memory) {
-            Ok(estimates) => summary.estimate = Some(estimates),
-            Err(reason) => summary.warnings.push(format!("there is no estimate of the error: {reason}")),
-        }
+    let estimated = match wanted {
+        Wanted::Nothing => None,
+        Wanted::Cheap => Some(loaded.estimate_cheaply(&summary, global.max_memory)),
+        Wanted::FromFiner => Some(loaded.estimate(&summary, Grids::FinerAndCoarser, global.max_memory)),
+    };
+    match estimated {
+        Some(Ok(estimates)) => summary.estimate = Some(estimates),
+        Some(Err(reason)) => summary.no_estimate = Some(reason),
+        None => {}
     }
     writing.finish(&summary)?;
     Ok(summary)

@@ -95,7 +95,7 @@ impl Curve {
         Diagram {
             title: title.into(),
             x_label: "equilibrium".into(),
-            y_label: format!("energy [{}]", units.moment()),
+            y_label: units.label("energy", units.moment()),
             series: vec![
                 series("work", |e| e.work),
                 series("stored", |e| e.stored),
@@ -114,7 +114,7 @@ fn load_label(case: &Case) -> String {
         FieldName::ReactionMoment => case.units.moment(),
         _ => "N",
     });
-    unit.map_or_else(|| name.to_string(), |unit| format!("{name} [{unit}]"))
+    unit.map_or_else(|| name.to_string(), |unit| case.units.label(name, unit))
 }
 
 /// Where the body is if the load factor never falls: at the largest one so far, with the bonds that are left.

@@ -98,25 +98,26 @@ impl PathCurve {
         if self.points.len() < 2 {
             return Vec::new();
         }
-        let length = case.units.length();
+        let units = case.units;
+        let length = units.length();
         let all: [(&str, String, &[Line]); 5] = [
             ("load_curve", self.load_label(case), &[("path", &|p| Some(p.load))]),
             (
                 "energy",
-                format!("energy [{}]", case.units.moment()),
+                units.label("energy", units.moment()),
                 &[
                     ("work", &|p| Some(p.work)),
                     ("dissipated", &|p| Some(p.dissipated)),
                     ("stored", &|p| Some(p.stored)),
                 ],
             ),
-            ("crack_growth", format!("crack growth [{length}]"), &[("crack growth", &|p| p.crack_growth)]),
+            ("crack_growth", units.label("crack growth", length), &[("crack growth", &|p| p.crack_growth)]),
             (
                 "stress_intensity",
-                format!("K at the load [{} √{length}]", case.units.stress()),
+                units.label("K at the load", &format!("{} √{length}", units.stress())),
                 &[("K", &|p| p.stress_intensity)],
             ),
-            ("j_integral", format!("J [N/{length}]"), &[("J", &|p| p.j_integral)]),
+            ("j_integral", units.label("J", &format!("N/{length}")), &[("J", &|p| p.j_integral)]),
         ];
         let of = |(file, label, lines): (&'static str, String, &[Line])| {
             Some((file, self.diagram(case, label, lines)?))
@@ -134,7 +135,7 @@ impl PathCurve {
         };
         let series: Vec<Series> = lines.iter().map(line).filter(|s| !s.points.is_empty()).collect();
         let x_label = match self.opening {
-            Some(k) => format!("{} [{}]", case.probes[k].name, case.units.length()),
+            Some(k) => case.units.label(&case.probes[k].name, case.units.length()),
             None => "load factor".into(),
         };
         (!series.is_empty()).then(|| Diagram { title: case.title.clone(), x_label, y_label, series })
@@ -145,7 +146,7 @@ impl PathCurve {
         let probe = case.probes.iter().find(|p| p.name == name);
         let is_force = probe.is_none_or(|p| matches!(p.field, FieldName::ReactionX | FieldName::ReactionY));
         let unit = if is_force { "N" } else { case.units.length() };
-        format!("{name} [{unit}]")
+        case.units.label(name, unit)
     }
 }
 

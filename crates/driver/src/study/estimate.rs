@@ -1,71 +1,128 @@
 //! The discretisation error of one run, from the same case on other spacings.
 
-use super::order::{self, ROUNDING};
-use super::record::{Measured, values};
+use super::grid_error;
+use super::record::{Measured, Quantity, quantities, values};
 use crate::case::{self, Body};
 use crate::run::{RunOptions, taking};
 use crate::summary::words::times;
-use crate::summary::{Estimate, Estimates, Summary};
+use crate::summary::{Estimate, Estimates, Grids, Status, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::model::timoshenko_beam::Grid;
 use std::time::Instant;
 
-/// Order that is assumed where none can be observed: from half the spacing the estimate is then within a third of the error
-/// for every order from 1 up.
-const ASSUMED: f64 = 2.0;
-/// Smallest order that is believed: a lower one is that of values which do not yet go anywhere.
-const LEAST: f64 = 1.0;
+/// Multiples of the spacing of a coarser grid, in the order in which they are tried. In the plane 2 costs a quarter of the
+/// run, and 3/2, which is nearer, less than half.
+const COARSER: [f64; 4] = [2.0, 1.5, 3.0, 4.0 / 3.0];
+/// The same along lines, where the cost is in proportion to the points: with a second one it stays below that of the run.
+const COARSER_ON_LINES: [f64; 2] = [2.0, 3.0];
+/// Those of a second one, of which an order is observed.
+const COARSEST: [f64; 4] = [4.0, 3.0, 6.0, 9.0];
+/// The second over the first, at least.
+const APART: f64 = 1.5;
+/// Points of a body in the plane up to which a run estimates its error without being asked.
+const CHEAP: usize = 10_000;
+/// Share of the largest error in a field that a value has at least where two grids only, which may agree in it by chance,
+/// are known.
+const SHARE: f64 = 0.1;
+/// Values below this share of the largest one of their field are rounding: nothing is relative to them.
+const VANISHED: f64 = 1e-9;
 
 impl Loaded {
-    /// Estimates the discretisation error of every probe of a run, and of its energy: the case is solved on a finer and on a
-    /// coarser grid that have its points among theirs, or theirs among its own, with the same horizon ratio; where the finer
-    /// one needs too much memory, on two coarser ones.
+    /// Estimates the discretisation error of every probe of a run, and of its energy, as a run does without being asked:
+    /// from coarser grids, if the body is a beam, a frame or not large.
     ///
     /// # Errors
     /// Why there is no estimate.
-    pub fn estimate(&self, summary: &Summary, max_memory: Option<u64>) -> Result<Estimates, String> {
+    pub fn estimate_cheaply(&self, summary: &Summary, max_memory: Option<u64>) -> Result<Estimates, String> {
+        let points = summary.sizes.points;
+        if !self.is_on_lines() && points > CHEAP && !self.scene.case().is_traced() {
+            return Err(format!(
+                "above {CHEAP} points, here {points}, it is left to `--estimate`, which solves a finer grid, too"
+            ));
+        }
+        self.estimate(summary, Grids::Coarser, max_memory)
+    }
+
+    /// Estimates the discretisation error of every probe of a run, and of its energy: the case is solved on other grids
+    /// with the same horizon ratio. A finer one has the points of the run among its own; where it needs too much memory,
+    /// coarser ones are taken.
+    ///
+    /// # Errors
+    /// Why there is no estimate.
+    pub fn estimate(
+        &self,
+        summary: &Summary,
+        grids: Grids,
+        max_memory: Option<u64>,
+    ) -> Result<Estimates, String> {
         if self.scene.case().is_traced() {
-            return Err("bodies that break or soften jump: their errors are not estimated".into());
+            return Err("bodies that break or soften jump from state to state".into());
+        }
+        if summary.status == Status::NotConverged {
+            return Err("a state did not converge".into());
         }
         let begin = Instant::now();
-        let own = values(summary);
-        let ratio = nested(&self.written.body);
-        let other = |factor: f64| self.at_spacing(factor, max_memory);
-        let finer = match other(ratio) {
-            Ok(finer) => Some(finer),
-            Err(Failure::Memory(_)) => None,
-            Err(Failure::Other(reason)) => return Err(reason),
-        };
-        let mut remark = None;
-        let (spacings, others) = match (finer, other(1.0 / ratio)) {
-            (Some(finer), Ok(coarser)) => (vec![ratio, 1.0 / ratio], vec![coarser, finer]),
-            (Some(finer), Err(failure)) => {
-                remark = Some(format!("no order can be observed: {}", failure.reason()));
-                (vec![1.0 / ratio], vec![finer])
+        let mut others: Vec<Other> = Vec::new();
+        let nested = nested(&self.written.body);
+        if grids == Grids::FinerAndCoarser {
+            match self.at_multiple(1.0 / nested, max_memory) {
+                Ok(finer) => others.push(finer),
+                Err(Failure::Memory(_)) => {}
+                Err(Failure::Other(reason)) => return Err(reason),
             }
-            (None, Ok(coarser)) => {
-                let coarsest = other(1.0 / ratio / ratio).map_err(Failure::reason)?;
-                (vec![ratio * ratio, ratio], vec![coarsest, coarser])
+        }
+        let kind = if others.is_empty() { Grids::Coarser } else { grids };
+        let remark = match kind {
+            Grids::FinerAndCoarser => self.add_first(&[nested], &mut others, max_memory).err(),
+            Grids::Coarser => {
+                let first = if self.is_on_lines() { &COARSER_ON_LINES[..] } else { &COARSER };
+                self.add_first(first, &mut others, max_memory)?;
+                self.add_first(&COARSEST, &mut others, max_memory).err()
             }
-            (None, Err(failure)) => return Err(failure.reason()),
         };
-        let find = |all: &[Measured], name: &str| all.iter().find(|m| m.name == name).map(|m| m.value);
-        let of = |own: &Measured| {
-            let others = others.iter().map(|all| find(all, &own.name)).collect::<Option<Vec<f64>>>()?;
-            Some(estimate(own, &spacings, &others))
-        };
+        others.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
         Ok(Estimates {
+            kind,
             against: "the local solution, horizon and spacing to zero at the same ratio".into(),
-            quantities: own.iter().filter_map(of).collect(),
+            quantities: of_quantities(&quantities(summary), &others),
             seconds: begin.elapsed().as_secs_f64(),
-            spacings,
-            remark,
+            spacings: others.iter().map(|other| other.multiple).collect(),
+            remark: remark.map(|reason| format!("no order can be observed: {reason}")),
         })
     }
 
-    /// Values of the same case with its spacing and horizon divided by a factor.
-    fn at_spacing(&self, factor: f64, max_memory: Option<u64>) -> Result<Vec<Measured>, Failure> {
-        let overrides = self.written.refined(factor).map_err(Failure::Other)?;
+    fn is_on_lines(&self) -> bool {
+        matches!(self.written.body, Body::Line(_) | Body::Lines(_) | Body::Frame(_))
+    }
+
+    /// Adds the first of some grids that the case has, far enough from those that are there.
+    ///
+    /// # Errors
+    /// Why the first of them is none.
+    fn add_first(
+        &self,
+        multiples: &[f64],
+        others: &mut Vec<Other>,
+        max_memory: Option<u64>,
+    ) -> Result<(), String> {
+        let mut first = None;
+        let coarsest = others.iter().map(|other| other.multiple).fold(1.0, f64::max);
+        let apart = |multiple: &&f64| coarsest == 1.0 || **multiple >= APART * coarsest;
+        for &multiple in multiples.iter().filter(apart) {
+            match self.at_multiple(multiple, max_memory) {
+                Ok(other) => {
+                    others.push(other);
+                    return Ok(());
+                }
+                Err(failure) => first = first.or(Some(failure.reason())),
+            }
+        }
+        Err(first.unwrap_or_default())
+    }
+
+    /// The same case at a multiple of its spacing and horizon.
+    fn at_multiple(&self, multiple: f64, max_memory: Option<u64>) -> Result<Other, Failure> {
+        let overrides = self.written.refined(1.0 / multiple).map_err(Failure::Other)?;
         let mut overrides: Vec<String> =
             overrides.iter().map(|(path, value)| format!("{path}={value}")).collect();
         // Checks may name files that fit one spacing only.
@@ -78,16 +135,16 @@ impl Loaded {
             });
         match solved {
             Ok(summary) if summary.states.iter().all(|state| state.certificate.converged) => {
-                Ok(values(&summary))
+                Ok(Other { multiple, values: values(&summary) })
             }
             Ok(_) => Err(Failure::Other(format!(
-                "at {} times the spacing a state did not converge",
-                times(1.0 / factor)
+                "at {} times the spacing a state does not converge",
+                times(multiple)
             ))),
             Err(error) if error.lacks_memory() => Err(Failure::Memory(error.to_string())),
             Err(Error::Case(report)) => {
                 let first = report.diagnostics.first().map_or(String::new(), |d| d.message.clone());
-                Err(Failure::Other(format!("at {} times the spacing: {first}", times(1.0 / factor))))
+                Err(Failure::Other(format!("at {} times the spacing: {first}", times(multiple))))
             }
             Err(other) => Err(Failure::Other(other.to_string())),
         }
@@ -104,6 +161,13 @@ fn nested(body: &Body) -> f64 {
     if at_ends { 2.0 } else { 3.0 }
 }
 
+/// The values of another grid.
+struct Other {
+    /// Spacing over that of the run.
+    multiple: f64,
+    values: Vec<Measured>,
+}
+
 /// Why another spacing has no values.
 enum Failure {
     Memory(String),
@@ -118,54 +182,47 @@ impl Failure {
     }
 }
 
-/// The estimate for a value from those at other spacings, relative to its own, coarse to fine.
-fn estimate(own: &Measured, spacings: &[f64], others: &[f64]) -> Estimate {
-    let mut all: Vec<(f64, f64)> = spacings.iter().copied().zip(others.iter().copied()).collect();
-    all.push((1.0, own.value));
-    all.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let (h, q): (Vec<f64>, Vec<f64>) = all.into_iter().unzip();
-    let last = h.len() - 1;
-    let observed = match (<[f64; 3]>::try_from(&h[..]), <[f64; 3]>::try_from(&q[..])) {
-        (Ok(h), Ok(q)) => order::of_three(h, q).ok(),
-        _ => None,
+/// The estimates of all quantities that the other grids have, too.
+fn of_quantities(all: &[Quantity], others: &[Other]) -> Vec<Estimate> {
+    let found: Vec<(&Quantity, Estimate)> =
+        all.iter().filter_map(|own| Some((own, of_quantity(own, others)?))).collect();
+    let largest = |field: &str| {
+        let same = found.iter().filter(|(own, _)| own.field == field);
+        same.map(|(_, estimate)| estimate.error).fold(0.0, f64::max)
     };
-    let pair = ([h[last - 1], h[last]], [q[last - 1], q[last]]);
-    let limit = order::extrapolate(pair.0, pair.1, observed.map_or(ASSUMED, |order| order.max(LEAST)));
-    let settled = (q[last] - q[last - 1]).abs() <= ROUNDING * q[last].abs();
-    let error = (own.value - limit).abs();
-    let basis = match observed {
-        _ if settled => "both spacings agree to rounding".into(),
-        Some(order) if order < LEAST => format!("order {order:.2} observed, {LEAST} taken"),
-        Some(order) => format!("order {order:.2} observed"),
-        None => format!("order {ASSUMED} assumed"),
-    };
-    Estimate {
-        name: own.name.clone(),
-        value: own.value,
-        error,
-        relative: (limit != 0.0).then(|| error / limit.abs()),
-        order: observed.filter(|_| !settled),
-        basis,
-    }
+    let raised = found.iter().map(|(own, estimate)| {
+        let least = SHARE * largest(&own.field);
+        if others.len() > 1 || estimate.settled || estimate.error >= least {
+            return estimate.clone();
+        }
+        let basis = format!("{SHARE} of the largest in the field");
+        Estimate { error: least, relative: relative(own, least), basis, ..estimate.clone() }
+    });
+    raised.collect()
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+fn of_quantity(own: &Quantity, others: &[Other]) -> Option<Estimate> {
+    let find = |other: &Other| {
+        let same = other.values.iter().find(|m| m.name == own.name)?;
+        Some((other.multiple, same.value))
+    };
+    let mut grids = others.iter().map(find).collect::<Option<Vec<(f64, f64)>>>()?;
+    grids.push((1.0, own.value));
+    let found = grid_error::of(grids, own.scale);
+    let unreliable = if found.reliable { "" } else { "not reliable, " };
+    Some(Estimate {
+        name: own.name.clone(),
+        value: own.value,
+        error: found.error,
+        relative: relative(own, found.error),
+        order: found.order,
+        settled: found.settled,
+        reliable: found.reliable,
+        basis: format!("{unreliable}{}", found.basis),
+    })
+}
 
-    #[test]
-    fn powers_are_estimated_and_no_order_is_safe() {
-        let own = |value| Measured { name: "tip".into(), value };
-        // 1 + 0.1 h².
-        let found = estimate(&own(1.1), &[2.0, 0.5], &[1.4, 1.025]);
-        assert!((found.error - 0.1).abs() < 1e-12 && (found.order.unwrap() - 2.0).abs() < 1e-12, "{found:?}");
-        // The same without the coarser one.
-        let found = estimate(&own(1.1), &[0.5], &[1.025]);
-        assert!((found.error - 0.1).abs() < 1e-12 && found.order.is_none(), "{found:?}");
-        // From coarser ones alone.
-        let found = estimate(&own(1.1), &[4.0, 2.0], &[2.6, 1.4]);
-        assert!((found.error - 0.1).abs() < 1e-12, "{found:?}");
-        let found = estimate(&own(1.0), &[2.0, 0.5], &[1.0, 1.0]);
-        assert_eq!((found.error, found.basis.as_str()), (0.0, "both spacings agree to rounding"));
-    }
+/// An error over the value that has it.
+fn relative(own: &Quantity, error: f64) -> Option<f64> {
+    (own.value.abs() > VANISHED * own.scale).then(|| error / own.value.abs())
 }

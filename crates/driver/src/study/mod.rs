@@ -10,6 +10,7 @@ mod expect;
 mod faults;
 mod file;
 mod findings;
+mod grid_error;
 pub mod order;
 mod plan;
 mod record;

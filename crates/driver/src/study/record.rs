@@ -3,7 +3,7 @@
 use super::plan::Task;
 use crate::input::Folder;
 use crate::run::{RunOptions, taking};
-use crate::summary::{ModelSummary, Summary};
+use crate::summary::{Extremes, ModelSummary, StateSummary, Summary};
 use crate::{Error, Loaded};
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
@@ -80,25 +80,52 @@ impl Record {
     }
 }
 
+/// A value of a run that a finer grid would improve.
+pub(super) struct Quantity {
+    /// Its name, with that of its state where there are several.
+    pub(super) name: String,
+    /// Field, or what it is else.
+    pub(super) field: String,
+    /// Value.
+    pub(super) value: f64,
+    /// Largest magnitude of the field in its state, as far as it is known.
+    pub(super) scale: f64,
+}
+
 /// Probes, or of beams without any the largest displacements, and stored energies of all states.
-pub(super) fn values(summary: &Summary) -> Vec<Measured> {
+pub(super) fn quantities(summary: &Summary) -> Vec<Quantity> {
     let several = summary.states.len() > 1;
-    let named = |name: &str, state: &str| if several { format!("{name} [{state}]") } else { name.into() };
-    let probes = summary.probes.iter().map(|p| Measured { name: named(&p.name, &p.state), value: p.value });
-    let energies = summary
-        .states
-        .iter()
-        .map(|s| Measured { name: named("energy", &s.name), value: s.certificate.energy });
+    let new = |name: &str, state: &StateSummary, field: &str, value: f64, scale: f64| {
+        let name = if several { format!("{name} [{}]", state.name) } else { name.into() };
+        Quantity { name, field: field.into(), value, scale }
+    };
+    let largest = |e: &Extremes| e.largest.value.abs().max(e.smallest.value.abs());
+    let (mut probes, mut others, mut energies) = (Vec::new(), Vec::new(), Vec::new());
     // Points of bodies in the plane are in the middle of cells: where the outermost one is depends on the spacing.
     let has_largest = summary.probes.is_empty() && matches!(summary.model, ModelSummary::Beam(_));
-    let largest = summary.states.iter().filter(|_| has_largest).flat_map(|s| {
-        let fields = s.extremes.iter().filter(|(field, _)| DISPLACEMENTS.contains(&field.as_ref()));
-        fields.map(|(field, e)| Measured {
-            name: named(&format!("largest {field}"), &s.name),
-            value: e.largest.value.abs().max(e.smallest.value.abs()),
-        })
-    });
-    probes.chain(largest).chain(energies).filter(|m| m.value.is_finite()).collect()
+    for state in &summary.states {
+        let of_state = || summary.probes.iter().filter(|p| p.state == state.name);
+        for probe in of_state() {
+            let alike = of_state().filter(|p| p.field == probe.field).map(|p| p.value.abs());
+            let scale = alike.fold(state.extremes.get(&probe.field).map_or(0.0, largest), f64::max);
+            probes.push(new(&probe.name, state, &probe.field, probe.value, scale));
+        }
+        for (field, extremes) in &state.extremes {
+            if has_largest && DISPLACEMENTS.contains(&field.as_ref()) {
+                let value = largest(extremes);
+                others.push(new(&format!("largest {field}"), state, field, value, value));
+            }
+        }
+        let energy = state.certificate.energy;
+        energies.push(new("energy", state, "energy", energy, energy.abs()));
+    }
+    let all = probes.into_iter().chain(others).chain(energies);
+    all.filter(|q| q.value.is_finite()).collect()
+}
+
+/// The same as names and values.
+pub(super) fn values(summary: &Summary) -> Vec<Measured> {
+    quantities(summary).into_iter().map(|q| Measured { name: q.name, value: q.value }).collect()
 }
 
 /// The same with a number behind names that others have, too.

@@ -1,5 +1,6 @@
 //! What the summary needs of states, collected as they come.
 
+use super::doubts::Doubts;
 use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, plane};
 use crate::memory;
 use crate::run::{ASKED, CheckResult, FEW_DIGITS, ProbeResult, Range, RunReport, StateResult};
@@ -14,6 +15,7 @@ pub struct Collector {
     states: Vec<StateSummary>,
     probes: Vec<ProbeResult>,
     checks: Vec<CheckResult>,
+    doubts: Doubts,
 }
 
 impl Collector {
@@ -24,6 +26,7 @@ impl Collector {
             (Scene::Plane(scene), StateResult::Plane(result)) => plane::state(scene, result),
             _ => unreachable!("a scene has results of its own kind"),
         };
+        self.doubts.take(scene, result, &state);
         self.states.push(state);
         self.probes.extend(probes);
         if scene.case().is_traced() {
@@ -69,13 +72,14 @@ impl Collector {
             forces: forces(state.forces),
             certificate: state.certificate,
         };
-        Ok(Self { states: states.into_iter().map(state).collect(), probes, checks: Vec::new() })
+        Ok(Self { states: states.into_iter().map(state).collect(), probes, ..Self::default() })
     }
 
     /// The summary of the run.
     pub fn finish(self, scene: &Scene, report: RunReport, mut warnings: Vec<String>) -> Summary {
         warnings.extend(few_digits(&self.states));
         warnings.extend(misapplied(&self.states));
+        warnings.extend(self.doubts.warnings());
         // States before a restart are known from it alone.
         let converged = report.converged && self.states.iter().all(|s| s.certificate.converged);
         let status = match (converged, self.checks.iter().all(|c| c.passed)) {
@@ -95,6 +99,7 @@ impl Collector {
             model,
             sizes: report.sizes,
             estimate: None,
+            no_estimate: None,
             checks: self.checks,
             probes: self.probes,
             states: self.states,

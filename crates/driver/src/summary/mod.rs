@@ -2,13 +2,14 @@
 
 mod beam;
 mod collector;
+mod doubts;
 mod estimate;
 mod plane;
 pub(crate) mod words;
 
 pub use beam::{BeamForces, BeamSummary};
 pub use collector::Collector;
-pub use estimate::{Estimate, Estimates};
+pub use estimate::{Estimate, Estimates, Grids};
 pub use plane::{FamilySummary, OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
 
 use crate::case::Units;
@@ -123,9 +124,12 @@ pub struct Summary {
     /// Sizes.
     #[serde(flatten)]
     pub sizes: Sizes,
-    /// Estimated discretisation errors, where they were asked for.
+    /// Estimated discretisation errors, unless the run was to leave them out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimate: Option<Estimates>,
+    /// Why there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_estimate: Option<String>,
     /// Checks.
     pub checks: Vec<CheckResult>,
     /// Probes.

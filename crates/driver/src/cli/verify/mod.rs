@@ -142,7 +142,13 @@ fn found(case: &Path, request: &Request, global: &Global) -> Result<Found, Error
     let summary = match &request.output {
         Some(folder) => {
             let claim = Claim::new(&below(folder, &inside(case))?, request.force)?;
-            solve::solve_into(&loaded, None, Writing::new(&loaded.scene, claim), false, global)
+            solve::solve_into(
+                &loaded,
+                None,
+                Writing::new(&loaded.scene, claim),
+                solve::Wanted::Nothing,
+                global,
+            )
         }
         None => {
             let options = RunOptions { recover: false, max_memory: global.max_memory };

@@ -24,12 +24,17 @@ pub(super) fn write(
     result: &BeamResult,
     title: &str,
 ) -> io::Result<()> {
-    let moment = scene.units.moment();
+    let units = scene.units;
     // A positive moment stretches the side of −w.
     let diagrams = [
-        ("axial_force", FieldName::N, 1.0, "axial force N [N], tension positive".to_string()),
-        ("shear", FieldName::V, 1.0, "shear force V [N]".into()),
-        ("moment", FieldName::M, -1.0, format!("bending moment M [{moment}], on the side in tension")),
+        ("axial_force", FieldName::N, 1.0, units.label("axial force N", "N") + ", tension positive"),
+        ("shear", FieldName::V, 1.0, units.label("shear force V", "N")),
+        (
+            "moment",
+            FieldName::M,
+            -1.0,
+            units.label("bending moment M", units.moment()) + ", on the side in tension",
+        ),
     ];
     for (file, field, side, note) in diagrams {
         let Some(picture) = diagram(frame, result, field, side) else { continue };

@@ -28,7 +28,7 @@ pub(super) fn picture(scene: &BeamScene, frame: &FrameLayout, result: &BeamResul
     let rest = [("shear force V", FieldName::V, ""), ("axial force N", FieldName::N, "tension positive")];
     views.extend(rest.into_iter().filter_map(|(name, field, note)| {
         let shapes = forces(frame, result, field, most)?;
-        let (name, unit, note) = (name.into(), "N".into(), note.into());
+        let (name, unit, note) = (name.into(), scene.units.force().into(), note.into());
         Some(View { name, unit, note, factor: 1.0, shapes, ..View::default() })
     }));
     let members = frame.members.len();

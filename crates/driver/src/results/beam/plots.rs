@@ -17,12 +17,13 @@ pub(super) fn title(scene: &BeamScene, result: &BeamResult) -> String {
 
 /// Deflection, rotation, moment and shear along lines: the name of the file of each, and its diagram.
 pub(super) fn diagrams(scene: &BeamScene, result: &BeamResult) -> Vec<(&'static str, Diagram)> {
-    let (length, moment) = (scene.units.length(), scene.units.moment());
+    let units = scene.units;
+    let (length, moment) = (units.length(), units.moment());
     let fields = [
-        ("deflection", Field::W, format!("deflection w [{length}]")),
+        ("deflection", Field::W, units.label("deflection w", length)),
         ("rotation", Field::Phi, "rotation φ [rad]".into()),
-        ("moment", Field::M, format!("bending moment M [{moment}]")),
-        ("shear", Field::V, "shear force V [N]".into()),
+        ("moment", Field::M, units.label("bending moment M", moment)),
+        ("shear", Field::V, units.label("shear force V", "N")),
     ];
     let diagram = |(file, field, y_label): (&'static str, Field, String)| {
         let points = curve(result, field)?;
@@ -33,7 +34,7 @@ pub(super) fn diagrams(scene: &BeamScene, result: &BeamResult) -> Vec<(&'static 
         let style = if series.is_empty() { Style::Line } else { Style::Dots };
         series.push(Series { label: "peristat".into(), style, points });
         let title = title(scene, result);
-        Some((file, Diagram { title, x_label: format!("x [{length}]"), y_label, series }))
+        Some((file, Diagram { title, x_label: units.label("x", length), y_label, series }))
     };
     fields.into_iter().filter_map(diagram).collect()
 }

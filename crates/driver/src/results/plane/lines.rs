@@ -39,12 +39,13 @@ fn along(line: &OutputLine, scene: &PlaneScene, result: &PlaneResult, field: Fie
 
 /// Displacements and stresses along every line: the name of the file of each, and its diagram.
 pub(super) fn diagrams(scene: &PlaneScene, result: &PlaneResult, title: &str) -> Vec<(String, Diagram)> {
-    let (length, stress) = (scene.units.length(), scene.units.stress());
+    let units = scene.units;
+    let (length, stress) = (units.length(), units.stress());
     let kinds = [
-        ("displacement", format!("displacement [{length}]"), &[FieldName::Ux, FieldName::Uy][..]),
+        ("displacement", units.label("displacement", length), &[FieldName::Ux, FieldName::Uy][..]),
         (
             "stress",
-            format!("stress [{stress}]"),
+            units.label("stress", stress),
             &[FieldName::StressXx, FieldName::StressYy, FieldName::StressXy, FieldName::VonMises],
         ),
     ];
@@ -59,7 +60,7 @@ pub(super) fn diagrams(scene: &PlaneScene, result: &PlaneResult, title: &str) ->
             };
             let diagram = Diagram {
                 title: format!("{title} - {}", line.name),
-                x_label: format!("distance along the line [{length}]"),
+                x_label: units.label("distance along the line", length),
                 y_label: label.clone(),
                 series: fields.iter().map(series).collect(),
             };

@@ -20,8 +20,8 @@ pub(super) fn write(folder: &Path, scene: &PlaneScene, result: &PlaneResult) -> 
     let title = title(scene, result);
     let raster = Raster::new(scene);
     write_map(&folder.join("displacement.svg"), &displacement(scene, result, &raster, &title))?;
-    let stress = format!("von Mises stress [{}]", scene.units.stress());
-    let deflection = format!("w, outwards [{}]", scene.units.length());
+    let stress = scene.units.label("von Mises stress", scene.units.stress());
+    let deflection = scene.units.label("w, outwards", scene.units.length());
     let fields = [
         ("w", FieldName::W, deflection.as_str()),
         ("von_mises", FieldName::VonMises, stress.as_str()),
@@ -85,7 +85,7 @@ fn displacement(scene: &PlaneScene, result: &PlaneResult, raster: &Raster, title
     Map {
         title: title.into(),
         note: format!("deformed shape, displacements times {factor}; {note}"),
-        label: format!("displacement [{}]", scene.units.length()),
+        label: scene.units.label("displacement", scene.units.length()),
         range,
         patches: patches.map(|(corners, value)| Patch { corners, value }).collect(),
         ghost: raster.corners().collect(),

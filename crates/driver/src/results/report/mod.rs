@@ -3,7 +3,7 @@
 mod sections;
 
 use super::any_curve::AnyCurve;
-use crate::case::Case;
+use crate::case::{Case, Units};
 use crate::output::plot::{Diagram, Style, thin};
 use crate::output::report::{Axis, Badge, Block, Chart, Look, Page, Series, Tone};
 use crate::scene::Scene;
@@ -81,7 +81,10 @@ impl Report {
 
 /// The units of a case, spelled for the last line.
 fn unit_words(case: &Case) -> String {
-    format!("{}, N and {}", case.units.length(), case.units.stress())
+    match case.units {
+        Units::Dimensionless => "no units".into(),
+        units => format!("{}, N and {}", units.length(), units.stress()),
+    }
 }
 
 /// A diagram as a chart under a title, which may be empty.

@@ -28,12 +28,14 @@ pub(super) fn all(
     }
     all.push(Section::new("Results", results(summary, figures)));
     all.extend(probes(summary));
-    if let Some(estimates) = &summary.estimate {
-        let (sentence, table) = words::estimates(estimates);
-        let blocks = std::iter::once(Block::Text(sentence)).chain(listed(table)).collect();
-        all.push(Section::new("Estimated errors", blocks));
+    all.push(Section::new("Certificate of the discrete solution", certificate(summary)));
+    if let Some((sentence, table)) = words::estimates(summary) {
+        let table = table.into_iter().flat_map(listed);
+        all.push(Section::new(
+            "Error of the grid",
+            std::iter::once(Block::Text(sentence)).chain(table).collect(),
+        ));
     }
-    all.push(Section::new("Certificate", certificate(summary)));
     all.push(Section::new("Time and work", work(summary)));
     let text = serde_json::to_string_pretty(case).unwrap_or_default();
     all.push(Section { title: "Case".into(), blocks: vec![Block::Code(text)], folded: true });

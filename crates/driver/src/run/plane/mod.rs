@@ -4,6 +4,7 @@
 mod crack_front;
 mod fields;
 mod fracture;
+mod gradient;
 mod grips;
 mod intensity;
 mod layers;
@@ -15,6 +16,7 @@ mod tips;
 mod verdict;
 
 pub use fields::{PlaneResult, Recovered};
+pub(crate) use gradient::{Steepest, steepest};
 pub use reaction::{MirrorReaction, PlaneReaction};
 pub(crate) use verdict::{checks, probes};
 

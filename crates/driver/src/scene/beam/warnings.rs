@@ -108,10 +108,7 @@ fn foundation(bed: &Bed, path: &JsonPath, layout: &Layout, beam: &TimoshenkoBeam
 
 /// Young's moduli that no material has in these units.
 fn moduli(model: &Beam, units: Units, faults: &mut Faults) {
-    let (low, high) = match units {
-        Units::MetreNewtonPascal => (4e5, 2e12),
-        Units::MillimetreNewtonMegapascal => (4e-1, 2e6),
-    };
+    let Some(usual) = units.usual_moduli() else { return };
     let (law, path) = (model.power_law.as_ref(), beam_path());
     let moduli = [
         (model.youngs_modulus, path.key("youngs_modulus")),
@@ -119,10 +116,10 @@ fn moduli(model: &Beam, units: Units, faults: &mut Faults) {
         (law.map(|l| l.top_modulus), path.key("power_law").key("top_modulus")),
     ];
     for (e, path) in moduli {
-        if let Some(e) = e.filter(|e| !(low..=high).contains(e)) {
+        if let Some(e) = e.filter(|e| !usual.contains(e)) {
             faults
                 .warning(path, format!("{e} {} is an unusual Young's modulus", units.stress()))
-                .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing");
+                .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing, and \"none\" is for numbers without units");
         }
     }
 }

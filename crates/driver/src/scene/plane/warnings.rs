@@ -87,13 +87,9 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
 
 /// Young's moduli that no material has in these units.
 fn modulus(e: f64, path: JsonPath, units: Units, faults: &mut Faults) {
-    let (low, high) = match units {
-        Units::MetreNewtonPascal => (4e5, 2e12),
-        Units::MillimetreNewtonMegapascal => (4e-1, 2e6),
-    };
-    if !(low..=high).contains(&e) {
+    if units.usual_moduli().is_some_and(|usual| !usual.contains(&e)) {
         faults
             .warning(path, format!("{e} {} is an unusual Young's modulus", units.stress()))
-            .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing");
+            .hint("steel has 2.1e11 Pa or 2.1e5 MPa; `units` only labels, it converts nothing, and \"none\" is for numbers without units");
     }
 }

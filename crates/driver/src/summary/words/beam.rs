@@ -14,7 +14,7 @@ pub(super) fn model(m: &BeamSummary, units: Units) -> Vec<Fact> {
         .zip(m.spacing.iter().zip(&m.graded))
         .map(|(r, (h, graded))| match graded {
             true => format!("{} neighbours of a graded grid", number(*r)),
-            false => format!("{} spacings = {} {length}", number(*r), number(r * h)),
+            false => format!("{} spacings = {}", number(*r), units.quantity(&number(r * h), length)),
         })
         .collect();
     // Members of a frame often share a grid; all of them would be a long list.
@@ -22,7 +22,7 @@ pub(super) fn model(m: &BeamSummary, units: Units) -> Vec<Fact> {
     vec![
         ("model".into(), format!("{}, bond law {}, ends {}", m.name, m.bond_law, m.end_treatment)),
         ("horizon".into(), ratios.join("; ")),
-        ("section".into(), section(m, length)),
+        ("section".into(), section(m, units)),
     ]
 }
 
@@ -44,14 +44,17 @@ fn distinct(all: Vec<String>) -> Vec<String> {
 }
 
 /// What is known of the section, that at the start where it varies.
-fn section(m: &BeamSummary, length: &str) -> String {
+fn section(m: &BeamSummary, units: Units) -> String {
+    let length = units.length();
+    let with =
+        |name: &str, value: f64, unit: String| format!("{name} = {}", units.quantity(&number(value), &unit));
     let known = [
-        m.area.map(|a| format!("A = {} {length}²", number(a))),
-        m.second_moment.map(|i| format!("I = {} {length}⁴", number(i))),
+        m.area.map(|a| with("A", a, format!("{length}²"))),
+        m.second_moment.map(|i| with("I", i, format!("{length}⁴"))),
         m.kappa.map(|k| format!("κ = {}", number(k))),
-        Some(format!("EI = {} N {length}²", number(m.bending_stiffness))),
-        Some(format!("κGA = {} N", number(m.shear_stiffness))),
-        m.axial_stiffness.map(|a| format!("EA = {} N", number(a))),
+        Some(with("EI", m.bending_stiffness, format!("N {length}²"))),
+        Some(with("κGA", m.shear_stiffness, "N".into())),
+        m.axial_stiffness.map(|a| with("EA", a, "N".into())),
     ];
     let known: Vec<String> = known.into_iter().flatten().collect();
     let member = m.member.as_ref().map_or(String::new(), |name| format!(" of member `{name}`"));

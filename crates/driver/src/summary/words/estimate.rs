@@ -1,27 +1,37 @@
 //! Estimated errors of the discretisation in words.
 
-use super::Listing;
-use crate::summary::{Estimate, Estimates};
+use super::{Listing, MOST_ROWS, number};
+use crate::summary::{Estimate, Summary};
 
 /// A multiple of the spacing: `3`, `1/3`.
 pub(crate) fn times(multiple: f64) -> String {
-    if multiple < 1.0 { format!("1/{}", multiple.recip().round()) } else { multiple.round().to_string() }
+    if multiple < 1.0 { format!("1/{}", number(multiple.recip())) } else { number(multiple) }
 }
 
-/// What the estimates are against and rest on, in a sentence, and their table.
-pub(crate) fn estimates(estimates: &Estimates) -> (String, Listing) {
-    let row = |e: &Estimate| {
-        let relative = e.relative.map_or(String::new(), |relative| format!("{relative:.1e}"));
-        vec![e.name.clone(), format!("{:?}", e.value), format!("{:.1e}", e.error), relative, e.basis.clone()]
+/// What the estimates of a run are against and rest on, in a sentence, and their table; or why there are none.
+pub(crate) fn estimates(summary: &Summary) -> Option<(String, Option<Listing>)> {
+    let Some(estimates) = &summary.estimate else {
+        return summary
+            .no_estimate
+            .as_ref()
+            .map(|reason| (format!("error of the grid: not estimated; {reason}"), None));
     };
     let spacings: Vec<String> = estimates.spacings.iter().map(|s| times(*s)).collect();
     let remark = estimates.remark.as_ref().map_or(String::new(), |remark| format!("; {remark}"));
     let sentence = format!(
-        "error of the discretisation, against {}; from {} times the spacing, in {:.3} s{remark}",
+        "error of the grid, against {}, estimated from {} times the spacing{remark}",
         estimates.against,
-        spacings.join(" and "),
-        estimates.seconds
+        spacings.join(" and ")
     );
     let header = ["quantity", "value", "estimated error", "relative", "basis"];
-    (sentence, Listing::whole(&header, estimates.quantities.iter().map(row).collect()))
+    let all = &estimates.quantities;
+    let rows = all.iter().take(MOST_ROWS).map(row).collect();
+    Some((sentence, Listing::new(&header, rows, all.len(), "quantities")))
+}
+
+fn row(e: &Estimate) -> Vec<String> {
+    // Digits of rounding say nothing.
+    let error = if e.settled { "rounding".into() } else { format!("{:.1e}", e.error) };
+    let relative = e.relative.filter(|_| !e.settled).map_or(String::new(), |r| format!("{r:.1e}"));
+    vec![e.name.clone(), format!("{:?}", e.value), error, relative, e.basis.clone()]
 }

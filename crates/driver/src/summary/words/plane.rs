@@ -14,29 +14,30 @@ use peristat_assembly::model::state_based::{Axis, Dilatation, Measure, StateEdge
 pub(super) fn model(m: &PlaneSummary, units: Units) -> Vec<Fact> {
     let mut told = Vec::new();
     let mut line = |key: &str, text: String| told.push((key.to_string(), text));
-    let length = units.length();
+    let length = |value: f64| units.quantity(&number(value), units.length());
+    let stress = |value: f64| units.quantity(&number(value), units.stress());
     let calibration = match m.calibration {
         Some(Calibration::Published) => "bonds with the published constant",
         _ => "bonds with the exact moduli of the material",
     };
-    let (t, stress) = (number(m.thickness), units.stress());
+    let t = length(m.thickness);
     let mut influence = "";
     match &m.material {
         PlaneMaterialSummary::Central { state, youngs_modulus, influence: law, .. } => {
             line("model", format!("{}, {}, {calibration}", m.name, state.replace('_', " ")));
             let nu = if *state == "plane_stress" { "1/3" } else { "1/4" };
-            let e = number(*youngs_modulus);
-            line("material", format!("E = {e} {stress}, ν = {nu}, thickness {t} {length}"));
+            let e = stress(*youngs_modulus);
+            line("material", format!("E = {e}, ν = {nu}, thickness {t}"));
             influence = of_influence(*law);
         }
         PlaneMaterialSummary::State(of) => {
-            let (e, nu) = (number(of.youngs_modulus), number(of.poisson_ratio));
+            let (e, nu) = (stress(of.youngs_modulus), number(of.poisson_ratio));
             let (state, across) = match of.state {
                 "axisymmetric" => (String::new(), String::new()),
-                state => (format!(", {}", state.replace('_', " ")), format!(", thickness {t} {length}")),
+                state => (format!(", {}", state.replace('_', " ")), format!(", thickness {t}")),
             };
             line("model", format!("{}{state}, {}", m.name, families(of)));
-            line("material", format!("E = {e} {stress}, ν = {nu}{across}"));
+            line("material", format!("E = {e}, ν = {nu}{across}"));
             influence = of_influence(of.influence);
         }
         PlaneMaterialSummary::Beams(of) => {
@@ -46,7 +47,7 @@ pub(super) fn model(m: &PlaneSummary, units: Units) -> Vec<Fact> {
                 None => calibration,
             };
             line("model", format!("{}, plane stress, {calibration}", m.name));
-            orthotropic(of, &mut line, &format!("thickness {t} {length}"), stress);
+            orthotropic(of, &mut line, &format!("thickness {t}"), stress);
         }
         PlaneMaterialSummary::Shell { youngs_modulus, radius, kinematics, bending, .. } => {
             let kinematics = match kinematics {
@@ -55,16 +56,13 @@ pub(super) fn model(m: &PlaneSummary, units: Units) -> Vec<Fact> {
             };
             let bending = if *bending { ", rows of bending" } else { "" };
             line("model", format!("{}, {calibration}, {kinematics}{bending}", m.name));
-            let (e, r) = (number(*youngs_modulus), number(*radius));
-            line(
-                "material",
-                format!("E = {e} {stress}, ν = 1/3, thickness {t} {length}, radius {r} {length}"),
-            );
+            let (e, r) = (stress(*youngs_modulus), length(*radius));
+            line("material", format!("E = {e}, ν = 1/3, thickness {t}, radius {r}"));
         }
     }
-    let (ratio, horizon) = (number(m.horizon_ratio), number(m.horizon_ratio * m.spacing));
+    let (ratio, horizon) = (number(m.horizon_ratio), length(m.horizon_ratio * m.spacing));
     let kind = if m.lattice { "" } else { " of listed points" };
-    line("horizon", format!("{ratio} spacings{kind} = {horizon} {length}{influence}"));
+    line("horizon", format!("{ratio} spacings{kind} = {horizon}{influence}"));
     let edges = match (m.edges, &m.material) {
         (None, PlaneMaterialSummary::Shell { .. }) if m.calibration == Some(Calibration::Matched) => {
             "every point has weights that make uniform strains exact".into()
@@ -128,24 +126,23 @@ fn family_edges(of: &FamilySummary) -> String {
 }
 
 /// Tells an orthotropic material and its fibres.
-fn orthotropic(m: &OrthotropicSummary, line: &mut impl FnMut(&str, String), thickness: &str, stress: &str) {
-    let moduli = [m.youngs_modulus_1, m.youngs_modulus_2, m.shear_modulus_12].map(number);
+fn orthotropic(
+    m: &OrthotropicSummary,
+    line: &mut impl FnMut(&str, String),
+    thickness: &str,
+    stress: impl Fn(f64) -> String,
+) {
+    let moduli = [m.youngs_modulus_1, m.youngs_modulus_2, m.shear_modulus_12].map(&stress);
     let ([e1, e2, g], nu) = (moduli, number(m.poisson_ratio_12));
-    line(
-        "material",
-        format!("E1 = {e1} {stress}, E2 = {e2} {stress}, ν12 = {nu}, G12 = {g} {stress}, {thickness}"),
-    );
+    line("material", format!("E1 = {e1}, E2 = {e2}, ν12 = {nu}, G12 = {g}, {thickness}"));
     let rows = match m.lattice_angle {
         0.0 => "rows of the lattice along x".into(),
         angle => format!("rows of the lattice at {}°", number(angle)),
     };
     line("fibres", format!("at {}° from x, {rows}", number(m.fibre_angle)));
     if !m.consistent {
-        let effective = number(m.effective_shear_modulus_12);
-        line(
-            "shear",
-            format!("strain and rotation are coupled: a body acts as if G12 = {effective} {stress}"),
-        );
+        let effective = stress(m.effective_shear_modulus_12);
+        line("shear", format!("strain and rotation are coupled: a body acts as if G12 = {effective}"));
     }
 }
 
@@ -177,8 +174,9 @@ pub(super) fn forces(forces: &PlaneForces, units: Units) -> Vec<Listing> {
         cells.extend((turns || deflects).then(String::new));
         rows.push(cells);
     }
-    let third = if deflects { "force w [N]".into() } else { format!("moment [{}]", units.moment()) };
-    let header = ["support", "force x [N]", "force y [N]", third.as_str()];
+    let third = if deflects { units.label("force w", "N") } else { units.label("moment", units.moment()) };
+    let [x, y] = ["force x", "force y"].map(|name| units.label(name, "N"));
+    let header = ["support", x.as_str(), y.as_str(), third.as_str()];
     let header = &header[..if turns || deflects { 4 } else { 3 }];
     let count = forces.reactions.len() + forces.mirrors.len();
     Listing::new(header, rows, count, "supports").into_iter().collect()

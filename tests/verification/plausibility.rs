@@ -1,0 +1,76 @@
+//! Answers that their models cannot give: what is told of them, and where nothing is.
+
+use peristat::Loaded;
+use peristat::run::{RunOptions, taking};
+use std::path::Path;
+
+/// All warnings of a run of a case of the gallery with all its fields.
+fn case_warnings(case: &str, overrides: &[&str]) -> Vec<String> {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case).with_extension("json");
+    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
+    let loaded = Loaded::read(&file, &overrides, None).unwrap_or_else(|error| panic!("{case}: {error}"));
+    let options = RunOptions { recover: true, max_memory: None };
+    let summary = loaded.run(&options, None, &mut taking(|_| Ok(())));
+    summary.unwrap_or_else(|error| panic!("{case}: {error}")).warnings
+}
+
+/// Warnings on the answer: those that name what is not small.
+fn doubts(case: &str, overrides: &[&str]) -> Vec<String> {
+    let all = case_warnings(case, overrides);
+    all.into_iter().filter(|text| text.contains("check the units of loads")).collect()
+}
+
+#[test]
+fn strains_that_are_not_small_are_told_once() {
+    assert!(doubts("plate/uniaxial_tension", &[]).is_empty());
+    // 100 MPa over 210 MPa, as of gigapascals taken for megapascals. The stress goes with it.
+    let soft = ["model.bond_plane.youngs_modulus=210", "checks=[]"];
+    let found = doubts("plate/uniaxial_tension", &soft);
+    assert!(found.len() == 1 && found[0].contains("a strain of 47.619 %"), "{found:#?}");
+    // ν times this across leaves no rotation.
+    let state = ["model.state_plane.youngs_modulus=210", "checks=[]"];
+    assert!(doubts("plate/state_tension", &state)[0].contains("a strain of 47.619 %"));
+}
+
+#[test]
+fn a_shaft_that_spins_in_turns_per_minute_is_told() {
+    let found = doubts("axisymmetric/spinning", &["loads[0].body_force.spin=7850", "checks=[]"]);
+    // 1e6 times the displacement of the case, 0.00512 at a radius of 100.
+    assert!(found.iter().any(|text| text.contains("a displacement of 51")), "{found:#?}");
+    assert!(found.iter().any(|text| text.contains("a strain of")), "{found:#?}");
+}
+
+#[test]
+fn a_girder_that_sags_beyond_its_length_is_told_in_three_ways() {
+    let found = doubts("beam/tube", &["loads[0].distributed.force.uniform=1.5e4", "checks=[]"]);
+    let has = |words: &str| found.iter().any(|text| text.contains(words));
+    // 1e4 times 5.14 mm of 1500; the stress of 45.6 MPa over 7e4; q L³/(24 EI) in degrees.
+    assert!(has("at 750: a displacement of 51400.8 is larger than the body, 1500"), "{found:#?}");
+    assert!(has("at 750: a strain of 652.098 %"), "{found:#?}");
+    assert!(has("a rotation of 6"), "{found:#?}");
+    assert_eq!(found.len(), 3);
+}
+
+#[test]
+fn rotations_are_those_of_the_body_and_turned_points_are_held_to_them() {
+    assert!(doubts("plate/turned_points", &[]).is_empty());
+    let found = doubts(
+        "frame/steel_portal",
+        &["load_cases[0].loads[0].distributed.force_y.uniform=-4e6", "checks=[]"],
+    );
+    assert!(found.iter().any(|text| text.contains("a rotation of")), "{found:#?}");
+}
+
+#[test]
+fn numbers_without_units_are_not_doubted() {
+    let large = ["model.bond_plane.youngs_modulus=2.6", "checks=[]"];
+    assert_eq!(doubts("plate/uniaxial_tension", &large).len(), 2);
+    let none = ["model.bond_plane.youngs_modulus=2.6", "checks=[]", "units=none"];
+    let all = case_warnings("plate/uniaxial_tension", &none);
+    assert!(all.is_empty(), "{all:#?}");
+}
+
+#[test]
+fn tips_of_cracks_are_left_out() {
+    assert!(doubts("plate/crack_tips", &[]).is_empty());
+}
