@@ -347,7 +347,7 @@ fn a_run_estimates_its_error() {
         (outcome.stdout, json(&folder.path().join(out).join("summary.json")))
     };
     let exact = 3.20624e-3;
-    // 0.95 and 0.86.
+    // 1.02 and 1.33.
     for (option, kind) in [("--estimate", "finer_and_coarser"), ("--verbose", "coarser")] {
         let (printed, summary) = estimated(option, kind);
         assert!(printed.contains("error of the grid, against the local solution"), "{printed}");

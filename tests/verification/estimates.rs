@@ -49,27 +49,23 @@ const LAWS: [(&str, &str, &str); 6] = [
     ("beam/slender_published", "published", "middle"),
 ];
 
-/// Cases and quantities for estimates from finer grids, which take long.
-const FINER: [(&str, &str); 6] = [
+/// Cases and quantities for estimates from finer grids.
+const FINER: [(&str, &str); 15] = [
+    ("axisymmetric/closed_ends", "axial stress"),
+    ("axisymmetric/lame", "radial stress"),
+    ("axisymmetric/open_cylinder", "axial stress"),
+    ("axisymmetric/sphere", "rise on the axis"),
+    ("axisymmetric/spinning", "widening"),
     ("beam/distributed_moment_simply_supported", "energy"),
     ("beam/foundation_table", "turn"),
     ("frame/foundation_beam", "edge"),
     ("plate/bending_strip", "stress in the middle"),
-    ("plate/state_ring", "widening inside"),
-    ("shell/ovalling", "w of the first row"),
-];
-
-/// The same, of the long suite.
-const FINER_LONG: [(&str, &str); 9] = [
-    ("axisymmetric/lame", "radial stress"),
-    ("axisymmetric/closed_ends", "axial stress"),
-    ("axisymmetric/open_cylinder", "axial stress"),
-    ("axisymmetric/sphere", "rise on the axis"),
-    ("axisymmetric/spinning", "widening"),
     ("plate/cantilever", "tip"),
     ("plate/hanging_strip", "tip"),
     ("plate/ring", "hoop stress"),
     ("plate/state_incompressible", "widening inside"),
+    ("plate/state_ring", "widening inside"),
+    ("shell/ovalling", "w of the first row"),
 ];
 
 /// A quantity with its estimated and true error.
@@ -190,8 +186,9 @@ fn estimates_of_runs_are_not_too_small() {
         "{} quantities, {exact} exact, {missing} without an estimate: {enough:.3}, {near:.3}",
         found.len()
     );
+    // 126 quantities, 1.000: the smallest is 0.40.
     assert!(found.len() >= 100 && enough >= 0.95, "{enough} of {}", found.len());
-    // Nobody reads what is told far too large everywhere.
+    // 0.80. Nobody reads what is told far too large everywhere.
     assert!(near >= 0.75, "{near} of {}", found.len());
 }
 
@@ -228,9 +225,9 @@ fn estimates_of_laws_with_errors_are_near() {
     }
 }
 
-/// Estimated over true errors, from finer grids.
-fn ratios(cases: &[(&str, &str)]) -> Vec<(String, f64)> {
-    let ratio = |case: &str, quantity: &str| {
+#[test]
+fn estimates_from_finer_grids_are_within_a_factor_of_two() {
+    for (case, quantity) in FINER {
         let loaded = load(case, &[]);
         let summary = solve(&loaded);
         let estimates = loaded.estimate(&summary, Grids::FinerAndCoarser, None);
@@ -239,25 +236,11 @@ fn ratios(cases: &[(&str, &str)]) -> Vec<(String, f64)> {
         let known = known(&loaded, &summary);
         let truth = known.iter().rfind(|known| known.0 == of.name).map(|known| known.1);
         let truth = truth.unwrap_or_else(|| panic!("{case} does not know {quantity}"));
-        of.error / (of.value - truth).abs()
-    };
-    let all = cases.iter().map(|(case, quantity)| (format!("{case}, {quantity}"), ratio(case, quantity)));
-    let all: Vec<(String, f64)> = all.collect();
-    all.iter().for_each(|(name, ratio)| println!("{ratio:.2} {name}"));
-    all
-}
-
-#[test]
-fn estimates_from_finer_grids_are_within_a_factor_of_three() {
-    let found = ratios(&FINER);
-    assert!(found.iter().all(|(_, ratio)| (1.0 / 3.0..=3.0).contains(ratio)), "{found:#?}");
-}
-
-#[test]
-#[ignore = "spacings a third of those of the gallery; of the long suite"]
-fn estimates_from_finer_grids_are_within_a_factor_of_five() {
-    let found = ratios(&FINER_LONG);
-    assert!(found.iter().all(|(_, ratio)| (1.0 / 3.0..=5.0).contains(ratio)), "{found:#?}");
+        let ratio = of.error / (of.value - truth).abs();
+        println!("{ratio:.2} {case}, {quantity}");
+        // 1.00 to 1.88.
+        assert!((0.5..=2.0).contains(&ratio), "{case}, {quantity}: {ratio} {of:?}");
+    }
 }
 
 #[test]

@@ -21,6 +21,7 @@ mod section;
 mod shell;
 mod specimen;
 mod state_based;
+mod units;
 
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
@@ -49,6 +50,7 @@ pub use section::{PowerLaw, Stiffness};
 pub use shell::{Pressure, Shell};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
 pub use state_based::{Axisymmetric, StatePlane};
+pub use units::Units;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -162,74 +164,6 @@ impl Case {
     /// Whether the body breaks or softens: its states are found one after the other, and it is not known how many there are.
     pub fn is_traced(&self) -> bool {
         self.fracture.is_some() || self.path.is_some()
-    }
-}
-
-/// A label for consistent units.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum Units {
-    /// Metre, newton, pascal.
-    #[default]
-    #[serde(rename = "m-N-Pa")]
-    MetreNewtonPascal,
-    /// Millimetre, newton, megapascal.
-    #[serde(rename = "mm-N-MPa")]
-    MillimetreNewtonMegapascal,
-    /// None: numbers without units. Nothing is said about how plausible moduli, strains and displacements are.
-    #[serde(rename = "none")]
-    Dimensionless,
-}
-
-impl Units {
-    /// Unit of length.
-    pub fn length(self) -> &'static str {
-        match self {
-            Self::MetreNewtonPascal => "m",
-            Self::MillimetreNewtonMegapascal => "mm",
-            Self::Dimensionless => "",
-        }
-    }
-
-    /// Unit of force.
-    pub fn force(self) -> &'static str {
-        if self == Self::Dimensionless { "" } else { "N" }
-    }
-
-    /// Unit of stress.
-    pub fn stress(self) -> &'static str {
-        match self {
-            Self::MetreNewtonPascal => "Pa",
-            Self::MillimetreNewtonMegapascal => "MPa",
-            Self::Dimensionless => "",
-        }
-    }
-
-    /// Unit of moment and of energy.
-    pub fn moment(self) -> &'static str {
-        match self {
-            Self::MetreNewtonPascal => "N m",
-            Self::MillimetreNewtonMegapascal => "N mm",
-            Self::Dimensionless => "",
-        }
-    }
-
-    /// A name with a unit behind it, such as `shear force V [N]`.
-    pub fn label(self, name: &str, unit: &str) -> String {
-        if self == Self::Dimensionless { name.into() } else { format!("{name} [{unit}]") }
-    }
-
-    /// A number with a unit behind it, such as `0.0025 m²`.
-    pub fn quantity(self, number: &str, unit: &str) -> String {
-        if self == Self::Dimensionless { number.into() } else { format!("{number} {unit}") }
-    }
-
-    /// Young's moduli between which materials lie; none of numbers without units.
-    pub fn usual_moduli(self) -> Option<std::ops::RangeInclusive<f64>> {
-        match self {
-            Self::MetreNewtonPascal => Some(4e5..=2e12),
-            Self::MillimetreNewtonMegapascal => Some(4e-1..=2e6),
-            Self::Dimensionless => None,
-        }
     }
 }
 

@@ -101,8 +101,8 @@ fn details(out: &mut String, summary: &Summary) {
     let t = &summary.timing_s;
     let _ = writeln!(
         out,
-        "\ntime, s\n  assemble {:.4}, factor {:.4}, solve {:.4}, certify {:.4}, record {:.4}",
-        t.assemble, t.factor, t.solve, t.certify, t.record
+        "\ntime, s\n  assemble {:.4}, factor {:.4}, solve {:.4}, certify {:.4}, record {:.4}, estimate {:.4}",
+        t.assemble, t.factor, t.solve, t.certify, t.record, t.estimate
     );
 }
 

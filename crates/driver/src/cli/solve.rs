@@ -20,6 +20,7 @@ use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::system::System;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 /// Reads a case and resolves it.
 pub(super) fn load(case: &Path, overrides: &[String], global: &Global) -> Result<Loaded, Error> {
@@ -107,6 +108,7 @@ pub(super) fn solve_into(
         writing.resume(restart)?;
     }
     let mut summary = loaded.run(&with_fields(global), restart, &mut writing)?;
+    let begin = Instant::now();
     let estimated = match wanted {
         Wanted::Nothing => None,
         Wanted::Cheap => Some(loaded.estimate_cheaply(&summary, global.max_memory)),
@@ -117,6 +119,7 @@ pub(super) fn solve_into(
         Some(Err(reason)) => summary.no_estimate = Some(reason),
         None => {}
     }
+    summary.timing_s.estimate = begin.elapsed().as_secs_f64();
     writing.finish(&summary)?;
     Ok(summary)
 }

@@ -91,6 +91,8 @@ pub struct Timing {
     pub record: f64,
     /// Solving once more with exact bonds, where a beam has others: what these are off by.
     pub compare: f64,
+    /// Other grids, for the estimate of the error of this one.
+    pub estimate: f64,
 }
 
 /// Everything about a run but the fields.

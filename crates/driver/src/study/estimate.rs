@@ -8,7 +8,6 @@ use crate::summary::words::times;
 use crate::summary::{Estimate, Estimates, Grids, Status, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::model::timoshenko_beam::Grid;
-use std::time::Instant;
 
 /// Multiples of the spacing of a coarser grid, in the order in which they are tried. In the plane 2 costs a quarter of the
 /// run, and 3/2, which is nearer, less than half.
@@ -61,7 +60,6 @@ impl Loaded {
         if summary.status == Status::NotConverged {
             return Err("a state did not converge".into());
         }
-        let begin = Instant::now();
         let mut others: Vec<Other> = Vec::new();
         let nested = nested(&self.written.body);
         if grids == Grids::FinerAndCoarser {
@@ -85,7 +83,6 @@ impl Loaded {
             kind,
             against: "the local solution, horizon and spacing to zero at the same ratio".into(),
             quantities: of_quantities(&quantities(summary), &others),
-            seconds: begin.elapsed().as_secs_f64(),
             spacings: others.iter().map(|other| other.multiple).collect(),
             remark: remark.map(|reason| format!("no order can be observed: {reason}")),
         })

@@ -14,8 +14,6 @@ pub struct Estimates {
     /// Why there is no further grid, from which an order could be observed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remark: Option<String>,
-    /// Wall time of these, s.
-    pub seconds: f64,
     /// Estimates.
     pub quantities: Vec<Estimate>,
 }

@@ -196,6 +196,7 @@ fn work(summary: &Summary) -> Vec<Block> {
         ("solve", t.solve),
         ("certify", t.certify),
         ("record", t.record),
+        ("estimate", t.estimate),
     ];
     let bar = |(name, value): (&str, f64)| Bar { name: name.into(), value, text: seconds(value) };
     let c = &summary.counters;
