@@ -11,9 +11,9 @@ pub(super) fn table(found: &Resultants, state: &StateSummary, units: Units) -> L
     let names = match is_line {
         true => ["along x".into(), "force".into(), "moment about x = 0".into()],
         false => [
-            "force x [N]".into(),
-            "force y [N]".into(),
-            format!("moment about the origin [{}]", units.moment()),
+            units.label("force x", "N"),
+            units.label("force y", "N"),
+            units.label("moment about the origin", units.moment()),
         ],
     };
     let all = [("asked", &found.asked), ("applied", &found.applied), ("reactions", &found.reactions)];
