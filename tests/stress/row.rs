@@ -20,6 +20,37 @@ pub(crate) struct Truth {
     pub(crate) expected: f64,
 }
 
+/// What must become of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wish {
+    /// A right answer, or a refusal.
+    Honest,
+    /// A right answer.
+    Answer,
+    /// A refusal by message.
+    Refusal,
+}
+
+/// What the reactions must add up to: minus the loads that are asked for. Components that go through mirrors and joined
+/// sides, or around the axis of a ring, are none.
+#[derive(Clone, Debug)]
+pub(crate) struct Resultant {
+    /// Force that is asked for.
+    pub(crate) force: [Option<f64>; 2],
+    /// Its moment about the origin.
+    pub(crate) moment: Option<f64>,
+    /// Sum of the magnitudes of what is asked for, and the length over which moments are compared with it.
+    pub(crate) size: f64,
+    pub(crate) length: f64,
+    /// Error that is allowed, over the size.
+    pub(crate) bound: f64,
+    /// Where the supports of the case hold the body, in their order.
+    pub(crate) places: Vec<[f64; 2]>,
+}
+
+/// Error of a resultant that is none, over its size.
+pub(crate) const BALANCED: f64 = 1e-10;
+
 /// A case with its truth.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
@@ -33,6 +64,16 @@ pub(crate) struct Row {
     pub(crate) files: Vec<(&'static str, String)>,
     /// Probes of the case, in their order.
     pub(crate) truths: Vec<Truth>,
+    /// What must become of it.
+    pub(crate) wish: Wish,
+    /// Another case, of the same probes, whose answers are the truth instead.
+    pub(crate) twin: Option<Value>,
+    /// What the reactions must balance.
+    pub(crate) resultant: Option<Resultant>,
+    /// Error that is known of the model and stands in the guide, beside what the certificate says: of displacements and forces.
+    pub(crate) known: [f64; 2],
+    /// Whether all files of the results are written, too.
+    pub(crate) is_written: bool,
     /// Size of the body.
     pub(crate) cells: usize,
 }
@@ -48,7 +89,20 @@ impl Row {
         let mut case = case;
         case["title"] = json!("stress");
         case["probes"] = json!([]);
-        Self { model, sweep, at, case, files: Vec::new(), truths: Vec::new(), cells }
+        Self {
+            model,
+            sweep,
+            at,
+            case,
+            files: Vec::new(),
+            truths: Vec::new(),
+            wish: Wish::Honest,
+            twin: None,
+            resultant: None,
+            known: [0.0; 2],
+            is_written: false,
+            cells,
+        }
     }
 
     /// Adds a probe and what it must find.

@@ -25,7 +25,7 @@ pub(crate) fn page(solved: &[(Row, Outcome)]) -> String {
     let (models, sweeps) = (lines(solved, |_| ""), lines(solved, |row| row.sweep));
     let [refused, doubted] =
         [|l: &Line| l.refused, |l: &Line| l.doubted].map(|of| models.iter().map(of).sum::<usize>());
-    let lies = solved.iter().filter(|(_, outcome)| outcome.lie().is_some()).count();
+    let lies = solved.iter().filter(|(row, outcome)| outcome.lie(row.wish).is_some()).count();
     let mut text = format!(
         "<!-- Written by the stress suite: UPDATE_EXPECTED=1 cargo test --release -p peristat --test stress -- --ignored -->\n\n\
          {} rows: {} answers, {refused} refused before they are solved, {doubted} refused by their certificate (exit code 1), \
@@ -92,12 +92,12 @@ impl<'a> Line<'a> {
             Outcome::Refused(_) => self.refused += 1,
             Outcome::Told(told) if !told.given => self.doubted += 1,
             Outcome::Told(told) => {
-                if told.errors[0] >= self.worst[0] {
-                    (self.worst, self.worst_at) = ([told.errors[0], told.bounds[0]], &row.at);
+                if let Some(first) = told.pairs.first().filter(|p| p.error >= self.worst[0]) {
+                    (self.worst, self.worst_at) = ([first.error, first.bound], &row.at);
                 }
-                let ratios = told.errors.iter().zip(told.bounds).map(|(error, bound)| error / bound);
+                let ratios = told.pairs.iter().map(|p| p.error / p.bound);
                 self.closest = ratios.fold(self.closest, f64::max);
-                self.digits = self.digits.min(-told.bounds[0].log10().floor() - 1.0);
+                self.digits = self.digits.min(-told.certified.log10().floor() - 1.0);
             }
             Outcome::Lost(_) => {}
         }
