@@ -150,6 +150,13 @@ fn imbalance(asked: &Resultant, state: &StateResult) -> f64 {
                 add([r.axial.unwrap_or(0.0), r.force], r.moment, [r.x, 0.0]);
             }
             beam.joint_reactions.iter().for_each(|r| add([r.force_x, r.force_y], r.moment, r.position));
+            // Beyond the ends of a grid of cells ghosts take what a support does.
+            let has_none = beam.reactions.is_empty() && beam.joint_reactions.is_empty();
+            let held = beam.record.certificate.resultants.as_ref().filter(|_| has_none);
+            if let Some(held) = held.map(|r| r.reactions) {
+                let force = [held.force_x.unwrap_or(0.0), held.force_y.unwrap_or(0.0)];
+                add(force, held.moment.unwrap_or(0.0), [0.0; 2]);
+            }
         }
         StateResult::Plane(plane) => {
             for (k, r) in plane.reactions.iter().enumerate() {

@@ -97,9 +97,8 @@ fn pressure_in_a_notch_pushes_along_the_axis_of_the_notch_only() {
         }),
     );
     let found = probes(&case);
-    // ∫ p n_y ds over the lower half of the circle is p times its diameter, 60; with stretches of an eighth of a spacing
-    // 60.0043.
-    assert!(found[0].abs() < 1e-9 && (found[1] - 60.0).abs() < 0.01, "{found:?}");
+    // ∫ p n_y ds over the lower half of the circle is p times its diameter.
+    assert!(found[0].abs() < 1e-9 && (found[1] - 60.0).abs() < 1e-9, "{found:?}");
 }
 
 #[test]

@@ -76,6 +76,6 @@ fn bushes_and_hubs_take_the_force_of_their_shear() {
         "probes": [{ "name": "R", "at": { "region": "edge_5" }, "field": "reaction_y" }]
     });
     let expected = TAU * 100.0 * 10.0 * 2.0;
-    // Measured 5e-14.
-    assert!((probe(&hub, "R") / expected - 1.0).abs() < 1e-12);
+    // Measured 5e-12: multigrid ends there.
+    assert!((probe(&hub, "R") / expected - 1.0).abs() < 2e-11);
 }

@@ -65,7 +65,7 @@ pub struct Path {
     /// Where the path turns, in this order; to the load factor 1 if not given.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub turns: Vec<Turn>,
-    /// Regions in which no bond yields, such as those around pins: bonds with an end there stay elastic. So do those of edges and regions that supports hold, and of rigid regions.
+    /// Regions in which no bond yields, such as those around pins: bonds with an end there stay elastic. So do those of edges that supports hold.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub no_damage: Vec<String>,
     /// Name of the probe that stands for the load, such as a reaction.

@@ -67,13 +67,20 @@ fn misspelt(noun: &str, name: &str, allowed: &[&str]) -> Diagnostic {
 }
 
 /// What other programs call stresses and strains.
-const OTHER_WORDS: [(&str, &str); 5] =
-    [("sigma", "stress"), ("tau", "stress"), ("epsilon", "strain"), ("eps", "strain"), ("gamma", "strain")];
+const OTHER_WORDS: [(&str, &str); 6] = [
+    ("sigma", "stress"),
+    ("tau", "stress"),
+    ("epsilon", "strain"),
+    ("eps", "strain"),
+    ("gamma", "strain"),
+    ("mises", "von_mises"),
+];
 
 /// A name such as `sigma_xx` with our word for its symbol.
 fn in_our_words(name: &str) -> String {
     let known = OTHER_WORDS.iter().find_map(|(word, ours)| Some((name.strip_prefix(word)?, ours)));
     match known {
+        Some(("", ours)) => (*ours).to_string(),
         Some((component, ours)) => format!("{ours}_{}", component.trim_start_matches('_')),
         None => name.to_string(),
     }

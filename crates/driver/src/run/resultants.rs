@@ -45,17 +45,23 @@ impl Total {
 }
 
 impl Resultants {
-    /// Resultants of loads as asked and as applied, and of reactions; `counted` are the parts that mean anything.
+    /// Resultants of loads as asked and as applied, and of reactions; `counted` are the parts that mean anything, `mirrored`
+    /// the axes with lines of symmetry across them: what goes through those where next to nothing is asked for is inside the
+    /// body, and not compared.
     pub(super) fn new(
         asked: &Resultant,
         applied: &Resultant,
         reactions: &Resultant,
-        counted: [bool; 3],
+        (counted, mirrored): ([bool; 3], [bool; 2]),
     ) -> Self {
+        /// Part of the magnitudes of loads that is something.
+        const ONE_WAY: f64 = 0.1;
         let [forces, moments] = [0, 1].map(|k| asked.sizes()[k].max(applied.sizes()[k]));
         let (wanted, found) = (asked.force(), applied.force());
         let off = [wanted[0] - found[0], wanted[1] - found[1], asked.moment() - applied.moment()];
-        let relative = off.into_iter().zip([forces, forces, moments]).zip(counted);
+        let compared = [0, 1].map(|k| counted[k] && !(mirrored[k] && wanted[k].abs() <= ONE_WAY * forces));
+        let compared = [compared[0], compared[1], counted[2]];
+        let relative = off.into_iter().zip([forces, forces, moments]).zip(compared);
         let relative = relative.filter(|(_, counts)| *counts).map(|((off, size), _)| ratio(off.abs(), size));
         Self {
             asked: Total::new(asked, counted),
@@ -79,10 +85,10 @@ mod tests {
     #[test]
     fn only_parts_that_count_are_compared() {
         let [asked, applied] = [of([3.0, 4.0]), of([3.0, 5.0])];
-        let all = Resultants::new(&asked, &applied, &of([0.0; 2]), [true; 3]);
+        let all = Resultants::new(&asked, &applied, &of([0.0; 2]), ([true; 3], [false; 2]));
         // 1 of |(3, 5)|, and 2 of 2·|(3, 5)|.
         assert!((all.difference - 1.0 / 34.0_f64.sqrt()).abs() < 1e-15);
-        let along_x = Resultants::new(&asked, &applied, &of([0.0; 2]), [true, false, false]);
+        let along_x = Resultants::new(&asked, &applied, &of([0.0; 2]), ([true, false, false], [false; 2]));
         assert_eq!((along_x.difference, along_x.applied.parts()), (0.0, [Some(3.0), None, None]));
     }
 }

@@ -44,7 +44,9 @@ pub(super) fn of_beam(
     // A strain form whose forces on points nobody asks for has none.
     if !load.is_empty() {
         let resultants = resultants(scene, beam, state, (load, &solution.held), &u);
-        certificate.account(resultants, scene.loads_are_exact(&state.loads));
+        // Loads on parts that have come off act no more.
+        let whole = scene.fracture.is_none() || index == 0;
+        certificate.account(resultants, whole && scene.loads_are_exact(&state.loads));
     }
     let held = reaction::forces(scene, &solution.multipliers, &u);
     let fields = FieldName::of_beam(scene.frame.is_some(), scene.has_axial);
@@ -71,7 +73,7 @@ fn resultants(
     let n = beam.points();
     let springs = scene.springs.iter().flat_map(|spring| spring.forces(n, u)).map(|(k, f)| (k, -f));
     let reactions = resultant_of(beam, held.iter().copied().chain(springs));
-    Resultants::new(&scene.asked(state), &resultant(beam, load), &reactions, scene.statical())
+    Resultants::new(&scene.asked(state), &resultant(beam, load), &reactions, (scene.statical(), [false; 2]))
 }
 
 /// Loads and the forces of supports, links and springs, by unknown.

@@ -155,8 +155,11 @@ impl PlaneResult {
         multipliers.truncate(scene.equations.len());
         let reactions = reaction::of_supports(scene, &multipliers, &record.u);
         let held = reaction::resultant(scene, &multipliers, &record.u, &mirrors);
-        let resultants = Resultants::new(&asked, &scene.resultant(load), &held, scene.statical());
-        record.certificate.account(resultants, scene.loads_are_exact());
+        let counted = (scene.statical(), scene.mirrored());
+        let resultants = Resultants::new(&asked, &scene.resultant(load), &held, counted);
+        // Loads on parts that have come off act no more.
+        let whole = !scene.case.is_traced() || record.index == 0;
+        record.certificate.account(resultants, whole && scene.loads_are_exact());
         Self {
             record,
             recovered,

@@ -55,19 +55,13 @@ pub const RIGID_KEYS: [&str; 3] = ["ux", "uy", "phi"];
 impl Conditions {
     /// Numbers of the points that supports hold and of those of rigid regions, as often as they are.
     pub(crate) fn held_points(&self) -> impl Iterator<Item = usize> + '_ {
-        self.held_in_groups(1)
-    }
-
-    /// Those of edges and regions, whose bonds what holds them stretches. A point that is held by itself keeps the body in its
-    /// place; it may well lie on the path of a crack.
-    pub(super) fn gripped_points(&self) -> impl Iterator<Item = usize> + '_ {
-        self.held_in_groups(2)
-    }
-
-    /// Points of rigid regions, and of holds of at least so many points.
-    fn held_in_groups(&self, least: usize) -> impl Iterator<Item = usize> + '_ {
-        let held = self.holds.iter().map(|h| &h.points).filter(move |points| points.len() >= least);
+        let held = self.holds.iter().map(|h| &h.points);
         held.chain(self.rigid.iter().map(|r| &r.points)).flatten().map(|&p| p as usize)
+    }
+
+    /// Those of edges that are held on their lines, which stretches the bonds there far more than those of the rest.
+    pub(crate) fn gripped_points(&self) -> impl Iterator<Item = usize> + '_ {
+        self.holds.iter().filter(|h| h.edge.is_some()).flat_map(|h| &h.points).map(|&p| p as usize)
     }
 
     /// All equations: of every hold one per point, in their order, then of every rigid region one per prescribed motion,

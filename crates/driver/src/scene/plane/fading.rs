@@ -241,24 +241,42 @@ pub(super) fn missing(
     let mut through = vec![0.0; model.components() * model.point_count()];
     stress.numbered(&|p| context.recipe.number(model, p)).add_to(model, 1.0, &mut through);
     rest.add_multiple(-1.0, &statics::resultant(model, context.bonds, &through));
-    let rest = match (context.bonds, &traction.profile) {
-        (PlaneBonds::Shell(shell), _) => [rest.force()[0], rest.moment() / shell.radius],
-        // Rings have no force along x; a pressure is off by the same part all around.
-        (bonds, Profile::Pressure(_)) if bonds.is_revolved() => {
-            let [x, y] = [0, 1].map(|k| lumped.iter().map(|f| f.1[k]).sum::<f64>());
-            [if y == 0.0 { 0.0 } else { rest.force()[1] * x / y }, rest.force()[1]]
-        }
-        (bonds, _) => [if bonds.is_revolved() { 0.0 } else { rest.force()[0] }, rest.force()[1]],
+    let mut rest = match context.bonds {
+        PlaneBonds::Shell(shell) => [rest.force()[0], rest.moment() / shell.radius],
+        _ => rest.force(),
     };
+    let (sum, size) = sums(&lumped);
+    let mirrors = context.symmetry.mirrors;
+    for axis in 0..2 {
+        // What goes through a mirror across which nothing is asked for is inside the body, and rings have no force along x.
+        let is_mirrored = mirrors.lines()[axis] != [None; 2] && !mirrors.joined[axis];
+        let is_inside = is_mirrored && sum[axis].abs() <= ONE_WAY * size[axis];
+        if is_inside || (axis == 0 && model.is_revolved()) {
+            rest[axis] = 0.0;
+        }
+    }
+    if matches!(traction.border, Border::Edge(_)) {
+        return lumped.iter().map(|f| (f.0, rest.map(|r| r / lumped.len() as f64))).collect();
+    }
+    if let (Profile::Pressure(_), true) = (&traction.profile, model.is_revolved() && sum[1] != 0.0) {
+        // A pressure is off by the same part all around.
+        rest[0] = rest[1] * sum[0] / sum[1];
+    }
     shared(rest, &lumped)
+}
+
+/// Part of the magnitudes that the sum of forces has at least, to be a measure of them.
+const ONE_WAY: f64 = 0.1;
+
+/// Sums of forces along x and y, and of their magnitudes.
+fn sums(forces: &Forces) -> ([f64; 2], [f64; 2]) {
+    let sum = [0, 1].map(|k| forces.iter().map(|f| f.1[k]).sum());
+    (sum, [0, 1].map(|k| forces.iter().map(|f| f.1[k].abs()).sum()))
 }
 
 /// A force shared as others are, along each axis; alike where those have next to no sum.
 fn shared(force: [f64; 2], like: &Forces) -> Forces {
-    /// Part of the magnitudes that the sum of forces has at least, to be a measure of them.
-    const ONE_WAY: f64 = 0.1;
-    let sum = [0, 1].map(|k| like.iter().map(|f| f.1[k]).sum::<f64>());
-    let size = [0, 1].map(|k| like.iter().map(|f| f.1[k].abs()).sum::<f64>());
+    let (sum, size) = sums(like);
     let share = |k: usize, f: f64| match sum[k].abs() > ONE_WAY * size[k] {
         true => force[k] * f / sum[k],
         false => force[k] / like.len() as f64,

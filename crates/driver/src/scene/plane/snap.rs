@@ -17,13 +17,17 @@ pub(super) struct Snap {
 impl Snap {
     /// Coordinates among corners that stay as they are, vertices, and positions of holes.
     pub(super) fn new(corners: &[[f64; 2]], vertices: &[[f64; 2]], holes: &[Hole]) -> Self {
-        let body = || corners.iter().chain(vertices);
+        // What is no number is refused elsewhere.
+        let finite = |v: &&[f64; 2]| v.iter().all(|x| x.is_finite());
+        let body = || corners.iter().chain(vertices).filter(finite);
         let extent = |k: usize| {
             let [low, high] = [f64::min, f64::max].map(|of| body().map(|v| v[k]).reduce(of).unwrap_or(0.0));
             high - low
         };
-        let within = SAME * extent(0).max(extent(1));
-        let given: Vec<[f64; 2]> = vertices.iter().copied().chain(holes.iter().flat_map(positions)).collect();
+        // Sizes beyond all numbers are refused elsewhere, too.
+        let within = Some(SAME * extent(0).max(extent(1))).filter(|w| w.is_finite()).unwrap_or(0.0);
+        let given: Vec<[f64; 2]> =
+            vertices.iter().copied().chain(holes.iter().flat_map(positions)).filter(|v| finite(&v)).collect();
         let kept = [0, 1].map(|k| {
             let mut all: Vec<(f64, bool)> = corners.iter().map(|v| (v[k], true)).collect();
             all.extend(given.iter().map(|v| (v[k], false)));

@@ -17,6 +17,12 @@ impl PlaneScene {
         statical(&*self.model)
     }
 
+    /// Across which axes there are lines of symmetry.
+    pub fn mirrored(&self) -> [bool; 2] {
+        let mirrors = self.model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
+        [0, 1].map(|axis| mirrors.lines()[axis] != [None; 2] && !mirrors.joined[axis])
+    }
+
     /// Resultant of forces on the unknowns, component by component.
     pub fn resultant(&self, forces: &[f64]) -> Resultant {
         resultant(&*self.model, self.bonds(), forces)
