@@ -1,5 +1,6 @@
 //! Bodies between mirrors and joined sides: what goes through those is told, or in balance with itself.
 
+use super::asked::Asked;
 use super::bodies;
 use super::hold::Hold;
 use super::medium::Medium;
@@ -90,10 +91,24 @@ pub(super) fn rows(medium: &Medium) -> Vec<Row> {
                     row.case["symmetry"] = json!(repetition.symmetry);
                     let joined = |p: &(&str, bool)| json!({ "along": p.0, "stretches": p.1 });
                     row.case["periodic"] = repetition.periodic.iter().map(joined).collect();
+                    leave_inside(&mut row, repetition, &asked);
                     rows.push(row);
                 }
             }
         }
     }
     rows
+}
+
+/// What a consistent traction does through a mirror across which it asks for nothing is inside the body: a mirrored half has as
+/// much of it as the whole.
+fn leave_inside(row: &mut Row, repetition: &Repetition, asked: &Asked) {
+    let across = [["left", "right"], ["bottom", "top"]];
+    let is_mirrored = |axis: usize| repetition.symmetry.iter().any(|side| across[axis].contains(side));
+    let Some(resultant) = &mut row.resultant else { return };
+    for axis in (0..2).filter(|&axis| is_mirrored(axis)) {
+        if asked.force[axis].abs() <= 1e-10 * asked.size {
+            resultant.force[axis] = None;
+        }
+    }
 }

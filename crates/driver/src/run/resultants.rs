@@ -45,22 +45,18 @@ impl Total {
 }
 
 impl Resultants {
-    /// Resultants of loads as asked and as applied, and of reactions; `counted` are the parts that mean anything, `mirrored`
-    /// the axes with lines of symmetry across them: what goes through those where next to nothing is asked for is inside the
-    /// body, and not compared.
+    /// Resultants of loads as asked and as applied, and of reactions; `counted` are the parts that mean anything, `inside` the
+    /// axes along which the applied ones do more inside the body, which is not compared.
     pub(super) fn new(
         asked: &Resultant,
         applied: &Resultant,
         reactions: &Resultant,
-        (counted, mirrored): ([bool; 3], [bool; 2]),
+        (counted, inside): ([bool; 3], [bool; 2]),
     ) -> Self {
-        /// Part of the magnitudes of loads that is something.
-        const ONE_WAY: f64 = 0.1;
         let [forces, moments] = [0, 1].map(|k| asked.sizes()[k].max(applied.sizes()[k]));
         let (wanted, found) = (asked.force(), applied.force());
         let off = [wanted[0] - found[0], wanted[1] - found[1], asked.moment() - applied.moment()];
-        let compared = [0, 1].map(|k| counted[k] && !(mirrored[k] && wanted[k].abs() <= ONE_WAY * forces));
-        let compared = [compared[0], compared[1], counted[2]];
+        let compared = [counted[0] && !inside[0], counted[1] && !inside[1], counted[2]];
         let relative = off.into_iter().zip([forces, forces, moments]).zip(compared);
         let relative = relative.filter(|(_, counts)| *counts).map(|((off, size), _)| ratio(off.abs(), size));
         Self {

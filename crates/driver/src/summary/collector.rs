@@ -120,7 +120,8 @@ impl Collector {
 /// What there is to say of the state of which the fewest digits can be trusted, if these are few.
 fn few_digits(states: &[StateSummary]) -> Option<String> {
     let fewest = |s: &&StateSummary| s.certificate.digits.min(s.certificate.strain_digits);
-    let worst = states.iter().min_by_key(fewest).filter(|s| fewest(s) < FEW_DIGITS)?;
+    let others = states.iter().filter(|s| !is_misapplied(s));
+    let worst = others.min_by_key(fewest).filter(|s| fewest(s) < FEW_DIGITS)?;
     let certificate = &worst.certificate;
     Some(format!(
         "{}: only {} digits of displacements and {} of strains and forces can be trusted, by rounding and iteration",
@@ -128,15 +129,24 @@ fn few_digits(states: &[StateSummary]) -> Option<String> {
     ))
 }
 
-/// What there is to say of the state whose loads differ most from what was asked for, if it did not pass for that.
+/// Difference of the loads of a state as asked and as applied.
+fn difference(state: &StateSummary) -> f64 {
+    state.certificate.resultants.as_ref().map_or(0.0, |r| r.difference)
+}
+
+/// Whether a state was refused for its loads.
+fn is_misapplied(state: &StateSummary) -> bool {
+    !state.certificate.converged && difference(state) > ASKED
+}
+
+/// What there is to say of the state whose loads differ most from what was asked for, if it was refused for that.
 fn misapplied(states: &[StateSummary]) -> Option<String> {
-    let difference = |s: &&StateSummary| s.certificate.resultants.as_ref().map_or(0.0, |r| r.difference);
-    let refused = states.iter().filter(|s| !s.certificate.converged && difference(s) > ASKED);
+    let refused = states.iter().filter(|s| is_misapplied(s));
     let worst = refused.max_by(|a, b| difference(a).total_cmp(&difference(b)))?;
     Some(format!(
         "{}: the loads that act are not those that were asked for, by {:.1e} of them: see their resultants; this is a fault of the program",
         worst.name,
-        difference(&worst)
+        difference(worst)
     ))
 }
 

@@ -170,14 +170,16 @@ fn deviation(result: &BeamResult, exact: &Answer, stride: usize) -> (f64, usize)
     (if distance == 0.0 { 0.0 } else { distance / exact.largest }, k)
 }
 
-/// Whether nothing but motions of supports strains a beam: its deflection is all but prescribed, and the forces that it
-/// takes, the energy, tell laws apart.
+/// Whether deflections tell nothing of a law, and the energy does: where nothing but motions of supports strains a beam, they
+/// are all but prescribed, and where all points are held there are none.
 fn is_moved(scene: &BeamScene, state: usize, exact: &Answer) -> bool {
     let loads = &scene.states[state].loads;
     let lines = scene.beam.chains().iter().map(|chain| chain.line());
     let softest = lines.map(|line| line.stiffness.bending.value(0.0) / line.length.powi(3));
     let bent = softest.fold(f64::INFINITY, f64::min) * exact.largest.powi(2);
-    loads.point.is_empty() && loads.distributed.is_empty() && exact.energy > STRAIN_FREE * bent
+    // Points that supports hold, all of them, do not deflect whatever the law.
+    let is_flat = exact.energy > 0.0 && bent <= 1e-12 * exact.energy;
+    is_flat || (loads.point.is_empty() && loads.distributed.is_empty() && exact.energy > STRAIN_FREE * bent)
 }
 
 /// Where a point is, counted over all lines.

@@ -155,11 +155,13 @@ impl PlaneResult {
         multipliers.truncate(scene.equations.len());
         let reactions = reaction::of_supports(scene, &multipliers, &record.u);
         let held = reaction::resultant(scene, &multipliers, &record.u, &mirrors);
-        let counted = (scene.statical(), scene.mirrored());
+        // Bodies that break or soften have one load case.
+        let state = &scene.states[if scene.case.is_traced() { 0 } else { record.index }];
+        let counted = (scene.statical(), scene.inside(state));
         let resultants = Resultants::new(&asked, &scene.resultant(load), &held, counted);
         // Loads on parts that have come off act no more.
         let whole = !scene.case.is_traced() || record.index == 0;
-        record.certificate.account(resultants, whole && scene.loads_are_exact());
+        record.certificate.account(resultants, whole && scene.loads_are_exact(state));
         Self {
             record,
             recovered,

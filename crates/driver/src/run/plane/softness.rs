@@ -6,6 +6,9 @@ use crate::scene::plane::{PlaneBonds, PlaneProblem, PlaneScene, for_plane_model}
 use peristat_assembly::model::plane::{Calibration, Edges};
 use peristat_assembly::sum::Sum;
 
+/// Energy over the sum of the loads times the largest displacement, below which it is rounding.
+const STRAINED: f64 = 1e-12;
+
 /// What is softer by no more than this is not told.
 const TOLD: f64 = 0.01;
 
@@ -15,7 +18,7 @@ pub(super) fn tell(scene: &PlaneScene, options: &RunOptions, report: &mut RunRep
     let Some(elastic) = scene.elastic() else { return };
     let [own, usual] = [scene, &elastic].map(|scene| Stored::of(scene, options, report));
     let Some(softness) = own.zip(usual).map(|(own, usual)| own.softness(&usual)) else { return };
-    if softness <= TOLD {
+    if softness.is_nan() || softness <= TOLD {
         return;
     }
     let key = if scene.path.is_some() { "path" } else { "fracture" };
@@ -63,8 +66,12 @@ impl Stored {
                 let mut work = Sum::default();
                 solved.load.iter().zip(&solved.solution.u).for_each(|(f, u)| work.add(f * u));
                 let energy = solved.certificate.energy;
-                let stored = Self { energy, potential: energy - work.total() };
-                found.get_or_insert(stored);
+                // Loads on what is held strain nothing: what is left is rounding.
+                let size: f64 = solved.load.iter().map(|f| f.abs()).sum();
+                let moved = solved.solution.u.iter().fold(0.0, |a: f64, u| a.max(u.abs()));
+                if energy > STRAINED * size * moved || size == 0.0 {
+                    found.get_or_insert(Self { energy, potential: energy - work.total() });
+                }
                 Ok(())
             })
         });

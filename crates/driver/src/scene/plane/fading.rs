@@ -233,7 +233,8 @@ pub(super) fn missing(
     forces.iter().for_each(|&(p, f)| context.bonds.add_force(&mut rest, f.map(|f| -f), at(p)));
     let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
     let Some(model) = context.model else { return small };
-    if context.symmetry.mirrors.is_none() && !model.is_revolved() {
+    let is_flat = !model.is_revolved() && !model.deflects();
+    if context.symmetry.mirrors.is_none() && is_flat {
         // A stress that goes through no mirror has no resultant.
         lump::add_resultant(&mut small, &rest, context);
         return small;
@@ -246,23 +247,29 @@ pub(super) fn missing(
         _ => rest.force(),
     };
     let (sum, size) = sums(&lumped);
-    let mirrors = context.symmetry.mirrors;
-    for axis in 0..2 {
-        // What goes through a mirror across which nothing is asked for is inside the body, and rings have no force along x.
-        let is_mirrored = mirrors.lines()[axis] != [None; 2] && !mirrors.joined[axis];
-        let is_inside = is_mirrored && sum[axis].abs() <= ONE_WAY * size[axis];
-        if is_inside || (axis == 0 && model.is_revolved()) {
-            rest[axis] = 0.0;
-        }
-    }
+    let inside = inside(traction, context);
+    // Rings have no force along x.
+    (0..2).filter(|&k| inside[k] || (k == 0 && model.is_revolved())).for_each(|k| rest[k] = 0.0);
     if matches!(traction.border, Border::Edge(_)) {
         return lumped.iter().map(|f| (f.0, rest.map(|r| r / lumped.len() as f64))).collect();
     }
-    if let (Profile::Pressure(_), true) = (&traction.profile, model.is_revolved() && sum[1] != 0.0) {
+    let is_one_way = sum[1].abs() > ONE_WAY * size[1];
+    if matches!(traction.profile, Profile::Pressure(_)) && model.is_revolved() && is_one_way {
         // A pressure is off by the same part all around.
         rest[0] = rest[1] * sum[0] / sum[1];
     }
     shared(rest, &lumped)
+}
+
+/// Axes with a mirror across them along which a traction asks for nothing: what its stress does through the mirror is inside
+/// the body, and stays.
+pub(super) fn inside(traction: &OnBorder, context: &Context) -> [bool; 2] {
+    let mirrors = context.symmetry.mirrors;
+    let (sum, size) = sums(&lump::forces(traction, context));
+    [0, 1].map(|axis| {
+        let is_mirrored = mirrors.lines()[axis] != [None; 2] && !mirrors.joined[axis];
+        is_mirrored && sum[axis].abs() <= 1e-10 * size[0].max(size[1])
+    })
 }
 
 /// Part of the magnitudes that the sum of forces has at least, to be a measure of them.

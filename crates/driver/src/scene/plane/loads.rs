@@ -2,7 +2,6 @@
 
 use super::super::words::tidy;
 use super::super::{Resultant, states};
-use super::asked;
 use super::bonds::PlaneBonds;
 use super::ground::{Ground, PLACE, Spot};
 use super::interpolate::{Interpolation, Weights};
@@ -11,10 +10,11 @@ use super::stress_field::StressField;
 use super::symmetry::Symmetry;
 use super::traction;
 use super::{Held, root, shell};
+use super::{asked, lump};
 use crate::case::{BodyForce, Load, PointLoad};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
-use peristat_assembly::body::Crack;
+use peristat_assembly::body::{Crack, PlaneBody};
 use peristat_assembly::model::plane::PlaneModel;
 
 /// The loads of one load case.
@@ -34,6 +34,8 @@ pub struct PlaneLoads {
     pub(super) carry_ends: bool,
     /// Resultant as the case asks for it.
     pub(super) asked: Resultant,
+    /// Along which axes stresses that are asked for nothing there go through a mirror.
+    pub(super) inside: [bool; 2],
 }
 
 /// What the resolution of loads looks at.
@@ -125,14 +127,14 @@ fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoa
     let Some(spot) = context.ground.spot(&load.at, &at, "the load", faults) else { return };
     let acts = force != [0.0; 2];
     let is_fixed = |c: usize| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held));
-    let is_fixed = (0..2).all(is_fixed);
+    let is_fixed = acts && (0..2).all(is_fixed);
     let shares = shares(load, &spot, is_fixed, context);
     let at_place = place(load, &shares, context, &at, faults);
     context.bonds.add_force(&mut to.asked, force, at_place);
     if points_turn {
         to.asked.add_moment(load.moment);
     }
-    if acts && is_fixed {
+    if is_fixed {
         faults
             .warning(at, format!("supports hold {} against this force: it deforms nothing", spot.words))
             .hint("it only adds to the reaction of the support");
@@ -227,25 +229,43 @@ fn body_force(
         },
         None => None,
     };
-    let all = 0..context.ground.body.points() as u32;
-    let volume: f64 = match &points {
-        Some(points) => points.iter().map(|&p| context.volume(p)).sum(),
-        None => all.map(|p| context.volume(p)).sum(),
-    };
+    let Some(points) = points else { return on_body(value, is_total, context, to) };
+    let volume: f64 = points.iter().map(|&p| context.volume(p)).sum();
     let density = if is_total { value.map(|f| f / volume) } else { value };
-    match points {
-        None => {
-            to.asked.add_multiple(1.0, &asked::of_body(density, context));
-            (0..2).for_each(|k| to.density[k] += density[k]);
-        }
-        Some(points) => {
-            for p in points {
-                let force = density.map(|b| b * context.volume(p));
-                context.bonds.add_force(&mut to.asked, force, context.ground.body.position(p as usize));
-                to.forces.push((p, force));
-            }
-        }
+    for p in points {
+        let force = density.map(|b| b * context.volume(p));
+        context.bonds.add_force(&mut to.asked, force, context.ground.body.position(p as usize));
+        to.forces.push((p, force));
     }
+}
+
+/// A force on the whole body, per volume or in all. Where cells do not fill the body their forces are those of what they have,
+/// with what they lack of force and moment shared by all.
+fn on_body(value: [f64; 2], is_total: bool, context: &Context, to: &mut PlaneLoads) {
+    let body = context.ground.body;
+    let unit = asked::of_body([1.0, 0.0], context).sizes()[0];
+    let density = if is_total { value.map(|f| f / unit) } else { value };
+    let asked = asked::of_body(density, context);
+    to.asked.add_multiple(1.0, &asked);
+    let force = |p: u32| (p, density.map(|b| b * context.volume(p)));
+    let mut forces: lump::Forces = (0..body.points() as u32).map(force).collect();
+    let mut missing = asked;
+    let at = |p: u32| body.position(p as usize);
+    forces.iter().for_each(|&(p, f)| context.bonds.add_force(&mut missing, f.map(|f| -f), at(p)));
+    let is_whole = matches!(body, PlaneBody::Lattice(lattice) if lattice.cut_cells().is_empty());
+    let lacks = missing.force().into_iter().chain([missing.moment() * asked.sizes()[0] / asked.sizes()[1]]);
+    if is_whole && lacks.fold(0.0, |a: f64, f| a.max(f.abs())) <= 1e-12 * asked.sizes()[0] {
+        (0..2).for_each(|k| to.density[k] += density[k]);
+        return;
+    }
+    if context.symmetry.mirrors.is_none() && !context.bonds.is_revolved() {
+        lump::add_resultant(&mut forces, &missing, context);
+    } else {
+        // A mirror takes moments, and rings have none.
+        let found: f64 = forces.iter().map(|&(p, _)| context.volume(p)).sum();
+        forces.iter_mut().for_each(|f| f.1 = f.1.map(|f| unit / found * f));
+    }
+    to.forces.extend(forces);
 }
 
 /// The inertia of a body that turns about its axis.

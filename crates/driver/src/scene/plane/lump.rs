@@ -4,7 +4,7 @@ use super::super::Resultant;
 use super::boundary::{Border, Stretch};
 use super::loads::Context;
 use super::traction::OnBorder;
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::{PlaneBody, Region, Regions};
 use std::collections::BTreeMap;
 
 /// Forces on points of the body, N.
@@ -108,6 +108,11 @@ fn nearest(stretch: &Stretch, candidates: &[u32], context: &Context) -> Vec<u32>
         (x - stretch.middle[0]).hypot(y - stretch.middle[1])
     };
     let least = candidates.iter().map(|&p| distance(p)).fold(f64::INFINITY, f64::min);
+    if candidates.is_empty() {
+        // What holes leave of an edge may have no point of its own.
+        let regions = Regions { body, outline: None, named: &BTreeMap::new() };
+        return regions.select(&Region::Corner { at: stretch.middle }).unwrap_or_default();
+    }
     candidates.iter().copied().filter(|&p| distance(p) <= least + tie).collect()
 }
 
@@ -127,7 +132,7 @@ fn is_halved(stretches: &[Stretch], context: &Context) -> bool {
 
 /// Adds small forces to those of some points so that force and moment are the wanted ones; none where a mirror
 /// halves the border: forces are exact without, and the image has the opposite moment.
-fn settle(forces: &mut [(u32, [f64; 2])], mut wanted: Resultant, is_halved: bool, context: &Context) {
+fn settle(forces: &mut Forces, mut wanted: Resultant, is_halved: bool, context: &Context) {
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut found = Resultant::default();
     forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
@@ -139,19 +144,26 @@ fn settle(forces: &mut [(u32, [f64; 2])], mut wanted: Resultant, is_halved: bool
     add_resultant(forces, &wanted, context);
 }
 
-/// Adds a resultant to forces on points: a uniform part, and one that turns about the middle of the points.
-pub(super) fn add_resultant(forces: &mut [(u32, [f64; 2])], missing: &Resultant, context: &Context) {
-    let (force_missing, moment_missing) = (missing.force(), missing.moment());
-    let count = forces.len() as f64;
-    let at = |p: u32| context.ground.body.position(p as usize);
+/// Adds a resultant to forces on points: a uniform part, and one that turns about the middle of the points. A single point
+/// takes a moment together with those around it.
+pub(super) fn add_resultant(forces: &mut Forces, missing: &Resultant, context: &Context) {
+    let body = context.ground.body;
+    let at = |p: u32| body.position(p as usize);
+    if let [(only, _)] = forces[..] {
+        let regions = Regions { body, outline: None, named: &BTreeMap::new() };
+        let near = Region::Disc { centre: at(only), radius: 1.5 * body.spacing() };
+        let near = regions.select(&near).unwrap_or_default();
+        forces.extend(near.into_iter().filter(|&p| p != only).map(|p| (p, [0.0; 2])));
+    }
+    let (force, count) = (missing.force(), forces.len() as f64);
     let middle = [0, 1].map(|k| forces.iter().map(|f| at(f.0)[k] / count).sum::<f64>());
     let arm = |p: u32| [0, 1].map(|k| at(p)[k] - middle[k]);
     let inertia: f64 = forces.iter().map(|f| arm(f.0)[0].powi(2) + arm(f.0)[1].powi(2)).sum();
-    let about_middle = moment_missing - (middle[0] * force_missing[1] - middle[1] * force_missing[0]);
+    let about_middle = missing.moment() - (middle[0] * force[1] - middle[1] * force[0]);
     let turn = if inertia > 0.0 { about_middle / inertia } else { 0.0 };
-    for (point, force) in forces {
+    for (point, own) in forces.iter_mut() {
         let [x, y] = arm(*point);
-        force[0] += force_missing[0] / count - turn * y;
-        force[1] += force_missing[1] / count + turn * x;
+        own[0] += force[0] / count - turn * y;
+        own[1] += force[1] / count + turn * x;
     }
 }

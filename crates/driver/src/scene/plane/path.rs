@@ -67,7 +67,9 @@ pub(super) fn resolve(path: &mut Path, context: &Context, faults: &mut Faults) -
             context.ground.region(name, &place.key("no_damage").index(k), faults).unwrap_or_default();
         points.iter().for_each(|&p| exempt[p as usize] = true);
     }
-    context.conditions.gripped_points().for_each(|p| exempt[p] = true);
+    // A path in a body with images, whose points have other numbers, is refused.
+    let gripped = context.conditions.gripped_points().filter(|&p| p < context.ground.body.points());
+    gripped.for_each(|p| exempt[p] = true);
     check_load(&path.load, case, &place.key("load"), faults);
     let law = law(given, &parameters, context, faults)?;
     let spacing = context.recipe.body.spacing();

@@ -17,10 +17,9 @@ impl PlaneScene {
         statical(&*self.model)
     }
 
-    /// Across which axes there are lines of symmetry.
-    pub fn mirrored(&self) -> [bool; 2] {
-        let mirrors = self.model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
-        [0, 1].map(|axis| mirrors.lines()[axis] != [None; 2] && !mirrors.joined[axis])
+    /// Along which axes the loads of a state do more through a line of symmetry than they are asked for: inside the body.
+    pub fn inside(&self, state: &PlaneState) -> [bool; 2] {
+        [0, 1].map(|axis| state.terms.iter().any(|&(case, _)| self.load_cases[case].inside[axis]))
     }
 
     /// Resultant of forces on the unknowns, component by component.
@@ -30,9 +29,11 @@ impl PlaneScene {
 
     /// Whether discrete loads have exactly the resultant that is asked for. One stress in all of a solid body of revolution is
     /// exact for the energies of its points, and those beside the axis have other volumes than the points.
-    pub fn loads_are_exact(&self) -> bool {
+    pub fn loads_are_exact(&self, state: &PlaneState) -> bool {
         let has_axis = self.model.lattice().is_some_and(|(_, mirrors)| mirrors.columns[0].is_some());
-        !(self.model.is_revolved() && has_axis && self.load_cases.iter().any(|loads| loads.carry_ends))
+        !(self.model.is_revolved()
+            && has_axis
+            && state.terms.iter().any(|&(case, _)| self.load_cases[case].carry_ends))
     }
 }
 

@@ -321,6 +321,8 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
         };
         match faded {
             Ok((field, forces)) => {
+                let inside = super::fading::inside(traction, context);
+                (0..2).for_each(|k| to.inside[k] |= inside[k]);
                 to.stresses.push(field);
                 to.forces.extend(forces);
             }
