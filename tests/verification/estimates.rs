@@ -1,4 +1,5 @@
 //! Estimated errors of single runs against true ones, where the gallery knows the local solution.
+#![allow(clippy::print_stdout)]
 
 use peristat::case::Check;
 use peristat::reference::Field;
@@ -95,17 +96,19 @@ fn solve(loaded: &Loaded) -> Summary {
 
 /// Names of the cases in a folder of the gallery.
 fn names(folder: &str) -> Vec<String> {
-    let files = fs::read_dir(cases().join(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let files =
+        fs::read_dir(cases().join(folder)).expect("a folder").map(|entry| entry.expect("a file").path());
     let cases = files.filter(|file| file.extension().is_some_and(|e| e == "json"));
-    let mut names: Vec<String> =
-        cases.map(|file| format!("{folder}/{}", file.file_stem().unwrap().to_string_lossy())).collect();
+    let mut names: Vec<String> = cases
+        .map(|file| format!("{folder}/{}", file.file_stem().expect("a name").to_string_lossy()))
+        .collect();
     names.sort();
     names
 }
 
 /// What the checks of a case know: names of quantities and their exact values.
 fn known(loaded: &Loaded, summary: &Summary) -> Vec<(String, f64)> {
-    let last = &summary.states.last().unwrap().name;
+    let last = &summary.states.last().expect("a state").name;
     let named = |name: &str, state: Option<&String>| match summary.states.len() {
         1 => name.to_string(),
         _ => format!("{name} [{}]", state.unwrap_or(last)),
@@ -128,7 +131,8 @@ fn rows(case: &str, exact: &mut usize, missing: &mut usize) -> Vec<Row> {
     if loaded.scene.case().slow || loaded.scene.case().is_traced() {
         return Vec::new();
     }
-    let sizes = peristat::run::sizes(&loaded.scene, &RunOptions::default()).unwrap();
+    let sizes =
+        peristat::run::sizes(&loaded.scene, &RunOptions::default()).expect("a case that can be solved");
     if !matches!(case.split('/').next(), Some("beam" | "frame")) && sizes.points > 10_000 {
         return Vec::new();
     }

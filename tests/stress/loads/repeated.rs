@@ -4,7 +4,7 @@ use super::asked::Asked;
 use super::bodies;
 use super::hold::Hold;
 use super::medium::Medium;
-use super::{Loaded, Sharing, TRACTIONS, is_axis, origin, traction};
+use super::{Course, Loaded, Sharing, TRACTIONS, is_axis, origin, traction};
 use crate::row::Row;
 use serde_json::{Value, json};
 
@@ -17,6 +17,10 @@ struct Repetition {
     /// Motions that are left, to be held at a point.
     held: &'static [&'static str],
 }
+
+/// Error of the force through a mirror across the axis of a solid body under one stress, whose points beside the axis have other
+/// volumes in the energy; measured 0.0024.
+const SOLID: f64 = 0.0025;
 
 const REPETITIONS: [Repetition; 8] = [
     Repetition { name: "a mirror on the left", symmetry: &["left"], periodic: &[], held: &["uy"] },
@@ -92,6 +96,9 @@ pub(super) fn rows(medium: &Medium) -> Vec<Row> {
                     let joined = |p: &(&str, bool)| json!({ "along": p.0, "stretches": p.1 });
                     row.case["periodic"] = repetition.periodic.iter().map(joined).collect();
                     leave_inside(&mut row, repetition, &asked);
+                    let is_one_stress = matches!(t.0, Course::Uniform | Course::Total | Course::Pressure);
+                    let is_solid = is_one_stress && body.edges.iter().any(|e| is_axis(medium, e));
+                    row.resultant.iter_mut().filter(|_| is_solid).for_each(|r| r.bound = SOLID);
                     rows.push(row);
                 }
             }

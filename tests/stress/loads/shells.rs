@@ -2,7 +2,7 @@
 
 use super::asked::Across;
 use super::bodies;
-use super::{SHARINGS, Sharing, TRACTIONS, traction};
+use super::{Course, SHARINGS, Sharing, TRACTIONS, traction};
 use crate::row::{BALANCED, Kind, Resultant, Row, Wish};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
@@ -39,7 +39,8 @@ fn ends() -> Vec<Row> {
                 128,
             );
             row.case["periodic"] = json!([{ "along": "y" }]);
-            row.wish = Wish::Answer;
+            // Under half of a contact at the joined side a membrane of so few points has no digits.
+            row.wish = if matches!(t.0, Course::Hertz(..)) { Wish::Honest } else { Wish::Answer };
             let [x, y] = asked.force;
             row.resultant = Some(Resultant {
                 force: [Some(x), Some(y)],

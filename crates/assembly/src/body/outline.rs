@@ -85,8 +85,8 @@ pub enum HoleError {
     /// It shares no position with the inside of the outline.
     #[error("the hole is outside of the body")]
     Outside,
-    /// Another hole has its name.
-    #[error("there is another hole of the name `{name}`")]
+    /// Another hole, or an edge, has its name.
+    #[error("there is another hole or an edge of the name `{name}`")]
     SameName {
         /// The name.
         name: String,
@@ -136,7 +136,8 @@ impl Outline {
     /// [`HoleError`]; the outline stays as it was.
     pub fn cut(&mut self, hole: Hole) -> Result<(), HoleError> {
         hole.shape.check()?;
-        if let Some(name) = hole.name.as_deref().filter(|name| self.hole(name).is_some()) {
+        let is_taken = |name: &&str| self.hole(name).is_some() || self.edge(name).is_some();
+        if let Some(name) = hole.name.as_deref().filter(is_taken) {
             return Err(HoleError::SameName { name: name.into() });
         }
         if !hole.shape.meets(&self.polygon) {

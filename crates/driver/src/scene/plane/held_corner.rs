@@ -6,13 +6,14 @@
 
 use super::super::ExpectationKind;
 use super::{PlaneScene, Quantity, root};
+use crate::case::Load;
 use crate::diagnostic::Faults;
 use peristat_assembly::body::Edge;
 
 /// Adds a warning if a stress or strain is asked for in such a corner.
 pub(super) fn warn(scene: &PlaneScene, faults: &mut Faults) {
     let is_lattice = scene.model.lattice().is_some_and(|(lattice, _)| !lattice.is_turned());
-    if !scene.bonds().is_exact_at_edges() || !is_lattice {
+    if !scene.bonds().is_exact_at_edges() || !is_lattice || has_one_stress(scene) {
         return;
     }
     let Some((corner, held)) =
@@ -28,6 +29,14 @@ pub(super) fn warn(scene: &PlaneScene, faults: &mut Faults) {
             ),
         )
         .hint("load the edge by a traction, which is exact, or read stresses a horizon away from edges");
+}
+
+/// Whether tractions alone act, which have one stress in all of the body: that is exact beside what is held, too.
+fn has_one_stress(scene: &PlaneScene) -> bool {
+    let (case, rests) = (&scene.case, |hold: &super::HeldPoints| hold.value == 0.0);
+    let mut loads = case.loads.iter().chain(case.load_cases.iter().flat_map(|c| &c.loads));
+    let one = scene.load_cases.iter().all(|loads| loads.carry_ends);
+    one && scene.conditions.holds.iter().all(rests) && loads.all(|load| matches!(load, Load::Traction(_)))
 }
 
 /// The ends of edges held in one direction that are ends of free edges, too, and the names of the held ones.

@@ -17,6 +17,13 @@ impl PlaneScene {
         statical(&*self.model)
     }
 
+    /// Whether discrete loads have exactly the resultant that is asked for. One stress in all of a body of revolution is exact for
+    /// the energies of its points, which beside the axis, and in bodies thinner than the horizon, have other volumes than these.
+    pub fn loads_are_exact(&self, state: &PlaneState) -> bool {
+        let has_one_stress = |&(case, _): &(usize, f64)| self.load_cases[case].carry_ends;
+        !(self.model.is_revolved() && state.terms.iter().any(has_one_stress))
+    }
+
     /// Along which axes the loads of a state do more through a line of symmetry than they are asked for: inside the body.
     pub fn inside(&self, state: &PlaneState) -> [bool; 2] {
         [0, 1].map(|axis| state.terms.iter().any(|&(case, _)| self.load_cases[case].inside[axis]))
@@ -25,15 +32,6 @@ impl PlaneScene {
     /// Resultant of forces on the unknowns, component by component.
     pub fn resultant(&self, forces: &[f64]) -> Resultant {
         resultant(&*self.model, self.bonds(), forces)
-    }
-
-    /// Whether discrete loads have exactly the resultant that is asked for. One stress in all of a solid body of revolution is
-    /// exact for the energies of its points, and those beside the axis have other volumes than the points.
-    pub fn loads_are_exact(&self, state: &PlaneState) -> bool {
-        let has_axis = self.model.lattice().is_some_and(|(_, mirrors)| mirrors.columns[0].is_some());
-        !(self.model.is_revolved()
-            && has_axis
-            && state.terms.iter().any(|&(case, _)| self.load_cases[case].carry_ends))
     }
 }
 
