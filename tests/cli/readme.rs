@@ -5,8 +5,11 @@ use std::fs;
 
 /// Words of the lines of an output but for those of the certificate, which hold rounding.
 fn words(text: &str) -> Vec<&str> {
-    let rounding =
-        |line: &&str| ["certificate of the discrete solution:", "next correction"].iter().any(|s| line.trim_start().starts_with(s));
+    let rounding = |line: &&str| {
+        ["certificate of the discrete solution:", "next correction"]
+            .iter()
+            .any(|s| line.trim_start().starts_with(s))
+    };
     let lines = text.trim_end().lines().filter(|line| !rounding(line));
     let words = lines.flat_map(|line| line.split([' ', '|']));
     words.filter(|word| !word.trim_matches('-').is_empty()).collect()
