@@ -1,4 +1,4 @@
-//! Tasks of a study that cannot be solved, and why: all of them are told before one is solved.
+//! Tasks of a study that cannot be solved, and why: the report of all comes before the first solution.
 
 use crate::Error;
 use std::collections::HashMap;

@@ -89,7 +89,7 @@ mod tests {
 
     #[test]
     fn without_an_order_the_first_is_assumed() {
-        // 1 + 0.1 h² seen on two grids is told three times, or one and a half times, too large.
+        // The estimate of 1 + 0.1 h² from two grids is three times, or one and a half times, too large.
         let coarser = found(&[(2.0, 1.4)], 1.1);
         assert!((coarser.error - 0.3).abs() < 1e-12 && coarser.order.is_none(), "{coarser:?}");
         let finer = found(&[(0.5, 1.025)], 1.1);

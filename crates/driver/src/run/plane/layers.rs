@@ -12,7 +12,7 @@ use crate::scene::words::tidy;
 use peristat_assembly::body::Shape;
 use peristat_assembly::model::beam_bond_orthotropic::{OrthotropicMaterial, OrthotropicParameters};
 
-/// A layer of so many horizons is what is advised; one of fewer than one is told.
+/// Horizons that a layer should have at least; a warning comes below one.
 const ADVISED: f64 = 2.0;
 /// What acts across the fibres may be this many times what acts along them before the layer is that of another pull.
 const ACROSS: f64 = 2.0;
