@@ -340,23 +340,25 @@ fn what_a_killed_study_was_writing_is_removed() {
 #[test]
 fn a_run_estimates_its_error() {
     let folder = tempfile::tempdir().unwrap();
-    let case = gallery("published.json");
-    let estimated = |option: &str, out: &str| {
-        let outcome = run(folder.path(), &["run", &case, option, "-o", out]);
+    let estimated = |case: &str, option: &str, out: &str| {
+        let outcome = run(folder.path(), &["run", &gallery(case), option, "-o", out]);
         assert_eq!(outcome.code, 0, "{}", outcome.stderr);
         (outcome.stdout, json(&folder.path().join(out).join("summary.json")))
     };
-    let exact = 3.20624e-3;
-    // 1.02 and 1.33.
-    for (option, kind) in [("--estimate", "finer_and_coarser"), ("--verbose", "coarser")] {
-        let (printed, summary) = estimated(option, kind);
+    // 1.00, 1.05 and, by the exact beam, 1.00.
+    for (case, option, kind, exact) in [
+        ("foundation_table.json", "--estimate", "finer_and_coarser", 0.014596295258865619),
+        ("foundation_table.json", "--verbose", "coarser", 0.014596295258865619),
+        ("published.json", "--verbose", "exact_beam", 3.20624e-3),
+    ] {
+        let (printed, summary) = estimated(case, option, kind);
         assert!(printed.contains("error of the grid, against the local solution"), "{printed}");
         assert_eq!(summary["estimate"]["kind"], kind);
         let tip = &summary["estimate"]["quantities"][0];
         let ratio = tip["error"].as_f64().unwrap() / (tip["value"].as_f64().unwrap() - exact).abs();
         assert!((0.5..=2.0).contains(&ratio), "{ratio} {tip}");
     }
-    let (printed, summary) = estimated("--no-estimate", "without");
+    let (printed, summary) = estimated("published.json", "--no-estimate", "without");
     assert!(summary.get("estimate").is_none() && !printed.contains("error of the grid"), "{printed}");
 }
 

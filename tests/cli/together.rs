@@ -3,8 +3,8 @@
 use crate::fracture::{assert_same, case as breaking, solve, spawn, wait_for_rows};
 use crate::support::{gallery, names, run};
 use serde_json::json;
-use std::fs;
-use std::path::Path;
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -75,7 +75,7 @@ fn study(folder: &Path) {
     fs::write(folder.join("slow.study.json"), study.to_string()).unwrap();
 }
 
-/// Begins a study and halts it as soon as it writes a file of such an ending.
+/// Begins a study and halts it as soon as it has locked a file of such an ending.
 fn halted(folder: &Path, more: &[&str], ending: &str) -> Child {
     let child = Command::new(env!("CARGO_BIN_EXE_peristat"))
         .current_dir(folder)
@@ -85,13 +85,24 @@ fn halted(folder: &Path, more: &[&str], ending: &str) -> Child {
         .spawn()
         .unwrap();
     let begin = Instant::now();
-    let found = |part: &Path| part.is_dir() && names(part).iter().any(|name| name.ends_with(ending));
-    while !found(&folder.join("out/tasks")) && !found(&folder.join("out")) {
+    let find = |part: PathBuf| {
+        let name = part.is_dir().then(|| names(&part).into_iter().find(|name| name.ends_with(ending)))??;
+        Some(part.join(name))
+    };
+    // A file is there before it is locked, and only one who is halted does not lock it while this asks.
+    let is_locked = |path: PathBuf| File::open(path).is_ok_and(|file| file.try_lock().is_err());
+    loop {
         assert!(begin.elapsed() < Duration::from_secs(60), "the study does not begin");
+        let found = find(folder.join("out/tasks")).or_else(|| find(folder.join("out")));
+        if let Some(path) = found {
+            signal("STOP", &child);
+            if is_locked(path) {
+                return child;
+            }
+            signal("CONT", &child);
+        }
         sleep(Duration::from_millis(1));
     }
-    signal("STOP", &child);
-    child
 }
 
 #[test]

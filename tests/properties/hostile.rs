@@ -80,7 +80,7 @@ fn solve(bytes: Vec<u8>, folder: &Path, output: Option<&Path>) -> bool {
     let loaded = Loaded::from_source(source, Folder::new(folder, Reach::Inside), Some(MEMORY));
     let Ok(loaded) = loaded.map_err(|error| error.to_string()) else { return false };
     let mut sink = Checking { scene: &loaded.scene, folder: output, results: None };
-    let options = RunOptions { recover: true, max_memory: Some(MEMORY) };
+    let options = RunOptions { recover: true, max_memory: Some(MEMORY), compare: true };
     match loaded.run(&options, None, &mut sink) {
         Ok(summary) => {
             let record = serde_json::to_value(&summary).expect("a record is JSON");

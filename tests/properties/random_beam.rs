@@ -211,7 +211,7 @@ pub(crate) fn run(case: &Value) -> (Vec<BeamResult>, RunReport) {
         Scene::new(source.case, Path::new("."), "case", &source.text, None).unwrap_or_else(|e| panic!("{e}"));
     let scene = scene.into_beam().expect("a beam");
     let mut states = Vec::new();
-    let options = RunOptions { recover: true, max_memory: None };
+    let options = RunOptions { recover: true, max_memory: None, compare: true };
     let report = beam::run(&scene, &options, &mut |state| {
         states.push(state);
         Ok(())

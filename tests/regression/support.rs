@@ -49,7 +49,7 @@ pub(crate) fn load(case: &Path) -> Loaded {
 
 /// The record of a run of a case.
 pub(crate) fn solve(case: &Path) -> Summary {
-    let options = RunOptions { recover: false, max_memory: None };
+    let options = RunOptions { recover: false, max_memory: None, compare: false };
     let summary = load(case).run(&options, None, &mut taking(|_| Ok(())));
     summary.unwrap_or_else(|error| panic!("{}: {error}", short(case)))
 }

@@ -71,7 +71,7 @@ fn solved(case: &Value, count: usize, folder: &Path, is_written: bool) -> Result
         true => Some(Results::begin(&Claim::new(&folder.join("results"), true)?, &loaded.scene)?),
         false => None,
     };
-    let options = RunOptions { recover: is_written, max_memory: Some(MEMORY) };
+    let options = RunOptions { recover: is_written, max_memory: Some(MEMORY), compare: true };
     let mut last = None;
     let mut sink = taking(|state| {
         if !finite(&state) {

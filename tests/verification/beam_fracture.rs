@@ -38,7 +38,7 @@ impl Sink for Told {
 
 fn run(case: &Value, resume: Option<Restart>) -> (Told, RunReport) {
     let (scene, mut told) = (scene(case), Told::default());
-    let options = RunOptions { recover: true, max_memory: None };
+    let options = RunOptions { recover: true, max_memory: None, compare: true };
     let report = beam::run_breaking(&scene, &options, resume, &mut told);
     let report = report.unwrap_or_else(|error| panic!("{error}: {case}"));
     assert!(report.converged, "not converged: {case}");

@@ -51,7 +51,7 @@ const LAWS: [(&str, &str, &str); 6] = [
 ];
 
 /// Cases and quantities for estimates from finer grids.
-const FINER: [(&str, &str); 15] = [
+const FINER: [(&str, &str); 14] = [
     ("axisymmetric/closed_ends", "axial stress"),
     ("axisymmetric/lame", "radial stress"),
     ("axisymmetric/open_cylinder", "axial stress"),
@@ -62,7 +62,6 @@ const FINER: [(&str, &str); 15] = [
     ("frame/foundation_beam", "edge"),
     ("plate/bending_strip", "stress in the middle"),
     ("plate/cantilever", "tip"),
-    ("plate/hanging_strip", "tip"),
     ("plate/ring", "hoop stress"),
     ("plate/state_incompressible", "widening inside"),
     ("plate/state_ring", "widening inside"),
@@ -90,7 +89,7 @@ fn load(case: &str, overrides: &[String]) -> Loaded {
 }
 
 fn solve(loaded: &Loaded) -> Summary {
-    let options = RunOptions { recover: true, max_memory: None };
+    let options = RunOptions { recover: true, max_memory: None, compare: true };
     loaded.run(&options, None, &mut taking(|_| Ok(()))).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -190,9 +189,9 @@ fn estimates_of_runs_are_not_too_small() {
         "{} quantities, {exact} exact, {missing} without an estimate: {enough:.3}, {near:.3}",
         found.len()
     );
-    // 126 quantities, 1.000: the smallest is 0.40.
+    // 126 quantities, 1.000: the smallest is 0.55.
     assert!(found.len() >= 100 && enough >= 0.95, "{enough} of {}", found.len());
-    // 0.80. Nobody reads what is told far too large everywhere.
+    // 0.83. Nobody reads what is told far too large everywhere.
     assert!(near >= 0.75, "{near} of {}", found.len());
 }
 
@@ -224,7 +223,8 @@ fn estimates_of_laws_with_errors_are_near() {
             let told = value(law, grids);
             let ratio = told.error / (told.value - exact.value).abs();
             println!("{ratio:.2} {case}, {grids:?}: {}", told.basis);
-            assert!((0.5..=8.0).contains(&ratio), "{case}, {grids:?}: {ratio} {told:?}");
+            // 1.00: the exact beam knows the error.
+            assert!((ratio - 1.0).abs() < 1e-3, "{case}, {grids:?}: {ratio} {told:?}");
         }
     }
 }

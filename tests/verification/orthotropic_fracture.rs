@@ -57,7 +57,7 @@ impl Sink for Told {
 
 fn run(case: &Value) -> (Vec<Event>, FractureReport) {
     let (scene, mut told) = (scene(case).unwrap_or_else(|faults| panic!("{faults}")), Told::default());
-    let options = RunOptions { recover: false, max_memory: None };
+    let options = RunOptions { recover: false, max_memory: None, compare: false };
     let report = plane::run_breaking(&scene, &options, None, &mut told);
     let report = report.unwrap_or_else(|error| panic!("{error}: {case}"));
     assert!(report.converged, "not converged");

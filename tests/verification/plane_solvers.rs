@@ -25,7 +25,7 @@ fn cases() -> Vec<PathBuf> {
 /// Displacements of all states and the record.
 fn solve(case: &Path, solver: &str) -> (Vec<Vec<f64>>, Summary) {
     let loaded = Loaded::read(case, &[format!("solver={solver}")], None).unwrap_or_else(|e| panic!("{e}"));
-    let options = RunOptions { recover: false, max_memory: None };
+    let options = RunOptions { recover: false, max_memory: None, compare: false };
     let mut all = Vec::new();
     let mut take = taking(|state| {
         if let StateResult::Plane(result) = state {

@@ -9,7 +9,7 @@ fn case_warnings(case: &str, overrides: &[&str]) -> Vec<String> {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case).with_extension("json");
     let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
     let loaded = Loaded::read(&file, &overrides, None).unwrap_or_else(|error| panic!("{case}: {error}"));
-    let options = RunOptions { recover: true, max_memory: None };
+    let options = RunOptions { recover: true, max_memory: None, compare: true };
     let summary = loaded.run(&options, None, &mut taking(|_| Ok(())));
     summary.unwrap_or_else(|error| panic!("{case}: {error}")).warnings
 }

@@ -99,7 +99,7 @@ pub fn solve_text(text: &str) -> Result<Solved, Error> {
     let source = case::from_text("case", text.into(), &[]).map_err(Error::Case)?;
     let loaded = Loaded::from_source(source, Path::new(".").into(), None)?;
     let mut states = Vec::new();
-    let options = RunOptions { recover: true, max_memory: None };
+    let options = RunOptions { recover: true, max_memory: None, compare: true };
     let mut push = taking(|result| {
         states.push(result);
         Ok(())

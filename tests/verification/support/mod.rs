@@ -40,7 +40,7 @@ pub(crate) fn scene(case: &Value) -> BeamScene {
 fn run_with(case: &Value, recover: bool) -> Run {
     let scene = scene(case);
     let mut states = Vec::new();
-    let options = RunOptions { recover, max_memory: None };
+    let options = RunOptions { recover, max_memory: None, compare: true };
     let report = beam::run(&scene, &options, &mut |state| {
         states.push(state);
         Ok(())

@@ -179,12 +179,16 @@ impl Outline {
 
     /// What of some parts borders on the body.
     fn bordering(&self, parts: &[BorderPart], others: &[BorderPart]) -> Vec<BorderPart> {
-        if others.is_empty() {
-            return parts.to_vec();
-        }
         let [low, high] = self.bounds();
         let depth = BEHIND * distance(low, high);
         let behind = |part: &BorderPart| self.contains(moved(part.at(0.5), -depth, part.normal(0.5)));
+        let own = around(parts, depth);
+        let others: Vec<&BorderPart> =
+            others.iter().filter(|other| meet(&own, &around(std::slice::from_ref(*other), depth))).collect();
+        if others.is_empty() {
+            // All of it borders on the same.
+            return parts.first().filter(|part| behind(part)).map_or(Vec::new(), |_| parts.to_vec());
+        }
         let mut found = Vec::new();
         for part in parts {
             let mut shares: Vec<f64> = others.iter().flat_map(|other| part.crossings(other)).collect();
@@ -206,6 +210,22 @@ impl Outline {
         }
         found
     }
+}
+
+/// The box around some parts, of arcs around their circles, wider by a margin.
+fn around(parts: &[BorderPart], margin: f64) -> [Point; 2] {
+    let corners = parts.iter().flat_map(|part| match *part {
+        BorderPart::Straight { from, to, .. } => [from, to],
+        BorderPart::Round { centre, radius, .. } => [centre.map(|x| x - radius), centre.map(|x| x + radius)],
+    });
+    corners.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], at| {
+        [[0, 1].map(|k| low[k].min(at[k] - margin)), [0, 1].map(|k| high[k].max(at[k] + margin))]
+    })
+}
+
+/// Whether two boxes have something in common.
+fn meet([low, high]: &[Point; 2], [other_low, other_high]: &[Point; 2]) -> bool {
+    (0..2).all(|k| low[k] <= other_high[k] && other_low[k] <= high[k])
 }
 
 #[cfg(test)]
@@ -246,6 +266,18 @@ mod tests {
         for hole in 0..2 {
             assert!((length(&outline.hole_parts(hole)) - (2.0 * PI - 2.0 * PI / 3.0)).abs() < 1e-13);
         }
+    }
+
+    #[test]
+    fn a_hole_within_a_hole_borders_on_nothing() {
+        let circle = |radius: f64| Shape::Circle { centre: [5.0, 3.0], radius };
+        let outline = body(vec![circle(2.0), circle(1.0)]);
+        assert!((length(&outline.hole_parts(0)) - 4.0 * PI).abs() < 1e-13);
+        assert!(outline.hole_parts(1).is_empty());
+        // Far from the sides of a square hole.
+        let square = Polygon::new(vec![[2.0, 0.5], [8.0, 0.5], [8.0, 5.5], [2.0, 5.5]]).unwrap();
+        let inside = body(vec![Shape::Polygon(square), circle(1.0)]);
+        assert!(inside.hole_parts(1).is_empty() && inside.hole_parts(0).len() == 4);
     }
 
     #[test]

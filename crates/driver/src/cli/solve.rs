@@ -126,7 +126,7 @@ pub(super) fn solve_into(
 
 /// What a run with all its outputs is asked for.
 fn with_fields(global: &Global) -> RunOptions {
-    RunOptions { recover: true, max_memory: global.max_memory }
+    RunOptions { recover: true, max_memory: global.max_memory, compare: true }
 }
 
 /// Exit code of a finished run.

@@ -153,7 +153,7 @@ mod tests {
         fs::write(&path, text).unwrap();
         let mut loaded = Loaded::read(&path, &[], None).unwrap_or_else(|e| panic!("{e}"));
         let mut states = Vec::new();
-        let options = RunOptions { recover: true, max_memory: None };
+        let options = RunOptions { recover: true, max_memory: None, compare: true };
         let mut keep = taking(|state| {
             states.push(state);
             Ok(())

@@ -55,6 +55,8 @@ pub struct RunOptions {
     pub recover: bool,
     /// Memory that must not be exceeded, bytes.
     pub max_memory: Option<u64>,
+    /// Solve a beam that is not exact on any grid once more as one that is, and say how far the two are apart.
+    pub compare: bool,
 }
 
 /// How often expensive things were done.
@@ -89,7 +91,7 @@ pub struct Timing {
     pub certify: f64,
     /// Recovery of fields, checks, and writing.
     pub record: f64,
-    /// Solving once more with exact bonds, where a beam has others: what these are off by.
+    /// Solving the exact beam, where a beam has another law, other ends or another grid: what these are off by.
     pub compare: f64,
     /// Other grids, for the estimate of the error of this one.
     pub estimate: f64,
@@ -116,6 +118,17 @@ pub struct RunReport {
     pub fracture: Option<fracture::FractureReport>,
     /// How the body went along its path.
     pub path: Option<path::PathReport>,
+    /// What the states of the exact beam are, where a beam was compared with it.
+    pub exact: Option<Vec<beam::ExactState>>,
+}
+
+impl RunReport {
+    /// Why a body that breaks or softens did not come to the end of what was asked for, if it did not.
+    pub(crate) fn missed_goal(&self) -> Option<&'static str> {
+        let broken = self.fracture.as_ref().map(|r| (r.reached_goal, r.ending));
+        let (reached, ending) = broken.or_else(|| self.path.as_ref().map(|r| (r.reached_goal, r.ending)))?;
+        (!reached).then_some(ending)
+    }
 }
 
 /// Why a run has no result.
@@ -302,5 +315,6 @@ fn solve_states<const D: usize, P: Problem<D>>(
         converged,
         fracture: None,
         path: None,
+        exact: None,
     })
 }

@@ -48,6 +48,9 @@ pub struct CheckResult {
     pub tolerance: f64,
     /// Whether it passes.
     pub passed: bool,
+    /// Why it fails where the numbers do not tell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub remark: Option<String>,
     /// Where the expectation comes from.
     pub source: String,
 }
@@ -133,6 +136,7 @@ impl CheckResult {
             l2_error: worst.l2_error(),
             tolerance,
             passed,
+            remark: None,
             source,
         }
     }
@@ -149,6 +153,7 @@ impl CheckResult {
             l2_error: None,
             tolerance: 1.0,
             passed: error <= 1.0,
+            remark: None,
             source: why.into(),
         }
     }

@@ -1,17 +1,20 @@
 //! The discretisation error of one run, from the same case on other spacings.
 
-use super::grid_error;
-use super::record::{Measured, Quantity, quantities, values};
-use crate::case::{self, Body};
+use super::judge::{Other, from_exact, of_quantities};
+use super::record::{of_exact, quantities};
+use crate::case::{self, Body, Model};
 use crate::run::{RunOptions, taking};
 use crate::summary::words::times;
-use crate::summary::{Estimate, Estimates, Grids, Status, Summary};
+use crate::summary::{Estimates, Grids, Status, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::model::timoshenko_beam::Grid;
 
 /// Multiples of the spacing of a coarser grid, in the order in which they are tried. In the plane 2 costs a quarter of the
 /// run, and 3/2, which is nearer, less than half.
 const COARSER: [f64; 4] = [2.0, 1.5, 3.0, 4.0 / 3.0];
+/// The same of state-based plates: with the couplings of whole families a factor costs at 3/2 times the spacing, where no
+/// lattice is coarser, as much as the run.
+const COARSER_OF_STATES: [f64; 4] = [2.0, 3.0, 1.5, 4.0 / 3.0];
 /// The same along lines, where the cost is in proportion to the points: with a second one it stays below that of the run.
 const COARSER_ON_LINES: [f64; 2] = [2.0, 3.0];
 /// Those of a second one, of which an order is observed.
@@ -20,11 +23,6 @@ const COARSEST: [f64; 4] = [4.0, 3.0, 6.0, 9.0];
 const APART: f64 = 1.5;
 /// Points of a body in the plane up to which a run estimates its error without being asked.
 const CHEAP: usize = 10_000;
-/// Share of the largest error in a field that a value has at least where two grids only, which may agree in it by chance,
-/// are known.
-const SHARE: f64 = 0.1;
-/// Values below this share of the largest one of their field are rounding: nothing is relative to them.
-const VANISHED: f64 = 1e-9;
 
 impl Loaded {
     /// Estimates the discretisation error of every probe of a run, and of its energy, as a run does without being asked:
@@ -60,6 +58,14 @@ impl Loaded {
         if summary.status == Status::NotConverged {
             return Err("a state did not converge".into());
         }
+        let exact = of_exact(summary);
+        let against = "the local solution, horizon and spacing to zero at the same ratio".into();
+        if let Some(exact) = exact.as_ref().filter(|_| self.scene.case().foundation.is_empty()) {
+            let all = quantities(summary);
+            let quantities = all.iter().filter_map(|own| Some(from_exact(own, *exact.get(&own.name)?)));
+            let (kind, spacings) = (Grids::ExactBeam, Vec::new());
+            return Ok(Estimates { kind, against, spacings, remark: None, quantities: quantities.collect() });
+        }
         let mut others: Vec<Other> = Vec::new();
         let nested = nested(&self.written.body);
         if grids == Grids::FinerAndCoarser {
@@ -72,8 +78,12 @@ impl Loaded {
         let kind = if others.is_empty() { Grids::Coarser } else { grids };
         let remark = match kind {
             Grids::FinerAndCoarser => self.add_first(&[nested], &mut others, max_memory).err(),
-            Grids::Coarser => {
-                let first = if self.is_on_lines() { &COARSER_ON_LINES[..] } else { &COARSER };
+            Grids::Coarser | Grids::ExactBeam => {
+                let first = match &self.written.model {
+                    Model::TimoshenkoBeam(_) => &COARSER_ON_LINES[..],
+                    Model::StatePlane(_) => &COARSER_OF_STATES,
+                    _ => &COARSER,
+                };
                 self.add_first(first, &mut others, max_memory)?;
                 self.add_first(&COARSEST, &mut others, max_memory).err()
             }
@@ -81,8 +91,8 @@ impl Loaded {
         others.sort_by(|a, b| a.multiple.total_cmp(&b.multiple));
         Ok(Estimates {
             kind,
-            against: "the local solution, horizon and spacing to zero at the same ratio".into(),
-            quantities: of_quantities(&quantities(summary), &others),
+            against,
+            quantities: of_quantities(&quantities(summary), &others, exact.as_ref()),
             spacings: others.iter().map(|other| other.multiple).collect(),
             remark: remark.map(|reason| format!("no order can be observed: {reason}")),
         })
@@ -128,11 +138,15 @@ impl Loaded {
             .map_err(Error::Case)
             .and_then(|source| Loaded::from_source(source, self.folder.clone(), max_memory))
             .and_then(|loaded| {
-                loaded.run(&RunOptions { recover: false, max_memory }, None, &mut taking(|_| Ok(())))
+                loaded.run(
+                    &RunOptions { recover: false, max_memory, compare: false },
+                    None,
+                    &mut taking(|_| Ok(())),
+                )
             });
         match solved {
             Ok(summary) if summary.states.iter().all(|state| state.certificate.converged) => {
-                Ok(Other { multiple, values: values(&summary) })
+                Ok(Other::new(multiple, &summary))
             }
             Ok(_) => Err(Failure::Other(format!(
                 "at {} times the spacing a state does not converge",
@@ -158,13 +172,6 @@ fn nested(body: &Body) -> f64 {
     if at_ends { 2.0 } else { 3.0 }
 }
 
-/// The values of another grid.
-struct Other {
-    /// Spacing over that of the run.
-    multiple: f64,
-    values: Vec<Measured>,
-}
-
 /// Why another spacing has no values.
 enum Failure {
     Memory(String),
@@ -177,49 +184,4 @@ impl Failure {
             Self::Memory(reason) | Self::Other(reason) => reason,
         }
     }
-}
-
-/// The estimates of all quantities that the other grids have, too.
-fn of_quantities(all: &[Quantity], others: &[Other]) -> Vec<Estimate> {
-    let found: Vec<(&Quantity, Estimate)> =
-        all.iter().filter_map(|own| Some((own, of_quantity(own, others)?))).collect();
-    let largest = |field: &str| {
-        let same = found.iter().filter(|(own, _)| own.field == field);
-        same.map(|(_, estimate)| estimate.error).fold(0.0, f64::max)
-    };
-    let raised = found.iter().map(|(own, estimate)| {
-        let least = SHARE * largest(&own.field);
-        if others.len() > 1 || estimate.settled || estimate.error >= least {
-            return estimate.clone();
-        }
-        let basis = format!("{SHARE} of the largest in the field");
-        Estimate { error: least, relative: relative(own, least), basis, ..estimate.clone() }
-    });
-    raised.collect()
-}
-
-fn of_quantity(own: &Quantity, others: &[Other]) -> Option<Estimate> {
-    let find = |other: &Other| {
-        let same = other.values.iter().find(|m| m.name == own.name)?;
-        Some((other.multiple, same.value))
-    };
-    let mut grids = others.iter().map(find).collect::<Option<Vec<(f64, f64)>>>()?;
-    grids.push((1.0, own.value));
-    let found = grid_error::of(grids, own.scale);
-    let unreliable = if found.reliable { "" } else { "not reliable, " };
-    Some(Estimate {
-        name: own.name.clone(),
-        value: own.value,
-        error: found.error,
-        relative: relative(own, found.error),
-        order: found.order,
-        settled: found.settled,
-        reliable: found.reliable,
-        basis: format!("{unreliable}{}", found.basis),
-    })
-}
-
-/// An error over the value that has it.
-fn relative(own: &Quantity, error: f64) -> Option<f64> {
-    (own.value.abs() > VANISHED * own.scale).then(|| error / own.value.abs())
 }

@@ -4,12 +4,14 @@
 //! above two is believed, first order is taken where none is observed, and where values go to and fro, so that two of them
 //! may agree by chance, the coarsest grid has its say.
 
-use super::order::{self, ROUNDING};
+use super::order;
 
 /// Smallest order that is believed; it is taken where none is observed, too.
 const LEAST: f64 = 1.0;
 /// Largest order that is taken, that of nearly all methods: values on their way across their limit seem to have a higher one.
 const MOST: f64 = 2.0;
+/// Orders this much above the largest are still that one: grids are finite.
+const SECOND: f64 = 0.1;
 /// Observed orders above this are chance: the bond law of the highest order has three.
 const CHANCE: f64 = 4.0;
 
@@ -24,30 +26,35 @@ pub(super) struct GridError {
     pub(super) settled: bool,
     /// Whether the values go anywhere.
     pub(super) reliable: bool,
+    /// Whether they go there by no order that a method has, so that two of them may be near by chance.
+    pub(super) by_chance: bool,
     /// What the estimate rests on.
     pub(super) basis: String,
 }
 
 /// The error of the value of a grid of spacing one, from those of two or three grids, itself among them, as pairs of
-/// spacing and value; `scale` is what rounding is measured by.
-pub(super) fn of(mut grids: Vec<(f64, f64)>, scale: f64) -> GridError {
+/// spacing and value; those that differ by `rounding` at most agree.
+pub(super) fn of(mut grids: Vec<(f64, f64)>, rounding: f64) -> GridError {
     grids.sort_by(|a, b| b.0.total_cmp(&a.0));
     let own = grids.iter().find(|g| g.0 == 1.0).map_or(f64::NAN, |g| g.1);
     let (h, q): (Vec<f64>, Vec<f64>) = grids.into_iter().unzip();
     let last = h.len() - 1;
     let at =
         |order: f64| (own - order::extrapolate([h[last - 1], h[last]], [q[last - 1], q[last]], order)).abs();
-    if q.iter().all(|value| (value - own).abs() <= ROUNDING * scale) {
+    if q.iter().all(|value| (value - own).abs() <= rounding) {
         let basis = "the grids agree".into();
-        return GridError { error: at(LEAST), order: None, settled: true, reliable: true, basis };
+        let (settled, reliable, by_chance) = (true, true, false);
+        return GridError { error: at(LEAST), order: None, settled, reliable, by_chance, basis };
     }
     let told = |error: f64, order: Option<f64>, basis: String| GridError {
         error,
         order,
         settled: false,
         reliable: true,
+        by_chance: false,
         basis,
     };
+    let by_chance = |found: GridError| GridError { by_chance: true, ..found };
     let (Ok(three), Ok(values)) = (<[f64; 3]>::try_from(&h[..]), <[f64; 3]>::try_from(&q[..])) else {
         return told(at(LEAST), None, format!("order {LEAST} assumed"));
     };
@@ -57,24 +64,29 @@ pub(super) fn of(mut grids: Vec<(f64, f64)>, scale: f64) -> GridError {
         Ok(order) if order < LEAST => {
             told(at(LEAST), Some(order), format!("order {order:.2} observed, {LEAST} taken"))
         }
-        Ok(order) if order <= MOST => told(at(order), Some(order), format!("order {order:.2} observed")),
-        Ok(order) if order <= CHANCE => {
-            told(at(MOST), Some(order), format!("order {order:.2} observed, {MOST} taken"))
+        Ok(order) if order <= MOST + SECOND => {
+            told(at(order.min(MOST)), Some(order), format!("order {order:.2} observed"))
         }
-        Ok(order) => told(guarded(), Some(order), format!("order {order:.1} is chance, {LEAST} taken")),
+        Ok(order) if order <= CHANCE => {
+            by_chance(told(at(MOST), Some(order), format!("order {order:.2} observed, {MOST} taken")))
+        }
+        Ok(order) => {
+            by_chance(told(guarded(), Some(order), format!("order {order:.1} is chance, {LEAST} taken")))
+        }
         Err(reason) => GridError {
             reliable: (q[0] - q[1]).abs() > (q[1] - q[2]).abs(),
-            ..told(guarded(), None, format!("no order: {reason}"))
+            ..by_chance(told(guarded(), None, format!("no order: {reason}")))
         },
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::order::ROUNDING;
     use super::*;
 
     fn found(others: &[(f64, f64)], own: f64) -> GridError {
-        of([others, &[(1.0, own)]].concat(), own.abs())
+        of([others, &[(1.0, own)]].concat(), ROUNDING * own.abs())
     }
 
     #[test]
@@ -101,6 +113,7 @@ mod tests {
         // The two finest are the same, all but: 1.4 − 1.1001 at order two are an error of 0.02.
         let crossing = found(&[(2.0, 1.1001), (4.0, 1.4)], 1.1);
         assert!((crossing.error - 0.02).abs() < 1e-4 && crossing.reliable, "{crossing:?}");
+        assert!(crossing.by_chance && !found(&[(2.0, 1.4), (4.0, 2.6)], 1.1).by_chance);
         let to_and_fro = found(&[(2.0, 1.0999), (4.0, 1.4)], 1.1);
         assert!((to_and_fro.error - 0.02).abs() < 1e-4 && to_and_fro.order.is_none(), "{to_and_fro:?}");
         // Too quick for any method.
@@ -120,7 +133,7 @@ mod tests {
         let settled = found(&[(2.0, 1.0), (4.0, 1.0 + 1e-14)], 1.0);
         assert!(settled.settled && settled.error == 0.0, "{settled:?}");
         // Rounding of a value that vanishes is measured by its field.
-        assert!(of(vec![(2.0, 3e-15), (1.0, -1e-15)], 1.0).settled);
-        assert!(!of(vec![(2.0, 3e-15), (1.0, -1e-15)], 1e-14).settled);
+        assert!(of(vec![(2.0, 3e-15), (1.0, -1e-15)], ROUNDING).settled);
+        assert!(!of(vec![(2.0, 3e-15), (1.0, -1e-15)], 1e-14 * ROUNDING).settled);
     }
 }

@@ -11,6 +11,7 @@ mod faults;
 mod file;
 mod findings;
 mod grid_error;
+mod judge;
 pub mod order;
 mod plan;
 mod record;

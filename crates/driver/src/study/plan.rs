@@ -37,7 +37,7 @@ impl Task {
     /// Faults of the case, or that it needs more memory than it may use.
     pub fn check(&self, folder: &Folder, max_memory: Option<u64>) -> Result<(), Error> {
         let loaded = Loaded::from_source(self.source.clone(), folder.clone(), max_memory)?;
-        let options = RunOptions { recover: false, max_memory };
+        let options = RunOptions { recover: false, max_memory, compare: false };
         sizes(&loaded.scene, &options).map(|_| ()).map_err(|error| loaded.explain(error))
     }
 }

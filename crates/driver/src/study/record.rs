@@ -1,12 +1,18 @@
 //! What a task finds.
 
+use super::order::ROUNDING;
 use super::plan::Task;
 use crate::input::Folder;
-use crate::run::{RunOptions, taking};
+use crate::run::beam::ExactState;
+use crate::run::{Certificate, ProbeResult, RunOptions, taking};
 use crate::summary::{Extremes, ModelSummary, StateSummary, Summary};
 use crate::{Error, Loaded};
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 use std::time::Instant;
+
+/// Errors of the solution of a grid above this part are no rounding.
+const MOST_ROUNDING: f64 = 1e-8;
 
 /// Fields of displacements, by name.
 const DISPLACEMENTS: [&str; 4] = ["w", "u", "ux", "uy"];
@@ -58,10 +64,10 @@ impl Record {
     pub fn solve(task: &Task, folder: &Folder, max_memory: Option<u64>) -> Result<Self, Error> {
         let begin = Instant::now();
         let loaded = Loaded::from_source(task.source.clone(), folder.clone(), max_memory)?;
-        let options = RunOptions { recover: false, max_memory };
-        let summary = loaded.run(&options, None, &mut taking(|_| Ok(())))?;
         // A study measures errors itself.
-        let seconds = begin.elapsed().as_secs_f64() - summary.timing_s.compare;
+        let options = RunOptions { recover: false, max_memory, compare: false };
+        let summary = loaded.run(&options, None, &mut taking(|_| Ok(())))?;
+        let seconds = begin.elapsed().as_secs_f64();
         let converged = summary.states.iter().all(|state| state.certificate.converged);
         Ok(Self {
             key: task.key.clone(),
@@ -86,56 +92,98 @@ pub(super) struct Quantity {
     pub(super) name: String,
     /// Field, or what it is else.
     pub(super) field: String,
+    /// Number of its state.
+    pub(super) state: usize,
     /// Value.
     pub(super) value: f64,
     /// Largest magnitude of the field in its state, as far as it is known.
     pub(super) scale: f64,
+    /// What the solution of its grid may be off by: grids that differ by less agree.
+    pub(super) rounding: f64,
+}
+
+/// What a field may be off by in the solution of its grid, over its largest value.
+fn rounding(field: &str, certificate: &Certificate) -> f64 {
+    let known = match DISPLACEMENTS.contains(&field) {
+        true => certificate.error,
+        false => certificate.strain_error,
+    };
+    known.clamp(ROUNDING, MOST_ROUNDING)
+}
+
+/// The name of a quantity of a state.
+fn named(name: &str, state: &StateSummary, summary: &Summary) -> String {
+    if summary.states.len() > 1 { format!("{name} [{}]", state.name) } else { name.into() }
 }
 
 /// Probes, or of beams without any the largest displacements, and stored energies of all states.
 pub(super) fn quantities(summary: &Summary) -> Vec<Quantity> {
-    let several = summary.states.len() > 1;
-    let new = |name: &str, state: &StateSummary, field: &str, value: f64, scale: f64| {
-        let name = if several { format!("{name} [{}]", state.name) } else { name.into() };
-        Quantity { name, field: field.into(), value, scale }
+    let new = |name: &str, state: usize, field: &str, value: f64, scale: f64| Quantity {
+        name: named(name, &summary.states[state], summary),
+        field: field.into(),
+        state,
+        value,
+        scale,
+        rounding: scale * rounding(field, &summary.states[state].certificate),
     };
     let largest = |e: &Extremes| e.largest.value.abs().max(e.smallest.value.abs());
+    let mut of_state: HashMap<&str, Vec<&ProbeResult>> = HashMap::new();
+    summary.probes.iter().for_each(|probe| of_state.entry(&probe.state).or_default().push(probe));
     let (mut probes, mut others, mut energies) = (Vec::new(), Vec::new(), Vec::new());
     // Points of bodies in the plane are in the middle of cells: where the outermost one is depends on the spacing.
     let has_largest = summary.probes.is_empty() && matches!(summary.model, ModelSummary::Beam(_));
-    for state in &summary.states {
-        let of_state = || summary.probes.iter().filter(|p| p.state == state.name);
-        for probe in of_state() {
-            let alike = of_state().filter(|p| p.field == probe.field).map(|p| p.value.abs());
-            let scale = alike.fold(state.extremes.get(&probe.field).map_or(0.0, largest), f64::max);
-            probes.push(new(&probe.name, state, &probe.field, probe.value, scale));
+    for (k, state) in summary.states.iter().enumerate() {
+        let own = of_state.get(state.name.as_str()).map_or(&[][..], Vec::as_slice);
+        let mut scales: HashMap<&str, f64> = HashMap::new();
+        for probe in own {
+            let scale = scales
+                .entry(&probe.field)
+                .or_insert_with(|| state.extremes.get(&probe.field).map_or(0.0, largest));
+            *scale = scale.max(probe.value.abs());
+        }
+        for probe in own {
+            probes.push(new(&probe.name, k, &probe.field, probe.value, scales[&*probe.field]));
         }
         for (field, extremes) in &state.extremes {
             if has_largest && DISPLACEMENTS.contains(&field.as_ref()) {
                 let value = largest(extremes);
-                others.push(new(&format!("largest {field}"), state, field, value, value));
+                others.push(new(&format!("largest {field}"), k, field, value, value));
             }
         }
         let energy = state.certificate.energy;
-        energies.push(new("energy", state, "energy", energy, energy.abs()));
+        energies.push(new("energy", k, "energy", energy, energy.abs()));
     }
     let all = probes.into_iter().chain(others).chain(energies);
     all.filter(|q| q.value.is_finite()).collect()
 }
 
+/// The same of the exact beam that a beam was compared with, by name.
+pub(super) fn of_exact(summary: &Summary) -> Option<HashMap<String, f64>> {
+    let states = summary.states.iter().zip(summary.exact.as_ref()?);
+    let of_state = |(state, exact): (&StateSummary, &ExactState)| {
+        let probes = exact.probes.iter().map(|probe| (probe.name.clone(), probe.value));
+        let largest =
+            exact.largest.iter().map(|(field, value)| (format!("largest {}", field.name()), *value));
+        // A probe may have the name of the energy, and comes before it.
+        let all = [("energy".into(), exact.energy)].into_iter().chain(largest).chain(probes);
+        all.map(|(name, value)| (named(&name, state, summary), value)).collect::<Vec<_>>()
+    };
+    Some(states.flat_map(of_state).collect())
+}
+
 /// The same as names and values.
-pub(super) fn values(summary: &Summary) -> Vec<Measured> {
+fn values(summary: &Summary) -> Vec<Measured> {
     quantities(summary).into_iter().map(|q| Measured { name: q.name, value: q.value }).collect()
 }
 
 /// The same with a number behind names that others have, too.
 fn distinct(mut all: Vec<Measured>) -> Vec<Measured> {
-    for k in 1..all.len() {
-        let earlier =
-            all[..k].iter().filter(|m| m.name.trim_end_matches(char::is_numeric).trim_end() == all[k].name);
-        let same = earlier.count();
-        if same > 0 {
-            all[k].name = format!("{} {}", all[k].name, same + 1);
+    let mut counts: HashMap<String, usize> = HashMap::new();
+    for measured in &mut all {
+        let count = counts.entry(measured.name.clone()).or_default();
+        *count += 1;
+        if *count > 1 {
+            measured.name = format!("{} {count}", measured.name);
         }
     }
     all

@@ -11,6 +11,7 @@ use crate::run::plane::{Steepest, steepest};
 use crate::scene::Scene;
 use crate::scene::plane::{PlaneBonds, PlaneScene};
 use peristat_assembly::stiffness::Kinematics;
+use serde::{Deserialize, Serialize};
 
 /// Strain up to which a model of small strains is trusted.
 const SMALL_STRAIN: f64 = 0.05;
@@ -20,7 +21,7 @@ const SMALL_ROTATION: f64 = 5.0;
 const STIFF: f64 = 20.0;
 
 /// What is looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 enum Kind {
     Displacement,
     Rotation,
@@ -29,7 +30,7 @@ enum Kind {
 }
 
 /// The worst that was seen of a kind.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Worst {
     kind: Kind,
     value: f64,
@@ -39,7 +40,7 @@ struct Worst {
 }
 
 /// What the states so far raise doubts about.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Doubts {
     worst: Vec<Worst>,
     /// Length of the diagonal around the body, once it was needed.

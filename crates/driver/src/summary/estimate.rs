@@ -26,6 +26,8 @@ pub enum Grids {
     Coarser,
     /// A finer one, which costs more than the run, and a coarser one.
     FinerAndCoarser,
+    /// None: the run has solved the exact beam beside its own.
+    ExactBeam,
 }
 
 /// The estimated discretisation error of a quantity.

@@ -13,6 +13,7 @@ pub use estimate::{Estimate, Estimates, Grids};
 pub use plane::{FamilySummary, OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
 
 use crate::case::Units;
+use crate::run::beam::ExactState;
 use crate::run::fracture::FractureReport;
 use crate::run::path::PathReport;
 use crate::run::{Certificate, CheckResult, Counters, ProbeResult, Sizes, SolverReport, Timing};
@@ -145,6 +146,9 @@ pub struct Summary {
     /// How the body went along its path.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<PathReport>,
+    /// What the states of the exact beam are, for estimates of errors.
+    #[serde(skip)]
+    pub exact: Option<Vec<ExactState>>,
     /// What the scene was spared, and why.
     pub skipped: Vec<String>,
     /// Counters.

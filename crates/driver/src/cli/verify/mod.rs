@@ -151,7 +151,7 @@ fn found(case: &Path, request: &Request, global: &Global) -> Result<Found, Error
             )
         }
         None => {
-            let options = RunOptions { recover: false, max_memory: global.max_memory };
+            let options = RunOptions { recover: false, max_memory: global.max_memory, compare: true };
             loaded.run(&options, None, &mut taking(|_| Ok(())))
         }
     };

@@ -145,12 +145,15 @@ impl BeamResult {
 
     /// Displacements of all real points in the plane, line by line.
     pub fn displacements(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
-        self.lines.iter().flat_map(move |line| {
-            let [c, s] = line.direction;
-            (line.first..line.first + line.x.len()).map(move |k| {
-                let (w, u) = (self.record.u[k], self.along(k));
-                [c * u - s * w, s * u + c * w]
-            })
+        self.lines.iter().flat_map(|line| self.displacements_on(line))
+    }
+
+    /// The same of one line.
+    pub(super) fn displacements_on(&self, line: &LineFields) -> impl Iterator<Item = [f64; 2]> + '_ {
+        let [c, s] = line.direction;
+        (line.first..line.first + line.x.len()).map(move |k| {
+            let (w, u) = (self.record.u[k], self.along(k));
+            [c * u - s * w, s * u + c * w]
         })
     }
 

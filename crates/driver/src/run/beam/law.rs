@@ -1,62 +1,71 @@
-//! How far a beam with another bond law is from the same beam with the law that is exact.
+//! How far a beam with another bond law, other ends or another grid is from the same beam by default.
 //!
-//! The law `exact` gives points the values of the local beam on any grid, so one more solve measures what the other laws
-//! are off by: a formula would have to know supports, loads and grid.
+//! By default points have the values of the local beam on any grid, so one more solve measures what the others are off by:
+//! a formula would have to know supports, loads and grid.
 
-use super::{BeamResult, run_linear};
-use crate::case::Model;
-use crate::diagnostic::{Faults, JsonPath};
-use crate::run::RunOptions;
+use super::twin::{self, Departure, Twin};
+use super::{BeamResult, probes, run_linear};
+use crate::case::FieldName;
+use crate::diagnostic::Faults;
+use crate::run::{ProbeResult, RunOptions};
 use crate::scene::beam::BeamScene;
-use crate::scene::{Scene, tidy};
-use std::path::Path;
+use crate::scene::tidy;
 use std::time::Instant;
 
-/// The law that others are compared with.
-const EXACT: &str = "exact";
-/// Distance from the exact answer, relative, above which a law is warned of.
+/// Distance from the exact answer, relative, above which a beam is warned of.
 const FAR: f64 = 0.01;
 /// Displacements that are kept of all states together, at most. Beams are smooth: some of many points tell the largest.
 const MOST_KEPT: usize = 1 << 20;
 /// Energy over that of a beam bent by as much, below which motions strain nothing.
 const STRAIN_FREE: f64 = 1e-3;
 
+/// What a state of the exact beam has for probes, largest displacements and energy.
+#[derive(Clone, Debug)]
+pub struct ExactState {
+    /// The probes.
+    pub probes: Vec<ProbeResult>,
+    /// The largest magnitudes of displacements and rotations, where there are no probes.
+    pub largest: Vec<(FieldName, f64)>,
+    /// Stored energy.
+    pub energy: f64,
+}
+
 /// What is compared of a state.
 struct Answer {
     displacements: Vec<[f64; 2]>,
     /// The largest of them.
     largest: f64,
-    energy: f64,
+    state: ExactState,
 }
 
-/// Where a law is furthest from the exact one.
+/// Where a beam is furthest from the exact one.
 struct Furthest {
     relative: f64,
     what: String,
 }
 
-/// Compares the states of a beam with those that exact bonds give it.
+/// Compares the states of a beam with those of the exact one.
 pub(super) struct Gauge {
-    law: &'static str,
+    departures: Vec<Departure>,
     stride: usize,
     exact: Result<Vec<Answer>, String>,
     furthest: Option<Furthest>,
-    /// Time that solving with exact bonds took, s.
+    /// Time that solving the exact beam took, s.
     pub(super) seconds: f64,
 }
 
 impl Gauge {
-    /// Solves a scene with exact bonds; `None` if it has these.
+    /// Solves the exact beam; `None` if a scene is that, or nobody asks.
     pub(super) fn new(scene: &BeamScene, options: &RunOptions) -> Option<Self> {
-        let law = scene.beam.parameters().bond_law;
-        if law.is_element {
+        let departures = if options.compare { twin::departures(scene) } else { Vec::new() };
+        if departures.is_empty() {
             return None;
         }
         let begin = Instant::now();
         let stride = (scene.beam.points() * scene.states.len()).div_ceil(MOST_KEPT).max(1);
         let exact = answers(scene, stride, options);
         let seconds = begin.elapsed().as_secs_f64();
-        Some(Self { law: law.name, stride, exact, furthest: None, seconds })
+        Some(Self { departures, stride, exact, furthest: None, seconds })
     }
 
     /// Takes the result of a state.
@@ -66,7 +75,7 @@ impl Gauge {
         let least = self.furthest.as_ref().map_or(FAR, |f| f.relative);
         let (in_deflection, k) = deviation(result, exact, self.stride);
         let in_energy = if is_moved(scene, index, exact) {
-            (result.record.certificate.energy - exact.energy).abs() / exact.energy
+            (result.record.certificate.energy - exact.state.energy).abs() / exact.state.energy
         } else {
             0.0
         };
@@ -83,63 +92,59 @@ impl Gauge {
         }
     }
 
-    /// Adds what there is to say of the law.
-    pub(super) fn warn(self, warnings: &mut Faults) {
-        match (self.exact, self.furthest) {
-            (Err(reason), _) => warn(
-                format!("how far the law `{}` is from the exact one is not known: {reason}", self.law),
-                warnings,
-            ),
-            (Ok(_), Some(Furthest { relative, what })) => {
-                let percent = 100.0 * relative;
-                let digits = if percent < 99.95 { 1 } else { 0 };
-                let law = self.law;
-                warn(
-                    format!("the law `{law}` is {percent:.digits$} % from the exact one in {what}"),
-                    warnings,
-                );
+    /// Adds what there is to say of the beam, and hands on the states of the exact one.
+    pub(super) fn finish(self, warnings: &mut Faults) -> Option<Vec<ExactState>> {
+        if let Some(Furthest { relative, what }) = self.furthest {
+            let percent = 100.0 * relative;
+            let digits = if percent < 99.95 { 1 } else { 0 };
+            let beam = twin::words(&self.departures);
+            let message = format!("{beam} is {percent:.digits$} % from the exact one in {what}");
+            twin::warn(&self.departures, message, warnings);
+        }
+        match self.exact {
+            Ok(answers) => Some(answers.into_iter().map(|answer| answer.state).collect()),
+            Err(reason) => {
+                warn_of_unknown(&self.departures, &reason, warnings);
+                None
             }
-            (Ok(_), None) => {}
         }
     }
 }
 
-/// Compares a beam that breaks with exact bonds before its first one breaks; returns the time that it took, s.
+/// Compares a beam that breaks with the exact one before its first bond breaks; returns the time that it took, s.
 pub(super) fn warn_of_intact(scene: &BeamScene, options: &RunOptions, warnings: &mut Faults) -> f64 {
-    let law = scene.beam.parameters().bond_law;
-    if law.is_element {
+    let departures = if options.compare { twin::departures(scene) } else { Vec::new() };
+    if departures.is_empty() {
         return 0.0;
     }
     let begin = Instant::now();
     let options = RunOptions { recover: false, ..*options };
-    let compared = plain(scene, law.name, &options)
+    let compared = twin::intact(scene, options.max_memory)
         .and_then(|intact| super::run(&intact, &options, &mut |_| Ok(())).map_err(|error| error.to_string()));
     match compared {
         Ok(report) => warnings.append(report.warnings),
-        Err(reason) => warn(
-            format!("how far the law `{}` is from the exact one is not known: {reason}", law.name),
-            warnings,
-        ),
+        Err(reason) => warn_of_unknown(&departures, &reason, warnings),
     }
     begin.elapsed().as_secs_f64()
 }
 
-fn warn(message: String, warnings: &mut Faults) {
-    let path = JsonPath::default().key("model").key("timoshenko_beam").key("bond_law");
-    warnings.warning(path, message).hint(
-        "leave `bond_law` out: the default is exact on any grid; other laws are for studies of the nonlocal beam",
-    );
+fn warn_of_unknown(departures: &[Departure], reason: &str, warnings: &mut Faults) {
+    let beam = twin::words(departures);
+    twin::warn(departures, format!("how far {beam} is from the exact one is not known: {reason}"), warnings);
 }
 
-/// The answers of a scene with exact bonds, or why there are none.
+/// The answers of the exact beam at the points of a scene, or why there are none.
 fn answers(scene: &BeamScene, stride: usize, options: &RunOptions) -> Result<Vec<Answer>, String> {
     let options = RunOptions { recover: false, ..*options };
-    let exact = plain(scene, EXACT, &options)?;
+    let twin = Twin::new(scene, options.max_memory)?;
     let mut all = Vec::new();
-    let report = run_linear(&exact, &options, &mut |result| {
-        let displacements: Vec<[f64; 2]> = result.displacements().step_by(stride).collect();
+    let report = run_linear(&twin.scene, &options, &mut |result| {
+        let lines = result.lines.iter().zip(&twin.shared);
+        let shared =
+            lines.flat_map(|(line, [first, step])| result.displacements_on(line).skip(*first).step_by(*step));
+        let displacements: Vec<[f64; 2]> = shared.step_by(stride).collect();
         let largest = displacements.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
-        all.push(Answer { displacements, largest, energy: result.record.certificate.energy });
+        all.push(Answer { displacements, largest, state: state(&twin.scene, &result) });
         Ok(())
     });
     match report {
@@ -149,16 +154,19 @@ fn answers(scene: &BeamScene, stride: usize, options: &RunOptions) -> Result<Vec
     }
 }
 
-/// A scene with a bond law, which does not break and tells nothing but its displacements.
-fn plain(scene: &BeamScene, law: &str, options: &RunOptions) -> Result<BeamScene, String> {
-    let mut case = scene.case.clone();
-    (case.checks, case.probes, case.fracture) = (Vec::new(), Vec::new(), None);
-    if let Model::TimoshenkoBeam(beam) = &mut case.model {
-        beam.bond_law = Some(law.into());
+/// What estimates of errors need of a state of the exact beam.
+fn state(scene: &BeamScene, result: &BeamResult) -> ExactState {
+    let largest = |field: &FieldName| {
+        let [smallest, largest] = result.extremes(*field)?;
+        Some((*field, smallest.0.abs().max(largest.0.abs())))
+    };
+    // Those that were not recovered have none.
+    let fields: &[FieldName] = if scene.probes.is_empty() { result.fields() } else { &[] };
+    ExactState {
+        probes: probes(scene, result),
+        largest: fields.iter().filter_map(largest).collect(),
+        energy: result.record.certificate.energy,
     }
-    // Only the checks of beams name files.
-    let resolved = Scene::new(case, Path::new(""), "", "", options.max_memory).map_err(|e| e.to_string())?;
-    resolved.into_beam().ok_or_else(|| "it is no beam".into())
 }
 
 /// The largest distance from the exact displacements, over the largest of these, and at which of the points.
@@ -178,8 +186,9 @@ fn is_moved(scene: &BeamScene, state: usize, exact: &Answer) -> bool {
     let softest = lines.map(|line| line.stiffness.bending.value(0.0) / line.length.powi(3));
     let bent = softest.fold(f64::INFINITY, f64::min) * exact.largest.powi(2);
     // Points that supports hold, all of them, do not deflect whatever the law.
-    let is_flat = exact.energy > 0.0 && bent <= 1e-12 * exact.energy;
-    is_flat || (loads.point.is_empty() && loads.distributed.is_empty() && exact.energy > STRAIN_FREE * bent)
+    let is_flat = exact.state.energy > 0.0 && bent <= 1e-12 * exact.state.energy;
+    is_flat
+        || (loads.point.is_empty() && loads.distributed.is_empty() && exact.state.energy > STRAIN_FREE * bent)
 }
 
 /// Where a point is, counted over all lines.

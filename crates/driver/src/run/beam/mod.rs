@@ -10,11 +10,13 @@ mod line_points;
 mod reaction;
 mod skipped;
 mod strain;
+mod twin;
 mod verdict;
 
 pub use extremes::MemberForces;
 pub(crate) use extremes::member_forces;
 pub use fields::{BeamResult, LineFields};
+pub use law::ExactState;
 pub use line_points::LinePoints;
 pub use reaction::{JointReaction, Reaction};
 pub(crate) use verdict::{checks, probes};
@@ -29,8 +31,8 @@ use peristat_assembly::model::timoshenko_beam::{CriticalStrains, TimoshenkoBeam}
 use peristat_assembly::model::{Breakable, Model};
 use peristat_assembly::system::System;
 
-/// Solves every state of a beam and hands its result to `sink` as it comes. A bond law that is not exact is compared with
-/// the one that is.
+/// Solves every state of a beam and hands its result to `sink` as it comes. A beam that is not exact on any grid is compared
+/// with the one that is, if the options say so.
 ///
 /// # Errors
 /// As [`super::run`].
@@ -45,7 +47,7 @@ pub fn run(
         sink(result)
     })?;
     report.timing.compare = gauge.seconds;
-    gauge.warn(&mut report.warnings);
+    report.exact = gauge.finish(&mut report.warnings);
     Ok(report)
 }
 

@@ -21,6 +21,11 @@ pub(super) enum Ending {
 }
 
 impl Ending {
+    /// Whether the body bears what was asked for, so that its last state is the one that was meant.
+    pub(super) fn is_goal(self) -> bool {
+        self == Self::FullLoad
+    }
+
     /// In words.
     pub(super) fn words(self) -> &'static str {
         match self {

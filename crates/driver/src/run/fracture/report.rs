@@ -12,6 +12,8 @@ use crate::diagnostic::{Faults, JsonPath};
 pub struct FractureReport {
     /// Why the run ended.
     pub ending: &'static str,
+    /// Whether it came to the end of what was asked for: limits are kept there, or not at all.
+    pub reached_goal: bool,
     /// Equilibria.
     pub solves: usize,
     /// Bonds that broke.
@@ -64,8 +66,10 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             warnings,
             converged: self.converged,
             path: None,
+            exact: None,
             fracture: Some(FractureReport {
                 ending: ending.words(),
+                reached_goal: ending.is_goal(),
                 solves: self.events.len(),
                 broken_bonds: self.broken.len(),
                 island_points: self.islands.points(),

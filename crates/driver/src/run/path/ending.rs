@@ -14,6 +14,11 @@ pub(super) enum Ending {
 }
 
 impl Ending {
+    /// Whether the last state is the one that was meant.
+    pub(super) fn is_goal(self) -> bool {
+        self == Self::Arrived
+    }
+
     /// In words.
     pub(super) fn words(self) -> &'static str {
         match self {

@@ -22,6 +22,8 @@ const TURNED: f64 = 0.1;
 pub struct PathReport {
     /// Why the run ended.
     pub ending: &'static str,
+    /// Whether it came to the end of what was asked for: limits are kept there, or not at all.
+    pub reached_goal: bool,
     /// What drove the body in the end.
     pub control: PathControl,
     /// Why.
@@ -107,8 +109,10 @@ pub(super) fn report<const D: usize>(
         warnings,
         converged: ending != Ending::Stuck,
         fracture: None,
+        exact: None,
         path: Some(PathReport {
             ending: ending.words(),
+            reached_goal: ending.is_goal(),
             control: chosen.name,
             control_reason: chosen.reason.clone(),
             yield_stretch: scene.law.yield_stretch(),

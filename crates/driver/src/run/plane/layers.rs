@@ -11,6 +11,7 @@ use crate::scene::plane::{PlaneBonds, PlaneScene};
 use crate::scene::words::tidy;
 use peristat_assembly::body::Shape;
 use peristat_assembly::model::beam_bond_orthotropic::{OrthotropicMaterial, OrthotropicParameters};
+use std::f64::consts::PI;
 
 /// Horizons that a layer should have at least; a warning comes below one.
 const ADVISED: f64 = 2.0;
@@ -39,9 +40,10 @@ impl Layers {
             return Self(Vec::new());
         };
         let squares = squared_roots(&parameters.material);
-        let radii = outline.holes().iter().enumerate().filter_map(|(k, hole)| match hole.shape {
-            Shape::Circle { radius, .. } | Shape::Slot { radius, .. } => Some((k, radius)),
-            Shape::Polygon(_) => None,
+        let radii = outline.holes().iter().enumerate().map(|(k, hole)| match &hole.shape {
+            Shape::Circle { radius, .. } | Shape::Slot { radius, .. } => (k, *radius),
+            // As round as a circle of its area, or sharper.
+            Shape::Polygon(polygon) => (k, (polygon.area().abs() / PI).sqrt()),
         });
         let layers = radii.flat_map(|(hole, radius)| {
             [0, 1].map(|axis| Layer { hole, axis, thickness: radius / squares[axis] })

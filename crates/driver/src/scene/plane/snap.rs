@@ -3,8 +3,9 @@
 
 use crate::case::Hole;
 
-/// Coordinates that differ by less than this part of the size of the body are the same.
-const SAME: f64 = 1e-9;
+/// Coordinates that differ by less than this part of the size of the body are the same: it is what single precision, in which
+/// drawings are often stored, leaves of them.
+const SAME: f64 = 1e-7;
 
 /// The coordinates of a body without the noise of rounding.
 #[derive(Debug)]
@@ -32,7 +33,7 @@ impl Snap {
             let mut all: Vec<(f64, bool)> = corners.iter().map(|v| (v[k], true)).collect();
             all.extend(given.iter().map(|v| (v[k], false)));
             all.sort_by(|a, b| a.0.total_cmp(&b.0));
-            all.chunk_by(|a, b| b.0 - a.0 <= within).map(|near| common(near, within)).collect()
+            groups(&all, within).into_iter().map(|near| common(near, within)).collect()
         });
         Self { kept, within }
     }
@@ -76,6 +77,17 @@ fn positions(hole: &Hole) -> Vec<[f64; 2]> {
     }
 }
 
+/// Groups of ascending coordinates that are not wider than this: near ones do not chain up along a round border.
+fn groups(all: &[(f64, bool)], within: f64) -> Vec<&[(f64, bool)]> {
+    let (mut groups, mut rest) = (Vec::new(), all);
+    while let Some(first) = rest.first() {
+        let (group, others) = rest.split_at(rest.partition_point(|c| c.0 - first.0 <= within));
+        groups.push(group);
+        rest = others;
+    }
+    groups
+}
+
 /// What coordinates next to each other become: that which stays, zero, or the one with the fewest digits.
 fn common(near: &[(f64, bool)], within: f64) -> f64 {
     let stays = near.iter().find(|c| c.1).map(|c| c.0);
@@ -93,8 +105,9 @@ mod tests {
         let vertices = [[0.0, 0.0], [50.0, -1e-14], [49.999_999_999_999_99, 25.0], [3e-15, 50.0]];
         let snap = Snap::new(&[], &vertices, &[]);
         assert_eq!(snap.positions(&vertices), [[0.0, 0.0], [50.0, 0.0], [50.0, 25.0], [0.0, 50.0]]);
-        // A millionth of a spacing of a thousandth is no rounding.
-        assert_eq!(snap.position([1e-7, 50.0]), [1e-7, 50.0]);
+        // Single precision keeps seven digits; a spacing of a ten thousandth has a hundredth of it.
+        assert_eq!(snap.position([f64::from(0.1f32) - 0.1, 50.0]), [0.0, 50.0]);
+        assert_eq!(snap.position([5e-5, 50.0]), [5e-5, 50.0]);
     }
 
     #[test]

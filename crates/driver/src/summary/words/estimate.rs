@@ -1,7 +1,7 @@
 //! Estimated errors of the discretisation in words.
 
 use super::{Listing, MOST_ROWS, number};
-use crate::summary::{Estimate, Summary};
+use crate::summary::{Estimate, Estimates, Grids, Summary};
 
 /// A multiple of the spacing: `3`, `1/3`.
 pub(crate) fn times(multiple: f64) -> String {
@@ -16,17 +16,23 @@ pub(crate) fn estimates(summary: &Summary) -> Option<(String, Option<Listing>)> 
             .as_ref()
             .map(|reason| (format!("error of the grid: not estimated; {reason}"), None));
     };
-    let spacings: Vec<String> = estimates.spacings.iter().map(|s| times(*s)).collect();
     let remark = estimates.remark.as_ref().map_or(String::new(), |remark| format!("; {remark}"));
-    let sentence = format!(
-        "error of the grid, against {}, estimated from {} times the spacing{remark}",
-        estimates.against,
-        spacings.join(" and ")
-    );
+    let sentence = format!("error of the grid, against {}, {}{remark}", estimates.against, source(estimates));
     let header = ["quantity", "value", "estimated error", "relative", "basis"];
     let all = &estimates.quantities;
     let rows = all.iter().take(MOST_ROWS).map(row).collect();
     Some((sentence, Listing::new(&header, rows, all.len(), "quantities")))
+}
+
+/// Where the estimates are from.
+fn source(estimates: &Estimates) -> String {
+    let spacings: Vec<String> = estimates.spacings.iter().map(|s| times(*s)).collect();
+    match estimates.kind {
+        Grids::ExactBeam => "from the same beam with the law, ends and grid that are exact".into(),
+        Grids::Coarser | Grids::FinerAndCoarser => {
+            format!("estimated from {} times the spacing", spacings.join(" and "))
+        }
+    }
 }
 
 fn row(e: &Estimate) -> Vec<String> {

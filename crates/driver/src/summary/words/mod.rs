@@ -142,7 +142,11 @@ pub(crate) fn checks(checks: &[CheckResult]) -> Listing {
             number(c.found),
             if c.error.is_finite() { format!("{:.2e}", c.error) } else { "none".into() },
             format!("{:.0e}", c.tolerance),
-            if c.passed { "passed".into() } else { "FAILED".into() },
+            match &c.remark {
+                _ if c.passed => "passed".into(),
+                None => "FAILED".into(),
+                Some(remark) => format!("FAILED: {remark}"),
+            },
         ]
     };
     let header = ["check", "expected", "found", "error", "tolerance", ""];

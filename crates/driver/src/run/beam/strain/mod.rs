@@ -100,6 +100,7 @@ where
         warnings: Default::default(),
         converged,
         fracture: None,
+        exact: None,
     })
 }
 
