@@ -25,12 +25,14 @@ fn media() -> Vec<Medium> {
         ["matched", "published"].into_iter().flat_map(|c| ["none", "volume", "energy"].map(|e| (c, e)));
     let mut treated: Vec<Value> = treated.map(|(c, e)| json!({ "calibration": c, "edges": e })).collect();
     treated.push(json!({ "calibration": "matched", "edges": "overlay" }));
+    let mut of_central = treated.clone();
+    of_central.push(json!({ "calibration": "matched", "edges": "border" }));
     let stretch = || json!({ "stretch": 0.5 });
     let central = |state: &str, modulus: f64| Medium {
         model: "bond_plane",
         keys: json!({ "youngs_modulus": E, "state": state }),
-        usual: json!({ "calibration": "published", "edges": "none" }),
-        treated: treated.clone(),
+        usual: json!({}),
+        treated: of_central.clone(),
         fractures: vec![stretch(), json!({ "energy_release_rate": 1e9 })],
         law: Some(json!({ "bilinear": { "yield_stretch": 0.5, "failure_stretch": 2.0 } })),
         modulus,
@@ -42,10 +44,10 @@ fn media() -> Vec<Medium> {
             "fibre_angle": degrees
         }),
         usual: json!({ "calibration": "matched", "edges": "none" }),
+        treated: treated.clone(),
         fractures: vec![json!({ "fibre_stretch": 0.5, "matrix_stretch": 0.7 })],
         law: None,
         modulus,
-        ..central("plane_stress", E)
     };
     let states = ["ghosts", "moment_plus", "none"].map(|e| json!({ "edges": e })).to_vec();
     let state = Medium {
@@ -160,7 +162,11 @@ impl Bar {
                     let mut case = self.case(medium, treated);
                     case["model"][medium.model]["bond_law"] = law.clone();
                     case["path"] = json!({ "control": control, "increment": 0.5 });
-                    let row = self.row(medium, &format!("path, {control}, {treated}"), case);
+                    let mut row = self.row(medium, &format!("path, {control}, {treated}"), case);
+                    if treated["edges"] == "border" || treated == &json!({}) {
+                        // Stresses beside a border are told by the runs, of elastic bodies by triangles; 3.3e-2 is found.
+                        row.known = [0.0, 0.05];
+                    }
                     rows.push(Self::as_elastic(row, elastic.clone()));
                 }
             }
@@ -169,8 +175,8 @@ impl Bar {
     }
 }
 
-/// What a body that breaks is softer by as it is usually made, over its length: its edges are not completed, and those that are
-/// held least of all.
+/// What a body of beam bonds that breaks is softer by as it is usually made, over its length: its edges are not completed, and
+/// those that are held least of all.
 const SOFT: [(f64, f64); 3] = [(20.0, 0.32), (40.0, 0.22), (80.0, 0.13)];
 
 /// The force that moves an edge, against that of the uniform state.
@@ -191,7 +197,12 @@ fn soft() -> Vec<Row> {
                 (length * 20.0) as usize,
             );
             row.wish = Wish::Answer;
-            row.known = [0.0, if medium.model == "state_plane" { 0.01 } else { softness }];
+            let softness = match medium.model {
+                "bond_plane" => 0.0,
+                "state_plane" => 0.01,
+                _ => softness,
+            };
+            row.known = [0.0, softness];
             rows.push(row.expect(json!({ "region": "left" }), "reaction_x", Kind::Force, 1.0, force));
         }
     }

@@ -55,8 +55,8 @@ fn media() -> Vec<Medium> {
         keys: json!({ "youngs_modulus": E, "state": state, "thickness": THICKNESS }),
         moduli: isotropic(state, nu),
         joined: EXACT,
-        confined: [3.5e-4, 0.0105],
-        free: [0.05, 0.125],
+        confined: EXACT,
+        free: EXACT,
         sheared: [EXACT; 2],
     };
     let state_based = |state: &'static str, nu: f64| Medium {

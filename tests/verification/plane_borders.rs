@@ -150,6 +150,8 @@ fn a_rectangle_drawn_as_an_outline_has_the_same_loads() {
     outline["body"]["outline"]["vertices"] = json!([[0, 0], [40, 0], [40, 10], [44, 10], [44, 20], [0, 20]]);
     assert!(probes(&outline)[0].is_finite());
     outline["loads"][0]["traction"]["sharing"] = json!("consistent");
+    assert!(probes(&outline)[0].is_finite());
+    outline["model"]["bond_plane"]["edges"] = json!("overlay");
     assert!(refusal(&outline).contains("cannot be `consistent`: a shear needs an edge whose neighbours"));
 }
 

@@ -114,6 +114,13 @@ impl Bilinear {
         }
     }
 
+    /// The law of a part of a bond that takes as much energy as the whole one: it yields at the same stretch and fails at one
+    /// over the part of that of the whole.
+    #[must_use]
+    pub fn of_part(&self, part: f64) -> Self {
+        Self { failure_stretch: self.failure_stretch / part, ..*self }
+    }
+
     /// Yield stretch s_y.
     pub fn yield_stretch(&self) -> f64 {
         self.yield_stretch

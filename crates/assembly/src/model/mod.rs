@@ -28,6 +28,16 @@ pub struct ModelSizes {
 }
 
 impl ModelSizes {
+    /// Sizes of a term that couples so many pairs of points, those of several elements counted each.
+    pub(crate) fn of<const D: usize>(term: &dyn Term<D>, couplings: usize) -> Self {
+        Self {
+            reach: term.reach(),
+            elements: term.elements(),
+            entries: D * D * couplings,
+            bytes: size_of::<f64>() * term.stored_factors(),
+        }
+    }
+
     /// Sizes of both together.
     pub fn join(self, other: Self) -> Self {
         Self {
@@ -69,12 +79,7 @@ pub trait Model<const D: usize> {
     /// Sizes of the terms. A model whose terms take much memory says them without building any.
     fn sizes(&self) -> ModelSizes {
         let terms = self.terms();
-        let sizes = terms.iter().map(|term| ModelSizes {
-            reach: term.reach(),
-            elements: term.elements(),
-            entries: D * D * term.elements(),
-            bytes: size_of::<f64>() * term.stored_factors(),
-        });
+        let sizes = terms.iter().map(|term| ModelSizes::of(&**term, term.elements()));
         sizes.fold(ModelSizes::default(), ModelSizes::join)
     }
 

@@ -1,33 +1,26 @@
 //! Bonds with memory: each resists its elongation by a law, and remembers what it has been through.
 
+mod answer;
+mod ends;
 #[cfg(test)]
 mod tests;
 
+pub use answer::{Answer, BondAnswers, Kinematics};
+pub use ends::EndedBond;
+
 use super::Parts;
-use crate::bonds::Mat;
 use crate::law::{BondEnergy, Law};
+use ends::Ends;
 use rayon::prelude::*;
 use std::array::from_fn;
 
 /// Bonds that one thread takes at a time: fixed, so that sums do not depend on the number of threads.
 const BLOCK: usize = 2048;
 
-/// Which elongation a displacement gives a bond.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-pub enum Kinematics {
-    /// `e = n·(u_j − u_i)` along the undeformed bond: a turn by θ looks like a stretch of −θ²/2.
-    #[default]
-    Linear,
-    /// `e = |y_j − y_i| − ξ`: rigid motions of any size cost nothing.
-    Finite,
-}
-
-/// A bond between two points.
+/// A bond between two points, or two places that move with points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HistoryBond<const D: usize> {
-    /// The two points, the lower number first.
+    /// The two points, the lower number first; between places those that move the ends most.
     pub points: [u32; 2],
     /// Unit vector from the first to the second.
     pub direction: [f64; D],
@@ -39,58 +32,15 @@ pub struct HistoryBond<const D: usize> {
     pub law: usize,
 }
 
-/// What a bond does in a state.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Answer<const D: usize> {
-    /// Unit vector along the bond as it lies now.
-    pub direction: [f64; D],
-    /// Elongation e, m.
-    pub elongation: f64,
-    /// Axial force N, N, positive in tension.
-    pub force: f64,
-    /// `dN/de`, N/m.
-    pub tangent: f64,
-    /// Secant stiffness, N/m, >= 0.
-    pub secant: f64,
-    /// Force over the length that the bond has now, N/m: what resists its turning; zero for linear kinematics.
-    pub turning: f64,
-}
-
-impl<const D: usize> Answer<D> {
-    /// At rest.
-    const REST: Self =
-        Self { direction: [0.0; D], elongation: 0.0, force: 0.0, tangent: 0.0, secant: 0.0, turning: 0.0 };
-
-    /// The block `(1 − θ) K_t + θ K_s` of the tangent and the secant stiffness on the difference of displacements,
-    /// `k n nᵀ + (N/L)(I − n nᵀ)`. The secant one is without the compression that would make it indefinite.
-    pub fn block(&self, secant_part: f64) -> Mat<D, D> {
-        let axial = (1.0 - secant_part) * self.tangent + secant_part * self.secant;
-        let across = if secant_part > 0.0 {
-            (1.0 - secant_part) * self.turning + secant_part * self.turning.max(0.0)
-        } else {
-            self.turning
-        };
-        let n = &self.direction;
-        from_fn(|r| from_fn(|c| (axial - across) * (n[r] * n[c]) + if r == c { across } else { 0.0 }))
-    }
-}
-
-/// What all bonds do in a state.
-#[derive(Clone, Debug)]
-pub struct BondAnswers<const D: usize> {
-    /// Bond by bond.
-    pub bonds: Vec<Answer<D>>,
-    /// Incremental potential since the committed state, and what was stored there, J.
-    pub energy: f64,
-}
-
 /// Bonds with memory between the points of a body, with `D` displacements per point.
 #[derive(Clone, Debug)]
 pub struct HistoryBonds<const D: usize, L: Law> {
     points: usize,
     kinematics: Kinematics,
     laws: Vec<L>,
+    /// Those between points come first.
     bonds: Vec<HistoryBond<D>>,
+    ends: Ends,
     history: Vec<L::History>,
 }
 
@@ -103,7 +53,23 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
         assert!(bonds.iter().all(|b| b.law < laws.len()), "every bond has a law");
         bonds.sort_by_key(|b| b.points);
         let history = vec![L::History::default(); bonds.len()];
-        Self { points, kinematics, laws, bonds, history }
+        let ends = Ends::new(bonds.len());
+        Self { points, kinematics, laws, bonds, ends, history }
+    }
+
+    /// The same with virgin bonds between places, behind those that there are.
+    ///
+    /// # Panics
+    /// A bond has none of the laws.
+    #[must_use]
+    pub fn with_ended(mut self, bonds: Vec<EndedBond<D>>) -> Self {
+        assert!(bonds.iter().all(|b| b.bond.law < self.laws.len()), "every bond has a law");
+        for ended in bonds {
+            self.bonds.push(ended.bond);
+            self.ends.push(&ended.shares, ended.of);
+            self.history.push(L::History::default());
+        }
+        self
     }
 
     /// The bonds.
@@ -114,6 +80,26 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
     /// What they remember.
     pub fn history(&self) -> &[L::History] {
         &self.history
+    }
+
+    /// Points and their shares in the difference of the displacements of the ends of a bond; they sum to zero.
+    pub fn shares(&self, bond: usize) -> impl Iterator<Item = (u32, f64)> + '_ {
+        let (plain, placed) = match self.ends.shares(bond) {
+            Some(shares) => (None, shares),
+            None => (Some(self.bonds[bond].points), &[][..]),
+        };
+        let plain = plain.into_iter().flat_map(|[i, j]| [(i, -1.0), (j, 1.0)]);
+        plain.chain(placed.iter().copied())
+    }
+
+    /// Points in whose families a bond is, and the part of a whole one that it is there.
+    pub fn families(&self, bond: usize) -> impl Iterator<Item = (usize, f64)> {
+        let (plain, placed) = match self.ends.family(bond) {
+            Some(of) => (None, of),
+            None => (Some(self.bonds[bond].points), None),
+        };
+        let plain = plain.into_iter().flatten().map(|point| (point, 1.0));
+        plain.chain(placed).map(|(point, part)| (point as usize, part))
     }
 
     /// Law of a bond.
@@ -138,10 +124,12 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
         let blocks = answers.bonds.par_chunks_mut(BLOCK).zip(self.bonds.par_chunks(BLOCK));
         let energies: Vec<f64> = blocks
             .zip(self.history.par_chunks(BLOCK))
-            .map(|((answers, bonds), history)| {
+            .enumerate()
+            .map(|(block, ((answers, bonds), history))| {
                 let mut energy = 0.0;
-                for ((answer, bond), history) in answers.iter_mut().zip(bonds).zip(history) {
-                    energy += self.answer(u, (bond, history), answer);
+                for (k, ((answer, bond), history)) in answers.iter_mut().zip(bonds).zip(history).enumerate() {
+                    let eta = self.difference(u, block * BLOCK + k, bond);
+                    energy += self.answer(eta, (bond, history), answer);
                 }
                 energy
             })
@@ -149,15 +137,14 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
         answers.energy = energies.iter().sum();
     }
 
-    /// Fills in the answer of a bond and returns its energy.
+    /// Fills in the answer of a bond to a difference of displacements and returns its energy.
     #[inline]
     fn answer(
         &self,
-        u: &[f64],
+        eta: [f64; D],
         (bond, history): (&HistoryBond<D>, &L::History),
         answer: &mut Answer<D>,
     ) -> f64 {
-        let eta = self.difference(u, bond);
         let along: f64 = (0..D).map(|c| bond.direction[c] * eta[c]).sum();
         let mut length = bond.length;
         (answer.elongation, answer.direction) = (along, bond.direction);
@@ -179,7 +166,10 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
     }
 
     #[inline]
-    fn difference(&self, u: &[f64], bond: &HistoryBond<D>) -> [f64; D] {
+    fn difference(&self, u: &[f64], number: usize, bond: &HistoryBond<D>) -> [f64; D] {
+        if let Some(shares) = self.ends.shares(number) {
+            return ends::difference(u, self.points, shares);
+        }
         let [i, j] = bond.points.map(|p| p as usize);
         from_fn(|c| u[c * self.points + j] - u[c * self.points + i])
     }
@@ -188,6 +178,14 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
     pub fn add_force(&self, answers: &[Answer<D>], mut axial: impl FnMut(usize) -> f64, force: &mut [f64]) {
         for (k, (bond, answer)) in self.bonds.iter().zip(answers).enumerate() {
             let ([i, j], n) = (bond.points.map(|p| p as usize), axial(k));
+            if let Some(shares) = self.ends.shares(k) {
+                for &(point, share) in shares {
+                    (0..D).for_each(|c| {
+                        force[c * self.points + point as usize] += share * (answer.direction[c] * n);
+                    });
+                }
+                continue;
+            }
             for c in 0..D {
                 force[c * self.points + i] -= answer.direction[c] * n;
                 force[c * self.points + j] += answer.direction[c] * n;
@@ -197,11 +195,11 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
 
     /// Rates of the elongations while the unknowns change at the rate `v`, m.
     pub fn elongation_rates(&self, answers: &[Answer<D>], v: &[f64]) -> Vec<f64> {
-        let rate = |(bond, answer): (&HistoryBond<D>, &Answer<D>)| {
-            let eta = self.difference(v, bond);
+        let rate = |(k, (bond, answer)): (usize, (&HistoryBond<D>, &Answer<D>))| {
+            let eta = self.difference(v, k, bond);
             (0..D).map(|c| answer.direction[c] * eta[c]).sum()
         };
-        self.bonds.par_iter().zip(answers).with_min_len(BLOCK).map(rate).collect()
+        self.bonds.par_iter().zip(answers).enumerate().with_min_len(BLOCK).map(rate).collect()
     }
 
     /// Commits a state; returns how many bonds have changed and how many of them broke.
@@ -221,14 +219,19 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
 
     /// The largest angle, rad, by which a bond that still bears something has turned under the unknowns `u`.
     pub fn largest_turn(&self, u: &[f64]) -> f64 {
-        let intact = self.bonds.iter().zip(&self.history).filter(|(b, h)| !self.laws[b.law].is_broken(h));
-        let turn = |(bond, _): (&HistoryBond<D>, &L::History)| {
-            let eta = self.difference(u, bond);
+        let turn = |(k, bond): (usize, &HistoryBond<D>)| {
+            let eta = self.difference(u, k, bond);
             let along: f64 = (0..D).map(|c| bond.direction[c] * eta[c]).sum();
             let across = (0..D).map(|c| (eta[c] - along * bond.direction[c]).powi(2)).sum::<f64>().sqrt();
             across.atan2(bond.length + along)
         };
-        intact.map(turn).fold(0.0, f64::max)
+        self.intact().map(turn).fold(0.0, f64::max)
+    }
+
+    /// Numbers of the bonds that still bear something, and these.
+    fn intact(&self) -> impl Iterator<Item = (usize, &HistoryBond<D>)> {
+        let all = self.bonds.iter().enumerate();
+        all.filter(|(k, bond)| !self.laws[bond.law].is_broken(&self.history[*k]))
     }
 
     /// Breaks a bond for good.
@@ -271,19 +274,23 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
     /// Parts of the body that bonds which still bear something hold together.
     pub fn connected(&self) -> Parts {
         let mut parts = Parts::new(self.points);
-        let intact = self.bonds.iter().zip(&self.history).filter(|(b, h)| !self.laws[b.law].is_broken(h));
-        intact.for_each(|(bond, _)| parts.join(bond.points[0] as usize, bond.points[1] as usize));
+        for (k, bond) in self.intact() {
+            let first = bond.points[0] as usize;
+            self.shares(k).for_each(|(point, _)| parts.join(first, point as usize));
+        }
         parts
     }
 
     /// How far bonds have softened, with the stiffness of each as its weight, per point: 0 to 1.
     pub fn damage(&self) -> Vec<f64> {
         let (mut sum, mut weight) = (vec![0.0; self.points], vec![0.0; self.points]);
-        for (bond, history) in self.bonds.iter().zip(&self.history) {
+        for (k, (bond, history)) in self.bonds.iter().zip(&self.history).enumerate() {
             let share = self.laws[bond.law].damage(history);
-            for point in bond.points.map(|p| p as usize) {
-                sum[point] += bond.stiffness * share;
-                weight[point] += bond.stiffness;
+            for (point, part) in self.families(k) {
+                // A part of a bond is as much stiffer than a whole one.
+                let stiffness = part * bond.stiffness;
+                sum[point] += stiffness * share;
+                weight[point] += stiffness;
             }
         }
         sum.iter().zip(&weight).map(|(sum, weight)| if *weight > 0.0 { sum / weight } else { 0.0 }).collect()

@@ -5,7 +5,8 @@
 //! on all points of its element, so that its rounding is a change of stiffness, which no soft support notices.
 
 use super::Family;
-use crate::bonds::Mat;
+use super::placed_bonds::{Member, row};
+use crate::bonds::{Mat, Rows};
 use crate::sum::Sum;
 use std::array::from_fn;
 
@@ -61,6 +62,33 @@ pub(super) fn add_bond<const D: usize, const M: usize>(
                 force[c * points + point].add_product(sign * rows[m][c], sigma);
                 force[c * points + point].add_product(half[m][c], sigma);
             }
+        }
+    }
+}
+
+/// Adds the forces of a bond between places in a body of `points` points.
+pub(super) fn add_placed_bond<const D: usize, const M: usize>(
+    (rows, moduli): (&Rows<D, M>, &[f64; M]),
+    points: usize,
+    members: &[Member],
+    u: Twofold<'_>,
+    force: &mut [Sum],
+) {
+    let Some((first, others)) = members.split_first() else { return };
+    let first = first.point as usize;
+    for m in 0..M {
+        let mut measure = Sum::default();
+        for c in 0..D {
+            measure.add_multiple(rows.mean[m][c], u.at(c * points + first));
+            for member in others {
+                let moved = u.between(c * points + first, c * points + member.point as usize);
+                measure.add_multiple(row(rows, member)[m][c], moved);
+            }
+        }
+        let sigma = moduli[m] * measure.total();
+        for member in members {
+            let row = row(rows, member)[m];
+            (0..D).for_each(|c| force[c * points + member.point as usize].add_product(row[c], sigma));
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::bonds::Mat;
 use crate::condition::Constraints;
 use sprs::CsMat;
 
-/// An independent unknown in the difference of the displacements of two points.
+/// An independent unknown in the difference of the displacements of two places.
 #[derive(Clone, Copy, Debug)]
 struct Share {
     unknown: u32,
@@ -17,7 +17,7 @@ struct Share {
 
 /// Where bonds that resist differences of displacements put their blocks.
 ///
-/// The difference of the `D` displacements of two points is `Σ coefficient · q` over a few independent unknowns; a block
+/// The difference of the `D` displacements of the ends of a bond is `Σ coefficient · q` over a few independent unknowns; a block
 /// on it adds to all pairs of these. Unknowns that are constrained keep their numbers and a diagonal of one.
 #[derive(Clone, Debug)]
 pub struct DifferencePattern<const D: usize> {
@@ -42,15 +42,20 @@ fn pairs(shares: &[Share]) -> impl Iterator<Item = (&Share, &Share)> {
 }
 
 impl<const D: usize> DifferencePattern<D> {
-    /// Places of bonds between pairs of points, of a body of `points` points.
-    pub fn new(points: usize, constraints: &Constraints, bonds: impl Iterator<Item = [u32; 2]>) -> Self {
+    /// Places of bonds, of a body of `points` points; a bond is the points that move its ends and their shares in the difference
+    /// of the displacements of these, −1 and 1 between two points.
+    pub fn new<B: IntoIterator<Item = (u32, f64)>>(
+        points: usize,
+        constraints: &Constraints,
+        bonds: impl Iterator<Item = B>,
+    ) -> Self {
         let size = D * points;
         let mut row_of = vec![0_u32; size];
         constraints.rows().iter().zip(1..).for_each(|(row, number)| row_of[row.unknown] = number);
         let (mut first, mut shares) = (vec![0_u32], Vec::new());
-        for [i, j] in bonds {
+        for bond in bonds {
             let begin = shares.len();
-            for (point, sign) in [(i, -1.0), (j, 1.0)] {
+            for (point, part) in bond {
                 for component in 0..D {
                     let unknown = component * points + point as usize;
                     let mut add = |unknown: usize, coefficient: f64| {
@@ -61,10 +66,10 @@ impl<const D: usize> DifferencePattern<D> {
                         );
                     };
                     match row_of[unknown] {
-                        0 => add(unknown, sign),
+                        0 => add(unknown, part),
                         number => {
                             let masters = &constraints.rows()[number as usize - 1].masters;
-                            masters.iter().for_each(|&(m, c)| add(m, sign * c));
+                            masters.iter().for_each(|&(m, c)| add(m, part * c));
                         }
                     }
                 }

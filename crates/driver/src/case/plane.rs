@@ -23,14 +23,15 @@ pub struct Plane {
     /// How the stiffness of bonds depends on their length; `constant` if not given.
     #[serde(default)]
     pub influence: Influence,
-    /// Where the stiffness of bonds comes from; `published` where bonds break or soften, else `matched`, if not given.
+    /// Where the stiffness of bonds comes from; `published` where bonds break or soften and edges are not completed, else
+    /// `matched`, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration: Option<Calibration>,
     /// Volume of points at the edge of the horizon, with the calibration `published`; `ramp` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_factor: Option<VolumeFactor>,
-    /// What is done about the bonds that points near edges lack; `overlay` with the calibration `matched`, `none` with
-    /// `published` and where bonds break, if not given.
+    /// What is done about the bonds that points near edges lack; `border` with the calibration `matched`, `none` with
+    /// `published`, if not given. Where there is no `border` it is `overlay`, and `none` where bonds soften.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edges: Option<Edges>,
     /// What bonds do beyond their elastic range; they have none if not given. It needs `path`.

@@ -188,7 +188,7 @@ pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
         material: material(scene),
         thickness: bonds.thickness(),
         calibration: (!matches!(bonds, PlaneBonds::State(_))).then(|| bonds.calibration()),
-        edges: bonds.edges(),
+        edges: scene.model.edges(),
         horizon_ratio: scene.horizon() / scene.spacing(),
         spacing: scene.spacing(),
         lattice: scene.model.lattice().is_some(),

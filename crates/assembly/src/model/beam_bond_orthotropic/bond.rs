@@ -44,6 +44,11 @@ impl PlaneBond<3, 3, 4> for BeamBond {
         [[xx, yy, xy, 0.0], [-xy, xy, 0.5 * (xx - yy), 1.0], [0.0; 4]]
     }
 
+    fn part_moduli(&self, _: &BondGeometry, share: f64) -> [f64; 3] {
+        // The bend of a part is that part of the whole one.
+        [share * self.volume, share * self.volume, self.volume / share]
+    }
+
     fn stretch_per_measure(&self, _: &BondGeometry) -> f64 {
         1.0
     }

@@ -1,6 +1,6 @@
 //! Neighbours of a point of a lattice and the beam bonds to them.
 
-use super::super::plane::{Calibration, Edges, Neighbourhood, half_offsets, is_within};
+use super::super::plane::{Calibration, Neighbourhood, half_offsets, is_within};
 use super::calibration::{Fibres, matched, published};
 use super::{Moments, OrthotropicError, OrthotropicParameters, Start};
 use crate::body::Cell;
@@ -36,7 +36,7 @@ impl BeamNeighbourhood {
                 let (weights, start) = matched::weights(parameters, &offsets, &fibres)?;
                 (weights, Some(start))
             }
-            Calibration::Published if parameters.edges == Edges::Overlay => {
+            Calibration::Published if parameters.edges.is_exact() => {
                 return Err(OrthotropicError::OverlayNeedsMatched);
             }
             Calibration::Published if parameters.start.is_some() => {

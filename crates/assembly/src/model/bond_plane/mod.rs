@@ -31,7 +31,9 @@ pub use parameters::{Influence, PlaneParameters, VolumeFactor};
 pub use softening::{failure_stretch, yield_stretch};
 pub use toughness::{critical_stretch, published_critical_stretch};
 
-use super::plane::{FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles};
+use super::plane::{
+    BorderShares, Edges, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles,
+};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
 use crate::model::Model;
@@ -68,7 +70,7 @@ impl BondPlane {
     /// # Errors
     /// As [`offsets`](Self::offsets).
     pub fn depth(parameters: &PlaneParameters) -> Result<i32, BondPlaneError> {
-        Ok(neighbourhood(parameters)?.reach())
+        Ok(parameters.edges.depth(neighbourhood(parameters)?.reach()))
     }
 
     /// A lattice of points, images in `mirrors` among them ([`Mirrors::extended`] by [`depth`](Self::depth)). A cut is an
@@ -180,8 +182,30 @@ impl PlaneModel for BondPlane {
         }
     }
 
+    fn edges(&self) -> Option<Edges> {
+        match &self.body {
+            Body::Lattice(body) => Some(body.kind.edges),
+            Body::Cloud(_) if self.parameters.edges.is_exact() => Some(Edges::Overlay),
+            Body::Cloud(_) => Some(self.parameters.edges),
+        }
+    }
+
+    fn border_shares(&self) -> Option<BorderShares<'_>> {
+        match &self.body {
+            Body::Lattice(body) => body.border_shares(),
+            Body::Cloud(_) => None,
+        }
+    }
+
     fn triangles(&self) -> usize {
         self.overlay().list().len()
+    }
+
+    fn completing(&self) -> usize {
+        match &self.body {
+            Body::Lattice(body) => body.completing(),
+            Body::Cloud(body) => body.triangles.list().len(),
+        }
     }
 
     fn uncorrected(&self) -> usize {

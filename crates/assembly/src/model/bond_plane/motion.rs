@@ -27,29 +27,17 @@ impl Model<2> for BondPlane {
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
-        let mut terms: Vec<Box<dyn Term<2>>> = match &self.body {
-            Body::Lattice(body) => vec![Box::new(body.bonds.clone())],
-            Body::Cloud(body) => vec![Box::new(body.bonds.clone())],
-        };
-        if self.triangles() > 0 {
-            terms.push(Box::new(self.overlay().clone()));
+        match &self.body {
+            Body::Lattice(body) => body.terms(),
+            Body::Cloud(body) => body.terms(),
         }
-        terms
     }
 
     fn sizes(&self) -> ModelSizes {
-        let of = |term: &dyn Term<2>, couplings: usize| ModelSizes {
-            reach: term.reach(),
-            elements: term.elements(),
-            // Blocks of 2 × 2.
-            entries: 4 * couplings * term.elements(),
-            bytes: size_of::<f64>() * term.stored_factors(),
-        };
-        let bonds = match &self.body {
-            Body::Lattice(body) => of(&body.bonds, 1),
-            Body::Cloud(body) => of(&body.bonds, 1),
-        };
-        bonds.join(of(self.overlay(), 3))
+        match &self.body {
+            Body::Lattice(body) => body.sizes(),
+            Body::Cloud(body) => body.sizes(),
+        }
     }
 
     fn relations(&self) -> Vec<Equation> {

@@ -1,6 +1,6 @@
 //! Neighbours of a point of a lattice with central bonds.
 
-use super::super::plane::{Calibration, Edges, Neighbourhood, half_offsets};
+use super::super::plane::{Calibration, Neighbourhood, half_offsets};
 use super::calibration::{matched, published};
 use super::{BondPlaneError, PlaneParameters, VolumeFactor};
 
@@ -17,7 +17,7 @@ pub(super) fn neighbourhood(parameters: &PlaneParameters) -> Result<Neighbourhoo
             let parts = weights.iter().map(|&a| f64::from(a > 0.0)).collect();
             (weights, parts)
         }
-        Calibration::Published if parameters.edges == Edges::Overlay => {
+        Calibration::Published if parameters.edges.is_exact() => {
             return Err(BondPlaneError::OverlayNeedsMatched);
         }
         Calibration::Published => published::weights(parameters, &offsets),

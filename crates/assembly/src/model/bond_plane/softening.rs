@@ -3,7 +3,7 @@
 use super::{Body, BondPlane, PlaneMaterial};
 use crate::body::SquareLattice;
 use crate::bonds::Rows;
-use crate::stiffness::HistoryBond;
+use crate::stiffness::{EndedBond, HistoryBond};
 
 /// Stretch `s_y = σ_y/(C11 + C12)` at which all bonds that cross a plane bear the normal stress σ_y, Pa: `5σ_y/(8E)` in
 /// plane strain (Yolum, Taştan, Güler 2016, Eq. 12), `2σ_y/(3E)` in plane stress.
@@ -21,7 +21,7 @@ pub fn failure_stretch(critical_stretch: f64, yield_stretch: f64) -> f64 {
 }
 
 impl BondPlane {
-    /// All bonds as ones with memory; `law` chooses that of a bond between two points, none leaves the bond out.
+    /// All bonds between points as ones with memory; `law` chooses that of a bond between two points, none leaves the bond out.
     pub fn history_bonds(&self, law: impl Fn([usize; 2]) -> Option<usize>) -> Vec<HistoryBond<2>> {
         let mut list = Vec::new();
         let mut push = |points: [u32; 2], rows: &Rows<2, 1>, stiffness: f64, length: f64| {
@@ -44,6 +44,31 @@ impl BondPlane {
                 let all = body.bonds.list().iter();
                 all.for_each(|bond| push(bond.points, &bond.rows, bond.moduli[0], body.length(bond)));
             }
+        }
+        list
+    }
+
+    /// The bonds that end on the border as ones with memory. `law` chooses that of a bond by the points that move it and the
+    /// part that it is of a whole one; none leaves it out.
+    pub fn ended_bonds(&self, mut law: impl FnMut(&[u32], f64) -> Option<usize>) -> Vec<EndedBond<2>> {
+        let Body::Lattice(body) = &self.body else { return Vec::new() };
+        let Some(border) = &body.border else { return Vec::new() };
+        let mut list = Vec::new();
+        for (k, of) in border.kinds.iter().enumerate() {
+            let part = of.share;
+            let shares: Vec<(u32, f64)> = border.bonds.difference(k).collect();
+            let points: Vec<u32> = shares.iter().map(|s| s.0).collect();
+            let (Some(law), Some(foremost)) = (law(&points, part), border.bonds.foremost(k)) else {
+                continue;
+            };
+            let bond = HistoryBond {
+                points: foremost.map(|p| p as u32),
+                direction: border.bonds.rows(k).difference[0],
+                length: part * length(&body.lattice, body.hood.offsets[of.offset as usize]),
+                stiffness: border.bonds.moduli(k)[0],
+                law,
+            };
+            list.push(EndedBond { bond, shares, of: of.start.map(|point| (point, part)) });
         }
         list
     }

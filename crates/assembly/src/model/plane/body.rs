@@ -5,7 +5,7 @@
 //! treatments of edges have whole cells.
 
 use super::bond::PlaneBond;
-use super::edges::{EdgeFactors, Overlay, edge_factors, overlay};
+use super::edges::{BorderBonds, EdgeFactors, Overlay, border_bonds, edge_factors, has_border, overlay};
 use super::near::{at, near_points};
 use super::neighbourhood::Neighbourhood;
 use super::{Edges, FindCuts, Mirrors};
@@ -40,6 +40,9 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) bonds: Arc<GridBonds<D, M, B>>,
     /// Bonds as real points feel them, where there are images.
     pub(super) felt: Option<Arc<GridBonds<D, M, B>>>,
+    /// Bonds that end on the border, if it is completed so.
+    pub(in super::super) border: Option<BorderBonds<D, M>>,
+    /// What points near edges lack. Beside a border that is completed they tell its stresses, and have no energy.
     pub(in super::super) triangles: Arc<Families<D, S, 2>>,
     pub(in super::super) uncorrected: usize,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
@@ -54,11 +57,14 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         lattice: Arc<SquareLattice>,
         mirrors: Mirrors,
         hood: Neighbourhood<M>,
-        kind: Kind<B>,
+        mut kind: Kind<B>,
         cuts: &[(usize, usize)],
     ) -> Self {
+        if kind.edges == Edges::Border && !has_border(&lattice, &mirrors, hood.reach()) {
+            kind.edges = Edges::Overlay;
+        }
         let lattice = match kind.edges {
-            Edges::Overlay => lattice,
+            Edges::Border | Edges::Overlay => lattice,
             _ if lattice.cut_cells().is_empty() => lattice,
             _ => Arc::new(SquareLattice::clone(&lattice).with_whole_cells()),
         };
@@ -67,6 +73,9 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             _ => near_points(&lattice, hood.reach()),
         };
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
+        let border = (kind.edges == Edges::Border)
+            .then(|| border_bonds(&lattice, &mirrors, (&hood, &kind.bond), &near, &known));
+        let gaps = border.as_ref().map_or(&[][..], |border| &border.gaps);
         let mut factors = EdgeFactors { base: vec![1.0; hood.offsets.len()], exceptions: Vec::new() };
         let mut triangles = Overlay { triangles: Vec::new(), uncorrected: 0 };
         match kind.edges {
@@ -74,12 +83,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             Edges::Volume | Edges::Energy => {
                 factors = edge_factors(&lattice, &mirrors, &hood, &kind, &near);
             }
-            Edges::Overlay => {
+            Edges::Border | Edges::Overlay => {
                 factors.exceptions = reduced(&lattice, &hood);
                 let near = with_neighbours(&lattice, &hood, near);
                 let real =
                     near.iter().copied().filter(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
-                triangles = overlay(&lattice, &hood, &kind.bond, real, &known);
+                triangles = overlay(&lattice, (&hood, &kind.bond), real, &known, gaps);
             }
         }
         let mut exceptions = factors.exceptions;
@@ -88,6 +97,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
         let grid =
             |exceptions: &[Exception]| Arc::new(grid(&lattice, &hood, &factors.base, &kind.bond, exceptions));
+        exceptions.extend(gaps);
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
@@ -95,7 +105,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             exceptions.extend(halved(&lattice, &mirrors, &hood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
-        let uncorrected = triangles.uncorrected;
+        let uncorrected = border.as_ref().map_or(triangles.uncorrected, |border| border.lost);
         let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
         Self {
             lattice,
@@ -105,6 +115,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             kind,
             bonds,
             felt,
+            border,
             triangles,
             uncorrected,
             cuts,
@@ -144,7 +155,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             true => self.lattice.coarser(),
             false => self.mirrors.real(&self.lattice).coarser(),
         };
-        let coarse = mirrors.extended(&coarse, self.hood.reach());
+        let coarse = mirrors.extended(&coarse, self.kind.edges.depth(self.hood.reach()));
         let cuts = cuts(&coarse, &self.hood.offsets);
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
         Some(Self::new(Arc::new(coarse), mirrors, self.hood.clone(), kind, &cuts))

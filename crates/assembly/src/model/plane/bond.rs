@@ -10,6 +10,12 @@ pub trait PlaneBond<const D: usize, const M: usize, const S: usize>: BondModel<D
     /// Measures of a bond in a uniform state, `[measure][number]`.
     fn in_uniform_state(&self, bond: &BondGeometry) -> Mat<M, S>;
 
+    /// Moduli of the part `share` of a bond that is left of it as a bond of its own: uniform states have this part of its
+    /// energy, and so have states that bend it.
+    fn part_moduli(&self, whole: &BondGeometry, share: f64) -> [f64; M] {
+        self.moduli(&BondGeometry { xi: whole.xi.map(|x| share * x) }).map(|modulus| share * modulus)
+    }
+
     /// The stretch of a bond per unit of its first measure.
     fn stretch_per_measure(&self, bond: &BondGeometry) -> f64;
 

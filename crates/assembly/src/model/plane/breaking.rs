@@ -16,19 +16,31 @@ pub struct CriticalStretch(pub Vec<f64>);
 
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
     /// Above the number of any bond: a bond has the number `offset · points + lower point`, the offset that of the
-    /// neighbourhood.
+    /// neighbourhood; behind them are those that end on the border.
     pub(in super::super) fn bond_numbers(&self) -> u64 {
-        (self.hood.offsets.len() * self.lattice.points()) as u64
+        (self.whole_bonds() + self.border.as_ref().map_or(0, |border| border.bonds.count())) as u64
     }
 
-    /// Offset and lower point of a bond.
-    fn place_of(&self, bond: u64) -> (usize, usize) {
-        let (bond, points) = (bond as usize, self.lattice.points());
-        (bond / points, bond % points)
+    /// Above the number of any bond between two points.
+    fn whole_bonds(&self) -> usize {
+        self.hood.offsets.len() * self.lattice.points()
+    }
+
+    /// Bonds between two points, by offset and lower point, and the numbers of those that end on the border.
+    fn sorted(&self, bonds: &[u64]) -> (Vec<(usize, usize)>, Vec<usize>) {
+        let (whole, points) = (self.whole_bonds(), self.lattice.points());
+        let (between, ended): (Vec<usize>, Vec<usize>) =
+            bonds.iter().map(|&bond| bond as usize).partition(|&bond| bond < whole);
+        let between = between.into_iter().map(|bond| (bond / points, bond % points));
+        (between.collect(), ended.into_iter().map(|bond| bond - whole).collect())
     }
 
     pub(in super::super) fn ends(&self, bond: u64) -> [usize; 2] {
-        let (offset, lower) = self.place_of(bond);
+        let (bond, points) = (bond as usize, self.lattice.points());
+        if let Some(ended) = bond.checked_sub(self.whole_bonds()) {
+            return self.border.as_ref().and_then(|border| border.bonds.foremost(ended)).unwrap_or_default();
+        }
+        let (offset, lower) = (bond / points, bond % points);
         let upper = self.lattice.number(at(self.lattice.cell(lower), self.hood.offsets[offset], true));
         [lower, upper.unwrap_or(lower)]
     }
@@ -54,6 +66,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 visit((offsets[index] * points + lower) as u64, ratio);
             }
         });
+        if let Some(border) = &self.border {
+            let whole = self.whole_bonds() as u64;
+            let body = (&*self.lattice, &self.hood, &self.kind.bond);
+            border.for_each_ratio(body, (u, &critical.0), &mut |k, ratio| visit(whole + k as u64, ratio));
+        }
     }
 
     /// Indices of the offsets among those that have bonds.
@@ -65,15 +82,14 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     }
 
     pub(in super::super) fn part(&self, bonds: &[u64]) -> Vec<Box<dyn Term<D>>> {
-        let classes = self.classes();
-        let listed = |&bond: &u64| {
-            let (offset, lower) = self.place_of(bond);
-            self.bonds.bond(classes[offset]?, lower)
-        };
-        let listed: Vec<Bond<D, M>> = bonds.iter().filter_map(listed).collect();
-        let spanning = spanning(&self.triangles, &listed);
+        let (between, ended) = self.sorted(bonds);
+        let listed = self.listed(&between);
         let n = self.lattice.points();
-        vec![Box::new(Bonds::new(n, listed.into_iter())), Box::new(Families::new(n, spanning))]
+        let completing: Box<dyn Term<D>> = match &self.border {
+            Some(border) => Box::new(border.bonds.part(&self.with_spanning(ended, &listed))),
+            None => Box::new(Families::new(n, spanning(&self.triangles, &listed))),
+        };
+        vec![Box::new(Bonds::new(n, listed.into_iter())), completing]
     }
 
     /// Removes bonds of a body without images; bits of other bonds do not change.
@@ -82,15 +98,35 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// The body has images.
     pub(in super::super) fn break_bonds(&mut self, bonds: &[u64]) {
         assert!(self.ghosts.is_empty(), "the image of a bond would not break with it");
+        let (between, ended) = self.sorted(bonds);
+        let broken = self.listed(&between);
+        let ended = self.with_spanning(ended, &broken);
+        if let Some(border) = self.border.as_mut().filter(|_| !ended.is_empty()) {
+            Arc::make_mut(&mut border.bonds).remove(&ended);
+        }
         let classes = self.classes();
-        let places: Vec<(usize, usize)> = bonds.iter().map(|&bond| self.place_of(bond)).collect();
         let of_grid = |&(offset, lower): &(usize, usize)| Some((classes[offset]?, lower));
-        let grid: Vec<(usize, usize)> = places.iter().filter_map(of_grid).collect();
-        let broken: Vec<Bond<D, M>> =
-            grid.iter().filter_map(|&(k, lower)| self.bonds.bond(k, lower)).collect();
+        let grid: Vec<(usize, usize)> = between.iter().filter_map(of_grid).collect();
         Arc::<GridBonds<D, M, B>>::make_mut(&mut self.bonds).break_bonds(grid);
         remove_spanning(&mut self.triangles, &broken);
-        self.cuts.extend(places);
+        self.cuts.extend(between);
+    }
+
+    /// The bonds between points that there are, with their measures.
+    fn listed(&self, bonds: &[(usize, usize)]) -> Vec<Bond<D, M>> {
+        let classes = self.classes();
+        bonds.iter().filter_map(|&(offset, lower)| self.bonds.bond(classes[offset]?, lower)).collect()
+    }
+
+    /// Some bonds that end on the border, and those that broken ones take with them.
+    fn with_spanning(&self, mut ended: Vec<usize>, broken: &[Bond<D, M>]) -> Vec<usize> {
+        if let Some(border) = &self.border {
+            let pairs: Vec<[u32; 2]> = broken.iter().map(|bond| bond.points).collect();
+            ended.extend(border.spanning(&self.lattice, &pairs));
+            ended.sort_unstable();
+            ended.dedup();
+        }
+        ended
     }
 }
 

@@ -84,9 +84,22 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         force: &mut [f64],
     ) {
         let n = self.lattice.points();
+        if let Some(border) = &self.border {
+            for &ghost in &self.ghosts {
+                let (image, [x, y]) = self.mirrors.image(self.lattice.cell(ghost as usize));
+                let real = self.lattice.number(image);
+                let of =
+                    |q: usize| real.map_or(0.0, |real| t[q * n + real] * if q == 2 { x * y } else { 1.0 });
+                let strain = [of(0), of(1), of(2)];
+                (0..3).for_each(|q| t[q * n + ghost as usize] = strain[q]);
+            }
+            border.add_strain_work((&self.lattice, &self.hood, &self.kind.bond), t, force);
+        }
         self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
         self.whole().add_work::<3>(t, &self.spans(points), &self.virial_shares(1.0), force);
-        add_work_of_triangles(&self.triangles, t, force);
+        if self.border.is_none() {
+            add_work_of_triangles(&self.triangles, t, force);
+        }
     }
 
     /// `½ Uᵀ scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.

@@ -12,10 +12,12 @@ mod near;
 mod neighbourhood;
 mod parameters;
 mod projection;
+mod terms;
 pub mod toughness;
 
 pub use bond::PlaneBond;
 pub use breaking::CriticalStretch;
+pub use edges::{BorderShares, FARTHEST, has_border};
 pub use fields::PlaneFields;
 pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
@@ -93,8 +95,23 @@ pub trait PlaneModel: Debug + Send + Sync {
     /// Numbers of the points that are images, in order.
     fn ghosts(&self) -> &[u32];
 
+    /// What is done about the bonds that points near edges lack; families have another treatment.
+    fn edges(&self) -> Option<Edges> {
+        None
+    }
+
+    /// How places on the border move, where bonds end on it.
+    fn border_shares(&self) -> Option<BorderShares<'_>> {
+        None
+    }
+
     /// Number of overlay triangles.
     fn triangles(&self) -> usize;
+
+    /// Number of elements that complete edges: triangles, or bonds that end on the border.
+    fn completing(&self) -> usize {
+        self.triangles()
+    }
 
     /// Number of points that lack bonds for which the overlay found no triangle: they are too soft. Points by themselves
     /// or in a single straight row are such, and points whose triangles all are crossed by cracks.

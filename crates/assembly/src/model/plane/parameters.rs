@@ -19,6 +19,9 @@ pub enum Calibration {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Edges {
+    /// Bonds that leave the body end on its border, which moves with the points beside it: every uniform stress is in
+    /// equilibrium. Where cells are cut or single rows stand alone, and with horizons above ten spacings, it is the overlay.
+    Border,
     /// Triangles with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.
     Overlay,
     /// Nothing: points near edges are too soft.
@@ -27,4 +30,17 @@ pub enum Edges {
     Volume,
     /// Bonds are stiffened so that uniform stretches along x and along y have about the right energy.
     Energy,
+}
+
+impl Edges {
+    /// Rows or columns of images beyond a line of symmetry that bonds of some reach need.
+    pub(in super::super) fn depth(self, reach: i32) -> i32 {
+        // Bonds through the line may end on the border, which moves with the next but one column, too.
+        if self == Self::Border { reach + 2 } else { reach }
+    }
+
+    /// Whether points near edges have exactly the stiffness of the material, if the others have.
+    pub fn is_exact(self) -> bool {
+        matches!(self, Self::Border | Self::Overlay)
+    }
 }

@@ -71,7 +71,7 @@ impl<const D: usize> Body<D> {
     ) -> Result<Self, SolveFailure> {
         let mut timing = Timing::default();
         let begin = Instant::now();
-        let ends = bonds.list().iter().map(|b| b.points);
+        let ends = (0..bonds.list().len()).map(|bond| bonds.shares(bond));
         let pattern = DifferencePattern::new(system.points(), system.constraints(), ends);
         let matrix = pattern.matrix();
         timing.assemble += begin.elapsed().as_secs_f64();

@@ -52,10 +52,11 @@ impl<const D: usize> Course<D> {
         let unit = body.elastic_state(&state, &moving, &rates);
         let mut sizes = vec![0.0; size];
         let points = body.system.points();
-        for ((bond, answer), rate) in body.bonds.list().iter().zip(answers).zip(&rates) {
+        for (bond, (answer, rate)) in answers.iter().zip(&rates).enumerate() {
             let force = (answer.tangent * rate * increment).abs();
-            for point in bond.points.map(|p| p as usize) {
-                (0..D).for_each(|c| sizes[c * points + point] += answer.direction[c].abs() * force);
+            for (point, share) in body.bonds.shares(bond) {
+                let force = share.abs() * force;
+                (0..D).for_each(|c| sizes[c * points + point as usize] += answer.direction[c].abs() * force);
             }
         }
         body.system.constraints().rows().iter().for_each(|row| sizes[row.unknown] = 0.0);

@@ -122,7 +122,7 @@ fn chains(rows: usize) -> Value {
     json!({
         "title": "chains", "units": "mm-N-MPa",
         "model": { "bond_plane": { "youngs_modulus": 1000, "state": "plane_strain", "volume_factor": "full",
-            "bond_law": { "bilinear": { "yield_stretch": yielding, "failure_stretch": failing } } } },
+            "edges": "none", "bond_law": { "bilinear": { "yield_stretch": yielding, "failure_stretch": failing } } } },
         "body": { "rectangle": { "size": [11, rows], "spacing": 1 } },
         "horizon_ratio": 1,
         "regions": {
@@ -149,7 +149,7 @@ fn plate() -> Value {
     json!({
         "title": "plate", "units": "mm-N-MPa",
         "model": { "bond_plane": { "youngs_modulus": 73100, "state": "plane_strain", "thickness": 25,
-            "bond_law": { "bilinear": { "yield_stretch": 0.0028, "failure_stretch": 0.014 } } } },
+            "edges": "none", "bond_law": { "bilinear": { "yield_stretch": 0.0028, "failure_stretch": 0.014 } } } },
         "body": { "rectangle": { "size": [12, 8], "spacing": 1 } },
         "horizon_ratio": 2,
         "cracks": [ { "path": [[-1, 4], [4, 4]] } ],
@@ -348,7 +348,7 @@ fn notched() -> Value {
 fn strip() -> Value {
     json!({
         "title": "strip", "units": "mm-N-MPa",
-        "model": { "bond_plane": { "youngs_modulus": 1000, "state": "plane_strain",
+        "model": { "bond_plane": { "youngs_modulus": 1000, "state": "plane_strain", "edges": "none",
             "bond_law": { "bilinear": { "yield_stretch": 0.01, "failure_stretch": 0.2 } } } },
         "body": { "rectangle": { "size": [20, 5], "spacing": 1 } },
         "horizon_ratio": 1.5,

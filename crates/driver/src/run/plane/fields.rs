@@ -151,14 +151,20 @@ impl PlaneResult {
             found.fill_images(scene);
             found
         });
-        let mirrors = reaction::of_mirrors(scene, &multipliers, load);
+        // Bodies that break or soften have one load case.
+        let (state, factor) = match scene.case.is_traced() {
+            true => (&scene.states[0], record.load_factor),
+            false => (&scene.states[record.index], 1.0),
+        };
+        let taken = scene.into_mirrors(state, factor);
+        let mirrors = reaction::of_mirrors(scene, &multipliers, load, &taken);
         multipliers.truncate(scene.equations.len());
         let reactions = reaction::of_supports(scene, &multipliers, &record.u);
         let held = reaction::resultant(scene, &multipliers, &record.u, &mirrors);
-        // Bodies that break or soften have one load case.
-        let state = &scene.states[if scene.case.is_traced() { 0 } else { record.index }];
         let counted = (scene.statical(), scene.inside(state));
-        let resultants = Resultants::new(&asked, &scene.resultant(load), &held, counted);
+        let mut applied = scene.resultant(load);
+        taken.iter().for_each(|&(_, force)| applied.add(force, [0.0; 2]));
+        let resultants = Resultants::new(&asked, &applied, &held, counted);
         // Loads on parts that have come off act no more.
         let whole = !scene.case.is_traced() || record.index == 0;
         record.certificate.account(resultants, whole && scene.loads_are_exact(state));

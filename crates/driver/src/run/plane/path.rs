@@ -31,6 +31,9 @@ pub(super) struct SofteningPlane<'a> {
 const SOFTENS: usize = 0;
 const ELASTIC: usize = 1;
 
+/// Laws whose failure stretches differ by no more than this part are one: the lengths of parts of bonds are rounded.
+const SAME: f64 = 1e-9;
+
 impl SofteningBody<2> for SofteningPlane<'_> {
     fn problem(&self) -> &impl Problem<2> {
         &self.problem
@@ -47,13 +50,21 @@ impl SofteningBody<2> for SofteningPlane<'_> {
             rigid.points.iter().for_each(|&p| region[p as usize] = Some(k));
         }
         // Bonds inside a rigid region have no strain.
-        let law = |[i, j]: [usize; 2]| {
-            let is_rigid = region[i].is_some() && region[i] == region[j];
-            let law = if self.path.exempt[i] || self.path.exempt[j] { ELASTIC } else { SOFTENS };
-            (!is_rigid).then_some(law)
+        let law = |points: &[u32]| {
+            let first = region[points[0] as usize];
+            let is_rigid = first.is_some() && points.iter().all(|&p| region[p as usize] == first);
+            let is_exempt = points.iter().any(|&p| self.path.exempt[p as usize]);
+            (!is_rigid).then_some(if is_exempt { ELASTIC } else { SOFTENS })
         };
-        let laws = vec![self.path.law, Bilinear::elastic()];
-        HistoryBonds::new(model.point_count(), self.path.kinematics, laws, model.history_bonds(law))
+        let between = model.history_bonds(|points| law(&points.map(|p| p as u32)));
+        let mut laws = vec![self.path.law, Bilinear::elastic()];
+        let ended = model.ended_bonds(|points, part| {
+            Some(match law(points)? {
+                SOFTENS => of_part(&mut laws, &self.path.law.of_part(part)),
+                elastic => elastic,
+            })
+        });
+        HistoryBonds::new(model.point_count(), self.path.kinematics, laws, between).with_ended(ended)
     }
 
     fn probes(&self, u: &[f64], multipliers: &[f64]) -> Vec<f64> {
@@ -103,7 +114,17 @@ impl SofteningBody<2> for SofteningPlane<'_> {
     }
 }
 
-/// Stresses by the forces of the bonds, `σ = (1/V) ½ Σ N ξ n nᵀ`, energy densities and damage.
+/// Index of a law among some, which it joins if it is none of them: parts of bonds come in few lengths.
+fn of_part(laws: &mut Vec<Bilinear>, law: &Bilinear) -> usize {
+    let is_same = |l: &Bilinear| (l.failure_stretch() / law.failure_stretch() - 1.0).abs() < SAME;
+    laws.iter().position(is_same).unwrap_or_else(|| {
+        laws.push(*law);
+        laws.len() - 1
+    })
+}
+
+/// Stresses by the forces of the bonds, `σ = (1/V) ½ Σ N ξ n nᵀ`, energy densities and damage. A bond that ends on the border
+/// stands for the whole one of the point that it begins at, which has the same force and is longer.
 fn recovered(model: &BondPlane, bonds: &SofteningBonds<2>, answers: &BondAnswers<2>) -> Recovered {
     let n = model.point_count();
     let (mut stress, mut energy_density) = ([vec![0.0; n], vec![0.0; n], vec![0.0; n]], vec![0.0; n]);
@@ -112,8 +133,8 @@ fn recovered(model: &BondPlane, bonds: &SofteningBonds<2>, answers: &BondAnswers
         let moment = 0.5 * answer.force * bond.length;
         let energy = bonds.law(k).energies(answer.elongation / bond.length, &bonds.history()[k]);
         let stored = 0.5 * bond.stiffness * bond.length * bond.length * energy.stored;
-        for point in bond.points.map(|p| p as usize) {
-            let volume = model.volume(point);
+        for (point, part) in bonds.families(k) {
+            let volume = part * model.volume(point);
             for (plane, product) in stress.iter_mut().zip([x * x, y * y, x * y]) {
                 plane[point] += moment * product / volume;
             }

@@ -5,6 +5,7 @@ use crate::scene::plane::{PlaneScene, PlaneSupport};
 use peristat_assembly::sum::Sum;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// Force of a support, or of what is prescribed of a rigid region, on the body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -94,8 +95,14 @@ pub(super) fn resultant(
 }
 
 /// Forces through lines of symmetry: the equation `u_ghost + u_real = 0` of the component across a line holds with the same
-/// force on both of its points. What loads do to images, consistent tractions do such, is part of what goes through the line.
-pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64], load: &[f64]) -> Vec<MirrorReaction> {
+/// force on both of its points. What a stress does to images is part of what goes through the line; what loads do to it at once,
+/// `taken` by images, is not.
+pub(super) fn of_mirrors(
+    scene: &PlaneScene,
+    multipliers: &[f64],
+    load: &[f64],
+    taken: &[(u32, [f64; 2])],
+) -> Vec<MirrorReaction> {
     let Some((lattice, mirrors)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
         return Vec::new();
     };
@@ -107,9 +114,15 @@ pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64], load: &[f64]) 
         sums[k] = line.filter(|_| !mirrors.joined[k / 2] && !is_axis).map(|_| Sum::default());
     }
     let of_ghosts = &multipliers[scene.equations.len()..];
+    let mut at_once = BTreeMap::<u32, [f64; 2]>::new();
+    for (ghost, force) in taken {
+        let sum = at_once.entry(*ghost).or_default();
+        (0..2).for_each(|k| sum[k] += force[k]);
+    }
     for (&ghost, held) in scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components())) {
         let cell = lattice.cell(ghost as usize);
         let (_, signs) = mirrors.image(cell);
+        let taken = at_once.get(&ghost).copied().unwrap_or_default();
         for axis in 0..2 {
             let beyond = match lines[axis] {
                 [Some(low), _] if cell[axis] < low => 0,
@@ -118,7 +131,7 @@ pub(super) fn of_mirrors(scene: &PlaneScene, multipliers: &[f64], load: &[f64]) 
             };
             if let Some(sum) = &mut sums[2 * axis + beyond] {
                 let loaded = load[axis * scene.model.point_count() + ghost as usize];
-                sum.add((1.0 - signs[axis]) * (held[axis] + loaded));
+                sum.add((1.0 - signs[axis]) * (held[axis] + loaded) - taken[axis]);
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::run::RunReport;
 use crate::scene::plane::PlaneScene;
+use peristat_assembly::model::plane::Edges;
 
 /// What the scene was spared.
 pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> Vec<String> {
@@ -18,7 +19,7 @@ pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> 
         skipped.push(format!("{points} rotations: bonds along their own direction read none"));
     }
     if model.lattice().is_some() && scene.path.is_none() {
-        let bonds = report.sizes.bonds - model.triangles() - scene.conditions.springs.len();
+        let bonds = report.sizes.bonds - model.completing() - scene.conditions.springs.len();
         skipped.push(match counters.stored_bond_factors {
             0 => format!("a list of {bonds} bonds and their factors: those of one offset of the lattice are alike"),
             stored => format!(
@@ -26,8 +27,12 @@ pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> 
             ),
         });
     }
-    if model.triangles() > 0 {
-        let (own, triangles) = (points - model.ghosts().len(), model.triangles());
+    let (own, triangles) = (points - model.ghosts().len(), model.triangles());
+    if model.edges() == Some(Edges::Border) {
+        skipped.push(format!(
+            "a treatment of edges at most of {own} points: bonds within the body are as they are"
+        ));
+    } else if triangles > 0 {
         skipped.push(format!(
             "triangles at most of {own} points: {triangles} of them replace all bonds that are missing"
         ));

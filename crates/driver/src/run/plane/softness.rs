@@ -41,10 +41,10 @@ fn hint(scene: &PlaneScene) -> &'static str {
         _ if scene.path.is_some() => {
             "hold and move points of a `box` as deep as the horizon, not an edge, and list it under `no_damage`"
         }
-        PlaneBonds::Central(_) | PlaneBonds::Beams(_) => {
-            r#"take "edges": "overlay" in the model, which completes them"#
+        PlaneBonds::Beams(_) => r#"take "edges": "overlay" in the model, which completes them"#,
+        PlaneBonds::Central(_) | PlaneBonds::State(_) | PlaneBonds::Shell(_) => {
+            "leave `edges` out of the model"
         }
-        PlaneBonds::State(_) | PlaneBonds::Shell(_) => "leave `edges` out of the model",
     }
 }
 

@@ -3,7 +3,8 @@
 use super::super::Resultant;
 use super::boundary::{self, Border};
 use super::loads::Context;
-use super::traction::{OnBorder, Profile};
+use super::profile::Profile;
+use super::traction::OnBorder;
 use peristat_assembly::body::{BorderPart, Edge, Outline};
 use peristat_assembly::quadrature::GAUSS;
 use std::f64::consts::TAU;

@@ -153,6 +153,19 @@ impl PlaneBonds {
         }
     }
 
+    /// The same with other edges where bonds would end on the border.
+    pub(super) fn without_border(self, edges: Edges) -> Self {
+        match self {
+            Self::Central(parameters) if parameters.edges == Edges::Border => {
+                Self::Central(PlaneParameters { edges, ..parameters })
+            }
+            Self::Beams(parameters) if parameters.edges == Edges::Border => {
+                Self::Beams(OrthotropicParameters { edges, ..parameters })
+            }
+            other => other,
+        }
+    }
+
     /// Treatment of edges; families have another one.
     pub fn edges(&self) -> Option<Edges> {
         match self {
@@ -167,8 +180,8 @@ impl PlaneBonds {
     /// have their own areas.
     pub(super) fn is_exact_at_edges(&self) -> bool {
         match self {
-            Self::Central(parameters) => parameters.edges == Edges::Overlay,
-            Self::Beams(parameters) => parameters.edges == Edges::Overlay,
+            Self::Central(parameters) => parameters.edges.is_exact(),
+            Self::Beams(parameters) => parameters.edges.is_exact(),
             Self::State(_) => self.calibration() == Calibration::Matched,
             // Their ends are where their points are.
             Self::Shell(_) => false,

@@ -5,9 +5,10 @@ use super::bonds::PlaneBonds;
 use super::boundary::{self, Border, is_aligned};
 use super::loads::Context;
 use super::lump::{self, Forces};
+use super::profile::Profile;
 use super::statics;
 use super::stress_field::StressField;
-use super::traction::{OnBorder, Profile, may_be_consistent};
+use super::traction::{OnBorder, may_be_consistent};
 use super::uniform_stress::traction_of;
 use crate::diagnostic::Faults;
 use peristat_assembly::body::{Edge, Outline, Region, Regions};
@@ -201,20 +202,17 @@ fn elsewhere(stress: &dyn Fn([f64; 2]) -> [f64; 3], own: Own, context: &Context)
     let others = (0..outline.holes().len()).filter(|k| !matches!(own, Own::Hole(hole) if hole == *k));
     let holes = others.map(|k| (boundary::of_hole(k, outline, spacing), None, false));
     for (stretches, points, is_mirror) in borders.chain(holes) {
-        let met: Vec<boundary::Stretch> =
-            stretches.into_iter().filter(|s| stress(s.middle) != [0.0; 3]).collect();
-        for stretch in met {
+        let back = |stretch: &boundary::Stretch| {
+            let t = traction_of(stress(stretch.middle), stretch.normal).map(|t| -t);
             let [x, y] = stretch.normal;
-            let mut t = traction_of(stress(stretch.middle), stretch.normal).map(|t| -t);
-            if is_mirror {
-                // The mirror takes what is normal to it.
-                let along = t[0] * x + t[1] * y;
-                t = [t[0] - along * x, t[1] - along * y];
-            }
-            if t.iter().any(|v| v.abs() > 0.0) {
-                let points = points.as_deref().unwrap_or(&[]);
-                forces.extend(lump::on_points(&[stretch], &|s| lump::constant(t, s), points, context));
-            }
+            // A mirror takes what is normal to it.
+            let along = if is_mirror { t[0] * x + t[1] * y } else { 0.0 };
+            [t[0] - along * x, t[1] - along * y]
+        };
+        let met: Vec<boundary::Stretch> = stretches.into_iter().filter(|s| back(s) != [0.0; 2]).collect();
+        if !met.is_empty() {
+            let points = points.as_deref().unwrap_or(&[]);
+            forces.extend(lump::on_points(&met, &|s| lump::constant(back(s), s), points, context));
         }
     }
     forces

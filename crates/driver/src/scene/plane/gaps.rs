@@ -5,11 +5,16 @@
 
 use super::PlaneScene;
 use peristat_assembly::body::{CRACK_SLACK, Cell, SquareLattice};
+use peristat_assembly::model::plane::Edges;
 
 /// A place in a gap and the width of the gap in cells, if gaps narrower than the horizon go on for as long as two horizons.
 /// The flat top of a round hole is shorter than that.
 pub(super) fn narrow(scene: &PlaneScene) -> Option<([f64; 2], i32)> {
     let (lattice, _) = scene.model.lattice()?;
+    if scene.model.edges() == Some(Edges::Border) {
+        // Bonds that leave the body end there.
+        return None;
+    }
     let reach = scene.recipe.bonds.horizon_ratio().floor() as i32;
     let along = [[1, 0], [0, 1]].map(|step| places(scene, lattice, step, reach));
     let found = along.into_iter().find(|places| places.len() as i32 >= 2 * reach)?;

@@ -71,8 +71,8 @@ impl Given {
     pub(super) fn bonds(&mut self, case: &Case, is_cloud: bool, faults: &mut Faults) -> Option<PlaneBonds> {
         match self {
             Self::Central(model) => {
-                let flags = [is_cloud, case.is_traced()];
-                material::parameters(model, flags, faults).map(PlaneBonds::Central)
+                let fails = case.path.is_some() || case.fracture.is_some();
+                material::parameters(model, [is_cloud, fails], faults).map(PlaneBonds::Central)
             }
             Self::Beams(model) => {
                 orthotropic::parameters(model, case, is_cloud, faults).map(PlaneBonds::Beams)
@@ -85,10 +85,15 @@ impl Given {
 
     /// Fills in what only its bonds have told.
     pub(super) fn settle(&mut self, bonds: &PlaneBonds, case: &mut Case) {
-        let (Self::Beams(model), PlaneBonds::Beams(parameters)) = (self, bonds) else { return };
-        model.start = orthotropic::start(parameters);
-        if case.horizon.is_none() {
-            case.horizon_ratio = Some(parameters.horizon_ratio);
+        match (self, bonds) {
+            (Self::Central(model), PlaneBonds::Central(parameters)) => model.edges = Some(parameters.edges),
+            (Self::Beams(model), PlaneBonds::Beams(parameters)) => {
+                model.start = orthotropic::start(parameters);
+                if case.horizon.is_none() {
+                    case.horizon_ratio = Some(parameters.horizon_ratio);
+                }
+            }
+            _ => {}
         }
     }
 }

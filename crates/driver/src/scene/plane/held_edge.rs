@@ -7,7 +7,7 @@
 
 use super::bonds::PlaneBonds;
 use peristat_assembly::body::{Cell, Edge, SquareLattice};
-use peristat_assembly::model::plane::Mirrors;
+use peristat_assembly::model::plane::{Edges, Mirrors};
 use std::cell::OnceCell;
 
 /// How an edge is held.
@@ -33,6 +33,8 @@ impl HeldEdge {
         let between = (at - at.round()).abs() < 1e-6;
         let extent = if axis == 0 { lattice.columns() } else { lattice.rows() };
         let [normal, tangential] = match between && shares.bonds.is_exact_at_edges() {
+            // What moves the border is linear in the two outermost points.
+            true if shares.bonds.edges() == Some(Edges::Border) => [vec![1.5, -0.5], vec![1.5, -0.5]],
             // The traction reaches behind all points: whatever its shares, they are held themselves.
             true if !takes_shares(extent.len(), shares.bonds) => [vec![1.0], vec![1.0]],
             true => shares.found()?.clone(),

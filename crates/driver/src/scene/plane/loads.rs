@@ -22,6 +22,8 @@ use peristat_assembly::model::plane::PlaneModel;
 pub struct PlaneLoads {
     /// Forces on points of the model, N.
     pub(super) forces: Vec<(u32, [f64; 2])>,
+    /// The same of tractions that act through the border, by numbers of the model from the start.
+    pub(super) through_border: Vec<(u32, [f64; 2])>,
     /// Moments on points of the model, N m; where points move across the plane, forces along that, N.
     pub(super) across: Vec<(u32, f64)>,
     /// Force on every point per volume, N/m³.
@@ -307,6 +309,7 @@ impl PlaneLoads {
     /// The same with the numbers that points have in the model.
     pub(super) fn numbered(mut self, number: &dyn Fn(u32) -> u32) -> Self {
         self.forces.iter_mut().for_each(|f| f.0 = number(f.0));
+        self.forces.append(&mut self.through_border);
         self.across.iter_mut().for_each(|m| m.0 = number(m.0));
         self.stresses.iter_mut().for_each(|field| *field = field.numbered(number));
         self
@@ -323,6 +326,7 @@ impl PlaneLoads {
     /// Whether nothing acts.
     pub fn is_zero(&self) -> bool {
         self.forces.is_empty()
+            && self.through_border.is_empty()
             && self.across.is_empty()
             && self.density == [0.0; 2]
             && self.spin == 0.0

@@ -11,10 +11,11 @@ use peristat_assembly::model::plane::{Calibration, Edges};
 /// How far a Poisson ratio may be off: 0.333 is a third.
 const POISSON_SLACK: f64 = 1e-3;
 
-/// The parameters, filling in the defaults of the case; the horizon ratio is to be set.
+/// The parameters, filling in the defaults of the case; the horizon ratio is to be set. `fails` is whether bonds break or
+/// soften.
 pub(super) fn parameters(
     model: &mut Plane,
-    [is_cloud, breaks]: [bool; 2],
+    [is_cloud, fails]: [bool; 2],
     faults: &mut Faults,
 ) -> Option<PlaneParameters> {
     let path = root("model").key("bond_plane");
@@ -34,8 +35,9 @@ pub(super) fn parameters(
             .hint("leave `poisson_ratio` out; another one needs a model with more than central bonds, such as state-based or beam bonds");
         fine = false;
     }
-    // The overlay completes matched bonds only.
-    let usual = match breaks && model.edges != Some(Edges::Overlay) {
+    // Edges are completed with matched bonds only.
+    let completes = model.edges.is_none_or(Edges::is_exact);
+    let usual = match fails && !completes {
         true => Calibration::Published,
         false => Calibration::Matched,
     };
@@ -56,11 +58,11 @@ pub(super) fn parameters(
             .hint("use `ramp`");
         fine = false;
     }
-    if model.edges == Some(Edges::Overlay) && published {
+    if model.edges.is_some_and(Edges::is_exact) && published {
         faults
             .error(
                 path.key("edges"),
-                "the edges `overlay` complete exact bonds, and those of the calibration `published` are not",
+                "the edges `border` and `overlay` complete exact bonds, and those of the calibration `published` are not",
             )
             .hint("use `none`, `volume` or `energy`, or the calibration `matched`");
         fine = false;
@@ -68,7 +70,7 @@ pub(super) fn parameters(
     if published {
         model.volume_factor.get_or_insert_default();
     }
-    let edges = *model.edges.get_or_insert(if published || breaks { Edges::None } else { Edges::Overlay });
+    let edges = *model.edges.get_or_insert(if published { Edges::None } else { Edges::Border });
     fine.then(|| PlaneParameters {
         material: PlaneMaterial { youngs_modulus: model.youngs_modulus, thickness: model.thickness, state },
         horizon_ratio: 0.0,

@@ -3,12 +3,13 @@
 use super::super::{horizon, root, words::tidy};
 use super::given::Given;
 use super::model::Recipe;
-use super::{NamedCrack, body, cracks, periodic, size, state_based, symmetry};
+use super::{NamedCrack, body, cracks, held_angle, periodic, size, state_based, symmetry};
 use crate::case::Case;
 use crate::diagnostic::Faults;
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
+use peristat_assembly::model::plane::{Edges, has_border};
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
 const MOST_RATIO: f64 = 100.0;
@@ -68,6 +69,13 @@ pub(super) fn parts(
         return None;
     }
     let bonds = bonds.with_horizon_ratio(ratio);
+    let can_end = lattice.is_some_and(|lattice| has_border(lattice, &symmetry.mirrors, ratio as i32));
+    let holds_angle = outline.as_ref().is_some_and(|outline| held_angle::is_held(case, outline));
+    let bonds = match can_end && !holds_angle {
+        true => bonds,
+        // Triangles complete the edges, but do not soften.
+        false => bonds.without_border(if case.path.is_some() { Edges::None } else { Edges::Overlay }),
+    };
     let cracks = cracks?;
     if !size::fits(case, &bonds, (&body, outline.as_ref()), (&cracks, &symmetry.mirrors), max_memory, faults)
     {

@@ -52,7 +52,7 @@ pub(super) fn resolve(path: &mut Path, context: &Context, faults: &mut Faults) -
     if parameters.edges == Edges::Overlay {
         faults
             .error(root("model").key("bond_plane").key("edges"), "triangles of the overlay do not soften")
-            .hint("use `none`, the default of bodies that soften");
+            .hint("use `border`, the default, or `none`");
         return None;
     }
     if !context.conditions.springs.is_empty() {

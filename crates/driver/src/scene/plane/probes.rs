@@ -132,9 +132,22 @@ fn resolve(
     let nearest = ground.point_at(position, &at, "the probe", faults)?;
     let weights = match probe.at.inward {
         None => context.interpolation.at(position, number(nearest)),
-        Some(inward) => from_inside(position, inward, context, &at.key("inward"), faults)?,
+        Some(inward) => match of_border(position, inward, probe.field, context) {
+            Some(weights) => weights,
+            None => from_inside(position, inward, context, &at.key("inward"), faults)?,
+        },
     };
     Some((field(weights), words))
+}
+
+/// Points that move a place on the border, where bonds end on it, and their shares.
+fn of_border(position: [f64; 2], inward: [i8; 2], field: FieldName, context: &Context) -> Option<Weights> {
+    let is_along_axis = i32::from(inward[0]).abs() + i32::from(inward[1]).abs() == 1;
+    if field.is_recovered() || !is_along_axis {
+        return None;
+    }
+    let shares = context.model.border_shares()?(position, inward.map(|k| -f64::from(k)))?;
+    Some(shares.into_iter().map(|(point, share)| (point as u32, share)).collect())
 }
 
 fn from_inside(

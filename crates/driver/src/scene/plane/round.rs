@@ -4,8 +4,9 @@ use super::boundary::Border;
 use super::fading;
 use super::loads::Context;
 use super::lump::Forces;
+use super::profile::Profile;
 use super::stress_field::StressField;
-use super::traction::{OnBorder, Profile, may_be_consistent};
+use super::traction::{OnBorder, may_be_consistent};
 use peristat_assembly::body::{Crack, Shape};
 use std::collections::BTreeMap;
 

@@ -8,7 +8,7 @@ use crate::case::Case;
 use crate::diagnostic::Faults;
 use crate::memory;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
-use peristat_assembly::model::plane::{Edges, Mirrors};
+use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 use std::f64::consts::PI;
 
 // Bytes, measured on squares of 3600 and 14400 points with horizons of 10 and 20 spacings.
@@ -16,6 +16,8 @@ use std::f64::consts::PI;
 const CUT: f64 = 220.0;
 /// Of a bond near an edge, where it has a factor of its own.
 const OWN: f64 = 65.0;
+/// Of a bond that ends on the border, those of coarser lattices among them. Measured 480 with a horizon of ten spacings.
+const ENDED: f64 = 480.0;
 /// Of a bond of listed points while it is made. Measured 98 with four million of them.
 const LISTED: f64 = 98.0;
 /// Of a neighbour in a family of its own.
@@ -56,7 +58,10 @@ pub(super) fn fits(
             // It is gone before the families are made.
             family * strip.max(NEIGHBOUR * points.min(distinct + crack * 2.0 * m))
         }
-        _ if bonds.edges() == Some(Edges::Overlay) => 0.0,
+        (PlaneBody::Lattice(_), _) if bonds.edges() == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
+            ENDED * border * 2.0 / 3.0 * m.powi(3)
+        }
+        _ if bonds.edges().is_some_and(Edges::is_exact) => 0.0,
         _ => OWN * 0.5 * family * near,
     };
     let of_images = match body {

@@ -29,6 +29,24 @@ impl PlaneScene {
         [0, 1].map(|axis| state.terms.iter().any(|&(case, _)| self.load_cases[case].inside[axis]))
     }
 
+    /// What the loads of a state on images do to lines of symmetry at once, by images: a border moves with points on both sides of
+    /// a line that it meets, and across the line what acts on one is taken by the line together with as much of its point.
+    pub fn into_mirrors(&self, state: &PlaneState, factor: f64) -> Vec<(u32, [f64; 2])> {
+        let Some((lattice, mirrors)) = self.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
+            return Vec::new();
+        };
+        let turned = |&(point, force): &(u32, [f64; 2])| {
+            let (_, signs) = mirrors.image(lattice.cell(point as usize));
+            let taken = [0, 1].map(|k| (1.0 - signs[k]) * force[k]);
+            (taken != [0.0; 2]).then_some((point, taken))
+        };
+        let of_case = |&(case, part): &(usize, f64)| {
+            let forces = self.load_cases[case].forces.iter().filter_map(turned);
+            forces.map(move |(point, force)| (point, force.map(|f| part * factor * f)))
+        };
+        state.terms.iter().flat_map(of_case).collect()
+    }
+
     /// Resultant of forces on the unknowns, component by component.
     pub fn resultant(&self, forces: &[f64]) -> Resultant {
         resultant(&*self.model, self.bonds(), forces)

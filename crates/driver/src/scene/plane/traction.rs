@@ -8,86 +8,18 @@
 
 use super::super::numbers::positive;
 use super::super::words::tidy;
-use super::boundary::{self, Border, Sample, Stretch, is_aligned};
+use super::boundary::{self, Border, Stretch, is_aligned};
 use super::ground::Ground;
 use super::loads::{Context, PlaneLoads};
 use super::lump;
+use super::on_border;
+use super::profile::Profile;
 use super::stress_field::StressField;
 use super::uniform_stress;
 use crate::case::{Hertz, LoadSharing, Traction};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::BorderPart;
 use peristat_assembly::model::plane::Calibration;
-use peristat_assembly::quadrature::GAUSS;
-
-/// How a traction varies along its border.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Profile {
-    /// Straight between two values, at the start and at the end.
-    Linear([[f64; 2]; 2]),
-    /// This value in the middle.
-    Parabolic([f64; 2]),
-    /// Against the normal.
-    Pressure(f64),
-    /// Against the normal, `peak √(1 − (place − centre)²/radius²)` within the radius.
-    Hertz { centre: f64, radius: f64, peak: f64 },
-}
-
-impl Profile {
-    /// Traction at a place of 0 to 1 where the border has this normal, Pa.
-    pub(super) fn at(&self, place: f64, normal: [f64; 2]) -> [f64; 2] {
-        match *self {
-            Self::Linear([from, to]) => [0, 1].map(|k| from[k] + place * (to[k] - from[k])),
-            Self::Parabolic(middle) => middle.map(|t| 4.0 * place * (1.0 - place) * t),
-            Self::Pressure(pressure) => normal.map(|n| -pressure * n),
-            Self::Hertz { centre, radius, peak } => {
-                let ratio = (place - centre) / radius;
-                let pressure = peak * (1.0 - ratio * ratio).max(0.0).sqrt();
-                normal.map(|n| -pressure * n)
-            }
-        }
-    }
-
-    /// Its derivative by the place.
-    pub(super) fn slope(&self, place: f64) -> [f64; 2] {
-        match *self {
-            Self::Linear([from, to]) => [to[0] - from[0], to[1] - from[1]],
-            Self::Parabolic(middle) => middle.map(|t| 4.0 * (1.0 - 2.0 * place) * t),
-            // Only what is along the edge is asked for.
-            Self::Pressure(_) | Self::Hertz { .. } => [0.0; 2],
-        }
-    }
-
-    /// Positions on a stretch, m, with the traction there times the length that they stand for, N/m: sums over them are
-    /// integrals to rounding.
-    pub(super) fn on(&self, stretch: &Stretch) -> Vec<([f64; 2], [f64; 2])> {
-        let Self::Hertz { centre, radius, peak } = *self else {
-            let value = |s: Sample| (s.at, self.at(s.place, s.normal).map(|t| s.length * t));
-            return stretch.samples().map(value).collect();
-        };
-        // Over the angle whose sine is the place in the contact, the root is smooth.
-        let angle =
-            |end: f64| ((stretch.place + end * stretch.half - centre) / radius).clamp(-1.0, 1.0).asin();
-        let [start, end] = [-1.0, 1.0].map(angle);
-        let value = |&(share, weight): &(f64, f64)| {
-            let (sin, cos) = (start + share * (end - start)).sin_cos();
-            let inside = (centre + radius * sin - stretch.place) / (2.0 * stretch.half) + 0.5;
-            let length = weight * (end - start) * radius * cos / (2.0 * stretch.half) * stretch.length;
-            let sample = stretch.sample(inside, length);
-            (sample.at, sample.normal.map(|n| -length * peak * cos * n))
-        };
-        GAUSS.iter().map(value).collect()
-    }
-
-    /// The value that it has everywhere on a border of this normal, if it is one.
-    pub(super) fn constant(&self, normal: [f64; 2]) -> Option<[f64; 2]> {
-        match *self {
-            Self::Linear([from, to]) if from == to => Some(from),
-            Self::Pressure(_) => Some(self.at(0.0, normal)),
-            _ => None,
-        }
-    }
-}
 
 /// A traction on its border.
 #[derive(Clone, Debug)]
@@ -304,10 +236,20 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
     if tractions.is_empty() && !(pulled && matched) {
         return;
     }
-    if let Some(uniform) = uniform_stress::find(tractions, context) {
-        to.carry_ends = true;
-        to.stresses.push(StressField::uniform(uniform.stress));
-        to.forces.extend(uniform.forces);
+    if context.bonds.points_turn() && add_uniform(tractions, context, to) {
+        // Beside the border rotations of one stress are in balance by its own loads only.
+        return;
+    }
+    let through = tractions.iter().map(|t| on_border::forces(t, context)).collect::<Option<Vec<_>>>();
+    if let Some(forces) = through.filter(|_| !pulled) {
+        for traction in tractions.iter().filter(|t| t.depth.is_some()) {
+            let message = "a traction that acts through the border has no depth";
+            faults.warning(traction.path.key("depth"), message).hint("leave `depth` out");
+        }
+        to.through_border.extend(forces.into_iter().flatten());
+        return;
+    }
+    if add_uniform(tractions, context, to) {
         return;
     }
     for traction in tractions {
@@ -345,6 +287,15 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
             }
         }
     }
+}
+
+/// Adds the load of one stress that has all tractions, if there is one.
+fn add_uniform(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads) -> bool {
+    let Some(uniform) = uniform_stress::find(tractions, context) else { return false };
+    to.carry_ends = true;
+    to.stresses.push(StressField::uniform(uniform.stress));
+    to.forces.extend(uniform.forces);
+    true
 }
 
 /// Whether a traction may be consistent, by what is asked for and by the calibration.

@@ -41,7 +41,7 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             .warning(
                 root("model").key(scene.bonds().name()).key("edges"),
                 format!(
-                    "{uncorrected} point{s} {verb} too soft, and stresses there are too small: no triangle of points completes the bonds"
+                    "{uncorrected} point{s} {verb} too soft, and stresses there are too small: nothing completes the bonds that are missing"
                 ),
             )
             .hint("such points stand in single rows or between cracks: use a smaller spacing");

@@ -67,6 +67,7 @@ pub(super) fn model(m: &PlaneSummary, units: Units) -> Vec<Fact> {
         (None, PlaneMaterialSummary::Shell { .. }) if m.calibration == Some(Calibration::Matched) => {
             "every point has weights that make uniform strains exact".into()
         }
+        (Some(Edges::Border), _) => "bonds end on the border, which moves with the points beside it".into(),
         (Some(Edges::Overlay), _) => format!("{} triangles replace missing bonds", m.triangles),
         (Some(Edges::Volume), _) => "bonds are stiffened by the missing volume".into(),
         (Some(Edges::Energy), _) => "bonds are stiffened by the missing energy".into(),

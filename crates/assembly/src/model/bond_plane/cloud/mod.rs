@@ -13,7 +13,8 @@ use super::super::plane::{Calibration, Edges};
 use super::calibration::published::{micromodulus, radial_part};
 use super::{BondPlaneError, PlaneParameters, VolumeFactor};
 use crate::bonds::Rows;
-use crate::stiffness::{Bond, Bonds, Families};
+use crate::model::ModelSizes;
+use crate::stiffness::{Bond, Bonds, Families, Term};
 use std::sync::Arc;
 
 /// A cloud with its bonds.
@@ -61,6 +62,21 @@ fn product([x, y]: [f64; 2]) -> [f64; 3] {
 }
 
 impl CloudBody {
+    /// Terms of the energy.
+    pub(super) fn terms(&self) -> Vec<Box<dyn Term<2>>> {
+        let mut terms: Vec<Box<dyn Term<2>>> = vec![Box::new(self.bonds.clone())];
+        if !self.triangles.list().is_empty() {
+            terms.push(Box::new(self.triangles.clone()));
+        }
+        terms
+    }
+
+    /// Their sizes.
+    pub(super) fn sizes(&self) -> ModelSizes {
+        let bonds = ModelSizes::of(&self.bonds, self.bonds.elements());
+        bonds.join(ModelSizes::of(&self.triangles, 3 * self.triangles.elements()))
+    }
+
     pub(super) fn new(
         positions: Vec<[f64; 2]>,
         areas: Vec<f64>,
@@ -75,7 +91,7 @@ impl CloudBody {
         stiffness::treat(&mut pairs, &volumes, horizon, parameters);
         let n = positions.len();
         let triangles = match parameters.edges {
-            Edges::Overlay => {
+            Edges::Border | Edges::Overlay => {
                 let deficits = stiffness::deficits(&pairs, &volumes, &parameters.material.stiffness());
                 triangles::overlay(&positions, &pairs, &deficits, &volumes, cut)
             }
@@ -179,7 +195,7 @@ fn pairs(
     parameters: &PlaneParameters,
 ) -> Result<(Vec<Pair>, Vec<f64>), BondPlaneError> {
     let published = parameters.calibration == Calibration::Published;
-    if published && parameters.edges == Edges::Overlay {
+    if published && parameters.edges.is_exact() {
         return Err(BondPlaneError::OverlayNeedsMatched);
     }
     if published && parameters.volume_factor == VolumeFactor::Area {

@@ -51,7 +51,7 @@ pub(super) fn deficits(pairs: &[Pair], volumes: &[f64], stiffness: &Mat<3, 3>) -
 /// Applies the treatments `volume` and `energy`.
 pub(super) fn treat(pairs: &mut [Pair], volumes: &[f64], horizon: f64, parameters: &PlaneParameters) {
     match parameters.edges {
-        Edges::Overlay | Edges::None => {}
+        Edges::Border | Edges::Overlay | Edges::None => {}
         Edges::Volume => {
             let mut family = vec![0.0; volumes.len()];
             for pair in pairs.iter() {

@@ -1,6 +1,7 @@
 //! What holds for every plate.
 
 mod bodies;
+mod border;
 mod cloud;
 mod implementations;
 mod lattice;

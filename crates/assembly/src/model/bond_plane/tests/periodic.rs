@@ -42,6 +42,7 @@ fn forces(body: &BondPlane, u: &[f64]) -> impl Fn(Cell) -> [f64; 2] {
 
 fn all_parameters() -> Vec<PlaneParameters> {
     let edges = [
+        (Edges::Border, Calibration::Matched),
         (Edges::Overlay, Calibration::Matched),
         (Edges::None, Calibration::Published),
         (Edges::Volume, Calibration::Published),

@@ -9,6 +9,7 @@ use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
 fn planes() -> Vec<(&'static str, BondPlane)> {
     let mut all = Vec::new();
     for (edges, calibration) in [
+        (Edges::Border, Calibration::Matched),
         (Edges::Overlay, Calibration::Matched),
         (Edges::Volume, Calibration::Matched),
         (Edges::None, Calibration::Published),

@@ -5,7 +5,7 @@ use super::bodies::*;
 use crate::law::{Bilinear, Compression, Unloading};
 use crate::model::bond_plane::neighbourhood::neighbourhood;
 use crate::model::plane::{Calibration, Edges, PlaneModel, toughness};
-use crate::stiffness::{HistoryBonds, Kinematics};
+use crate::stiffness::{HistoryBond, HistoryBonds, Kinematics};
 use std::f64::consts::PI;
 
 /// σ_y and G_c of the aluminium that is like 2024, with its E = 73100 and t = 25: MPa and N/mm.
@@ -102,7 +102,8 @@ fn cracks_through_a_lattice_take_the_energies_of_the_table() {
 fn compare(name: &str, plane: &BondPlane, kinematics: Kinematics) -> [f64; 2] {
     let law = Bilinear::new([2.8e-3, 2.9e-2], Unloading::Plastic, Compression::Elastic).unwrap();
     let bonds =
-        HistoryBonds::new(plane.point_count(), kinematics, vec![law], plane.history_bonds(|_| Some(0)));
+        HistoryBonds::new(plane.point_count(), kinematics, vec![law], plane.history_bonds(|_| Some(0)))
+            .with_ended(plane.ended_bonds(|_, _| Some(0)));
     // Stretches of up to 1e-6, far below yield.
     let size = 2 * plane.point_count();
     let shortest = bonds.list().iter().map(|b| b.length).fold(f64::INFINITY, f64::min);
@@ -140,6 +141,97 @@ fn bonds_with_memory_are_those_of_the_model() {
             let [energy, force] = compare(name, plane, Kinematics::Finite);
             assert!(energy < 1e-5 && force < 1e-5, "{name}: {energy:e} {force:e}");
         }
+    }
+}
+
+#[test]
+fn bonds_that_end_on_the_border_are_those_of_the_model() {
+    for units in UNITS {
+        for m in [2.0, 3.0, 4.0] {
+            let parameters = PlaneParameters { edges: Edges::Border, ..parameters(m, units) };
+            let mut seen = 0;
+            for (name, lattice) in &bodies(units[0]) {
+                let plane = plane(lattice, parameters);
+                if plane.edges() != Some(Edges::Border) {
+                    assert!(plane.ended_bonds(|_, _| Some(0)).is_empty());
+                    continue;
+                }
+                seen += 1;
+                let [energy, force] = compare(name, &plane, Kinematics::Linear);
+                // Measured: 5e-15 and 1e-15.
+                assert!(energy < 1e-13 && force < 1e-13, "{name}: {energy:e} {force:e}");
+                let [energy, force] = compare(name, &plane, Kinematics::Finite);
+                assert!(energy < 1e-5 && force < 1e-5, "{name}: {energy:e} {force:e}");
+            }
+            assert!(seen > 1, "{seen}");
+        }
+    }
+}
+
+/// A bond that a point lacks is the part of it that begins there: in a uniform strain both have one force, and the stretches
+/// and forces of all of a point are those of a point inside.
+#[test]
+fn parts_of_bonds_stand_for_those_that_points_lack() {
+    let lattice = Arc::new(crate::body::SquareLattice::rectangle(1.0, [0.0; 2], [12, 9]));
+    let plane = plane(&lattice, PlaneParameters { edges: Edges::Border, ..parameters(3.0, MM_MPA) });
+    let law = Bilinear::new([1.0, 2.0], Unloading::Plastic, Compression::Elastic).unwrap();
+    let bonds = HistoryBonds::new(
+        plane.point_count(),
+        Kinematics::Linear,
+        vec![law],
+        plane.history_bonds(|_| Some(0)),
+    )
+    .with_ended(plane.ended_bonds(|_, _| Some(0)));
+    let n = plane.point_count();
+    let (strain, mut u) = ([3e-3, -1e-3, 2e-3], vec![0.0; 2 * n]);
+    for p in 0..n {
+        let [x, y] = plane.place(p);
+        (u[p], u[n + p]) = (strain[0] * x + 0.5 * strain[2] * y, strain[1] * y + 0.5 * strain[2] * x);
+    }
+    let mut answers = bonds.at_rest();
+    bonds.evaluate(&u, &mut answers);
+    let mut stress = vec![[0.0; 3]; n];
+    for (k, (bond, answer)) in bonds.list().iter().zip(&answers.bonds).enumerate() {
+        let [x, y] = answer.direction;
+        for (point, part) in bonds.families(k) {
+            let moment = 0.5 * answer.force * bond.length / (part * plane.volume(point));
+            (0..3).for_each(|c| stress[point][c] += moment * [x * x, y * y, x * y][c]);
+        }
+    }
+    let stiffness = plane.stiffness();
+    for found in stress {
+        for c in 0..3 {
+            let exact: f64 = (0..3).map(|d| stiffness[c][d] * strain[d]).sum();
+            // Measured: 3e-14 of about 250 MPa.
+            assert!((found[c] - exact).abs() < 1e-9, "{found:?} {c} {exact}");
+        }
+    }
+}
+
+/// A part f of a bond that fails at s_f/f takes the energy of the whole one.
+#[test]
+fn parts_of_bonds_take_the_energy_of_whole_ones() {
+    let lattice = Arc::new(crate::body::SquareLattice::rectangle(1.0, [0.0; 2], [12, 9]));
+    let plane = plane(&lattice, PlaneParameters { edges: Edges::Border, ..parameters(3.0, MM_MPA) });
+    let law = Bilinear::new([0.01, 0.05], Unloading::Plastic, Compression::Elastic).unwrap();
+    let energy = |bond: &HistoryBond<2>, law: &Bilinear| {
+        0.5 * bond.stiffness * bond.length * bond.length * law.yield_stretch() * law.failure_stretch()
+    };
+    let whole = plane.history_bonds(|_| Some(0));
+    let mut parts = Vec::new();
+    let ended = plane.ended_bonds(|_, part| {
+        parts.push(part);
+        Some(0)
+    });
+    assert!(parts.iter().any(|&part| part < 0.3) && ended.len() > 100);
+    for (ended, part) in ended.iter().zip(parts) {
+        let is_whole = |b: &&HistoryBond<2>| {
+            let turned = (0..2).map(|c| b.direction[c] * ended.bond.direction[c]).sum::<f64>();
+            turned > 1.0 - 1e-12 && (b.length * part - ended.bond.length).abs() < 1e-12
+        };
+        let whole = whole.iter().find(is_whole).expect("a bond like it inside");
+        let found = energy(&ended.bond, &law.of_part(part)) / energy(whole, &law);
+        assert!((found - 1.0).abs() < 1e-13, "{part}: {found}");
     }
 }
 

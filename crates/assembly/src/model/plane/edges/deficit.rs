@@ -41,6 +41,11 @@ impl<const S: usize> Shares<S> {
         Self { reach, of, left }
     }
 
+    /// That of an offset.
+    pub(super) fn of_offset(&self, [column, row]: Cell) -> &Mat<S, S> {
+        &self.of[self.place(column, row)]
+    }
+
     /// `½ Σ (a_i − f_ij) Uᵀ c U` with the part a_i of its cell and the factors `f_ij = min(a_i, a_j)` of its bonds, zero
     /// where they are missing; none where nothing is missing.
     pub(super) fn deficit(&self, lattice: &SquareLattice, cell: Cell) -> Option<Mat<S, S>> {

@@ -12,9 +12,9 @@ use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
 use super::deficit::Shares;
 use crate::body::{Cell, SquareLattice};
-use crate::bonds::block;
-use crate::stiffness::Family;
-use std::collections::HashSet;
+use crate::bonds::{add, block};
+use crate::stiffness::{Exception, Family};
+use std::collections::{HashMap, HashSet};
 
 /// Triangles and the number of points that lack bonds but have no triangle.
 #[derive(Clone, Debug)]
@@ -26,13 +26,14 @@ pub(in super::super) struct Overlay<const D: usize, const S: usize> {
 /// Two other corners of a triangle.
 type Corners = [Cell; 2];
 
-/// Builds the triangles of some points, but those with a cut side.
+/// Builds the triangles of some points, but those with a cut side. Bonds of `gaps` are missing, too, although both of their
+/// points are there.
 pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     lattice: &SquareLattice,
-    hood: &Neighbourhood<M>,
-    bond: &B,
+    (hood, bond): (&Neighbourhood<M>, &B),
     points: impl Iterator<Item = usize>,
     cuts: &HashSet<(usize, usize)>,
+    gaps: &[Exception],
 ) -> Overlay<D, S> {
     let shares = Shares::new(hood, |k| {
         let geometry = geometry(lattice, hood.offsets[k]);
@@ -40,9 +41,17 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
         block(&uniform, &std::array::from_fn(|m| 0.5 * hood.weights[k][m] * unit[m]), &uniform)
     });
     let mut overlay = Overlay { triangles: Vec::new(), uncorrected: 0 };
+    let mut across: HashMap<usize, Vec<usize>> = HashMap::new();
+    for gap in gaps {
+        let upper = lattice.number(at(lattice.cell(gap.lower), hood.offsets[gap.offset], true));
+        let ends = [Some(gap.lower), upper].into_iter().flatten();
+        ends.for_each(|point| across.entry(point).or_default().push(gap.offset));
+    }
     for point in points {
         let cell = lattice.cell(point);
-        let Some(deficit) = shares.deficit(lattice, cell) else { continue };
+        let Some(mut deficit) = shares.deficit(lattice, cell) else { continue };
+        let own = across.get(&point).into_iter().flatten();
+        own.for_each(|&offset| add(&mut deficit, shares.of_offset(hood.offsets[offset])));
         let mut corners = quadrants(lattice, cell);
         if corners.is_empty() {
             corners = nearest(lattice, hood, cell);
@@ -106,7 +115,7 @@ fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cel
 }
 
 /// Whether the bond between two cells is cut.
-fn is_cut<const M: usize>(
+pub(super) fn is_cut<const M: usize>(
     lattice: &SquareLattice,
     hood: &Neighbourhood<M>,
     cuts: &HashSet<(usize, usize)>,

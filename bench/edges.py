@@ -1,0 +1,168 @@
+"""What treatments of edges cost: errors of bodies with known answers, iterations, time. Prints the table of edges.md.
+
+Usage: edges.py [PERISTAT], the command; target/release/peristat if not given.
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+from pareto_problems import Plate  # noqa: E402
+
+COMMAND = sys.argv[1] if len(sys.argv) > 1 else str(Path(__file__).parent.parent / "target/release/peristat")
+FORMS = ["none", "overlay", "border"]
+E = 70000.0
+
+
+def solve(case):
+    """Summary of a case."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "case.json"
+        path.write_text(json.dumps(case))
+        arguments = ["run", str(path), "-o", f"{folder}/out", "-q", "--json", "--no-estimate"]
+        done = subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False)
+    summary = json.loads(done.stdout)
+    if "model" not in summary:
+        raise SystemExit(done.stderr)
+    return summary
+
+
+def values(case):
+    return [probe["value"] for probe in solve(case)["probes"]]
+
+
+def plate(form, body, ratio=3, **more):
+    model = {"youngs_modulus": E, "state": "plane_stress", "edges": form, "calibration": "matched"}
+    case = {"title": "edges", "units": "mm-N-MPa", "model": {"bond_plane": model}, "body": body, "horizon_ratio": ratio}
+    return case | more
+
+
+def rectangle(size, spacing=1.0, **more):
+    return {"rectangle": {"size": size, "spacing": spacing, **more}}
+
+
+def probe(x, y, field, **more):
+    return {"name": f"{field} {x} {y}", "at": {"x": x, "y": y, **more}, "field": field}
+
+
+def pulled(form, ratio, **more):
+    """40 x 20 between held edges, one moved by a hundredth of the length: one stress of 700."""
+    supports = [
+        {"at": {"region": "left"}, "ux": 0},
+        {"at": {"x": 0.5, "y": 2.5}, "uy": 0},
+        {"at": {"region": "right"}, "ux": 0.4},
+    ]
+    force = {"name": "F", "at": {"region": "right"}, "field": "reaction_x"}
+    probes = [force, probe(0.5, 0.5, "stress_xx"), probe(20.5, 0.5, "stress_xx")]
+    return plate(form, rectangle([40, 20]), ratio, supports=supports, probes=probes, **more)
+
+
+def held(form, ratio):
+    force, corner, free = values(pulled(form, ratio))
+    return [force / 14000 - 1, corner / 700 - 1, free / 700 - 1]
+
+
+def angle(form, ratio):
+    """An L under the tractions of one stress with shear: the largest error of a stress at its re-entrant corner."""
+    vertices = [[0, 0], [20, 0], [20, 8], [9, 8], [9, 16], [0, 16]]
+    stress = [300.0, -120.0, 80.0]
+    loads = []
+    for k, [x, y] in enumerate([[0, -1], [1, 0], [0, 1], [1, 0], [0, 1], [-1, 0]]):
+        traction = [stress[0] * x + stress[2] * y, stress[2] * x + stress[1] * y]
+        loads.append({"traction": {"edge": f"edge_{k + 1}", "uniform": traction}})
+    supports = [{"at": {"x": 0.5, "y": 0.5}, "ux": 0, "uy": 0}, {"at": {"x": 19.5, "y": 0.5}, "uy": 0}]
+    fields = ["stress_xx", "stress_yy", "stress_xy"]
+    probes = [probe(x, y, f) for x, y in [(8.5, 7.5), (9.5, 7.5), (8.5, 8.5)] for f in fields]
+    body = {"outline": {"vertices": vertices, "spacing": 1}}
+    found = values(plate(form, body, ratio, loads=loads, supports=supports, probes=probes))
+    return max(abs(value - stress[k % 3]) for k, value in enumerate(found)) / 300
+
+
+def cantilever(form, ratio, rows):
+    """Clamped, length twice the height, parabolic shear; converged biquadratic finite elements have 0.021674."""
+    case = plate(
+        form,
+        rectangle([80, 40], 40 / rows),
+        ratio,
+        supports=[{"at": {"region": "left"}, "ux": 0, "uy": 0}],
+        loads=[{"traction": {"edge": "right", "parabolic": [0, 1.5]}}],
+        probes=[probe(80, 20, "uy", inward=[-1, 0])],
+    )
+    return values(case)[0] / 0.021674 - 1
+
+
+def smooth(form, ratio, rows):
+    """The free plate of the Pareto bench, all tractions by its exact stress: largest displacement error over the largest displacement."""
+    exact = Plate()
+    h, axis = exact.height / rows, exact.height / 2
+    moment, shear = exact.traction(False, exact.height)[0], exact.traction(True, axis)[1]
+    chosen = [sorted({*range(0, count, rows // 7), count - 1}) for count in (27 * rows // 7, rows)]
+    places = [((i + 0.5) * h, (j + 0.5) * h) for i in chosen[0] for j in chosen[1]]
+    case = plate(
+        form,
+        rectangle([exact.length, exact.height], h),
+        ratio,
+        supports=[{"at": {"x": exact.middle, "y": axis}, "ux": 0, "uy": 0}, {"at": {"x": exact.second, "y": axis}, "uy": 0}],
+        loads=[
+            {"traction": {"edge": "right", "parabolic": [0, shear]}},
+            {"traction": {"edge": "left", "parabolic": [0, -shear]}},
+            {"traction": {"edge": "left", "linear": [[-moment, 0], [moment, 0]]}},
+        ],
+        probes=[probe(x, y, field) for x, y in places for field in ("ux", "uy")],
+    )
+    found = values(case)
+    wanted = [value for x, y in places for value in exact.displacement(x, y)]
+    return max(abs(a - b) for a, b in zip(found, wanted)) / max(map(abs, wanted))
+
+
+def first_break(form):
+    """Load factor at which the strip breaks whose bonds fail at its nominal strain."""
+    fracture = {"critical": {"stretch": 0.01}, "strategy": "worst", "load": "F", "max_solves": 1}
+    case = pulled(form, 3, fracture=fracture)
+    case["supports"][2]["ux"] = 0.8
+    return 2 * solve(case)["fracture"]["facts"]["first_break_load_factor"]
+
+
+def iterations(form, solver, size):
+    """Conjugate gradients of a clamped square under shear."""
+    case = plate(
+        form,
+        rectangle([size, size]),
+        supports=[{"at": {"region": "left"}, "ux": 0, "uy": 0}],
+        loads=[{"traction": {"edge": "right", "uniform": [0, -1]}}],
+        solver=solver,
+    )
+    summary = solve(case)
+    seconds = sum(summary["timing_s"][stage] for stage in ("assemble", "factor", "solve"))
+    return summary["solver"]["iterations"][0], seconds / size**2
+
+
+def row(name, found):
+    print(f"| {name} | " + " | ".join(found) + " |", flush=True)
+
+
+def main():
+    print("| | " + " | ".join(f"`{form}`" for form in FORMS) + " |\n|---|" + "---|" * len(FORMS))
+    for ratio in (2, 3, 4):
+        cells = [" / ".join(f"{100 * v:.2g} %" for v in held(form, ratio)) for form in FORMS]
+        row(f"strip between held edges, m = {ratio}: force / corner stress / stress at the free edge", cells)
+    for ratio in (2, 3, 4):
+        row(f"angle under one stress with shear, m = {ratio}: stress at the re-entrant corner", [f"{angle(form, ratio):.1e}" for form in FORMS])
+    for ratio in (2, 3):
+        for rows in (10, 20, 40, 80):
+            row(f"clamped cantilever, m = {ratio}, {rows} rows", [f"{100 * cantilever(form, ratio, rows):.3f} %" for form in FORMS])
+    for ratio in (2, 3):
+        for rows in (7, 21, 35, 63):
+            row(f"free plate under smooth tractions, m = {ratio}, {rows} rows", [f"{smooth(form, ratio, rows):.2e}" for form in FORMS])
+    row("first break over the nominal strain", [f"{first_break(form):.4f}" for form in FORMS])
+    for size in (64, 256):
+        row(f"multigrid iterations, {size} x {size}", [str(iterations(form, "multigrid", size)[0]) for form in FORMS])
+    row("Jacobi iterations, 64 x 64", [str(iterations(form, "pcg", 64)[0]) for form in FORMS])
+    cost = [min(iterations(form, "multigrid", 500)[1] for _ in range(3)) for form in FORMS]
+    row("assembly and solution, 500 x 500, per point", [f"{1e6 * seconds:.1f} µs" for seconds in cost])
+
+
+main()

@@ -1,0 +1,184 @@
+//! Bonds that end on the border: what leaves the body is cut off there.
+//!
+//! The cells about the points tile the body. A bond that passes a cell which is not there gives way to the runs of cells
+//! that it does pass: each is a bond of its own, of the length of the run and with the weight of the whole one, so that the
+//! body has the energy of the material in every uniform strain. Where a run ends on the border, the place moves with the two
+//! corners of cells beside it, and these with the nearest whole blocks of four points, continued linearly. Tractions of a
+//! uniform stress then act on these corners alone, half of those of a side on either: any such stress, shear too, is in
+//! equilibrium, at straight edges, at convex and at re-entrant corners.
+
+mod nodes;
+mod path;
+mod run;
+mod shares;
+
+pub use shares::BorderShares;
+pub(in super::super) use shares::border_shares;
+
+use super::super::bond::PlaneBond;
+use super::super::near::at;
+use super::super::neighbourhood::Neighbourhood;
+use super::super::{Mirrors, geometry};
+use crate::body::{Cell, SquareLattice};
+use crate::bonds::{BondGeometry, Mat};
+use crate::stiffness::{Exception, PlacedBond, PlacedBonds};
+use nodes::{Cells, Nodes};
+use path::Path;
+use run::for_each_run;
+use std::borrow::Cow;
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// The bonds that end on the border.
+#[derive(Clone, Debug)]
+pub(in super::super::super) struct BorderBonds<const D: usize, const M: usize> {
+    pub(in super::super::super) bonds: Arc<PlacedBonds<D, M>>,
+    /// What whole bonds they are parts of.
+    pub(in super::super::super) kinds: Vec<PartOfBond>,
+    /// Bonds between points that pass cells which are not there: they are none.
+    pub(in super::super) gaps: Vec<Exception>,
+    /// Cells at whose border bonds are left out, because the body is too thin there to tell how it moves.
+    pub(in super::super) lost: usize,
+}
+
+/// What a bond that ends on the border is a part of.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super::super) struct PartOfBond {
+    /// Index of the offset.
+    pub(in super::super::super) offset: u32,
+    /// Its length over that of the whole one.
+    pub(in super::super::super) share: f64,
+    /// The point that it begins or ends at, if there is one.
+    pub(in super::super::super) start: Option<u32>,
+}
+
+/// Reach of bonds, rows or columns, up to which they end on the border: their number grows with its third power.
+pub const FARTHEST: i32 = 10;
+
+/// Whether the border of a lattice can be completed so: its cells are whole, all belong to blocks of four, and bonds reach no
+/// farther than [`FARTHEST`].
+pub fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, reach: i32) -> bool {
+    let has = |cell: Cell| {
+        let image = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
+        lattice.number(image).is_some()
+    };
+    let in_block = |[i, j]: Cell| {
+        [(-1, -1), (-1, 1), (1, -1), (1, 1)]
+            .into_iter()
+            .any(|(a, b)| has([i + a, j]) && has([i, j + b]) && has([i + a, j + b]))
+    };
+    let mut near = super::super::near::near_points(lattice, 1).into_iter();
+    reach <= FARTHEST && lattice.cut_cells().is_empty() && near.all(|point| in_block(lattice.cell(point)))
+}
+
+/// Builds the bonds that end on the border; `near` are the points within reach of it.
+pub(in super::super) fn border_bonds<
+    const D: usize,
+    const M: usize,
+    const S: usize,
+    B: PlaneBond<D, M, S>,
+>(
+    lattice: &SquareLattice,
+    mirrors: &Mirrors,
+    (hood, bond): (&Neighbourhood<M>, &B),
+    near: &[usize],
+    cuts: &HashSet<(usize, usize)>,
+) -> BorderBonds<D, M> {
+    let nodes = Nodes::new(Cells { lattice, mirrors, hood, cuts: Cow::Borrowed(cuts) });
+    let cells = &nodes.cells;
+    let mut bonds = PlacedBonds::new(lattice.points());
+    let (mut kinds, mut gaps, mut lost) = (Vec::new(), Vec::new(), HashSet::new());
+    for offset in hood.bonded() {
+        let path = Path::of(hood.offsets[offset]);
+        for_each_run(cells, &path, near, &mut |run| {
+            let upper = lattice.number(at(run.start, hood.offsets[offset], true));
+            if run.has_points()[0]
+                && let (Some(lower), Some(_)) = (lattice.number(run.start), upper)
+            {
+                gaps.push(Exception { offset, lower, factor: 0.0 });
+            }
+            let (part, share) = (run.counted(mirrors), run.share());
+            if part == 0.0 || run.is_cut(cells) {
+                return;
+            }
+            let Some(ends) = run.ends(&nodes) else {
+                lost.insert(run.first());
+                return;
+            };
+            let whole = geometry(lattice, hood.offsets[offset]);
+            let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
+            let unit = bond.part_moduli(&whole, share);
+            let moduli = std::array::from_fn(|m| part * hood.weights[offset][m] * unit[m]);
+            // Only rotations are read on the mean.
+            let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
+            bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
+            kinds.push(PartOfBond { offset: offset as u32, share, start: run.point(cells) });
+        });
+    }
+    BorderBonds { bonds: Arc::new(bonds), kinds, gaps, lost: lost.len() }
+}
+
+impl<const D: usize, const M: usize> BorderBonds<D, M> {
+    /// Calls `visit` with every bond and the ratio of its stretch to the critical one, where that is positive. `critical` are
+    /// the critical stretches of whole bonds by offset. A run has a part of a bond, and a crack that opens it takes the energy
+    /// of a whole one.
+    pub(in super::super) fn for_each_ratio<const S: usize, B: PlaneBond<D, M, S>>(
+        &self,
+        (lattice, hood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
+        (u, critical): (&[f64], &[f64]),
+        visit: &mut dyn FnMut(usize, f64),
+    ) {
+        for (k, &PartOfBond { offset, share, .. }) in self.kinds.iter().enumerate() {
+            let measure = self.bonds.measures(k, u)[0];
+            if measure > 0.0 {
+                let whole = geometry(lattice, hood.offsets[offset as usize]);
+                let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
+                let stretch = measure * bond.stretch_per_measure(&short);
+                visit(k, stretch * share.sqrt() / critical[offset as usize]);
+            }
+        }
+    }
+
+    /// The bonds that some broken ones between neighbouring points take with them: their ends would move with points on both
+    /// sides of a crack.
+    pub(in super::super) fn spanning(&self, lattice: &SquareLattice, broken: &[[u32; 2]]) -> Vec<usize> {
+        let is_next = |pair: &&[u32; 2]| {
+            let [a, b] = pair.map(|p| lattice.cell(p as usize));
+            (0..2).all(|k| (a[k] - b[k]).abs() <= 1)
+        };
+        let next: HashSet<[u32; 2]> = broken.iter().filter(is_next).copied().collect();
+        if next.is_empty() {
+            return Vec::new();
+        }
+        let ends: HashSet<u32> = next.iter().flatten().copied().collect();
+        let spans = |bond: &usize| {
+            let met: Vec<u32> =
+                self.bonds.middle(*bond).map(|m| m.0 as u32).filter(|p| ends.contains(p)).collect();
+            (1..met.len()).any(|k| met[..k].iter().any(|&p| next.contains(&[p.min(met[k]), p.max(met[k])])))
+        };
+        (0..self.bonds.count()).filter(spans).collect()
+    }
+
+    /// Adds the forces that do the work of the bonds in strains `t` of the points, three planes, as far as they move them.
+    pub(in super::super) fn add_strain_work<const S: usize, B: PlaneBond<D, M, S>>(
+        &self,
+        (lattice, hood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
+        t: &[f64],
+        force: &mut [f64],
+    ) {
+        let n = lattice.points();
+        for (k, &PartOfBond { offset, share, .. }) in self.kinds.iter().enumerate() {
+            let mut strain = [0.0; 3];
+            self.bonds.middle(k).for_each(|(p, s)| (0..3).for_each(|q| strain[q] += s * t[q * n + p]));
+            if strain == [0.0; 3] {
+                continue;
+            }
+            let whole = geometry(lattice, hood.offsets[offset as usize]);
+            let uniform: Mat<M, S> = bond.in_uniform_state(&BondGeometry { xi: whole.xi.map(|x| share * x) });
+            let moduli = self.bonds.moduli(k);
+            let sigma =
+                std::array::from_fn(|m| moduli[m] * (0..3).map(|q| uniform[m][q] * strain[q]).sum::<f64>());
+            self.bonds.add_work(k, &sigma, force);
+        }
+    }
+}

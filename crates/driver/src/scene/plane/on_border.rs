@@ -1,0 +1,29 @@
+//! Tractions that act through the border: where bonds end on it, every place of it moves with known points, so that a
+//! traction does its own work, with the force and the moment that it has.
+
+use super::boundary::Border;
+use super::loads::Context;
+use super::lump::Forces;
+use super::traction::{OnBorder, may_be_consistent};
+
+/// Forces of a traction on points of the model, images among them: what acts there by a sign that is turned goes into the line
+/// of symmetry ([`PlaneScene::into_mirrors`](super::PlaneScene::into_mirrors)). None where it acts otherwise.
+pub(super) fn forces(traction: &OnBorder, context: &Context) -> Option<Forces> {
+    let model = context.model?;
+    let is_plain = matches!(&traction.border, Border::Edge(_) | Border::Curved { hole: Some(_), .. });
+    if !is_plain || !may_be_consistent(traction, context) {
+        return None;
+    }
+    let shares = model.border_shares()?;
+    let mut forces = vec![[0.0; 2]; model.point_count()];
+    for stretch in traction.stretches(context.ground) {
+        for (at, along) in traction.profile.on(&stretch) {
+            let force = along.map(|t| context.bonds.across(at) * t);
+            for (point, share) in shares(at, stretch.normal)? {
+                (0..2).for_each(|k| forces[point][k] += share * force[k]);
+            }
+        }
+    }
+    let acting = (0..).zip(forces).filter(|(_, force)| *force != [0.0; 2]);
+    Some(acting.collect())
+}
