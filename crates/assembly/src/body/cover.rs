@@ -1,27 +1,40 @@
 //! Parts of cells that closed curves enclose.
 
-use super::geometry::Point;
+use super::geometry::{Point, minus};
 use super::lattice::Cell;
 use std::f64::consts::TAU;
 
-/// Parts of cells nearer than this to none or all count as such: what rounding leaves of a border between two cells.
-const WHOLE: f64 = 1e-6;
+/// Areas within a cell: in all of it, below the diagonal that rises, and above the one that falls.
+type Areas = [f64; 3];
 
 /// A piece of an edge within a cell.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     column: i32,
-    /// Area between the piece and the right side of its cell, positive if it goes upwards.
-    area: f64,
-    /// How far it goes upwards.
-    height: f64,
+    /// Areas between the piece and the right side of its cell, positive if it goes upwards.
+    areas: Areas,
+    /// Those in a cell to the right.
+    beyond: Areas,
+}
+
+/// Part of a cell that is covered.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Covered {
+    /// Of the cell.
+    pub(super) part: f64,
+    /// Of its halves below the diagonal that rises and above the one that falls, per area of the half.
+    pub(super) right: [f64; 2],
 }
 
 /// The cells that a simple polygon covers in part, among `0..columns` × `0..rows`, and how much of each, row by row.
 ///
 /// Positions are in cells; cell `[i, j]` reaches from i to i + 1 and from j to j + 1. Exact but for rounding (Green's
-/// theorem in every cell), and none of the parts is within [`WHOLE`] of 0 or 1.
-pub(super) fn partly_covered([columns, rows]: [i32; 2], corners: &[Point]) -> Vec<(Cell, f64)> {
+/// theorem in every cell). Parts nearer than `whole` to 0 or 1 are that: what rounding leaves of a border between two cells.
+pub(super) fn partly_covered(
+    [columns, rows]: [i32; 2],
+    corners: &[Point],
+    whole: f64,
+) -> Vec<(Cell, Covered)> {
     let mut pieces: Vec<Vec<Piece>> = vec![Vec::new(); rows as usize];
     for (k, &b) in corners.iter().enumerate() {
         let a = corners[(k + corners.len() - 1) % corners.len()];
@@ -29,12 +42,17 @@ pub(super) fn partly_covered([columns, rows]: [i32; 2], corners: &[Point]) -> Ve
         let within = |y: f64| y.clamp(0.0, f64::from(rows)) as i32;
         for row in within(low)..within(high) {
             let strip = [f64::from(row), f64::from(row + 1)];
-            cut_by_columns(clipped(a, b, 1, strip), columns, &mut pieces[row as usize]);
+            let ends = clipped(a, b, 1, strip).map(|[x, y]| [x, y - f64::from(row)]);
+            cut_by_columns(ends, columns, &mut pieces[row as usize]);
         }
     }
     let mut found = Vec::new();
     for (row, pieces) in (0..rows).zip(&mut pieces) {
-        covered_in_row(pieces, columns, &mut |column, part| found.push(([column, row], part)));
+        covered_in_row(pieces, columns, &mut |column, covered| {
+            if (whole..=1.0 - whole).contains(&covered.part) {
+                found.push(([column, row], covered));
+            }
+        });
     }
     found
 }
@@ -64,30 +82,77 @@ fn cut_by_columns([a, b]: [Point; 2], columns: i32, pieces: &mut Vec<Piece>) {
     for column in column_of(a[0].min(b[0]))..=column_of(a[0].max(b[0])) {
         let left = if column < 0 { f64::NEG_INFINITY } else { f64::from(column) };
         let right = if column >= columns { f64::INFINITY } else { f64::from(column + 1) };
-        let [p, q] = clipped(a, b, 0, [left, right]);
-        let height = q[1] - p[1];
-        let width = f64::from(column + 1) - 0.5 * (p[0] + q[0]);
-        pieces.push(Piece { column, area: height * width, height });
+        let [p, q] = clipped(a, b, 0, [left, right]).map(|[x, y]| [x - f64::from(column), y]);
+        let areas = [to_the_right(p, q), within_half(p, q, 0), within_half(p, q, 1)];
+        let (height, middle) = (q[1] - p[1], 0.5 * (p[1] + q[1]));
+        pieces.push(Piece { column, areas, beyond: [height, height * (1.0 - middle), height * middle] });
     }
 }
 
+/// Area between a segment and the right side of its cell.
+fn to_the_right(p: Point, q: Point) -> f64 {
+    (q[1] - p[1]) * (1.0 - 0.5 * (p[0] + q[0]))
+}
+
+/// The part of it in the half of the cell below the diagonal that rises, 0, or above the one that falls, 1.
+fn within_half(p: Point, q: Point, half: usize) -> f64 {
+    // How far a position is to the right of the diagonal, where all to its right belongs to the half.
+    let diagonal = |y: f64| if half == 0 { y } else { 1.0 - y };
+    let beyond = |at: Point| at[0] - diagonal(at[1]);
+    let on_one_side = |p: Point, q: Point| match beyond(p) + beyond(q) > 0.0 {
+        true => to_the_right(p, q),
+        false => (q[1] - p[1]) * (1.0 - diagonal(0.5 * (p[1] + q[1]))),
+    };
+    let (from, to) = (beyond(p), beyond(q));
+    if from * to >= 0.0 {
+        return on_one_side(p, q);
+    }
+    let share = from / (from - to);
+    let cut = [0, 1].map(|k| p[k] + share * (q[k] - p[k]));
+    on_one_side(p, cut) + on_one_side(cut, q)
+}
+
 /// Visits the cells of a row that are covered in part.
-fn covered_in_row(pieces: &mut [Piece], columns: i32, visit: &mut dyn FnMut(i32, f64)) {
+fn covered_in_row(pieces: &mut [Piece], columns: i32, visit: &mut dyn FnMut(i32, Covered)) {
     pieces.sort_by_key(|p| p.column);
-    let mut enter = |column: i32, part: f64| {
-        if (WHOLE..=1.0 - WHOLE).contains(&part) && (0..columns).contains(&column) {
-            visit(column, part);
+    let mut enter = |column: i32, areas: Areas| {
+        let [part, below, above] = areas.map(f64::abs);
+        if (0..columns).contains(&column) {
+            visit(column, Covered { part, right: [2.0 * below, 2.0 * above] });
         }
     };
+    let sum = |one: Areas, other: Areas| [0, 1, 2].map(|k| one[k] + other[k]);
     // Everything to the right of an edge that goes upwards is covered once more, or once less.
-    let (mut covered, mut next) = (0.0, 0);
+    let (mut covered, mut next) = ([0.0; 3], 0);
     for part in pieces.chunk_by(|a, b| a.column == b.column) {
         let column = part[0].column;
-        (next..column).for_each(|between| enter(between, f64::abs(covered)));
-        enter(column, f64::abs(covered + part.iter().map(|p| p.area).sum::<f64>()));
-        covered += part.iter().map(|p| p.height).sum::<f64>();
+        (next..column).for_each(|between| enter(between, covered));
+        enter(column, part.iter().map(|p| p.areas).fold(covered, sum));
+        covered = part.iter().map(|p| p.beyond).fold(covered, sum);
         next = (column + 1).max(0);
     }
+}
+
+/// Area of the part of a simple polygon on the left of all of some lines, each through two positions.
+pub(super) fn area_within(corners: &[Point], lines: &[[Point; 2]]) -> f64 {
+    let mut left = corners.to_vec();
+    for [from, to] in lines {
+        let d = minus(*to, *from);
+        let height = |p: Point| d[0] * (p[1] - from[1]) - d[1] * (p[0] - from[0]);
+        let sides = (0..left.len()).map(|k| (left[(k + left.len() - 1) % left.len()], left[k]));
+        let clip = |(a, b): (Point, Point)| {
+            let (at, to) = (height(a), height(b));
+            let share = at / (at - to);
+            let crossing = (at * to < 0.0).then(|| [0, 1].map(|k| a[k] + share * (b[k] - a[k])));
+            crossing.into_iter().chain((to >= 0.0).then_some(b))
+        };
+        left = sides.flat_map(clip).collect();
+    }
+    let twice = |k: usize| {
+        let (a, b) = (minus(left[k], left[0]), minus(left[(k + 1) % left.len()], left[0]));
+        a[0] * b[1] - a[1] * b[0]
+    };
+    0.5 * (0..left.len()).map(twice).sum::<f64>().abs()
 }
 
 /// Chords per cell that an arc passes.
@@ -118,28 +183,43 @@ mod tests {
     use proptest::prelude::*;
     use std::f64::consts::PI;
 
-    fn part(found: &[(Cell, f64)], cell: Cell) -> f64 {
+    fn covered(found: &[(Cell, Covered)], cell: Cell) -> Covered {
         found.iter().find(|f| f.0 == cell).unwrap().1
+    }
+
+    fn parts(found: &[(Cell, Covered)]) -> Vec<(Cell, f64)> {
+        found.iter().map(|(cell, covered)| (*cell, covered.part)).collect()
     }
 
     #[test]
     fn parts_of_a_box_and_of_a_triangle() {
         // Beyond the cells on the left and below, in the middle of cells on the right and above.
         let corners = [[-3.5, -1.5], [2.25, -1.5], [2.25, 1.5], [-3.5, 1.5]];
-        let found = partly_covered([4, 4], &corners);
+        let found = partly_covered([4, 4], &corners, 1e-6);
         let expected = [([2, 0], 0.25), ([0, 1], 0.5), ([1, 1], 0.5), ([2, 1], 0.125)];
-        assert_eq!(found, expected);
+        assert_eq!(parts(&found), expected);
         // The diagonals of cells; clockwise.
-        let found = partly_covered([3, 3], &[[0.0; 2], [0.0, 3.0], [3.0, 0.0]]);
-        assert_eq!(found, [([2, 0], 0.5), ([1, 1], 0.5), ([0, 2], 0.5)]);
-        assert!(partly_covered([2, 2], &[[0.0; 2], [2.0, 0.0], [2.0; 2], [0.0, 2.0]]).is_empty());
-        assert!(partly_covered([2, 2], &[[5.0; 2], [7.0, 5.5], [6.0, 8.5]]).is_empty());
+        let found = partly_covered([3, 3], &[[0.0; 2], [0.0, 3.0], [3.0, 0.0]], 1e-6);
+        assert_eq!(parts(&found), [([2, 0], 0.5), ([1, 1], 0.5), ([0, 2], 0.5)]);
+        assert!(found.iter().all(|f| f.1.right == [0.5, 0.0]));
+        assert!(partly_covered([2, 2], &[[0.0; 2], [2.0, 0.0], [2.0; 2], [0.0, 2.0]], 1e-6).is_empty());
+        assert!(partly_covered([2, 2], &[[5.0; 2], [7.0, 5.5], [6.0, 8.5]], 1e-6).is_empty());
+    }
+
+    #[test]
+    fn areas_between_lines_are_clipped() {
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+        assert_eq!(area_within(&square, &[]), 4.0);
+        // Below y = x, and right of x = 1.
+        let lines = [[[3.0, 3.0], [0.0, 0.0]], [[1.0, 5.0], [1.0, 4.0]]];
+        assert_eq!(area_within(&square, &lines), 1.5);
+        assert_eq!(area_within(&square, &[[[9.0, 0.0], [9.0, -1.0]]]), 0.0);
     }
 
     #[test]
     fn circles_and_slots_have_their_areas() {
         let area = |corners: &[Point]| {
-            let found = partly_covered([60, 60], corners);
+            let found = partly_covered([60, 60], corners, 1e-6);
             let centres = |[i, j]: Cell| [f64::from(i) + 0.5, f64::from(j) + 0.5];
             let whole = |c: Cell| {
                 let inside = corners.iter().enumerate().fold(false, |inside, (k, b)| {
@@ -151,7 +231,7 @@ mod tests {
                 inside && found.iter().all(|f| f.0 != c)
             };
             let all = (0..60).flat_map(|j| (0..60).map(move |i| [i, j]));
-            found.iter().map(|f| f.1).sum::<f64>() + all.filter(|c| whole(*c)).count() as f64
+            found.iter().map(|f| f.1.part).sum::<f64>() + all.filter(|c| whole(*c)).count() as f64
         };
         assert!((area(&stadium([30.2, 29.1], [30.2, 29.1], 7.3)) / (PI * 7.3 * 7.3) - 1.0).abs() < 1e-7);
         let slot = stadium([20.2, 19.1], [32.2, 28.1], 4.3);
@@ -162,7 +242,7 @@ mod tests {
         #[test]
         fn parts_are_those_of_samples(x in prop::array::uniform6(-1.0..6.0f64)) {
             let corners = [[x[0], x[1]], [x[2], x[3]], [x[4], x[5]]];
-            let found = partly_covered([5, 5], &corners);
+            let found = partly_covered([5, 5], &corners, 1e-6);
             let turn = |a: Point, b: Point, p: Point| {
                 (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0.0
             };
@@ -172,11 +252,21 @@ mod tests {
             };
             for cell in (0..5).flat_map(|j| (0..5).map(move |i| [i, j])) {
                 let at = |k: usize, s: i32| f64::from(cell[k]) + (f64::from(s) + 0.5) / 40.0;
-                let hits = (0..40).flat_map(|a| (0..40).map(move |b| [a, b]));
-                let count = hits.filter(|s| inside([at(0, s[0]), at(1, s[1])])).count() as f64 / 1600.0;
-                match found.iter().find(|f| f.0 == cell) {
-                    Some(_) => prop_assert!((part(&found, cell) - count).abs() < 0.05, "{:?}", cell),
-                    None => prop_assert!(count == 0.0 || count == 1.0, "{:?} {}", cell, count),
+                let hits: Vec<[i32; 2]> = (0..40).flat_map(|a| (0..40).map(move |b| [a, b])).collect();
+                let count = |within: &dyn Fn([i32; 2]) -> bool| {
+                    hits.iter().filter(|s| within(**s) && inside([at(0, s[0]), at(1, s[1])])).count() as f64
+                };
+                let whole = count(&|_| true) / 1600.0;
+                match found.iter().any(|f| f.0 == cell) {
+                    true => {
+                        let Covered { part, right } = covered(&found, cell);
+                        prop_assert!((part - whole).abs() < 0.05, "{:?}", cell);
+                        for (half, right) in right.into_iter().enumerate() {
+                            let sampled = count(&|[a, b]| if half == 0 { a > b } else { a + b > 39 }) / 780.0;
+                            prop_assert!((right - sampled).abs() < 0.1, "{:?} {} {}", cell, right, sampled);
+                        }
+                    }
+                    false => prop_assert!(whole == 0.0 || whole == 1.0, "{:?} {}", cell, whole),
                 }
             }
         }

@@ -170,7 +170,9 @@ impl Outline {
         }
         let lattice = SquareLattice::new(spacing, corner, 0..size[0], 0..size[1], |cell| rows.contains(cell));
         let areas = self.areas(&lattice, size);
-        Ok(lattice.with_areas(&areas))
+        let lattice = lattice.with_areas(&areas);
+        let blocks = if lattice.cut_cells().is_empty() { Vec::new() } else { self.blocks(&lattice, size) };
+        Ok(lattice.with_blocks(blocks))
     }
 }
 

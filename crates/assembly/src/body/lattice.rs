@@ -8,6 +8,10 @@ use std::ops::Range;
 /// Index of a cell: column and row.
 pub type Cell = [i32; 2];
 
+/// Parts in the body of the four triangles of a block, which is the square between four next points: those with their right
+/// angles at its lower left, lower right, upper left and upper right point.
+pub type Parts = [f64; 4];
+
 /// Consecutive cells of one row that belong to the body.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
@@ -49,6 +53,8 @@ pub struct SquareLattice {
     points: usize,
     /// Points whose areas are not those of a cell, ascending, and their areas per that of a cell.
     cut: Vec<(u32, f64)>,
+    /// Blocks that a border cuts, ascending by their lower left cells.
+    blocks: Vec<(Cell, Parts)>,
 }
 
 impl SquareLattice {
@@ -73,6 +79,7 @@ impl SquareLattice {
             runs: Vec::new(),
             points: 0,
             cut: Vec::new(),
+            blocks: Vec::new(),
         };
         for row in rows {
             let mut column = columns.start;
@@ -108,9 +115,23 @@ impl SquareLattice {
         self
     }
 
+    /// The lattice with parts of the triangles of blocks, by their lower left cells, where a border cuts them. Of others all is
+    /// in the body if their four points are, else nothing.
+    pub fn with_blocks(mut self, mut blocks: Vec<(Cell, Parts)>) -> Self {
+        blocks.sort_unstable_by_key(|block| block.0);
+        self.blocks = blocks;
+        self
+    }
+
+    /// The blocks that a border cuts, ascending by their lower left cells, with the parts of their triangles; none where all cells
+    /// are whole.
+    pub fn blocks(&self) -> &[(Cell, Parts)] {
+        &self.blocks
+    }
+
     /// The lattice with whole cells.
     pub fn with_whole_cells(self) -> Self {
-        Self { cut: Vec::new(), ..self }
+        Self { cut: Vec::new(), blocks: Vec::new(), ..self }
     }
 
     /// Points that have not the area of a cell, ascending, and their areas per that of a cell.

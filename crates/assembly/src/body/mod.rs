@@ -27,7 +27,7 @@ pub use border::BorderPart;
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
 pub use fill::FillError;
-pub use lattice::{Cell, Run, SquareLattice};
+pub use lattice::{Cell, Parts, Run, SquareLattice};
 pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};

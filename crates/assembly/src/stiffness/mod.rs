@@ -14,6 +14,7 @@ pub(crate) mod planes;
 mod springs;
 mod term;
 mod twofold;
+mod wide_families;
 
 pub use block_matrix::BlockMatrix;
 pub use block_rows::BlockRows;
@@ -28,3 +29,4 @@ pub use placed_bonds::{Place, PlacedBond, PlacedBonds};
 pub use springs::{Spring, Springs};
 pub use term::{Share, Survey, TakeForces, Term};
 pub use twofold::Twofold;
+pub use wide_families::{WideFamilies, WideMember};

@@ -4,8 +4,8 @@
 //! Measures and sums of forces are exact to the square of the rounding of doubles. A conjugate force is one double that acts
 //! on all points of its element, so that its rounding is a change of stiffness, which no soft support notices.
 
-use super::Family;
 use super::placed_bonds::{Member, row};
+use super::{Family, WideMember};
 use crate::bonds::{Mat, Rows};
 use crate::sum::Sum;
 use std::array::from_fn;
@@ -89,6 +89,37 @@ pub(super) fn add_placed_bond<const D: usize, const M: usize>(
         for member in members {
             let row = row(rows, member)[m];
             (0..D).for_each(|c| force[c * points + member.point as usize].add_product(row[c], sigma));
+        }
+    }
+}
+
+/// Adds the forces of a family of any size in a body of `points` points.
+pub(super) fn add_wide_family<const D: usize, const M: usize>(
+    (common, modulus): (&Mat<M, D>, &Mat<M, M>),
+    points: usize,
+    members: &[WideMember<D, M>],
+    u: Twofold<'_>,
+    force: &mut [Sum],
+) {
+    let Some((first, others)) = members.split_first() else { return };
+    let first = first.point as usize;
+    let measures: [f64; M] = from_fn(|m| {
+        let mut sum = Sum::default();
+        for c in 0..D {
+            sum.add_multiple(common[m][c], u.at(c * points + first));
+            for member in others {
+                let moved = u.between(c * points + first, c * points + member.point as usize);
+                sum.add_multiple(member.rows[m][c], moved);
+            }
+        }
+        sum.total()
+    });
+    for (m, row) in modulus.iter().enumerate() {
+        let sigma: f64 = (0..M).map(|k| row[k] * measures[k]).sum();
+        for member in members {
+            (0..D).for_each(|c| {
+                force[c * points + member.point as usize].add_product(member.rows[m][c], sigma)
+            });
         }
     }
 }

@@ -60,6 +60,25 @@ impl SquareLattice {
         [0, 1].map(|k| (inner[k] - self.corner[k]) / self.spacing)
     }
 
+    /// Where a segment crosses the sides of the triangles that next points make, rows, columns and diagonals, in parts of its
+    /// length, in order and with both ends.
+    pub fn crossings(&self, from: [f64; 2], to: [f64; 2]) -> Vec<f64> {
+        /// Nearer ones are one.
+        const SAME: f64 = 1e-12;
+        let [a, b] = [from, to].map(|end| self.in_cells(end).map(|x| x - 0.5));
+        let lines: [fn([f64; 2]) -> f64; 4] = [|[x, _]| x, |[_, y]| y, |[x, y]| x - y, |[x, y]| x + y];
+        let mut places = vec![0.0, 1.0];
+        for line in lines {
+            let (start, end) = (line(a), line(b));
+            let (low, high) = (start.min(end).ceil() as i64, start.max(end).floor() as i64);
+            places.extend((low..=high).map(|k| (k as f64 - start) / (end - start)));
+        }
+        places.retain(|place| (0.0..=1.0).contains(place));
+        places.sort_by(f64::total_cmp);
+        places.dedup_by(|later, place| *later - *place < SAME);
+        places
+    }
+
     /// The corner between the cells of two columns and of two rows, those before `node` and those from it on, m.
     pub fn node(&self, node: Cell) -> [f64; 2] {
         self.outwards([0, 1].map(|k| self.corner[k] + f64::from(node[k]) * self.spacing))

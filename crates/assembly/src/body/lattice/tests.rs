@@ -126,3 +126,14 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn segments_cross_rows_columns_and_diagonals() {
+    let lattice = SquareLattice::rectangle(2.0, [1.0, 3.0], [4, 4]);
+    // From the point of cell [0, 0] along its row, to the middle between two points: one diagonal falls there, one rises.
+    assert_eq!(lattice.crossings([2.0, 4.0], [5.0, 4.0]), [0.0, 2.0 / 3.0, 1.0]);
+    // Half a spacing beyond the points of the first row.
+    assert_eq!(lattice.crossings([1.0, 3.0], [5.0, 3.0]), [0.0, 0.25, 0.5, 0.75, 1.0]);
+    assert_eq!(lattice.crossings([2.2, 4.1], [2.3, 4.1]), [0.0, 1.0]);
+    assert_eq!(lattice.crossings([2.0, 4.0], [2.0, 4.0]), [0.0, 1.0]);
+}

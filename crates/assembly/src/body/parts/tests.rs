@@ -1,6 +1,7 @@
 use crate::body::geometry::Point;
 use crate::body::{Cell, Hole, Outline, Polygon, Shape, SquareLattice};
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 fn with_holes(mut outline: Outline, holes: Vec<Shape>) -> Outline {
@@ -153,4 +154,34 @@ proptest! {
         prop_assert!((area(&lattice) / (w * t) - 1.0).abs() < 1e-4);
         prop_assert!(lattice.cut_cells().iter().all(|c| (0.2..2.6).contains(&c.1)), "{:?}", lattice.cut_cells());
     }
+}
+
+/// The parts of all triangles of a body make its area twice, once by either diagonal.
+#[test]
+fn triangles_of_blocks_have_the_area_of_the_body() {
+    let hole = Shape::Circle { centre: [6.2, 4.3], radius: 2.1 };
+    let corners = vec![[0.2, 0.1], [12.0, 1.3], [11.1, 8.4], [1.7, 7.9]];
+    let whole = |corners: Vec<Point>| Outline::polygon(corners).unwrap();
+    let inside = whole(corners.clone()).border().area() - PI * 2.1 * 2.1;
+    // Half a hole is in a body that ends in its middle.
+    let notched = whole(vec![[0.0, 0.0], [0.0, 4.3], [12.5, 4.3], [12.5, 0.0]]);
+    for (outline, area_of) in [(whole(corners), inside), (notched, 12.5 * 4.3 - 0.5 * PI * 2.1 * 2.1)] {
+        check_triangles(&with_holes(outline, vec![hole.clone()]).fill(0.5).unwrap(), area_of);
+    }
+}
+
+fn check_triangles(lattice: &SquareLattice, area_of: f64) {
+    let listed: BTreeMap<Cell, [f64; 4]> = lattice.blocks().iter().copied().collect();
+    let is_whole = |[i, j]: Cell| {
+        [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().all(|[a, b]| lattice.number([i + a, j + b]).is_some())
+    };
+    let blocks = (-2..30).flat_map(|j| (-2..30).map(move |i| [i, j]));
+    let whole = blocks.filter(|b| !listed.contains_key(b) && is_whole(*b)).count() as f64;
+    for pair in [[0, 3], [1, 2]] {
+        let cut: f64 = listed.values().map(|parts| 0.5 * (parts[pair[0]] + parts[pair[1]])).sum();
+        let found = (whole + cut) * 0.25;
+        // A circle of chords has its area; half of one where it is divided, too.
+        assert!((found / area_of - 1.0).abs() < 1e-9, "{found} {area_of}");
+    }
+    assert!(listed.values().flatten().all(|part| (0.0..=1.0).contains(part)));
 }

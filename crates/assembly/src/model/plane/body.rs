@@ -5,7 +5,9 @@
 //! treatments of edges have whole cells.
 
 use super::bond::PlaneBond;
-use super::edges::{BorderBonds, EdgeFactors, Overlay, border_bonds, edge_factors, has_border, overlay};
+use super::edges::{
+    BorderBonds, CutBorder, EdgeFactors, Overlay, border_bonds, cut_border, edge_factors, has_border, overlay,
+};
 use super::near::{at, near_points};
 use super::neighbourhood::Neighbourhood;
 use super::{Edges, FindCuts, Mirrors};
@@ -42,6 +44,8 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(super) felt: Option<Arc<GridBonds<D, M, B>>>,
     /// Bonds that end on the border, if it is completed so.
     pub(in super::super) border: Option<BorderBonds<D, M>>,
+    /// Triangles of blocks that the border cuts, if it is completed by them.
+    pub(in super::super) cut: Option<CutBorder<D, S>>,
     /// What points near edges lack. Beside a border that is completed they tell its stresses, and have no energy.
     pub(in super::super) triangles: Arc<Families<D, S, 2>>,
     pub(in super::super) uncorrected: usize,
@@ -68,14 +72,23 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             _ if lattice.cut_cells().is_empty() => lattice,
             _ => Arc::new(SquareLattice::clone(&lattice).with_whole_cells()),
         };
-        let near = match kind.edges {
+        let mut near = match kind.edges {
             Edges::None => Vec::new(),
             _ => near_points(&lattice, hood.reach()),
         };
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
-        let border = (kind.edges == Edges::Border)
-            .then(|| border_bonds(&lattice, &mirrors, (&hood, &kind.bond), &near, &known));
-        let gaps = border.as_ref().map_or(&[][..], |border| &border.gaps);
+        let (mut border, mut cut) = (None, None);
+        match (kind.edges, lattice.blocks()) {
+            (Edges::Border, []) => {
+                border = Some(border_bonds(&lattice, &mirrors, (&hood, &kind.bond), &near, &known));
+            }
+            (Edges::Border, _) => cut = Some(cut_border(&lattice, &mirrors, (&hood, &kind.bond), &known)),
+            _ => {}
+        }
+        let of_border = border.as_ref().map(|border| (&border.gaps, border.lost));
+        let of_cut = cut.as_ref().map(|cut| (&cut.gaps, cut.lost));
+        let (gaps, lost) =
+            of_border.or(of_cut).map_or((&[][..], None), |(gaps, lost)| (&gaps[..], Some(lost)));
         let mut factors = EdgeFactors { base: vec![1.0; hood.offsets.len()], exceptions: Vec::new() };
         let mut triangles = Overlay { triangles: Vec::new(), uncorrected: 0 };
         match kind.edges {
@@ -84,11 +97,17 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 factors = edge_factors(&lattice, &mirrors, &hood, &kind, &near);
             }
             Edges::Border | Edges::Overlay => {
-                factors.exceptions = reduced(&lattice, &hood);
-                let near = with_neighbours(&lattice, &hood, near);
-                let real =
-                    near.iter().copied().filter(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
-                triangles = overlay(&lattice, (&hood, &kind.bond), real, &known, gaps);
+                // Where the border is completed this tells stresses alone.
+                let is_told = |point: usize| cut.as_ref().is_some_and(|cut| cut.strains.tells(point));
+                if cut.is_none() {
+                    factors.exceptions = reduced(&lattice, &hood);
+                    near = with_neighbours(&lattice, &hood, near);
+                }
+                let is_real = |p: usize| mirrors.is_none() || mirrors.is_real(lattice.cell(p));
+                let own = near.iter().copied().filter(|&p| is_real(p) && !is_told(p));
+                let whole = cut.is_some().then(|| SquareLattice::clone(&lattice).with_whole_cells());
+                let lattice = whole.as_ref().unwrap_or(&lattice);
+                triangles = overlay(lattice, (&hood, &kind.bond), own, &known, gaps);
             }
         }
         let mut exceptions = factors.exceptions;
@@ -105,7 +124,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             exceptions.extend(halved(&lattice, &mirrors, &hood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
-        let uncorrected = border.as_ref().map_or(triangles.uncorrected, |border| border.lost);
+        let uncorrected = lost.unwrap_or(triangles.uncorrected);
         let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
         Self {
             lattice,
@@ -116,6 +135,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             bonds,
             felt,
             border,
+            cut,
             triangles,
             uncorrected,
             cuts,

@@ -2,8 +2,9 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
+use super::edges::modulus;
 use super::geometry;
-use crate::bonds::Mat;
+use crate::bonds::{Mat, add};
 use crate::stiffness::Families;
 use rayon::prelude::*;
 use std::array::from_fn;
@@ -69,11 +70,33 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let volume = self.cell_volume();
         let mut sums = self.whole().sums::<3>(u, &self.virial_shares(1.0 / volume));
         sums[3 * n..].par_iter_mut().with_min_len(4096).for_each(|energy| *energy /= volume);
-        for &(point, part) in self.lattice.cut_cells() {
+        // Beside a border that is completed a point stands for a whole cell of its stress.
+        let cut_cells = if self.cut.is_some() { &[] } else { self.lattice.cut_cells() };
+        for &(point, part) in cut_cells {
             (0..4).for_each(|q| sums[q * n + point as usize] /= part);
         }
         self.ghosts.iter().for_each(|&g| (0..4).for_each(|q| sums[q * n + g as usize] = 0.0));
-        PlaneFields::with_triangles(sums, &self.triangles, |point| self.real_volume(point), u)
+        let of_point = |point| if self.cut.is_some() { volume } else { self.real_volume(point) };
+        let mut fields = PlaneFields::with_triangles(sums, &self.triangles, of_point, u);
+        if let Some(cut) = &self.cut {
+            let c = self.stiffness();
+            cut.strains.for_each((n, u), &mut |point, strain| {
+                let stress: [f64; 3] = from_fn(|q| (0..3).map(|k| c[q][k] * strain[k]).sum());
+                (0..3).for_each(|q| fields.stress[q][point] = stress[q]);
+                fields.energy_density[point] = (0..3).map(|q| 0.5 * stress[q] * strain[q]).sum();
+            });
+        }
+        fields
+    }
+
+    /// Stiffness of the material, Pa, for uniform states.
+    fn stiffness(&self) -> Mat<S, S> {
+        let mut sum = [[0.0; S]; S];
+        for k in self.hood.bonded() {
+            let own = modulus(&self.lattice, &self.hood, &self.kind.bond, k);
+            add(&mut sum, &own);
+        }
+        sum.map(|row| row.map(|x| x / self.cell_volume()))
     }
 
     /// Adds the forces that do the work `Σ_k t_k·V_k σ_k` with the strains `t`, three planes, of some points, none for all.
@@ -84,7 +107,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         force: &mut [f64],
     ) {
         let n = self.lattice.points();
-        if let Some(border) = &self.border {
+        if self.border.is_some() || self.cut.is_some() {
             for &ghost in &self.ghosts {
                 let (image, [x, y]) = self.mirrors.image(self.lattice.cell(ghost as usize));
                 let real = self.lattice.number(image);
@@ -93,11 +116,16 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 let strain = [of(0), of(1), of(2)];
                 (0..3).for_each(|q| t[q * n + ghost as usize] = strain[q]);
             }
+        }
+        if let Some(border) = &self.border {
             border.add_strain_work((&self.lattice, &self.hood, &self.kind.bond), t, force);
+        }
+        if let Some(cut) = &self.cut {
+            cut.add_strain_work(t, force);
         }
         self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
         self.whole().add_work::<3>(t, &self.spans(points), &self.virial_shares(1.0), force);
-        if self.border.is_none() {
+        if self.border.is_none() && self.cut.is_none() {
             add_work_of_triangles(&self.triangles, t, force);
         }
     }

@@ -88,7 +88,7 @@ impl Mirrors {
         let (columns, rows) = (clip(self.columns, lattice.columns()), clip(self.rows, lattice.rows()));
         let inside = |cell| lattice.number(cell).is_some();
         let all = SquareLattice::new(lattice.spacing(), lattice.corner(), columns, rows, inside);
-        all.with_areas(&cut_cells(lattice))
+        all.with_areas(&cut_cells(lattice)).with_blocks(lattice.blocks().to_vec())
     }
 
     /// A lattice of real cells with `depth` columns or rows of images beyond every line.
@@ -108,7 +108,7 @@ impl Mirrors {
             let area = |cell| Some((cell, real.fraction(real.number(self.image(cell).0)?)));
             areas.extend(ghosts.filter_map(area));
         }
-        extended.with_areas(&areas)
+        extended.with_areas(&areas).with_blocks(real.blocks().to_vec())
     }
 
     /// The lines on a lattice of twice the spacing. A line of symmetry that runs through cells moves outwards; joined sides

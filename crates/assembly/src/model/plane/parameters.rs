@@ -35,8 +35,9 @@ pub enum Edges {
 impl Edges {
     /// Rows or columns of images beyond a line of symmetry that bonds of some reach need.
     pub(in super::super) fn depth(self, reach: i32) -> i32 {
-        // Bonds through the line may end on the border, which moves with the next but one column, too.
-        if self == Self::Border { reach + 2 } else { reach }
+        // Bonds through the line may end on the border, which moves with the next but one column, too; corners of triangles that
+        // a border cuts move with points up to five columns away.
+        if self == Self::Border { (reach + 2).max(6) } else { reach }
     }
 
     /// Whether points near edges have exactly the stiffness of the material, if the others have.

@@ -5,7 +5,7 @@ use super::ground::Ground;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
 use crate::memory;
-use peristat_assembly::body::{BorderPart, Edge, Outline, PlaneBody};
+use peristat_assembly::body::{BorderPart, Edge, Outline, PlaneBody, SquareLattice};
 use peristat_assembly::quadrature::GAUSS;
 
 /// A short part of a border.
@@ -52,6 +52,15 @@ impl Stretch {
             half: 0.5 * (end - start),
             point: None,
         }
+    }
+
+    /// Its parts between the rows, columns and diagonals of points that a straight one crosses: between them places on the border
+    /// move linearly. Arcs are short already.
+    pub(super) fn between_lines(&self, lattice: &SquareLattice) -> Vec<Self> {
+        let BorderPart::Straight { from, to, .. } = self.part else { return vec![*self] };
+        let place = |share: f64| self.place + (2.0 * share - 1.0) * self.half;
+        let part = |ends: &[f64]| Self::new(self.part.between(ends[0], ends[1]), [place(ends[0]), place(ends[1])]);
+        lattice.crossings(from, to).windows(2).map(part).collect()
     }
 
     /// At a share of its length, 0 to 1, for some of it.

@@ -14,9 +14,10 @@ pub(super) fn forces(traction: &OnBorder, context: &Context) -> Option<Forces> {
     if !is_plain || !may_be_consistent(traction, context) {
         return None;
     }
-    let shares = model.border_shares()?;
+    let (shares, (lattice, _)) = (model.border_shares()?, model.lattice()?);
     let mut forces = vec![[0.0; 2]; model.point_count()];
-    for stretch in traction.stretches(context.ground) {
+    let stretches = traction.stretches(context.ground);
+    for stretch in stretches.iter().flat_map(|stretch| stretch.between_lines(lattice)) {
         for (at, along) in traction.profile.on(&stretch) {
             let force = along.map(|t| context.bonds.across(at) * t);
             for (point, share) in shares(at, stretch.normal)? {

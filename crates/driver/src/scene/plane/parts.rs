@@ -69,7 +69,11 @@ pub(super) fn parts(
         return None;
     }
     let bonds = bonds.with_horizon_ratio(ratio);
-    let can_end = lattice.is_some_and(|lattice| has_border(lattice, &symmetry.mirrors, ratio as i32));
+    // Triangles of cells that a border cuts do not break.
+    let breaks = case.fracture.is_some() || case.path.is_some();
+    let can_end = lattice.is_some_and(|lattice| {
+        (lattice.blocks().is_empty() || !breaks) && has_border(lattice, &symmetry.mirrors, ratio as i32)
+    });
     let holds_angle = outline.as_ref().is_some_and(|outline| held_angle::is_held(case, outline));
     let bonds = match can_end && !holds_angle {
         true => bonds,

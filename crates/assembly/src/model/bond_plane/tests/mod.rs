@@ -3,6 +3,7 @@
 mod bodies;
 mod border;
 mod cloud;
+mod cut;
 mod implementations;
 mod lattice;
 mod mirrors;

@@ -55,9 +55,8 @@ pub(in super::super::super) struct PartOfBond {
 /// Reach of bonds, rows or columns, up to which they end on the border: their number grows with its third power.
 pub const FARTHEST: i32 = 10;
 
-/// Whether the border of a lattice can be completed so: its cells are whole, all belong to blocks of four, and bonds reach no
-/// farther than [`FARTHEST`].
-pub fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, reach: i32) -> bool {
+/// Whether bonds can end on the border of a lattice of whole cells: all belong to blocks of four.
+pub(super) fn can_end(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
     let has = |cell: Cell| {
         let image = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
         lattice.number(image).is_some()
@@ -68,7 +67,7 @@ pub fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, reach: i32) -> boo
             .any(|(a, b)| has([i + a, j]) && has([i, j + b]) && has([i + a, j + b]))
     };
     let mut near = super::super::near::near_points(lattice, 1).into_iter();
-    reach <= FARTHEST && lattice.cut_cells().is_empty() && near.all(|point| in_block(lattice.cell(point)))
+    near.all(|point| in_block(lattice.cell(point)))
 }
 
 /// Builds the bonds that end on the border; `near` are the points within reach of it.

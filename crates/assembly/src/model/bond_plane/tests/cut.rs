@@ -1,0 +1,185 @@
+//! Borders that cut cells: uniform stresses are in equilibrium, wherever the border runs.
+
+use super::super::*;
+use super::bodies::*;
+use super::mirrors::compare;
+use super::patch::{STRAINS, check_rigid};
+use crate::body::{Hole, Outline, Polygon, Shape};
+use crate::model::plane::{Edges, Mirrors, PlaneModel};
+use crate::quadrature::GAUSS;
+
+fn bordered(m: f64) -> PlaneParameters {
+    PlaneParameters { edges: Edges::Border, ..parameters(m, [1.0, 1.0, 1.0]) }
+}
+
+fn pierced(mut outline: Outline, holes: Vec<Shape>) -> Outline {
+    holes.into_iter().for_each(|shape| outline.cut(Hole { name: None, shape }).unwrap());
+    outline
+}
+
+/// Rows that run along x, and turned ones.
+fn filled(outline: &Outline) -> Vec<Arc<SquareLattice>> {
+    [0.0, 0.3].map(|angle| Arc::new(outline.fill_turned(1.0, angle).unwrap())).to_vec()
+}
+
+fn outlines() -> Vec<(&'static str, Outline)> {
+    let rectangle = || Outline::rectangle([0.3, -2.0], [19.0, 16.0]).unwrap();
+    let circle = Shape::Circle { centre: [9.4, 5.7], radius: 3.7 };
+    let window = Polygon::new(vec![[6.0, 3.0], [12.4, 4.1], [8.2, 9.0]]).unwrap();
+    let oblique = Outline::polygon(vec![[0.0, 3.1], [18.4, 0.0], [20.0, 14.2], [2.2, 17.5]]).unwrap();
+    let angle = [[0.1, 0.0], [17.0, 2.0], [16.2, 9.0], [9.3, 8.1], [8.4, 18.0], [-0.7, 17.0]];
+    vec![
+        ("hole", pierced(rectangle(), vec![circle])),
+        ("window", pierced(rectangle(), vec![Shape::Polygon(window)])),
+        ("quadrilateral", oblique),
+        ("L", Outline::polygon(angle.to_vec()).unwrap()),
+    ]
+}
+
+fn energy_of(plane: &BondPlane, g: [[f64; 2]; 2]) -> f64 {
+    let strain = [g[0][0], g[1][1], g[0][1] + g[1][0]];
+    let c = plane.stiffness();
+    (0..3).map(|a| (0..3).map(|b| 0.5 * strain[a] * c[a][b] * strain[b]).sum::<f64>()).sum()
+}
+
+#[test]
+fn every_uniform_strain_has_the_energy_of_the_true_area() {
+    for m in [2.0, 3.0, 4.0] {
+        for (name, outline) in outlines() {
+            let holes: f64 = outline
+                .holes()
+                .iter()
+                .map(|hole| match &hole.shape {
+                    Shape::Polygon(polygon) => polygon.area().abs(),
+                    Shape::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
+                    Shape::Slot { .. } => unreachable!(),
+                })
+                .sum();
+            let area = outline.border().area().abs() - holes;
+            for lattice in filled(&outline) {
+                let plane = plane(&lattice, bordered(m));
+                assert_eq!(
+                    (plane.uncorrected(), PlaneModel::edges(&plane)),
+                    (0, Some(Edges::Border)),
+                    "{name}"
+                );
+                check_rigid(name, &plane);
+                for g in STRAINS {
+                    let found = energy(&plane, &linear(&plane, g)) / energy_of(&plane, g);
+                    // 1e-6 of a cell is not seen, and corners are sampled.
+                    assert!((found / area - 1.0).abs() < 2e-4, "{name} {m}: {found} {area}");
+                }
+            }
+        }
+    }
+}
+
+/// Forces of the tractions of a uniform stress on straight borders, each from one end to the other with its normal.
+fn through_border(
+    plane: &BondPlane,
+    sides: &[([[f64; 2]; 2], [f64; 2])],
+    [xx, yy, xy]: [f64; 3],
+) -> Vec<f64> {
+    let (n, lattice) = (plane.point_count(), plane.lattice().unwrap().0);
+    let shares = plane.border_shares().unwrap();
+    let mut force = vec![0.0; 2 * n];
+    for &([from, to], normal) in sides {
+        let traction = [xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]];
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        for ends in lattice.crossings(from, to).windows(2) {
+            for (share, weight) in GAUSS {
+                let along = ends[0] + share * (ends[1] - ends[0]);
+                let at = [0, 1].map(|k| from[k] + along * (to[k] - from[k]));
+                let length = weight * (ends[1] - ends[0]) * length;
+                for (p, share) in shares(at, normal).unwrap() {
+                    (0..2).for_each(|k| force[k * n + p] += share * length * traction[k]);
+                }
+            }
+        }
+    }
+    force
+}
+
+/// The load of a uniform stress is that of its tractions on the true border, which knows no bonds.
+#[test]
+fn tractions_on_the_true_border_hold_every_uniform_stress() {
+    for m in [2.0, 3.0, 4.0] {
+        for (name, outline) in outlines().into_iter().skip(1) {
+            let mut sides: Vec<([[f64; 2]; 2], [f64; 2])> =
+                outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
+            if let Some(Shape::Polygon(hole)) = outline.holes().first().map(|h| &h.shape) {
+                sides.extend((0..3).map(|k| (hole.edge(k), hole.normal(k).map(|x| -x))));
+            }
+            for lattice in filled(&outline) {
+                let plane = plane(&lattice, bordered(m));
+                for stress in [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.7, -1.3, 0.4]] {
+                    let strain = plane.strain_of(stress);
+                    let u = linear(&plane, [[strain[0], 0.5 * strain[2]], [0.5 * strain[2], strain[1]]]);
+                    let (internal, load) = (force(&plane, &u), through_border(&plane, &sides, stress));
+                    let off = difference(&internal, &load) / largest(&load);
+                    assert!(off < 1e-12, "{name} {m} {stress:?}: {off:e}");
+                }
+            }
+        }
+    }
+}
+
+/// Three rigid motions cost nothing, and all else something.
+#[test]
+fn only_rigid_motions_cost_nothing() {
+    for m in [2.0, 3.0] {
+        for (name, outline) in outlines() {
+            let values = matrix(&plane(&filled(&outline)[1], bordered(m))).symmetric_eigenvalues();
+            let most = values.max();
+            // Rounding makes 1e-15 of the largest.
+            assert_eq!(values.iter().filter(|v| **v < 1e-9 * most).count(), 3, "{name} {m}");
+            assert!(values.min() > -1e-13 * most, "{name} {m}: {}", values.min());
+        }
+    }
+}
+
+/// A quarter with its images is the whole body: the hole is cut by both lines of symmetry.
+#[test]
+fn a_quarter_is_the_whole_body() {
+    let body = |from: [f64; 2], size: [f64; 2]| {
+        let hole = Shape::Circle { centre: [0.0; 2], radius: 3.7 };
+        pierced(Outline::rectangle(from, size).unwrap(), vec![hole]).fill(1.0).unwrap()
+    };
+    for m in [2.0, 3.0, 4.0] {
+        let parameters = bordered(m);
+        // The lower left quarter: its cells have the same numbers.
+        let whole = body([-11.0, -9.0], [22.0, 18.0]);
+        let full = BondPlane::on_lattice(Arc::new(whole), Mirrors::NONE, parameters, &[]).unwrap();
+        let mirrors = Mirrors { columns: [None, Some(11)], rows: [None, Some(9)], ..Mirrors::NONE };
+        let real = body([-11.0, -9.0], [11.0, 9.0]);
+        let part = mirrors.extended(&real, BondPlane::depth(&parameters).unwrap());
+        let part = BondPlane::on_lattice(Arc::new(part), mirrors, parameters, &[]).unwrap();
+        assert_eq!(PlaneModel::edges(&part), Some(Edges::Border));
+        compare(&full, &part, mirrors);
+    }
+}
+
+/// Stresses of uniform strains are exact at every point, and the load that belongs to such a stress is that of its strain.
+#[test]
+fn stresses_of_uniform_strains_are_exact() {
+    for m in [2.0, 3.0] {
+        for (name, outline) in outlines() {
+            for lattice in filled(&outline) {
+                let plane = plane(&lattice, bordered(m));
+                for g in STRAINS {
+                    let (u, strain) = (linear(&plane, g), [g[0][0], g[1][1], g[0][1] + g[1][0]]);
+                    let (fields, stress) = (plane.fields(&u), plane.parameters().material.stress(strain));
+                    for (found, expected) in fields.stress.iter().zip(stress) {
+                        // 1e-14 is found.
+                        let off = found.iter().map(|s| (s - expected).abs()).fold(0.0, f64::max);
+                        assert!(off < 1e-12 * largest(&stress), "{name} {m}: {off:e}");
+                    }
+                    let mut load = vec![0.0; u.len()];
+                    plane.add_stress_load(None, &|_| stress, &mut load);
+                    let internal = force(&plane, &u);
+                    assert!(difference(&load, &internal) < 1e-12 * largest(&internal), "{name}");
+                }
+            }
+        }
+    }
+}

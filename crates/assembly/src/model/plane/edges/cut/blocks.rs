@@ -1,0 +1,139 @@
+//! How much of the triangles of blocks lies in the body, images among them.
+
+use super::super::super::Mirrors;
+use crate::body::{Cell, Parts, SquareLattice};
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+/// Corners of a block from its lower left one, in the order of [`Parts`].
+pub(super) const CORNERS: [Cell; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
+
+/// Parts nearer to none or all are that.
+const WHOLE: f64 = 1e-9;
+
+/// The blocks of a body with its images. A block has the name of its lower left cell.
+pub(super) struct Blocks<'a> {
+    pub(super) lattice: &'a SquareLattice,
+    pub(super) mirrors: &'a Mirrors,
+    known: RefCell<HashMap<Cell, Parts>>,
+}
+
+impl<'a> Blocks<'a> {
+    pub(super) fn new(lattice: &'a SquareLattice, mirrors: &'a Mirrors) -> Self {
+        Self { lattice, mirrors, known: RefCell::default() }
+    }
+
+    /// Whether there is a point in a cell, stored or not.
+    pub(super) fn has(&self, cell: Cell) -> bool {
+        let image = if self.mirrors.is_none() { cell } else { self.mirrors.image(cell).0 };
+        self.lattice.number(image).is_some()
+    }
+
+    /// Parts in the body of the triangles of a block.
+    pub(super) fn parts(&self, block: Cell) -> Parts {
+        if let Some(known) = self.known.borrow().get(&block) {
+            return *known;
+        }
+        let parts = self.with_images(block).map(|part| match part {
+            p if p < WHOLE => 0.0,
+            p if p > 1.0 - WHOLE => 1.0,
+            p => p,
+        });
+        self.known.borrow_mut().insert(block, parts);
+        parts
+    }
+
+    /// Whether all of a block lies in the body.
+    pub(super) fn is_whole(&self, block: Cell) -> bool {
+        self.parts(block) == [1.0; 4]
+    }
+
+    /// Part of the energy of a block that counts: half of one that a line of symmetry runs through, nothing beyond.
+    pub(super) fn counted(&self, block: Cell) -> f64 {
+        let along = |(lines, k): ([Option<i32>; 2], i32)| match lines {
+            [Some(low), _] if k < low => 0.5 * f64::from(u8::from(k == low - 1)),
+            [_, Some(high)] if k >= high - 1 => 0.5 * f64::from(u8::from(k == high - 1)),
+            _ => 1.0,
+        };
+        self.mirrors.lines().into_iter().zip(block).map(along).product()
+    }
+
+    /// A block that lies beyond a line of symmetry is the image of a real one, and one that a line runs through is half a real
+    /// one and half its image.
+    fn with_images(&self, mut block: Cell) -> Parts {
+        let (mut turned, mut through) = ([false; 2], [false; 2]);
+        for k in 0..2 {
+            let [low, high] = self.mirrors.lines()[k];
+            // Blocks reach from one cell to the next.
+            loop {
+                block[k] = match (low, high) {
+                    (Some(low), _) if block[k] < low - 1 => 2 * low - 2 - block[k],
+                    (_, Some(high)) if block[k] > high - 1 => 2 * high - 2 - block[k],
+                    _ => break,
+                };
+                turned[k] = !turned[k];
+            }
+            through[k] = low == Some(block[k] + 1) || high == Some(block[k] + 1);
+        }
+        let own = self.own(block);
+        let mut sum = [0.0; 4];
+        for flips in [[false, false], [true, false], [false, true], [true, true]] {
+            if (0..2).all(|k| !flips[k] || through[k]) {
+                let flip = [0, 1].map(|k| flips[k] != turned[k]);
+                (0..4).for_each(|t| sum[t] += own[flipped(t, flip)]);
+            }
+        }
+        sum
+    }
+
+    /// Parts of a block as the border of the body has them.
+    fn own(&self, block: Cell) -> Parts {
+        let listed = self.lattice.blocks();
+        if let Ok(index) = listed.binary_search_by_key(&block, |b| b.0) {
+            return listed[index].1;
+        }
+        let is_there = CORNERS.iter().all(|c| self.has_own([block[0] + c[0], block[1] + c[1]]));
+        if is_there { [1.0; 4] } else { [0.0; 4] }
+    }
+
+    /// Whether a real cell has a point.
+    fn has_own(&self, cell: Cell) -> bool {
+        (self.mirrors.is_none() || self.mirrors.is_real(cell)) && self.lattice.number(cell).is_some()
+    }
+}
+
+/// The triangle that takes the place of another in a block that is mirrored.
+fn flipped(triangle: usize, [x, y]: [bool; 2]) -> usize {
+    triangle ^ usize::from(x) ^ (2 * usize::from(y))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::{Hole, Outline, Shape};
+
+    fn with_hole(from: [f64; 2], size: [f64; 2]) -> SquareLattice {
+        let mut outline = Outline::rectangle(from, size).unwrap();
+        outline.cut(Hole { name: None, shape: Shape::Circle { centre: [0.0; 2], radius: 3.3 } }).unwrap();
+        outline.fill(1.0).unwrap()
+    }
+
+    /// A quarter with its images has the blocks of the whole body.
+    #[test]
+    fn blocks_of_a_quarter_are_those_of_the_whole() {
+        let (whole, quarter) = (with_hole([-8.0; 2], [16.0; 2]), with_hole([0.0; 2], [8.0; 2]));
+        let mirrors = Mirrors { columns: [Some(0), None], rows: [Some(0), None], ..Mirrors::NONE };
+        let (own, mirrored) = (Blocks::new(&whole, &Mirrors::NONE), Blocks::new(&quarter, &mirrors));
+        let mut counted = 0.0;
+        for block in (-9..8).flat_map(|j| (-9..8).map(move |i| [i, j])) {
+            let [found, expected] = [mirrored.parts(block), own.parts([block[0] + 8, block[1] + 8])];
+            for (a, b) in found.iter().zip(expected) {
+                assert!((a - b).abs() < 1e-12, "{block:?} {found:?} {expected:?}");
+            }
+            counted += mirrored.counted(block) * found.iter().sum::<f64>();
+        }
+        let all = (-1..16).flat_map(|j| (-1..16).map(move |i| [i, j]));
+        let sum: f64 = all.map(|block| own.parts(block).iter().sum::<f64>()).sum();
+        assert!((counted / sum - 0.25).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,121 @@
+//! How corners of triangles move that lie outside of the body: as the points inside do, continued.
+
+use super::blocks::{Blocks, CORNERS};
+use super::fit::fit;
+use crate::body::Cell;
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+/// Cells of points and their shares.
+pub(super) type Shares = Vec<(Cell, f64)>;
+
+/// Points of a quadratic continuation, at least; equally far ones follow each other or none.
+const POINTS: usize = 12;
+/// Square of how far they may be from the corner, spacings.
+const FARTHEST: i32 = 25;
+/// How fast their weights fall with the square of their distance where a corner is continued, and where strains are told: then
+/// all up to the square of a distance count. Both are the best of those tried on rings and on holes in plates.
+pub(super) const CLOSE: f64 = 0.5;
+pub(super) const WIDE: f64 = 1.0 / 4.5;
+const AROUND: i32 = 6;
+
+/// The displacement of corners of triangles.
+pub(super) struct Corners<'a> {
+    pub(super) blocks: Blocks<'a>,
+    /// Whether a crack runs between two points, if there are any.
+    parted: Option<Box<dyn Fn(Cell, Cell) -> bool + 'a>>,
+    known: RefCell<HashMap<(Cell, Option<Cell>), Option<Shares>>>,
+}
+
+impl<'a> Corners<'a> {
+    pub(super) fn new(blocks: Blocks<'a>, parted: Option<Box<dyn Fn(Cell, Cell) -> bool + 'a>>) -> Self {
+        Self { blocks, parted, known: RefCell::default() }
+    }
+
+    /// Whether a crack runs between two points.
+    pub(super) fn parted(&self, from: Cell, to: Cell) -> bool {
+        self.parted.as_ref().is_some_and(|parted| parted(from, to))
+    }
+
+    /// Points and their shares in the displacement of a corner of a triangle whose point, or next point, is `from`; none where
+    /// the body is too thin to tell.
+    pub(super) fn corner(&self, corner: Cell, from: Cell) -> Option<Shares> {
+        if self.blocks.has(corner) {
+            return Some(vec![(corner, 1.0)]);
+        }
+        let key = (corner, self.parted.as_ref().map(|_| from));
+        if let Some(known) = self.known.borrow().get(&key) {
+            return known.clone();
+        }
+        let found = self.straight(corner, from).or_else(|| self.fitted(corner, from));
+        self.known.borrow_mut().insert(key, found.clone());
+        found
+    }
+
+    /// Beside a border half a spacing beyond rows and columns: linearly along them, so that a line of the border moves as the
+    /// points beside it alone do.
+    fn straight(&self, corner: Cell, from: Cell) -> Option<Shares> {
+        let around = CORNERS.map(|c| [corner[0] - c[0], corner[1] - c[1]]);
+        if !around.iter().all(|block| self.is_aligned(*block)) {
+            return None;
+        }
+        let steps = [[[1, 0], [-1, 0], [0, 1], [0, -1]], [[1, 1], [-1, 1], [1, -1], [-1, -1]]];
+        steps.iter().find_map(|steps| {
+            let found: Vec<Shares> =
+                steps.iter().filter_map(|&step| self.along(corner, step, from)).collect();
+            let part = 1.0 / found.len() as f64;
+            let all = found.iter().flatten().map(|&(cell, share)| (cell, part * share));
+            (!found.is_empty()).then(|| all.collect())
+        })
+    }
+
+    /// Linearly from the next two points along a row or a column, or from the next four across.
+    fn along(&self, corner: Cell, step: Cell, from: Cell) -> Option<Shares> {
+        let axis = |k: usize| match step[k] {
+            0 => vec![(corner[k], 1.0)],
+            s => vec![(corner[k] + s, 2.0), (corner[k] + 2 * s, -1.0)],
+        };
+        let rows = axis(1);
+        let all = axis(0).into_iter().flat_map(|(i, p)| rows.iter().map(move |&(j, q)| ([i, j], p * q)));
+        let shares: Shares = all.collect();
+        shares.iter().all(|s| self.is_near(s.0, from)).then_some(shares)
+    }
+
+    /// Whether the borders in a block are half a spacing beyond its points: then these tell its parts.
+    fn is_aligned(&self, block: Cell) -> bool {
+        let there = CORNERS.map(|c| f64::from(u8::from(self.blocks.has([block[0] + c[0], block[1] + c[1]]))));
+        let parts = self.blocks.parts(block);
+        (0..4).all(|t| (parts[t] - 0.5 * there[t] - 0.25 * (there[t ^ 1] + there[t ^ 2])).abs() < 1e-6)
+    }
+
+    fn is_near(&self, cell: Cell, from: Cell) -> bool {
+        self.blocks.has(cell) && !self.parted(from, cell)
+    }
+
+    /// The quadratic, or where that is not known linear, function that is nearest to the displacement of the next points.
+    fn fitted(&self, corner: Cell, from: Cell) -> Option<Shares> {
+        let all = self.fit(corner, from, CLOSE)?.into_iter();
+        Some(all.map(|(cell, rows)| (cell, rows[0])).collect())
+    }
+
+    /// What points near a cell, and not parted from another one, have in its displacement and in the derivatives of that by the
+    /// columns and rows of points.
+    pub(super) fn fit(&self, at: Cell, from: Cell, decay: f64) -> Option<Vec<(Cell, [f64; 3])>> {
+        let reach = f64::from(FARTHEST).sqrt() as i32;
+        let steps = (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| [i, j]));
+        let mut near: Vec<(i32, Cell)> = steps
+            .map(|[i, j]| (i * i + j * j, [i, j]))
+            .filter(|(d, [i, j])| *d <= FARTHEST && self.is_near([at[0] + i, at[1] + j], from))
+            .collect();
+        near.sort_unstable();
+        let at_least = |count: usize| {
+            let last = near.get(count - 1).or(near.last())?.0.max(if decay < CLOSE { AROUND } else { 0 });
+            Some(near.partition_point(|n| n.0 <= last))
+        };
+        let fits = [(6, POINTS), (6, 2 * POINTS), (3, 4), (3, POINTS)];
+        let rows =
+            fits.into_iter().find_map(|(terms, count)| fit(&near[..at_least(count)?], terms, decay))?;
+        let named = |(&(_, [i, j]), rows): (&(i32, Cell), [f64; 3])| ([at[0] + i, at[1] + j], rows);
+        Some(near.iter().zip(rows).map(named).collect())
+    }
+}

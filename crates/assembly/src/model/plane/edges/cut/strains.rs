@@ -1,0 +1,65 @@
+//! Strains of points beside the border, from the displacements around them.
+//!
+//! A sum over the bonds of a point is a mean over its horizon, of which half is missing beside the border: it lags behind stresses
+//! that rise towards a hole. A quadratic function through the displacements around has a strain at the point itself.
+
+use super::corners::{Corners, WIDE};
+use crate::body::SquareLattice;
+
+/// How the strains of some points follow from displacements.
+#[derive(Clone, Debug)]
+pub(in super::super::super) struct Strains {
+    points: Vec<u32>,
+    /// Behind the last neighbour of every point.
+    ends: Vec<u32>,
+    /// Neighbours, and what their displacements have in the derivatives along x and y, 1/m.
+    rows: Vec<(u32, [f64; 2])>,
+}
+
+impl Strains {
+    /// Those of some points, where enough others are around to tell.
+    pub(super) fn new(corners: &Corners, points: impl Iterator<Item = usize>) -> Self {
+        let lattice: &SquareLattice = corners.blocks.lattice;
+        let axes = lattice.axes();
+        let mut strains = Self { points: Vec::new(), ends: Vec::new(), rows: Vec::new() };
+        for point in points {
+            let cell = lattice.cell(point);
+            let Some(found) = corners.fit(cell, cell, WIDE) else { continue };
+            let along =
+                |[_, a, b]: [f64; 3]| [0, 1].map(|k| (a * axes[0][k] + b * axes[1][k]) / lattice.spacing());
+            let named = |(cell, rows)| Some((lattice.number(cell)? as u32, along(rows)));
+            let Some(mut rows) = found.into_iter().map(named).collect::<Option<Vec<_>>>() else { continue };
+            strains.points.push(point as u32);
+            strains.rows.append(&mut rows);
+            strains.ends.push(strains.rows.len() as u32);
+        }
+        strains
+    }
+
+    /// Whether the strain of a point follows so.
+    pub(in super::super::super) fn tells(&self, point: usize) -> bool {
+        self.points.binary_search(&(point as u32)).is_ok()
+    }
+
+    /// Calls `visit` with every point and its strain `[ε_xx, ε_yy, γ_xy]`; `u` are components of all points.
+    pub(in super::super::super) fn for_each(
+        &self,
+        (points, u): (usize, &[f64]),
+        visit: &mut dyn FnMut(usize, [f64; 3]),
+    ) {
+        let mut from = 0;
+        for (&point, &end) in self.points.iter().zip(&self.ends) {
+            // Relative to the point: a translation costs no digits.
+            let own = [0, 1].map(|c| u[c * points + point as usize]);
+            let mut slope = [[0.0; 2]; 2];
+            for &(other, rows) in &self.rows[from..end as usize] {
+                for c in 0..2 {
+                    let moved = u[c * points + other as usize] - own[c];
+                    (0..2).for_each(|k| slope[c][k] += rows[k] * moved);
+                }
+            }
+            visit(point as usize, [slope[0][0], slope[1][1], slope[0][1] + slope[1][0]]);
+            from = end as usize;
+        }
+    }
+}
