@@ -11,6 +11,7 @@ mod beam_fracture;
 mod certificate;
 mod closed_forms;
 mod convergence;
+mod cut_edges;
 mod default_ends;
 mod default_law;
 mod definiteness;

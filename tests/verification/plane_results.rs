@@ -113,7 +113,8 @@ fn mirrors_hold_what_comes_through_them() {
     let expected = [("left", -160.0), ("bottom", 96.0)];
     for ((side, found), (wanted, force)) in forces.iter().zip(expected) {
         assert_eq!(*side, wanted);
-        assert!((found - force).abs() < 1e-10, "{side} {found}");
+        // 7e-13 is found: what acts on one line is the difference of larger forces on points and images.
+        assert!((found / force - 1.0).abs() < 2e-12, "{side} {found}");
     }
     // Images have three more rows and columns.
     assert!(summary.sizes.points > 48 * 32 && result.record.u.len() == 2 * summary.sizes.points);

@@ -14,6 +14,8 @@ pub struct Coarser<const D: usize> {
     pub transfers: Vec<Transfer>,
     /// Whether the coarsest one can move as a body: supports that are close to each other fall together there.
     pub is_loose: bool,
+    /// Whether the finest level of all has other elements than these, so that its eigenvalues are its own.
+    pub is_unlike: bool,
 }
 
 /// All levels of a problem.
@@ -49,7 +51,11 @@ pub(super) fn cycle<'a, const D: usize>(
     .map_err(SolveFailure::Factor)?;
     let entries = factor.fill();
     let levels = Levels { levels, transfers: &coarser.transfers };
-    Ok((Multigrid::new(levels, Box::new(factor), &MultigridOptions::default()), entries))
+    let mut options = MultigridOptions::STANDARD;
+    if coarser.is_unlike {
+        options.measured_size = usize::MAX;
+    }
+    Ok((Multigrid::new(levels, Box::new(factor), &options), entries))
 }
 
 impl<const D: usize> Hierarchy for Levels<'_, D> {

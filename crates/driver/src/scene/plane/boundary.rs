@@ -59,7 +59,8 @@ impl Stretch {
     pub(super) fn between_lines(&self, lattice: &SquareLattice) -> Vec<Self> {
         let BorderPart::Straight { from, to, .. } = self.part else { return vec![*self] };
         let place = |share: f64| self.place + (2.0 * share - 1.0) * self.half;
-        let part = |ends: &[f64]| Self::new(self.part.between(ends[0], ends[1]), [place(ends[0]), place(ends[1])]);
+        let part =
+            |ends: &[f64]| Self::new(self.part.between(ends[0], ends[1]), [place(ends[0]), place(ends[1])]);
         lattice.crossings(from, to).windows(2).map(part).collect()
     }
 

@@ -69,10 +69,10 @@ pub(super) fn parts(
         return None;
     }
     let bonds = bonds.with_horizon_ratio(ratio);
-    // Triangles of cells that a border cuts do not break.
-    let breaks = case.fracture.is_some() || case.path.is_some();
+    // Triangles of blocks that a border cuts do not break, and are not measured with points that turn.
+    let can_cut = case.fracture.is_none() && case.path.is_none() && !bonds.points_turn();
     let can_end = lattice.is_some_and(|lattice| {
-        (lattice.blocks().is_empty() || !breaks) && has_border(lattice, &symmetry.mirrors, ratio as i32)
+        (lattice.blocks().is_empty() || can_cut) && has_border(lattice, &symmetry.mirrors, ratio as i32)
     });
     let holds_angle = outline.as_ref().is_some_and(|outline| held_angle::is_held(case, outline));
     let bonds = match can_end && !holds_angle {
