@@ -20,7 +20,8 @@ pub struct At {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
     /// For a probe on an edge in the plane: direction into the body, [±1, 0] or [0, ±1], along which the field is
-    /// extrapolated to the place from three points, one, two and three horizons behind the outermost one.
+    /// extrapolated to the place from three points, one, two and three horizons behind the outermost one, or next to each
+    /// other where the border is completed as it runs. Displacements of such a border are read on it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inward: Option<[i8; 2]>,
     /// Name of a joint.

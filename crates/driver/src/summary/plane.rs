@@ -57,6 +57,9 @@ pub struct PlaneSummary {
     pub cut_bonds: Option<usize>,
     /// Overlay triangles near edges.
     pub triangles: usize,
+    /// Triangles that have the parts of blocks that a border leaves, where it is completed as it runs.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub cut_triangles: usize,
     /// Points that lack bonds for which there is no triangle.
     pub uncorrected_points: usize,
 }
@@ -196,6 +199,7 @@ pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
         cracks: scene.cracks.len(),
         cut_bonds: cut_bonds(scene),
         triangles: scene.model.triangles(),
+        cut_triangles: if scene.model.follows_border() { scene.model.completing() } else { 0 },
         uncorrected_points: scene.model.uncorrected(),
     }
 }

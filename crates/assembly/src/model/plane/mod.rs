@@ -100,6 +100,12 @@ pub trait PlaneModel: Debug + Send + Sync {
         None
     }
 
+    /// Whether a border that cuts cells is completed as it runs, by the triangles that it cuts.
+    fn follows_border(&self) -> bool {
+        let is_cut = self.lattice().is_some_and(|(lattice, _)| !lattice.blocks().is_empty());
+        is_cut && self.edges() == Some(Edges::Border)
+    }
+
     /// How places on the border move, where bonds end on it.
     fn border_shares(&self) -> Option<BorderShares<'_>> {
         None

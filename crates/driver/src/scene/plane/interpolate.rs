@@ -15,7 +15,7 @@ pub(super) struct Interpolation<'a> {
     pub(super) body: &'a PlaneBody,
     /// Cracks and their images.
     pub(super) cracks: &'a [Crack],
-    /// The horizon, in spacings of a lattice.
+    /// How far apart points are whose values are continued to an edge, spacings: the horizon, where points see the steps of the edge.
     pub(super) reach: i32,
 }
 
@@ -101,7 +101,7 @@ impl Interpolation<'_> {
     }
 
     /// Weights at a position on an edge: a parabola through three points on each of the two lattice lines beside it that go
-    /// inward, one, two and three horizons behind the first: what lies closer sees the steps of the edge. On narrow bodies
+    /// inward, one, two and three times `reach` behind the first. On narrow bodies
     /// the three are closer together; `None` where no line has three points behind the first, and on a turned lattice,
     /// whose lines do not go inward.
     pub(super) fn inward(&self, position: [f64; 2], inward: [i8; 2]) -> Option<Weights> {

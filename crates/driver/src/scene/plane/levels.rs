@@ -4,7 +4,7 @@ use super::conditions::Conditions;
 use crate::run::{Coarser, Spread};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
 use peristat_assembly::model::Model;
-use peristat_assembly::model::plane::{Edges, Mirrors, PlaneModel};
+use peristat_assembly::model::plane::{Mirrors, PlaneModel};
 use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 
@@ -37,9 +37,8 @@ pub(super) fn coarser<const D: usize, M: Model<D> + PlaneModel>(
 ) -> Option<Coarser<D>> {
     let cracks: Vec<Crack> = model.lattice().map_or(Vec::new(), |(lattice, _)| beside(cracks, lattice));
     let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
-    let is_cut = model.lattice().is_some_and(|(lattice, _)| !lattice.blocks().is_empty());
     // Coarser lattices do not know how a border cuts their blocks.
-    let is_unlike = is_cut && model.edges() == Some(Edges::Border);
+    let is_unlike = model.follows_border();
     let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new(), is_loose: false, is_unlike };
     let (mut coarsest, mut conditions): (Option<M>, _) = (None, conditions.clone());
     loop {

@@ -249,7 +249,11 @@ impl PlaneScene {
         );
         let built = built?;
         let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &*built);
-        let reach = (recipe.bonds.horizon_ratio() + 1e-9).floor() as i32;
+        // Points beside a border that is followed do not see the steps of the lattice.
+        let reach = match built.follows_border() {
+            true => 1,
+            false => (recipe.bonds.horizon_ratio() + 1e-9).floor() as i32,
+        };
         let number = |p: u32| recipe.number(&*built, p);
         let images = recipe.symmetry.with_images(&paths);
         let extended = built.lattice().filter(|_| !built.ghosts().is_empty());

@@ -18,7 +18,7 @@ use super::stress_field::StressField;
 use super::uniform_stress;
 use crate::case::{Hertz, LoadSharing, Traction};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::body::{BorderPart, PlaneBody};
+use peristat_assembly::body::BorderPart;
 use peristat_assembly::model::plane::Calibration;
 
 /// A traction on its border.
@@ -236,8 +236,8 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
     if tractions.is_empty() && !(pulled && matched) {
         return;
     }
-    let is_cut = matches!(context.ground.body, PlaneBody::Lattice(lattice) if !lattice.blocks().is_empty());
-    if (context.bonds.points_turn() || is_cut) && add_uniform(tractions, context, to) {
+    let follows = context.model.is_some_and(|model| model.follows_border());
+    if (context.bonds.points_turn() || follows) && add_uniform(tractions, context, to) {
         // Beside the border rotations of one stress are in balance by its own loads only; chords of round borders are known
         // by them to rounding.
         return;
