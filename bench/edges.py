@@ -3,7 +3,9 @@
 Usage: edges.py [PERISTAT], the command; target/release/peristat if not given.
 """
 
+import csv
 import json
+import math
 import subprocess
 import sys
 import tempfile
@@ -19,15 +21,22 @@ E = 70000.0
 
 def solve(case):
     """Summary of a case."""
+    return solve_with_fields(case)[0]
+
+
+def solve_with_fields(case):
+    """Summary of a case, and the rows of the fields of its last state."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "case.json"
         path.write_text(json.dumps(case))
         arguments = ["run", str(path), "-o", f"{folder}/out", "-q", "--json", "--no-estimate"]
         done = subprocess.run([COMMAND, *arguments], capture_output=True, text=True, check=False)
+        tables = sorted(Path(folder).glob("out/fields/*.csv"))
+        lines = list(csv.DictReader(tables[-1].open())) if tables else []
     summary = json.loads(done.stdout)
     if "model" not in summary:
         raise SystemExit(done.stderr)
-    return summary
+    return summary, [{key: float(value) for key, value in line.items()} for line in lines]
 
 
 def values(case):
@@ -126,11 +135,54 @@ def first_break(form):
     return 2 * solve(case)["fracture"]["facts"]["first_break_load_factor"]
 
 
-def iterations(form, solver, size):
+def ring(form, ratio, count):
+    """A quarter of a ring, 10 to 25, under a pressure of 100 inside (Lamé), `count` points per inner radius: the mean error of
+    displacements and the largest of the hoop stress, per the largest."""
+    a, b, p = 10.0, 25.0, 100.0
+    arc = [[round(b * math.cos(math.pi * k / 360), 12), round(b * math.sin(math.pi * k / 360), 12)] for k in range(181)]
+    bore = {"circle": {"name": "bore", "centre": [0, 0], "radius": a}}
+    body = {"outline": {"vertices": [[0, 0], *arc], "spacing": a / count, "holes": [bore]}}
+    load = {"traction": {"edge": "bore", "pressure": p}}
+    _, points = solve_with_fields(plate(form, body, ratio, symmetry=["left", "bottom"], loads=[load]))
+    size = p * a**2 / (b**2 - a**2)
+    off = whole = hoop = 0.0
+    for q in points:
+        r = math.hypot(q["x"], q["y"])
+        c, s = q["x"] / r, q["y"] / r
+        radial = size / E * (2 / 3 * r + 4 / 3 * b**2 / r)
+        off += (q["ux"] - radial * c) ** 2 + (q["uy"] - radial * s) ** 2
+        whole += radial**2
+        found = q["stress_xx"] * s**2 + q["stress_yy"] * c**2 - 2 * q["stress_xy"] * s * c
+        hoop = max(hoop, abs(found - size * (1 + b**2 / r**2)) / (size * (1 + b**2 / a**2)))
+    return math.sqrt(off / whole), hoop
+
+
+def slanted(form, ratio, rows):
+    """A strip 40 x 16 in pure bending, turned by 0.3 to the rows: the largest error of a normal stress, per the largest."""
+    c, s = math.cos(0.3), math.sin(0.3)
+    vertices = [[c * x - s * y, s * x + c * y] for x, y in [[-20, -8], [20, -8], [20, 8], [-20, 8]]]
+    profile = [[10 * c, 10 * s], [-10 * c, -10 * s]]
+    case = plate(
+        form,
+        {"outline": {"vertices": vertices, "spacing": 16 / rows}},
+        ratio,
+        supports=[{"at": {"x": 0, "y": 0}, "ux": 0, "uy": 0}, {"at": {"x": 12 * c, "y": 12 * s}, "uy": 0}],
+        loads=[{"traction": {"edge": edge, "linear": profile}} for edge in ("edge_2", "edge_4")],
+    )
+    worst = 0.0
+    for q in solve_with_fields(case)[1]:
+        along = q["stress_xx"] * c**2 + q["stress_yy"] * s**2 + 2 * q["stress_xy"] * s * c
+        across = q["stress_xx"] * s**2 + q["stress_yy"] * c**2 - 2 * q["stress_xy"] * s * c
+        height = c * q["y"] - s * q["x"]
+        worst = max(worst, abs(along + 10 / 8 * height) / 10, abs(across) / 10)
+    return worst
+
+
+def iterations(form, solver, size, **more):
     """Conjugate gradients of a clamped square under shear."""
     case = plate(
         form,
-        rectangle([size, size]),
+        rectangle([size, size], **more),
         supports=[{"at": {"region": "left"}, "ux": 0, "uy": 0}],
         loads=[{"traction": {"edge": "right", "uniform": [0, -1]}}],
         solver=solver,
@@ -157,9 +209,18 @@ def main():
     for ratio in (2, 3):
         for rows in (7, 21, 35, 63):
             row(f"free plate under smooth tractions, m = {ratio}, {rows} rows", [f"{smooth(form, ratio, rows):.2e}" for form in FORMS])
+    for ratio in (2, 3):
+        for count in (5, 10, 20, 40):
+            cells = [" / ".join(f"{100 * v:.2g} %" for v in ring(form, ratio, count)) for form in FORMS]
+            row(f"ring under pressure, m = {ratio}, {count} points per radius: displacements / hoop stress", cells)
+    for ratio in (2, 3):
+        for rows in (8, 16, 32):
+            row(f"slanted strip in bending, m = {ratio}, {rows} rows: stress", [f"{100 * slanted(form, ratio, rows):.2g} %" for form in FORMS])
     row("first break over the nominal strain", [f"{first_break(form):.4f}" for form in FORMS])
     for size in (64, 256):
         row(f"multigrid iterations, {size} x {size}", [str(iterations(form, "multigrid", size)[0]) for form in FORMS])
+    hole = [{"circle": {"centre": [128, 128], "radius": 51.2}}]
+    row("multigrid iterations, 256 x 256 with a hole", [str(iterations(form, "multigrid", 256, holes=hole)[0]) for form in FORMS])
     row("Jacobi iterations, 64 x 64", [str(iterations(form, "pcg", 64)[0]) for form in FORMS])
     cost = [min(iterations(form, "multigrid", 500)[1] for _ in range(3)) for form in FORMS]
     row("assembly and solution, 500 x 500, per point", [f"{1e6 * seconds:.1f} µs" for seconds in cost])

@@ -131,8 +131,8 @@ fn the_summary_tells_model_forces_and_stress_intensities() {
         [&model["name"], &model["state"], &model["calibration"]],
         ["bond_plane", "plane_strain", "matched"]
     );
-    assert_eq!((&model["edges"], &model["poisson_ratio"]), (&json!("overlay"), &json!(0.25)));
-    assert!(model["cut_bonds"].as_u64() > Some(0) && model["triangles"].as_u64() > Some(0));
+    assert_eq!((&model["edges"], &model["poisson_ratio"]), (&json!("border"), &json!(0.25)));
+    assert!(model["cut_bonds"].as_u64() > Some(0) && model["cut_triangles"].as_u64() > Some(0));
     let state = &summary["states"][0];
     let extreme = &state["extremes"]["stress_yy"]["largest"];
     assert!(extreme["value"].as_f64() > Some(20.0) && extreme["y"].is_number(), "{extreme}");

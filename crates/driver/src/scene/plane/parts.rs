@@ -3,13 +3,13 @@
 use super::super::{horizon, root, words::tidy};
 use super::given::Given;
 use super::model::Recipe;
-use super::{NamedCrack, body, cracks, held_angle, periodic, size, state_based, symmetry};
+use super::{NamedCrack, PlaneBonds, body, cracks, held_angle, periodic, size, state_based, symmetry};
 use crate::case::Case;
 use crate::diagnostic::Faults;
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
-use peristat_assembly::model::plane::{Edges, has_border};
+use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors, has_border};
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
 const MOST_RATIO: f64 = 100.0;
@@ -69,17 +69,7 @@ pub(super) fn parts(
         return None;
     }
     let bonds = bonds.with_horizon_ratio(ratio);
-    // Triangles of blocks that a border cuts do not break, and are not measured with points that turn.
-    let can_cut = case.fracture.is_none() && case.path.is_none() && !bonds.points_turn();
-    let can_end = lattice.is_some_and(|lattice| {
-        (lattice.blocks().is_empty() || can_cut) && has_border(lattice, &symmetry.mirrors, ratio as i32)
-    });
-    let holds_angle = outline.as_ref().is_some_and(|outline| held_angle::is_held(case, outline));
-    let bonds = match can_end && !holds_angle {
-        true => bonds,
-        // Triangles complete the edges, but do not soften.
-        false => bonds.without_border(if case.path.is_some() { Edges::None } else { Edges::Overlay }),
-    };
+    let bonds = completed(case, bonds, (lattice, outline.as_ref()), (&symmetry.mirrors, ratio), faults);
     let cracks = cracks?;
     if !size::fits(case, &bonds, (&body, outline.as_ref()), (&cracks, &symmetry.mirrors), max_memory, faults)
     {
@@ -95,4 +85,42 @@ pub(super) fn parts(
     };
     let recipe = Recipe { body, file, symmetry, bearings: Vec::new(), bonds, horizon };
     Some(Parts { recipe, outline, curves, cracks })
+}
+
+/// Bonds with the edges that a body can have: where its border cannot be completed, triangles complete its points.
+fn completed(
+    case: &Case,
+    bonds: PlaneBonds,
+    (lattice, outline): (Option<&SquareLattice>, Option<&Outline>),
+    (mirrors, ratio): (&Mirrors, f64),
+    faults: &mut Faults,
+) -> PlaneBonds {
+    // Triangles of blocks that a border cuts do not break, and are not measured with points that turn.
+    let can_follow = case.fracture.is_none() && case.path.is_none() && !bonds.points_turn();
+    let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
+    let can_end =
+        lattice.is_some_and(|lattice| (!is_cut || can_follow) && has_border(lattice, mirrors, ratio as i32));
+    if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
+        return bonds;
+    }
+    if is_cut && can_follow && !can_end && bonds.edges() == Some(Edges::Border) {
+        let (why, hint) = match mirrors.joined {
+            _ if ratio >= f64::from(FARTHEST + 1) => {
+                ("the horizon is too long to follow it", "use a horizon of ten spacings at most")
+            }
+            [false, false] => (
+                "single rows and thin tips do not tell how it moves",
+                "round off tips, or use a smaller spacing",
+            ),
+            _ => ("sides are joined", "model the whole body, or half of it beside a line of symmetry"),
+        };
+        faults
+            .warning(
+                root("body"),
+                format!("the border cuts cells, and {why}: stresses beside slanted and round edges can be off by half, as with the edges `overlay`"),
+            )
+            .hint(hint);
+    }
+    // Triangles complete the edges, but do not soften.
+    bonds.without_border(if case.path.is_some() { Edges::None } else { Edges::Overlay })
 }

@@ -18,6 +18,9 @@ const CUT: f64 = 220.0;
 const OWN: f64 = 65.0;
 /// Of a bond that ends on the border, those of coarser lattices among them. Measured 480 with a horizon of ten spacings.
 const ENDED: f64 = 480.0;
+/// Of a spacing of a border that cuts cells, and of each spacing of the horizon beside it. Measured 21 000 and 28 000 with
+/// horizons of three and six spacings around 400 holes.
+const CUT_BORDER: [f64; 2] = [18_000.0, 2000.0];
 /// Of a bond of listed points while it is made. Measured 98 with four million of them.
 const LISTED: f64 = 98.0;
 /// Of a neighbour in a family of its own.
@@ -57,6 +60,11 @@ pub(super) fn fits(
             };
             // It is gone before the families are made.
             family * strip.max(NEIGHBOUR * points.min(distinct + crack * 2.0 * m))
+        }
+        (PlaneBody::Lattice(lattice), _)
+            if bonds.edges() == Some(Edges::Border) && !lattice.blocks().is_empty() =>
+        {
+            border * (CUT_BORDER[0] + CUT_BORDER[1] * m)
         }
         (PlaneBody::Lattice(_), _) if bonds.edges() == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
             ENDED * border * 2.0 / 3.0 * m.powi(3)

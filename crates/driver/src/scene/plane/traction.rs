@@ -236,10 +236,11 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
     if tractions.is_empty() && !(pulled && matched) {
         return;
     }
-    let follows = context.model.is_some_and(|model| model.follows_border());
-    if (context.bonds.points_turn() || follows) && add_uniform(tractions, context, to) {
-        // Beside the border rotations of one stress are in balance by its own loads only; chords of round borders are known
-        // by them to rounding.
+    // Chords of round borders are known to one stress to rounding; what it does to images is not what goes into a mirror.
+    let knows_chords =
+        context.symmetry.mirrors.is_none() && context.model.is_some_and(|model| model.follows_border());
+    if (context.bonds.points_turn() || knows_chords) && add_uniform(tractions, context, to) {
+        // Beside the border rotations of one stress are in balance by its own loads only.
         return;
     }
     let through = tractions.iter().map(|t| on_border::forces(t, context)).collect::<Option<Vec<_>>>();

@@ -4,7 +4,7 @@ use super::blocks::{Blocks, CORNERS};
 use super::fit::fit;
 use crate::body::Cell;
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Cells of points and their shares.
 pub(super) type Shares = Vec<(Cell, f64)>;
@@ -18,22 +18,57 @@ const FARTHEST: i32 = 25;
 pub(super) const CLOSE: f64 = 0.25;
 pub(super) const WIDE: f64 = 1.0 / 4.5;
 
+/// Steps from a corner's point to those that it follows, at most.
+const AROUND: i32 = 8;
+/// Steps to next cells.
+const NEXT: [Cell; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
+
+/// Cracks that run between points.
+pub(super) struct Cracks<'a> {
+    /// Whether one runs between two points.
+    parted: Box<dyn Fn(Cell, Cell) -> bool + 'a>,
+    /// Squares of cells, [`AROUND`] wide, with points that bonds over cracks have.
+    squares: HashSet<Cell>,
+}
+
+impl<'a> Cracks<'a> {
+    /// Cracks that cut bonds of some points.
+    pub(super) fn new(
+        parted: Box<dyn Fn(Cell, Cell) -> bool + 'a>,
+        points: impl Iterator<Item = Cell>,
+    ) -> Self {
+        Self { parted, squares: points.map(Self::square).collect() }
+    }
+
+    fn square(cell: Cell) -> Cell {
+        cell.map(|k| k.div_euclid(AROUND))
+    }
+
+    /// Whether a crack can run between a point and those around it.
+    fn is_near(&self, cell: Cell) -> bool {
+        let [i, j] = Self::square(cell);
+        self.squares.contains(&[i, j]) || NEXT.iter().any(|[a, b]| self.squares.contains(&[i + a, j + b]))
+    }
+}
+
+/// Points on the same side of all cracks, where there are some.
+type Near = Option<HashSet<Cell>>;
+
 /// The displacement of corners of triangles.
 pub(super) struct Corners<'a> {
     pub(super) blocks: Blocks<'a>,
-    /// Whether a crack runs between two points, if there are any.
-    parted: Option<Box<dyn Fn(Cell, Cell) -> bool + 'a>>,
+    cracks: Option<Cracks<'a>>,
     known: RefCell<HashMap<(Cell, Option<Cell>), Option<Shares>>>,
 }
 
 impl<'a> Corners<'a> {
-    pub(super) fn new(blocks: Blocks<'a>, parted: Option<Box<dyn Fn(Cell, Cell) -> bool + 'a>>) -> Self {
-        Self { blocks, parted, known: RefCell::default() }
+    pub(super) fn new(blocks: Blocks<'a>, cracks: Option<Cracks<'a>>) -> Self {
+        Self { blocks, cracks, known: RefCell::default() }
     }
 
     /// Whether a crack runs between two points.
     pub(super) fn parted(&self, from: Cell, to: Cell) -> bool {
-        self.parted.as_ref().is_some_and(|parted| parted(from, to))
+        self.cracks.as_ref().is_some_and(|cracks| (cracks.parted)(from, to))
     }
 
     /// Points and their shares in the displacement of a corner of a triangle whose point, or next point, is `from`; none where
@@ -42,7 +77,7 @@ impl<'a> Corners<'a> {
         if self.blocks.has(corner) {
             return Some(vec![(corner, 1.0)]);
         }
-        let key = (corner, self.parted.as_ref().map(|_| from));
+        let key = (corner, self.cracks.as_ref().filter(|cracks| cracks.is_near(from)).map(|_| from));
         if let Some(known) = self.known.borrow().get(&key) {
             return known.clone();
         }
@@ -58,10 +93,11 @@ impl<'a> Corners<'a> {
         if !around.iter().all(|block| self.is_aligned(*block)) {
             return None;
         }
+        let near = self.around(from);
         let steps = [[[1, 0], [-1, 0], [0, 1], [0, -1]], [[1, 1], [-1, 1], [1, -1], [-1, -1]]];
         steps.iter().find_map(|steps| {
             let found: Vec<Shares> =
-                steps.iter().filter_map(|&step| self.along(corner, step, from)).collect();
+                steps.iter().filter_map(|&step| self.along(corner, step, &near)).collect();
             let part = 1.0 / found.len() as f64;
             let all = found.iter().flatten().map(|&(cell, share)| (cell, part * share));
             (!found.is_empty()).then(|| all.collect())
@@ -69,7 +105,7 @@ impl<'a> Corners<'a> {
     }
 
     /// Linearly from the next two points along a row or a column, or from the next four across.
-    fn along(&self, corner: Cell, step: Cell, from: Cell) -> Option<Shares> {
+    fn along(&self, corner: Cell, step: Cell, near: &Near) -> Option<Shares> {
         let axis = |k: usize| match step[k] {
             0 => vec![(corner[k], 1.0)],
             s => vec![(corner[k] + s, 2.0), (corner[k] + 2 * s, -1.0)],
@@ -77,7 +113,7 @@ impl<'a> Corners<'a> {
         let rows = axis(1);
         let all = axis(0).into_iter().flat_map(|(i, p)| rows.iter().map(move |&(j, q)| ([i, j], p * q)));
         let shares: Shares = all.collect();
-        shares.iter().all(|s| self.is_near(s.0, from)).then_some(shares)
+        shares.iter().all(|s| self.is_near(s.0, near)).then_some(shares)
     }
 
     /// Whether the borders in a block are half a spacing beyond its points: then these tell its parts.
@@ -87,8 +123,28 @@ impl<'a> Corners<'a> {
         (0..4).all(|t| (parts[t] - 0.5 * there[t] - 0.25 * (there[t ^ 1] + there[t ^ 2])).abs() < 1e-6)
     }
 
-    fn is_near(&self, cell: Cell, from: Cell) -> bool {
-        self.blocks.has(cell) && !self.parted(from, cell)
+    fn is_near(&self, cell: Cell, near: &Near) -> bool {
+        self.blocks.has(cell) && near.as_ref().is_none_or(|near| near.contains(&cell))
+    }
+
+    /// The points around one that no crack divides from it: those to which next neighbours lead on ways that are about straight.
+    /// None where there are no cracks.
+    fn around(&self, from: Cell) -> Near {
+        let cracks = self.cracks.as_ref().filter(|cracks| cracks.is_near(from))?;
+        let far = |cell: Cell| (0..2).map(|k| (cell[k] - from[k]).abs()).max().unwrap_or(0);
+        let (mut found, mut last) = (HashSet::from([from]), vec![from]);
+        for step in 1..=AROUND {
+            let next = last.iter().flat_map(|&cell| NEXT.map(|[i, j]| (cell, [cell[0] + i, cell[1] + j])));
+            let leads = |(cell, to): &(Cell, Cell)| {
+                step <= far(*to) + 1
+                    && self.blocks.has(*to)
+                    && !found.contains(to)
+                    && !(cracks.parted)(*cell, *to)
+            };
+            last = next.filter(leads).map(|(_, to)| to).collect::<HashSet<Cell>>().into_iter().collect();
+            found.extend(&last);
+        }
+        Some(found)
     }
 
     /// The quadratic, or where that is not known linear, function that is nearest to the displacement of the next points.
@@ -102,9 +158,10 @@ impl<'a> Corners<'a> {
     pub(super) fn fit(&self, at: Cell, from: Cell, decay: f64) -> Option<Vec<(Cell, [f64; 3])>> {
         let reach = f64::from(FARTHEST).sqrt() as i32;
         let steps = (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| [i, j]));
+        let seen = self.around(from);
         let mut near: Vec<(i32, Cell)> = steps
             .map(|[i, j]| (i * i + j * j, [i, j]))
-            .filter(|(d, [i, j])| *d <= FARTHEST && self.is_near([at[0] + i, at[1] + j], from))
+            .filter(|(d, [i, j])| *d <= FARTHEST && self.is_near([at[0] + i, at[1] + j], &seen))
             .collect();
         near.sort_unstable();
         let at_least = |count: usize| {

@@ -25,7 +25,7 @@ use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, block};
 use crate::stiffness::{Exception, WideFamilies, WideMember};
 use blocks::{Blocks, CORNERS};
-use corners::{Corners, Shares};
+use corners::{Corners, Cracks, Shares};
 use pieces::{Piece, pieces, triangle_at};
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -39,7 +39,7 @@ pub(in super::super::super) struct CutBorder<const D: usize, const S: usize> {
     pub(in super::super::super) families: Arc<WideFamilies<D, S>>,
     /// Bonds between points that pass triangles which are not whole: they are none.
     pub(in super::super) gaps: Vec<Exception>,
-    /// Triangles that are left out, because cracks divide them.
+    /// Triangles that are left out, because the points on their side of a crack do not tell how they move.
     pub(in super::super) lost: usize,
     /// Strains of the points that lack bonds.
     pub(in super::super) strains: Strains,
@@ -113,6 +113,9 @@ pub(in super::super) fn cut_border<const D: usize, const M: usize, const S: usiz
             for (modulus, share) in moduli.iter().zip(&shares) {
                 (0..S).for_each(|r| (0..S).for_each(|c| own[r][c] += counted * share * modulus[r][c]));
             }
+            if is_divided(&corners, at, triangle) {
+                continue;
+            }
             match members(&corners, bond, at, triangle) {
                 Some((members, common)) => families.push(&members, common, own),
                 None => lost += 1,
@@ -141,7 +144,9 @@ fn corners<'a, const M: usize>(
     if cuts.is_empty() {
         return Corners::new(blocks, None);
     }
-    Corners::new(blocks, Some(Box::new(move |from, to| is_cut(lattice, hood, &cuts, from, to))))
+    let ends: Vec<Cell> = cuts.iter().map(|&(_, lower)| lattice.cell(lower)).collect();
+    let parted = Box::new(move |from, to| is_cut(lattice, hood, &cuts, from, to));
+    Corners::new(blocks, Some(Cracks::new(parted, ends.into_iter())))
 }
 
 /// Both points of a bond between two.
@@ -238,7 +243,20 @@ impl<const D: usize, const S: usize> CutBorder<D, S> {
     }
 }
 
-/// Points that move a triangle and what a common motion of them makes; none if a crack divides it, or a corner cannot be told.
+/// Corners of a triangle, that with its right angle first.
+fn corners_of(at: Cell, triangle: usize) -> [Cell; 3] {
+    [triangle, triangle ^ 1, triangle ^ 2].map(|k| plus(at, CORNERS[k]))
+}
+
+/// Whether a crack runs between the points of a triangle: then it resists nothing, as the bonds between them.
+fn is_divided(corners: &Corners, at: Cell, triangle: usize) -> bool {
+    let cells = corners_of(at, triangle);
+    let there = |cell: &Cell| corners.blocks.has(*cell);
+    let inside: Vec<Cell> = cells.into_iter().filter(there).collect();
+    (1..inside.len()).any(|k| inside[..k].iter().any(|b| corners.parted(inside[k], *b)))
+}
+
+/// Points that move a triangle and what a common motion of them makes; none if a corner cannot be told.
 fn members<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     corners: &Corners,
     bond: &B,
@@ -246,7 +264,7 @@ fn members<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>
     triangle: usize,
 ) -> Option<(Vec<WideMember<D, S>>, Mat<S, D>)> {
     let lattice = corners.blocks.lattice;
-    let cells = [triangle, triangle ^ 1, triangle ^ 2].map(|k| plus(at, CORNERS[k]));
+    let cells = corners_of(at, triangle);
     let vector = |to: Cell| {
         let [x, y, _] = geometry(lattice, [to[0] - cells[0][0], to[1] - cells[0][1]]).xi;
         [x, y]
@@ -257,11 +275,8 @@ fn members<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>
     let sum: Mat<S, D> = combined(&others[0], &others[1], 1.0);
     let rows =
         [combined(&third, &sum, -1.0), combined(&third, &others[0], 1.0), combined(&third, &others[1], 1.0)];
-    let inside: Vec<Cell> = cells.into_iter().filter(|cell| corners.blocks.has(*cell)).collect();
-    if inside.iter().enumerate().any(|(k, a)| inside[..k].iter().any(|b| corners.parted(*a, *b))) {
-        return None;
-    }
-    let from = inside.first().copied().or_else(|| next_point(corners, cells[0]))?;
+    let inside = cells.into_iter().find(|cell| corners.blocks.has(*cell));
+    let from = inside.or_else(|| next_point(corners, cells[0]))?;
     let mut members: Vec<WideMember<D, S>> = Vec::new();
     for (cell, rows) in cells.into_iter().zip(rows) {
         for (cell, share) in corners.corner(cell, from)? {
@@ -321,9 +336,8 @@ fn linear(at: [f64; 2], rises: bool) -> Shares {
     let own = CORNERS[triangle];
     // How far the place is from the corner with the right angle, along its sides.
     let far = [0, 1].map(|k| (at[k] - f64::from(block[k] + own[k])).abs());
-    let corners = [triangle, triangle ^ 1, triangle ^ 2].map(|k| plus(block, CORNERS[k]));
     let shares = [1.0 - far[0] - far[1], far[0], far[1]];
-    corners.into_iter().zip(shares).filter(|s| s.1 != 0.0).collect()
+    corners_of(block, triangle).into_iter().zip(shares).filter(|s| s.1 != 0.0).collect()
 }
 
 fn plus(a: Cell, b: Cell) -> Cell {
