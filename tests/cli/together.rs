@@ -91,18 +91,16 @@ fn halted(folder: &Path, more: &[&str], ending: &str) -> Child {
     };
     // A file is there before it is locked, and only one who is halted does not lock it while this asks.
     let is_locked = |path: PathBuf| File::open(path).is_ok_and(|file| file.try_lock().is_err());
-    loop {
+    let is_found =
+        || find(folder.join("out/tasks")).or_else(|| find(folder.join("out"))).is_some_and(is_locked);
+    signal("STOP", &child);
+    while !is_found() {
         assert!(begin.elapsed() < Duration::from_secs(60), "the study does not begin");
-        let found = find(folder.join("out/tasks")).or_else(|| find(folder.join("out")));
-        if let Some(path) = found {
-            signal("STOP", &child);
-            if is_locked(path) {
-                return child;
-            }
-            signal("CONT", &child);
-        }
+        signal("CONT", &child);
         sleep(Duration::from_millis(1));
+        signal("STOP", &child);
     }
+    child
 }
 
 #[test]

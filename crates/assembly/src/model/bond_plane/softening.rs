@@ -52,7 +52,7 @@ impl BondPlane {
     /// part that it is of a whole one; none leaves it out.
     pub fn ended_bonds(&self, mut law: impl FnMut(&[u32], f64) -> Option<usize>) -> Vec<EndedBond<2>> {
         let Body::Lattice(body) = &self.body else { return Vec::new() };
-        let Some(border) = &body.border else { return Vec::new() };
+        let Some(border) = body.border.ended() else { return Vec::new() };
         let mut list = Vec::new();
         for (k, of) in border.kinds.iter().enumerate() {
             let part = of.share;

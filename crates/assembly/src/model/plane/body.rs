@@ -5,9 +5,7 @@
 //! treatments of edges have whole cells.
 
 use super::bond::PlaneBond;
-use super::edges::{
-    BorderBonds, CutBorder, EdgeFactors, Overlay, border_bonds, cut_border, edge_factors, has_border, overlay,
-};
+use super::edges::{Completion, EdgeFactors, Overlay, edge_factors, has_border, overlay};
 use super::near::{at, near_points};
 use super::neighbourhood::Neighbourhood;
 use super::{Edges, FindCuts, Mirrors};
@@ -42,10 +40,8 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) bonds: Arc<GridBonds<D, M, B>>,
     /// Bonds as real points feel them, where there are images.
     pub(super) felt: Option<Arc<GridBonds<D, M, B>>>,
-    /// Bonds that end on the border, if it is completed so.
-    pub(in super::super) border: Option<BorderBonds<D, M>>,
-    /// Triangles of blocks that the border cuts, if it is completed by them.
-    pub(in super::super) cut: Option<CutBorder<D, S>>,
+    /// What completes its border.
+    pub(in super::super) border: Completion<D, M, S>,
     /// What points near edges lack. Beside a border that is completed they tell its stresses, and have no energy.
     pub(in super::super) triangles: Arc<Families<D, S, 2>>,
     pub(in super::super) uncorrected: usize,
@@ -77,18 +73,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             _ => near_points(&lattice, hood.reach()),
         };
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
-        let (mut border, mut cut) = (None, None);
-        match (kind.edges, lattice.blocks()) {
-            (Edges::Border, []) => {
-                border = Some(border_bonds(&lattice, &mirrors, (&hood, &kind.bond), &near, &known));
-            }
-            (Edges::Border, _) => cut = Some(cut_border(&lattice, &mirrors, (&hood, &kind.bond), &known)),
-            _ => {}
-        }
-        let of_border = border.as_ref().map(|border| (&border.gaps, border.lost));
-        let of_cut = cut.as_ref().map(|cut| (&cut.gaps, cut.lost));
-        let (gaps, lost) =
-            of_border.or(of_cut).map_or((&[][..], None), |(gaps, lost)| (&gaps[..], Some(lost)));
+        let bonds = (&hood, &kind.bond);
+        let border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
         let mut factors = EdgeFactors { base: vec![1.0; hood.offsets.len()], exceptions: Vec::new() };
         let mut triangles = Overlay { triangles: Vec::new(), uncorrected: 0 };
         match kind.edges {
@@ -97,17 +83,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 factors = edge_factors(&lattice, &mirrors, &hood, &kind, &near);
             }
             Edges::Border | Edges::Overlay => {
-                // Where the border is completed this tells stresses alone.
-                let is_told = |point: usize| cut.as_ref().is_some_and(|cut| cut.strains.tells(point));
-                if cut.is_none() {
+                if border.cut().is_none() {
                     factors.exceptions = reduced(&lattice, &hood);
                     near = with_neighbours(&lattice, &hood, near);
                 }
-                let is_real = |p: usize| mirrors.is_none() || mirrors.is_real(lattice.cell(p));
-                let own = near.iter().copied().filter(|&p| is_real(p) && !is_told(p));
-                let whole = cut.is_some().then(|| SquareLattice::clone(&lattice).with_whole_cells());
-                let lattice = whole.as_ref().unwrap_or(&lattice);
-                triangles = overlay(lattice, (&hood, &kind.bond), own, &known, gaps);
+                near.retain(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
+                triangles = completing(&lattice, bonds, &border, near, &known);
             }
         }
         let mut exceptions = factors.exceptions;
@@ -116,7 +97,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
         let grid =
             |exceptions: &[Exception]| Arc::new(grid(&lattice, &hood, &factors.base, &kind.bond, exceptions));
-        exceptions.extend(gaps);
+        exceptions.extend(border.gaps());
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
@@ -124,7 +105,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             exceptions.extend(halved(&lattice, &mirrors, &hood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
-        let uncorrected = lost.unwrap_or(triangles.uncorrected);
+        let uncorrected = border.lost().unwrap_or(triangles.uncorrected);
         let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
         Self {
             lattice,
@@ -135,7 +116,6 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             bonds,
             felt,
             border,
-            cut,
             triangles,
             uncorrected,
             cuts,
@@ -180,6 +160,22 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
         Some(Self::new(Arc::new(coarse), mirrors, self.hood.clone(), kind, &cuts))
     }
+}
+
+/// The triangles of some real points. Where the border is completed they tell stresses alone, of points of which nothing else
+/// does.
+fn completing<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
+    lattice: &SquareLattice,
+    bonds: (&Neighbourhood<M>, &B),
+    border: &Completion<D, M, S>,
+    points: Vec<usize>,
+    cuts: &HashSet<(usize, usize)>,
+) -> Overlay<D, S> {
+    let Some(cut) = border.cut() else {
+        return overlay(lattice, bonds, points.into_iter(), cuts, border.gaps());
+    };
+    let untold = points.into_iter().filter(|&point| !cut.strains.tells(point));
+    overlay(&lattice.clone().with_whole_cells(), bonds, untold, cuts, border.gaps())
 }
 
 /// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.

@@ -2,6 +2,7 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
+use super::edges::Completion;
 use super::geometry;
 use super::near::at;
 use crate::stiffness::{Bond, Bonds, Families, Family, GridBonds, Term};
@@ -18,7 +19,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// Above the number of any bond: a bond has the number `offset · points + lower point`, the offset that of the
     /// neighbourhood; behind them are those that end on the border.
     pub(in super::super) fn bond_numbers(&self) -> u64 {
-        (self.whole_bonds() + self.border.as_ref().map_or(0, |border| border.bonds.count())) as u64
+        (self.whole_bonds() + self.border.ended().map_or(0, |border| border.bonds.count())) as u64
     }
 
     /// Above the number of any bond between two points.
@@ -38,7 +39,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn ends(&self, bond: u64) -> [usize; 2] {
         let (bond, points) = (bond as usize, self.lattice.points());
         if let Some(ended) = bond.checked_sub(self.whole_bonds()) {
-            return self.border.as_ref().and_then(|border| border.bonds.foremost(ended)).unwrap_or_default();
+            return self.border.ended().and_then(|border| border.bonds.foremost(ended)).unwrap_or_default();
         }
         let (offset, lower) = (bond / points, bond % points);
         let upper = self.lattice.number(at(self.lattice.cell(lower), self.hood.offsets[offset], true));
@@ -66,7 +67,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 visit((offsets[index] * points + lower) as u64, ratio);
             }
         });
-        if let Some(border) = &self.border {
+        if let Some(border) = self.border.ended() {
             let whole = self.whole_bonds() as u64;
             let body = (&*self.lattice, &self.hood, &self.kind.bond);
             border.for_each_ratio(body, (u, &critical.0), &mut |k, ratio| visit(whole + k as u64, ratio));
@@ -85,7 +86,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let (between, ended) = self.sorted(bonds);
         let listed = self.listed(&between);
         let n = self.lattice.points();
-        let completing: Box<dyn Term<D>> = match &self.border {
+        let completing: Box<dyn Term<D>> = match self.border.ended() {
             Some(border) => Box::new(border.bonds.part(&self.with_spanning(ended, &listed))),
             None => Box::new(Families::new(n, spanning(&self.triangles, &listed))),
         };
@@ -101,7 +102,9 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let (between, ended) = self.sorted(bonds);
         let broken = self.listed(&between);
         let ended = self.with_spanning(ended, &broken);
-        if let Some(border) = self.border.as_mut().filter(|_| !ended.is_empty()) {
+        if let Completion::Ended(border) = &mut self.border
+            && !ended.is_empty()
+        {
             Arc::make_mut(&mut border.bonds).remove(&ended);
         }
         let classes = self.classes();
@@ -120,7 +123,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
 
     /// Some bonds that end on the border, and those that broken ones take with them.
     fn with_spanning(&self, mut ended: Vec<usize>, broken: &[Bond<D, M>]) -> Vec<usize> {
-        if let Some(border) = &self.border {
+        if let Some(border) = self.border.ended() {
             let pairs: Vec<[u32; 2]> = broken.iter().map(|bond| bond.points).collect();
             ended.extend(border.spanning(&self.lattice, &pairs));
             ended.sort_unstable();

@@ -2,7 +2,7 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
-use super::edges::modulus;
+use super::edges::{Completion, modulus};
 use super::geometry;
 use crate::bonds::{Mat, add};
 use crate::stiffness::Families;
@@ -71,14 +71,15 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let mut sums = self.whole().sums::<3>(u, &self.virial_shares(1.0 / volume));
         sums[3 * n..].par_iter_mut().with_min_len(4096).for_each(|energy| *energy /= volume);
         // Beside a border that is completed a point stands for a whole cell of its stress.
-        let cut_cells = if self.cut.is_some() { &[] } else { self.lattice.cut_cells() };
+        let follows = self.border.cut().is_some();
+        let cut_cells = if follows { &[] } else { self.lattice.cut_cells() };
         for &(point, part) in cut_cells {
             (0..4).for_each(|q| sums[q * n + point as usize] /= part);
         }
         self.ghosts.iter().for_each(|&g| (0..4).for_each(|q| sums[q * n + g as usize] = 0.0));
-        let of_point = |point| if self.cut.is_some() { volume } else { self.real_volume(point) };
+        let of_point = |point| if follows { volume } else { self.real_volume(point) };
         let mut fields = PlaneFields::with_triangles(sums, &self.triangles, of_point, u);
-        if let Some(cut) = &self.cut {
+        if let Some(cut) = self.border.cut() {
             let c = self.stiffness();
             cut.strains.for_each((n, u), &mut |point, strain| {
                 let stress: [f64; 3] = from_fn(|q| (0..3).map(|k| c[q][k] * strain[k]).sum());
@@ -107,7 +108,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         force: &mut [f64],
     ) {
         let n = self.lattice.points();
-        if self.border.is_some() || self.cut.is_some() {
+        if !matches!(self.border, Completion::Points) {
             for &ghost in &self.ghosts {
                 let (image, [x, y]) = self.mirrors.image(self.lattice.cell(ghost as usize));
                 let real = self.lattice.number(image);
@@ -117,15 +118,16 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 (0..3).for_each(|q| t[q * n + ghost as usize] = strain[q]);
             }
         }
-        if let Some(border) = &self.border {
-            border.add_strain_work((&self.lattice, &self.hood, &self.kind.bond), t, force);
-        }
-        if let Some(cut) = &self.cut {
-            cut.add_strain_work(t, force);
+        match &self.border {
+            Completion::Points => {}
+            Completion::Ended(border) => {
+                border.add_strain_work((&self.lattice, &self.hood, &self.kind.bond), t, force);
+            }
+            Completion::Cut(cut) => cut.add_strain_work(t, force),
         }
         self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
         self.whole().add_work::<3>(t, &self.spans(points), &self.virial_shares(1.0), force);
-        if self.border.is_none() && self.cut.is_none() {
+        if matches!(self.border, Completion::Points) {
             add_work_of_triangles(&self.triangles, t, force);
         }
     }

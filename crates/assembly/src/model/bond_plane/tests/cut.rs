@@ -4,7 +4,7 @@ use super::super::*;
 use super::bodies::*;
 use super::mirrors::compare;
 use super::patch::{STRAINS, check_rigid};
-use crate::body::{Hole, Outline, Polygon, Shape};
+use crate::body::{Crack, Hole, Outline, Polygon, Shape, cut_bonds};
 use crate::model::plane::{Edges, Mirrors, PlaneModel};
 use crate::quadrature::GAUSS;
 
@@ -179,6 +179,33 @@ fn stresses_of_uniform_strains_are_exact() {
                     let internal = force(&plane, &u);
                     assert!(difference(&load, &internal) < 1e-12 * largest(&internal), "{name}");
                 }
+            }
+        }
+    }
+}
+
+/// Nothing holds the two parts of a body that a crack divides, also where it meets the border.
+#[test]
+fn a_crack_divides_a_body_from_border_to_border() {
+    for m in [2.0, 3.0, 4.0] {
+        for (name, outline) in outlines() {
+            for lattice in filled(&outline) {
+                let crack = Crack::new(vec![[-9.0, 10.13], [30.0, 12.41]]).unwrap();
+                let parameters = bordered(m);
+                let offsets = BondPlane::offsets(&parameters).unwrap();
+                let cuts = cut_bonds(&lattice, &offsets, &[crack]);
+                let plane = BondPlane::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &cuts).unwrap();
+                let above = |[x, y]: [f64; 2]| y > 10.13 + (x + 9.0) * 2.28 / 39.0;
+                let n = plane.point_count();
+                let mut u = vec![0.0; 2 * n];
+                for p in (0..n).filter(|&p| above(plane.place(p))) {
+                    let [x, y] = plane.place(p);
+                    (u[p], u[n + p]) = (0.3 - 0.01 * y, 0.7 + 0.01 * x);
+                }
+                // 1e-27 is found, and 1e-1 without the crack.
+                let energy = energy(&plane, &u);
+                assert!(energy < 1e-20, "{name} {m}: {energy:e}");
+                assert_eq!(plane.uncorrected(), 0, "{name} {m}");
             }
         }
     }

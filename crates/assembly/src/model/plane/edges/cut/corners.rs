@@ -9,6 +9,9 @@ use std::collections::{HashMap, HashSet};
 /// Cells of points and their shares.
 pub(super) type Shares = Vec<(Cell, f64)>;
 
+/// A corner and, beside cracks, the point that asks.
+type Asked = (Cell, Option<Cell>);
+
 /// Points of a quadratic continuation, at least; equally far ones follow each other or none.
 const POINTS: usize = 16;
 /// Square of how far they may be from the corner, spacings.
@@ -58,7 +61,7 @@ type Near = Option<HashSet<Cell>>;
 pub(super) struct Corners<'a> {
     pub(super) blocks: Blocks<'a>,
     cracks: Option<Cracks<'a>>,
-    known: RefCell<HashMap<(Cell, Option<Cell>), Option<Shares>>>,
+    known: RefCell<HashMap<Asked, Option<Shares>>>,
 }
 
 impl<'a> Corners<'a> {

@@ -1,17 +1,21 @@
 //! Edges that run between the points as they please: slanted, round, or along rows.
 //!
 //! The triangles of the blocks between four points tile the plane, once by either diagonal of the blocks. One of which the part
-//! v lies in the body has the energy `½ Eᵀ (v/4) C E` per volume of a block of the strain E that its corners make. Bonds that pass whole triangles alone have
-//! taken all of that, or a share by direction; what is left, nothing inside and all where the border cuts, stays with the
-//! triangle. No part is less than zero, every uniform strain has the energy of the material in the true area, and since displacements are
-//! continuous and linear in every triangle, the forces of a uniform stress are its tractions on the true border.
+//! v lies in the body has the energy `½ Eᵀ (v/4) C E` per volume of a block, E the strain that its corners make. Bonds that pass
+//! whole triangles alone take all of that, or a share by direction; what they leave, nothing inside and all where the border
+//! cuts, stays with the triangle. No part is less than zero, every uniform strain has the energy of the material in the true
+//! area, and since displacements are continuous and linear in every triangle, the forces of a uniform stress are its tractions on
+//! the true border.
 //!
 //! Corners beyond the border move as the points inside do, continued quadratically.
 
 mod blocks;
 mod corners;
 mod fit;
+mod members;
+mod missing;
 mod pieces;
+mod shares;
 mod strains;
 
 use super::super::Mirrors;
@@ -19,18 +23,19 @@ use super::super::bond::PlaneBond;
 use super::super::geometry;
 use super::super::near::{at, near_points};
 use super::super::neighbourhood::Neighbourhood;
-use super::BorderShares;
 use super::overlay::is_cut;
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, block};
-use crate::stiffness::{Exception, WideFamilies, WideMember};
+use crate::stiffness::{Exception, WideFamilies};
 use blocks::{Blocks, CORNERS};
-use corners::{Corners, Cracks, Shares};
-use pieces::{Piece, pieces, triangle_at};
+use corners::{Corners, Cracks};
+use members::{is_divided, members};
+use missing::Missing;
 use std::borrow::Cow;
-use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
+
+pub(in super::super) use shares::cut_shares;
 pub(in super::super) use strains::Strains;
 
 /// What completes the edges of a body that borders cut as they please.
@@ -91,7 +96,7 @@ pub(in super::super) fn cut_border<const D: usize, const M: usize, const S: usiz
     (hood, bond): (&Neighbourhood<M>, &B),
     cuts: &HashSet<(usize, usize)>,
 ) -> CutBorder<D, S> {
-    let corners = corners(lattice, mirrors, hood, Cow::Borrowed(cuts));
+    let corners = beside_cracks(lattice, mirrors, hood, Cow::Borrowed(cuts));
     let missing = Missing::new(&corners.blocks, hood);
     let moduli: Vec<Mat<S, S>> =
         missing.paths.iter().map(|(k, _)| modulus(lattice, hood, bond, *k)).collect();
@@ -134,7 +139,7 @@ pub(in super::super) fn cut_border<const D: usize, const M: usize, const S: usiz
 }
 
 /// How corners of triangles move beside some cracks.
-fn corners<'a, const M: usize>(
+fn beside_cracks<'a, const M: usize>(
     lattice: &'a SquareLattice,
     mirrors: &'a Mirrors,
     hood: &'a Neighbourhood<M>,
@@ -171,62 +176,6 @@ pub(in super::super) fn modulus<const D: usize, const M: usize, const S: usize, 
     block(&uniform, &std::array::from_fn(|m| hood.weights[k][m] * unit[m]), &uniform)
 }
 
-/// The bonds that pass triangles which are not whole.
-struct Missing<'a> {
-    blocks: &'a Blocks<'a>,
-    offsets: &'a [Cell],
-    /// Offsets that have bonds, and the triangles that they pass.
-    paths: Vec<(usize, Vec<Piece>)>,
-    known: RefCell<HashMap<(usize, Cell), bool>>,
-}
-
-impl<'a> Missing<'a> {
-    fn new<const M: usize>(blocks: &'a Blocks<'a>, hood: &'a Neighbourhood<M>) -> Self {
-        let paths = hood.bonded().map(|k| (k, pieces(hood.offsets[k]))).collect();
-        Self { blocks, offsets: &hood.offsets, paths, known: RefCell::default() }
-    }
-
-    /// Whether a bond passes a triangle that is not whole.
-    fn is_missing(&self, path: usize, from: Cell) -> bool {
-        if let Some(known) = self.known.borrow().get(&(path, from)) {
-            return *known;
-        }
-        let passes = |piece: &Piece| self.blocks.parts(plus(from, piece.block))[piece.triangle] < 1.0;
-        let is_missing = self.paths[path].1.iter().any(passes);
-        self.known.borrow_mut().insert((path, from), is_missing);
-        is_missing
-    }
-
-    /// Calls `visit` with the offset and both ends of every bond that is missing and passes a block which is not whole.
-    fn for_each_gap(&self, at: Cell, visit: &mut dyn FnMut(usize, Cell, Cell)) {
-        if self.blocks.is_whole(at) {
-            return;
-        }
-        for (path, (k, pieces)) in self.paths.iter().enumerate() {
-            for piece in pieces {
-                let from = [at[0] - piece.block[0], at[1] - piece.block[1]];
-                if self.is_missing(path, from) {
-                    visit(*k, from, plus(from, self.offsets[*k]));
-                }
-            }
-        }
-    }
-
-    /// What bonds leave to a triangle, by offset: all of its part if that is not whole, else what missing ones would have had.
-    fn of(&self, at: Cell, triangle: usize, part: f64) -> Vec<f64> {
-        let of = |(path, (_, pieces)): (usize, &(usize, Vec<Piece>))| {
-            let own = pieces.iter().filter(|piece| piece.triangle == triangle);
-            let is_missing =
-                |piece: &&Piece| self.is_missing(path, [at[0] - piece.block[0], at[1] - piece.block[1]]);
-            match part < 1.0 {
-                true => 0.25 * part,
-                false => own.filter(is_missing).map(|piece| piece.share).sum(),
-            }
-        };
-        self.paths.iter().enumerate().map(of).collect()
-    }
-}
-
 impl<const D: usize, const S: usize> CutBorder<D, S> {
     /// Adds the forces that do the work of the triangles in strains `t` of the points, three planes, as far as they move them.
     pub(in super::super) fn add_strain_work(&self, t: &[f64], force: &mut [f64]) {
@@ -241,103 +190,6 @@ impl<const D: usize, const S: usize> CutBorder<D, S> {
             }
         }
     }
-}
-
-/// Corners of a triangle, that with its right angle first.
-fn corners_of(at: Cell, triangle: usize) -> [Cell; 3] {
-    [triangle, triangle ^ 1, triangle ^ 2].map(|k| plus(at, CORNERS[k]))
-}
-
-/// Whether a crack runs between the points of a triangle: then it resists nothing, as the bonds between them.
-fn is_divided(corners: &Corners, at: Cell, triangle: usize) -> bool {
-    let cells = corners_of(at, triangle);
-    let there = |cell: &Cell| corners.blocks.has(*cell);
-    let inside: Vec<Cell> = cells.into_iter().filter(there).collect();
-    (1..inside.len()).any(|k| inside[..k].iter().any(|b| corners.parted(inside[k], *b)))
-}
-
-/// Points that move a triangle and what a common motion of them makes; none if a corner cannot be told.
-fn members<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
-    corners: &Corners,
-    bond: &B,
-    at: Cell,
-    triangle: usize,
-) -> Option<(Vec<WideMember<D, S>>, Mat<S, D>)> {
-    let lattice = corners.blocks.lattice;
-    let cells = corners_of(at, triangle);
-    let vector = |to: Cell| {
-        let [x, y, _] = geometry(lattice, [to[0] - cells[0][0], to[1] - cells[0][1]]).xi;
-        [x, y]
-    };
-    let (others, own) = bond.triangle(vector(cells[1]), vector(cells[2]));
-    // What the point itself would make by its own unknowns, a third of it at every corner.
-    let third = own.map(|row| row.map(|x| x / 3.0));
-    let sum: Mat<S, D> = combined(&others[0], &others[1], 1.0);
-    let rows =
-        [combined(&third, &sum, -1.0), combined(&third, &others[0], 1.0), combined(&third, &others[1], 1.0)];
-    let inside = cells.into_iter().find(|cell| corners.blocks.has(*cell));
-    let from = inside.or_else(|| next_point(corners, cells[0]))?;
-    let mut members: Vec<WideMember<D, S>> = Vec::new();
-    for (cell, rows) in cells.into_iter().zip(rows) {
-        for (cell, share) in corners.corner(cell, from)? {
-            let point = lattice.number(cell)? as u32;
-            let index = members.iter().position(|m| m.point == point).unwrap_or_else(|| {
-                members.push(WideMember { point, share: 0.0, rows: [[0.0; D]; S] });
-                members.len() - 1
-            });
-            members[index].share += share / 3.0;
-            members[index].rows = combined(&members[index].rows, &rows, share);
-        }
-    }
-    Some((members, own))
-}
-
-/// A sum of rows, the second ones times a factor.
-fn combined<const D: usize, const S: usize>(a: &Mat<S, D>, b: &Mat<S, D>, factor: f64) -> Mat<S, D> {
-    std::array::from_fn(|r| std::array::from_fn(|c| a[r][c] + factor * b[r][c]))
-}
-
-/// The point nearest to a cell outside.
-fn next_point(corners: &Corners, cell: Cell) -> Option<Cell> {
-    let steps = (-3..=3).flat_map(|j| (-3..=3).map(move |i| [i, j]));
-    let there = steps.filter(|step| corners.blocks.has(plus(cell, *step)));
-    Some(plus(cell, there.min_by_key(|[i, j]| i * i + j * j)?))
-}
-
-/// How places on the border of a lattice move: as those of both triangles there do.
-pub(in super::super) fn cut_shares<'a, const M: usize>(
-    lattice: &'a SquareLattice,
-    mirrors: &'a Mirrors,
-    hood: &'a Neighbourhood<M>,
-    cuts: HashSet<(usize, usize)>,
-) -> BorderShares<'a> {
-    let corners = corners(lattice, mirrors, hood, Cow::Owned(cuts));
-    Box::new(move |at, _| {
-        let at = lattice.in_cells(at).map(|x| x - 0.5);
-        let mut sum: Vec<(usize, f64)> = Vec::new();
-        for (cell, share) in [true, false].into_iter().flat_map(|rises| linear(at, rises)) {
-            let from = if corners.blocks.has(cell) { cell } else { next_point(&corners, cell)? };
-            for (cell, own) in corners.corner(cell, from)? {
-                let point = lattice.number(cell)?;
-                match sum.iter_mut().find(|s| s.0 == point) {
-                    Some(known) => known.1 += 0.5 * share * own,
-                    None => sum.push((point, 0.5 * share * own)),
-                }
-            }
-        }
-        Some(sum)
-    })
-}
-
-/// The corners of the triangle of a place that one of the diagonals makes, and their shares in its displacement, which are not
-/// zero. Positions are in spacings from the point of cell `[0, 0]`.
-fn linear(at: [f64; 2], rises: bool) -> Shares {
-    let (block, triangle) = triangle_at(at, rises);
-    let own = CORNERS[triangle];
-    // How far the place is from the corner with the right angle, along its sides.
-    let far = [0, 1].map(|k| (at[k] - f64::from(block[k] + own[k])).abs());
-    let shares = [1.0 - far[0] - far[1], far[0], far[1]];
-    corners_of(block, triangle).into_iter().zip(shares).filter(|s| s.1 != 0.0).collect()
 }
 
 fn plus(a: Cell, b: Cell) -> Cell {

@@ -1,0 +1,65 @@
+//! The bonds that pass triangles which are not whole, and what they leave to triangles.
+
+use super::super::super::neighbourhood::Neighbourhood;
+use super::blocks::Blocks;
+use super::pieces::{Piece, pieces};
+use super::plus;
+use crate::body::Cell;
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+/// The bonds that pass triangles which are not whole.
+pub(super) struct Missing<'a> {
+    blocks: &'a Blocks<'a>,
+    offsets: &'a [Cell],
+    /// Offsets that have bonds, and the triangles that they pass.
+    pub(super) paths: Vec<(usize, Vec<Piece>)>,
+    known: RefCell<HashMap<(usize, Cell), bool>>,
+}
+
+impl<'a> Missing<'a> {
+    pub(super) fn new<const M: usize>(blocks: &'a Blocks<'a>, hood: &'a Neighbourhood<M>) -> Self {
+        let paths = hood.bonded().map(|k| (k, pieces(hood.offsets[k]))).collect();
+        Self { blocks, offsets: &hood.offsets, paths, known: RefCell::default() }
+    }
+
+    /// Whether a bond passes a triangle that is not whole.
+    fn is_missing(&self, path: usize, from: Cell) -> bool {
+        if let Some(known) = self.known.borrow().get(&(path, from)) {
+            return *known;
+        }
+        let passes = |piece: &Piece| self.blocks.parts(plus(from, piece.block))[piece.triangle] < 1.0;
+        let is_missing = self.paths[path].1.iter().any(passes);
+        self.known.borrow_mut().insert((path, from), is_missing);
+        is_missing
+    }
+
+    /// Calls `visit` with the offset and both ends of every bond that is missing and passes a block which is not whole.
+    pub(super) fn for_each_gap(&self, at: Cell, visit: &mut dyn FnMut(usize, Cell, Cell)) {
+        if self.blocks.is_whole(at) {
+            return;
+        }
+        for (path, (k, pieces)) in self.paths.iter().enumerate() {
+            for piece in pieces {
+                let from = [at[0] - piece.block[0], at[1] - piece.block[1]];
+                if self.is_missing(path, from) {
+                    visit(*k, from, plus(from, self.offsets[*k]));
+                }
+            }
+        }
+    }
+
+    /// What bonds leave to a triangle, by offset: all of its part if that is not whole, else what missing ones would have had.
+    pub(super) fn of(&self, at: Cell, triangle: usize, part: f64) -> Vec<f64> {
+        let of = |(path, (_, pieces)): (usize, &(usize, Vec<Piece>))| {
+            let own = pieces.iter().filter(|piece| piece.triangle == triangle);
+            let is_missing =
+                |piece: &&Piece| self.is_missing(path, [at[0] - piece.block[0], at[1] - piece.block[1]]);
+            match part < 1.0 {
+                true => 0.25 * part,
+                false => own.filter(is_missing).map(|piece| piece.share).sum(),
+            }
+        };
+        self.paths.iter().enumerate().map(of).collect()
+    }
+}
