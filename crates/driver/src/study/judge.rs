@@ -103,7 +103,7 @@ fn of_quantity(own: &Quantity, others: &[Other]) -> Option<GridError> {
     Some(grid_error::of(grids, own.rounding))
 }
 
-/// What is told of the error of a quantity.
+/// What a run says of the error of a quantity.
 fn estimate(own: &Quantity, found: &GridError) -> Estimate {
     let unreliable = if found.reliable { "" } else { "not reliable, " };
     Estimate {
