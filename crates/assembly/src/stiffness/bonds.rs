@@ -87,9 +87,8 @@ impl<const D: usize, const M: usize> Term<D> for Bonds<D, M> {
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {
-        // In blocks: the error of a long sum grows with its number of terms.
-        const BLOCK: usize = 256;
-        let of = |bond: &Bond<D, M>| {
+        let of = |bond: usize| {
+            let bond = &self.bonds[bond];
             let (s, sigma) = bond.response(self.points, u);
             let ends = [bond.rows.first(), bond.rows.second()];
             let action = |c: usize| {
@@ -99,8 +98,7 @@ impl<const D: usize, const M: usize> Term<D> for Bonds<D, M> {
             let energy = (0..M).map(|m| 0.5 * s[m] * sigma[m]).sum();
             Survey { energy, largest_action: from_fn(action) }
         };
-        let block = |bonds: &[Bond<D, M>]| bonds.iter().map(of).fold(Survey::EMPTY, Survey::join);
-        self.bonds.chunks(BLOCK).map(block).fold(Survey::EMPTY, Survey::join)
+        Survey::of_all(self.bonds.len(), of)
     }
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {

@@ -128,9 +128,8 @@ impl<const D: usize, const M: usize, const E: usize> Term<D> for Families<D, M, 
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {
-        // In blocks: the error of a long sum grows with its number of terms.
-        const BLOCK: usize = 256;
-        let of = |family: &Family<D, M, E>| {
+        let of = |family: usize| {
+            let family = &self.families[family];
             let s = family.measures(self.points, u);
             let sigma = family.stress(&s);
             let actions = family.actions(&sigma);
@@ -138,8 +137,7 @@ impl<const D: usize, const M: usize, const E: usize> Term<D> for Families<D, M, 
             let energy = (0..M).map(|m| 0.5 * s[m] * sigma[m]).sum();
             Survey { energy, largest_action: from_fn(largest) }
         };
-        let block = |part: &[Family<D, M, E>]| part.iter().map(of).fold(Survey::EMPTY, Survey::join);
-        self.families.chunks(BLOCK).map(block).fold(Survey::EMPTY, Survey::join)
+        Survey::of_all(self.families.len(), of)
     }
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {

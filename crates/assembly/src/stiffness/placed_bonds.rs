@@ -221,8 +221,6 @@ impl<const D: usize, const M: usize> Term<D> for PlacedBonds<D, M> {
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {
-        // In blocks: the error of a long sum grows with its number of terms.
-        const BLOCK: usize = 256;
         let of = |bond: usize| {
             let s = self.measures(bond, u);
             let sigma = self.conjugate(bond, &s);
@@ -231,9 +229,7 @@ impl<const D: usize, const M: usize> Term<D> for PlacedBonds<D, M> {
             let energy = (0..M).map(|m| 0.5 * s[m] * sigma[m]).sum();
             Survey { energy, largest_action: largest }
         };
-        let block =
-            |from: usize| (from..self.count().min(from + BLOCK)).map(of).fold(Survey::EMPTY, Survey::join);
-        self.all().step_by(BLOCK).map(block).fold(Survey::EMPTY, Survey::join)
+        Survey::of_all(self.count(), of)
     }
 
     fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {

@@ -21,6 +21,13 @@ impl<const D: usize> Survey<D> {
     /// Of no elements.
     pub const EMPTY: Self = Self { energy: 0.0, largest_action: [0.0; D] };
 
+    /// Of so many elements by their numbers, in blocks: the error of a long sum grows with its number of terms.
+    pub(super) fn of_all(count: usize, of: impl Fn(usize) -> Self) -> Self {
+        const BLOCK: usize = 256;
+        let block = |from: usize| (from..count.min(from + BLOCK)).map(&of).fold(Self::EMPTY, Self::join);
+        (0..count).step_by(BLOCK).map(block).fold(Self::EMPTY, Self::join)
+    }
+
     /// Of the elements of both.
     pub fn join(self, other: Self) -> Self {
         let largest = |c: usize| self.largest_action[c].max(other.largest_action[c]);
