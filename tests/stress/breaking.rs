@@ -164,7 +164,7 @@ impl Bar {
                     case["path"] = json!({ "control": control, "increment": 0.5 });
                     let mut row = self.row(medium, &format!("path, {control}, {treated}"), case);
                     if treated["edges"] == "border" || treated == &json!({}) {
-                        // Stresses beside a border are told by the runs, of elastic bodies by triangles; 3.3e-2 is found.
+                        // Stresses beside a border come from the runs, in elastic bodies from triangles; 3.3e-2 is found.
                         row.known = [0.0, 0.05];
                     }
                     rows.push(Self::as_elastic(row, elastic.clone()));
@@ -191,7 +191,7 @@ fn soft() -> Vec<Row> {
             let at = format!("{}, length {length}", medium.keys);
             let mut row = Row::new(
                 medium.model,
-                "as soft as is told before it breaks",
+                "as soft as it says before it breaks",
                 at,
                 case,
                 (length * 20.0) as usize,

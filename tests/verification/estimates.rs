@@ -191,7 +191,7 @@ fn estimates_of_runs_are_not_too_small() {
     );
     // 126 quantities, 1.000: the smallest is 0.55.
     assert!(found.len() >= 100 && enough >= 0.95, "{enough} of {}", found.len());
-    // 0.83. Nobody reads what is told far too large everywhere.
+    // 0.83. An estimate far too large everywhere would be of no use.
     assert!(near >= 0.75, "{near} of {}", found.len());
 }
 

@@ -16,9 +16,10 @@ type Asked = (Cell, Option<Cell>);
 const POINTS: usize = 16;
 /// Square of how far they may be from the corner, spacings.
 const FARTHEST: i32 = 25;
-/// How fast their weights fall with the square of their distance where a corner is continued, and where strains are told. Both
-/// are the best of those tried on rings and on holes in plates: steeper ones make multigrid slower, flatter ones are less accurate.
+/// How fast the weights of points fall with the square of their distance where they continue a corner. Of those tried on rings,
+/// steeper ones make multigrid slower, and flatter ones are less accurate.
 pub(super) const CLOSE: f64 = 0.25;
+/// The same where they give the strain of a point; twice as steep or wider over three spacings is less accurate.
 pub(super) const WIDE: f64 = 1.0 / 4.5;
 
 /// Steps from a corner's point to those that it follows, at most.
