@@ -96,7 +96,7 @@ fn completed(
     faults: &mut Faults,
 ) -> PlaneBonds {
     // Triangles of blocks that a border cuts do not break, and are not measured with points that turn.
-    let can_follow = case.fracture.is_none() && case.path.is_none() && !bonds.points_turn();
+    let can_follow = case.fracture.is_none() && case.path.is_none();
     let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
     let can_end =
         lattice.is_some_and(|lattice| (!is_cut || can_follow) && has_border(lattice, mirrors, ratio as i32));

@@ -1,6 +1,7 @@
 //! What holds for every calibrated family of beam bonds.
 
 mod bond;
+mod cut;
 mod feasible;
 mod material;
 mod plate;
