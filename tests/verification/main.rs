@@ -12,6 +12,7 @@ mod certificate;
 mod closed_forms;
 mod convergence;
 mod cut_edges;
+mod cut_edges_breaking;
 mod default_ends;
 mod default_law;
 mod definiteness;

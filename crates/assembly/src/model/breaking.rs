@@ -14,6 +14,11 @@ pub trait Breakable<const D: usize>: Model<D> {
     /// The two points of a bond.
     fn ends(&self, bond: u64) -> [usize; 2];
 
+    /// Index of the offset of a bond on a lattice; zero elsewhere.
+    fn offset(&self, _bond: u64) -> usize {
+        0
+    }
+
     /// Calls `visit` with every bond that is there and the ratio of its strain to the critical one: where it is one, the
     /// bond breaks; it grows in proportion to `u`. Bonds that do not break under such a strain, however large, are left
     /// out.

@@ -49,11 +49,15 @@ impl<const D: usize, const M: usize> PlacedBonds<D, M> {
         Self { points, members: Vec::new(), ends: Vec::new(), laws: Vec::new() }
     }
 
-    /// Adds a bond.
-    pub fn push(&mut self, bond: &PlacedBond<D, M>) {
-        self.members.extend(members(bond));
+    /// Adds a bond; the two points that have the largest parts in the relative displacement of its ends, one on either side.
+    pub fn push(&mut self, bond: &PlacedBond<D, M>) -> [u32; 2] {
+        let members = members(bond);
+        let by = |a: &&Member, b: &&Member| a.difference.total_cmp(&b.difference);
+        let foremost = [members.iter().min_by(by), members.iter().max_by(by)];
+        self.members.extend(&members);
         self.ends.push(self.members.len() as u32);
         self.laws.push((bond.rows, bond.moduli));
+        foremost.map(|member| member.map_or(0, |m| m.point))
     }
 
     /// Number of bonds.
@@ -79,14 +83,6 @@ impl<const D: usize, const M: usize> PlacedBonds<D, M> {
     /// Measures of a bond by its points.
     pub fn rows(&self, bond: usize) -> &Rows<D, M> {
         &self.laws[bond].0
-    }
-
-    /// The two points that have the largest parts in the relative displacement of its ends, one on either side; none of a bond
-    /// that is removed.
-    pub fn foremost(&self, bond: usize) -> Option<[usize; 2]> {
-        let by = |a: &&Member, b: &&Member| a.difference.total_cmp(&b.difference);
-        let members = self.members(bond);
-        Some([members.iter().min_by(by)?.point as usize, members.iter().max_by(by)?.point as usize])
     }
 
     /// Some of the bonds.

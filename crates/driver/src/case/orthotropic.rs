@@ -32,7 +32,7 @@ pub struct Orthotropic {
     #[serde(default)]
     pub lattice: LatticeRows,
     /// What is done about the bonds that points near edges lack; `border` with the calibration `matched`, `none` with
-    /// `published` and in a case with `fracture`, if not given.
+    /// `published`, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edges: Option<Edges>,
 }

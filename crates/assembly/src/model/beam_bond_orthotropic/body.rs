@@ -72,6 +72,12 @@ impl BeamBondOrthotropic {
         Self { body: self.body.never_joined(bonds), ..self }
     }
 
+    /// The same body, able to break: what a border leaves to the cells that it cuts is taken apart by the directions of bonds.
+    #[must_use]
+    pub fn breaking(self) -> Self {
+        Self { body: self.body.breaking(), ..self }
+    }
+
     /// The parameters.
     pub fn parameters(&self) -> &OrthotropicParameters {
         &self.parameters
@@ -177,7 +183,7 @@ impl Model<3> for BeamBondOrthotropic {
 
     fn calibration_error(&self) -> f64 {
         // Shares of places on the border and of means round, too: measured 1.5 times as much on a strip of 2000 x 4 points.
-        let parts = if self.body.border.ended().is_some() { 2.0 } else { 1.0 };
+        let parts = if self.body.border.bonds().is_some() { 2.0 } else { 1.0 };
         parts * calibration_error(self)
     }
 
@@ -220,6 +226,10 @@ impl Breakable<3> for BeamBondOrthotropic {
 
     fn ends(&self, bond: u64) -> [usize; 2] {
         self.body.ends(bond)
+    }
+
+    fn offset(&self, bond: u64) -> usize {
+        self.body.offset_of(bond)
     }
 
     fn for_each_ratio(&self, u: &[f64], critical: &CriticalStretch, visit: &mut dyn FnMut(u64, f64)) {

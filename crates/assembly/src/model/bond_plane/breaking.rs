@@ -22,6 +22,13 @@ impl Breakable<2> for BondPlane {
         }
     }
 
+    fn offset(&self, bond: u64) -> usize {
+        match &self.body {
+            Body::Lattice(body) => body.offset_of(bond),
+            Body::Cloud(_) => 0,
+        }
+    }
+
     fn for_each_ratio(&self, u: &[f64], critical: &CriticalStretch, visit: &mut dyn FnMut(u64, f64)) {
         match &self.body {
             Body::Lattice(body) => body.for_each_ratio(u, critical, visit),

@@ -125,6 +125,15 @@ impl BondPlane {
         self
     }
 
+    /// The same body, able to break: what a border leaves to the cells that it cuts is taken apart by the directions of bonds.
+    #[must_use]
+    pub fn breaking(mut self) -> Self {
+        if let Body::Lattice(body) = self.body {
+            self.body = Body::Lattice(body.breaking());
+        }
+        self
+    }
+
     /// The parameters.
     pub fn parameters(&self) -> &PlaneParameters {
         &self.parameters

@@ -52,17 +52,15 @@ impl BondPlane {
     /// part that it is of a whole one; none leaves it out.
     pub fn ended_bonds(&self, mut law: impl FnMut(&[u32], f64) -> Option<usize>) -> Vec<EndedBond<2>> {
         let Body::Lattice(body) = &self.body else { return Vec::new() };
-        let Some(border) = body.border.ended() else { return Vec::new() };
+        let Some(border) = body.border.bonds() else { return Vec::new() };
         let mut list = Vec::new();
         for (k, of) in border.kinds.iter().enumerate() {
             let part = of.share;
             let shares: Vec<(u32, f64)> = border.bonds.difference(k).collect();
             let points: Vec<u32> = shares.iter().map(|s| s.0).collect();
-            let (Some(law), Some(foremost)) = (law(&points, part), border.bonds.foremost(k)) else {
-                continue;
-            };
+            let Some(law) = law(&points, part) else { continue };
             let bond = HistoryBond {
-                points: foremost.map(|p| p as u32),
+                points: of.foremost,
                 direction: border.bonds.rows(k).difference[0],
                 length: part * length(&body.lattice, body.hood.offsets[of.offset as usize]),
                 stiffness: border.bonds.moduli(k)[0],

@@ -83,7 +83,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 factors = edge_factors(&lattice, &mirrors, &hood, &kind, &near);
             }
             Edges::Border | Edges::Overlay => {
-                if border.cut().is_none() {
+                if !border.is_cut() {
                     factors.exceptions = reduced(&lattice, &hood);
                     near = with_neighbours(&lattice, &hood, near);
                 }
@@ -97,7 +97,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
         let grid =
             |exceptions: &[Exception]| Arc::new(grid(&lattice, &hood, &factors.base, &kind.bond, exceptions));
-        exceptions.extend(border.gaps());
+        exceptions.extend(&border.gaps);
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
@@ -105,7 +105,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             exceptions.extend(halved(&lattice, &mirrors, &hood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
-        let uncorrected = border.lost().unwrap_or(triangles.uncorrected);
+        let uncorrected = if border.is_none() { triangles.uncorrected } else { border.lost };
         let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
         Self {
             lattice,
@@ -171,11 +171,11 @@ fn completing<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M,
     points: Vec<usize>,
     cuts: &HashSet<(usize, usize)>,
 ) -> Overlay<D, S> {
-    let Some(cut) = border.cut() else {
-        return overlay(lattice, bonds, points.into_iter(), cuts, border.gaps());
+    let Some(strains) = &border.strains else {
+        return overlay(lattice, bonds, points.into_iter(), cuts, &border.gaps);
     };
-    let untold = points.into_iter().filter(|&point| !cut.strains.tells(point));
-    overlay(&lattice.clone().with_whole_cells(), bonds, untold, cuts, border.gaps())
+    let untold = points.into_iter().filter(|&point| !strains.tells(point));
+    overlay(&lattice.clone().with_whole_cells(), bonds, untold, cuts, &border.gaps)
 }
 
 /// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.

@@ -2,9 +2,10 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
-use super::edges::Completion;
+use super::edges::{By, Completion, overlay};
 use super::geometry;
 use super::near::at;
+use crate::body::SquareLattice;
 use crate::stiffness::{Bond, Bonds, Families, Family, GridBonds, Term};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -16,10 +17,28 @@ use std::sync::Arc;
 pub struct CriticalStretch(pub Vec<f64>);
 
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
+    /// The same body, able to break: what a border leaves to the triangles that it cuts is taken apart into springs by the
+    /// directions of bonds. It resists as before.
+    pub(in super::super) fn breaking(mut self) -> Self {
+        if self.border.is_cut() {
+            let cuts = self.cuts.iter().copied().collect();
+            let (body, bonds) = ((&*self.lattice, &self.mirrors), (&self.hood, &self.kind.bond));
+            self.border = Completion::breaking(body, bonds, &cuts);
+            // Strains that follow from both sides of a crack are forgotten: then triangles tell the stress.
+            let told: Vec<usize> = self.border.strains.iter().flat_map(|strains| strains.points()).collect();
+            let gaps = &self.border.gaps;
+            let whole = SquareLattice::clone(&self.lattice).with_whole_cells();
+            let own = overlay(&whole, bonds, told.into_iter(), &cuts, gaps).triangles;
+            let all = self.triangles.list().iter().copied().chain(own).collect();
+            self.triangles = Arc::new(Families::new(self.lattice.points(), all));
+        }
+        self
+    }
+
     /// Above the number of any bond: a bond has the number `offset · points + lower point`, the offset that of the
     /// neighbourhood; behind them are those that end on the border.
     pub(in super::super) fn bond_numbers(&self) -> u64 {
-        (self.whole_bonds() + self.border.ended().map_or(0, |border| border.bonds.count())) as u64
+        (self.whole_bonds() + self.border.bonds().map_or(0, |border| border.bonds.count())) as u64
     }
 
     /// Above the number of any bond between two points.
@@ -39,11 +58,19 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn ends(&self, bond: u64) -> [usize; 2] {
         let (bond, points) = (bond as usize, self.lattice.points());
         if let Some(ended) = bond.checked_sub(self.whole_bonds()) {
-            return self.border.ended().and_then(|border| border.bonds.foremost(ended)).unwrap_or_default();
+            let kind = self.border.bonds().and_then(|border| border.kinds.get(ended));
+            return kind.map_or([0; 2], |kind| kind.foremost.map(|p| p as usize));
         }
         let (offset, lower) = (bond / points, bond % points);
         let upper = self.lattice.number(at(self.lattice.cell(lower), self.hood.offsets[offset], true));
         [lower, upper.unwrap_or(lower)]
+    }
+
+    /// Index of the offset of a bond.
+    pub(in super::super) fn offset_of(&self, bond: u64) -> usize {
+        let kinds = self.border.bonds().map_or(&[][..], |border| &border.kinds);
+        let ended = (bond as usize).checked_sub(self.whole_bonds()).and_then(|ended| kinds.get(ended));
+        ended.map_or(bond as usize / self.lattice.points(), |kind| kind.offset as usize)
     }
 
     pub(in super::super) fn for_each_ratio(
@@ -67,7 +94,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 visit((offsets[index] * points + lower) as u64, ratio);
             }
         });
-        if let Some(border) = self.border.ended() {
+        if let Some(border) = self.border.bonds() {
             let whole = self.whole_bonds() as u64;
             let body = (&*self.lattice, &self.hood, &self.kind.bond);
             border.for_each_ratio(body, (u, &critical.0), &mut |k, ratio| visit(whole + k as u64, ratio));
@@ -86,7 +113,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let (between, ended) = self.sorted(bonds);
         let listed = self.listed(&between);
         let n = self.lattice.points();
-        let completing: Box<dyn Term<D>> = match self.border.ended() {
+        let completing: Box<dyn Term<D>> = match self.border.bonds() {
             Some(border) => Box::new(border.bonds.part(&self.with_spanning(ended, &listed))),
             None => Box::new(Families::new(n, spanning(&self.triangles, &listed))),
         };
@@ -101,8 +128,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         assert!(self.ghosts.is_empty(), "the image of a bond would not break with it");
         let (between, ended) = self.sorted(bonds);
         let broken = self.listed(&between);
+        let parted = self.parted(&ended, &broken);
         let ended = self.with_spanning(ended, &broken);
-        if let Completion::Ended(border) = &mut self.border
+        if let Some(strains) = &mut self.border.strains {
+            strains.forget(&parted);
+        }
+        if let By::Bonds(border) = &mut self.border.by
             && !ended.is_empty()
         {
             Arc::make_mut(&mut border.bonds).remove(&ended);
@@ -111,7 +142,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let of_grid = |&(offset, lower): &(usize, usize)| Some((classes[offset]?, lower));
         let grid: Vec<(usize, usize)> = between.iter().filter_map(of_grid).collect();
         Arc::<GridBonds<D, M, B>>::make_mut(&mut self.bonds).break_bonds(grid);
-        remove_spanning(&mut self.triangles, &broken);
+        remove_spanning(&mut self.triangles, &parted);
         self.cuts.extend(between);
     }
 
@@ -121,11 +152,18 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         bonds.iter().filter_map(|&(offset, lower)| self.bonds.bond(classes[offset]?, lower)).collect()
     }
 
+    /// Pairs of points that some bonds between them joined, or beside a border springs of the same length.
+    fn parted(&self, ended: &[usize], broken: &[Bond<D, M>]) -> HashSet<[u32; 2]> {
+        let kinds = self.border.bonds().map_or(&[][..], |border| &border.kinds);
+        let springs = ended.iter().map(|&bond| &kinds[bond]).filter(|kind| kind.share == 1.0);
+        let joined = springs.map(|kind| kind.foremost).map(|[a, b]| [a.min(b), a.max(b)]);
+        broken.iter().map(|bond| bond.points).chain(joined).collect()
+    }
+
     /// Some bonds that end on the border, and those that broken ones take with them.
     fn with_spanning(&self, mut ended: Vec<usize>, broken: &[Bond<D, M>]) -> Vec<usize> {
-        if let Some(border) = self.border.ended() {
-            let pairs: Vec<[u32; 2]> = broken.iter().map(|bond| bond.points).collect();
-            ended.extend(border.spanning(&self.lattice, &pairs));
+        if let Some(border) = self.border.bonds() {
+            ended.extend(border.spanning(&self.lattice, &self.parted(&ended, broken)));
             ended.sort_unstable();
             ended.dedup();
         }
@@ -145,14 +183,13 @@ pub(in super::super) fn spanning<const D: usize, const M: usize, const S: usize>
     triangles.list().iter().filter(|t| spans(t, &pairs)).copied().collect()
 }
 
-/// Removes the triangles that span one of some bonds.
-pub(in super::super) fn remove_spanning<const D: usize, const M: usize, const S: usize>(
+/// Removes the triangles that have one of some pairs of points for a side.
+pub(in super::super) fn remove_spanning<const D: usize, const S: usize>(
     triangles: &mut Arc<Families<D, S, 2>>,
-    bonds: &[Bond<D, M>],
+    pairs: &HashSet<[u32; 2]>,
 ) {
     if !triangles.list().is_empty() {
-        let pairs: HashSet<[u32; 2]> = bonds.iter().map(|b| b.points).collect();
-        Arc::make_mut(triangles).retain(|t| !spans(t, &pairs));
+        Arc::make_mut(triangles).retain(|t| !spans(t, pairs));
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
-use super::edges::{Completion, modulus};
+use super::edges::{By, modulus};
 use super::geometry;
 use crate::bonds::{Mat, add};
-use crate::stiffness::Families;
+use crate::stiffness::{Families, WideFamilies};
 use rayon::prelude::*;
 use std::array::from_fn;
 use std::ops::Range;
@@ -62,6 +62,24 @@ pub(in super::super) fn add_work_of_triangles<const D: usize, const S: usize>(
     }
 }
 
+/// Adds the forces that do the work of families of any size in strains `t` of the points, three planes, as far as they move them.
+fn add_strain_work_of<const D: usize, const S: usize>(
+    families: &WideFamilies<D, S>,
+    t: &[f64],
+    force: &mut [f64],
+) {
+    let n = t.len() / 3;
+    for family in 0..families.count() {
+        let mut strain = [0.0; S];
+        for member in families.members(family) {
+            (0..3).for_each(|q| strain[q] += member.share * t[q * n + member.point as usize]);
+        }
+        if strain != [0.0; S] {
+            families.add_work(family, &families.stress(family, &strain), force);
+        }
+    }
+}
+
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
     /// Stresses and energy densities of a state: the virial `σ_k = (1/V_k) [½ Σ_j Uᵀ c s + Σ D E/n]` of bonds with the
     /// measures s, `U E` in a uniform state E, and of triangles.
@@ -71,7 +89,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let mut sums = self.whole().sums::<3>(u, &self.virial_shares(1.0 / volume));
         sums[3 * n..].par_iter_mut().with_min_len(4096).for_each(|energy| *energy /= volume);
         // Beside a border that is completed a point stands for a whole cell of its stress.
-        let follows = self.border.cut().is_some();
+        let follows = self.border.is_cut();
         let cut_cells = if follows { &[] } else { self.lattice.cut_cells() };
         for &(point, part) in cut_cells {
             (0..4).for_each(|q| sums[q * n + point as usize] /= part);
@@ -79,9 +97,9 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         self.ghosts.iter().for_each(|&g| (0..4).for_each(|q| sums[q * n + g as usize] = 0.0));
         let of_point = |point| if follows { volume } else { self.real_volume(point) };
         let mut fields = PlaneFields::with_triangles(sums, &self.triangles, of_point, u);
-        if let Some(cut) = self.border.cut() {
+        if let Some(strains) = &self.border.strains {
             let c = self.stiffness();
-            cut.strains.for_each((n, u), &mut |point, strain| {
+            strains.for_each((n, u), &mut |point, strain| {
                 let stress: [f64; 3] = from_fn(|q| (0..3).map(|k| c[q][k] * strain[k]).sum());
                 (0..3).for_each(|q| fields.stress[q][point] = stress[q]);
                 fields.energy_density[point] = (0..3).map(|q| 0.5 * stress[q] * strain[q]).sum();
@@ -108,7 +126,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         force: &mut [f64],
     ) {
         let n = self.lattice.points();
-        if !matches!(self.border, Completion::Points) {
+        if !self.border.is_none() {
             for &ghost in &self.ghosts {
                 let (image, [x, y]) = self.mirrors.image(self.lattice.cell(ghost as usize));
                 let real = self.lattice.number(image);
@@ -118,16 +136,16 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 (0..3).for_each(|q| t[q * n + ghost as usize] = strain[q]);
             }
         }
-        match &self.border {
-            Completion::Points => {}
-            Completion::Ended(border) => {
+        match &self.border.by {
+            By::Points => {}
+            By::Bonds(border) => {
                 border.add_strain_work((&self.lattice, &self.hood, &self.kind.bond), t, force);
             }
-            Completion::Cut(cut) => cut.add_strain_work(t, force),
+            By::Triangles(families) => add_strain_work_of(families, t, force),
         }
         self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
         self.whole().add_work::<3>(t, &self.spans(points), &self.virial_shares(1.0), force);
-        if matches!(self.border, Completion::Points) {
+        if self.border.is_none() {
             add_work_of_triangles(&self.triangles, t, force);
         }
     }

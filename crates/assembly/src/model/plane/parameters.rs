@@ -20,8 +20,8 @@ pub enum Calibration {
 #[serde(rename_all = "snake_case")]
 pub enum Edges {
     /// Bonds that leave the body end on its border, which moves with the points beside it; where the border cuts cells, triangles
-    /// have the parts that lie in the body: every uniform stress is in equilibrium. Where single rows stand alone, with
-    /// horizons above ten spacings, and in bodies that break with cells that are cut, it is the overlay.
+    /// have the parts that lie in the body: every uniform stress is in equilibrium. Where single rows stand alone and
+    /// with horizons above ten spacings it is the overlay.
     Border,
     /// Triangles with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.
     Overlay,

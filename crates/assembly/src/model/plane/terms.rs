@@ -2,7 +2,7 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
-use super::edges::{BorderShares, Completion, border_shares, cut_shares};
+use super::edges::{BorderShares, By, border_shares, cut_shares};
 use crate::model::ModelSizes;
 use crate::stiffness::Term;
 
@@ -13,40 +13,40 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         if self.completing() == 0 {
             return terms;
         }
-        terms.push(match &self.border {
-            Completion::Points => Box::new(self.triangles.clone()),
-            Completion::Ended(border) => Box::new(border.bonds.clone()),
-            Completion::Cut(cut) => Box::new(cut.families.clone()),
+        terms.push(match &self.border.by {
+            By::Points => Box::new(self.triangles.clone()),
+            By::Bonds(border) => Box::new(border.bonds.clone()),
+            By::Triangles(families) => Box::new(families.clone()),
         });
         terms
     }
 
     /// Number of elements that complete edges.
     pub(in super::super) fn completing(&self) -> usize {
-        match &self.border {
-            Completion::Points => self.triangles.list().len(),
-            Completion::Ended(border) => border.bonds.count(),
-            Completion::Cut(cut) => cut.families.count(),
+        match &self.border.by {
+            By::Points => self.triangles.list().len(),
+            By::Bonds(border) => border.bonds.count(),
+            By::Triangles(families) => families.count(),
         }
     }
 
-    /// How places on the border move, where bonds end on it.
+    /// How places on the border move, where bodies end on it.
     pub(in super::super) fn border_shares(&self) -> Option<BorderShares<'_>> {
         let cuts = || self.cuts.iter().copied().collect();
-        match &self.border {
-            Completion::Points => None,
-            Completion::Ended(_) => Some(border_shares(&self.lattice, &self.mirrors, &self.hood, cuts())),
-            Completion::Cut(_) => Some(cut_shares(&self.lattice, &self.mirrors, &self.hood, cuts())),
+        match (self.border.is_none(), self.border.is_cut()) {
+            (true, _) => None,
+            (_, false) => Some(border_shares(&self.lattice, &self.mirrors, &self.hood, cuts())),
+            (_, true) => Some(cut_shares(&self.lattice, &self.mirrors, &self.hood, cuts())),
         }
     }
 
     /// Their sizes.
     pub(in super::super) fn sizes(&self) -> ModelSizes {
         let bonds = ModelSizes::of(&self.bonds, self.bonds.elements());
-        bonds.join(match &self.border {
-            Completion::Points => ModelSizes::of(&self.triangles, 3 * self.triangles.elements()),
-            Completion::Ended(border) => ModelSizes::of(&border.bonds, border.bonds.pairs()),
-            Completion::Cut(cut) => ModelSizes::of(&cut.families, cut.families.pairs()),
+        bonds.join(match &self.border.by {
+            By::Points => ModelSizes::of(&self.triangles, 3 * self.triangles.elements()),
+            By::Bonds(border) => ModelSizes::of(&border.bonds, border.bonds.pairs()),
+            By::Triangles(families) => ModelSizes::of(families, families.pairs()),
         })
     }
 }

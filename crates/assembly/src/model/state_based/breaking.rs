@@ -99,6 +99,10 @@ impl<const REVOLVED: bool> Breakable<2> for StateBased<REVOLVED> {
         [lower, self.body.upper(offset, lower).unwrap_or(lower)]
     }
 
+    fn offset(&self, bond: u64) -> usize {
+        self.place_of(bond).0
+    }
+
     fn for_each_ratio(&self, u: &[f64], critical: &CriticalStretch, visit: &mut dyn FnMut(u64, f64)) {
         let Some(bonds) = self.body.term.bonds() else { return };
         let (lattice, mirrors) = (&self.body.lattice, &self.body.mirrors);

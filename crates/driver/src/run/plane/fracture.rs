@@ -49,8 +49,7 @@ where
     fn facts(&self, broken: &[u64]) -> Vec<(String, f64)> {
         let (model, mut facts) = (&self.problem.model, Vec::new());
         if !self.fracture.fibres.is_empty() {
-            let offset = |bond: u64| bond as usize / model.point_count();
-            let fibres = broken.iter().filter(|&&bond| self.fracture.fibres[offset(bond)]).count();
+            let fibres = broken.iter().filter(|&&bond| self.fracture.fibres[model.offset(bond)]).count();
             facts.push(("broken_fibre_bonds".into(), fibres as f64));
         }
         for part in &self.fracture.directions {

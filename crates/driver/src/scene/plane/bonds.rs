@@ -73,6 +73,15 @@ impl AnyPlaneModel {
             Self::State(_) | Self::Revolved(_) | Self::Shell(_) => self,
         }
     }
+
+    /// The same body, able to break: what a border leaves to the cells that it cuts breaks with the bonds.
+    pub(super) fn breaking(self) -> Self {
+        match self {
+            Self::Central(model) => Self::Central(model.breaking()),
+            Self::Beams(model) => Self::Beams(model.breaking()),
+            Self::State(_) | Self::Revolved(_) | Self::Shell(_) => self,
+        }
+    }
 }
 
 /// Why a model of a body in the plane cannot be made.

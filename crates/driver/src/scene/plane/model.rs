@@ -27,6 +27,8 @@ pub(super) struct Recipe {
     pub(super) bonds: PlaneBonds,
     /// Horizon, m.
     pub(super) horizon: f64,
+    /// Whether its bonds break or soften.
+    pub(super) breaks: bool,
 }
 
 impl Recipe {
@@ -52,7 +54,8 @@ impl Recipe {
                     cracks.iter().any(|crack| crack.cuts(ends[0], ends[1], slack))
                 };
                 let model = self.bonds.on_lattice(lattice, mirrors, &cuts, &separated)?;
-                Ok(model.never_joined(&apart.into_inner()))
+                let model = model.never_joined(&apart.into_inner());
+                Ok(if self.breaks { model.breaking() } else { model })
             }
             PlaneBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();

@@ -61,16 +61,7 @@ pub(super) fn parameters(
             .hint("compare displacements, or stresses ahead of the tip");
         fine = false;
     }
-    if case.fracture.is_some() && model.edges == Some(Edges::Border) {
-        faults
-            .error(
-                root("model").key("beam_bond_orthotropic").key("edges"),
-                "bonds that end on the border do not break",
-            )
-            .hint("use `none`, the default of bodies that break, or `overlay`");
-        fine = false;
-    }
-    let plain = model.calibration == Calibration::Published || case.fracture.is_some();
+    let plain = model.calibration == Calibration::Published;
     let edges = *model.edges.get_or_insert(if plain { Edges::None } else { Edges::Border });
     if !fine {
         return None;

@@ -83,7 +83,8 @@ pub(super) fn parts(
         }
         body => body,
     };
-    let recipe = Recipe { body, file, symmetry, bearings: Vec::new(), bonds, horizon };
+    let breaks = case.fracture.is_some() || case.path.is_some();
+    let recipe = Recipe { body, file, symmetry, bearings: Vec::new(), bonds, horizon, breaks };
     Some(Parts { recipe, outline, curves, cracks })
 }
 
@@ -95,15 +96,12 @@ fn completed(
     (mirrors, ratio): (&Mirrors, f64),
     faults: &mut Faults,
 ) -> PlaneBonds {
-    // Triangles of blocks that a border cuts do not break, and are not measured with points that turn.
-    let can_follow = case.fracture.is_none() && case.path.is_none();
     let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
-    let can_end =
-        lattice.is_some_and(|lattice| (!is_cut || can_follow) && has_border(lattice, mirrors, ratio as i32));
+    let can_end = lattice.is_some_and(|lattice| has_border(lattice, mirrors, ratio as i32));
     if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
         return bonds;
     }
-    if is_cut && can_follow && !can_end && bonds.edges() == Some(Edges::Border) {
+    if is_cut && !can_end && bonds.edges() == Some(Edges::Border) {
         let (why, hint) = match mirrors.joined {
             _ if ratio >= f64::from(FARTHEST + 1) => {
                 ("the horizon is too long to follow it", "use a horizon of ten spacings at most")

@@ -59,6 +59,6 @@ impl CloudBody {
             self.lost[j] += part * self.areas[i];
         }
         Arc::make_mut(&mut self.bonds).retain(|bond| !gone.contains(&bond.points));
-        remove_spanning(&mut self.triangles, &broken);
+        remove_spanning(&mut self.triangles, &broken.iter().map(|bond| bond.points).collect());
     }
 }

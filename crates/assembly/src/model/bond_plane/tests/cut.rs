@@ -4,8 +4,9 @@ use super::super::*;
 use super::bodies::*;
 use super::mirrors::compare;
 use super::patch::{STRAINS, check_rigid};
+use crate::model::Breakable;
 use crate::body::{Crack, Hole, Outline, Polygon, Shape, cut_bonds};
-use crate::model::plane::{Edges, Mirrors, PlaneModel};
+use crate::model::plane::{CriticalStretch, Edges, Mirrors, PlaneModel};
 use crate::quadrature::GAUSS;
 
 fn bordered(m: f64) -> PlaneParameters {
@@ -180,6 +181,57 @@ fn stresses_of_uniform_strains_are_exact() {
                     assert!(difference(&load, &internal) < 1e-12 * largest(&internal), "{name}");
                 }
             }
+        }
+    }
+}
+
+/// Springs by the directions of bonds are the triangles, taken apart.
+#[test]
+fn a_body_that_can_break_resists_as_before() {
+    for m in [2.0, 3.0, 4.0] {
+        for (name, outline) in outlines() {
+            for lattice in filled(&outline) {
+                let elastic = plane(&lattice, bordered(m));
+                let breaking = elastic.clone().breaking();
+                let u = random(2 * elastic.point_count());
+                let [expected, found] = [&elastic, &breaking].map(|plane| force(plane, &u));
+                // 1e-15 is found.
+                assert!(difference(&expected, &found) < 1e-13 * largest(&expected), "{name} {m}");
+                let [expected, found] = [&elastic, &breaking].map(|plane| plane.fields(&u).stress);
+                for (expected, found) in expected.iter().zip(&found) {
+                    assert!(difference(expected, found) < 1e-13 * largest(expected), "{name} {m}");
+                }
+                assert!(breaking.completing() > 2 * elastic.completing(), "{name} {m}");
+            }
+        }
+    }
+}
+
+/// Broken bonds take the springs with them whose corners move with points on both sides: nothing is left between two parts.
+#[test]
+fn a_body_breaks_from_border_to_border() {
+    for (name, outline) in outlines() {
+        for lattice in filled(&outline) {
+            let mut plane = plane(&lattice, bordered(3.0)).breaking();
+            let n = plane.point_count();
+            let above = |p: usize| plane.place(p)[1] > 10.13 + 0.05 * plane.place(p)[0];
+            let (mut u, rises) = (vec![0.0; 2 * n], (0..n).filter(|&p| above(p)).collect::<Vec<_>>());
+            rises.iter().for_each(|&p| u[n + p] = 1.0);
+            let before = energy(&plane, &u);
+            let is_across = |&bond: &u64| {
+                let [a, b] = plane.ends(bond);
+                a != b && above(a) != above(b)
+            };
+            let mut broken: Vec<u64> = (0..plane.bond_numbers()).filter(is_across).collect();
+            let critical = CriticalStretch(vec![1e-6; 14]);
+            plane.for_each_ratio(&u, &critical, &mut |bond, ratio| if ratio > 1.0 { broken.push(bond) });
+            broken.sort_unstable();
+            broken.dedup();
+            plane.break_bonds(&broken);
+            // 1e-30 of it is found.
+            assert!(energy(&plane, &u) < 1e-20 * before, "{name}: {:e}", energy(&plane, &u) / before);
+            let stress = plane.fields(&u).stress;
+            assert!(stress.iter().all(|s| largest(s) < 1e-9), "{name}: {:e}", largest(&stress[1]));
         }
     }
 }

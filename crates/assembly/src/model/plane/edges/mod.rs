@@ -7,9 +7,11 @@ mod factors;
 mod overlay;
 mod triangle;
 
-pub(super) use border::{BorderBonds, border_shares};
+pub(in super::super) use border::BorderBonds;
+pub(super) use border::border_shares;
 pub use border::{BorderShares, FARTHEST};
-pub(super) use cut::{CutBorder, cut_shares, modulus};
+pub(in super::super) use cut::Strains;
+pub(super) use cut::{cut_shares, modulus};
 pub(super) use factors::{EdgeFactors, edge_factors};
 pub(in super::super) use factors::{energy_factor, volume_factor};
 pub(super) use overlay::{Overlay, overlay};
@@ -19,8 +21,9 @@ use super::bond::PlaneBond;
 use super::neighbourhood::Neighbourhood;
 use super::{Edges, Mirrors};
 use crate::body::SquareLattice;
-use crate::stiffness::Exception;
+use crate::stiffness::{Exception, WideFamilies};
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// Whether the border of a lattice can be completed by what moves with it: all cells are whole and belong to blocks of four, or
 /// the parts of blocks that are in the body are known and every point has its part; bonds reach no farther than [`FARTHEST`].
@@ -31,58 +34,64 @@ pub fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, reach: i32) -> boo
 
 /// What completes the border of a lattice.
 #[derive(Clone, Debug)]
-pub(in super::super) enum Completion<const D: usize, const M: usize, const S: usize> {
-    /// Nothing does; triangles may complete the points beside it.
+pub(in super::super) struct Completion<const D: usize, const M: usize, const S: usize> {
+    pub(in super::super) by: By<D, M, S>,
+    /// Bonds between points that give way to it.
+    pub(in super::super) gaps: Vec<Exception>,
+    /// Number of its elements that are left out, because the body is too thin there to tell how they move.
+    pub(in super::super) lost: usize,
+    /// Strains of the points that lack bonds, where the border cuts cells.
+    pub(in super::super) strains: Option<Strains>,
+}
+
+/// What takes the place of bonds that a border cuts off.
+#[derive(Clone, Debug)]
+pub(in super::super) enum By<const D: usize, const M: usize, const S: usize> {
+    /// Nothing on the border; triangles may complete the points beside it.
     Points,
-    /// Bonds that end on it.
-    Ended(BorderBonds<D, M>),
+    /// Bonds that end on the border, or springs in the triangles that it cuts.
+    Bonds(BorderBonds<D, M>),
     /// Triangles that it cuts.
-    Cut(Box<CutBorder<D, S>>),
+    Triangles(Arc<WideFamilies<D, S>>),
 }
 
 impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {
     /// That of a body with some edges; `near` are the points within reach of its border.
     pub(super) fn new<B: PlaneBond<D, M, S>>(
-        (lattice, mirrors): (&SquareLattice, &Mirrors),
-        (hood, bond): (&Neighbourhood<M>, &B),
+        body: (&SquareLattice, &Mirrors),
+        bonds: (&Neighbourhood<M>, &B),
         edges: Edges,
         near: &[usize],
         cuts: &HashSet<(usize, usize)>,
     ) -> Self {
-        match (edges, lattice.blocks()) {
-            (Edges::Border, []) => {
-                Self::Ended(border::border_bonds(lattice, mirrors, (hood, bond), near, cuts))
-            }
-            (Edges::Border, _) => Self::Cut(Box::new(cut::cut_border(lattice, mirrors, (hood, bond), cuts))),
-            _ => Self::Points,
+        match (edges, body.0.blocks()) {
+            (Edges::Border, []) => border::completed(body, bonds, near, cuts),
+            (Edges::Border, _) => cut::completed(body, bonds, cuts, false),
+            _ => Self { by: By::Points, gaps: Vec::new(), lost: 0, strains: None },
         }
+    }
+
+    /// The same where bodies break: what the border cuts is taken apart into springs by the directions of bonds.
+    pub(super) fn breaking<B: PlaneBond<D, M, S>>(
+        body: (&SquareLattice, &Mirrors),
+        bonds: (&Neighbourhood<M>, &B),
+        cuts: &HashSet<(usize, usize)>,
+    ) -> Self {
+        cut::completed(body, bonds, cuts, true)
+    }
+
+    /// Whether the border cuts cells, and the body ends on it.
+    pub(in super::super) fn is_cut(&self) -> bool {
+        self.strains.is_some()
+    }
+
+    /// Whether nothing on the border takes the place of bonds.
+    pub(in super::super) fn is_none(&self) -> bool {
+        matches!(self.by, By::Points)
     }
 
     /// The bonds that end on the border.
-    pub(in super::super) fn ended(&self) -> Option<&BorderBonds<D, M>> {
-        if let Self::Ended(border) = self { Some(border) } else { None }
-    }
-
-    /// The triangles that the border cuts.
-    pub(super) fn cut(&self) -> Option<&CutBorder<D, S>> {
-        if let Self::Cut(cut) = self { Some(cut) } else { None }
-    }
-
-    /// Bonds between points that give way to something else.
-    pub(super) fn gaps(&self) -> &[Exception] {
-        match self {
-            Self::Points => &[],
-            Self::Ended(border) => &border.gaps,
-            Self::Cut(cut) => &cut.gaps,
-        }
-    }
-
-    /// Number of its elements that are left out, because the body is too thin there.
-    pub(super) fn lost(&self) -> Option<usize> {
-        match self {
-            Self::Points => None,
-            Self::Ended(border) => Some(border.lost),
-            Self::Cut(cut) => Some(cut.lost),
-        }
+    pub(in super::super) fn bonds(&self) -> Option<&BorderBonds<D, M>> {
+        if let By::Bonds(bonds) = &self.by { Some(bonds) } else { None }
     }
 }

@@ -19,6 +19,7 @@ use super::super::bond::PlaneBond;
 use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
 use super::super::{Mirrors, geometry};
+use super::{By, Completion};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, Mat};
 use crate::stiffness::{Exception, PlacedBond, PlacedBonds};
@@ -35,10 +36,6 @@ pub(in super::super::super) struct BorderBonds<const D: usize, const M: usize> {
     pub(in super::super::super) bonds: Arc<PlacedBonds<D, M>>,
     /// What whole bonds they are parts of.
     pub(in super::super::super) kinds: Vec<PartOfBond>,
-    /// Bonds between points that pass cells which are not there: they are none.
-    pub(in super::super) gaps: Vec<Exception>,
-    /// Cells at whose border bonds are left out, because the body is too thin there to tell how it moves.
-    pub(in super::super) lost: usize,
 }
 
 /// What a bond that ends on the border is a part of.
@@ -50,6 +47,8 @@ pub(in super::super::super) struct PartOfBond {
     pub(in super::super::super) share: f64,
     /// The point that it begins or ends at, if there is one.
     pub(in super::super::super) start: Option<u32>,
+    /// The two points that have the largest parts in the relative displacement of its ends, one on either side.
+    pub(in super::super::super) foremost: [u32; 2],
 }
 
 /// Reach of bonds, rows or columns, up to which they end on the border: their number grows with its third power.
@@ -71,18 +70,12 @@ pub(super) fn can_end(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
 }
 
 /// Builds the bonds that end on the border; `near` are the points within reach of it.
-pub(in super::super) fn border_bonds<
-    const D: usize,
-    const M: usize,
-    const S: usize,
-    B: PlaneBond<D, M, S>,
->(
-    lattice: &SquareLattice,
-    mirrors: &Mirrors,
+pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
+    (lattice, mirrors): (&SquareLattice, &Mirrors),
     (hood, bond): (&Neighbourhood<M>, &B),
     near: &[usize],
     cuts: &HashSet<(usize, usize)>,
-) -> BorderBonds<D, M> {
+) -> Completion<D, M, S> {
     let nodes = Nodes::new(Cells { lattice, mirrors, hood, cuts: Cow::Borrowed(cuts) });
     let cells = &nodes.cells;
     let mut bonds = PlacedBonds::new(lattice.points());
@@ -110,11 +103,12 @@ pub(in super::super) fn border_bonds<
             let moduli = std::array::from_fn(|m| part * hood.weights[offset][m] * unit[m]);
             // Only rotations are read on the mean.
             let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
-            bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
-            kinds.push(PartOfBond { offset: offset as u32, share, start: run.point(cells) });
+            let foremost = bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
+            kinds.push(PartOfBond { offset: offset as u32, share, start: run.point(cells), foremost });
         });
     }
-    BorderBonds { bonds: Arc::new(bonds), kinds, gaps, lost: lost.len() }
+    let by = By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds });
+    Completion { by, gaps, lost: lost.len(), strains: None }
 }
 
 impl<const D: usize, const M: usize> BorderBonds<D, M> {
@@ -140,7 +134,7 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
 
     /// The bonds that some broken ones between neighbouring points take with them: their ends would move with points on both
     /// sides of a crack.
-    pub(in super::super) fn spanning(&self, lattice: &SquareLattice, broken: &[[u32; 2]]) -> Vec<usize> {
+    pub(in super::super) fn spanning(&self, lattice: &SquareLattice, broken: &HashSet<[u32; 2]>) -> Vec<usize> {
         let is_next = |pair: &&[u32; 2]| {
             let [a, b] = pair.map(|p| lattice.cell(p as usize));
             (0..2).all(|k| (a[k] - b[k]).abs() <= 1)

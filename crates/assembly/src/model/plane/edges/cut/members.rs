@@ -7,7 +7,7 @@ use super::corners::Corners;
 use super::plus;
 use crate::body::Cell;
 use crate::bonds::Mat;
-use crate::stiffness::WideMember;
+use crate::stiffness::{Place, WideMember};
 
 /// Corners of a triangle, that with its right angle first.
 pub(super) fn corners_of(at: Cell, triangle: usize) -> [Cell; 3] {
@@ -41,12 +41,9 @@ pub(super) fn members<const D: usize, const M: usize, const S: usize, B: PlaneBo
     let sum: Mat<S, D> = combined(&others[0], &others[1], 1.0);
     let rows =
         [combined(&third, &sum, -1.0), combined(&third, &others[0], 1.0), combined(&third, &others[1], 1.0)];
-    let inside = cells.into_iter().find(|cell| corners.blocks.has(*cell));
-    let from = inside.or_else(|| next_point(corners, cells[0]))?;
     let mut members: Vec<WideMember<D, S>> = Vec::new();
-    for (cell, rows) in cells.into_iter().zip(rows) {
-        for (cell, share) in corners.corner(cell, from)? {
-            let point = lattice.number(cell)? as u32;
+    for (shares, rows) in corner_shares(corners, cells)?.iter().zip(rows) {
+        for &(point, share) in shares {
             let index = members.iter().position(|m| m.point == point).unwrap_or_else(|| {
                 members.push(WideMember { point, share: 0.0, rows: [[0.0; D]; S] });
                 members.len() - 1
@@ -56,6 +53,16 @@ pub(super) fn members<const D: usize, const M: usize, const S: usize, B: PlaneBo
         }
     }
     Some((members, own))
+}
+
+/// Points and their shares in the displacement of every corner of a triangle; none if one cannot be told.
+pub(super) fn corner_shares(corners: &Corners, cells: [Cell; 3]) -> Option<[Place; 3]> {
+    let inside = cells.into_iter().find(|cell| corners.blocks.has(*cell));
+    let from = inside.or_else(|| next_point(corners, cells[0]))?;
+    let named = |(cell, share): (Cell, f64)| Some((corners.blocks.lattice.number(cell)? as u32, share));
+    let of = |cell: Cell| corners.corner(cell, from)?.into_iter().map(named).collect::<Option<Place>>();
+    let [a, b, c] = cells.map(of);
+    Some([a?, b?, c?])
 }
 
 /// A sum of rows, the second ones times a factor.

@@ -7,7 +7,8 @@
 //! area, and since displacements are continuous and linear in every triangle, the forces of a uniform stress are its tractions on
 //! the true border.
 //!
-//! Corners beyond the border move as the points inside do, continued quadratically.
+//! Corners beyond the border move as the points inside do, continued quadratically. In bodies that break, triangles are taken
+//! apart into springs by the directions of bonds.
 
 mod blocks;
 mod corners;
@@ -16,6 +17,7 @@ mod members;
 mod missing;
 mod pieces;
 mod shares;
+mod springs;
 mod strains;
 
 use super::super::Mirrors;
@@ -24,6 +26,7 @@ use super::super::geometry;
 use super::super::near::{at, near_points};
 use super::super::neighbourhood::Neighbourhood;
 use super::overlay::is_cut;
+use super::{By, Completion};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, block};
 use crate::stiffness::{Exception, WideFamilies};
@@ -31,24 +34,14 @@ use blocks::{Blocks, CORNERS};
 use corners::{Corners, Cracks};
 use members::{is_divided, members};
 use missing::Missing;
+use springs::springs;
 use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 pub(in super::super) use shares::cut_shares;
-pub(in super::super) use strains::Strains;
+pub(in super::super::super) use strains::Strains;
 
-/// What completes the edges of a body that borders cut as they please.
-#[derive(Clone, Debug)]
-pub(in super::super::super) struct CutBorder<const D: usize, const S: usize> {
-    pub(in super::super::super) families: Arc<WideFamilies<D, S>>,
-    /// Bonds between points that pass triangles which are not whole: they are none.
-    pub(in super::super) gaps: Vec<Exception>,
-    /// Triangles that are left out, because the points on their side of a crack do not tell how they move.
-    pub(in super::super) lost: usize,
-    /// Strains of the points that lack bonds.
-    pub(in super::super) strains: Strains,
-}
 
 /// Part of what a point inside has of triangles that one must have at least.
 const LEAST: f64 = 1e-4;
@@ -89,43 +82,28 @@ fn near_blocks(lattice: &SquareLattice, reach: i32) -> BTreeSet<Cell> {
     listed.chain(near.flat_map(|cell| around(cell, -1 - reach, reach))).collect()
 }
 
-/// Builds what completes the edges.
-pub(in super::super) fn cut_border<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
-    lattice: &SquareLattice,
-    mirrors: &Mirrors,
+/// Builds what completes the edges: triangles or, in bodies that break, springs.
+pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
+    (lattice, mirrors): (&SquareLattice, &Mirrors),
     (hood, bond): (&Neighbourhood<M>, &B),
     cuts: &HashSet<(usize, usize)>,
-) -> CutBorder<D, S> {
+    breaks: bool,
+) -> Completion<D, M, S> {
     let corners = beside_cracks(lattice, mirrors, hood, Cow::Borrowed(cuts));
     let missing = Missing::new(&corners.blocks, hood);
-    let moduli: Vec<Mat<S, S>> =
-        missing.paths.iter().map(|(k, _)| modulus(lattice, hood, bond, *k)).collect();
-    let mut families = WideFamilies::new(lattice.points());
-    let (mut gaps, mut lost) = (BTreeSet::new(), 0);
-    for at in near_blocks(lattice, hood.reach()) {
+    let near = near_blocks(lattice, hood.reach());
+    let left = near.iter().flat_map(|&at| left_to(&corners, &missing, at));
+    let (by, lost) = match breaks {
+        true => springs(&corners, (hood, bond), &missing, left),
+        false => triangles(&corners, (hood, bond), &missing, left),
+    };
+    let mut gaps = BTreeSet::new();
+    for &at in &near {
         missing.for_each_gap(at, &mut |k, from, to| {
             if let (Some(lower), Some(_)) = (lattice.number(from), lattice.number(to)) {
                 gaps.insert((k, lower));
             }
         });
-        let (parts, counted) = (corners.blocks.parts(at), corners.blocks.counted(at));
-        for (triangle, &part) in parts.iter().enumerate().filter(|_| counted > 0.0) {
-            let shares = missing.of(at, triangle, part);
-            if shares.iter().all(|share| *share == 0.0) {
-                continue;
-            }
-            let mut own = [[0.0; S]; S];
-            for (modulus, share) in moduli.iter().zip(&shares) {
-                (0..S).for_each(|r| (0..S).for_each(|c| own[r][c] += counted * share * modulus[r][c]));
-            }
-            if is_divided(&corners, at, triangle) {
-                continue;
-            }
-            match members(&corners, bond, at, triangle) {
-                Some((members, common)) => families.push(&members, common, own),
-                None => lost += 1,
-            }
-        }
     }
     let gaps: Vec<Exception> =
         gaps.into_iter().map(|(offset, lower)| Exception { offset, lower, factor: 0.0 }).collect();
@@ -134,8 +112,55 @@ pub(in super::super) fn cut_border<const D: usize, const M: usize, const S: usiz
     lacking.sort_unstable();
     lacking.dedup();
     lacking.retain(|&point| mirrors.is_none() || mirrors.is_real(lattice.cell(point)));
-    let strains = Strains::new(&corners, lacking.into_iter());
-    CutBorder { families: Arc::new(families), gaps, lost, strains }
+    let strains = Some(Strains::new(&corners, lacking.into_iter()));
+    Completion { by, gaps, lost, strains }
+}
+
+/// What bonds leave to a triangle.
+struct Left {
+    block: Cell,
+    triangle: usize,
+    /// Part of the bonds of every path, as it counts beside lines of symmetry.
+    shares: Vec<f64>,
+}
+
+/// What bonds leave to the triangles of a block that no crack divides.
+fn left_to(corners: &Corners, missing: &Missing, block: Cell) -> Vec<Left> {
+    let (parts, counted) = (corners.blocks.parts(block), corners.blocks.counted(block));
+    if counted == 0.0 {
+        return Vec::new();
+    }
+    let of = |triangle: usize| {
+        let mut shares = missing.of(block, triangle, parts[triangle]);
+        shares.iter_mut().for_each(|share| *share *= counted);
+        let is_left = shares.iter().any(|share| *share != 0.0) && !is_divided(corners, block, triangle);
+        is_left.then_some(Left { block, triangle, shares })
+    };
+    (0..4).filter_map(of).collect()
+}
+
+/// Triangles with all that is left to them, and the number of those whose corners cannot be told.
+fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
+    corners: &Corners,
+    (hood, bond): (&Neighbourhood<M>, &B),
+    missing: &Missing,
+    left: impl Iterator<Item = Left>,
+) -> (By<D, M, S>, usize) {
+    let lattice = corners.blocks.lattice;
+    let moduli: Vec<Mat<S, S>> =
+        missing.paths.iter().map(|(k, _)| modulus(lattice, hood, bond, *k)).collect();
+    let (mut families, mut lost) = (WideFamilies::new(lattice.points()), 0);
+    for Left { block, triangle, shares } in left {
+        let mut own = [[0.0; S]; S];
+        for (modulus, share) in moduli.iter().zip(&shares) {
+            (0..S).for_each(|r| (0..S).for_each(|c| own[r][c] += share * modulus[r][c]));
+        }
+        match members(corners, bond, block, triangle) {
+            Some((members, common)) => families.push(&members, common, own),
+            None => lost += 1,
+        }
+    }
+    (By::Triangles(Arc::new(families)), lost)
 }
 
 /// How corners of triangles move beside some cracks.
@@ -174,22 +199,6 @@ pub(in super::super) fn modulus<const D: usize, const M: usize, const S: usize, 
     let geometry = geometry(lattice, hood.offsets[k]);
     let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
     block(&uniform, &std::array::from_fn(|m| hood.weights[k][m] * unit[m]), &uniform)
-}
-
-impl<const D: usize, const S: usize> CutBorder<D, S> {
-    /// Adds the forces that do the work of the triangles in strains `t` of the points, three planes, as far as they move them.
-    pub(in super::super) fn add_strain_work(&self, t: &[f64], force: &mut [f64]) {
-        let n = t.len() / 3;
-        for family in 0..self.families.count() {
-            let mut strain = [0.0; S];
-            for member in self.families.members(family) {
-                (0..3).for_each(|q| strain[q] += member.share * t[q * n + member.point as usize]);
-            }
-            if strain != [0.0; S] {
-                self.families.add_work(family, &self.families.stress(family, &strain), force);
-            }
-        }
-    }
 }
 
 fn plus(a: Cell, b: Cell) -> Cell {

@@ -5,10 +5,11 @@
 
 use super::corners::{Corners, WIDE};
 use crate::body::SquareLattice;
+use std::collections::{HashMap, HashSet};
 
 /// How the strains of some points follow from displacements.
 #[derive(Clone, Debug)]
-pub(in super::super::super) struct Strains {
+pub(in super::super::super::super) struct Strains {
     points: Vec<u32>,
     /// Behind the last neighbour of every point.
     ends: Vec<u32>,
@@ -37,12 +38,36 @@ impl Strains {
     }
 
     /// Whether the strain of a point follows so.
-    pub(in super::super::super) fn tells(&self, point: usize) -> bool {
+    pub(in super::super::super::super) fn tells(&self, point: usize) -> bool {
         self.points.binary_search(&(point as u32)).is_ok()
     }
 
+    /// Forgets the points whose strain follows from both sides of one of some pairs of points that are parted.
+    pub(in super::super::super::super) fn forget(&mut self, broken: &HashSet<[u32; 2]>) {
+        let mut partners = HashMap::<u32, Vec<u32>>::new();
+        broken.iter().for_each(|&[a, b]| partners.entry(a).or_default().push(b));
+        let mut kept = Self { points: Vec::new(), ends: Vec::new(), rows: Vec::new() };
+        let mut from = 0;
+        for (&point, &end) in self.points.iter().zip(&self.ends) {
+            let rows = &self.rows[from..end as usize];
+            let has = |other: &u32| rows.iter().any(|row| row.0 == *other);
+            if !rows.iter().filter_map(|row| partners.get(&row.0)).flatten().any(has) {
+                kept.points.push(point);
+                kept.rows.extend_from_slice(rows);
+                kept.ends.push(kept.rows.len() as u32);
+            }
+            from = end as usize;
+        }
+        *self = kept;
+    }
+
+    /// The points.
+    pub(in super::super::super::super) fn points(&self) -> impl Iterator<Item = usize> + '_ {
+        self.points.iter().map(|&point| point as usize)
+    }
+
     /// Calls `visit` with every point and its strain `[ε_xx, ε_yy, γ_xy]`; `u` are components of all points.
-    pub(in super::super::super) fn for_each(
+    pub(in super::super::super::super) fn for_each(
         &self,
         (points, u): (usize, &[f64]),
         visit: &mut dyn FnMut(usize, [f64; 3]),

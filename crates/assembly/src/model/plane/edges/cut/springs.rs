@@ -1,0 +1,60 @@
+//! Triangles taken apart by the directions of bonds: springs that break and soften as bonds do.
+//!
+//! A spring has the part of the bonds of one offset that is left to a triangle, and stretches as the triangle does in their
+//! direction. A crack that opens a row of cells opens `1/c` of a bond that passes c rows: by `c` times the energy of the spring
+//! it takes all of the bond's ([`PartOfBond`]).
+
+use super::super::super::bond::PlaneBond;
+use super::super::super::geometry;
+use super::super::super::neighbourhood::Neighbourhood;
+use super::super::border::{BorderBonds, PartOfBond};
+use super::corners::Corners;
+use super::members::{corner_shares, corners_of};
+use super::missing::Missing;
+use super::{By, Left};
+use crate::body::Cell;
+use crate::bonds::BondGeometry;
+use crate::stiffness::{Place, PlacedBond, PlacedBonds};
+use std::array::from_fn;
+use std::sync::Arc;
+
+/// Springs of the triangles that bonds leave something to, and the number of triangles whose corners cannot be told.
+pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
+    corners: &Corners,
+    (hood, bond): (&Neighbourhood<M>, &B),
+    missing: &Missing,
+    left: impl Iterator<Item = Left>,
+) -> (By<D, M, S>, usize) {
+    let lattice = corners.blocks.lattice;
+    let (mut bonds, mut kinds, mut lost) = (PlacedBonds::new(lattice.points()), Vec::new(), 0);
+    for Left { block, triangle, shares } in left {
+        let cells = corners_of(block, triangle);
+        let Some(places) = corner_shares(corners, cells) else {
+            lost += 1;
+            continue;
+        };
+        for (&(offset, _), &left) in missing.paths.iter().zip(&shares).filter(|(_, left)| **left != 0.0) {
+            let step = hood.offsets[offset];
+            let share = 1.0 / f64::from(step[0].abs().max(step[1].abs()));
+            let whole = geometry(lattice, step);
+            let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
+            let unit = bond.part_moduli(&whole, share);
+            let moduli = from_fn(|m| left / share * hood.weights[offset][m] * unit[m]);
+            let ends = [-0.5, 0.5].map(|half| place(&cells, &places, step.map(|k| half * share * f64::from(k))));
+            let foremost = bonds.push(&PlacedBond { ends, mean: None, rows: bond.rows(&short), moduli });
+            kinds.push(PartOfBond { offset: offset as u32, share, start: None, foremost });
+        }
+    }
+    (By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds }), lost)
+}
+
+/// Points and their shares in the displacement of a place that lies `off` the middle of a triangle, in spacings.
+fn place(cells: &[Cell; 3], corners: &[Place; 3], off: [f64; 2]) -> Place {
+    // The sides at the right angle are one spacing along x and one along y.
+    let along = |k: usize| off[k] * f64::from(cells[k + 1][k] - cells[0][k]);
+    let [x, y] = [1.0 / 3.0 + along(0), 1.0 / 3.0 + along(1)];
+    let shares = [1.0 - x - y, x, y];
+    let of = |(corner, part): (&Place, f64)| corner.iter().map(move |&(p, s)| (p, part * s)).collect();
+    let all: Vec<Place> = corners.iter().zip(shares).map(of).collect();
+    all.concat()
+}
