@@ -27,6 +27,7 @@ mod foundation;
 mod fracture_plane;
 mod frames;
 mod grading;
+mod held_borders;
 mod literature;
 mod orthotropic_elastic;
 mod orthotropic_fracture;

@@ -28,6 +28,8 @@ pub struct HeldPoints {
     pub edge: Option<HeldEdge>,
     /// With an edge, the points behind each point; none where the point itself is held.
     pub chains: Vec<Vec<u32>>,
+    /// Pieces of a border that are held in place of the points, by points and their shares; none where no border is.
+    pub pieces: Vec<Vec<(u32, f64)>>,
     /// What is held, a unit vector: a direction, or the rotation, which is the third component.
     pub direction: [f64; 3],
     /// The unknown along it at a factor of one: a displacement, or the rotation times [`Conditions::turning`].
@@ -61,7 +63,8 @@ impl Conditions {
 
     /// Those of edges that are held on their lines, which stretches the bonds there far more than those of the rest.
     pub(crate) fn gripped_points(&self) -> impl Iterator<Item = usize> + '_ {
-        self.holds.iter().filter(|h| h.edge.is_some()).flat_map(|h| &h.points).map(|&p| p as usize)
+        let on_line = |h: &&HeldPoints| h.edge.is_some() || !h.pieces.is_empty();
+        self.holds.iter().filter(on_line).flat_map(|h| &h.points).map(|&p| p as usize)
     }
 
     /// All equations: of every hold one per point, in their order, then of every rigid region one per prescribed motion,
@@ -96,7 +99,7 @@ impl Conditions {
         let holds = self.holds.iter().map(|h| {
             let points = parents(&h.points);
             let chains = h.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(coarse, &points));
-            HeldPoints { points, chains, value: 0.0, ..h.clone() }
+            HeldPoints { points, chains, pieces: Vec::new(), value: 0.0, ..h.clone() }
         });
         let rigid = self.rigid.iter().map(|r| RigidPoints {
             points: parents(&r.points),
@@ -136,9 +139,10 @@ impl HeldPoints {
             for (component, share) in shares.into_iter().filter(|s| s.1 != 0.0) {
                 let mut term =
                     |point: u32, c: f64| terms.push((Unknown { component, point: point as usize }, c));
-                match chain {
-                    None => term(point, share),
-                    Some((chain, edge)) => {
+                match (self.pieces.get(k), chain) {
+                    (Some(piece), _) => piece.iter().for_each(|&(p, s)| term(p, share * s)),
+                    (_, None) => term(point, share),
+                    (_, Some((chain, edge))) => {
                         let points = std::iter::once(&point).chain(chain);
                         points.zip(edge.shares(component)).for_each(|(&p, s)| term(p, share * s));
                     }
@@ -337,7 +341,7 @@ mod tests {
         let fine = SquareLattice::rectangle(1.0, [0.0; 2], [4, 2]);
         let (points, direction) = (vec![1, 2, 5], [1.0, 0.0, 0.0]);
         let (edge, chains, origin) = (None, Vec::new(), String::new());
-        let hold = HeldPoints { points, edge, chains, direction, value: 3.0, origin };
+        let hold = HeldPoints { points, edge, chains, pieces: Vec::new(), direction, value: 3.0, origin };
         let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };
         let springs = vec![spring(2), spring(3), spring(0)];
         let conditions = Conditions { holds: vec![hold], springs, ..region(&fine, [Some(1.0), None, None]) };

@@ -22,6 +22,7 @@ mod gaps;
 mod given;
 mod ground;
 mod held_angle;
+mod held_border;
 mod held_corner;
 mod held_edge;
 mod interpolate;

@@ -1,8 +1,10 @@
 //! Supports of a body in the plane.
 
 use super::bonds::PlaneBonds;
+use super::boundary::{self, Stretch};
 use super::conditions::{HeldPoints, RigidPoints};
 use super::ground::{Ground, Spot};
+use super::held_border::{self, Piece};
 use super::held_edge::{EdgeShares, HeldEdge};
 use super::symmetry::Symmetry;
 use super::{model::Recipe, root, support_keys};
@@ -25,6 +27,8 @@ pub(super) struct Held {
     edge: Option<HeldEdge>,
     /// With an edge, the points behind each point; none where the point itself is held.
     chains: Vec<Vec<u32>>,
+    /// Stretches of the border that it holds, if it holds one.
+    border: Vec<Stretch>,
     /// Directions, or the rotation or the displacement across the plane as the third component, with what is prescribed and
     /// their keys.
     pub(super) motions: Vec<([f64; 3], f64, &'static str)>,
@@ -63,6 +67,7 @@ pub(super) fn held(
         not_mirrored(support.at.region.as_deref(), &at.key("region"), symmetry, faults);
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
         let mut held = resolve(support, spot, path);
+        held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
         // Of a shell the outermost points are held.
         if let (PlaneBody::Lattice(lattice), Some(name), false) =
             (ground.body, &support.at.region, bonds.deflects())
@@ -74,6 +79,17 @@ pub(super) fn held(
         Some(held)
     })
     .collect()
+}
+
+/// Stretches of the edge or hole of a name; none of other regions.
+fn border(name: &str, ground: &Ground) -> Vec<Stretch> {
+    let Some(outline) = ground.outline else { return Vec::new() };
+    let hole = || outline.holes().iter().position(|hole| hole.name.as_deref() == Some(name));
+    match (outline.edge(name), hole()) {
+        (Some(edge), _) => boundary::of_edge(edge, ground),
+        (_, Some(hole)) => boundary::of_hole(hole, outline, ground.body.spacing()),
+        _ => Vec::new(),
+    }
 }
 
 /// A fault for an edge that a mirror replaces, or that is joined to another one.
@@ -112,6 +128,7 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
         points: spot.points,
         edge: None,
         chains: Vec::new(),
+        border: Vec::new(),
         motions: [ux, uy, inclined, phi, w].into_iter().flatten().collect(),
         springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
     }
@@ -136,13 +153,21 @@ impl Held {
         let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
         let number = |p: &u32| recipe.number(model, *p);
         let chains: Vec<Vec<u32>> = self.chains.iter().map(|c| c.iter().map(number).collect()).collect();
+        let pieces = held_border::pieces(&self.border, &points, model);
+        let on_border: Vec<u32> = match &pieces {
+            Some(pieces) => (0..points.len()).filter(|&k| !pieces[k].is_empty()).map(|k| points[k]).collect(),
+            None => Vec::new(),
+        };
+        let pieces: Vec<Piece> = pieces.into_iter().flatten().filter(|piece| !piece.is_empty()).collect();
         let hold = |&(direction, value, key): &([f64; 3], f64, &'static str)| {
+            // Rotations are those of the points, wherever the edge is.
             let turns = direction[2] != 0.0;
+            let follows = !turns && !pieces.is_empty();
             HeldPoints {
-                points: points.clone(),
-                // Rotations are those of the points, wherever the edge is.
-                edge: self.edge.clone().filter(|_| !turns),
-                chains: if turns { Vec::new() } else { chains.clone() },
+                points: if follows { on_border.clone() } else { points.clone() },
+                edge: self.edge.clone().filter(|_| !turns && !follows),
+                chains: if turns || follows { Vec::new() } else { chains.clone() },
+                pieces: if follows { pieces.clone() } else { Vec::new() },
                 direction,
                 value: if turns { value * model.turning().unwrap_or(1.0) } else { value },
                 origin: self.path.key(key).to_string(),

@@ -4,8 +4,8 @@ use super::super::*;
 use super::bodies::*;
 use super::mirrors::compare;
 use super::patch::{STRAINS, check_rigid};
-use crate::model::Breakable;
 use crate::body::{Crack, Hole, Outline, Polygon, Shape, cut_bonds};
+use crate::model::Breakable;
 use crate::model::plane::{CriticalStretch, Edges, Mirrors, PlaneModel};
 use crate::quadrature::GAUSS;
 
@@ -224,7 +224,11 @@ fn a_body_breaks_from_border_to_border() {
             };
             let mut broken: Vec<u64> = (0..plane.bond_numbers()).filter(is_across).collect();
             let critical = CriticalStretch(vec![1e-6; 14]);
-            plane.for_each_ratio(&u, &critical, &mut |bond, ratio| if ratio > 1.0 { broken.push(bond) });
+            plane.for_each_ratio(&u, &critical, &mut |bond, ratio| {
+                if ratio > 1.0 {
+                    broken.push(bond)
+                }
+            });
             broken.sort_unstable();
             broken.dedup();
             plane.break_bonds(&broken);

@@ -41,7 +41,7 @@ pub(in super::super) struct Completion<const D: usize, const M: usize, const S: 
     /// Number of its elements that are left out, because the body is too thin there to tell how they move.
     pub(in super::super) lost: usize,
     /// Strains of the points that lack bonds, where the border cuts cells.
-    pub(in super::super) strains: Option<Strains>,
+    pub(in super::super) strains: Option<Box<Strains>>,
 }
 
 /// What takes the place of bonds that a border cuts off.

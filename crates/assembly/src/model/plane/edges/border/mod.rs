@@ -134,7 +134,11 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
 
     /// The bonds that some broken ones between neighbouring points take with them: their ends would move with points on both
     /// sides of a crack.
-    pub(in super::super) fn spanning(&self, lattice: &SquareLattice, broken: &HashSet<[u32; 2]>) -> Vec<usize> {
+    pub(in super::super) fn spanning(
+        &self,
+        lattice: &SquareLattice,
+        broken: &HashSet<[u32; 2]>,
+    ) -> Vec<usize> {
         let is_next = |pair: &&[u32; 2]| {
             let [a, b] = pair.map(|p| lattice.cell(p as usize));
             (0..2).all(|k| (a[k] - b[k]).abs() <= 1)

@@ -42,7 +42,6 @@ use std::sync::Arc;
 pub(in super::super) use shares::cut_shares;
 pub(in super::super::super) use strains::Strains;
 
-
 /// Part of what a point inside has of triangles that one must have at least.
 const LEAST: f64 = 1e-4;
 
@@ -112,7 +111,7 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Plane
     lacking.sort_unstable();
     lacking.dedup();
     lacking.retain(|&point| mirrors.is_none() || mirrors.is_real(lattice.cell(point)));
-    let strains = Some(Strains::new(&corners, lacking.into_iter()));
+    let strains = Some(Box::new(Strains::new(&corners, lacking.into_iter())));
     Completion { by, gaps, lost, strains }
 }
 
