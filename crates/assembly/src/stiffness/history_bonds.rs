@@ -66,7 +66,7 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
         assert!(bonds.iter().all(|b| b.bond.law < self.laws.len()), "every bond has a law");
         for ended in bonds {
             self.bonds.push(ended.bond);
-            self.ends.push(&ended.shares, ended.of);
+            self.ends.push(&ended.shares, (ended.share, ended.of));
             self.history.push(L::History::default());
         }
         self
@@ -92,14 +92,14 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
         plain.chain(placed.iter().copied())
     }
 
-    /// Points in whose families a bond is, and the part of a whole one that it is there.
-    pub fn families(&self, bond: usize) -> impl Iterator<Item = (usize, f64)> {
-        let (plain, placed) = match self.ends.family(bond) {
-            Some(of) => (None, of),
-            None => (Some(self.bonds[bond].points), None),
+    /// Points in whose families a bond is, with the part that its energy is of what it stands for there.
+    pub fn families(&self, bond: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let (plain, placed) = match self.ends.stands_for(bond) {
+            Some((_, of)) => (None, of),
+            None => (Some(self.bonds[bond].points), &[][..]),
         };
         let plain = plain.into_iter().flatten().map(|point| (point, 1.0));
-        plain.chain(placed).map(|(point, part)| (point as usize, part))
+        plain.chain(placed.iter().copied()).map(|(point, part)| (point as usize, part))
     }
 
     /// Law of a bond.
@@ -286,9 +286,10 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
         let (mut sum, mut weight) = (vec![0.0; self.points], vec![0.0; self.points]);
         for (k, (bond, history)) in self.bonds.iter().zip(&self.history).enumerate() {
             let share = self.laws[bond.law].damage(history);
+            // A shorter bond is stiffer by its length squared per part of the energy.
+            let of_whole = self.ends.stands_for(k).map_or(1.0, |(share, _)| share * share) * bond.stiffness;
             for (point, part) in self.families(k) {
-                // A part of a bond is as much stiffer than a whole one.
-                let stiffness = part * bond.stiffness;
+                let stiffness = of_whole / part;
                 sum[point] += stiffness * share;
                 weight[point] += stiffness;
             }

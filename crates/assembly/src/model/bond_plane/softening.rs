@@ -66,7 +66,7 @@ impl BondPlane {
                 stiffness: border.bonds.moduli(k)[0],
                 law,
             };
-            list.push(EndedBond { bond, shares, of: of.start.map(|point| (point, part)) });
+            list.push(EndedBond { bond, shares, share: part, of: of.of.into_iter().flatten().collect() });
         }
         list
     }

@@ -10,8 +10,10 @@ pub struct EndedBond<const D: usize> {
     pub bond: HistoryBond<D>,
     /// Points and their shares in the difference of the displacements of its ends; they sum to zero.
     pub shares: Vec<(u32, f64)>,
-    /// The point that it begins at and the part that it is of the whole bond which this point lacks, if it begins at one.
-    pub of: Option<(u32, f64)>,
+    /// Its length over that of a whole bond.
+    pub share: f64,
+    /// Points whose missing bonds it stands for, with the part that its energy is of theirs.
+    pub of: Vec<(u32, f64)>,
 }
 
 /// How the ends of bonds between places move.
@@ -22,7 +24,7 @@ pub(super) struct Ends {
     shares: Vec<(u32, f64)>,
     /// Behind the last share of every one.
     behind: Vec<u32>,
-    of: Vec<Option<(u32, f64)>>,
+    of: Vec<(f64, Vec<(u32, f64)>)>,
 }
 
 impl Ends {
@@ -31,7 +33,7 @@ impl Ends {
         Self { first, shares: Vec::new(), behind: Vec::new(), of: Vec::new() }
     }
 
-    pub(super) fn push(&mut self, shares: &[(u32, f64)], of: Option<(u32, f64)>) {
+    pub(super) fn push(&mut self, shares: &[(u32, f64)], of: (f64, Vec<(u32, f64)>)) {
         self.shares.extend_from_slice(shares);
         self.behind.push(self.shares.len() as u32);
         self.of.push(of);
@@ -45,9 +47,9 @@ impl Ends {
         Some(&self.shares[from as usize..self.behind[k] as usize])
     }
 
-    /// The point whose bond it is a part of, if there is one; none of a bond between points.
-    pub(super) fn family(&self, bond: usize) -> Option<Option<(u32, f64)>> {
-        bond.checked_sub(self.first).map(|k| self.of[k])
+    /// Its length over that of a whole bond, and the points whose missing bonds it stands for; none of a bond between points.
+    pub(super) fn stands_for(&self, bond: usize) -> Option<(f64, &[(u32, f64)])> {
+        bond.checked_sub(self.first).map(|k| (self.of[k].0, &self.of[k].1[..]))
     }
 }
 
@@ -75,7 +77,7 @@ mod tests {
         let third = 1.0 / 3.0;
         let shares = vec![(0, -1.0), (1, 1.5), (2, -0.5 * third), (3, -third)];
         let law = Bilinear::new([0.01, 0.05], Unloading::Damage, Compression::Elastic).unwrap();
-        let ended = EndedBond { bond: bond([0, 1], 3.0), shares, of: Some((0, 0.4)) };
+        let ended = EndedBond { bond: bond([0, 1], 3.0), shares, share: 0.4, of: vec![(0, 0.4)] };
         HistoryBonds::new(4, kinematics, vec![law], vec![bond([0, 2], 2.0)]).with_ended(vec![ended])
     }
 

@@ -45,8 +45,8 @@ pub(in super::super::super) struct PartOfBond {
     pub(in super::super::super) offset: u32,
     /// Its length over that of the whole one.
     pub(in super::super::super) share: f64,
-    /// The point that it begins or ends at, if there is one.
-    pub(in super::super::super) start: Option<u32>,
+    /// Points whose missing bonds it stands for, with the part that its energy is of theirs.
+    pub(in super::super::super) of: [Option<(u32, f64)>; 3],
     /// The two points that have the largest parts in the relative displacement of its ends, one on either side.
     pub(in super::super::super) foremost: [u32; 2],
 }
@@ -104,7 +104,8 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Plane
             // Only rotations are read on the mean.
             let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
             let foremost = bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
-            kinds.push(PartOfBond { offset: offset as u32, share, start: run.point(cells), foremost });
+            let of = [run.point(cells).map(|point| (point, share)), None, None];
+            kinds.push(PartOfBond { offset: offset as u32, share, of, foremost });
         });
     }
     let by = By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds });

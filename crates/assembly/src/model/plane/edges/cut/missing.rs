@@ -34,6 +34,13 @@ impl<'a> Missing<'a> {
         is_missing
     }
 
+    /// How many of the two bonds of a path that begin or end at a cell are missing.
+    pub(super) fn lacks(&self, path: usize, cell: Cell) -> u8 {
+        let offset = self.offsets[self.paths[path].0];
+        let ends = [cell, [cell[0] - offset[0], cell[1] - offset[1]]];
+        ends.into_iter().map(|from| u8::from(self.is_missing(path, from))).sum()
+    }
+
     /// Calls `visit` with the offset and both ends of every bond that is missing and passes a block which is not whole.
     pub(super) fn for_each_gap(&self, at: Cell, visit: &mut dyn FnMut(usize, Cell, Cell)) {
         if self.blocks.is_whole(at) {

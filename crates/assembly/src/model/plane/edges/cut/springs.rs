@@ -16,6 +16,7 @@ use crate::body::Cell;
 use crate::bonds::BondGeometry;
 use crate::stiffness::{Place, PlacedBond, PlacedBonds};
 use std::array::from_fn;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Springs of the triangles that bonds leave something to, and the number of triangles whose corners cannot be told.
@@ -26,14 +27,16 @@ pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBo
     left: impl Iterator<Item = Left>,
 ) -> (By<D, M, S>, usize) {
     let lattice = corners.blocks.lattice;
-    let (mut bonds, mut kinds, mut lost) = (PlacedBonds::new(lattice.points()), Vec::new(), 0);
+    let (mut bonds, mut lost) = (PlacedBonds::new(lattice.points()), 0);
+    let (mut kinds, mut at) = (Vec::new(), Vec::new());
     for Left { block, triangle, shares } in left {
         let cells = corners_of(block, triangle);
         let Some(places) = corner_shares(corners, cells) else {
             lost += 1;
             continue;
         };
-        for (&(offset, _), &left) in missing.paths.iter().zip(&shares).filter(|(_, left)| **left != 0.0) {
+        let all = missing.paths.iter().zip(&shares).enumerate();
+        for (path, (&(offset, _), &left)) in all.filter(|(_, (_, left))| **left != 0.0) {
             let step = hood.offsets[offset];
             let share = 1.0 / f64::from(step[0].abs().max(step[1].abs()));
             let whole = geometry(lattice, step);
@@ -43,10 +46,39 @@ pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBo
             let ends =
                 [-0.5, 0.5].map(|half| place(&cells, &places, step.map(|k| half * share * f64::from(k))));
             let foremost = bonds.push(&PlacedBond { ends, mean: None, rows: bond.rows(&short), moduli });
-            kinds.push(PartOfBond { offset: offset as u32, share, start: None, foremost });
+            kinds.push(PartOfBond { offset: offset as u32, share, of: [None; 3], foremost });
+            at.push((cells, path, left));
         }
     }
+    stand_for_bonds(&mut kinds, &at, corners, missing);
     (By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds }), lost)
+}
+
+/// Lets springs stand for the missing bonds of the points at their corners: all of one direction around a point together are
+/// those that it lacks. `at` are the corners, the path and the part of bonds of every spring.
+fn stand_for_bonds(
+    kinds: &mut [PartOfBond],
+    at: &[([Cell; 3], usize, f64)],
+    corners: &Corners,
+    missing: &Missing,
+) {
+    let lattice = corners.blocks.lattice;
+    let lacking = |cell: &Cell, path: usize| {
+        let point = lattice.number(*cell)? as u32;
+        Some((point, missing.lacks(path, *cell))).filter(|of| of.1 > 0)
+    };
+    let mut around = HashMap::<(u32, usize), f64>::new();
+    for (cells, path, left) in at {
+        for (point, _) in cells.iter().filter_map(|cell| lacking(cell, *path)) {
+            *around.entry((point, *path)).or_default() += left;
+        }
+    }
+    for (kind, (cells, path, _)) in kinds.iter_mut().zip(at) {
+        kind.of = cells.map(|cell| {
+            let (point, count) = lacking(&cell, *path)?;
+            Some((point, around[&(point, *path)] / f64::from(count)))
+        });
+    }
 }
 
 /// Points and their shares in the displacement of a place that lies `off` the middle of a triangle, in spacings.
