@@ -64,12 +64,12 @@ impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {
     }
 
     /// The triangles that the border cuts.
-    pub(super) fn cut(&self) -> Option<&CutBorder<D, S>> {
+    pub(in super::super) fn cut(&self) -> Option<&CutBorder<D, S>> {
         if let Self::Cut(cut) = self { Some(cut) } else { None }
     }
 
     /// Bonds between points that give way to something else.
-    pub(super) fn gaps(&self) -> &[Exception] {
+    pub(in super::super) fn gaps(&self) -> &[Exception] {
         match self {
             Self::Points => &[],
             Self::Ended(border) => &border.gaps,

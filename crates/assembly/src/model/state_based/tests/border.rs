@@ -1,0 +1,160 @@
+//! Borders that are completed: uniform stresses are in equilibrium, and dilatations are exact at every point.
+
+use super::super::BorderedState;
+use super::*;
+use crate::body::{Hole, Outline, Polygon, Shape};
+use crate::quadrature::GAUSS;
+
+const RATIOS: [f64; 4] = [-0.5, 0.0, 0.3, 0.45];
+const STRAINS: [[f64; 4]; 4] =
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0], [0.0, 0.5, 0.5, 0.0], [0.3, 0.2, -0.1, -0.7]];
+
+fn plate(lattice: &SquareLattice, mirrors: Mirrors, m: f64, nu: f64) -> BorderedState {
+    let parameters = StateParameters {
+        horizon_ratio: m,
+        poisson_ratio: nu,
+        influence: Influence::Linear,
+        edges: StateEdges::Border,
+        ..PLATE
+    };
+    BorderedState::on_lattice(lattice, mirrors, parameters).unwrap()
+}
+
+fn outlines() -> Vec<(&'static str, Outline)> {
+    let rectangle = || Outline::rectangle([0.3, -2.0], [15.0, 13.0]).unwrap();
+    let pierced = |mut outline: Outline, shape: Shape| {
+        outline.cut(Hole { name: None, shape }).unwrap();
+        outline
+    };
+    let circle = Shape::Circle { centre: [7.4, 4.7], radius: 3.2 };
+    let window = Polygon::new(vec![[5.0, 2.0], [10.4, 3.1], [7.2, 7.0]]).unwrap();
+    let oblique = Outline::polygon(vec![[0.0, 3.1], [14.4, 0.0], [16.0, 11.2], [2.2, 13.5]]).unwrap();
+    let angle = vec![[0.0, 0.0], [14.0, 0.0], [14.0, 6.0], [7.0, 6.0], [7.0, 13.0], [0.0, 13.0]];
+    vec![
+        ("rectangle", rectangle()),
+        ("L", Outline::polygon(angle).unwrap()),
+        ("window", pierced(rectangle(), Shape::Polygon(window))),
+        ("quadrilateral", oblique),
+        ("hole", pierced(rectangle(), circle)),
+    ]
+}
+
+/// Rows that run along x, and turned ones.
+fn filled(outline: &Outline) -> Vec<SquareLattice> {
+    [0.0, 0.3].map(|angle| outline.fill_turned(1.0, angle).unwrap()).to_vec()
+}
+
+fn density(plate: &BorderedState, [a, b, c, d]: [f64; 4]) -> f64 {
+    let (strain, stiffness) = ([a, d, b + c], plate.stiffness());
+    (0..3).map(|p| (0..3).map(|q| 0.5 * strain[p] * stiffness[p][q] * strain[q]).sum::<f64>()).sum()
+}
+
+fn force(plate: &BorderedState, u: &[f64]) -> Vec<f64> {
+    let mut force = vec![0.0; u.len()];
+    plate.terms().iter().for_each(|t| t.add_force(u, &mut force));
+    force
+}
+
+#[test]
+fn uniform_strains_have_their_energy_and_their_dilatation_everywhere() {
+    for m in [2.0, 3.0, 4.0] {
+        for (name, outline) in outlines() {
+            for lattice in filled(&outline) {
+                let plate = plate(&lattice, Mirrors::NONE, m, 0.2);
+                let of = plate.dilatations.as_ref().unwrap();
+                let inner = plate.point_count() - of.points.len();
+                let area = of.volumes.iter().sum::<f64>() + inner as f64;
+                eprintln!(
+                    "{name} {m} left {:e} volumes {:?} area {area}",
+                    of.left,
+                    of.volumes.iter().fold([f64::INFINITY, 0.0_f64], |[a, b], v| [a.min(*v), b.max(*v)])
+                );
+                for motion in STRAINS {
+                    let u = linear(&plate, motion);
+                    for k in 0..of.own.count() {
+                        let mut theta = 0.0;
+                        for member in of.own.members(k) {
+                            let n = plate.point_count();
+                            let moved = |c: usize| u[c * n + member.point as usize];
+                            theta += member.rows[0][0] * moved(0) + member.rows[0][1] * moved(1);
+                        }
+                        let off = (theta - motion[0] - motion[3]).abs();
+                        assert!(off < 1e-12, "{name} {m} {motion:?}: {off:e}");
+                    }
+                    let energy: f64 = plate.terms().iter().map(|t| t.survey(&u).energy).sum();
+                    let found = energy / (0.5 * density(&plate, motion));
+                    assert!((found / area - 1.0).abs() < 1e-12, "{name} {m}: {found} {area}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn tractions_hold_every_uniform_stress() {
+    for m in [2.0, 3.0, 4.0] {
+        for (name, outline) in outlines().into_iter().take(4) {
+            let mut sides: Vec<([[f64; 2]; 2], [f64; 2])> =
+                outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
+            if let Some(Shape::Polygon(hole)) = outline.holes().first().map(|h| &h.shape) {
+                sides.extend((0..3).map(|k| (hole.edge(k), hole.normal(k).map(|x| -x))));
+            }
+            for lattice in filled(&outline) {
+                for nu in RATIOS {
+                    let plate = plate(&lattice, Mirrors::NONE, m, nu);
+                    for stress in [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.7, -1.3, 0.4]] {
+                        let [x, y, shear] = plate.strain_of(stress);
+                        let u = linear(&plate, [x, 0.5 * shear, 0.5 * shear, y]);
+                        let (internal, load) = (force(&plate, &u), through_border(&plate, &sides, stress));
+                        let size = largest(load.iter().copied());
+                        let off = largest(internal.iter().zip(&load).map(|(a, b)| a - b)) / size;
+                        assert!(off < 1e-11, "{name} {m} {nu} {stress:?}: {off:e}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Forces of the tractions of a uniform stress on straight borders, each from one end to the other with its normal.
+fn through_border(
+    plate: &BorderedState,
+    sides: &[([[f64; 2]; 2], [f64; 2])],
+    [xx, yy, xy]: [f64; 3],
+) -> Vec<f64> {
+    let (n, lattice) = (plate.point_count(), plate.lattice().unwrap().0);
+    let shares = plate.border_shares().unwrap();
+    let mut force = vec![0.0; 2 * n];
+    for &([from, to], normal) in sides {
+        let traction = [xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]];
+        let length = plate.thickness() * (to[0] - from[0]).hypot(to[1] - from[1]);
+        for ends in lattice.crossings(from, to).windows(2) {
+            for (share, weight) in GAUSS {
+                let along = ends[0] + share * (ends[1] - ends[0]);
+                let at = [0, 1].map(|k| from[k] + along * (to[k] - from[k]));
+                let length = weight * (ends[1] - ends[0]) * length;
+                for (p, share) in shares(at, normal).unwrap() {
+                    (0..2).for_each(|k| force[k * n + p] += share * length * traction[k]);
+                }
+            }
+        }
+    }
+    force
+}
+
+#[test]
+fn three_motions_cost_nothing_and_none_less() {
+    for m in [2.0, 3.0] {
+        for (name, outline) in outlines() {
+            let lattice = &filled(&outline)[usize::from(name != "L")];
+            for nu in RATIOS {
+                let plate = plate(lattice, Mirrors::NONE, m, nu);
+                let system = System::new(&plate, Vec::new(), Vec::new()).unwrap();
+                let values = stiffness(&system).symmetric_eigenvalues();
+                let (least, most) = (values.min(), values.max());
+                assert_eq!(values.iter().filter(|v| **v < 1e-9 * most).count(), 3, "{name} {m} {nu}");
+                assert!(least > -1e-12 * most, "{name} {m} {nu}: {least:e}");
+            }
+        }
+    }
+}
