@@ -98,8 +98,11 @@ fn completed(
     // Triangles of blocks that a border cuts do not break, and are not measured with points that turn.
     let can_follow = case.fracture.is_none() && case.path.is_none() && !bonds.points_turn();
     let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
-    let can_end =
-        lattice.is_some_and(|lattice| (!is_cut || can_follow) && has_border(lattice, mirrors, ratio as i32));
+    // Families do not break beside a border that completes them.
+    let breaks = matches!(bonds, PlaneBonds::State(_)) && !(can_follow && case.cracks.is_empty());
+    let can_end = !breaks
+        && lattice
+            .is_some_and(|lattice| (!is_cut || can_follow) && has_border(lattice, mirrors, ratio as i32));
     if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
         return bonds;
     }

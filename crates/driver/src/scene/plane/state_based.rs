@@ -152,6 +152,7 @@ pub(super) fn refuse(error: &StateError, case: &Case, faults: &mut Faults) {
         StateError::NegativeAxis => model.key("influence"),
         StateError::AxisNeedsGhosts | StateError::AxisNeedsSection => model.key("axis"),
         StateError::OffAxis => root("body"),
+        StateError::NoBorder => model.key("edges"),
     };
     tell(&error.to_string(), path, faults);
 }

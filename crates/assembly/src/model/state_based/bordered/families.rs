@@ -1,16 +1,18 @@
 //! Dilatations of all points: of those that have all bonds by offset, of the others with what completes the border.
 //!
 //! With `c = a/(8μ)` of a bond of weight a and stretch s a whole family has `ϑ = Σ c s`, which is the trace of any uniform strain.
-//! A point without some bonds takes parts of what completes the border ([`Transport`](super::transport::Transport)), so that
-//! its bonds and these together have the tensor `V_k 1`: then `ϑ_k = (Σ c s + Σ parts)/V_k` is exact, too. All parts are
-//! taken: `Σ V_k ϑ_k` is the change of volume of the body as its border has it, and a uniform stress is in equilibrium. No
+//! A point without some bonds takes parts of its bonds and of what completes the border
+//! ([`Transport`](super::transport::Transport)), which have the tensor `V_k 1` together: then `ϑ_k = Σ parts/V_k` is exact, too.
+//! All parts are taken: `Σ V_k ϑ_k` is the change of volume of the body as its border has it, and a uniform stress is in equilibrium. No
 //! part is negative, and so by the inequality of Cauchy and Schwarz the families never take more energy than bonds have.
 
+use super::super::super::plane::near_points;
 use super::super::{Dilatation, StateParameters};
 use super::reach::{Lacking, transport};
-use super::sources::{Bonded, Source, sources};
+use super::border::add_border;
+use super::sources::{Bonded, Kind, Source, Sources, add};
 use crate::body::{Cell, SquareLattice};
-use crate::stiffness::{FamilyRows, GridFamilies, GridFamily, WideFamilies, WideMember};
+use crate::stiffness::{Exception, FamilyRows, GridFamilies, GridFamily, WideFamilies, WideMember};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::Arc;
 
@@ -72,43 +74,85 @@ impl Steps {
     }
 }
 
-/// The points that have not all bonds, with the rows of those that they have.
-struct Lack {
-    points: Vec<Lacking>,
-    rows: Vec<BTreeMap<u32, [f64; 2]>>,
+/// The points that have not all bonds.
+fn lacking(plate: &Bonded, steps: &Steps, gaps: &Gaps, by_blocks: bool) -> Vec<Lacking> {
+    let near = near_points(&plate.lattice, plate.hood.reach() + 1);
+    let candidates: BTreeSet<usize> = near.into_iter().chain(gaps.iter().flatten().copied()).collect();
+    let is_real = |p: &usize| plate.mirrors.is_none() || plate.mirrors.is_real(plate.lattice.cell(*p));
+    let of = |point: usize| {
+        let part = |(_, step, row): (usize, Cell, [f64; 2])| {
+            let xi = plate.lattice.vector(step);
+            0.5 * (row[0] * xi[0] + row[1] * xi[1])
+        };
+        let present = steps.present((plate, gaps), point).map(part).sum();
+        Lacking { point, cell: plate.lattice.cell(point), volume: plate.lattice.fraction(point), present }
+    };
+    let all: Vec<Lacking> = candidates.into_iter().filter(is_real).map(of).collect();
+    let is_whole = |lacking: &Lacking| lacking.present > 1.0 - 1e-9;
+    let parent = |lacking: &Lacking| SquareLattice::parent(lacking.cell);
+    let blocks: HashSet<Cell> = all.iter().filter(|l| !is_whole(l)).map(parent).collect();
+    all.into_iter().filter(|l| !is_whole(l) || (by_blocks && blocks.contains(&parent(l)))).collect()
 }
 
-impl Lack {
-    fn new(plate: &Bonded, steps: &Steps, by_blocks: bool) -> Self {
-        let ends = |gap: &crate::stiffness::Exception| {
-            let (cell, step) = (plate.lattice.cell(gap.lower), plate.hood.offsets[gap.offset]);
-            Some([gap.lower, plate.lattice.number([cell[0] + step[0], cell[1] + step[1]])?])
-        };
-        let gaps: HashSet<[usize; 2]> =
-            plate.border.gaps().iter().filter_map(ends).map(|[a, b]| [a.min(b), a.max(b)]).collect();
-        let near = super::super::super::plane::near_points(&plate.lattice, plate.hood.reach() + 1);
-        let candidates: BTreeSet<usize> = near.into_iter().chain(gaps.iter().flatten().copied()).collect();
-        let is_real = |p: &usize| plate.mirrors.is_none() || plate.mirrors.is_real(plate.lattice.cell(*p));
-        let of = |point: usize| {
-            let mut tensor = [0.0; 3];
-            let mut rows = BTreeMap::new();
-            for (other, step, row) in steps.present((plate, &gaps), point) {
-                let xi = plate.lattice.vector(step);
-                let parts = [row[0] * xi[0], row[1] * xi[1], row[0] * xi[1]];
-                (0..3).for_each(|q| tensor[q] += parts[q]);
-                add(&mut rows, other as u32, row);
-                add(&mut rows, point as u32, row.map(|r| -r));
+/// Bonds that are not there although both of their points are, by these.
+type Gaps = HashSet<[usize; 2]>;
+
+fn gaps(plate: &Bonded) -> Gaps {
+    let ends = |gap: &Exception| {
+        let (cell, step) = (plate.lattice.cell(gap.lower), plate.hood.offsets[gap.offset]);
+        let upper = plate.lattice.number([cell[0] + step[0], cell[1] + step[1]])?;
+        Some([gap.lower.min(upper), gap.lower.max(upper)])
+    };
+    plate.border.gaps().iter().filter_map(ends).collect()
+}
+
+/// Adds the bonds that points have.
+fn add_bonds(plate: &Bonded, steps: &Steps, gaps: &Gaps, points: &[Lacking], to: &mut Sources) {
+    for lacking in points {
+        for (other, step, row) in steps.present((plate, gaps), lacking.point) {
+            let xi = plate.lattice.vector(step);
+            let tensor = [row[0] * xi[0], row[1] * xi[1], row[0] * xi[1]];
+            let (at, owner) = (lacking.cell.map(f64::from), Some(lacking.point));
+            let mut source = Source { at, tensor, rows: Rows::new(), owner };
+            source.add_row(other as u32, row);
+            source.add_row(lacking.point as u32, row.map(|r| -r));
+            to.add(Kind::Bonds, lacking.cell, step, &source);
+        }
+    }
+}
+
+/// Rows of points, by these.
+type Rows = BTreeMap<u32, [f64; 2]>;
+
+/// Dilatations of some points as rows, and their volumes, cells.
+struct Measured {
+    rows: Vec<Rows>,
+    volumes: Vec<f64>,
+    /// Largest deviator that is left.
+    left: f64,
+}
+
+impl Measured {
+    /// Those of points that take all parts of some sources.
+    fn new(plate: &Bonded, points: &[Lacking], sources: &[Source]) -> Self {
+        let mut transport = transport(sources, points, &plate.mirrors, plate.hood.reach());
+        let left = transport.solve();
+        let mut found = Self { rows: Vec::new(), volumes: Vec::new(), left };
+        let mut from = 0;
+        for &end in &transport.ends {
+            let (mut rows, mut volume) = (Rows::new(), 0.0);
+            for edge in &transport.edges[from..end] {
+                let source = &sources[edge.place as usize];
+                let part = edge.volume / source.volume();
+                source.rows.iter().for_each(|(point, row)| add(&mut rows, *point, row.map(|r| part * r)));
+                volume += edge.volume;
             }
-            let volume = plate.lattice.fraction(point);
-            (Lacking { point, cell: plate.lattice.cell(point), tensor, volume }, rows)
-        };
-        let all: Vec<_> = candidates.into_iter().filter(is_real).map(of).collect();
-        let is_whole = |lacking: &Lacking| 0.5 * (lacking.tensor[0] + lacking.tensor[1]) > 1.0 - 1e-9;
-        let parent = |lacking: &Lacking| SquareLattice::parent(lacking.cell);
-        let blocks: HashSet<Cell> = all.iter().filter(|l| !is_whole(&l.0)).map(|l| parent(&l.0)).collect();
-        let kept = all.into_iter().filter(|(l, _)| !is_whole(l) || (by_blocks && blocks.contains(&parent(l))));
-        let (points, rows) = kept.unzip();
-        Self { points, rows }
+            rows.values_mut().flatten().for_each(|r| *r /= volume);
+            found.rows.push(rows);
+            found.volumes.push(volume);
+            from = end;
+        }
+        found
     }
 }
 
@@ -116,26 +160,14 @@ impl Dilatations {
     /// Those of a plate whose bonds have the shear modulus of some parameters.
     pub(super) fn new(plate: &Bonded, parameters: &StateParameters) -> Self {
         let by_blocks = parameters.dilatation == Dilatation::Blocks;
-        let shear = parameters.shear_modulus();
-        let steps = Steps::new(plate, shear);
-        let Lack { points, mut rows } = Lack::new(plate, &steps, by_blocks);
-        let sources = sources(plate, shear);
-        let mut transport = transport(&sources, &points, &plate.mirrors, plate.hood.reach());
-        let left = transport.solve();
-        let mut volumes = Vec::with_capacity(points.len());
-        let mut from = 0;
-        for ((lacking, rows), &end) in points.iter().zip(&mut rows).zip(&transport.ends) {
-            let mut volume = 0.5 * (lacking.tensor[0] + lacking.tensor[1]);
-            for edge in &transport.edges[from..end] {
-                volume += edge.volume;
-                let source: &Source = &sources[edge.place as usize];
-                let part = edge.volume / source.volume();
-                source.rows.iter().for_each(|(point, row)| add(rows, *point, row.map(|r| part * r)));
-            }
-            rows.values_mut().flatten().for_each(|r| *r /= volume);
-            volumes.push(volume);
-            from = end;
-        }
+        let steps = Steps::new(plate, parameters.shear_modulus());
+        let gaps = gaps(plate);
+        let points = lacking(plate, &steps, &gaps, by_blocks);
+        let mut sources = Sources::default();
+        add_bonds(plate, &steps, &gaps, &points, &mut sources);
+        add_border(plate, parameters.shear_modulus(), &mut sources);
+        let sources = sources.list();
+        let Measured { rows, volumes, left } = Measured::new(plate, &points, &sources);
         let cell = plate.kind.bond.volume;
         let modulus = parameters.family_modulus();
         let mut own = WideFamilies::new(plate.lattice.points());
@@ -145,14 +177,12 @@ impl Dilatations {
         let numbers: Vec<u32> = points.iter().map(|p| p.point as u32).collect();
         let mean_modulus = if by_blocks { parameters.bulk_modulus() } else { 0.0 };
         let means = by_blocks.then(|| Arc::new(means(plate, &points, (&rows, &volumes), cell * mean_modulus)));
-        let is_own = |p: usize| {
-            !(plate.mirrors.is_none() || plate.mirrors.is_real(plate.lattice.cell(p)))
-                || numbers.binary_search(&(p as u32)).is_ok()
-        };
+        let is_real = |p: usize| plate.mirrors.is_none() || plate.mirrors.is_real(plate.lattice.cell(p));
+        let has_all = |p: usize| is_real(p) && numbers.binary_search(&(p as u32)).is_err();
         let family = GridFamily {
             steps: steps.steps,
             sets: vec![steps.rows],
-            set_of: (0..plate.lattice.points()).map(|p| (!is_own(p)).then_some(0)).collect(),
+            set_of: (0..plate.lattice.points()).map(|p| has_all(p).then_some(0)).collect(),
             volume: vec![cell; plate.lattice.points()],
             own: Vec::new(),
             modulus,
@@ -167,10 +197,10 @@ impl Dilatations {
 fn means(
     plate: &Bonded,
     points: &[Lacking],
-    (rows, volumes): (&[BTreeMap<u32, [f64; 2]>], &[f64]),
+    (rows, volumes): (&[Rows], &[f64]),
     modulus: f64,
 ) -> WideFamilies<2, 1> {
-    let mut blocks: BTreeMap<Cell, (BTreeMap<u32, [f64; 2]>, f64)> = BTreeMap::new();
+    let mut blocks: BTreeMap<Cell, (Rows, f64)> = BTreeMap::new();
     for (k, lacking) in points.iter().enumerate() {
         let (sum, whole) = blocks.entry(SquareLattice::parent(lacking.cell)).or_default();
         rows[k].iter().for_each(|(&point, row)| add(sum, point, row.map(|r| volumes[k] * r)));
@@ -185,12 +215,7 @@ fn means(
 }
 
 /// Rows as members of a family.
-fn members(rows: &BTreeMap<u32, [f64; 2]>) -> Vec<WideMember<2, 1>> {
+fn members(rows: &Rows) -> Vec<WideMember<2, 1>> {
     let share = 1.0 / rows.len() as f64;
     rows.iter().map(|(&point, &row)| WideMember { point, share, rows: [row] }).collect()
-}
-
-fn add(rows: &mut BTreeMap<u32, [f64; 2]>, point: u32, row: [f64; 2]) {
-    let own = rows.entry(point).or_default();
-    (0..2).for_each(|c| own[c] += row[c]);
 }

@@ -4,6 +4,7 @@
 //! `Σ ½ (λ−μ) V_k ϑ_k²`. Both are exact for every uniform strain, and what acts on a point in a uniform stress is what its
 //! tractions have there.
 
+mod border;
 mod families;
 mod fields;
 mod model;

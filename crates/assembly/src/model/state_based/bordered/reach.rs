@@ -12,16 +12,17 @@ pub(super) struct Lacking {
     /// Its number.
     pub(super) point: usize,
     pub(super) cell: Cell,
-    /// The tensor of the bonds that it has: that of a whole family is one in all directions.
-    pub(super) tensor: [f64; 3],
-    /// Its volume, about: cells.
+    /// Its volume, cells, about, and that of the bonds that it has.
     pub(super) volume: f64,
+    pub(super) present: f64,
 }
 
 /// Least part of a cell that a point is taken to lack: what is next to nothing would need to be known exactly.
 const LEAST: f64 = 1e-3;
+/// How much dearer its own bonds are to a point than other places.
+const OWN: f64 = 10.0;
 /// How far a point reaches beyond half of the longest bonds, spacings.
-const BEYOND: f64 = 1.5;
+const BEYOND: f64 = 2.5;
 
 /// A place or an image of it, where it is and the sign of its shear.
 struct Seen {
@@ -33,6 +34,7 @@ struct Seen {
 /// The transport from sources to points; bonds reach so many rows and columns.
 pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirrors, reach: i32) -> Transport {
     let far = 0.5 * f64::from(reach) + BEYOND;
+    let wide = 0.25 * f64::from(reach) + 0.75;
     let seen = seen(sources, mirrors, far);
     let mut edges = Vec::new();
     let mut ends = Vec::with_capacity(points.len());
@@ -43,25 +45,26 @@ pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirror
             for seen in seen.get(&[lacking.cell[0] + i, lacking.cell[1] + j]).into_iter().flatten() {
                 let square: f64 = (0..2).map(|k| (seen.at[k] - f64::from(lacking.cell[k])).powi(2)).sum();
                 if square <= far * far {
-                    edges.push(edge(seen, &sources[seen.place as usize], wish(lacking, square, far)));
+                    let source = &sources[seen.place as usize];
+                    let is_own = source.owner == Some(lacking.point) && square == 0.0;
+                    edges.push(edge(seen, source, wish(lacking, square / (wide * wide), is_own)));
                 }
             }
         }
         ends.push(edges.len());
     }
-    let deviators = points.iter().map(|p| [p.tensor[0] - p.tensor[1], 2.0 * p.tensor[2]]).collect();
-    Transport { ends, edges, deviators, volumes: sources.iter().map(Source::volume).collect() }
+    Transport { ends, edges, volumes: sources.iter().map(Source::volume).collect() }
 }
 
-/// What a point wishes for, in parts of a place: more where more is missing, and from near.
-fn wish(lacking: &Lacking, square: f64, far: f64) -> f64 {
-    let missing = lacking.volume - 0.5 * (lacking.tensor[0] + lacking.tensor[1]);
-    missing.max(LEAST) * (-4.0 * square / (far * far)).exp()
+/// What a point wishes for, in parts of a place: more where more is missing, from near, and above all what its own bonds have.
+fn wish(lacking: &Lacking, square: f64, is_own: bool) -> f64 {
+    let missing = (lacking.volume - lacking.present).max(LEAST);
+    if is_own { OWN } else { missing * (-square).exp() }
 }
 
-fn edge(seen: &Seen, source: &Source, volume: f64) -> Edge {
+fn edge(seen: &Seen, source: &Source, wish: f64) -> Edge {
     let [xx, yy, xy] = source.tensor.map(|t| t / source.volume());
-    Edge { place: seen.place, deviator: [xx - yy, 2.0 * seen.sign * xy], volume }
+    Edge { place: seen.place, deviator: [xx - yy, 2.0 * seen.sign * xy], wish, volume: 0.0 }
 }
 
 /// Places and their images near real points, by cell.

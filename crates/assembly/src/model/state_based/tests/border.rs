@@ -64,11 +64,6 @@ fn uniform_strains_have_their_energy_and_their_dilatation_everywhere() {
                 let of = plate.dilatations.as_ref().unwrap();
                 let inner = plate.point_count() - of.points.len();
                 let area = of.volumes.iter().sum::<f64>() + inner as f64;
-                eprintln!(
-                    "{name} {m} left {:e} volumes {:?} area {area}",
-                    of.left,
-                    of.volumes.iter().fold([f64::INFINITY, 0.0_f64], |[a, b], v| [a.min(*v), b.max(*v)])
-                );
                 for motion in STRAINS {
                     let u = linear(&plate, motion);
                     for k in 0..of.own.count() {
@@ -156,5 +151,82 @@ fn three_motions_cost_nothing_and_none_less() {
                 assert!(least > -1e-12 * most, "{name} {m} {nu}: {least:e}");
             }
         }
+    }
+}
+
+/// Unknowns of the points of a quarter under the forces of the whole body, by cells.
+#[test]
+fn a_quarter_with_mirrors_is_the_whole() {
+    let quarter = |from: [f64; 2], size: [f64; 2], holed: bool| {
+        let mut outline = Outline::rectangle(from, size).unwrap();
+        if holed {
+            outline.cut(Hole { name: None, shape: Shape::Circle { centre: [0.0; 2], radius: 3.3 } }).unwrap();
+        }
+        outline.fill(1.0).unwrap()
+    };
+    for (m, nu, holed) in [(2.0, 0.0, true), (3.0, 0.45, true), (3.0, 0.2, false)] {
+        let whole = plate(&quarter([-8.0; 2], [16.0; 2], holed), Mirrors::NONE, m, nu);
+        let mirrors = Mirrors { columns: [Some(0), None], rows: [Some(0), None], ..Mirrors::NONE };
+        let part = plate(&quarter([0.0; 2], [8.0; 2], holed), mirrors, m, nu);
+        // A displacement with the symmetry of the body.
+        let at = |plate: &BorderedState, p: usize| {
+            let [x, y] = plate.place(p);
+            [0.3 * x + 1e-2 * x * y * y - 1e-3 * x.powi(3), -0.1 * y + 2e-2 * y * x * x]
+        };
+        let forces = |plate: &BorderedState| {
+            let n = plate.point_count();
+            let u: Vec<f64> = (0..2 * n).map(|k| at(plate, k % n)[k / n]).collect();
+            (force(plate, &u), plate.terms().iter().map(|t| t.survey(&u).energy).sum::<f64>())
+        };
+        let ((all, energy), (own, quarter)) = (forces(&whole), forces(&part));
+        assert!((4.0 * quarter / energy - 1.0).abs() < 1e-12, "{m} {nu}: {}", 4.0 * quarter / energy);
+        // Forces on images act on what they are images of.
+        let (n, lattice) = (part.point_count(), part.lattice().unwrap().0);
+        let mut sums = vec![[0.0; 2]; n];
+        for p in 0..n {
+            let (cell, signs) = mirrors.image(lattice.cell(p));
+            let real = lattice.number(cell).unwrap();
+            (0..2).for_each(|k| sums[real][k] += signs[k] * own[k * n + p]);
+        }
+        let (count, wide) = (whole.point_count(), whole.lattice().unwrap().0);
+        for p in real_points(&part) {
+            let cell = lattice.cell(p);
+            let other = wide.number([cell[0] + 8, cell[1] + 8]).unwrap();
+            for k in 0..2 {
+                let off = sums[p][k] - all[k * count + other];
+                assert!(off.abs() < 1e-12 * largest(all.iter().copied()), "{m} {nu} {cell:?}: {off:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn strips_between_held_edges_have_one_stress() {
+    for (m, nu) in [(2.0, 0.3), (3.0, 0.0), (3.0, 0.3), (3.0, 0.45), (4.0, 0.3)] {
+        let (columns, rows) = (24, 12);
+        let plate = plate(&cells(1.0, 0.0, [columns, rows]), Mirrors::NONE, m, nu);
+        let lattice = plate.lattice().unwrap().0.clone();
+        let number = |cell| lattice.number(cell).unwrap();
+        let edge = |row: i32, column: i32, inward: i32, value: f64| Equation {
+            terms: [(0, 1.5), (inward, -0.5)]
+                .map(|(k, share)| (Unknown { component: 0, point: number([column + k, row]) }, share))
+                .to_vec(),
+            value,
+            origin: "held".into(),
+        };
+        let moved = 0.01 * f64::from(columns);
+        let mut held: Vec<Equation> =
+            (0..rows).flat_map(|r| [edge(r, 0, 1, 0.0), edge(r, columns - 1, -1, moved)]).collect();
+        held.push(super::held(1, number([0, 0]), 0.0));
+        let u = solve(&plate, held, &vec![0.0; 2 * plate.point_count()]);
+        let fields = plate.fields(&u);
+        let exact = 0.01 * plate.parameters().youngs_modulus;
+        for (k, expected) in [exact, 0.0, 0.0].into_iter().enumerate() {
+            let off = largest(fields.stress[k].iter().map(|s| s - expected)) / exact;
+            assert!(off < 1e-10, "{m} {nu} {k}: {off:e}");
+        }
+        let force: f64 = (0..rows).map(|r| force(&plate, &u)[number([0, r])] + self::force(&plate, &u)[number([1, r])]).sum();
+        let wanted = -exact * plate.thickness() * f64::from(rows);
+        assert!((force / wanted - 1.0).abs() < 1e-11, "{m} {nu}: {force} {wanted}");
     }
 }

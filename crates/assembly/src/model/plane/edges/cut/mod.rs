@@ -42,6 +42,8 @@ pub(in super::super) use strains::Strains;
 #[derive(Clone, Debug)]
 pub(in super::super::super) struct CutBorder<const D: usize, const S: usize> {
     pub(in super::super::super) families: Arc<WideFamilies<D, S>>,
+    /// The bonds that they stand for, family by family: parts of one bond per offset that has bonds.
+    pub(in super::super::super) left: Vec<f64>,
     /// Bonds between points that pass triangles which are not whole: they are none.
     pub(in super::super) gaps: Vec<Exception>,
     /// Triangles that are left out, because the points on their side of a crack do not tell how they move.
@@ -101,7 +103,7 @@ pub(in super::super) fn cut_border<const D: usize, const M: usize, const S: usiz
     let moduli: Vec<Mat<S, S>> =
         missing.paths.iter().map(|(k, _)| modulus(lattice, hood, bond, *k)).collect();
     let mut families = WideFamilies::new(lattice.points());
-    let (mut gaps, mut lost) = (BTreeSet::new(), 0);
+    let (mut gaps, mut lost, mut left) = (BTreeSet::new(), 0, Vec::new());
     for at in near_blocks(lattice, hood.reach()) {
         missing.for_each_gap(at, &mut |k, from, to| {
             if let (Some(lower), Some(_)) = (lattice.number(from), lattice.number(to)) {
@@ -122,7 +124,10 @@ pub(in super::super) fn cut_border<const D: usize, const M: usize, const S: usiz
                 continue;
             }
             match members(&corners, bond, at, triangle) {
-                Some((members, common)) => families.push(&members, common, own),
+                Some((members, common)) => {
+                    families.push(&members, common, own);
+                    left.extend(shares.iter().map(|share| counted * share));
+                }
                 None => lost += 1,
             }
         }
@@ -135,7 +140,7 @@ pub(in super::super) fn cut_border<const D: usize, const M: usize, const S: usiz
     lacking.dedup();
     lacking.retain(|&point| mirrors.is_none() || mirrors.is_real(lattice.cell(point)));
     let strains = Strains::new(&corners, lacking.into_iter());
-    CutBorder { families: Arc::new(families), gaps, lost, strains }
+    CutBorder { families: Arc::new(families), left, gaps, lost, strains }
 }
 
 /// How corners of triangles move beside some cracks.
