@@ -21,8 +21,10 @@ pub(super) struct Lacking {
 const LEAST: f64 = 1e-3;
 /// How much dearer its own bonds are to a point than other places.
 const OWN: f64 = 10.0;
-/// How far a point reaches beyond half of the longest bonds, spacings.
-const BEYOND: f64 = 2.5;
+/// Square of a distance that is none, spacings.
+const HERE: f64 = 1e-9;
+/// How far a point reaches beyond half of the longest bonds, spacings: no place is as far by chance.
+const BEYOND: f64 = 2.371;
 
 /// A place or an image of it, where it is and the sign of its shear.
 struct Seen {
@@ -46,7 +48,7 @@ pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirror
                 let square: f64 = (0..2).map(|k| (seen.at[k] - f64::from(lacking.cell[k])).powi(2)).sum();
                 if square <= far * far {
                     let source = &sources[seen.place as usize];
-                    let is_own = source.owner == Some(lacking.point) && square == 0.0;
+                    let is_own = source.owner == Some(lacking.point) && square < HERE;
                     edges.push(edge(seen, source, wish(lacking, square / (wide * wide), is_own)));
                 }
             }

@@ -183,14 +183,12 @@ impl Transport {
             if size <= LEFT * LEFT * first {
                 break;
             }
-            let a = self.apply(&p, sums);
-            let stiffness = sum(&p, &a);
-            // One multiplier for all points is met by the places alone.
-            let whole: f64 = p.iter().zip(&scales).map(|(p, s)| dot(&[p[0] * p[0], p[1] * p[1]], s)).sum();
-            if stiffness <= FAINT * whole {
-                break;
-            }
-            let length = size / stiffness;
+            let mut a = self.apply(&p, sums);
+            // One multiplier for all points is as good as none: places meet it.
+            a.iter_mut().zip(&p).zip(&scales).for_each(|((a, p), s)| {
+                (0..2).for_each(|c| a[c] += FAINT * s[c] * p[c]);
+            });
+            let length = size / sum(&p, &a);
             add(&mut x, length, &p);
             add(&mut r, -length, &a);
             let z = scaled(&r);
