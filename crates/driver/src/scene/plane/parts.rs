@@ -99,14 +99,14 @@ fn completed(
     let can_follow = case.fracture.is_none() && case.path.is_none() && !bonds.points_turn();
     let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
     // Families do not break beside a border that completes them.
-    let breaks = matches!(bonds, PlaneBonds::State(_)) && !(can_follow && case.cracks.is_empty());
-    let can_end = !breaks
+    let may_break = matches!(bonds, PlaneBonds::State(_)) && !(can_follow && case.cracks.is_empty());
+    let can_end = !may_break
         && lattice
             .is_some_and(|lattice| (!is_cut || can_follow) && has_border(lattice, mirrors, ratio as i32));
     if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
         return bonds;
     }
-    if is_cut && can_follow && !can_end && bonds.edges() == Some(Edges::Border) {
+    if is_cut && can_follow && !may_break && !can_end && bonds.edges() == Some(Edges::Border) {
         let (why, hint) = match mirrors.joined {
             _ if ratio >= f64::from(FARTHEST + 1) => {
                 ("the horizon is too long to follow it", "use a horizon of ten spacings at most")
@@ -117,10 +117,11 @@ fn completed(
             ),
             _ => ("sides are joined", "model the whole body, or half of it beside a line of symmetry"),
         };
+        let others = if matches!(bonds, PlaneBonds::State(_)) { "ghosts" } else { "overlay" };
         faults
             .warning(
                 root("body"),
-                format!("the border cuts cells, and {why}: stresses beside slanted and round edges can be off by half, as with the edges `overlay`"),
+                format!("the border cuts cells, and {why}: stresses beside slanted and round edges can be off by half, as with the edges `{others}`"),
             )
             .hint(hint);
     }

@@ -1,6 +1,6 @@
 //! What completes the border of a body of bonds, as sources of changes of volume.
 
-use super::sources::{Bonded, Kind, Source, Sources};
+use super::sources::{ANY, Bonded, Kind, Source, Sources};
 use crate::body::Cell;
 use std::collections::BTreeMap;
 
@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 pub(super) fn add_border(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
     add_runs(plate, shear_modulus, to);
     add_triangles(plate, shear_modulus, to);
+    add_overlay(plate, shear_modulus, to);
 }
 
 /// Bonds that end on the border, by the real point that they begin at, those of images among them.
@@ -63,6 +64,31 @@ fn add_triangles(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
             to.add(Kind::Border, block, direction, &Source { at, tensor, rows, owner: None });
         }
     }
+}
+
+/// Triangles of points, on lattices that do not know their border: with its own a point lacks nothing.
+fn add_overlay(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
+    if follows(plate) {
+        return;
+    }
+    for family in plate.triangles.list() {
+        let cell = plate.lattice.cell(family.point as usize);
+        let stress = family.stress(&[1.0, 1.0, 0.0]);
+        let tensor = stress.map(|s| s / (4.0 * shear_modulus * plate.kind.bond.volume));
+        let mut source = Source { at: cell.map(f64::from), tensor, ..Source::default() };
+        for (&other, rows) in family.others.iter().zip(&family.rows) {
+            let row: [f64; 2] = [0, 1].map(|c| (0..3).map(|q| tensor[q] * rows[q][c]).sum());
+            source.add_row(other, row);
+            source.add_row(family.point, row.map(|r| -r));
+        }
+        source.owner = Some(family.point as usize);
+        to.add(Kind::Bonds, cell, ANY, &source);
+    }
+}
+
+/// Whether the border of a plate is completed as it runs.
+pub(super) fn follows(plate: &Bonded) -> bool {
+    plate.border.ended().is_some() || plate.border.cut().is_some()
 }
 
 /// The place that points have some shares in, in cells.

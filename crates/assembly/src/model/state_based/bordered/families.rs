@@ -8,13 +8,19 @@
 
 use super::super::super::plane::near_points;
 use super::super::{Dilatation, StateParameters};
+use super::border::{add_border, follows};
 use super::reach::{Lacking, transport};
-use super::border::add_border;
-use super::sources::{Bonded, Kind, Source, Sources, add};
+use super::sources::{ANY, Bonded, Kind, Source, Sources, add};
+use super::transport::Transport;
 use crate::body::{Cell, SquareLattice};
 use crate::stiffness::{Exception, FamilyRows, GridFamilies, GridFamily, WideFamilies, WideMember};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::Arc;
+
+/// How far points reach beyond half of the longest bonds, spacings: no place is as far by chance.
+const BEYOND: [f64; 3] = [2.371, 4.753, 9.519];
+/// Largest deviator of a point that counts as none: cells. Rounding leaves 1e-14.
+pub(super) const NONE: f64 = 1e-12;
 
 /// Dilatations as energies.
 #[derive(Clone, Debug)]
@@ -61,7 +67,7 @@ impl Steps {
         point: usize,
     ) -> impl Iterator<Item = (usize, Cell, [f64; 2])> + 'a {
         let cell = plate.lattice.cell(point);
-        let follows = plate.border.ended().is_some() || plate.border.cut().is_some();
+        let follows = follows(plate);
         self.steps.iter().zip(&self.rows).filter_map(move |(step, row)| {
             let other = plate.lattice.number([cell[0] + step[0], cell[1] + step[1]])?;
             let part = match follows {
@@ -108,6 +114,7 @@ fn gaps(plate: &Bonded) -> Gaps {
 
 /// Adds the bonds that points have.
 fn add_bonds(plate: &Bonded, steps: &Steps, gaps: &Gaps, points: &[Lacking], to: &mut Sources) {
+    let follows = follows(plate);
     for lacking in points {
         for (other, step, row) in steps.present((plate, gaps), lacking.point) {
             let xi = plate.lattice.vector(step);
@@ -116,7 +123,7 @@ fn add_bonds(plate: &Bonded, steps: &Steps, gaps: &Gaps, points: &[Lacking], to:
             let mut source = Source { at, tensor, rows: Rows::new(), owner };
             source.add_row(other as u32, row);
             source.add_row(lacking.point as u32, row.map(|r| -r));
-            to.add(Kind::Bonds, lacking.cell, step, &source);
+            to.add(Kind::Bonds, lacking.cell, if follows { step } else { ANY }, &source);
         }
     }
 }
@@ -135,8 +142,7 @@ struct Measured {
 impl Measured {
     /// Those of points that take all parts of some sources.
     fn new(plate: &Bonded, points: &[Lacking], sources: &[Source]) -> Self {
-        let mut transport = transport(sources, points, &plate.mirrors, plate.hood.reach());
-        let left = transport.solve();
+        let (transport, left) = solved(plate, points, sources);
         let mut found = Self { rows: Vec::new(), volumes: Vec::new(), left };
         let mut from = 0;
         for &end in &transport.ends {
@@ -154,6 +160,24 @@ impl Measured {
         }
         found
     }
+}
+
+/// The transport from sources to points, and the largest deviator that it leaves. Points reach as far as it takes.
+fn solved(plate: &Bonded, points: &[Lacking], sources: &[Source]) -> (Transport, f64) {
+    let solved = |beyond: f64| {
+        let mut transport =
+            transport(sources, points, &plate.mirrors, 0.5 * f64::from(plate.hood.reach()) + beyond);
+        let left = transport.solve();
+        (transport, left)
+    };
+    let mut found = solved(BEYOND[0]);
+    for &beyond in &BEYOND[1..] {
+        if found.1 < NONE {
+            break;
+        }
+        found = solved(beyond);
+    }
+    found
 }
 
 impl Dilatations {
@@ -176,7 +200,8 @@ impl Dilatations {
         }
         let numbers: Vec<u32> = points.iter().map(|p| p.point as u32).collect();
         let mean_modulus = if by_blocks { parameters.bulk_modulus() } else { 0.0 };
-        let means = by_blocks.then(|| Arc::new(means(plate, &points, (&rows, &volumes), cell * mean_modulus)));
+        let means =
+            by_blocks.then(|| Arc::new(means(plate, &points, (&rows, &volumes), cell * mean_modulus)));
         let is_real = |p: usize| plate.mirrors.is_none() || plate.mirrors.is_real(plate.lattice.cell(p));
         let has_all = |p: usize| is_real(p) && numbers.binary_search(&(p as u32)).is_err();
         let family = GridFamily {

@@ -14,8 +14,7 @@ impl BorderedState {
     pub(super) fn fields_of(&self, u: &[f64]) -> PlaneFields {
         let mut fields = self.plate.fields(u);
         let parameters = &self.parameters;
-        let (shear, bulk, lame) =
-            (parameters.shear_modulus(), parameters.bulk_modulus(), parameters.lame());
+        let (shear, bulk, lame) = (parameters.shear_modulus(), parameters.bulk_modulus(), parameters.lame());
         let [xx, yy, _] = &fields.stress;
         let traces: Vec<f64> = xx.iter().zip(yy).map(|(x, y)| (x + y) / (4.0 * shear)).collect();
         let means = match parameters.dilatation {

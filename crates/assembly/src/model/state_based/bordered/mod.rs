@@ -22,7 +22,7 @@ use super::sets::Maker;
 use super::weights::offsets;
 use super::{Geometry, StateError, StateParameters};
 use crate::body::{Cell, SquareLattice};
-use families::Dilatations;
+use families::{Dilatations, NONE};
 use sources::Bonded;
 use std::sync::Arc;
 use term::JointTerm;
@@ -36,9 +36,6 @@ pub struct BorderedState {
     pub(super) dilatations: Option<Dilatations>,
     term: JointTerm,
 }
-
-/// Deviator, cells, that the family of a point may be left with. Rounding leaves 1e-14.
-const LEFT: f64 = 1e-12;
 
 impl BorderedState {
     /// Whether the border of a lattice can be completed so.
@@ -56,7 +53,8 @@ impl BorderedState {
         parameters: StateParameters,
     ) -> Result<Self, StateError> {
         let hood = neighbourhood(&parameters, real)?;
-        let (Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness)) = parameters.geometry else {
+        let (Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness)) = parameters.geometry
+        else {
             return Err(StateError::NoBorder);
         };
         let kind = Kind {
@@ -67,7 +65,7 @@ impl BorderedState {
         };
         let lattice = Arc::new(mirrors.extended(real, Edges::Border.depth(hood.reach())));
         let body = Self::new(LatticeBody::new(lattice, mirrors, hood, kind, &[]), parameters);
-        let is_left = body.dilatations.as_ref().is_some_and(|d| d.left > LEFT);
+        let is_left = body.dilatations.as_ref().is_some_and(|of| of.left > NONE);
         match body.plate.kind.edges == Edges::Border && !is_left {
             true => Ok(body),
             false => Err(StateError::NoBorder),
@@ -92,10 +90,7 @@ impl BorderedState {
 }
 
 /// The bonds of some families: of the weight w in a family with the weighted volume q they have `16 μ w ξ²/q`.
-fn neighbourhood(
-    parameters: &StateParameters,
-    real: &SquareLattice,
-) -> Result<Neighbourhood<1>, StateError> {
+fn neighbourhood(parameters: &StateParameters, real: &SquareLattice) -> Result<Neighbourhood<1>, StateError> {
     let m = parameters.horizon_ratio;
     if m < 1.5 {
         return Err(StateError::NoNeighbours(m));

@@ -21,11 +21,10 @@ pub(super) struct Lacking {
 const LEAST: f64 = 1e-3;
 /// How much dearer its own bonds are to a point than other places.
 const OWN: f64 = 10.0;
+/// Distance at which wishes have fallen to 1/e, per that to which points reach.
+const WIDE: f64 = 0.4;
 /// Square of a distance that is none, spacings.
 const HERE: f64 = 1e-9;
-/// How far a point reaches beyond half of the longest bonds, spacings: no place is as far by chance.
-const BEYOND: f64 = 2.371;
-
 /// A place or an image of it, where it is and the sign of its shear.
 struct Seen {
     place: u32,
@@ -33,10 +32,9 @@ struct Seen {
     sign: f64,
 }
 
-/// The transport from sources to points; bonds reach so many rows and columns.
-pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirrors, reach: i32) -> Transport {
-    let far = 0.5 * f64::from(reach) + BEYOND;
-    let wide = 0.25 * f64::from(reach) + 0.75;
+/// The transport from sources to points, which reach so far: spacings.
+pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirrors, far: f64) -> Transport {
+    let wide = WIDE * far;
     let seen = seen(sources, mirrors, far);
     let mut edges = Vec::new();
     let mut ends = Vec::with_capacity(points.len());
@@ -120,7 +118,10 @@ mod tests {
         // Two lines of symmetry with two cells between them: every four cells.
         let mut between = copies([Some(0), Some(2)], false, 0.25, 4.0);
         between.sort_by(|a, b| a.0.total_cmp(&b.0));
-        assert_eq!(between, [(-5.25, -1.0), (-3.75, 1.0), (-1.25, -1.0), (0.25, 1.0), (2.75, -1.0), (4.25, 1.0)]);
+        assert_eq!(
+            between,
+            [(-5.25, -1.0), (-3.75, 1.0), (-1.25, -1.0), (0.25, 1.0), (2.75, -1.0), (4.25, 1.0)]
+        );
         let joined = copies([Some(0), Some(5)], true, 0.5, 2.0);
         assert_eq!(joined, [(0.5, 1.0), (5.5, 1.0)]);
     }

@@ -64,6 +64,9 @@ pub(super) enum Kind {
     Single(usize),
 }
 
+/// The direction of all that has many.
+pub(super) const ANY: Cell = [1, 1];
+
 /// Sources by kind, cell and direction.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sources {

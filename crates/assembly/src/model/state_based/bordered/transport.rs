@@ -50,8 +50,7 @@ impl Transport {
     /// Finds the volumes; the largest deviator that a point is left with, cells.
     pub(super) fn solve(&mut self) -> f64 {
         self.scale_wishes();
-        let mut at =
-            Both { points: vec![[0.0; 2]; self.ends.len()], places: vec![0.0; self.volumes.len()] };
+        let mut at = Both { points: vec![[0.0; 2]; self.ends.len()], places: vec![0.0; self.volumes.len()] };
         let mut height = self.take(&at);
         for _ in 0..STEPS {
             let rest = self.rest();
