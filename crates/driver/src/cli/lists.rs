@@ -74,6 +74,10 @@ const PLATE: [(&str, &str); 37] = [
     ("  influence constant", "ω = 1"),
     ("  edges ghosts", "points outside, moved by fits of those inside, complete every family (default)"),
     (
+        "  edges border",
+        "bonds end on the border, or leave what they have to triangles that it cuts: uniform stresses and held edges are exact (plates alone)",
+    ),
+    (
         "  edges moment_plus",
         "weights exact for every uniform strain in what is left of a family; points that would need negative ones give their energy away",
     ),

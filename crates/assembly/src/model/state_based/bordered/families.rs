@@ -6,15 +6,15 @@
 //! All parts are taken: `Σ V_k ϑ_k` is the change of volume of the body as its border has it, and a uniform stress is in equilibrium. No
 //! part is negative, and so by the inequality of Cauchy and Schwarz the families never take more energy than bonds have.
 
-use super::super::super::plane::near_points;
 use super::super::{Dilatation, StateParameters};
-use super::border::{add_border, follows};
+use super::border::add_border;
+use super::own_bonds::PointBonds;
 use super::reach::{Lacking, transport};
-use super::sources::{ANY, Bonded, Kind, Source, Sources, add};
+use super::sources::{Bonded, Source, Sources, add};
 use super::transport::Transport;
 use crate::body::{Cell, SquareLattice};
-use crate::stiffness::{Exception, FamilyRows, GridFamilies, GridFamily, WideFamilies, WideMember};
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use crate::stiffness::{GridFamilies, GridFamily, WideFamilies, WideMember};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// How far points reach beyond half of the longest bonds, spacings: no place is as far by chance.
@@ -37,95 +37,6 @@ pub(in super::super) struct Dilatations {
     pub(in super::super) volumes: Vec<f64>,
     /// Largest error of what a uniform stress without a trace does to them.
     pub(in super::super) left: f64,
-}
-
-/// Steps from a point to its neighbours, and `c ξ/|ξ|²` of the bonds there.
-pub(super) struct Steps {
-    pub(super) steps: Vec<Cell>,
-    pub(super) rows: FamilyRows,
-}
-
-impl Steps {
-    pub(super) fn new(plate: &Bonded, shear_modulus: f64) -> Self {
-        let (mut steps, mut rows) = (Vec::new(), Vec::new());
-        for sign in [1, -1] {
-            for k in plate.hood.bonded() {
-                let step = plate.hood.offsets[k].map(|o| sign * o);
-                let xi = plate.lattice.vector(step);
-                let part = plate.hood.weights[k][0] / (8.0 * shear_modulus * (xi[0] * xi[0] + xi[1] * xi[1]));
-                steps.push(step);
-                rows.push(xi.map(|x| part * x));
-            }
-        }
-        Self { steps, rows }
-    }
-
-    /// Neighbours of a point and the rows of the bonds to them, if these are there.
-    fn present<'a>(
-        &'a self,
-        (plate, gaps): (&'a Bonded, &'a HashSet<[usize; 2]>),
-        point: usize,
-    ) -> impl Iterator<Item = (usize, Cell, [f64; 2])> + 'a {
-        let cell = plate.lattice.cell(point);
-        let follows = follows(plate);
-        self.steps.iter().zip(&self.rows).filter_map(move |(step, row)| {
-            let other = plate.lattice.number([cell[0] + step[0], cell[1] + step[1]])?;
-            let part = match follows {
-                true => 1.0,
-                false => plate.lattice.fraction(point).min(plate.lattice.fraction(other)),
-            };
-            let is_there = !gaps.contains(&[point.min(other), point.max(other)]);
-            is_there.then(|| (other, *step, row.map(|r| part * r)))
-        })
-    }
-}
-
-/// The points that have not all bonds.
-fn lacking(plate: &Bonded, steps: &Steps, gaps: &Gaps, by_blocks: bool) -> Vec<Lacking> {
-    let near = near_points(&plate.lattice, plate.hood.reach() + 1);
-    let candidates: BTreeSet<usize> = near.into_iter().chain(gaps.iter().flatten().copied()).collect();
-    let is_real = |p: &usize| plate.mirrors.is_none() || plate.mirrors.is_real(plate.lattice.cell(*p));
-    let of = |point: usize| {
-        let part = |(_, step, row): (usize, Cell, [f64; 2])| {
-            let xi = plate.lattice.vector(step);
-            0.5 * (row[0] * xi[0] + row[1] * xi[1])
-        };
-        let present = steps.present((plate, gaps), point).map(part).sum();
-        Lacking { point, cell: plate.lattice.cell(point), volume: plate.lattice.fraction(point), present }
-    };
-    let all: Vec<Lacking> = candidates.into_iter().filter(is_real).map(of).collect();
-    let is_whole = |lacking: &Lacking| lacking.present > 1.0 - 1e-9;
-    let parent = |lacking: &Lacking| SquareLattice::parent(lacking.cell);
-    let blocks: HashSet<Cell> = all.iter().filter(|l| !is_whole(l)).map(parent).collect();
-    all.into_iter().filter(|l| !is_whole(l) || (by_blocks && blocks.contains(&parent(l)))).collect()
-}
-
-/// Bonds that are not there although both of their points are, by these.
-type Gaps = HashSet<[usize; 2]>;
-
-fn gaps(plate: &Bonded) -> Gaps {
-    let ends = |gap: &Exception| {
-        let (cell, step) = (plate.lattice.cell(gap.lower), plate.hood.offsets[gap.offset]);
-        let upper = plate.lattice.number([cell[0] + step[0], cell[1] + step[1]])?;
-        Some([gap.lower.min(upper), gap.lower.max(upper)])
-    };
-    plate.border.gaps().iter().filter_map(ends).collect()
-}
-
-/// Adds the bonds that points have.
-fn add_bonds(plate: &Bonded, steps: &Steps, gaps: &Gaps, points: &[Lacking], to: &mut Sources) {
-    let follows = follows(plate);
-    for lacking in points {
-        for (other, step, row) in steps.present((plate, gaps), lacking.point) {
-            let xi = plate.lattice.vector(step);
-            let tensor = [row[0] * xi[0], row[1] * xi[1], row[0] * xi[1]];
-            let (at, owner) = (lacking.cell.map(f64::from), Some(lacking.point));
-            let mut source = Source { at, tensor, rows: Rows::new(), owner };
-            source.add_row(other as u32, row);
-            source.add_row(lacking.point as u32, row.map(|r| -r));
-            to.add(Kind::Bonds, lacking.cell, if follows { step } else { ANY }, &source);
-        }
-    }
 }
 
 /// Rows of points, by these.
@@ -153,7 +64,9 @@ impl Measured {
                 source.rows.iter().for_each(|(point, row)| add(&mut rows, *point, row.map(|r| part * r)));
                 volume += edge.volume;
             }
-            rows.values_mut().flatten().for_each(|r| *r /= volume);
+            // What has nothing measures nothing.
+            let volume_or_one = if volume > 0.0 { volume } else { 1.0 };
+            rows.values_mut().flatten().for_each(|r| *r /= volume_or_one);
             found.rows.push(rows);
             found.volumes.push(volume);
             from = end;
@@ -184,11 +97,10 @@ impl Dilatations {
     /// Those of a plate whose bonds have the shear modulus of some parameters.
     pub(super) fn new(plate: &Bonded, parameters: &StateParameters) -> Self {
         let by_blocks = parameters.dilatation == Dilatation::Blocks;
-        let steps = Steps::new(plate, parameters.shear_modulus());
-        let gaps = gaps(plate);
-        let points = lacking(plate, &steps, &gaps, by_blocks);
+        let bonds = PointBonds::new(plate, parameters.shear_modulus());
+        let points = bonds.lacking(by_blocks);
         let mut sources = Sources::default();
-        add_bonds(plate, &steps, &gaps, &points, &mut sources);
+        bonds.add_sources(&points, &mut sources);
         add_border(plate, parameters.shear_modulus(), &mut sources);
         let sources = sources.list();
         let Measured { rows, volumes, left } = Measured::new(plate, &points, &sources);
@@ -205,8 +117,8 @@ impl Dilatations {
         let is_real = |p: usize| plate.mirrors.is_none() || plate.mirrors.is_real(plate.lattice.cell(p));
         let has_all = |p: usize| is_real(p) && numbers.binary_search(&(p as u32)).is_err();
         let family = GridFamily {
-            steps: steps.steps,
-            sets: vec![steps.rows],
+            steps: bonds.steps,
+            sets: vec![bonds.rows],
             set_of: (0..plate.lattice.points()).map(|p| has_all(p).then_some(0)).collect(),
             volume: vec![cell; plate.lattice.points()],
             own: Vec::new(),

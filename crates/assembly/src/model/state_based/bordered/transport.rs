@@ -101,7 +101,7 @@ impl Transport {
     fn give_all(&mut self) {
         let mut given = vec![0.0; self.volumes.len()];
         self.edges.iter().for_each(|edge| given[edge.place as usize] += edge.volume);
-        for edge in &mut self.edges {
+        for edge in self.edges.iter_mut().filter(|edge| edge.volume > 0.0) {
             edge.volume *= self.volumes[edge.place as usize] / given[edge.place as usize];
         }
     }
