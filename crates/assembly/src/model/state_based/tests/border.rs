@@ -107,6 +107,13 @@ fn tractions_hold_every_uniform_stress() {
                         let size = largest(load.iter().copied());
                         let off = largest(internal.iter().zip(&load).map(|(a, b)| a - b)) / size;
                         assert!(off < 1e-11, "{name} {m} {nu} {stress:?}: {off:e}");
+                        let mut through_volume = vec![0.0; u.len()];
+                        plate.add_stress_load(None, &|_| stress, &mut through_volume);
+                        let off = largest(internal.iter().zip(&through_volume).map(|(a, b)| a - b)) / size;
+                        assert!(off < 1e-11, "{name} {m} {nu} {stress:?}: {off:e}");
+                        let found = plate.fields(&u).stress;
+                        let off = (0..3).map(|k| largest(found[k].iter().map(|s| s - stress[k])));
+                        assert!(off.fold(0.0, f64::max) < 1e-11, "{name} {m} {nu} {stress:?}");
                     }
                 }
             }
@@ -138,6 +145,22 @@ fn through_border(
         }
     }
     force
+}
+
+/// Coarser lattices do not know their border: triangles of points complete families.
+#[test]
+fn coarser_plates_have_the_energy_of_their_area() {
+    for (name, outline) in outlines() {
+        let plate = plate(&outline.fill(0.5).unwrap(), Mirrors::NONE, 3.0, 0.0);
+        let coarse = plate.coarser(&|_, _| Vec::new()).unwrap();
+        let area: f64 = (0..coarse.point_count()).map(|p| coarse.volume(p)).sum();
+        for motion in STRAINS {
+            let u = linear(&coarse, motion);
+            let energy: f64 = coarse.terms().iter().map(|t| t.survey(&u).energy).sum();
+            let found = energy / (area * density(&coarse, motion));
+            assert!((found - 1.0).abs() < 1e-11, "{name} {motion:?}: {found}");
+        }
+    }
 }
 
 #[test]
