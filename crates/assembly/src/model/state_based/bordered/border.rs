@@ -27,7 +27,6 @@ fn add_runs(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
             at: centre(plate, border.bonds.middle(k).map(|(point, share)| (point as u32, share))),
             tensor: [n[0] * n[0], n[1] * n[1], n[0] * n[1]].map(|t| volume * t),
             rows: border.bonds.difference(k).map(|(point, share)| (point, row(share))).collect(),
-            owner: None,
         };
         let Some(start) = part.start else {
             to.add(Kind::Single(k), [0; 2], direction, &source);
@@ -61,7 +60,7 @@ fn add_triangles(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
             let row = |c: usize, rows: &[[f64; 2]; 3]| (0..3).map(|q| tensor[q] * rows[q][c]).sum();
             let rows: BTreeMap<u32, [f64; 2]> =
                 members.iter().map(|m| (m.point, [0, 1].map(|c| row(c, &m.rows)))).collect();
-            to.add(Kind::Border, block, direction, &Source { at, tensor, rows, owner: None });
+            to.add(Kind::Border, block, direction, &Source { at, tensor, rows });
         }
     }
 }
@@ -81,7 +80,6 @@ fn add_overlay(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
             source.add_row(other, row);
             source.add_row(family.point, row.map(|r| -r));
         }
-        source.owner = Some(family.point as usize);
         to.add(Kind::Bonds, cell, ANY, &source);
     }
 }

@@ -17,8 +17,8 @@ use crate::stiffness::{GridFamilies, GridFamily, WideFamilies, WideMember};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// How far points reach beyond half of the longest bonds, spacings: no place is as far by chance.
-const BEYOND: [f64; 3] = [2.371, 4.753, 9.519];
+/// Degrees of the splines with which points reach for places: as far as it takes.
+const DEGREES: [i32; 3] = [3, 5, 9];
 /// Largest deviator of a point that counts as none: cells. Rounding leaves 1e-14.
 pub(super) const NONE: f64 = 1e-12;
 
@@ -77,18 +77,17 @@ impl Measured {
 
 /// The transport from sources to points, and the largest deviator that it leaves. Points reach as far as it takes.
 fn solved(plate: &Bonded, points: &[Lacking], sources: &[Source]) -> (Transport, f64) {
-    let solved = |beyond: f64| {
-        let mut transport =
-            transport(sources, points, &plate.mirrors, 0.5 * f64::from(plate.hood.reach()) + beyond);
+    let solved = |degree: i32| {
+        let mut transport = transport(sources, points, &plate.mirrors, degree);
         let left = transport.solve();
         (transport, left)
     };
-    let mut found = solved(BEYOND[0]);
-    for &beyond in &BEYOND[1..] {
+    let mut found = solved(DEGREES[0]);
+    for &degree in &DEGREES[1..] {
         if found.1 < NONE {
             break;
         }
-        found = solved(beyond);
+        found = solved(degree);
     }
     found
 }

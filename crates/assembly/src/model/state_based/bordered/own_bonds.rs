@@ -84,12 +84,11 @@ impl<'a> PointBonds<'a> {
         for lacking in points {
             for (other, step, row) in self.of(lacking.point) {
                 let [x, y] = self.plate.lattice.vector(step);
-                let mut source = Source {
-                    at: lacking.cell.map(f64::from),
-                    tensor: [row[0] * x, row[1] * y, row[0] * y],
-                    owner: Some(lacking.point),
-                    ..Source::default()
-                };
+                // The part of a point has all of the bond: its middle is that of the bond.
+                let middle = if self.follows { 0.5 } else { 0.0 };
+                let at = [0, 1].map(|k| f64::from(lacking.cell[k]) + middle * f64::from(step[k]));
+                let tensor = [row[0] * x, row[1] * y, row[0] * y];
+                let mut source = Source { at, tensor, ..Source::default() };
                 source.add_row(other as u32, row);
                 source.add_row(lacking.point as u32, row.map(|r| -r));
                 to.add(Kind::Bonds, lacking.cell, if self.follows { step } else { ANY }, &source);

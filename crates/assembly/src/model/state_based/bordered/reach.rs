@@ -19,12 +19,6 @@ pub(super) struct Lacking {
 
 /// Least part of a cell that a point is taken to lack: what is next to nothing would need to be known exactly.
 const LEAST: f64 = 1e-3;
-/// How much dearer its own bonds are to a point than other places.
-const OWN: f64 = 10.0;
-/// Distance at which wishes have fallen to 1/e, per that to which points reach.
-const WIDE: f64 = 0.4;
-/// Square of a distance that is none, spacings.
-const HERE: f64 = 1e-9;
 /// A place or an image of it, where it is and the sign of its shear.
 struct Seen {
     place: u32,
@@ -32,22 +26,21 @@ struct Seen {
     sign: f64,
 }
 
-/// The transport from sources to points, which reach so far: spacings.
-pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirrors, far: f64) -> Transport {
-    let wide = WIDE * far;
-    let seen = seen(sources, mirrors, far);
+/// The transport from sources to points, with wishes that fall off as a spline of a degree does.
+pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirrors, degree: i32) -> Transport {
+    let far = (degree + 1) / 2;
+    let seen = seen(sources, mirrors, f64::from(far));
     let mut edges = Vec::new();
     let mut ends = Vec::with_capacity(points.len());
-    let most = far.ceil() as i32;
     for lacking in points {
-        let cells = (-most..=most).flat_map(|j| (-most..=most).map(move |i| [i, j]));
-        for [i, j] in cells {
+        // More where more is missing.
+        let missing = (lacking.volume - lacking.present).max(LEAST);
+        for [i, j] in (-far..=far).flat_map(|j| (-far..=far).map(move |i| [i, j])) {
             for seen in seen.get(&[lacking.cell[0] + i, lacking.cell[1] + j]).into_iter().flatten() {
-                let square: f64 = (0..2).map(|k| (seen.at[k] - f64::from(lacking.cell[k])).powi(2)).sum();
-                if square <= far * far {
-                    let source = &sources[seen.place as usize];
-                    let is_own = source.owner == Some(lacking.point) && square < HERE;
-                    edges.push(edge(seen, source, wish(lacking, square / (wide * wide), is_own)));
+                let along = |k: usize| spline(degree, seen.at[k] - f64::from(lacking.cell[k]));
+                let wish = missing * along(0) * along(1);
+                if wish > 0.0 {
+                    edges.push(edge(seen, &sources[seen.place as usize], wish));
                 }
             }
         }
@@ -56,10 +49,23 @@ pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirror
     Transport { ends, edges, volumes: sources.iter().map(Source::volume).collect() }
 }
 
-/// What a point wishes for, in parts of a place: more where more is missing, from near, and above all what its own bonds have.
-fn wish(lacking: &Lacking, square: f64, is_own: bool) -> f64 {
-    let missing = (lacking.volume - lacking.present).max(LEAST);
-    if is_own { OWN } else { missing * (-square).exp() }
+/// The spline of an odd degree about zero whose pieces are one long. Weighted with such splines about points of a row, one
+/// place has itself as the mean of their positions: what points of a straight border take from it has as much from the left as
+/// from the right.
+fn spline(degree: i32, x: f64) -> f64 {
+    let half = 0.5 * f64::from(degree + 1);
+    let (mut sum, mut binomial) = (0.0, 1.0);
+    for j in 0..=degree + 1 {
+        // From the nearer end: sums are of a few terms.
+        let from = half - x.abs() - f64::from(j);
+        if from <= 0.0 {
+            break;
+        }
+        sum += binomial * from.powi(degree);
+        binomial *= -f64::from(degree + 1 - j) / f64::from(j + 1);
+    }
+    // A rounding of zero is none.
+    if sum > 1e-6 { sum / (1..=degree).map(f64::from).product::<f64>() } else { 0.0 }
 }
 
 fn edge(seen: &Seen, source: &Source, wish: f64) -> Edge {
@@ -110,6 +116,19 @@ fn copies(lines: [Option<i32>; 2], joined: bool, at: f64, far: f64) -> Vec<(f64,
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn splines_keep_the_place() {
+        for degree in [1, 3, 5, 9] {
+            for x in [0.0, 0.31, 0.5, 0.87] {
+                let all = |of: &dyn Fn(f64) -> f64| -> f64 {
+                    (-7..=7).map(|k| of(f64::from(k)) * spline(degree, x - f64::from(k))).sum()
+                };
+                assert!((all(&|_| 1.0) - 1.0).abs() < 1e-5 && (all(&|k| k) - x).abs() < 1e-5, "{degree} {x}");
+            }
+        }
+        assert_eq!((spline(3, 0.0), spline(3, 2.0)), (2.0 / 3.0, 0.0));
+    }
 
     #[test]
     fn images_stand_where_mirrors_show_them() {

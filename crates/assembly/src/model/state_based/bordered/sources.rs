@@ -22,8 +22,6 @@ pub(super) struct Source {
     pub(super) tensor: [f64; 3],
     /// Points and the coefficients of their displacements, 1/m.
     pub(super) rows: BTreeMap<u32, [f64; 2]>,
-    /// The point whose bonds these are.
-    pub(super) owner: Option<usize>,
 }
 
 impl Source {
@@ -43,7 +41,6 @@ impl Source {
         (0..2).for_each(|k| self.at[k] = (own * self.at[k] + theirs * other.at[k]) / (own + theirs));
         (0..3).for_each(|q| self.tensor[q] += part * other.tensor[q]);
         other.rows.iter().for_each(|(&point, row)| self.add_row(point, row.map(|r| part * r)));
-        self.owner = other.owner;
     }
 }
 

@@ -33,7 +33,7 @@ pub(super) struct Transport {
 const NONE: f64 = 1e-13;
 /// Stiffness of what has next to none, per that of the rest.
 const FAINT: f64 = 1e-9;
-/// Steps of Newton's method at most; 4 to 12 are usual.
+/// Steps of Newton's method at most; 2 to 5 are usual.
 const STEPS: usize = 60;
 
 /// How often a step is halved at most.
