@@ -14,7 +14,7 @@ const BEAM: (&str, &str) = (
     "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
 );
 
-const PLATE: [(&str, &str); 37] = [
+const PLATE: [(&str, &str); 38] = [
     (
         "bond_plane",
         "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh, and the specimens compact_tension, single_edge_bend, centre_cracked_panel",

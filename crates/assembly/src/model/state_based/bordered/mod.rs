@@ -8,6 +8,7 @@ mod border;
 mod families;
 mod fields;
 mod model;
+mod newton;
 mod own_bonds;
 mod reach;
 mod sources;

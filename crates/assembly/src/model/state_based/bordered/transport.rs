@@ -6,6 +6,8 @@
 //! `Σ (x − w)²/w`: `x = w max(0, 1 + a_k·d_ks + b_s)` with the multipliers a and b of both conditions, which Newton's method
 //! finds. The solution is unique, so that what is symmetric has symmetric shares.
 
+use super::newton::{add, dot};
+
 /// A place from which a point can take.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Edge {
@@ -31,8 +33,6 @@ pub(super) struct Transport {
 
 /// Largest deviator of a point, and rest of a place, that counts as none: cells. Rounding leaves 1e-15.
 const NONE: f64 = 1e-13;
-/// Stiffness of what has next to none, per that of the rest.
-const FAINT: f64 = 1e-9;
 /// Steps of Newton's method at most; 2 to 5 are usual.
 const STEPS: usize = 60;
 
@@ -41,9 +41,9 @@ const HALVED: i32 = 20;
 
 /// Values of points and of places.
 #[derive(Clone, Debug)]
-struct Both {
-    points: Vec<[f64; 2]>,
-    places: Vec<f64>,
+pub(super) struct Both {
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) places: Vec<f64>,
 }
 
 impl Transport {
@@ -116,97 +116,12 @@ impl Transport {
         rest
     }
 
-    fn for_each(&self, mut visit: impl FnMut(usize, &Edge)) {
+    pub(super) fn for_each(&self, mut visit: impl FnMut(usize, &Edge)) {
         let mut from = 0;
         for (point, &end) in self.ends.iter().enumerate() {
             self.edges[from..end].iter().for_each(|edge| visit(point, edge));
             from = end;
         }
-    }
-
-    /// Calls `visit` with the edges whose volumes are above zero: these alone change.
-    fn for_each_used(&self, mut visit: impl FnMut(usize, &Edge)) {
-        self.for_each(|point, edge| {
-            if edge.volume > 0.0 {
-                visit(point, edge);
-            }
-        });
-    }
-
-    /// The change of the multipliers that makes some change of deviators and volumes: those of places follow from those of
-    /// points, which conjugate gradients find.
-    fn newton(&self, rest: &Both) -> Both {
-        let mut sums = vec![0.0; self.volumes.len()];
-        self.for_each_used(|_, edge| sums[edge.place as usize] += edge.wish);
-        // A place from which nobody takes any more is offered as it was at first.
-        sums.iter_mut().zip(&self.volumes).filter(|s| *s.0 == 0.0).for_each(|(sum, volume)| *sum = *volume);
-        let mut wanted = rest.points.clone();
-        self.for_each_used(|point, edge| {
-            let place = edge.place as usize;
-            let change = edge.wish * rest.places[place] / sums[place];
-            (0..2).for_each(|c| wanted[point][c] -= change * edge.deviator[c]);
-        });
-        let points = self.multipliers(&wanted, &sums);
-        let means = self.means(&points, &sums);
-        let places = (0..sums.len()).map(|s| rest.places[s] / sums[s] - means[s]).collect();
-        Both { points, places }
-    }
-
-    /// Means over what places give of the multipliers of points.
-    fn means(&self, points: &[[f64; 2]], sums: &[f64]) -> Vec<f64> {
-        let mut means = vec![0.0; sums.len()];
-        self.for_each_used(|point, edge| {
-            means[edge.place as usize] += edge.wish * dot(&points[point], &edge.deviator);
-        });
-        means.iter().zip(sums).map(|(mean, sum)| mean / sum).collect()
-    }
-
-    /// The multipliers of points that change their deviators as wanted, while places give as much as before.
-    fn multipliers(&self, wanted: &[[f64; 2]], sums: &[f64]) -> Vec<[f64; 2]> {
-        /// Part of the rest that is left; the next step of Newton's method mends it.
-        const LEFT: f64 = 1e-8;
-        const MOST: usize = 500;
-        // Where all deviators are along one axis the multiplier of the other means nothing.
-        let mut scales = vec![[f64::MIN_POSITIVE; 2]; self.ends.len()];
-        self.for_each(|point, edge| {
-            (0..2).for_each(|c| scales[point][c] += edge.wish * (FAINT + edge.deviator[c].powi(2)));
-        });
-        let scaled = |r: &[[f64; 2]]| -> Vec<[f64; 2]> {
-            r.iter().zip(&scales).map(|(r, s)| [r[0] / s[0], r[1] / s[1]]).collect()
-        };
-        let mut x = vec![[0.0; 2]; wanted.len()];
-        let (mut r, mut p) = (wanted.to_vec(), scaled(wanted));
-        let mut size = sum(&r, &p);
-        let first = size;
-        for _ in 0..MOST {
-            if size <= LEFT * LEFT * first {
-                break;
-            }
-            let mut a = self.apply(&p, sums);
-            // One multiplier for all points is as good as none: places meet it.
-            a.iter_mut().zip(&p).zip(&scales).for_each(|((a, p), s)| {
-                (0..2).for_each(|c| a[c] += FAINT * s[c] * p[c]);
-            });
-            let length = size / sum(&p, &a);
-            add(&mut x, length, &p);
-            add(&mut r, -length, &a);
-            let z = scaled(&r);
-            let next = sum(&r, &z);
-            let turn = next / size;
-            p.iter_mut().zip(&z).for_each(|(p, z)| (0..2).for_each(|c| p[c] = z[c] + turn * p[c]));
-            size = next;
-        }
-        x
-    }
-
-    fn apply(&self, points: &[[f64; 2]], sums: &[f64]) -> Vec<[f64; 2]> {
-        let means = self.means(points, sums);
-        let mut found = vec![[0.0; 2]; points.len()];
-        self.for_each_used(|point, edge| {
-            let change = edge.wish * (dot(&points[point], &edge.deviator) - means[edge.place as usize]);
-            (0..2).for_each(|c| found[point][c] += change * edge.deviator[c]);
-        });
-        found
     }
 }
 
@@ -221,14 +136,38 @@ impl Both {
     }
 }
 
-fn dot(a: &[f64; 2], b: &[f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn sum(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| dot(a, b)).sum()
-}
+    fn edge(place: u32, deviator: [f64; 2], wish: f64) -> Edge {
+        Edge { place, deviator, wish, volume: 0.0 }
+    }
 
-fn add(to: &mut [[f64; 2]], factor: f64, other: &[[f64; 2]]) {
-    to.iter_mut().zip(other).for_each(|(t, o)| (0..2).for_each(|c| t[c] += factor * o[c]));
+    /// Two points mirror each other, with a place of all directions in the middle and one of its own on either side.
+    #[test]
+    fn places_give_all_and_points_have_all_directions() {
+        let own = |place: u32, sign: f64| {
+            vec![
+                edge(0, [1.0, 0.0], 1.0),
+                edge(place, [-0.5, sign], 1.0),
+                edge(3 - place, [-0.5, -sign], 0.2),
+            ]
+        };
+        let edges = [own(1, 1.0), own(2, -1.0)].concat();
+        let mut transport = Transport { ends: vec![3, 6], edges, volumes: vec![0.5, 0.5, 0.5] };
+        assert!(transport.solve() < 1e-13);
+        let volumes: Vec<f64> = transport.edges.iter().map(|edge| edge.volume).collect();
+        (0..3).for_each(|k| assert!((volumes[k] - volumes[3 + k]).abs() < 1e-13, "{volumes:?}"));
+        for (found, expected) in volumes[..3].iter().zip([0.25, 0.25, 0.25]) {
+            assert!((found - expected).abs() < 1e-13, "{volumes:?}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_met_is_told() {
+        let edges = vec![edge(0, [1.0, 0.0], 1.0), edge(1, [1.0, 0.5], 1.0)];
+        let mut transport = Transport { ends: vec![2], edges, volumes: vec![0.5, 0.5] };
+        assert!(transport.solve() > 0.1);
+    }
 }
