@@ -72,11 +72,19 @@ impl<'a> PointBonds<'a> {
             let present = self.of(point).map(part).sum();
             Lacking { point, cell: lattice.cell(point), volume: lattice.fraction(point), present }
         };
-        let all: Vec<Lacking> = candidates.into_iter().filter(is_real).map(of).collect();
         let is_whole = |lacking: &Lacking| lacking.present > lacking.volume.max(1.0) - 1e-9;
-        let parent = |lacking: &Lacking| SquareLattice::parent(lacking.cell);
-        let blocks: HashSet<Cell> = all.iter().filter(|l| !is_whole(l)).map(parent).collect();
-        all.into_iter().filter(|l| !is_whole(l) || (by_blocks && blocks.contains(&parent(l)))).collect()
+        let lacking: Vec<Lacking> =
+            candidates.into_iter().filter(is_real).map(of).filter(|l| !is_whole(l)).collect();
+        if !by_blocks {
+            return lacking;
+        }
+        let block = |l: &Lacking| {
+            let [i, j] = SquareLattice::parent(l.cell).map(|k| 2 * k);
+            [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]]
+        };
+        let mates = lacking.iter().flat_map(block).filter_map(|cell| lattice.number(cell));
+        let mates: BTreeSet<usize> = mates.filter(is_real).collect();
+        mates.into_iter().map(of).collect()
     }
 
     /// Adds the bonds of some points.

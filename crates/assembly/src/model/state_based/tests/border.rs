@@ -180,7 +180,20 @@ fn three_motions_cost_nothing_and_none_less() {
     }
 }
 
-/// Unknowns of the points of a quarter under the forces of the whole body, by cells.
+/// A mean is over all points of its block, in the grid or beside it.
+#[test]
+fn blocks_are_not_divided() {
+    let lattice = &filled(&outlines()[4].1)[0];
+    let plate = plate(lattice, Mirrors::NONE, 3.0, 0.49);
+    let own = &plate.dilatations.as_ref().unwrap().points;
+    let is_own = |p: usize| own.binary_search(&(p as u32)).is_ok();
+    let parent = |p: usize| SquareLattice::parent(lattice.cell(p));
+    for p in (0..plate.point_count()).filter(|p| !is_own(*p)) {
+        assert!((0..plate.point_count()).all(|q| parent(q) != parent(p) || !is_own(q)), "{p}");
+    }
+}
+
+/// Forces and energy of a symmetric displacement, by cells.
 #[test]
 fn a_quarter_with_mirrors_is_the_whole() {
     let quarter = |from: [f64; 2], size: [f64; 2], holed: bool| {
