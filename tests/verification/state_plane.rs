@@ -126,3 +126,38 @@ fn multigrid_and_a_factor_agree_on_families_of_50_000_points() {
     check_solvers(clamped(224), 20);
     check_solvers(drum(224), 32);
 }
+
+/// 40 × 20 between edges that are held, pulled by a hundredth: the errors of the force, and of the stress at a corner.
+fn held(nu: f64, edges: &str) -> [f64; 2] {
+    let case = json!({
+        "title": "held strip", "units": "mm-N-MPa",
+        "model": { "state_plane": {
+            "youngs_modulus": 70000, "poisson_ratio": nu, "state": "plane_stress", "edges": edges
+        } },
+        "body": { "rectangle": { "size": [40, 20], "spacing": 1 } },
+        "supports": [
+            { "at": { "region": "left" }, "ux": 0 },
+            { "at": { "x": 0.5, "y": 2.5 }, "uy": 0 },
+            { "at": { "region": "right" }, "ux": 0.4 }
+        ],
+        "probes": [
+            { "name": "force", "at": { "region": "right" }, "field": "reaction_x" },
+            { "name": "stress", "at": { "x": 0.5, "y": 0.5 }, "field": "stress_xx" }
+        ]
+    });
+    let summary = peristat::solve_text(&format!("{case:#}")).unwrap_or_else(|e| panic!("{e}")).summary;
+    let record = serde_json::to_value(&summary).expect("a summary is JSON");
+    let value = |k: usize| record["probes"][k]["value"].as_f64().expect("a number");
+    [value(0) / 14000.0 - 1.0, value(1) / 700.0 - 1.0]
+}
+
+#[test]
+fn edges_that_are_held_are_exact_where_the_border_is_completed() {
+    for nu in [-0.5, 0.0, 0.3, 0.45] {
+        // 1e-15 and 7e-15.
+        assert!(largest(&held(nu, "border")) < 1e-12, "{nu}: {:?}", held(nu, "border"));
+    }
+    // Ghosts: −5.4e-4 and 4.4e-2.
+    let [force, stress] = held(0.3, "ghosts");
+    assert!((force + 5.4e-4).abs() < 1e-5 && (stress - 4.39e-2).abs() < 1e-4, "{force} {stress}");
+}

@@ -14,7 +14,7 @@ const BEAM: (&str, &str) = (
     "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
 );
 
-const PLATE: [(&str, &str); 37] = [
+const PLATE: [(&str, &str); 38] = [
     (
         "bond_plane",
         "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh, and the specimens compact_tension, single_edge_bend, centre_cracked_panel",
@@ -73,6 +73,10 @@ const PLATE: [(&str, &str); 37] = [
     ("  influence inverse", "ω = δ/ξ"),
     ("  influence constant", "ω = 1"),
     ("  edges ghosts", "points outside, moved by fits of those inside, complete every family (default)"),
+    (
+        "  edges border",
+        "bonds end on the border, or leave what they have to triangles that it cuts: uniform stresses and held edges are exact (plates alone)",
+    ),
     (
         "  edges moment_plus",
         "weights exact for every uniform strain in what is left of a family; points that would need negative ones give their energy away",

@@ -251,6 +251,7 @@ fn material(scene: &PlaneScene) -> PlaneMaterialSummary {
 fn state_based(parameters: &StateParameters, scene: &PlaneScene) -> FamilySummary {
     let families = match &scene.model {
         AnyPlaneModel::State(model) => model.has_families(),
+        AnyPlaneModel::Bordered(model) => model.has_families(),
         _ => true,
     };
     let touches = scene.model.lattice().is_some_and(|(_, mirrors)| mirrors.columns[0].is_some());

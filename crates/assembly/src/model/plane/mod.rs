@@ -24,7 +24,7 @@ pub use parameters::{Calibration, Edges};
 
 pub(super) use body::{Kind, LatticeBody, halved};
 pub(super) use breaking::{remove_spanning, spanning};
-pub(super) use edges::{energy_factor, strain_rows, volume_factor};
+pub(super) use edges::{By, energy_factor, strain_rows, volume_factor};
 pub(super) use fields::add_work_of_triangles;
 pub(super) use near::{at, near_points};
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_within, length};

@@ -16,7 +16,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         terms.push(match &self.border.by {
             By::Points => Box::new(self.triangles.clone()),
             By::Bonds(border) => Box::new(border.bonds.clone()),
-            By::Triangles(families) => Box::new(families.clone()),
+            By::Triangles(families, _) => Box::new(families.clone()),
         });
         terms
     }
@@ -26,7 +26,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         match &self.border.by {
             By::Points => self.triangles.list().len(),
             By::Bonds(border) => border.bonds.count(),
-            By::Triangles(families) => families.count(),
+            By::Triangles(families, _) => families.count(),
         }
     }
 
@@ -46,7 +46,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         bonds.join(match &self.border.by {
             By::Points => ModelSizes::of(&self.triangles, 3 * self.triangles.elements()),
             By::Bonds(border) => ModelSizes::of(&border.bonds, border.bonds.pairs()),
-            By::Triangles(families) => ModelSizes::of(families, families.pairs()),
+            By::Triangles(families, _) => ModelSizes::of(families, families.pairs()),
         })
     }
 }

@@ -194,10 +194,7 @@ impl StateBody {
             Dilatation::Blocks => parameters.bulk_modulus(),
             Dilatation::Points => 0.0,
         };
-        // What rounding leaves of λ − μ in plane stress at ν = 1/3.
-        let least = 1e-12 * parameters.shear_modulus();
-        let is_plain = modulus.as_flattened().iter().all(|c| c.abs() < least) && mean_modulus == 0.0;
-        let families = (!is_plain).then(|| {
+        let families = parameters.has_families().then(|| {
             let family = GridFamily {
                 steps: families.offsets.clone(),
                 sets: families.sets.iter().map(|set| self.dilatation_rows(set)).collect(),

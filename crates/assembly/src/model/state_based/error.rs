@@ -15,6 +15,9 @@ pub enum StateError {
         "the edges `moment` need negative weights at {0} points, such as those of corners, and their stiffness is none; use `ghosts` or `moment_plus`"
     )]
     NegativeWeights(usize),
+    /// What completes a border does not complete families.
+    #[error("the border of this body does not complete families; use the edges `ghosts`")]
+    NoBorder,
     /// The table of the axis would have negative weights.
     #[error(
         "next to the axis this horizon and this influence need negative weights; use the influence `linear`, or a horizon of 2 to 4 spacings"

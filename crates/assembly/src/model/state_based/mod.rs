@@ -17,6 +17,7 @@
 
 mod axis_table;
 mod body;
+mod bordered;
 mod breaking;
 mod error;
 mod fields;
@@ -31,6 +32,7 @@ mod term;
 mod tests;
 mod weights;
 
+pub use bordered::BorderedState;
 pub use error::StateError;
 pub use model::StateBased;
 pub use parameters::{Axis, Dilatation, Geometry, Measure, StateEdges, StateParameters};

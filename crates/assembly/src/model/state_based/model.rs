@@ -4,7 +4,7 @@ use super::super::plane::{Mirrors, PlaneModel, calibration_error};
 use super::body::{StateBody, cell_volume};
 use super::ghosts::Separated;
 use super::weights::offsets;
-use super::{StateError, StateParameters};
+use super::{StateEdges, StateError, StateParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Point;
 use crate::condition::{Equation, Unknown};
@@ -41,6 +41,9 @@ impl<const REVOLVED: bool> StateBased<REVOLVED> {
         cut: &dyn Fn(&SquareLattice) -> Vec<(usize, usize)>,
     ) -> Result<Self, StateError> {
         assert_eq!(parameters.is_axisymmetric(), REVOLVED, "parameters of the other kind of body");
+        if parameters.edges == StateEdges::Border {
+            return Err(StateError::NoBorder);
+        }
         let body = StateBody::new(&parameters, real, mirrors, separated, cut)?;
         Ok(Self { parameters, body })
     }

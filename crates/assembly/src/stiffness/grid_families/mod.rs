@@ -101,6 +101,11 @@ impl GridFamilies {
         self
     }
 
+    /// Adds the forces that do the work of stresses, times volumes, of the points with their dilatations.
+    pub fn add_dilatation_work(&self, stress: Vec<f64>, force: &mut [f64]) {
+        self.push(&[stress, Vec::new()], force);
+    }
+
     /// Offsets of points that a family can have in common, upwards or to the right, each with the offsets of both from the
     /// point of the family.
     fn shared_steps(&self) -> BTreeMap<Cell, Vec<[Cell; 2]>> {

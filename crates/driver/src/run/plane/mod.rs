@@ -87,7 +87,8 @@ pub fn run_breaking(
         AnyPlaneModel::Beams(model) => break_model::<3, _>(scene, model, options, resume, sink),
         AnyPlaneModel::State(model) => break_model::<2, _>(scene, model, options, resume, sink),
         AnyPlaneModel::Revolved(model) => break_model::<2, _>(scene, model, options, resume, sink),
-        AnyPlaneModel::Shell(_) => Err(RunError::NotResumable),
+        // Neither is made for them.
+        AnyPlaneModel::Bordered(_) | AnyPlaneModel::Shell(_) => Err(RunError::NotResumable),
     }
 }
 

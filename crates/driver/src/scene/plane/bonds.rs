@@ -9,7 +9,9 @@ use peristat_assembly::model::beam_bond_orthotropic::{
 use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError, PlaneParameters};
 use peristat_assembly::model::plane::{Calibration, Edges, FindCuts, Mirrors, PlaneModel};
 use peristat_assembly::model::shell_membrane::{ShellError, ShellMembrane, ShellParameters};
-use peristat_assembly::model::state_based::{Geometry, StateBased, StateEdges, StateError, StateParameters};
+use peristat_assembly::model::state_based::{
+    BorderedState, Geometry, StateBased, StateEdges, StateError, StateParameters,
+};
 use std::f64::consts::TAU;
 use std::ops::Deref;
 use std::sync::Arc;
@@ -36,7 +38,9 @@ pub enum AnyPlaneModel {
     Beams(BeamBondOrthotropic),
     /// Of state-based families.
     State(StateBased<false>),
-    /// The same, of revolution.
+    /// The same with a border that is completed.
+    Bordered(BorderedState),
+    /// Of state-based families, of revolution.
     Revolved(StateBased<true>),
     /// Of a shell membrane.
     Shell(ShellMembrane),
@@ -49,6 +53,7 @@ macro_rules! for_plane_model {
             $crate::scene::plane::AnyPlaneModel::Central($model) => $value,
             $crate::scene::plane::AnyPlaneModel::Beams($model) => $value,
             $crate::scene::plane::AnyPlaneModel::State($model) => $value,
+            $crate::scene::plane::AnyPlaneModel::Bordered($model) => $value,
             $crate::scene::plane::AnyPlaneModel::Revolved($model) => $value,
             $crate::scene::plane::AnyPlaneModel::Shell($model) => $value,
         }
@@ -70,7 +75,7 @@ impl AnyPlaneModel {
         match self {
             Self::Central(model) => Self::Central(model.never_joined(bonds)),
             Self::Beams(model) => Self::Beams(model.never_joined(bonds)),
-            Self::State(_) | Self::Revolved(_) | Self::Shell(_) => self,
+            Self::State(_) | Self::Bordered(_) | Self::Revolved(_) | Self::Shell(_) => self,
         }
     }
 
@@ -79,7 +84,7 @@ impl AnyPlaneModel {
         match self {
             Self::Central(model) => Self::Central(model.breaking()),
             Self::Beams(model) => Self::Beams(model.breaking()),
-            Self::State(_) | Self::Revolved(_) | Self::Shell(_) => self,
+            Self::State(_) | Self::Bordered(_) | Self::Revolved(_) | Self::Shell(_) => self,
         }
     }
 }
@@ -171,6 +176,9 @@ impl PlaneBonds {
             Self::Beams(parameters) if parameters.edges == Edges::Border => {
                 Self::Beams(OrthotropicParameters { edges, ..parameters })
             }
+            Self::State(parameters) if parameters.edges == StateEdges::Border => {
+                Self::State(StateParameters { edges: StateEdges::Ghosts, ..parameters })
+            }
             other => other,
         }
     }
@@ -180,8 +188,9 @@ impl PlaneBonds {
         match self {
             Self::Central(parameters) => Some(parameters.edges),
             Self::Beams(parameters) => Some(parameters.edges),
+            Self::State(parameters) => (parameters.edges == StateEdges::Border).then_some(Edges::Border),
             // Every point has weights of its own.
-            Self::State(_) | Self::Shell(_) => None,
+            Self::Shell(_) => None,
         }
     }
 
@@ -204,7 +213,9 @@ impl PlaneBonds {
             Self::Beams(parameters) => parameters.calibration,
             Self::State(parameters) => match parameters.edges {
                 StateEdges::Calibrated | StateEdges::None => Calibration::Published,
-                StateEdges::Ghosts | StateEdges::Moment | StateEdges::MomentPlus => Calibration::Matched,
+                StateEdges::Border | StateEdges::Ghosts | StateEdges::Moment | StateEdges::MomentPlus => {
+                    Calibration::Matched
+                }
             },
             Self::Shell(parameters) => parameters.calibration,
         }
@@ -339,6 +350,9 @@ impl PlaneBonds {
                         separated,
                         &cut,
                     )?),
+                    false if parameters.edges == StateEdges::Border => {
+                        AnyPlaneModel::Bordered(BorderedState::on_lattice(&real, mirrors, *parameters)?)
+                    }
                     false => AnyPlaneModel::State(StateBased::on_lattice(
                         real,
                         mirrors,

@@ -93,6 +93,7 @@ impl Given {
                     case.horizon_ratio = Some(parameters.horizon_ratio);
                 }
             }
+            (Self::State(model), PlaneBonds::State(parameters)) => model.edges = parameters.edges,
             _ => {}
         }
     }

@@ -97,11 +97,21 @@ fn completed(
     faults: &mut Faults,
 ) -> PlaneBonds {
     let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
-    let can_end = lattice.is_some_and(|lattice| has_border(lattice, mirrors, ratio as i32));
+    // Families do not break beside a border that completes them.
+    let breaks = case.fracture.is_some() || case.path.is_some() || !case.cracks.is_empty();
+    let may_break = breaks && matches!(bonds, PlaneBonds::State(_));
+    let can_end = !may_break && lattice.is_some_and(|lattice| has_border(lattice, mirrors, ratio as i32));
     if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
         return bonds;
     }
-    if is_cut && !can_end && bonds.edges() == Some(Edges::Border) {
+    if may_break && bonds.edges() == Some(Edges::Border) {
+        faults
+            .warning(
+                root("model").key(case.model.name()).key("edges"),
+                "families do not break beside a border that completes them: the edges are `ghosts`",
+            )
+            .hint("give the edges `ghosts`, the default");
+    } else if is_cut && !can_end && bonds.edges() == Some(Edges::Border) {
         let (why, hint) = match mirrors.joined {
             _ if ratio >= f64::from(FARTHEST + 1) => {
                 ("the horizon is too long to follow it", "use a horizon of ten spacings at most")
@@ -112,10 +122,11 @@ fn completed(
             ),
             _ => ("sides are joined", "model the whole body, or half of it beside a line of symmetry"),
         };
+        let others = if matches!(bonds, PlaneBonds::State(_)) { "ghosts" } else { "overlay" };
         faults
             .warning(
                 root("body"),
-                format!("the border cuts cells, and {why}: stresses beside slanted and round edges can be off by half, as with the edges `overlay`"),
+                format!("the border cuts cells, and {why}: stresses beside slanted and round edges can be off by half, as with the edges `{others}`"),
             )
             .hint(hint);
     }

@@ -23,6 +23,8 @@ const ENDED: f64 = 480.0;
 const CUT_BORDER: [f64; 2] = [18_000.0, 2000.0];
 /// Of a bond of listed points while it is made. Measured 98 with four million of them.
 const LISTED: f64 = 98.0;
+/// Of a spacing of a border that completes families, and of each squared spacing of the horizon beside it.
+const FAMILIES: [f64; 2] = [60_000.0, 10_000.0];
 /// Of a neighbour in a family of its own.
 const NEIGHBOUR: f64 = 180.0;
 /// Of a bond of an image. Measured 49 between four mirrors, with 2 and 480 million of them.
@@ -51,6 +53,9 @@ pub(super) fn fits(
     let own = match (body, bonds) {
         // Listed points may lie close together in places.
         (PlaneBody::Cloud(cloud), _) => LISTED * cloud.about_pairs(m * body.spacing()),
+        (PlaneBody::Lattice(_), PlaneBonds::State(_)) if bonds.edges() == Some(Edges::Border) => {
+            border * (FAMILIES[0] + FAMILIES[1] * m * m)
+        }
         (PlaneBody::Lattice(lattice), PlaneBonds::State(_)) => {
             let sides = [lattice.columns().len(), lattice.rows().len()];
             let holds = bonds.is_exact_at_edges() && !case.supports.is_empty();

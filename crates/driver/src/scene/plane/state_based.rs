@@ -52,6 +52,12 @@ pub(super) fn revolved(model: &mut Axisymmetric, faults: &mut Faults) -> Option<
     let path = root("model").key("axisymmetric");
     let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= admissible(model.poisson_ratio, &path, faults);
+    if model.edges == StateEdges::Border {
+        faults
+            .error(path.key("edges"), "the border of a body of revolution does not complete its families")
+            .hint("use the edges `ghosts`");
+        fine = false;
+    }
     let is_full = model.edges == StateEdges::Ghosts && model.measure == Measure::Section;
     let axis = if is_full { Axis::Table } else { Axis::Images };
     let blocks = if model.poisson_ratio > LOCKS { Dilatation::Blocks } else { Dilatation::Points };
@@ -152,6 +158,7 @@ pub(super) fn refuse(error: &StateError, case: &Case, faults: &mut Faults) {
         StateError::NegativeAxis => model.key("influence"),
         StateError::AxisNeedsGhosts | StateError::AxisNeedsSection => model.key("axis"),
         StateError::OffAxis => root("body"),
+        StateError::NoBorder => model.key("edges"),
     };
     tell(&error.to_string(), path, faults);
 }

@@ -122,6 +122,7 @@ fn families(of: &FamilySummary) -> String {
 
 fn family_edges(of: &FamilySummary) -> String {
     match of.families_at_edges {
+        StateEdges::Border => "families are completed along the border".into(),
         StateEdges::Ghosts => format!("{} ghosts complete the families", of.ghosts),
         StateEdges::Moment | StateEdges::MomentPlus => "weights of what is left are exact".into(),
         StateEdges::Calibrated => "families are weighed by what is left of them".into(),

@@ -51,8 +51,8 @@ pub(in super::super) enum By<const D: usize, const M: usize, const S: usize> {
     Points,
     /// Bonds that end on the border, or springs in the triangles that it cuts.
     Bonds(BorderBonds<D, M>),
-    /// Triangles that it cuts.
-    Triangles(Arc<WideFamilies<D, S>>),
+    /// Triangles that it cuts, and the bonds that they stand for, family by family: parts of one bond per offset that has bonds.
+    Triangles(Arc<WideFamilies<D, S>>, Arc<Vec<f64>>),
 }
 
 impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {

@@ -1,12 +1,13 @@
 //! Bodies of a few points, solved densely.
 
 mod axis;
+mod border;
 mod lame;
 mod patch;
 mod spectrum;
 
 use super::super::bond_plane::Influence;
-use super::super::plane::Mirrors;
+use super::super::plane::{Mirrors, PlaneModel};
 use super::{Axis, Dilatation, Geometry, Measure, StateBased, StateEdges, StateParameters};
 use crate::body::SquareLattice;
 use crate::condition::{Equation, Unknown};
@@ -53,8 +54,7 @@ fn held(component: usize, point: usize, value: f64) -> Equation {
 }
 
 /// Real points, in the order of their numbers.
-fn real_points<const R: bool>(model: &StateBased<R>) -> Vec<usize> {
-    use super::super::plane::PlaneModel;
+fn real_points(model: &impl PlaneModel) -> Vec<usize> {
     (0..model.point_count()).filter(|p| model.ghosts().binary_search(&(*p as u32)).is_err()).collect()
 }
 
@@ -69,7 +69,7 @@ fn stiffness(system: &System<2>) -> DMatrix<f64> {
 }
 
 /// Unknowns under a load and the prescribed values, refined on the element-wise operator.
-fn solve<const R: bool>(model: &StateBased<R>, held: Vec<Equation>, force: &[f64]) -> Vec<f64> {
+fn solve(model: &impl Model<2>, held: Vec<Equation>, force: &[f64]) -> Vec<f64> {
     let system = System::new(model, Vec::new(), held).unwrap();
     let factor = stiffness(&system).cholesky().expect("the body is held");
     let mut u = vec![0.0; system.size()];
@@ -87,7 +87,7 @@ fn solve<const R: bool>(model: &StateBased<R>, held: Vec<Equation>, force: &[f64
 }
 
 /// The displacement `(a x + b y, c x + d y)` of all points.
-fn linear<const R: bool>(model: &StateBased<R>, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
+fn linear(model: &impl Model<2>, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
     let at = |p: usize| model.position(p);
     let x = (0..model.points()).map(|p| a * at(p)[0] + b * at(p)[1]);
     let y = (0..model.points()).map(|p| c * at(p)[0] + d * at(p)[1]);

@@ -148,18 +148,21 @@ fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, 
     let lattice = corners.blocks.lattice;
     let moduli: Vec<Mat<S, S>> =
         missing.paths.iter().map(|(k, _)| modulus(lattice, hood, bond, *k)).collect();
-    let (mut families, mut lost) = (WideFamilies::new(lattice.points()), 0);
+    let (mut families, mut all, mut lost) = (WideFamilies::new(lattice.points()), Vec::new(), 0);
     for Left { block, triangle, shares } in left {
         let mut own = [[0.0; S]; S];
         for (modulus, share) in moduli.iter().zip(&shares) {
             (0..S).for_each(|r| (0..S).for_each(|c| own[r][c] += share * modulus[r][c]));
         }
         match members(corners, bond, block, triangle) {
-            Some((members, common)) => families.push(&members, common, own),
+            Some((members, common)) => {
+                families.push(&members, common, own);
+                all.extend(shares);
+            }
             None => lost += 1,
         }
     }
-    (By::Triangles(Arc::new(families)), lost)
+    (By::Triangles(Arc::new(families), Arc::new(all)), lost)
 }
 
 /// How corners of triangles move beside some cracks.

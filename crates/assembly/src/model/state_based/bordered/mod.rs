@@ -1,0 +1,114 @@
+//! State-based plates whose border is completed along the path of the missing bonds.
+//!
+//! The energy is that of the bonds of a body with `λ = μ`, whose border completes them, and of the dilatations of all points,
+//! `Σ ½ (λ−μ) V_k ϑ_k²`. Both are exact for every uniform strain, and what acts on a point in a uniform stress is what its
+//! tractions have there.
+
+mod border;
+mod families;
+mod fields;
+mod model;
+mod newton;
+mod own_bonds;
+mod reach;
+mod sources;
+mod term;
+mod transport;
+
+use super::super::bond_plane::CentralBond;
+use super::super::plane::{
+    Edges, Kind, LatticeBody, Mirrors, Neighbourhood, half_offsets, has_border, is_within,
+};
+use super::body::cell_volume;
+use super::sets::Maker;
+use super::weights::offsets;
+use super::{Geometry, StateError, StateParameters};
+use crate::body::{Cell, SquareLattice};
+use families::{Dilatations, NONE};
+use sources::Bonded;
+use std::sync::Arc;
+use term::JointTerm;
+
+/// A state-based plate whose border is completed.
+#[derive(Clone, Debug)]
+pub struct BorderedState {
+    parameters: StateParameters,
+    pub(super) plate: Bonded,
+    /// None where `λ = μ`.
+    pub(super) dilatations: Option<Dilatations>,
+    term: JointTerm,
+}
+
+impl BorderedState {
+    /// Whether the border of a lattice can be completed so.
+    pub fn has_border(parameters: &StateParameters, lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
+        has_border(lattice, mirrors, parameters.horizon_ratio as i32)
+    }
+
+    /// A plate on the cells of a lattice without images.
+    ///
+    /// # Errors
+    /// [`StateError::NoBorder`] where dilatations cannot be completed, [`StateError::NoNeighbours`].
+    pub fn on_lattice(
+        real: &SquareLattice,
+        mirrors: Mirrors,
+        parameters: StateParameters,
+    ) -> Result<Self, StateError> {
+        let hood = neighbourhood(&parameters, real)?;
+        let (Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness)) = parameters.geometry
+        else {
+            return Err(StateError::NoBorder);
+        };
+        let kind = Kind {
+            bond: CentralBond { volume: cell_volume(&parameters, real.spacing()) },
+            edges: Edges::Border,
+            thickness,
+            stretch_moduli: [3.0 * parameters.shear_modulus(); 2],
+        };
+        let lattice = Arc::new(mirrors.extended(real, Edges::Border.depth(hood.reach())));
+        let body = Self::new(LatticeBody::new(lattice, mirrors, hood, kind, &[]), parameters);
+        let is_left = body.dilatations.as_ref().is_some_and(|of| of.left > NONE);
+        match body.plate.kind.edges == Edges::Border && !is_left {
+            true => Ok(body),
+            false => Err(StateError::NoBorder),
+        }
+    }
+
+    fn new(plate: Bonded, parameters: StateParameters) -> Self {
+        let dilatations = parameters.has_families().then(|| Dilatations::new(&plate, &parameters));
+        let term = JointTerm::new(&plate, dilatations.as_ref());
+        Self { parameters, plate, dilatations, term }
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &StateParameters {
+        &self.parameters
+    }
+
+    /// Whether points feel more than their bonds: not where `λ = μ`.
+    pub fn has_families(&self) -> bool {
+        self.dilatations.is_some()
+    }
+}
+
+/// The bonds of some families: of the weight w in a family with the weighted volume q they have `16 μ w ξ²/q`.
+fn neighbourhood(parameters: &StateParameters, real: &SquareLattice) -> Result<Neighbourhood<1>, StateError> {
+    let m = parameters.horizon_ratio;
+    if m < 1.5 {
+        return Err(StateError::NoNeighbours(m));
+    }
+    let half = offsets(parameters);
+    let all: Vec<Cell> = half.iter().copied().chain(half.iter().map(|o| o.map(|k| -k))).collect();
+    let plain = Maker::new(parameters, real, &all, false)?.plain();
+    let weight = |o: &Cell| {
+        let index = half.iter().position(|h| h == o).filter(|_| is_within(*o, m));
+        let square = f64::from(o[0] * o[0] + o[1] * o[1]);
+        [index.map_or(0.0, |k| 16.0 * parameters.shear_modulus() * plain.weights[k] * square / plain.q)]
+    };
+    let steps = half_offsets(m);
+    let weights: Vec<[f64; 1]> = steps.iter().map(weight).collect();
+    if weights.iter().any(|w| w[0] < 0.0) {
+        return Err(StateError::NoBorder);
+    }
+    Ok(Neighbourhood::new(&steps, &weights, &vec![1.0; steps.len()]))
+}

@@ -1,0 +1,156 @@
+//! The plate as a model: two unknowns per point, the displacements along x and y.
+
+use super::super::super::plane::{
+    BorderShares, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, calibration_error,
+};
+use super::BorderedState;
+use crate::body::SquareLattice;
+use crate::bonds::{Mat, Point};
+use crate::condition::Equation;
+use crate::model::{Model, ModelSizes};
+use crate::stiffness::{NumberedParts, Term};
+use std::sync::Arc;
+
+impl Model<2> for BorderedState {
+    const UNKNOWNS: [&'static str; 2] = ["ux", "uy"];
+    const RIGID_MOTIONS: &'static [&'static str] =
+        &["translation along x", "translation along y", "rotation about z"];
+    const IS_DISPLACEMENT: [bool; 2] = [true, true];
+
+    fn points(&self) -> usize {
+        self.point_count()
+    }
+
+    fn position(&self, point: usize) -> Point {
+        let [x, y] = self.place(point);
+        [x, y, 0.0]
+    }
+
+    fn calibration_error(&self) -> f64 {
+        calibration_error(self)
+    }
+
+    fn contrast(&self) -> f64 {
+        self.parameters.contrast()
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<2>>> {
+        match &self.dilatations {
+            None => self.plate.terms(),
+            Some(_) => vec![Box::new(self.term.clone())],
+        }
+    }
+
+    fn sizes(&self) -> ModelSizes {
+        let bonds = self.plate.sizes();
+        let Some(of) = &self.dilatations else { return bonds };
+        // A family couples all of its points, most of which others couple, too.
+        let neighbours = 2 * self.plate.hood.bonded().count();
+        let own = of.means.iter().chain([&of.own]).map(|own| ModelSizes::of(own, own.pairs()));
+        let grid = ModelSizes::of(&of.grid, 2 * neighbours * self.point_count());
+        own.fold(bonds.join(grid), ModelSizes::join)
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        self.plate.mirrors.relations(&self.plate.lattice, &self.plate.ghosts, |signs| signs)
+    }
+
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
+        let [x, y] = self.place(point);
+        match kind {
+            0 => [1.0, 0.0],
+            1 => [0.0, 1.0],
+            _ => [centre[1] - y, x - centre[0]],
+        }
+    }
+}
+
+impl PlaneModel for BorderedState {
+    fn point_count(&self) -> usize {
+        self.plate.lattice.points()
+    }
+
+    fn components(&self) -> usize {
+        2
+    }
+
+    fn turning(&self) -> Option<f64> {
+        None
+    }
+
+    fn place(&self, point: usize) -> [f64; 2] {
+        self.plate.lattice.position(point)
+    }
+
+    fn volume(&self, point: usize) -> f64 {
+        self.plate.volume(point)
+    }
+
+    fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
+        Some((&self.plate.lattice, &self.plate.mirrors))
+    }
+
+    fn ghosts(&self) -> &[u32] {
+        &self.plate.ghosts
+    }
+
+    fn edges(&self) -> Option<Edges> {
+        Some(self.plate.kind.edges)
+    }
+
+    fn border_shares(&self) -> Option<BorderShares<'_>> {
+        self.plate.border_shares()
+    }
+
+    fn triangles(&self) -> usize {
+        self.plate.triangles.list().len()
+    }
+
+    fn completing(&self) -> usize {
+        self.plate.completing()
+    }
+
+    fn uncorrected(&self) -> usize {
+        self.plate.uncorrected
+    }
+
+    fn damage(&self) -> Vec<f64> {
+        self.plate.damage()
+    }
+
+    fn thickness(&self) -> f64 {
+        self.plate.kind.thickness
+    }
+
+    fn stiffness(&self) -> Mat<3, 3> {
+        self.parameters.stiffness()
+    }
+
+    fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
+        self.parameters.strain(stress)
+    }
+
+    fn stress_across(&self, stress: [f64; 3]) -> f64 {
+        self.parameters.stress_across(stress)
+    }
+
+    fn hardly_compresses(&self) -> bool {
+        self.parameters.hardly_compresses()
+    }
+
+    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
+        Some(Self::new(self.plate.coarser(cuts)?, self.parameters))
+    }
+
+    fn parts(&self) -> NumberedParts {
+        self.connected()
+    }
+
+    fn fields(&self, u: &[f64]) -> PlaneFields {
+        self.fields_of(u)
+    }
+
+    fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        self.add_work(t, points, force);
+    }
+}
