@@ -30,7 +30,7 @@ fn along([c, s]: [f64; 2], [xx, yy, xy]: [f64; 3]) -> [f64; 2] {
 #[test]
 fn strips_between_held_ends_have_one_stress_at_any_angle() {
     for (angle, m, height) in
-        [(0.3, 2.0, 16.0), (0.3, 3.0, 16.0), (0.5, 4.0, 16.0), (0.7854, 3.0, 16.0), (0.0, 3.0, 16.4)]
+        [(0.3, 2.0, 16.0), (0.3, 3.0, 16.0), (0.5, 4.0, 16.0), (0.78, 3.0, 16.0), (0.0, 3.0, 16.4)]
     {
         let (s, c) = f64::sin_cos(angle);
         let turned = |[x, y]: [f64; 2]| [c * x - s * y + 0.02, s * x + c * y + 0.05];
