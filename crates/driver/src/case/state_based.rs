@@ -22,9 +22,10 @@ pub struct StatePlane {
     /// How the weight of neighbours depends on their distance; `linear` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub influence: Option<Influence>,
-    /// What is done about the neighbours that points near edges lack.
-    #[serde(default)]
-    pub edges: StateEdges,
+    /// What is done about the neighbours that points near edges lack; `border` where the border cuts cells and no crack or
+    /// `fracture` is given, else `ghosts`, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<StateEdges>,
     /// How changes of volume are measured; in plane strain `blocks` for ν > 0.45, else `points`, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub dilatation: Option<Dilatation>,

@@ -72,10 +72,13 @@ const PLATE: [(&str, &str); 38] = [
     ("  influence linear", "ω = 1 − ξ/δ, how the weight of neighbours depends on their distance (default)"),
     ("  influence inverse", "ω = δ/ξ"),
     ("  influence constant", "ω = 1"),
-    ("  edges ghosts", "points outside, moved by fits of those inside, complete every family (default)"),
+    (
+        "  edges ghosts",
+        "points outside, moved by fits of those inside, complete every family (default on whole cells)",
+    ),
     (
         "  edges border",
-        "bonds end on the border, or leave what they have to triangles that it cuts: uniform stresses and held edges are exact (plates alone)",
+        "bonds end on the border, or leave what they have to triangles that it cuts: uniform stresses and held edges are exact (plates alone; default where a border cuts cells)",
     ),
     (
         "  edges moment_plus",

@@ -56,7 +56,7 @@ impl Given {
                 let calibration = Calibration::default();
                 Self::Beams(Orthotropic { calibration, start: None, edges: None, ..model })
             }
-            Self::State(model) => Self::State(StatePlane { edges: StateEdges::default(), ..model }),
+            Self::State(model) => Self::State(StatePlane { edges: None, ..model }),
             Self::Revolved(model) => Self::Revolved(Axisymmetric {
                 edges: StateEdges::default(),
                 measure: Measure::default(),
@@ -93,7 +93,7 @@ impl Given {
                     case.horizon_ratio = Some(parameters.horizon_ratio);
                 }
             }
-            (Self::State(model), PlaneBonds::State(parameters)) => model.edges = parameters.edges,
+            (Self::State(model), PlaneBonds::State(parameters)) => model.edges = Some(parameters.edges),
             _ => {}
         }
     }

@@ -4,12 +4,13 @@ use super::super::{horizon, root, words::tidy};
 use super::given::Given;
 use super::model::Recipe;
 use super::{NamedCrack, PlaneBonds, body, cracks, held_angle, periodic, size, state_based, symmetry};
-use crate::case::Case;
+use crate::case::{Case, Model};
 use crate::diagnostic::Faults;
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors, has_border};
+use peristat_assembly::model::state_based::BorderedState;
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
 const MOST_RATIO: f64 = 100.0;
@@ -100,7 +101,16 @@ fn completed(
     // Families do not break beside a border that completes them.
     let breaks = case.fracture.is_some() || case.path.is_some() || !case.cracks.is_empty();
     let may_break = breaks && matches!(bonds, PlaneBonds::State(_));
-    let can_end = !may_break && lattice.is_some_and(|lattice| has_border(lattice, mirrors, ratio as i32));
+    // On whole cells ghosts are as good, at less cost.
+    let is_usual = matches!(&case.model, Model::StatePlane(model) if model.edges.is_none());
+    if is_usual && !is_cut {
+        return bonds.without_border(Edges::Overlay);
+    }
+    let can_end = !may_break
+        && lattice.is_some_and(|lattice| match &bonds {
+            PlaneBonds::State(parameters) => BorderedState::has_border(parameters, lattice, mirrors),
+            _ => has_border(lattice, mirrors, ratio as i32),
+        });
     if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
         return bonds;
     }

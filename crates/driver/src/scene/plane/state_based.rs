@@ -34,13 +34,15 @@ pub(super) fn in_plane(model: &mut StatePlane, case: &Case, faults: &mut Faults)
         PlaneState::PlaneStrain if model.poisson_ratio > LOCKS => Dilatation::Blocks,
         _ => Dilatation::Points,
     };
+    let breaks = case.fracture.is_some() || !case.cracks.is_empty();
+    let edges = if breaks { StateEdges::Ghosts } else { StateEdges::Border };
     fine.then(|| StateParameters {
         youngs_modulus: model.youngs_modulus,
         poisson_ratio: model.poisson_ratio,
         geometry,
         horizon_ratio: 0.0,
         influence: *model.influence.get_or_insert(Influence::Linear),
-        edges: model.edges,
+        edges: model.edges.unwrap_or(edges),
         measure: Measure::Section,
         axis: Axis::Images,
         dilatation: *model.dilatation.get_or_insert(usual),

@@ -43,6 +43,7 @@ impl BorderedState {
     /// Whether the border of a lattice can be completed so.
     pub fn has_border(parameters: &StateParameters, lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
         has_border(lattice, mirrors, parameters.horizon_ratio as i32)
+            && neighbourhood(parameters, lattice).is_ok()
     }
 
     /// A plate on the cells of a lattice without images.
