@@ -24,15 +24,13 @@ fn media() -> Vec<Medium> {
     let treated =
         ["matched", "published"].into_iter().flat_map(|c| ["none", "volume", "energy"].map(|e| (c, e)));
     let mut treated: Vec<Value> = treated.map(|(c, e)| json!({ "calibration": c, "edges": e })).collect();
-    treated.push(json!({ "calibration": "matched", "edges": "overlay" }));
-    let mut of_central = treated.clone();
-    of_central.push(json!({ "calibration": "matched", "edges": "border" }));
+    treated.extend(["overlay", "border"].map(|e| json!({ "calibration": "matched", "edges": e })));
     let stretch = || json!({ "stretch": 0.5 });
     let central = |state: &str, modulus: f64| Medium {
         model: "bond_plane",
         keys: json!({ "youngs_modulus": E, "state": state }),
         usual: json!({}),
-        treated: of_central.clone(),
+        treated: treated.clone(),
         fractures: vec![stretch(), json!({ "energy_release_rate": 1e9 })],
         law: Some(json!({ "bilinear": { "yield_stretch": 0.5, "failure_stretch": 2.0 } })),
         modulus,
@@ -43,7 +41,7 @@ fn media() -> Vec<Medium> {
             "youngs_modulus_1": 105_000.0, "youngs_modulus_2": 8400.0, "poisson_ratio_12": 0.32, "shear_modulus_12": 4000.0,
             "fibre_angle": degrees
         }),
-        usual: json!({ "calibration": "matched", "edges": "none" }),
+        usual: json!({}),
         treated: treated.clone(),
         fractures: vec![json!({ "fibre_stretch": 0.5, "matrix_stretch": 0.7 })],
         law: None,
