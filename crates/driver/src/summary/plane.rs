@@ -60,6 +60,9 @@ pub struct PlaneSummary {
     /// Triangles that have the parts of blocks that a border leaves, where it is completed as it runs.
     #[serde(skip_serializing_if = "is_zero")]
     pub cut_triangles: usize,
+    /// Springs that have them in a body that breaks or softens.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub cut_springs: usize,
     /// Points that lack bonds for which there is no triangle.
     pub uncorrected_points: usize,
 }
@@ -186,6 +189,8 @@ pub(super) fn state(
 /// The model of a body and its derived numbers.
 pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
     let bonds = scene.bonds();
+    let breaks = scene.fracture.is_some() || scene.path.is_some();
+    let on_border = if scene.model.follows_border() { scene.model.completing() } else { 0 };
     PlaneSummary {
         name: bonds.name(),
         material: material(scene),
@@ -199,7 +204,8 @@ pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
         cracks: scene.cracks.len(),
         cut_bonds: cut_bonds(scene),
         triangles: scene.model.triangles(),
-        cut_triangles: if scene.model.follows_border() { scene.model.completing() } else { 0 },
+        cut_triangles: if breaks { 0 } else { on_border },
+        cut_springs: if breaks { on_border } else { 0 },
         uncorrected_points: scene.model.uncorrected(),
     }
 }

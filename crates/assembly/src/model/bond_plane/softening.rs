@@ -1,5 +1,6 @@
 //! Central bonds that yield, soften and fail: their stretches, and the list of them.
 
+use super::super::plane::PlaneModel;
 use super::{Body, BondPlane, PlaneMaterial};
 use crate::body::SquareLattice;
 use crate::bonds::Rows;
@@ -46,6 +47,14 @@ impl BondPlane {
             }
         }
         list
+    }
+
+    /// Volume that a point stands for in stresses, m³.
+    pub fn stress_volume(&self, point: usize) -> f64 {
+        match &self.body {
+            Body::Lattice(body) => body.stress_volume(point),
+            Body::Cloud(_) => PlaneModel::volume(self, point),
+        }
     }
 
     /// The bonds that end on the border as ones with memory. `law` chooses that of a bond by the points that move it and the

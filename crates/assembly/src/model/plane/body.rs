@@ -138,6 +138,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         self.cell_volume() * self.lattice.fraction(point)
     }
 
+    /// Volume that a point stands for in stresses, m³: a whole cell beside a border that cuts cells and is completed.
+    pub(in super::super) fn stress_volume(&self, point: usize) -> f64 {
+        if self.border.is_cut() { self.cell_volume() } else { self.real_volume(point) }
+    }
+
     /// Volume of a point, m³; an image has none.
     pub(in super::super) fn volume(&self, point: usize) -> f64 {
         if self.is_ghost(point) { 0.0 } else { self.real_volume(point) }

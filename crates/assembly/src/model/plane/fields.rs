@@ -95,7 +95,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             (0..4).for_each(|q| sums[q * n + point as usize] /= part);
         }
         self.ghosts.iter().for_each(|&g| (0..4).for_each(|q| sums[q * n + g as usize] = 0.0));
-        let of_point = |point| if follows { volume } else { self.real_volume(point) };
+        let of_point = |point| self.stress_volume(point);
         let mut fields = PlaneFields::with_triangles(sums, &self.triangles, of_point, u);
         if let Some(strains) = &self.border.strains {
             let c = self.stiffness();
@@ -141,7 +141,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             By::Bonds(border) => {
                 border.add_strain_work((&self.lattice, &self.hood, &self.kind.bond), t, force);
             }
-            By::Triangles(families, _) => add_strain_work_of(families, t, force),
+            By::Triangles(families) => add_strain_work_of(families, t, force),
         }
         self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
         self.whole().add_work::<3>(t, &self.spans(points), &self.virial_shares(1.0), force);

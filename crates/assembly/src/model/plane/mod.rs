@@ -13,6 +13,8 @@ mod neighbourhood;
 mod parameters;
 mod projection;
 mod terms;
+#[cfg(test)]
+pub(super) mod through_border;
 pub mod toughness;
 
 pub use bond::PlaneBond;

@@ -2,7 +2,7 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
-use super::edges::{BorderShares, By, border_shares, cut_shares};
+use super::edges::{BorderShares, By, border_shares, cut_shares, left_to_triangles};
 use crate::model::ModelSizes;
 use crate::stiffness::Term;
 
@@ -16,7 +16,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         terms.push(match &self.border.by {
             By::Points => Box::new(self.triangles.clone()),
             By::Bonds(border) => Box::new(border.bonds.clone()),
-            By::Triangles(families, _) => Box::new(families.clone()),
+            By::Triangles(families) => Box::new(families.clone()),
         });
         terms
     }
@@ -26,7 +26,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         match &self.border.by {
             By::Points => self.triangles.list().len(),
             By::Bonds(border) => border.bonds.count(),
-            By::Triangles(families, _) => families.count(),
+            By::Triangles(families) => families.count(),
         }
     }
 
@@ -40,13 +40,19 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         }
     }
 
+    /// What bonds leave to the triangles that the border cuts, in the order of these: parts of one bond per offset that has bonds.
+    pub(in super::super) fn left_to_triangles(&self) -> Vec<Vec<f64>> {
+        let cuts = self.cuts.iter().copied().collect();
+        left_to_triangles((&self.lattice, &self.mirrors), &self.hood, &cuts)
+    }
+
     /// Their sizes.
     pub(in super::super) fn sizes(&self) -> ModelSizes {
         let bonds = ModelSizes::of(&self.bonds, self.bonds.elements());
         bonds.join(match &self.border.by {
             By::Points => ModelSizes::of(&self.triangles, 3 * self.triangles.elements()),
             By::Bonds(border) => ModelSizes::of(&border.bonds, border.bonds.pairs()),
-            By::Triangles(families, _) => ModelSizes::of(families, families.pairs()),
+            By::Triangles(families) => ModelSizes::of(families, families.pairs()),
         })
     }
 }

@@ -127,11 +127,6 @@ fn of_part(laws: &mut Vec<Bilinear>, law: &Bilinear) -> usize {
 /// stands for whole bonds of the points beside it.
 fn recovered(model: &BondPlane, bonds: &SofteningBonds<2>, answers: &BondAnswers<2>) -> Recovered {
     let n = model.point_count();
-    // Beside a border that cuts cells a point stands for a whole cell of its stress.
-    let whole =
-        if model.follows_border() { model.lattice().map(|(lattice, _)| lattice.spacing()) } else { None };
-    let volume_of =
-        |point: usize| whole.map_or(model.volume(point), |h| h * h * PlaneModel::thickness(model));
     let (mut stress, mut energy_density) = ([vec![0.0; n], vec![0.0; n], vec![0.0; n]], vec![0.0; n]);
     for (k, (bond, answer)) in bonds.list().iter().zip(&answers.bonds).enumerate() {
         let [x, y] = answer.direction;
@@ -139,7 +134,7 @@ fn recovered(model: &BondPlane, bonds: &SofteningBonds<2>, answers: &BondAnswers
         let energy = bonds.law(k).energies(answer.elongation / bond.length, &bonds.history()[k]);
         let stored = 0.5 * bond.stiffness * bond.length * bond.length * energy.stored;
         for (point, part) in bonds.families(k) {
-            let volume = part * volume_of(point);
+            let volume = part * model.stress_volume(point);
             for (plane, product) in stress.iter_mut().zip([x * x, y * y, x * y]) {
                 plane[point] += moment * product / volume;
             }

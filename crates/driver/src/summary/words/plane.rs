@@ -70,6 +70,9 @@ pub(super) fn model(m: &PlaneSummary, units: Units) -> Vec<Fact> {
         (Some(Edges::Border), _) if m.cut_triangles > 0 => {
             format!("{} triangles have what bonds leave along the true border", m.cut_triangles)
         }
+        (Some(Edges::Border), _) if m.cut_springs > 0 => {
+            format!("{} springs have what bonds leave along the true border", m.cut_springs)
+        }
         (Some(Edges::Border), _) => "bonds end on the border, which moves with the points beside it".into(),
         (Some(Edges::Overlay), _) => format!("{} triangles replace missing bonds", m.triangles),
         (Some(Edges::Volume), _) => "bonds are stiffened by the missing volume".into(),

@@ -3,8 +3,8 @@
 use super::*;
 use crate::body::{Hole, Outline, Shape};
 use crate::model::Model;
+use crate::model::plane::through_border::through_border;
 use crate::model::plane::{Mirrors, PlaneModel};
-use crate::quadrature::GAUSS;
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
@@ -62,28 +62,6 @@ fn force(plate: &BeamBondOrthotropic, u: &[f64]) -> Vec<f64> {
     force
 }
 
-/// Tractions of a uniform stress on the straight edges of a body without holes.
-fn tractions(plate: &BeamBondOrthotropic, outline: &Outline, [xx, yy, xy]: [f64; 3]) -> Vec<f64> {
-    let (n, lattice) = (plate.point_count(), plate.lattice().unwrap().0);
-    let (shares, mut force) = (plate.border_shares().unwrap(), vec![0.0; 3 * n]);
-    for edge in outline.edges() {
-        let [x, y] = edge.normal;
-        let traction = [xx * x + xy * y, xy * x + yy * y].map(|t| plate.thickness() * t);
-        let length = (edge.to[0] - edge.from[0]).hypot(edge.to[1] - edge.from[1]);
-        for ends in lattice.crossings(edge.from, edge.to).windows(2) {
-            for (share, weight) in GAUSS {
-                let along = ends[0] + share * (ends[1] - ends[0]);
-                let at = [0, 1].map(|k| edge.from[k] + along * (edge.to[k] - edge.from[k]));
-                for (p, share) in shares(at, edge.normal).unwrap() {
-                    let part = weight * (ends[1] - ends[0]) * length * share;
-                    (0..2).for_each(|k| force[k * n + p] += part * traction[k]);
-                }
-            }
-        }
-    }
-    force
-}
-
 fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, v| most.max(v.abs()))
 }
@@ -116,7 +94,8 @@ fn tractions_on_the_true_border_hold_every_uniform_stress() {
     for (_, plate) in &plates()[..2] {
         for stress in [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.7, -1.3, 0.4]] {
             let internal = force(plate, &uniform(plate, stress, 0.0));
-            let load = tractions(plate, &outline, stress);
+            let sides: Vec<_> = outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
+            let load = through_border(plate, &sides, stress);
             let off: Vec<f64> = internal.iter().zip(&load).map(|(a, b)| a - b).collect();
             let (forces, couples) = off.split_at(2 * plate.point_count());
             let [forces, couples] = [forces, couples].map(|off| largest(off) / largest(&load));

@@ -6,8 +6,8 @@ use super::mirrors::compare;
 use super::patch::{STRAINS, check_rigid};
 use crate::body::{Crack, Hole, Outline, Polygon, Shape, cut_bonds};
 use crate::model::Breakable;
+use crate::model::plane::through_border::{Side, through_border};
 use crate::model::plane::{CriticalStretch, Edges, Mirrors, PlaneModel};
-use crate::quadrature::GAUSS;
 
 fn bordered(m: f64) -> PlaneParameters {
     PlaneParameters { edges: Edges::Border, ..parameters(m, [1.0, 1.0, 1.0]) }
@@ -75,39 +75,12 @@ fn every_uniform_strain_has_the_energy_of_the_true_area() {
     }
 }
 
-/// Forces of the tractions of a uniform stress on straight borders, each from one end to the other with its normal.
-fn through_border(
-    plane: &BondPlane,
-    sides: &[([[f64; 2]; 2], [f64; 2])],
-    [xx, yy, xy]: [f64; 3],
-) -> Vec<f64> {
-    let (n, lattice) = (plane.point_count(), plane.lattice().unwrap().0);
-    let shares = plane.border_shares().unwrap();
-    let mut force = vec![0.0; 2 * n];
-    for &([from, to], normal) in sides {
-        let traction = [xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]];
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-        for ends in lattice.crossings(from, to).windows(2) {
-            for (share, weight) in GAUSS {
-                let along = ends[0] + share * (ends[1] - ends[0]);
-                let at = [0, 1].map(|k| from[k] + along * (to[k] - from[k]));
-                let length = weight * (ends[1] - ends[0]) * length;
-                for (p, share) in shares(at, normal).unwrap() {
-                    (0..2).for_each(|k| force[k * n + p] += share * length * traction[k]);
-                }
-            }
-        }
-    }
-    force
-}
-
 /// The load of a uniform stress is that of its tractions on the true border, which knows no bonds.
 #[test]
 fn tractions_on_the_true_border_hold_every_uniform_stress() {
     for m in [2.0, 3.0, 4.0] {
         for (name, outline) in outlines().into_iter().skip(1) {
-            let mut sides: Vec<([[f64; 2]; 2], [f64; 2])> =
-                outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
+            let mut sides: Vec<Side> = outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
             if let Some(Shape::Polygon(hole)) = outline.holes().first().map(|h| &h.shape) {
                 sides.extend((0..3).map(|k| (hole.edge(k), hole.normal(k).map(|x| -x))));
             }

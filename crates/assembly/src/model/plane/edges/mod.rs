@@ -11,7 +11,7 @@ pub(in super::super) use border::BorderBonds;
 pub(super) use border::border_shares;
 pub use border::{BorderShares, FARTHEST};
 pub(in super::super) use cut::Strains;
-pub(super) use cut::{cut_shares, modulus};
+pub(super) use cut::{cut_shares, left_to_triangles, modulus};
 pub(super) use factors::{EdgeFactors, edge_factors};
 pub(in super::super) use factors::{energy_factor, volume_factor};
 pub(super) use overlay::{Overlay, overlay};
@@ -51,8 +51,8 @@ pub(in super::super) enum By<const D: usize, const M: usize, const S: usize> {
     Points,
     /// Bonds that end on the border, or springs in the triangles that it cuts.
     Bonds(BorderBonds<D, M>),
-    /// Triangles that it cuts, and the bonds that they stand for, family by family: parts of one bond per offset that has bonds.
-    Triangles(Arc<WideFamilies<D, S>>, Arc<Vec<f64>>),
+    /// Triangles that it cuts.
+    Triangles(Arc<WideFamilies<D, S>>),
 }
 
 impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {

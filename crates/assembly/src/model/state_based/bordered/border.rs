@@ -47,9 +47,9 @@ fn add_runs(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
 
 /// Triangles that the border cuts, by blocks.
 fn add_triangles(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
-    let By::Triangles(families, left) = &plate.border.by else { return };
+    let By::Triangles(families) = &plate.border.by else { return };
     let bonded: Vec<usize> = plate.hood.bonded().collect();
-    for (k, left) in left.chunks(bonded.len()).enumerate() {
+    for (k, left) in plate.left_to_triangles().iter().enumerate() {
         let members = families.members(k);
         let at = centre(plate, members.iter().map(|m| (m.point, m.share)));
         let block = at.map(|x| x.floor() as i32);

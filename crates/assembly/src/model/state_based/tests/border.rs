@@ -3,7 +3,7 @@
 use super::super::BorderedState;
 use super::*;
 use crate::body::{Hole, Outline, Polygon, Shape};
-use crate::quadrature::GAUSS;
+use crate::model::plane::through_border::{Side, through_border};
 
 /// Above 0.45 in plane strain, with means over blocks.
 const RATIOS: [f64; 5] = [-0.5, 0.0, 0.3, 0.45, 0.49];
@@ -92,8 +92,7 @@ fn uniform_strains_have_their_energy_and_their_dilatation_everywhere() {
 fn tractions_hold_every_uniform_stress() {
     for m in [2.0, 3.0, 4.0] {
         for (name, outline) in outlines().into_iter().take(4) {
-            let mut sides: Vec<([[f64; 2]; 2], [f64; 2])> =
-                outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
+            let mut sides: Vec<Side> = outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
             if let Some(Shape::Polygon(hole)) = outline.holes().first().map(|h| &h.shape) {
                 sides.extend((0..3).map(|k| (hole.edge(k), hole.normal(k).map(|x| -x))));
             }
@@ -119,32 +118,6 @@ fn tractions_hold_every_uniform_stress() {
             }
         }
     }
-}
-
-/// Forces of the tractions of a uniform stress on straight borders, each from one end to the other with its normal.
-fn through_border(
-    plate: &BorderedState,
-    sides: &[([[f64; 2]; 2], [f64; 2])],
-    [xx, yy, xy]: [f64; 3],
-) -> Vec<f64> {
-    let (n, lattice) = (plate.point_count(), plate.lattice().unwrap().0);
-    let shares = plate.border_shares().unwrap();
-    let mut force = vec![0.0; 2 * n];
-    for &([from, to], normal) in sides {
-        let traction = [xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]];
-        let length = plate.thickness() * (to[0] - from[0]).hypot(to[1] - from[1]);
-        for ends in lattice.crossings(from, to).windows(2) {
-            for (share, weight) in GAUSS {
-                let along = ends[0] + share * (ends[1] - ends[0]);
-                let at = [0, 1].map(|k| from[k] + along * (to[k] - from[k]));
-                let length = weight * (ends[1] - ends[0]) * length;
-                for (p, share) in shares(at, normal).unwrap() {
-                    (0..2).for_each(|k| force[k * n + p] += share * length * traction[k]);
-                }
-            }
-        }
-    }
-    force
 }
 
 /// Coarser lattices do not know their border: triangles of points complete families.

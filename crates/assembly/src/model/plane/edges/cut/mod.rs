@@ -32,7 +32,7 @@ use crate::bonds::{Mat, block};
 use crate::stiffness::{Exception, WideFamilies};
 use blocks::{Blocks, CORNERS};
 use corners::{Corners, Cracks};
-use members::{is_divided, members};
+use members::{corner_shares, corners_of, is_divided, members};
 use missing::Missing;
 use springs::springs;
 use std::borrow::Cow;
@@ -138,6 +138,20 @@ fn left_to(corners: &Corners, missing: &Missing, block: Cell) -> Vec<Left> {
     (0..4).filter_map(of).collect()
 }
 
+/// What bonds leave to the triangles that complete a body, in the order of these: parts of one bond per offset that has bonds.
+pub(in super::super) fn left_to_triangles<const M: usize>(
+    (lattice, mirrors): (&SquareLattice, &Mirrors),
+    hood: &Neighbourhood<M>,
+    cuts: &HashSet<(usize, usize)>,
+) -> Vec<Vec<f64>> {
+    let corners = beside_cracks(lattice, mirrors, hood, Cow::Borrowed(cuts));
+    let missing = Missing::new(&corners.blocks, hood);
+    let near = near_blocks(lattice, hood.reach());
+    let left = near.iter().flat_map(|&at| left_to(&corners, &missing, at));
+    let is_told = |left: &Left| corner_shares(&corners, corners_of(left.block, left.triangle)).is_some();
+    left.filter(is_told).map(|left| left.shares).collect()
+}
+
 /// Triangles with all that is left to them, and the number of those whose corners cannot be told.
 fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     corners: &Corners,
@@ -148,21 +162,18 @@ fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, 
     let lattice = corners.blocks.lattice;
     let moduli: Vec<Mat<S, S>> =
         missing.paths.iter().map(|(k, _)| modulus(lattice, hood, bond, *k)).collect();
-    let (mut families, mut all, mut lost) = (WideFamilies::new(lattice.points()), Vec::new(), 0);
+    let (mut families, mut lost) = (WideFamilies::new(lattice.points()), 0);
     for Left { block, triangle, shares } in left {
         let mut own = [[0.0; S]; S];
         for (modulus, share) in moduli.iter().zip(&shares) {
             (0..S).for_each(|r| (0..S).for_each(|c| own[r][c] += share * modulus[r][c]));
         }
         match members(corners, bond, block, triangle) {
-            Some((members, common)) => {
-                families.push(&members, common, own);
-                all.extend(shares);
-            }
+            Some((members, common)) => families.push(&members, common, own),
             None => lost += 1,
         }
     }
-    (By::Triangles(Arc::new(families), Arc::new(all)), lost)
+    (By::Triangles(Arc::new(families)), lost)
 }
 
 /// How corners of triangles move beside some cracks.
