@@ -21,10 +21,14 @@ const ENDED: f64 = 480.0;
 /// Of a spacing of a border that cuts cells, and of each spacing of the horizon beside it. Measured 21 000 and 28 000 with
 /// horizons of three and six spacings around 400 holes.
 const CUT_BORDER: [f64; 2] = [18_000.0, 2000.0];
+/// The same of each squared spacing of the horizon where bodies break: springs by the directions of bonds, and their matrix.
+/// Measured 95 000, 394 000 and 1 230 000 with horizons of three, six and ten.
+const CUT_SPRINGS: f64 = 12_500.0;
 /// Of a bond of listed points while it is made. Measured 98 with four million of them.
 const LISTED: f64 = 98.0;
-/// Of a spacing of a border that completes families, and of each squared spacing of the horizon beside it.
-const FAMILIES: [f64; 2] = [60_000.0, 10_000.0];
+/// Of a spacing of a border that completes families, and of each squared spacing of the horizon beside it. Measured 24 000 and
+/// 116 000 with horizons of three and six spacings around 64 holes.
+const FAMILIES: [f64; 2] = [10_000.0, 3_200.0];
 /// Of a neighbour in a family of its own.
 const NEIGHBOUR: f64 = 180.0;
 /// Of a bond of an image. Measured 49 between four mirrors, with 2 and 480 million of them.
@@ -69,7 +73,8 @@ pub(super) fn fits(
         (PlaneBody::Lattice(lattice), _)
             if bonds.edges() == Some(Edges::Border) && !lattice.blocks().is_empty() =>
         {
-            border * (CUT_BORDER[0] + CUT_BORDER[1] * m)
+            let breaks = case.fracture.is_some() || case.path.is_some();
+            border * if breaks { CUT_SPRINGS * m * m } else { CUT_BORDER[0] + CUT_BORDER[1] * m }
         }
         (PlaneBody::Lattice(_), _) if bonds.edges() == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
             ENDED * border * 2.0 / 3.0 * m.powi(3)

@@ -58,12 +58,12 @@ impl Transport {
                 break;
             }
             let step = self.newton(&rest);
-            // Steps that are too long are halved; close to the solution only rounding tells heights apart.
+            // Steps that are too long are halved; close to the solution rounding hides how heights differ, and rests tell.
             for halved in 0..=HALVED {
                 let mut next = at.clone();
                 next.add(0.5_f64.powi(halved), &step);
                 let found = self.take(&next);
-                if found <= height + 1e-14 * height.abs() || halved == HALVED {
+                if found <= height || self.rest().largest() < rest.largest() || halved == HALVED {
                     (at, height) = (next, found);
                     break;
                 }
