@@ -75,9 +75,15 @@ impl AxialBar {
 }
 
 impl Model<1> for AxialBar {
-    const UNKNOWNS: [&'static str; 1] = ["u"];
-    const RIGID_MOTIONS: &'static [&'static str] = &["translation along x"];
-    const IS_DISPLACEMENT: [bool; 1] = [true];
+    fn unknowns(&self) -> [&'static str; 1] {
+        ["u"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &["translation along x"]
+    }
+    fn is_displacement(&self) -> [bool; 1] {
+        [true]
+    }
 
     fn points(&self) -> usize {
         self.chain.points

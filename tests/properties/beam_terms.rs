@@ -25,9 +25,15 @@ fn parameters(law: usize, treatment: usize) -> BeamParameters {
 struct Damaged(usize, Vec<LatticeBonds<2, 2, UniformBending>>);
 
 impl Model<2> for Damaged {
-    const UNKNOWNS: [&'static str; 2] = <TimoshenkoBeam as Model<2>>::UNKNOWNS;
-    const RIGID_MOTIONS: &'static [&'static str] = <TimoshenkoBeam as Model<2>>::RIGID_MOTIONS;
-    const IS_DISPLACEMENT: [bool; 2] = <TimoshenkoBeam as Model<2>>::IS_DISPLACEMENT;
+    fn unknowns(&self) -> [&'static str; 2] {
+        ["w", "phi"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &["translation along w", "rotation"]
+    }
+    fn is_displacement(&self) -> [bool; 2] {
+        [true, false]
+    }
 
     fn points(&self) -> usize {
         self.0

@@ -23,7 +23,7 @@ fn the_plain_band_factor_keeps_some_digits_and_the_finish_the_rest() {
         let mut case = standard.case(&section, "exact", cells);
         case["solver"] = json!("band");
         let scene = scene(&case);
-        let (system, _) = prepare::<2, _>(&scene, &RunOptions::default()).expect("a system");
+        let (system, _) = prepare::<2>(&scene, &RunOptions::default()).expect("a system");
         let mut load = vec![0.0; system.size()];
         scene.states[0].loads.add_to(&scene.beam, &mut load);
         system.constraints().restrict(&mut load);

@@ -68,9 +68,15 @@ pub(crate) struct Body {
 }
 
 impl Model<2> for Body {
-    const UNKNOWNS: [&'static str; 2] = ["w", "phi"];
-    const RIGID_MOTIONS: &'static [&'static str] = &["translation along w", "rotation"];
-    const IS_DISPLACEMENT: [bool; 2] = [true, false];
+    fn unknowns(&self) -> [&'static str; 2] {
+        ["w", "phi"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &["translation along w", "rotation"]
+    }
+    fn is_displacement(&self) -> [bool; 2] {
+        [true, false]
+    }
 
     fn points(&self) -> usize {
         self.points

@@ -52,13 +52,13 @@ impl ModelSizes {
 /// A model with its body: terms of the energy and what belongs to every unknown.
 pub trait Model<const D: usize> {
     /// Names of the unknowns of a point.
-    const UNKNOWNS: [&'static str; D];
+    fn unknowns(&self) -> [&'static str; D];
 
     /// Names of the motions that cost no energy, such as `translation along w`.
-    const RIGID_MOTIONS: &'static [&'static str];
+    fn rigid_motions(&self) -> &'static [&'static str];
 
     /// Which unknowns of a point are displacements; the others are rotations.
-    const IS_DISPLACEMENT: [bool; D];
+    fn is_displacement(&self) -> [bool; D];
 
     /// Number of points, ghosts included.
     fn points(&self) -> usize;
@@ -97,7 +97,7 @@ pub trait Model<const D: usize> {
     }
 
     /// Unknowns of a point under the unit rigid motion of a kind, an index into
-    /// [`RIGID_MOTIONS`](Self::RIGID_MOTIONS); rotations are about `centre`.
+    /// [`rigid_motions`](Self::rigid_motions); rotations are about `centre`.
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; D];
 
     /// Relative error of the numbers that the model is made of, such as weights that were found by solving; what no residual
@@ -114,7 +114,7 @@ pub trait Model<const D: usize> {
 
     /// How far a unit rigid motion moves a point: m, or m per rad. Unlike unknowns, this compares motions of all kinds.
     fn displacement(&self, kind: usize, point: usize, centre: Point) -> f64 {
-        let motion = self.rigid_motion(kind, point, centre).into_iter().zip(Self::IS_DISPLACEMENT);
+        let motion = self.rigid_motion(kind, point, centre).into_iter().zip(self.is_displacement());
         motion.filter(|(_, is_displacement)| *is_displacement).fold(0.0, |sum, (value, _)| value.hypot(sum))
     }
 }

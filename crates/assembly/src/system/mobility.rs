@@ -26,12 +26,7 @@ pub struct PartMotion {
 
 impl FreeMotion {
     /// How it moves the unknowns of a point; `parts` are those of the model.
-    pub fn at<const D: usize, T: Model<D>>(
-        &self,
-        model: &T,
-        parts: &NumberedParts,
-        point: usize,
-    ) -> [f64; D] {
+    pub fn at<const D: usize>(&self, model: &dyn Model<D>, parts: &NumberedParts, point: usize) -> [f64; D] {
         let (mut sum, own) = ([0.0; D], parts.of(point));
         if let Some(k) = self.parts.iter().position(|span| parts.of(span[0]) == own) {
             let PartMotion { centre, amounts } = &self.moves[k];
@@ -45,20 +40,16 @@ impl FreeMotion {
 }
 
 /// All independent free motions of a system.
-pub fn free_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) -> Vec<FreeMotion> {
+pub fn free_motions<const D: usize>(model: &dyn Model<D>, system: &System<D>) -> Vec<FreeMotion> {
     motions(model, system, true)
 }
 
 /// All independent motions that no constraint prevents and that cost no energy but that of springs to the ground.
-pub fn sprung_motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) -> Vec<FreeMotion> {
+pub fn sprung_motions<const D: usize>(model: &dyn Model<D>, system: &System<D>) -> Vec<FreeMotion> {
     motions(model, system, false)
 }
 
-fn motions<const D: usize, T: Model<D>>(
-    model: &T,
-    system: &System<D>,
-    springs_hold: bool,
-) -> Vec<FreeMotion> {
+fn motions<const D: usize>(model: &dyn Model<D>, system: &System<D>, springs_hold: bool) -> Vec<FreeMotion> {
     let mut parts = Parts::new(system.points());
     system.terms().iter().for_each(|t| t.join(&mut parts));
     let parts = parts.numbered();
@@ -70,7 +61,7 @@ fn motions<const D: usize, T: Model<D>>(
             std::array::from_fn(|k| 0.5 * (a[k] + b[k]))
         })
         .collect();
-    let kinds = T::RIGID_MOTIONS.len();
+    let kinds = model.rigid_motions().len();
     // Amounts of the motions of every part are unknowns; each is measured by how far it moves the end of its part.
     let scales = scales(model, spans, &centres);
     let amounts = |unknown: usize, coefficient: f64| {
@@ -114,11 +105,7 @@ fn motions<const D: usize, T: Model<D>>(
 
 /// Kinds of motions that are none of a part: they move neither of its ends, such as a rotation of a single point that has no
 /// unknown for it; or they move a single point as others do.
-fn superfluous<const D: usize, T: Model<D>>(
-    model: &T,
-    [first, last]: [usize; 2],
-    centre: Point,
-) -> Vec<usize> {
+fn superfluous<const D: usize>(model: &dyn Model<D>, [first, last]: [usize; 2], centre: Point) -> Vec<usize> {
     /// What is left of a motion below this part of it is rounding.
     const ROUNDING: f64 = 1e-9;
     let size = |v: &[f64; D]| v.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -141,17 +128,17 @@ fn superfluous<const D: usize, T: Model<D>>(
         }
         is_known
     };
-    (0..T::RIGID_MOTIONS.len()).filter(is_superfluous).collect()
+    (0..model.rigid_motions().len()).filter(is_superfluous).collect()
 }
 
 /// How far a unit of every motion moves the end of its part.
-fn scales<const D: usize, T: Model<D>>(model: &T, spans: &[[usize; 2]], centres: &[Point]) -> Vec<f64> {
+fn scales<const D: usize>(model: &dyn Model<D>, spans: &[[usize; 2]], centres: &[Point]) -> Vec<f64> {
     let scale = |part: usize, kind: usize| {
         let displacement = model.displacement(kind, spans[part][1], centres[part]);
         // A part of one point has nothing that its rotation moves.
         if displacement > 0.0 { displacement } else { 1.0 }
     };
-    let kinds = T::RIGID_MOTIONS.len();
+    let kinds = model.rigid_motions().len();
     (0..spans.len() * kinds).map(|k| scale(k / kinds, k % kinds)).collect()
 }
 

@@ -39,7 +39,7 @@ impl<const D: usize> System<D> {
     /// # Errors
     /// [`Contradiction`] between equations.
     pub fn new(
-        model: &impl Model<D>,
+        model: &dyn Model<D>,
         extra_terms: Vec<Box<dyn Term<D>>>,
         mut equations: Vec<Equation>,
     ) -> Result<Self, Contradiction> {
@@ -76,7 +76,7 @@ impl<const D: usize> System<D> {
     /// [`Contradiction`] between equations.
     pub fn constrain(
         &mut self,
-        model: &impl Model<D>,
+        model: &dyn Model<D>,
         mut equations: Vec<Equation>,
     ) -> Result<(), Contradiction> {
         equations.extend(model.relations());

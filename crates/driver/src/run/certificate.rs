@@ -82,8 +82,8 @@ pub(super) const STRAIN_FREE: f64 = 1e-24;
 
 /// Certifies a solution; `scales` are displacements of each component that count as equally large, so that forces and
 /// moments can be compared by their works.
-pub(super) fn certify<const D: usize, P: Problem<D>>(
-    problem: &P,
+pub(super) fn certify<const D: usize>(
+    problem: &dyn Problem<D>,
     system: &System<D>,
     load: &[f64],
     solution: &StateSolution,
@@ -237,15 +237,15 @@ pub(super) fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usiz
 
 /// Work of all forces on the body in every rigid motion, over the sum of the magnitudes. The sum is at least what the works
 /// in the other motions make of it: where only moments act, forces are rounding and no measure of themselves.
-pub(super) fn balance<const D: usize, T: Model<D>>(
-    model: &T,
+pub(super) fn balance<const D: usize>(
+    model: &dyn Model<D>,
     load: &[f64],
     reactions: impl Iterator<Item = (usize, f64)>,
 ) -> Vec<Balance> {
     let n = model.points();
     // Rotations about the first point: a far origin would hide an imbalance behind large arms.
     let origin = model.position(0);
-    let mut sums = vec![(Sum::default(), 0.0_f64); T::RIGID_MOTIONS.len()];
+    let mut sums = vec![(Sum::default(), 0.0_f64); model.rigid_motions().len()];
     let mut add = |component: usize, point: usize, force: f64| {
         if force != 0.0 {
             for (kind, sum) in sums.iter_mut().enumerate() {
@@ -265,7 +265,7 @@ pub(super) fn balance<const D: usize, T: Model<D>>(
         motion: motion.into(),
         relative: ratio(sum.total().abs(), scale.max(least * size)),
     };
-    T::RIGID_MOTIONS.iter().zip(sums).zip(&sizes).map(balance).collect()
+    model.rigid_motions().iter().zip(sums).zip(&sizes).map(balance).collect()
 }
 
 #[cfg(test)]

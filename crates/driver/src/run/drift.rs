@@ -11,8 +11,8 @@ const TOGETHER: usize = 32;
 
 /// How far the residual would carry a body along the motions that only springs resist, part by part, relative to the largest
 /// unknown: where springs are soft enough an iteration ends before it has met them. With a factor there is no such doubt.
-pub(super) fn drift<const D: usize, T: Model<D>>(
-    model: &T,
+pub(super) fn drift<const D: usize>(
+    model: &dyn Model<D>,
     system: &System<D>,
     load: &[f64],
     solution: &StateSolution,
@@ -33,7 +33,7 @@ pub(super) fn drift<const D: usize, T: Model<D>>(
 /// Unknowns that a motion moves, and how far.
 type Motion = Vec<(usize, f64)>;
 
-fn motions<const D: usize, T: Model<D>>(model: &T, system: &System<D>) -> Vec<Motion> {
+fn motions<const D: usize>(model: &dyn Model<D>, system: &System<D>) -> Vec<Motion> {
     let (parts, points) = (model.connected(), system.points());
     let unknowns = |motion: &FreeMotion| {
         let at = |point: usize| {

@@ -10,13 +10,13 @@ fn samples(points: usize) -> impl Iterator<Item = usize> {
 }
 
 /// Largest displacement of a unit rigid motion of a kind, m or m per rad.
-pub(super) fn displacement<const D: usize, T: Model<D>>(model: &T, kind: usize, centre: Point) -> f64 {
+pub(super) fn displacement<const D: usize>(model: &dyn Model<D>, kind: usize, centre: Point) -> f64 {
     samples(model.points()).map(|point| model.displacement(kind, point, centre)).fold(0.0, f64::max)
 }
 
 /// Amounts of each component that count as equally large: a turn of one, and the largest displacement that it makes
 /// about the middle of the body. Without turns all components have one unit.
-pub(super) fn scales<const D: usize, T: Model<D>>(model: &T) -> [f64; D] {
+pub(super) fn scales<const D: usize>(model: &dyn Model<D>) -> [f64; D] {
     let along = |k: usize| samples(model.points()).map(move |point| model.position(point)[k]);
     let middle = std::array::from_fn(|k| {
         0.5 * (along(k).fold(f64::INFINITY, f64::min) + along(k).fold(f64::NEG_INFINITY, f64::max))
@@ -25,10 +25,10 @@ pub(super) fn scales<const D: usize, T: Model<D>>(model: &T) -> [f64; D] {
         let motion = model.rigid_motion(*kind, 0, middle);
         motion
             .iter()
-            .zip(T::IS_DISPLACEMENT)
+            .zip(model.is_displacement())
             .any(|(value, is_displacement)| !is_displacement && *value != 0.0)
     };
-    let rotations = (0..T::RIGID_MOTIONS.len()).filter(turns);
+    let rotations = (0..model.rigid_motions().len()).filter(turns);
     let length = rotations.map(|kind| displacement(model, kind, middle)).fold(0.0, f64::max);
-    T::IS_DISPLACEMENT.map(|is_displacement| if is_displacement && length > 0.0 { length } else { 1.0 })
+    model.is_displacement().map(|is_displacement| if is_displacement && length > 0.0 { length } else { 1.0 })
 }

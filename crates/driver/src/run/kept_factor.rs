@@ -23,8 +23,8 @@ impl KeptFactor {
     ///
     /// # Errors
     /// [`SolveFailure`] if it has no factor.
-    pub(super) fn new<const D: usize, P: Problem<D>>(
-        problem: &P,
+    pub(super) fn new<const D: usize>(
+        problem: &dyn Problem<D>,
         system: &System<D>,
         timing: &mut Timing,
         counters: &mut Counters,

@@ -28,8 +28,8 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
-    pub(super) fn new<P: Problem<D>>(
-        problem: &P,
+    pub(super) fn new(
+        problem: &dyn Problem<D>,
         system: &'a System<D>,
         coarser: Option<&'a Coarser<D>>,
         timing: &mut Timing,
@@ -49,9 +49,9 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has none.
-    pub(super) fn fall_back<P: Problem<D>>(
+    pub(super) fn fall_back(
         &mut self,
-        problem: &P,
+        problem: &dyn Problem<D>,
         system: &System<D>,
         timing: &mut Timing,
     ) -> Result<(), SolveFailure> {

@@ -10,7 +10,7 @@ pub(super) struct Load<'a> {
 }
 
 impl<'a> Load<'a> {
-    pub(super) fn new<const D: usize, T: Model<D>>(model: &T, forces: &'a [f64]) -> Self {
+    pub(super) fn new<const D: usize>(model: &dyn Model<D>, forces: &'a [f64]) -> Self {
         Self { forces, rounding: rounding(model, forces) }
     }
 }
@@ -23,12 +23,13 @@ fn part(k: usize) -> f64 {
 
 /// The rounding of every force on an unknown, and of the components along the axes that loads are given in: a slanted member has
 /// mixed them.
-fn rounding<const D: usize, T: Model<D>>(model: &T, forces: &[f64]) -> Vec<f64> {
+fn rounding<const D: usize>(model: &dyn Model<D>, forces: &[f64]) -> Vec<f64> {
     let (n, origin) = (model.points(), model.position(0));
     let mut rounding: Vec<f64> = forces.iter().enumerate().map(|(k, f)| part(k) * f).collect();
-    let translations =
-        (0..T::RIGID_MOTIONS.len()).filter(|&kind| T::RIGID_MOTIONS[kind].starts_with("translation"));
-    let is_pushed = |&point: &usize| (0..D).any(|c| T::IS_DISPLACEMENT[c] && forces[c * n + point] != 0.0);
+    let translations = (0..model.rigid_motions().len())
+        .filter(|&kind| model.rigid_motions()[kind].starts_with("translation"));
+    let is_pushed =
+        |&point: &usize| (0..D).any(|c| model.is_displacement()[c] && forces[c * n + point] != 0.0);
     let pushed: Vec<usize> = (0..n).filter(is_pushed).collect();
     for (axis, kind) in translations.enumerate() {
         for &point in &pushed {

@@ -5,7 +5,7 @@ use super::method::{self, Plan};
 use super::problem::Spread;
 use crate::case::Solver;
 use peristat_assembly::condition::{Constraints, Equation};
-use peristat_assembly::model::{Model, ModelSizes};
+use peristat_assembly::model::ModelSizes;
 use peristat_solve::{Method, Profile, choose};
 
 /// Memory of the program itself, bytes.
@@ -27,7 +27,7 @@ const CYCLE: usize = 246;
 const BLOCKS: usize = 166;
 
 /// Memory of bonds, matrix, factor and vectors, bytes; and, with `recover`, of fields and their files.
-pub(super) fn estimate<const D: usize, P: Problem<D>>(problem: &P, recover: bool) -> u64 {
+pub(super) fn estimate<const D: usize>(problem: &dyn Problem<D>, recover: bool) -> u64 {
     let (sizes, unknowns) = (problem.model().sizes(), D * problem.model().points());
     let fields = fields(problem, recover);
     let solving = match method::plan(problem) {
@@ -43,7 +43,7 @@ pub(super) fn estimate<const D: usize, P: Problem<D>>(problem: &P, recover: bool
 }
 
 /// Memory of the fields of all points and of their files, if they are recovered, bytes.
-pub(super) fn fields<const D: usize, P: Problem<D>>(problem: &P, recover: bool) -> usize {
+pub(super) fn fields<const D: usize>(problem: &dyn Problem<D>, recover: bool) -> usize {
     let points = problem.model().points();
     let kind = usize::from(problem.spread() != Spread::Chain);
     let per_point = FIELDS[kind] + if problem.states() > 1 { ENVELOPE } else { 0 };
@@ -51,7 +51,7 @@ pub(super) fn fields<const D: usize, P: Problem<D>>(problem: &P, recover: bool) 
 }
 
 /// Memory of program, bonds and `rest`, bytes.
-pub(super) fn total<const D: usize, P: Problem<D>>(problem: &P, rest: usize) -> u64 {
+pub(super) fn total<const D: usize>(problem: &dyn Problem<D>, rest: usize) -> u64 {
     let threads = if problem.spread() == Spread::Chain { 0 } else { THREADS };
     let needed = PROGRAM + threads + problem.model().sizes().bytes + rest;
     // Allocators take a little more than they are asked for.
@@ -71,7 +71,7 @@ fn dissected(unknowns: usize, bonds: usize) -> usize {
 }
 
 /// The stiffness and its factor, bytes.
-fn matrix<const D: usize, P: Problem<D>>(problem: &P, sizes: &ModelSizes) -> usize {
+fn matrix<const D: usize>(problem: &dyn Problem<D>, sizes: &ModelSizes) -> usize {
     let points = problem.model().points();
     if problem.spread() != Spread::Chain && problem.solver() != Solver::Band {
         return dissected(D * points, sizes.elements);

@@ -5,7 +5,6 @@ use super::multigrid::{self, Coarser};
 use super::problem::Spread;
 use super::{Counters, Problem, Timing};
 use crate::case::Solver;
-use peristat_assembly::model::Model;
 use peristat_assembly::system::{Level, System};
 use peristat_solve::{PcgOptions, Preconditioner};
 use std::time::Instant;
@@ -62,7 +61,7 @@ pub(super) enum Plan {
 
 /// The plan for a problem, from its size and from what the case asks for. For one right-hand side a multigrid cycle is
 /// faster than a factor on squares of 1600 points already, about the smallest that have a coarser lattice.
-pub(super) fn plan<const D: usize, P: Problem<D>>(problem: &P) -> Plan {
+pub(super) fn plan<const D: usize>(problem: &dyn Problem<D>) -> Plan {
     let points = problem.model().points();
     let few_sides = problem.states() < MANY_SIDES || points > TOO_MANY_POINTS;
     match (problem.solver(), problem.spread()) {
@@ -80,8 +79,8 @@ pub(super) fn plan<const D: usize, P: Problem<D>>(problem: &P) -> Plan {
 ///
 /// # Errors
 /// [`SolveFailure`] if a point is not held by its bonds, or a matrix has no factor.
-pub(super) fn method<'a, const D: usize, P: Problem<D>>(
-    problem: &P,
+pub(super) fn method<'a, const D: usize>(
+    problem: &dyn Problem<D>,
     system: &'a System<D>,
     coarser: Option<&'a Coarser<D>>,
     timing: &mut Timing,
@@ -109,8 +108,8 @@ pub(super) fn method<'a, const D: usize, P: Problem<D>>(
 ///
 /// # Errors
 /// [`SolveFailure`] if it has none.
-pub(super) fn of_factor<'a, const D: usize, P: Problem<D>>(
-    problem: &P,
+pub(super) fn of_factor<'a, const D: usize>(
+    problem: &dyn Problem<D>,
     system: &System<D>,
     timing: &mut Timing,
     counters: &mut Counters,
@@ -131,7 +130,7 @@ pub(super) fn of_factor<'a, const D: usize, P: Problem<D>>(
 }
 
 /// Whether a problem whose cycle did not converge is worth a factor: the case leaves the choice, and there is room.
-pub(super) fn can_fall_back<const D: usize, P: Problem<D>>(problem: &P) -> bool {
+pub(super) fn can_fall_back<const D: usize>(problem: &dyn Problem<D>) -> bool {
     plan(problem) == Plan::Cycle
         && problem.solver() == Solver::Auto
         && problem.model().points() <= TOO_MANY_POINTS

@@ -252,8 +252,8 @@ struct SolvedState<'a> {
 }
 
 /// Solution of a load and a factor on prescribed motions, with its certificate.
-fn certified<const D: usize, P: Problem<D>>(
-    problem: &P,
+fn certified<const D: usize>(
+    problem: &dyn Problem<D>,
     system: &System<D>,
     solver: &mut LinearSolver<D>,
     (load, motion_factor): (&[f64], f64),
@@ -269,8 +269,8 @@ fn certified<const D: usize, P: Problem<D>>(
 }
 
 /// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`.
-fn solve_states<const D: usize, P: Problem<D>>(
-    problem: &P,
+fn solve_states<const D: usize>(
+    problem: &dyn Problem<D>,
     (system, sizes): (&System<D>, Sizes),
     take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {

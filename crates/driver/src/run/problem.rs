@@ -15,11 +15,8 @@ const MOST_MOTIONS: usize = 6;
 
 /// A model with its conditions and right-hand sides.
 pub trait Problem<const D: usize> {
-    /// The model.
-    type Model: Model<D>;
-
     /// The model with its body.
-    fn model(&self) -> &Self::Model;
+    fn model(&self) -> &dyn Model<D>;
 
     /// Springs to the ground.
     fn springs(&self) -> &[Spring];
@@ -92,16 +89,16 @@ pub struct Sizes {
 /// # Errors
 /// [`RunError::Memory`] if solving would take more than is allowed, or than the machine has; [`RunError::Case`] names
 /// contradicting supports or every motion that nothing holds.
-pub fn prepare<const D: usize, P: Problem<D>>(
-    problem: &P,
+pub fn prepare<const D: usize>(
+    problem: &dyn Problem<D>,
     options: &RunOptions,
 ) -> Result<(System<D>, Sizes), RunError> {
     prepare_within(problem, memory::estimate(problem, options.recover), options)
 }
 
 /// The same where solving will take `needed` bytes of memory.
-pub(super) fn prepare_within<const D: usize, P: Problem<D>>(
-    problem: &P,
+pub(super) fn prepare_within<const D: usize>(
+    problem: &dyn Problem<D>,
     needed: u64,
     options: &RunOptions,
 ) -> Result<(System<D>, Sizes), RunError> {

@@ -90,7 +90,7 @@ pub(super) struct Workspace<const D: usize> {
 }
 
 impl<const D: usize> Workspace<D> {
-    pub(super) fn new<P: Problem<D>>(problem: &P, system: &System<D>) -> Self {
+    pub(super) fn new(problem: &dyn Problem<D>, system: &System<D>) -> Self {
         Self {
             pcg: Pcg::new(system.size()),
             residual: vec![0.0; system.size()],

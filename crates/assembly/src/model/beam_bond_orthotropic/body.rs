@@ -167,10 +167,15 @@ impl PlaneModel for BeamBondOrthotropic {
 }
 
 impl Model<3> for BeamBondOrthotropic {
-    const UNKNOWNS: [&'static str; 3] = ["ux", "uy", "phi"];
-    const RIGID_MOTIONS: &'static [&'static str] =
-        &["translation along x", "translation along y", "rotation about z"];
-    const IS_DISPLACEMENT: [bool; 3] = [true, true, false];
+    fn unknowns(&self) -> [&'static str; 3] {
+        ["ux", "uy", "phi"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &["translation along x", "translation along y", "rotation about z"]
+    }
+    fn is_displacement(&self) -> [bool; 3] {
+        [true, true, false]
+    }
 
     fn points(&self) -> usize {
         self.point_count()

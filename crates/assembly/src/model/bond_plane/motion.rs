@@ -8,10 +8,15 @@ use crate::model::{Model, ModelSizes};
 use crate::stiffness::Term;
 
 impl Model<2> for BondPlane {
-    const UNKNOWNS: [&'static str; 2] = ["ux", "uy"];
-    const RIGID_MOTIONS: &'static [&'static str] =
-        &["translation along x", "translation along y", "rotation about z"];
-    const IS_DISPLACEMENT: [bool; 2] = [true, true];
+    fn unknowns(&self) -> [&'static str; 2] {
+        ["ux", "uy"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &["translation along x", "translation along y", "rotation about z"]
+    }
+    fn is_displacement(&self) -> [bool; 2] {
+        [true, true]
+    }
 
     fn points(&self) -> usize {
         self.point_count()

@@ -86,16 +86,22 @@ impl PlaneModel for ShellMembrane {
 }
 
 impl Model<3> for ShellMembrane {
-    const UNKNOWNS: [&'static str; 3] = ["ux", "uy", "w"];
-    const RIGID_MOTIONS: &'static [&'static str] = &[
-        "translation along x",
-        "rotation about the axis",
-        "translation at 0 degrees",
-        "translation at 90 degrees",
-        "tilt at 0 degrees",
-        "tilt at 90 degrees",
-    ];
-    const IS_DISPLACEMENT: [bool; 3] = [true; 3];
+    fn unknowns(&self) -> [&'static str; 3] {
+        ["ux", "uy", "w"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &[
+            "translation along x",
+            "rotation about the axis",
+            "translation at 0 degrees",
+            "translation at 90 degrees",
+            "tilt at 0 degrees",
+            "tilt at 90 degrees",
+        ]
+    }
+    fn is_displacement(&self) -> [bool; 3] {
+        [true; 3]
+    }
 
     fn points(&self) -> usize {
         self.point_count()

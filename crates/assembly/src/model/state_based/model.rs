@@ -64,12 +64,18 @@ impl<const REVOLVED: bool> StateBased<REVOLVED> {
 }
 
 impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
-    const UNKNOWNS: [&'static str; 2] = ["ux", "uy"];
-    const RIGID_MOTIONS: &'static [&'static str] = match REVOLVED {
-        true => &["translation along y"],
-        false => &["translation along x", "translation along y", "rotation about z"],
-    };
-    const IS_DISPLACEMENT: [bool; 2] = [true, true];
+    fn unknowns(&self) -> [&'static str; 2] {
+        ["ux", "uy"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        match REVOLVED {
+            true => &["translation along y"],
+            false => &["translation along x", "translation along y", "rotation about z"],
+        }
+    }
+    fn is_displacement(&self) -> [bool; 2] {
+        [true, true]
+    }
 
     fn points(&self) -> usize {
         self.point_count()

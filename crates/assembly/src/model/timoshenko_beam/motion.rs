@@ -33,9 +33,15 @@ impl TimoshenkoBeam {
 }
 
 impl Model<2> for TimoshenkoBeam {
-    const UNKNOWNS: [&'static str; 2] = ["w", "phi"];
-    const RIGID_MOTIONS: &'static [&'static str] = &["translation along w", "rotation"];
-    const IS_DISPLACEMENT: [bool; 2] = [true, false];
+    fn unknowns(&self) -> [&'static str; 2] {
+        ["w", "phi"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &["translation along w", "rotation"]
+    }
+    fn is_displacement(&self) -> [bool; 2] {
+        [true, false]
+    }
 
     fn points(&self) -> usize {
         self.points
@@ -64,10 +70,15 @@ impl Model<2> for TimoshenkoBeam {
 }
 
 impl Model<3> for TimoshenkoBeam {
-    const UNKNOWNS: [&'static str; 3] = ["w", "phi", "u"];
-    const RIGID_MOTIONS: &'static [&'static str] =
-        &["translation along x", "translation along y", "rotation"];
-    const IS_DISPLACEMENT: [bool; 3] = [true, false, true];
+    fn unknowns(&self) -> [&'static str; 3] {
+        ["w", "phi", "u"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &["translation along x", "translation along y", "rotation"]
+    }
+    fn is_displacement(&self) -> [bool; 3] {
+        [true, false, true]
+    }
 
     fn points(&self) -> usize {
         self.points

@@ -40,9 +40,7 @@ impl<const D: usize> Problem<D> for BrokenBeam<'_>
 where
     TimoshenkoBeam: Model<D>,
 {
-    type Model = TimoshenkoBeam;
-
-    fn model(&self) -> &TimoshenkoBeam {
+    fn model(&self) -> &dyn Model<D> {
         &self.beam
     }
 
@@ -81,7 +79,11 @@ where
 {
     type Model = TimoshenkoBeam;
 
-    fn problem(&self) -> &impl Problem<D, Model = TimoshenkoBeam> {
+    fn model(&self) -> &TimoshenkoBeam {
+        &self.problem.beam
+    }
+
+    fn problem(&self) -> &dyn Problem<D> {
         &self.problem
     }
 

@@ -136,7 +136,7 @@ where
     let chosen = strain::chosen(scene);
     let needed = match &chosen {
         Ok(Some(parts)) => strain::memory::<D>(scene, &parts.form, options.recover),
-        _ => memory::estimate::<D, _>(scene, options.recover),
+        _ => memory::estimate::<D>(scene, options.recover),
     };
     let prepared = prepare_within(scene, needed, options)?;
     // Faults of the beam come before that of its solver.

@@ -1,6 +1,6 @@
 //! A body that breaks: what of it is left, what has gone, and where it is.
 
-use super::super::{Problem, RunError, Sink, SolvedState, Timing};
+use super::super::{RunError, Sink, SolvedState, Timing};
 use super::ending::Ending;
 use super::islands::Islands;
 use super::ledger::Ledger;
@@ -81,7 +81,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     /// From a restart: with the factor that there was, of the matrix that was analysed, so that all goes on to the last bit
     /// as if it had not stopped.
     pub(super) fn resume(body: &'a mut P, system: System<D>, restart: Restart) -> Result<Self, RunError> {
-        restart.fits(system.size(), body.problem().model().bond_numbers())?;
+        restart.fits(system.size(), body.model().bond_numbers())?;
         let (factored, later) = restart.broken.split_at(restart.factored);
         let mut all = Self::new(body, system)?;
         all.unit.u.clone_from(&restart.unit);
@@ -118,7 +118,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         if bonds.is_empty() {
             return Ok(());
         }
-        let gone = self.body.problem().model().part(bonds);
+        let gone = self.body.model().part(bonds);
         let (before, ledger, energy) = (self.unit.u.clone(), self.ledger, self.unit.energy);
         self.broken.extend(bonds);
         if self.remove(bonds) {

@@ -4,7 +4,6 @@
 //! at the unit load: a bond breaks at `λ = 1/ratio` of its strain there. `worst` goes to that of the worst bond, wherever
 //! it is: the load may snap back. The others raise λ step by step and break what is overstrained until nothing is.
 
-use super::super::Problem;
 use super::Event;
 use super::breaking::Breaking;
 use super::problem::BreakingBody;
@@ -29,13 +28,13 @@ pub(super) struct Next {
 impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
     /// Whether a bond can break.
     fn may_break(&self, bond: u64) -> bool {
-        let ends = self.body.problem().model().ends(bond);
+        let ends = self.body.model().ends(bond);
         !ends.iter().any(|&p| self.body.fracture().exempt[p]) && !self.islands.holds(ends)
     }
 
     /// Calls `visit` with every bond and the ratio of its strain at the unit load to its critical one.
     fn for_each_ratio(&self, visit: &mut dyn FnMut(u64, f64)) {
-        self.body.problem().model().for_each_ratio(&self.unit.u, &self.body.fracture().critical, visit);
+        self.body.model().for_each_ratio(&self.unit.u, &self.body.fracture().critical, visit);
     }
 
     /// The largest of these ratios of a bond that can break.

@@ -29,7 +29,7 @@ pub(super) struct Islands {
 
 impl Islands {
     /// Before anything breaks.
-    pub(super) fn new<const D: usize>(model: &impl Model<D>) -> Self {
+    pub(super) fn new<const D: usize>(model: &dyn Model<D>) -> Self {
         Self { parts: model.connected().spans().len(), ..Self::default() }
     }
 
@@ -60,9 +60,9 @@ impl Islands {
 
     /// Finds what has come off of a changed model and takes it out of the system, which has the equations of the problem;
     /// `u` are the unknowns at this time, `loads` those at the unit load. Whether there is something new.
-    pub(super) fn find<const D: usize, M: Model<D>>(
+    pub(super) fn find<const D: usize>(
         &mut self,
-        model: &M,
+        model: &dyn Model<D>,
         system: &mut System<D>,
         equations: &[Equation],
         [u, loads]: [&[f64]; 2],
@@ -108,12 +108,7 @@ impl Islands {
     }
 
     /// Holds what has come off at zero, and stops what can move without strain.
-    fn take_out<const D: usize>(
-        &self,
-        model: &impl Model<D>,
-        system: &mut System<D>,
-        equations: &[Equation],
-    ) {
+    fn take_out<const D: usize>(&self, model: &dyn Model<D>, system: &mut System<D>, equations: &[Equation]) {
         // In their places, for the sake of the forces that hold them.
         let mut all = equations.to_vec();
         let is_off = |equation: &&mut Equation| equation.terms.iter().any(|(named, _)| self.off[named.point]);
@@ -133,7 +128,7 @@ impl Islands {
 /// Whether loads work on a motion.
 fn is_driven<const D: usize>(
     motion: &FreeMotion,
-    model: &impl Model<D>,
+    model: &dyn Model<D>,
     parts: &NumberedParts,
     loads: &[f64],
 ) -> bool {
@@ -152,7 +147,7 @@ fn is_driven<const D: usize>(
 /// The free unknown that a motion moves most, to be held: nothing works on it.
 fn stop<const D: usize>(
     motion: &FreeMotion,
-    model: &impl Model<D>,
+    model: &dyn Model<D>,
     system: &System<D>,
     parts: &NumberedParts,
 ) -> Option<Unknown> {

@@ -10,8 +10,11 @@ pub(in super::super) trait BreakingBody<const D: usize> {
     /// Its model.
     type Model: Breakable<D>;
 
+    /// The model.
+    fn model(&self) -> &Self::Model;
+
     /// The problem. Its one state has the loads and motions at a load factor of one.
-    fn problem(&self) -> &impl Problem<D, Model = Self::Model>;
+    fn problem(&self) -> &dyn Problem<D>;
 
     /// How it breaks.
     fn fracture(&self) -> &FractureScene<<Self::Model as Breakable<D>>::Critical>;

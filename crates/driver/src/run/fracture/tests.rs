@@ -57,7 +57,7 @@ fn a_point_and_a_block_come_off_and_the_old_factor_finds_the_rest() {
     let scene = scene();
     let AnyPlaneModel::Beams(model) = &scene.model else { panic!("beam bonds") };
     let mut plate = PlaneProblem::new(&scene, model.clone());
-    let (mut system, _) = prepare::<3, _>(&plate, &RunOptions::default()).unwrap();
+    let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).unwrap();
     let mut timing = Timing::default();
     let loads = vec![0.0; system.size()];
     let mut unit = Unit::new(&plate, &system, loads, 1e-12, &mut timing).unwrap();

@@ -60,8 +60,8 @@ impl<const D: usize> Unit<D> {
     ///
     /// # Errors
     /// [`SolveFailure`] if there is no factor.
-    pub(super) fn new<P: Problem<D>>(
-        problem: &P,
+    pub(super) fn new(
+        problem: &dyn Problem<D>,
         system: &System<D>,
         loads: Vec<f64>,
         tolerance: f64,
@@ -174,9 +174,9 @@ impl<const D: usize> Unit<D> {
 
     /// Solution and certificate at a load factor, of a body that may be slack: its forces are rounding, which has no
     /// balance.
-    pub(super) fn certified<P: Problem<D>>(
+    pub(super) fn certified(
         &mut self,
-        problem: &P,
+        problem: &dyn Problem<D>,
         system: &System<D>,
         (load_factor, is_slack): (f64, bool),
         timing: &mut Timing,

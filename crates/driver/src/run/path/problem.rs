@@ -10,7 +10,7 @@ use peristat_assembly::stiffness::BondAnswers;
 /// A body of bonds with memory.
 pub(in super::super) trait SofteningBody<const D: usize> {
     /// The problem. Its one state has the loads and motions at a load factor of one.
-    fn problem(&self) -> &impl Problem<D>;
+    fn problem(&self) -> &dyn Problem<D>;
 
     /// How its path is followed.
     fn path(&self) -> &PathScene;

@@ -3,7 +3,7 @@
 use super::super::certificate::{self, Certificate, Seen};
 use super::super::scan;
 use super::super::workspace::StateSolution;
-use super::super::{Advance, Problem, RunError, RunReport, Sink, Sizes, SolvedState};
+use super::super::{Advance, RunError, RunReport, Sink, Sizes, SolvedState};
 use super::auto::Chosen;
 use super::body::{Body, State};
 use super::control::{Goal, Step};
@@ -14,7 +14,6 @@ use super::newton::TOLERANCE;
 use super::point::PathPoint;
 use super::problem::SofteningBody;
 use super::report::report;
-use peristat_assembly::model::Model;
 use peristat_assembly::system::System;
 use std::time::Instant;
 

@@ -482,7 +482,7 @@ fn runs_repeat_themselves_bit_by_bit() {
 fn course(scene: &PlaneScene) -> Course<2> {
     let AnyPlaneModel::Central(model) = &scene.model else { panic!("central bonds") };
     let problem = PlaneProblem::new(scene, model.clone());
-    let (system, _) = prepare::<2, _>(&problem, &RunOptions::default()).unwrap();
+    let (system, _) = prepare::<2>(&problem, &RunOptions::default()).unwrap();
     let path = scene.path.as_ref().unwrap();
     let law = |[i, j]: [usize; 2]| Some(usize::from(path.exempt[i] || path.exempt[j]));
     let laws = vec![path.law, Bilinear::elastic()];

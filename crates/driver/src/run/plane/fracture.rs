@@ -23,7 +23,11 @@ where
 {
     type Model = M;
 
-    fn problem(&self) -> &impl Problem<D, Model = M> {
+    fn model(&self) -> &M {
+        &self.problem.model
+    }
+
+    fn problem(&self) -> &dyn Problem<D> {
         &self.problem
     }
 

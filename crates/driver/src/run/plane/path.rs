@@ -35,7 +35,7 @@ const ELASTIC: usize = 1;
 const SAME: f64 = 1e-9;
 
 impl SofteningBody<2> for SofteningPlane<'_> {
-    fn problem(&self) -> &impl Problem<2> {
+    fn problem(&self) -> &dyn Problem<2> {
         &self.problem
     }
 

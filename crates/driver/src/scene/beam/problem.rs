@@ -13,9 +13,7 @@ impl<const D: usize> Problem<D> for BeamScene
 where
     TimoshenkoBeam: Model<D>,
 {
-    type Model = TimoshenkoBeam;
-
-    fn model(&self) -> &TimoshenkoBeam {
+    fn model(&self) -> &dyn Model<D> {
         &self.beam
     }
 

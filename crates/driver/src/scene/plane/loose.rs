@@ -14,7 +14,7 @@ const MOST: usize = 5;
 const SINGULAR: f64 = 1e-10;
 
 /// Adds a fault for every point whose own stiffness is singular and that conditions do not hold.
-pub(super) fn check<const D: usize>(scene: &PlaneScene, model: &impl Model<D>, faults: &mut Faults) {
+pub(super) fn check<const D: usize>(scene: &PlaneScene, model: &dyn Model<D>, faults: &mut Faults) {
     let mut blocks = vec![[[0.0; D]; D]; model.points()];
     model.terms().iter().for_each(|term| term.add_diagonal(&mut blocks));
     let held = held_points(&scene.conditions, D);

@@ -33,9 +33,7 @@ impl<'a, M> PlaneProblem<'a, M> {
 }
 
 impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M> {
-    type Model = M;
-
-    fn model(&self) -> &M {
+    fn model(&self) -> &dyn Model<D> {
         &self.model
     }
 

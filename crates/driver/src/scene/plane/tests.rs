@@ -123,7 +123,7 @@ fn check_equilibrium(scene: &PlaneScene, u: &[f64]) {
     let AnyPlaneModel::Central(model) = &scene.model else { panic!("central bonds") };
     let problem = PlaneProblem::new(scene, model.clone());
     let (system, _) =
-        prepare::<2, _>(&problem, &RunOptions::default()).unwrap_or_else(|error| panic!("{error:?}"));
+        prepare::<2>(&problem, &RunOptions::default()).unwrap_or_else(|error| panic!("{error:?}"));
     let (load, _) = loads(scene);
     let mut force = vec![0.0; u.len()];
     system.force(u, &mut force);

@@ -12,10 +12,15 @@ use crate::stiffness::{NumberedParts, Term};
 use std::sync::Arc;
 
 impl Model<2> for BorderedState {
-    const UNKNOWNS: [&'static str; 2] = ["ux", "uy"];
-    const RIGID_MOTIONS: &'static [&'static str] =
-        &["translation along x", "translation along y", "rotation about z"];
-    const IS_DISPLACEMENT: [bool; 2] = [true, true];
+    fn unknowns(&self) -> [&'static str; 2] {
+        ["ux", "uy"]
+    }
+    fn rigid_motions(&self) -> &'static [&'static str] {
+        &["translation along x", "translation along y", "rotation about z"]
+    }
+    fn is_displacement(&self) -> [bool; 2] {
+        [true, true]
+    }
 
     fn points(&self) -> usize {
         self.point_count()

@@ -65,7 +65,11 @@ where
         timing.solve += begin.elapsed().as_secs_f64();
         let begin = Instant::now();
         let calibration = <TimoshenkoBeam as Model<D>>::calibration_error(parts.beam);
-        let certificate = evidence::certify(TimoshenkoBeam::RIGID_MOTIONS, calibration, &evidence);
+        let certificate = evidence::certify(
+            <TimoshenkoBeam as Model<D>>::rigid_motions(parts.beam),
+            calibration,
+            &evidence,
+        );
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();
