@@ -8,7 +8,7 @@ use crate::consistency::{Noise, check};
 use peristat_assembly::bonds::{BondGeometry, BondModel, Point, Rows};
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::material::SectionStiffness;
-use peristat_assembly::model::Model;
+use peristat_assembly::model::{Component, Model, Points, RigidMotion};
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Chain, Line, VolumeFactor, bond_law, end_treatment,
 };
@@ -74,23 +74,23 @@ impl AxialBar {
     }
 }
 
-impl Model<1> for AxialBar {
-    fn unknowns(&self) -> [&'static str; 1] {
-        ["u"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &["translation along x"]
-    }
-    fn is_displacement(&self) -> [bool; 1] {
-        [true]
-    }
-
+impl Points for AxialBar {
     fn points(&self) -> usize {
         self.chain.points
     }
 
     fn position(&self, point: usize) -> Point {
         [self.chain.position(point), 0.0, 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        const { &[Component::displacement("u")] }
+    }
+}
+
+impl Model<1> for AxialBar {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        const { &[RigidMotion::translation("translation along x", "")] }
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<1>>> {

@@ -9,7 +9,7 @@ use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid, Line, TimoshenkoBeam, UniformBending, UniformSection, VolumeFactor, bond_law,
     end_treatment,
 };
-use peristat_assembly::model::{Breakable, Model};
+use peristat_assembly::model::{Breakable, Component, Model, Points, RigidMotion};
 use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Spring, Springs, Term, Weights};
 use proptest::prelude::*;
 
@@ -24,23 +24,23 @@ fn parameters(law: usize, treatment: usize) -> BeamParameters {
 /// Lattices of beam bonds on the same points, whose factors a test chooses.
 struct Damaged(usize, Vec<LatticeBonds<2, 2, UniformBending>>);
 
-impl Model<2> for Damaged {
-    fn unknowns(&self) -> [&'static str; 2] {
-        ["w", "phi"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &["translation along w", "rotation"]
-    }
-    fn is_displacement(&self) -> [bool; 2] {
-        [true, false]
-    }
-
+impl Points for Damaged {
     fn points(&self) -> usize {
         self.0
     }
 
     fn position(&self, point: usize) -> Point {
         [0.1 * point as f64, 0.0, 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        const { &[Component::displacement("w"), Component::rotation("phi", 1.0)] }
+    }
+}
+
+impl Model<2> for Damaged {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        const { &[RigidMotion::translation("translation along w", ""), RigidMotion::rotation("rotation", "")] }
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {

@@ -7,7 +7,7 @@ use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicMaterial, OrthotropicParameters,
 };
 use peristat_assembly::model::plane::{Calibration, CriticalStretch, Edges, Mirrors, PlaneModel};
-use peristat_assembly::model::{Breakable, Model};
+use peristat_assembly::model::{Breakable, Model, Points};
 use peristat_assembly::stiffness::Term;
 use proptest::prelude::*;
 use std::sync::Arc;

@@ -8,7 +8,7 @@ use peristat_assembly::model::plane::{Mirrors, PlaneModel};
 use peristat_assembly::model::state_based::{
     Axis, Dilatation, Geometry, Measure, StateBased, StateEdges, StateParameters,
 };
-use peristat_assembly::model::{Breakable, Model};
+use peristat_assembly::model::{Breakable, Model, Points};
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -33,26 +33,26 @@ fn parameters(horizon_ratio: f64, poisson_ratio: f64, choice: usize, revolved: b
     }
 }
 
-fn is_consistent<const R: bool>(
+fn is_consistent(
     parameters: StateParameters,
     real: SquareLattice,
     mirrors: Mirrors,
     cut: usize,
     seed: u64,
 ) -> Result<(), TestCaseError> {
-    let offsets = StateBased::<R>::offsets(&parameters).len();
+    let offsets = StateBased::offsets(&parameters).len();
     let cuts = |lattice: &SquareLattice| {
         let mut noise = Noise(seed);
         (0..cut).map(|_| (noise.index(offsets), noise.index(lattice.points()))).collect()
     };
-    let model = StateBased::<R>::on_lattice(Arc::new(real), mirrors, parameters, &|_, _| false, &cuts);
+    let model = StateBased::on_lattice(Arc::new(real), mirrors, parameters, &|_, _| false, &cuts);
     let mut model = model.expect("these treatments suit every body");
     prop_assert!(model.damage().iter().all(|d| (0.0..=1.0 + 1e-12).contains(d)));
     check::<2, _>(&model, &Vec::new, seed);
     let mut noise = Noise(seed);
     let broken: Vec<u64> = (0..cut).map(|_| noise.index(model.bond_numbers() as usize) as u64).collect();
-    let u = noise.vector(2 * model.point_count());
-    let energy = |model: &StateBased<R>| model.terms().iter().map(|t| t.survey(&u).energy).sum::<f64>();
+    let u = noise.vector(2 * model.points());
+    let energy = |model: &StateBased| model.terms().iter().map(|t| t.survey(&u).energy).sum::<f64>();
     let (before, part) = (energy(&model), model.part(&broken));
     let gone: f64 = part.iter().map(|t| t.survey(&u).energy).sum();
     model.break_bonds(&broken);
@@ -82,8 +82,8 @@ proptest! {
             Mirrors { rows: [Some(0), Some(rows)], ..Mirrors::NONE },
             Mirrors { rows: [Some(0), Some(rows)], joined: [false, true], ..Mirrors::NONE },
         ][images];
-        is_consistent::<false>(parameters(ratio, nu, choice, false), real(-2.0), mirrors, cut, seed)?;
+        is_consistent(parameters(ratio, nu, choice, false), real(-2.0), mirrors, cut, seed)?;
         let left = if at_axis { 0.0 } else { 5.0 };
-        is_consistent::<true>(parameters(ratio, nu, choice, true), real(left), mirrors, cut, seed)?;
+        is_consistent(parameters(ratio, nu, choice, true), real(left), mirrors, cut, seed)?;
     }
 }

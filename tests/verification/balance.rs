@@ -1,5 +1,6 @@
 //! Loads and reactions are in equilibrium, and the stored energy is half the work of the loads.
 
+use peristat_assembly::model::Points;
 use crate::support::standard::{CASES, SECTIONS, steel, unit};
 use crate::support::{Run, run};
 use peristat::solve_text;

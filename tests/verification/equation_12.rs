@@ -2,6 +2,7 @@
 //!
 //! Yang, Oterkus and Oterkus, Procedia Structural Integrity 28 (2020) 464-471.
 
+use peristat_assembly::model::Points;
 use crate::support::error;
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::Model;

@@ -156,7 +156,7 @@ fn moments_on_points_are_balanced_by_the_clamp() {
     ]);
     let case = loaded(&json!({ "loads": loads, "probes": probes }));
     let run = solve(&case);
-    let (n, u) = (run.scene.model.point_count(), &run.states[0].record.u);
+    let (n, u) = (run.scene.model.points(), &run.states[0].record.u);
     assert_eq!(u.len(), 3 * n);
     assert!(probe(&case, "force").abs() < 1e-7, "{}", probe(&case, "force"));
     assert!(probe(&case, "tip") > 0.0);

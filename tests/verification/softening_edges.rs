@@ -1,5 +1,6 @@
 //! Bodies whose bonds end on the border and soften: uniform stresses, their strength, and what they take to part.
 
+use peristat_assembly::model::plane::SofteningModel;
 use peristat::summary::Summary;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::law::{Bilinear, Compression, History, Law, Unloading};
@@ -95,7 +96,7 @@ fn family() -> Vec<HistoryBond<2>> {
     let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [9, 9]));
     let middle = lattice.number([4, 4]).expect("a point") as u32;
     let plane = BondPlane::on_lattice(lattice, Mirrors::NONE, parameters, &[]).expect("bonds");
-    plane.history_bonds(|_| Some(0)).into_iter().filter(|bond| bond.points[0] == middle).collect()
+    plane.history_bonds(&|_| Some(0)).into_iter().filter(|bond| bond.points[0] == middle).collect()
 }
 
 /// Strength of a material point in uniaxial stress, per E s_y.

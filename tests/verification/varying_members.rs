@@ -1,6 +1,7 @@
 //! Members whose section varies and couples stretching with bending: nodal values and section forces are those of the
 //! local beam, under loads of every kind, whatever the horizon.
 
+use peristat_assembly::model::Points;
 use crate::support::error;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::material::{Profile, SectionStiffness};

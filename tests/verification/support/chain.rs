@@ -2,7 +2,7 @@
 
 use peristat_assembly::bonds::{BondGeometry, Point};
 use peristat_assembly::condition::Equation;
-use peristat_assembly::model::Model;
+use peristat_assembly::model::{Component, Model, Points, RigidMotion};
 use peristat_assembly::model::timoshenko_beam::{
     UniformBending, UniformSection, VolumeFactor, bond_law, bond_weights,
 };
@@ -67,23 +67,23 @@ pub(crate) struct Body {
     pub(crate) relations: Vec<Equation>,
 }
 
-impl Model<2> for Body {
-    fn unknowns(&self) -> [&'static str; 2] {
-        ["w", "phi"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &["translation along w", "rotation"]
-    }
-    fn is_displacement(&self) -> [bool; 2] {
-        [true, false]
-    }
-
+impl Points for Body {
     fn points(&self) -> usize {
         self.points
     }
 
     fn position(&self, point: usize) -> Point {
         [point as f64 * self.spacing, 0.0, 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        const { &[Component::displacement("w"), Component::rotation("phi", 1.0)] }
+    }
+}
+
+impl Model<2> for Body {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        const { &[RigidMotion::translation("translation along w", ""), RigidMotion::rotation("rotation", "")] }
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {

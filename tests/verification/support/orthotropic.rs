@@ -1,6 +1,7 @@
 //! Plates of beam bonds made by hand: materials, lattices, dense stiffnesses.
 
 use nalgebra::{DMatrix, DVector};
+use peristat_assembly::model::Points;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicMaterial, OrthotropicParameters,
@@ -64,7 +65,7 @@ pub(crate) fn stiffness(plate: &BeamBondOrthotropic) -> DMatrix<f64> {
 
 /// Unknowns of all points in a uniform displacement gradient, rotations those of the body.
 pub(crate) fn uniform(plate: &BeamBondOrthotropic, g: [[f64; 2]; 2]) -> Vec<f64> {
-    let n = plate.point_count();
+    let n = plate.points();
     let turn = plate.turning().expect("points turn") * 0.5 * (g[1][0] - g[0][1]);
     let along = |row: [f64; 2]| (0..n).map(move |p| (row, p));
     let displacement = g.into_iter().flat_map(along).map(|(row, p)| {
@@ -80,7 +81,7 @@ pub(crate) fn relaxed(
     u: &[f64],
     is_free: impl Fn([f64; 2]) -> bool,
 ) -> Vec<f64> {
-    let (k, n) = (stiffness(plate), plate.point_count());
+    let (k, n) = (stiffness(plate), plate.points());
     let (free, held): (Vec<usize>, Vec<usize>) = (0..3 * n).partition(|i| is_free(plate.place(i % n)));
     let part = |rows: &[usize], columns: &[usize]| k.select_rows(rows).select_columns(columns);
     let given = DVector::from_iterator(held.len(), held.iter().map(|&i| u[i]));

@@ -4,11 +4,13 @@ pub mod beam_bond_orthotropic;
 pub mod bond_plane;
 mod breaking;
 pub mod plane;
+mod points;
 pub mod shell_membrane;
 pub mod state_based;
 pub mod timoshenko_beam;
 
 pub use breaking::Breakable;
+pub use points::{Component, Points, RigidMotion};
 
 use crate::bonds::Point;
 use crate::condition::Equation;
@@ -50,21 +52,9 @@ impl ModelSizes {
 }
 
 /// A model with its body: terms of the energy and what belongs to every unknown.
-pub trait Model<const D: usize> {
-    /// Names of the unknowns of a point.
-    fn unknowns(&self) -> [&'static str; D];
-
-    /// Names of the motions that cost no energy, such as `translation along w`.
-    fn rigid_motions(&self) -> &'static [&'static str];
-
-    /// Which unknowns of a point are displacements; the others are rotations.
-    fn is_displacement(&self) -> [bool; D];
-
-    /// Number of points, ghosts included.
-    fn points(&self) -> usize;
-
-    /// Position of a point.
-    fn position(&self, point: usize) -> Point;
+pub trait Model<const D: usize>: Points {
+    /// The motions that cost no energy.
+    fn rigid_motions(&self) -> &'static [RigidMotion];
 
     /// The parts of the energy.
     fn terms(&self) -> Vec<Box<dyn Term<D>>>;
@@ -114,7 +104,7 @@ pub trait Model<const D: usize> {
 
     /// How far a unit rigid motion moves a point: m, or m per rad. Unlike unknowns, this compares motions of all kinds.
     fn displacement(&self, kind: usize, point: usize, centre: Point) -> f64 {
-        let motion = self.rigid_motion(kind, point, centre).into_iter().zip(self.is_displacement());
-        motion.filter(|(_, is_displacement)| *is_displacement).fold(0.0, |sum, (value, _)| value.hypot(sum))
+        let motion = self.rigid_motion(kind, point, centre).into_iter().zip(self.components());
+        motion.filter(|(_, of)| !of.is_rotation).fold(0.0, |sum, (value, _)| value.hypot(sum))
     }
 }

@@ -61,7 +61,7 @@ impl<const D: usize> System<D> {
     }
 
     /// Changes the model, such as by breaking bonds, and takes its terms anew: while it is changed no term of it is alive.
-    pub fn change_model<T: Model<D>>(&mut self, model: &mut T, change: impl FnOnce(&mut T)) {
+    pub fn change_model<T: Model<D> + ?Sized>(&mut self, model: &mut T, change: impl FnOnce(&mut T)) {
         let extra = self.terms.split_off(self.terms.len() - self.extra);
         self.terms.clear();
         change(model);

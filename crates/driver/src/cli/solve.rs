@@ -13,7 +13,7 @@ use crate::results::{Claim, Results};
 use crate::run::fracture::Restart;
 use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
 use crate::scene::Scene;
-use crate::scene::plane::{PlaneProblem, for_plane_model};
+use crate::scene::plane::{PlaneProblem, with_body};
 use crate::summary::{Grids, Status, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::model::plane::PlaneModel;
@@ -191,8 +191,8 @@ fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
                 }
             }
         }
-        Scene::Plane(scene) => for_plane_model!(&scene.model, model => {
-            let problem = PlaneProblem::new(scene, model.clone());
+        Scene::Plane(scene) => with_body!(&scene.model, body => {
+            let problem = PlaneProblem::new(scene, body.clone());
             let system = prepare(&problem, &RunOptions::default());
             write_stiffness(loaded, system, file, &in_plane(&*scene.model))
         }),

@@ -5,7 +5,7 @@ use super::problem::Spread;
 use super::weigh::work;
 use super::workspace::StateSolution;
 use super::{Problem, Resultants, extent};
-use peristat_assembly::model::Model;
+use peristat_assembly::model::{Model, RigidMotion};
 use peristat_assembly::stiffness::Survey;
 use peristat_assembly::sum::Sum;
 use peristat_assembly::system::System;
@@ -261,8 +261,8 @@ pub(super) fn balance<const D: usize>(
     reactions.for_each(|(k, f)| add(k / n, k % n, f));
     let sizes: Vec<f64> = (0..sums.len()).map(|kind| extent::displacement(model, kind, origin)).collect();
     let least = sums.iter().zip(&sizes).map(|(sum, size)| sum.1 / size).fold(0.0, f64::max);
-    let balance = |((&motion, (sum, scale)), size): ((&&'static str, (Sum, f64)), &f64)| Balance {
-        motion: motion.into(),
+    let balance = |((motion, (sum, scale)), size): ((&RigidMotion, (Sum, f64)), &f64)| Balance {
+        motion: motion.name.into(),
         relative: ratio(sum.total().abs(), scale.max(least * size)),
     };
     model.rigid_motions().iter().zip(sums).zip(&sizes).map(balance).collect()

@@ -23,12 +23,10 @@ pub(super) fn scales<const D: usize>(model: &dyn Model<D>) -> [f64; D] {
     });
     let turns = |kind: &usize| {
         let motion = model.rigid_motion(*kind, 0, middle);
-        motion
-            .iter()
-            .zip(model.is_displacement())
-            .any(|(value, is_displacement)| !is_displacement && *value != 0.0)
+        motion.iter().zip(model.components()).any(|(value, of)| of.is_rotation && *value != 0.0)
     };
     let rotations = (0..model.rigid_motions().len()).filter(turns);
     let length = rotations.map(|kind| displacement(model, kind, middle)).fold(0.0, f64::max);
-    model.is_displacement().map(|is_displacement| if is_displacement && length > 0.0 { length } else { 1.0 })
+    let is_scaled = |c: usize| !model.components()[c].is_rotation && length > 0.0;
+    std::array::from_fn(|c| if is_scaled(c) { length } else { 1.0 })
 }

@@ -26,10 +26,10 @@ fn part(k: usize) -> f64 {
 fn rounding<const D: usize>(model: &dyn Model<D>, forces: &[f64]) -> Vec<f64> {
     let (n, origin) = (model.points(), model.position(0));
     let mut rounding: Vec<f64> = forces.iter().enumerate().map(|(k, f)| part(k) * f).collect();
-    let translations = (0..model.rigid_motions().len())
-        .filter(|&kind| model.rigid_motions()[kind].starts_with("translation"));
-    let is_pushed =
-        |&point: &usize| (0..D).any(|c| model.is_displacement()[c] && forces[c * n + point] != 0.0);
+    let motions = model.rigid_motions();
+    let translations = (0..motions.len()).filter(|&kind| !motions[kind].is_rotation);
+    let is_displacement: [bool; D] = std::array::from_fn(|c| !model.components()[c].is_rotation);
+    let is_pushed = |&point: &usize| (0..D).any(|c| is_displacement[c] && forces[c * n + point] != 0.0);
     let pushed: Vec<usize> = (0..n).filter(is_pushed).collect();
     for (axis, kind) in translations.enumerate() {
         for &point in &pushed {

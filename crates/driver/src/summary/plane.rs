@@ -3,7 +3,7 @@
 use super::{Extremes, Forces, Located, StateSummary};
 use crate::run::plane::{MirrorReaction, PlaneReaction, PlaneResult, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
-use crate::scene::plane::{AnyPlaneModel, PlaneBonds, PlaneScene};
+use crate::scene::plane::{PlaneBonds, PlaneScene};
 use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::beam_bond_orthotropic::{BeamNeighbourhood, Start};
 use peristat_assembly::model::bond_plane::{Influence, PlaneState, VolumeFactor};
@@ -255,11 +255,6 @@ fn material(scene: &PlaneScene) -> PlaneMaterialSummary {
 }
 
 fn state_based(parameters: &StateParameters, scene: &PlaneScene) -> FamilySummary {
-    let families = match &scene.model {
-        AnyPlaneModel::State(model) => model.has_families(),
-        AnyPlaneModel::Bordered(model) => model.has_families(),
-        _ => true,
-    };
     let touches = scene.model.lattice().is_some_and(|(_, mirrors)| mirrors.columns[0].is_some());
     FamilySummary {
         state: match parameters.geometry {
@@ -275,7 +270,7 @@ fn state_based(parameters: &StateParameters, scene: &PlaneScene) -> FamilySummar
         axis: (parameters.is_axisymmetric() && touches).then_some(parameters.axis),
         dilatation: parameters.dilatation,
         ghosts: scene.model.ghosts().len() - scene.images().count(),
-        families,
+        families: parameters.has_families(),
     }
 }
 

@@ -1,15 +1,15 @@
 //! Bodies of beam bonds.
 
 use super::super::plane::{
-    BorderShares, CriticalStretch, Edges, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel,
-    calibration_error,
+    BorderShares, BreakingModel, COMPONENTS, CriticalStretch, Edges, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel,
+    RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
 };
 use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
-use crate::model::{Breakable, Model, ModelSizes};
-use crate::stiffness::{NumberedParts, Term};
+use crate::model::{Breakable, Component, Model, ModelSizes, Points, RigidMotion};
+use crate::stiffness::Term;
 use std::sync::Arc;
 
 /// A plate of beam bonds: unknowns `u`, `v` and `hθ` with the spacing h of its lattice.
@@ -18,7 +18,14 @@ pub struct BeamBondOrthotropic {
     parameters: OrthotropicParameters,
     /// 1/Pa, from stresses to strains along x and y.
     compliance: Mat<3, 3>,
+    components: [Component; 3],
     body: LatticeBody<3, 3, 4, BeamBond>,
+}
+
+/// The unknowns of a point: those of the plane and its scaled rotation.
+fn components(bond: &BeamBond) -> [Component; 3] {
+    let [x, y] = COMPONENTS;
+    [x, y, Component::rotation("phi", bond.turning)]
 }
 
 impl BeamBondOrthotropic {
@@ -63,19 +70,7 @@ impl BeamBondOrthotropic {
         };
         let body = LatticeBody::new(lattice, mirrors, bonds.hood().clone(), kind, cuts);
         let compliance = parameters.material.compliance_at(parameters.fibre_angle);
-        Ok(Self { parameters, compliance, body })
-    }
-
-    /// Makes cut bonds, by index of the offset and lower point, ones that never were: they are no damage.
-    #[must_use]
-    pub fn never_joined(self, bonds: &[(usize, usize)]) -> Self {
-        Self { body: self.body.never_joined(bonds), ..self }
-    }
-
-    /// The same body, able to break: what a border leaves to the cells that it cuts is taken apart by the directions of bonds.
-    #[must_use]
-    pub fn breaking(self) -> Self {
-        Self { body: self.body.breaking(), ..self }
+        Ok(Self { parameters, compliance, components: components(&body.kind.bond), body })
     }
 
     /// The parameters.
@@ -85,22 +80,6 @@ impl BeamBondOrthotropic {
 }
 
 impl PlaneModel for BeamBondOrthotropic {
-    fn point_count(&self) -> usize {
-        self.body.lattice.points()
-    }
-
-    fn components(&self) -> usize {
-        3
-    }
-
-    fn turning(&self) -> Option<f64> {
-        Some(self.body.kind.bond.turning)
-    }
-
-    fn place(&self, point: usize) -> [f64; 2] {
-        self.body.lattice.position(point)
-    }
-
     fn volume(&self, point: usize) -> f64 {
         self.body.volume(point)
     }
@@ -149,12 +128,12 @@ impl PlaneModel for BeamBondOrthotropic {
         self.compliance.map(|row| row.iter().zip(&stress).map(|(c, s)| c * s).sum())
     }
 
-    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
-        Some(Self { body: self.body.coarser(cuts)?, ..*self })
+    fn never_joined(&mut self, bonds: &[(usize, usize)]) {
+        self.body.never_joined(bonds);
     }
 
-    fn parts(&self) -> NumberedParts {
-        self.connected()
+    fn prepare_to_break(&mut self) {
+        self.body.prepare_to_break();
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {
@@ -166,24 +145,24 @@ impl PlaneModel for BeamBondOrthotropic {
     }
 }
 
-impl Model<3> for BeamBondOrthotropic {
-    fn unknowns(&self) -> [&'static str; 3] {
-        ["ux", "uy", "phi"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &["translation along x", "translation along y", "rotation about z"]
-    }
-    fn is_displacement(&self) -> [bool; 3] {
-        [true, true, false]
-    }
-
+impl Points for BeamBondOrthotropic {
     fn points(&self) -> usize {
-        self.point_count()
+        self.body.lattice.points()
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, y] = self.place(point);
+        let [x, y] = self.body.lattice.position(point);
         [x, y, 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        &self.components
+    }
+}
+
+impl Model<3> for BeamBondOrthotropic {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        &RIGID_MOTIONS
     }
 
     fn calibration_error(&self) -> f64 {
@@ -213,12 +192,18 @@ impl Model<3> for BeamBondOrthotropic {
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
-        let [x, y] = self.place(point);
-        match kind {
-            0 => [1.0, 0.0, 0.0],
-            1 => [0.0, 1.0, 0.0],
-            _ => [centre[1] - y, x - centre[0], self.body.kind.bond.turning],
-        }
+        let [x, y, turn] = rigid_motion(kind, self.position(point), centre);
+        [x, y, turn * self.body.kind.bond.turning]
+    }
+}
+
+impl Solvable<3> for BeamBondOrthotropic {
+    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<3>>> {
+        Some(Box::new(Self { body: self.body.coarser(cuts)?, ..*self }))
+    }
+
+    fn breaking(&self) -> Option<Box<dyn BreakingModel<3>>> {
+        Some(Box::new(self.clone()))
     }
 }
 

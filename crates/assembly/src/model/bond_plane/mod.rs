@@ -32,12 +32,11 @@ pub use softening::{failure_stretch, yield_stretch};
 pub use toughness::{critical_stretch, published_critical_stretch};
 
 use super::plane::{
-    BorderShares, Edges, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles,
+    BorderShares, Edges, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles,
 };
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
-use crate::model::Model;
-use crate::stiffness::{Families, NumberedParts};
+use crate::stiffness::Families;
 use cloud::CloudBody;
 use neighbourhood::neighbourhood;
 use std::sync::Arc;
@@ -115,25 +114,6 @@ impl BondPlane {
         Ok(Self { parameters, body: Body::Cloud(body) })
     }
 
-    /// Makes cut bonds of a lattice, by index of the offset and lower point, ones that never were: they are no damage. Of a
-    /// cloud all cuts are.
-    #[must_use]
-    pub fn never_joined(mut self, bonds: &[(usize, usize)]) -> Self {
-        if let Body::Lattice(body) = self.body {
-            self.body = Body::Lattice(body.never_joined(bonds));
-        }
-        self
-    }
-
-    /// The same body, able to break: what a border leaves to the cells that it cuts is taken apart by the directions of bonds.
-    #[must_use]
-    pub fn breaking(mut self) -> Self {
-        if let Body::Lattice(body) = self.body {
-            self.body = Body::Lattice(body.breaking());
-        }
-        self
-    }
-
     /// The parameters.
     pub fn parameters(&self) -> &PlaneParameters {
         &self.parameters
@@ -148,28 +128,6 @@ impl BondPlane {
 }
 
 impl PlaneModel for BondPlane {
-    fn point_count(&self) -> usize {
-        match &self.body {
-            Body::Lattice(body) => body.lattice.points(),
-            Body::Cloud(body) => body.positions.len(),
-        }
-    }
-
-    fn components(&self) -> usize {
-        2
-    }
-
-    fn turning(&self) -> Option<f64> {
-        None
-    }
-
-    fn place(&self, point: usize) -> [f64; 2] {
-        match &self.body {
-            Body::Lattice(body) => body.lattice.position(point),
-            Body::Cloud(body) => body.positions[point],
-        }
-    }
-
     fn volume(&self, point: usize) -> f64 {
         match &self.body {
             Body::Lattice(body) => body.volume(point),
@@ -250,13 +208,16 @@ impl PlaneModel for BondPlane {
         }
     }
 
-    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
-        let Body::Lattice(body) = &self.body else { return None };
-        Some(Self { parameters: self.parameters, body: Body::Lattice(body.coarser(cuts)?) })
+    fn never_joined(&mut self, bonds: &[(usize, usize)]) {
+        if let Body::Lattice(body) = &mut self.body {
+            body.never_joined(bonds);
+        }
     }
 
-    fn parts(&self) -> NumberedParts {
-        self.connected()
+    fn prepare_to_break(&mut self) {
+        if let Body::Lattice(body) = &mut self.body {
+            body.prepare_to_break();
+        }
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {

@@ -1,30 +1,38 @@
 //! A plate as a model with two unknowns per point.
 
-use super::super::plane::{PlaneModel, calibration_error};
+use super::super::plane::{
+    BreakingModel, COMPONENTS, FindCuts, RIGID_MOTIONS, SofteningModel, Solvable, calibration_error, rigid_motion,
+};
 use super::{Body, BondPlane};
 use crate::bonds::Point;
 use crate::condition::Equation;
-use crate::model::{Model, ModelSizes};
+use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 
-impl Model<2> for BondPlane {
-    fn unknowns(&self) -> [&'static str; 2] {
-        ["ux", "uy"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &["translation along x", "translation along y", "rotation about z"]
-    }
-    fn is_displacement(&self) -> [bool; 2] {
-        [true, true]
-    }
-
+impl Points for BondPlane {
     fn points(&self) -> usize {
-        self.point_count()
+        match &self.body {
+            Body::Lattice(body) => body.lattice.points(),
+            Body::Cloud(body) => body.positions.len(),
+        }
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, y] = self.place(point);
+        let [x, y] = match &self.body {
+            Body::Lattice(body) => body.lattice.position(point),
+            Body::Cloud(body) => body.positions[point],
+        };
         [x, y, 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        &COMPONENTS
+    }
+}
+
+impl Model<2> for BondPlane {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        &RIGID_MOTIONS
     }
 
     fn calibration_error(&self) -> f64 {
@@ -53,11 +61,22 @@ impl Model<2> for BondPlane {
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
-        let [x, y] = self.place(point);
-        match kind {
-            0 => [1.0, 0.0],
-            1 => [0.0, 1.0],
-            _ => [centre[1] - y, x - centre[0]],
-        }
+        let [x, y, _] = rigid_motion(kind, self.position(point), centre);
+        [x, y]
+    }
+}
+
+impl Solvable<2> for BondPlane {
+    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<2>>> {
+        let Body::Lattice(body) = &self.body else { return None };
+        Some(Box::new(Self { parameters: self.parameters, body: Body::Lattice(body.coarser(cuts)?) }))
+    }
+
+    fn breaking(&self) -> Option<Box<dyn BreakingModel<2>>> {
+        Some(Box::new(self.clone()))
+    }
+
+    fn softening(&self) -> Option<Box<dyn SofteningModel<2>>> {
+        Some(Box::new(self.clone()))
     }
 }

@@ -1,6 +1,6 @@
 //! Central bonds that yield, soften and fail: their stretches, and the list of them.
 
-use super::super::plane::PlaneModel;
+use super::super::plane::{PlaneModel, SofteningModel};
 use super::{Body, BondPlane, PlaneMaterial};
 use crate::body::SquareLattice;
 use crate::bonds::Rows;
@@ -21,9 +21,8 @@ pub fn failure_stretch(critical_stretch: f64, yield_stretch: f64) -> f64 {
     critical_stretch * critical_stretch / yield_stretch
 }
 
-impl BondPlane {
-    /// All bonds between points as ones with memory; `law` chooses that of a bond between two points, none leaves the bond out.
-    pub fn history_bonds(&self, law: impl Fn([usize; 2]) -> Option<usize>) -> Vec<HistoryBond<2>> {
+impl SofteningModel<2> for BondPlane {
+    fn history_bonds(&self, law: &dyn Fn([usize; 2]) -> Option<usize>) -> Vec<HistoryBond<2>> {
         let mut list = Vec::new();
         let mut push = |points: [u32; 2], rows: &Rows<2, 1>, stiffness: f64, length: f64| {
             if let Some(law) = law(points.map(|p| p as usize)) {
@@ -49,17 +48,14 @@ impl BondPlane {
         list
     }
 
-    /// Volume that a point stands for in stresses, m³.
-    pub fn stress_volume(&self, point: usize) -> f64 {
+    fn stress_volume(&self, point: usize) -> f64 {
         match &self.body {
             Body::Lattice(body) => body.stress_volume(point),
             Body::Cloud(_) => PlaneModel::volume(self, point),
         }
     }
 
-    /// The bonds that end on the border as ones with memory. `law` chooses that of a bond by the points that move it and the
-    /// part that it is of a whole one; none leaves it out.
-    pub fn ended_bonds(&self, mut law: impl FnMut(&[u32], f64) -> Option<usize>) -> Vec<EndedBond<2>> {
+    fn ended_bonds(&self, law: &mut dyn FnMut(&[u32], f64) -> Option<usize>) -> Vec<EndedBond<2>> {
         let Body::Lattice(body) = &self.body else { return Vec::new() };
         let Some(border) = body.border.bonds() else { return Vec::new() };
         let mut list = Vec::new();

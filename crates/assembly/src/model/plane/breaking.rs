@@ -17,9 +17,9 @@ use std::sync::Arc;
 pub struct CriticalStretch(pub Vec<f64>);
 
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
-    /// The same body, able to break: what a border leaves to the triangles that it cuts is taken apart into springs by the
+    /// Prepares for bonds that break: what a border leaves to the triangles that it cuts is taken apart into springs by the
     /// directions of bonds. It resists as before.
-    pub(in super::super) fn breaking(mut self) -> Self {
+    pub(in super::super) fn prepare_to_break(&mut self) {
         if self.border.is_cut() {
             let cuts = self.cuts.iter().copied().collect();
             let (body, bonds) = ((&*self.lattice, &self.mirrors), (&self.hood, &self.kind.bond));
@@ -32,7 +32,6 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             let all = self.triangles.list().iter().copied().chain(own).collect();
             self.triangles = Arc::new(Families::new(self.lattice.points(), all));
         }
-        self
     }
 
     /// Above the number of any bond: a bond has the number `offset · points + lower point`, the offset that of the

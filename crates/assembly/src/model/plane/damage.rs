@@ -6,11 +6,10 @@ use super::near::at;
 
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
     /// Makes cut bonds, by offsets of the neighbourhood and lower points, ones that never were: families do not count them.
-    pub(in super::super) fn never_joined(mut self, bonds: &[(usize, usize)]) -> Self {
+    pub(in super::super) fn never_joined(&mut self, bonds: &[(usize, usize)]) {
         self.apart.extend(bonds);
         self.apart.sort_unstable();
         self.apart.dedup();
-        self
     }
 
     fn is_apart(&self, bond: (usize, usize)) -> bool {

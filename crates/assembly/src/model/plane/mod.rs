@@ -12,6 +12,7 @@ mod near;
 mod neighbourhood;
 mod parameters;
 mod projection;
+mod solvable;
 mod terms;
 #[cfg(test)]
 pub(super) mod through_border;
@@ -23,6 +24,7 @@ pub use edges::{BorderShares, FARTHEST, has_border};
 pub use fields::PlaneFields;
 pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
+pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 
 pub(super) use body::{Kind, LatticeBody, halved};
 pub(super) use breaking::{remove_spanning, spanning};
@@ -33,8 +35,8 @@ pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, i
 pub(super) use projection::project;
 
 use crate::body::{Cell, SquareLattice};
-use crate::bonds::{BondGeometry, Mat};
-use crate::stiffness::NumberedParts;
+use crate::bonds::{BondGeometry, Mat, Point};
+use crate::model::{Component, Points, RigidMotion};
 use rayon::prelude::*;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -44,13 +46,32 @@ pub const UX: usize = 0;
 /// Component of the displacement along y.
 pub const UY: usize = 1;
 
+/// The unknowns of a point that moves in the plane.
+pub(super) const COMPONENTS: [Component; 2] = [Component::displacement("ux"), Component::displacement("uy")];
+
+/// The rigid motions of a body in the plane.
+pub(super) const RIGID_MOTIONS: [RigidMotion; 3] = [
+    RigidMotion::translation("translation along x", "move along {direction}"),
+    RigidMotion::translation("translation along y", "move along {direction}"),
+    RigidMotion::rotation("rotation about z", "turn about {centre}"),
+];
+
+/// Displacements `[ux, uy]` of a place and the rotation under a unit motion of these.
+pub(super) fn rigid_motion(kind: usize, [x, y, _]: Point, centre: Point) -> [f64; 3] {
+    match kind {
+        0 => [1.0, 0.0, 0.0],
+        1 => [0.0, 1.0, 0.0],
+        _ => [centre[1] - y, x - centre[0], 1.0],
+    }
+}
+
 /// Relative error of weights that make a lattice exact, which are found by solving; the largest that the stress suite sees
 /// in the solution of a square is 9e-14.
 pub(super) const CALIBRATION: f64 = 2e-14;
 
 /// Relative error of a body with such weights: they bend it, and a long one the more, by its length over its width.
 pub(super) fn calibration_error(model: &dyn PlaneModel) -> f64 {
-    let places = || (0..model.point_count()).map(|p| model.place(p));
+    let places = || (0..model.points()).map(|p| model.place(p));
     let side = |k: usize| {
         let [low, high] = [f64::min, f64::max].map(|of| places().map(|at| at[k]).reduce(of).unwrap_or(0.0));
         high - low
@@ -70,23 +91,22 @@ fn geometry(lattice: &SquareLattice, step: Cell) -> BondGeometry {
 }
 
 /// A body in the plane with its bonds, whatever they are.
-pub trait PlaneModel: Debug + Send + Sync {
-    /// Number of points, images included.
-    fn point_count(&self) -> usize;
-
-    /// Unknowns per point: displacements along x and y and, where points turn, a rotation, or one across the plane.
-    fn components(&self) -> usize;
-
+pub trait PlaneModel: Points + Debug + Send + Sync {
     /// What multiplies rotations to make unknowns of the size of displacements, m; none where points do not turn.
-    fn turning(&self) -> Option<f64>;
+    fn turning(&self) -> Option<f64> {
+        self.component("phi").map(|(_, phi)| phi.scale)
+    }
 
     /// Whether points move across the plane, too: then the third unknown is this displacement.
     fn deflects(&self) -> bool {
-        self.components() > 2 && self.turning().is_none()
+        self.component("w").is_some()
     }
 
     /// Position of a point in the plane, m.
-    fn place(&self, point: usize) -> [f64; 2];
+    fn place(&self, point: usize) -> [f64; 2] {
+        let [x, y, _] = self.position(point);
+        [x, y]
+    }
 
     /// Volume of a point, m³; an image has none.
     fn volume(&self, point: usize) -> f64;
@@ -158,14 +178,11 @@ pub trait PlaneModel: Debug + Send + Sync {
         0.0
     }
 
-    /// The same body on a lattice of twice the spacing with the same horizon ratio; none of a cloud. `cuts` finds the cuts
-    /// on a lattice, given the offsets. A line of symmetry through coarse cells moves outwards.
-    fn coarser(&self, cuts: &FindCuts) -> Option<Self>
-    where
-        Self: Sized;
+    /// Makes cut bonds of a lattice, by index of the offset and lower point, ones that never were: they are no damage.
+    fn never_joined(&mut self, _bonds: &[(usize, usize)]) {}
 
-    /// Parts of the body that hang together.
-    fn parts(&self) -> NumberedParts;
+    /// Prepares for bonds that break: what a border leaves to the cells that it cuts is taken apart by the directions of bonds.
+    fn prepare_to_break(&mut self) {}
 
     /// Stresses and energy densities of a state.
     fn fields(&self, u: &[f64]) -> PlaneFields;
@@ -198,7 +215,7 @@ pub trait PlaneModel: Debug + Send + Sync {
         stress_at: &(dyn Fn([f64; 2]) -> [f64; 3] + Sync),
         force: &mut [f64],
     ) {
-        let n = self.point_count();
+        let n = self.points();
         // V_k S_k : E_k = (C⁻¹ S_k)·(V_k σ_k)
         let mut t = vec![0.0; 3 * n];
         let mut enter = |point: usize, position: [f64; 2]| {

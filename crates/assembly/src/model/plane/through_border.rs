@@ -12,9 +12,9 @@ pub(in super::super) fn through_border(
     sides: &[Side],
     [xx, yy, xy]: [f64; 3],
 ) -> Vec<f64> {
-    let (n, lattice) = (model.point_count(), model.lattice().expect("a lattice").0);
+    let (n, lattice) = (model.points(), model.lattice().expect("a lattice").0);
     let shares = model.border_shares().expect("a border that is completed");
-    let mut force = vec![0.0; model.components() * n];
+    let mut force = vec![0.0; model.components().len() * n];
     for &([from, to], normal) in sides {
         let traction = [xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]];
         let length = model.thickness() * (to[0] - from[0]).hypot(to[1] - from[1]);

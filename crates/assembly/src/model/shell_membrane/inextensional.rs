@@ -4,8 +4,9 @@
 //! makes U' zero, one that holds v or w makes `V − c U'` zero (but for rigid motions): two independent such conditions
 //! prevent all of them, one leaves `[U', V] = [a, b] g(s)` with any function g.
 
-use super::ShellMembrane;
-use crate::model::plane::PlaneModel;
+use super::super::plane::Mirrors;
+use super::ShellParameters;
+use crate::body::SquareLattice;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
@@ -54,7 +55,9 @@ impl EndConditions {
 /// The inextensional motions that the ends of a shell leave.
 #[derive(Debug)]
 pub struct Inextensional<'a> {
-    shell: &'a ShellMembrane,
+    parameters: &'a ShellParameters,
+    lattice: &'a SquareLattice,
+    mirrors: &'a Mirrors,
     ends: EndConditions,
 }
 
@@ -75,19 +78,23 @@ struct Waves {
 }
 
 impl<'a> Inextensional<'a> {
-    /// Those that some conditions leave, and the mirrors and joined ends of the shell.
-    pub fn new(shell: &'a ShellMembrane, mut ends: EndConditions) -> Self {
+    /// Those that some conditions leave, and the mirrors and joined ends of a shell; its lattice has images.
+    pub fn new(
+        parameters: &'a ShellParameters,
+        (lattice, mirrors): (&'a SquareLattice, &'a Mirrors),
+        mut ends: EndConditions,
+    ) -> Self {
         // A mirror makes u odd; joined ends make it, and v, the same on both.
-        if shell.mirrors.columns != [None; 2] {
+        if mirrors.columns != [None; 2] {
             ends.hold_axial();
         }
-        Self { shell, ends }
+        Self { parameters, lattice, mirrors, ends }
     }
 
     /// Whether forces, N, by component planes, do work on a motion that is left, by more than rounding.
     pub fn is_worked_on(&self, force: &[f64]) -> bool {
         let left = self.ends.left();
-        if left.is_empty() || self.shell.curvature.is_some() {
+        if left.is_empty() || self.parameters.bending {
             return false;
         }
         let (rows, waves) = (self.row_forces(force), self.waves());
@@ -99,11 +106,11 @@ impl<'a> Inextensional<'a> {
 
     /// Forces by rows; those on images are brought back to their points.
     fn row_forces(&self, force: &[f64]) -> Vec<RowForces> {
-        let (shell, n) = (self.shell, self.shell.point_count());
+        let n = self.lattice.points();
         let mut rows: BTreeMap<i32, RowForces> = BTreeMap::new();
         for p in 0..n {
-            let (cell, signs) = shell.mirrors.image(shell.lattice.cell(p));
-            let [x, s] = shell.lattice.centre(cell);
+            let (cell, signs) = self.mirrors.image(self.lattice.cell(p));
+            let [x, s] = self.lattice.centre(cell);
             let [u, v, w] = [0, 1, 2].map(|c| force[c * n + p]);
             let (u, v) = (signs[0] * u, signs[1] * v);
             let row = rows.entry(cell[1]).or_insert(RowForces { s, sums: [0.0; 5] });
@@ -118,9 +125,9 @@ impl<'a> Inextensional<'a> {
         const SLACK: [f64; 2] = [1e-8, 3e-2];
         /// Waves between free sides that are tried: shorter ones see the spacing.
         const FEW: usize = 4;
-        let (mirrors, radius) = (&self.shell.mirrors, self.shell.parameters.radius);
-        let rows = mirrors.real(&self.shell.lattice).rows().len();
-        let arc = rows as f64 * self.shell.lattice.spacing();
+        let (mirrors, radius) = (self.mirrors, self.parameters.radius);
+        let rows = mirrors.real(self.lattice).rows().len();
+        let arc = rows as f64 * self.lattice.spacing();
         // Waves with one period around the cylinder are rigid motions.
         let beyond_rigid = |unit: f64, most: usize| {
             let all = (1..=most).map(|k| unit * k as f64);
@@ -144,8 +151,8 @@ impl<'a> Inextensional<'a> {
 
     /// Work per amplitude on the motion `[U', V] = [a, b] g(s)`.
     fn work(&self, [a, b]: [f64; 2], (wave, is_odd): (f64, bool), rows: &[RowForces]) -> f64 {
-        let r = self.shell.parameters.radius;
-        let origin = rows.first().map_or(0.0, |row| row.s - 0.5 * self.shell.lattice.spacing());
+        let r = self.parameters.radius;
+        let origin = rows.first().map_or(0.0, |row| row.s - 0.5 * self.lattice.spacing());
         let of_row = |row: &RowForces| {
             let (sin, cos) = (wave * (row.s - origin)).sin_cos();
             // G' = g.
@@ -154,8 +161,8 @@ impl<'a> Inextensional<'a> {
             let shares = [a * integral, b * g, -a * g, -b * r * slope, a * r * slope];
             shares.iter().zip(&row.sums).map(|(share, sum)| share * sum).sum::<f64>()
         };
-        let places = self.shell.lattice.columns();
-        let far = [places.start, places.end].map(|column| self.shell.lattice.centre([column, 0])[0].abs());
+        let places = self.lattice.columns();
+        let far = [places.start, places.end].map(|column| self.lattice.centre([column, 0])[0].abs());
         let most = b.abs() + a.abs() * far[0].max(far[1]);
         let amplitude = most.max(a.abs() / wave).max(r * wave * most);
         rows.iter().map(of_row).sum::<f64>() / amplitude

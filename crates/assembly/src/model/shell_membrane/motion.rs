@@ -1,31 +1,15 @@
 //! What every model says of a shell membrane: terms, relations, rigid motions, stresses, coarser bodies.
 
-use super::super::plane::{CALIBRATION, FindCuts, Mirrors, PlaneFields, PlaneModel};
+use super::super::plane::{CALIBRATION, FindCuts, Mirrors, PlaneFields, PlaneModel, Solvable};
 use super::{ShellKinematics, ShellMembrane};
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
-use crate::model::{Model, ModelSizes};
-use crate::stiffness::{NumberedParts, Term};
+use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
+use crate::stiffness::Term;
 use std::sync::Arc;
 
 impl PlaneModel for ShellMembrane {
-    fn point_count(&self) -> usize {
-        self.lattice.points()
-    }
-
-    fn components(&self) -> usize {
-        3
-    }
-
-    fn turning(&self) -> Option<f64> {
-        None
-    }
-
-    fn place(&self, point: usize) -> [f64; 2] {
-        self.lattice.position(point)
-    }
-
     fn volume(&self, point: usize) -> f64 {
         if self.is_ghost(point) { 0.0 } else { self.cell_area() * self.parameters.thickness }
     }
@@ -65,17 +49,6 @@ impl PlaneModel for ShellMembrane {
         [(x - y / 3.0) / e, (y - x / 3.0) / e, 8.0 * shear / (3.0 * e)]
     }
 
-    fn coarser(&self, _: &FindCuts) -> Option<Self> {
-        let mirrors = self.mirrors.coarser()?;
-        let real = self.mirrors.real(&self.lattice).coarser();
-        let lattice = mirrors.extended(&real, self.families.reach());
-        Self::on_lattice(Arc::new(lattice), mirrors, self.parameters).ok()
-    }
-
-    fn parts(&self) -> NumberedParts {
-        self.connected()
-    }
-
     fn fields(&self, u: &[f64]) -> PlaneFields {
         self.recovered(u)
     }
@@ -85,31 +58,38 @@ impl PlaneModel for ShellMembrane {
     }
 }
 
-impl Model<3> for ShellMembrane {
-    fn unknowns(&self) -> [&'static str; 3] {
-        ["ux", "uy", "w"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &[
-            "translation along x",
-            "rotation about the axis",
-            "translation at 0 degrees",
-            "translation at 90 degrees",
-            "tilt at 0 degrees",
-            "tilt at 90 degrees",
-        ]
-    }
-    fn is_displacement(&self) -> [bool; 3] {
-        [true; 3]
-    }
+/// The unknowns of a point: along the axis, along the circumference, and outwards.
+const COMPONENTS: [Component; 3] =
+    [Component::displacement("ux"), Component::displacement("uy"), Component::displacement("w")];
 
+/// Motions of a body in space.
+const RIGID_MOTIONS: [RigidMotion; 6] = [
+    RigidMotion::translation("translation along x", "move along its axis"),
+    RigidMotion::rotation("rotation about the axis", "turn about its axis"),
+    RigidMotion::translation("translation at 0 degrees", "move across its axis"),
+    RigidMotion::translation("translation at 90 degrees", "move across its axis"),
+    RigidMotion::rotation("tilt at 0 degrees", "tilt its axis"),
+    RigidMotion::rotation("tilt at 90 degrees", "tilt its axis"),
+];
+
+impl Points for ShellMembrane {
     fn points(&self) -> usize {
-        self.point_count()
+        self.lattice.points()
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, s] = self.place(point);
+        let [x, s] = self.lattice.position(point);
         [x, s, 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        &COMPONENTS
+    }
+}
+
+impl Model<3> for ShellMembrane {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        &RIGID_MOTIONS
     }
 
     fn calibration_error(&self) -> f64 {
@@ -157,5 +137,14 @@ impl Model<3> for ShellMembrane {
             4 => [-r * cos, -x * sin, x * cos],
             _ => [-r * sin, x * cos, x * sin],
         }
+    }
+}
+
+impl Solvable<3> for ShellMembrane {
+    fn coarser(&self, _: &FindCuts) -> Option<Box<dyn Solvable<3>>> {
+        let mirrors = self.mirrors.coarser()?;
+        let real = self.mirrors.real(&self.lattice).coarser();
+        let lattice = mirrors.extended(&real, self.families.reach());
+        Some(Box::new(Self::on_lattice(Arc::new(lattice), mirrors, self.parameters).ok()?))
     }
 }

@@ -66,7 +66,7 @@ impl StateBody {
     }
 }
 
-impl<const REVOLVED: bool> StateBased<REVOLVED> {
+impl StateBased {
     fn place_of(&self, bond: u64) -> Place {
         let (bond, points) = (bond as usize, self.body.lattice.points());
         (bond / points, bond % points)
@@ -87,7 +87,7 @@ impl<const REVOLVED: bool> StateBased<REVOLVED> {
     }
 }
 
-impl<const REVOLVED: bool> Breakable<2> for StateBased<REVOLVED> {
+impl Breakable<2> for StateBased {
     type Critical = CriticalStretch;
 
     fn bond_numbers(&self) -> u64 {

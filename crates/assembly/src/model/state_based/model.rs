@@ -1,6 +1,8 @@
 //! State-based bodies as models: two unknowns per point, the displacements along x and y.
 
-use super::super::plane::{Mirrors, PlaneModel, calibration_error};
+use super::super::plane::{
+    BreakingModel, COMPONENTS, FindCuts, Mirrors, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
+};
 use super::body::{StateBody, cell_volume};
 use super::ghosts::Separated;
 use super::weights::offsets;
@@ -8,18 +10,18 @@ use super::{StateEdges, StateError, StateParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Point;
 use crate::condition::{Equation, Unknown};
-use crate::model::{Model, ModelSizes};
+use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 use std::sync::Arc;
 
 /// A state-based body in the plane, or one of revolution, whose section the points are.
 #[derive(Clone, Debug)]
-pub struct StateBased<const REVOLVED: bool> {
+pub struct StateBased {
     pub(super) parameters: StateParameters,
     pub(super) body: StateBody,
 }
 
-impl<const REVOLVED: bool> StateBased<REVOLVED> {
+impl StateBased {
     /// One of each pair of opposite offsets to the neighbours of a point: the first number of a cut is an index into them.
     pub fn offsets(parameters: &StateParameters) -> Vec<Cell> {
         offsets(parameters)
@@ -30,9 +32,6 @@ impl<const REVOLVED: bool> StateBased<REVOLVED> {
     ///
     /// # Errors
     /// [`StateError`].
-    ///
-    /// # Panics
-    /// The parameters are those of the other kind of body.
     pub fn on_lattice(
         real: Arc<SquareLattice>,
         mirrors: Mirrors,
@@ -40,7 +39,6 @@ impl<const REVOLVED: bool> StateBased<REVOLVED> {
         separated: &Separated,
         cut: &dyn Fn(&SquareLattice) -> Vec<(usize, usize)>,
     ) -> Result<Self, StateError> {
-        assert_eq!(parameters.is_axisymmetric(), REVOLVED, "parameters of the other kind of body");
         if parameters.edges == StateEdges::Border {
             return Err(StateError::NoBorder);
         }
@@ -53,42 +51,35 @@ impl<const REVOLVED: bool> StateBased<REVOLVED> {
         &self.parameters
     }
 
-    /// Whether points feel more than their bonds: not where `λ = μ`.
-    pub fn has_families(&self) -> bool {
-        self.body.term.has_families()
-    }
-
     pub(super) fn true_volume(&self, point: usize) -> f64 {
         cell_volume(&self.parameters, self.body.lattice.spacing()) * self.body.families.volume[point]
     }
 }
 
-impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
-    fn unknowns(&self) -> [&'static str; 2] {
-        ["ux", "uy"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        match REVOLVED {
-            true => &["translation along y"],
-            false => &["translation along x", "translation along y", "rotation about z"],
-        }
-    }
-    fn is_displacement(&self) -> [bool; 2] {
-        [true, true]
-    }
-
+impl Points for StateBased {
     fn points(&self) -> usize {
-        self.point_count()
+        self.body.lattice.points()
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, y] = self.place(point);
+        let [x, y] = self.body.lattice.position(point);
         [x, y, 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        &COMPONENTS
+    }
+}
+
+impl Model<2> for StateBased {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        // A body of revolution moves along its axis alone.
+        if self.is_revolved() { &RIGID_MOTIONS[1..2] } else { &RIGID_MOTIONS }
     }
 
     fn calibration_error(&self) -> f64 {
         // Next to an axis weights are found with fewer digits, measured.
-        if REVOLVED { 3e-12 } else { calibration_error(self) }
+        if self.is_revolved() { 3e-12 } else { calibration_error(self) }
     }
 
     fn contrast(&self) -> f64 {
@@ -107,7 +98,7 @@ impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
         ModelSizes {
             reach: term.reach(),
             elements: term.elements(),
-            entries: 4 * coupled * self.point_count(),
+            entries: 4 * coupled * self.points(),
             bytes: size_of::<f64>() * term.stored_factors(),
         }
     }
@@ -137,11 +128,27 @@ impl<const REVOLVED: bool> Model<2> for StateBased<REVOLVED> {
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
-        let [x, y] = self.place(point);
-        match if REVOLVED { 1 } else { kind } {
-            0 => [1.0, 0.0],
-            1 => [0.0, 1.0],
-            _ => [centre[1] - y, x - centre[0]],
+        let kind = if self.is_revolved() { 1 } else { kind };
+        let [x, y, _] = rigid_motion(kind, self.position(point), centre);
+        [x, y]
+    }
+}
+
+impl Solvable<2> for StateBased {
+    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<2>>> {
+        let (parameters, body) = (&self.parameters, &self.body);
+        let real = Arc::new(body.real.coarser());
+        // The axis comes back by itself.
+        let mut mirrors = body.mirrors.coarser()?;
+        if self.is_revolved() {
+            mirrors.columns[0] = None;
         }
+        let half = offsets(parameters);
+        let cut = |lattice: &SquareLattice| cuts(lattice, &half);
+        Some(Box::new(Self::on_lattice(real, mirrors, *parameters, &|_, _| false, &cut).ok()?))
+    }
+
+    fn breaking(&self) -> Option<Box<dyn BreakingModel<2>>> {
+        Some(Box::new(self.clone()))
     }
 }

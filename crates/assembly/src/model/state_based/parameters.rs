@@ -159,8 +159,8 @@ impl StateParameters {
         self.bulk_modulus() > MOST * self.shear_modulus()
     }
 
-    /// Whether families have energy beside that of their bonds.
-    pub(super) fn has_families(&self) -> bool {
+    /// Whether families have energy beside that of their bonds: not where `λ = μ`.
+    pub fn has_families(&self) -> bool {
         // What rounding leaves of λ − μ in plane stress at ν = 1/3.
         let least = 1e-12 * self.shear_modulus();
         let is_plain = self.family_modulus().as_flattened().iter().all(|c| c.abs() < least);

@@ -1,32 +1,14 @@
 //! State-based bodies as bodies in the plane: stresses, loads, coarser lattices.
 
-use super::super::plane::{FindCuts, Mirrors, PlaneFields, PlaneModel};
+use super::super::plane::{Mirrors, PlaneFields, PlaneModel};
 use super::body::cell_volume;
-use super::weights::offsets;
 use super::{Geometry, StateBased, StateParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
-use crate::model::Model;
-use crate::stiffness::NumberedParts;
+use crate::model::Points;
 use std::sync::Arc;
 
-impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
-    fn point_count(&self) -> usize {
-        self.body.lattice.points()
-    }
-
-    fn components(&self) -> usize {
-        2
-    }
-
-    fn turning(&self) -> Option<f64> {
-        None
-    }
-
-    fn place(&self, point: usize) -> [f64; 2] {
-        self.body.lattice.position(point)
-    }
-
+impl PlaneModel for StateBased {
     fn volume(&self, point: usize) -> f64 {
         self.true_volume(point)
     }
@@ -49,7 +31,7 @@ impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
 
     fn damage(&self) -> Vec<f64> {
         let families = &self.body.families;
-        let mut gone = vec![0.0; self.point_count()];
+        let mut gone = vec![0.0; self.points()];
         for &(offset, lower) in &self.body.cuts {
             let ends = [
                 (lower, offset),
@@ -82,7 +64,7 @@ impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
     }
 
     fn strain_with(&self, stress: [f64; 3], across: f64) -> [f64; 3] {
-        if !REVOLVED {
+        if !self.is_revolved() {
             return self.strain_of(stress);
         }
         let StateParameters { youngs_modulus: e, poisson_ratio: nu, .. } = self.parameters;
@@ -96,33 +78,15 @@ impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
     }
 
     fn is_revolved(&self) -> bool {
-        REVOLVED
+        self.parameters.is_axisymmetric()
     }
 
     fn hardly_compresses(&self) -> bool {
         self.parameters.hardly_compresses()
     }
 
-    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
-        let (parameters, body) = (&self.parameters, &self.body);
-        let real = Arc::new(body.real.coarser());
-        // The axis comes back by itself.
-        let mut mirrors = body.mirrors.coarser()?;
-        if REVOLVED {
-            mirrors.columns[0] = None;
-        }
-        let half = offsets(parameters);
-        let cut = |lattice: &SquareLattice| cuts(lattice, &half);
-        let coarse = Self::on_lattice(real, mirrors, *parameters, &|_, _| false, &cut);
-        coarse.ok()
-    }
-
     fn fold(&self, force: &mut [f64]) {
         self.body.fold(force);
-    }
-
-    fn parts(&self) -> NumberedParts {
-        self.connected()
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {
@@ -130,7 +94,7 @@ impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
     }
 
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
-        let n = self.point_count();
+        let n = self.points();
         let c = self.parameters.stiffness();
         let t = &*t;
         let stress = |p: usize| [0, 1, 2].map(|k| (0..3).map(|q| c[k][q] * t[q * n + p]).sum::<f64>());
@@ -145,11 +109,11 @@ impl<const REVOLVED: bool> PlaneModel for StateBased<REVOLVED> {
     ) {
         let stress = |p: usize| stress_at(self.place(p));
         self.body.add_stress_work(&self.parameters, points, &stress, force);
-        if !REVOLVED {
+        if !self.is_revolved() {
             return;
         }
         // The stress across is that along x, with the volumes of the energies.
-        let n = self.point_count();
+        let n = self.points();
         let cell = cell_volume(&self.parameters, self.body.lattice.spacing());
         let families = &self.body.families;
         let mut add = |p: usize| {

@@ -3,17 +3,10 @@
 use super::{TimoshenkoBeam, U};
 use crate::bonds::Point;
 use crate::condition::Equation;
-use crate::model::{Model, ModelSizes};
+use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 
 impl TimoshenkoBeam {
-    /// Position of a point in the plane.
-    pub fn position(&self, point: usize) -> Point {
-        let chain = self.chain_of(point);
-        let (line, x) = (self.chains[chain].line(), self.chains[chain].position(point - self.first[chain]));
-        [line.origin[0] + x * line.direction[0], line.origin[1] + x * line.direction[1], 0.0]
-    }
-
     /// Relations of the ghost points.
     fn ghost_relations(&self) -> Vec<Equation> {
         self.chains.iter().zip(&self.first).flat_map(|(chain, &first)| chain.relations(first)).collect()
@@ -32,23 +25,40 @@ impl TimoshenkoBeam {
     }
 }
 
-impl Model<2> for TimoshenkoBeam {
-    fn unknowns(&self) -> [&'static str; 2] {
-        ["w", "phi"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &["translation along w", "rotation"]
-    }
-    fn is_displacement(&self) -> [bool; 2] {
-        [true, false]
-    }
+/// The unknowns of a point; those of a beam that does not stretch are the first two.
+const COMPONENTS: [Component; 3] =
+    [Component::displacement("w"), Component::rotation("phi", 1.0), Component::displacement("u")];
 
+const ON_A_LINE: [RigidMotion; 2] = [
+    RigidMotion::translation("translation along w", "move along w"),
+    RigidMotion::rotation("rotation", "turn about {centre}"),
+];
+
+const IN_A_PLANE: [RigidMotion; 3] = [
+    RigidMotion::translation("translation along x", "move along {direction}"),
+    RigidMotion::translation("translation along y", "move along {direction}"),
+    RigidMotion::rotation("rotation", "turn about {centre}"),
+];
+
+impl Points for TimoshenkoBeam {
     fn points(&self) -> usize {
         self.points
     }
 
     fn position(&self, point: usize) -> Point {
-        self.position(point)
+        let chain = self.chain_of(point);
+        let (line, x) = (self.chains[chain].line(), self.chains[chain].position(point - self.first[chain]));
+        [line.origin[0] + x * line.direction[0], line.origin[1] + x * line.direction[1], 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        &COMPONENTS
+    }
+}
+
+impl Model<2> for TimoshenkoBeam {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        &ON_A_LINE
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
@@ -70,22 +80,8 @@ impl Model<2> for TimoshenkoBeam {
 }
 
 impl Model<3> for TimoshenkoBeam {
-    fn unknowns(&self) -> [&'static str; 3] {
-        ["w", "phi", "u"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &["translation along x", "translation along y", "rotation"]
-    }
-    fn is_displacement(&self) -> [bool; 3] {
-        [true, false, true]
-    }
-
-    fn points(&self) -> usize {
-        self.points
-    }
-
-    fn position(&self, point: usize) -> Point {
-        self.position(point)
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        &IN_A_PLANE
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<3>>> {

@@ -2,11 +2,11 @@ use super::*;
 use crate::body::SquareLattice;
 use crate::condition::{Equation, Unknown};
 use crate::law::Bilinear;
-use crate::model::Model;
+use crate::model::Points;
 use crate::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
-use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
+use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, SofteningModel};
 use crate::stiffness::{HistoryBond, HistoryBonds, Kinematics};
 use crate::system::System;
 use std::sync::Arc;
@@ -41,7 +41,7 @@ fn equation(terms: &[(usize, usize, f64)], value: f64) -> Equation {
 fn equations(plate: &BondPlane) -> Vec<Equation> {
     let number = |i: usize, j: usize| {
         let at = [i as f64 + 0.5, j as f64 + 0.5];
-        (0..plate.point_count()).find(|&p| plate.place(p) == at).expect("a cell")
+        (0..plate.points()).find(|&p| plate.place(p) == at).expect("a cell")
     };
     let mut all = Vec::new();
     for (i, j) in [(2, 4), (6, 3)] {
@@ -79,8 +79,8 @@ fn ready() -> Ready {
     let plate = plate();
     let system = System::new(&plate, Vec::new(), equations(&plate)).unwrap();
     assert!(system.constraints().has_slaves() && system.constraints().moves());
-    let bonds = plate.history_bonds(|_| Some(0));
-    let pattern = DifferencePattern::new(Model::points(&plate), system.constraints(), bonds.iter().map(ends));
+    let bonds = plate.history_bonds(&|_| Some(0));
+    let pattern = DifferencePattern::new(plate.points(), system.constraints(), bonds.iter().map(ends));
     Ready { system, bonds, pattern }
 }
 
@@ -133,13 +133,13 @@ fn bonds_that_end_on_the_border_make_the_assembled_matrix() {
     let plate = plate_with(Calibration::Matched, Edges::Border);
     let system = System::new(&plate, Vec::new(), equations(&plate)).unwrap();
     let elastic = vec![Bilinear::elastic()];
-    let between = plate.history_bonds(|_| Some(0));
-    let ended = plate.ended_bonds(|_, _| Some(0));
+    let between = plate.history_bonds(&|_| Some(0));
+    let ended = plate.ended_bonds(&mut |_, _| Some(0));
     assert!(ended.len() > 100);
     let bonds =
-        HistoryBonds::new(Model::points(&plate), Kinematics::Linear, elastic, between).with_ended(ended);
+        HistoryBonds::new(plate.points(), Kinematics::Linear, elastic, between).with_ended(ended);
     let ends = (0..bonds.list().len()).map(|k| bonds.shares(k));
-    let pattern = DifferencePattern::<2>::new(Model::points(&plate), system.constraints(), ends);
+    let pattern = DifferencePattern::<2>::new(plate.points(), system.constraints(), ends);
     let mut matrix = pattern.matrix();
     pattern.fill(|k| block(&bonds.list()[k]), &mut matrix);
     let error = difference(&system, &dense(&matrix), &dense(&system.assemble_sparse()));

@@ -1,6 +1,7 @@
 //! What supports do to a beam.
 
 use crate::scene::beam::{BeamScene, HeldPoint, How, Motion};
+use peristat_assembly::model::Points;
 use serde::{Deserialize, Serialize};
 
 /// What a support does to a line.

@@ -8,7 +8,7 @@ use peristat_assembly::model::Breakable;
 /// A body that breaks.
 pub(in super::super) trait BreakingBody<const D: usize> {
     /// Its model.
-    type Model: Breakable<D>;
+    type Model: Breakable<D> + ?Sized;
 
     /// The model.
     fn model(&self) -> &Self::Model;

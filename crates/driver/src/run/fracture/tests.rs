@@ -5,10 +5,8 @@ use super::unit::{Outcome, Unit};
 use crate::case::from_text;
 use crate::run::{Problem, RunOptions, Timing, prepare};
 use crate::scene::Scene;
-use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene};
-use peristat_assembly::model::Breakable;
-use peristat_assembly::model::beam_bond_orthotropic::BeamBondOrthotropic;
-use peristat_assembly::model::plane::PlaneModel;
+use crate::scene::plane::{AnyBody, PlaneProblem, PlaneScene};
+use peristat_assembly::model::plane::BreakingModel;
 use peristat_assembly::system::System;
 use serde_json::json;
 use std::path::Path;
@@ -31,7 +29,7 @@ fn scene() -> PlaneScene {
     scene.unwrap_or_else(|report| panic!("{report}")).into_plane().expect("a plate")
 }
 
-type Plate<'a> = PlaneProblem<'a, BeamBondOrthotropic>;
+type Plate<'a> = PlaneProblem<'a, dyn BreakingModel<3>>;
 
 /// Cuts all bonds from some cells to others, and finds what has come off.
 fn cut_out(
@@ -47,22 +45,22 @@ fn cut_out(
         points.contains(&a) != points.contains(&b)
     };
     let bonds: Vec<u64> = (0..plate.model.bond_numbers()).filter(crosses).collect();
-    system.change_model(&mut plate.model, |model| model.break_bonds(&bonds));
+    system.change_model(&mut *plate.model, |model| model.break_bonds(&bonds));
     let equations = Problem::<3>::equations(plate).to_vec();
-    islands.find(&plate.model, system, &equations, [&unit.u, &unit.loads])
+    islands.find(&*plate.model, system, &equations, [&unit.u, &unit.loads])
 }
 
 #[test]
 fn a_point_and_a_block_come_off_and_the_old_factor_finds_the_rest() {
     let scene = scene();
-    let AnyPlaneModel::Beams(model) = &scene.model else { panic!("beam bonds") };
-    let mut plate = PlaneProblem::new(&scene, model.clone());
+    let AnyBody::Three(body) = &scene.model else { panic!("beam bonds") };
+    let mut plate = PlaneProblem::new(&scene, body.breaking().unwrap());
     let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).unwrap();
     let mut timing = Timing::default();
     let loads = vec![0.0; system.size()];
     let mut unit = Unit::new(&plate, &system, loads, 1e-12, &mut timing).unwrap();
     assert_eq!(unit.solve(&system, &mut timing).unwrap(), (Outcome::Found, false));
-    let mut islands = Islands::new::<3>(&plate.model);
+    let mut islands = Islands::new::<3>(&*plate.model);
 
     assert!(cut_out(&mut plate, (&mut system, &mut islands), &unit, &[[14, 8]]));
     assert_eq!(islands.points(), 1);

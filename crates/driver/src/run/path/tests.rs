@@ -9,9 +9,8 @@ use super::{PathPoint, PathReport};
 use crate::case::from_text;
 use crate::run::{self, Advance, Problem, RunOptions, RunReport, Sink, StateResult, prepare};
 use crate::scene::Scene;
-use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene};
+use crate::scene::plane::{AnyBody, PlaneProblem, PlaneScene};
 use peristat_assembly::law::{Bilinear, History};
-use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::stiffness::HistoryBonds;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
@@ -480,13 +479,14 @@ fn runs_repeat_themselves_bit_by_bit() {
 
 /// A body on its path, at rest.
 fn course(scene: &PlaneScene) -> Course<2> {
-    let AnyPlaneModel::Central(model) = &scene.model else { panic!("central bonds") };
-    let problem = PlaneProblem::new(scene, model.clone());
+    let AnyBody::Two(body) = &scene.model else { panic!("central bonds") };
+    let model = body.softening().unwrap();
+    let problem = PlaneProblem::new(scene, body.clone());
     let (system, _) = prepare::<2>(&problem, &RunOptions::default()).unwrap();
     let path = scene.path.as_ref().unwrap();
     let law = |[i, j]: [usize; 2]| Some(usize::from(path.exempt[i] || path.exempt[j]));
     let laws = vec![path.law, Bilinear::elastic()];
-    let bonds = HistoryBonds::new(model.point_count(), path.kinematics, laws, model.history_bonds(law));
+    let bonds = HistoryBonds::new(model.points(), path.kinematics, laws, model.history_bonds(&law));
     let mut loads = vec![0.0; system.size()];
     problem.add_load(0, &mut loads);
     let body = Body::new(system, bonds, loads, Problem::<2>::positions(&problem)).unwrap();

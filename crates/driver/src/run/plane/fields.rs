@@ -174,7 +174,7 @@ impl PlaneResult {
             reactions,
             mirrors,
             intensities,
-            points: scene.model.point_count(),
+            points: scene.model.points(),
             shown: FieldName::PLANE
                 .into_iter()
                 .filter(|&field| of_points(field, model, scene.is_damaged()) == Has::Values)

@@ -7,24 +7,20 @@ use crate::run::{Problem, SolvedState, StateRecord, StateResult};
 use crate::scene::Resultant;
 use crate::scene::fracture::FractureScene;
 use crate::scene::plane::{PlaneFracture, PlaneProblem, Quantity};
-use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
-use peristat_assembly::model::{Breakable, Model};
+use peristat_assembly::model::plane::{BreakingModel, CriticalStretch};
 
 /// A body in the plane whose bonds break.
-pub(super) struct BreakingPlane<'a, M> {
-    pub(super) problem: PlaneProblem<'a, M>,
+pub(super) struct BreakingPlane<'a, const D: usize> {
+    pub(super) problem: PlaneProblem<'a, dyn BreakingModel<D>>,
     pub(super) fracture: &'a PlaneFracture,
     pub(super) recover: bool,
 }
 
-impl<const D: usize, M> BreakingBody<D> for BreakingPlane<'_, M>
-where
-    M: Model<D> + PlaneModel + Breakable<D, Critical = CriticalStretch>,
-{
-    type Model = M;
+impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
+    type Model = dyn BreakingModel<D>;
 
-    fn model(&self) -> &M {
-        &self.problem.model
+    fn model(&self) -> &Self::Model {
+        &*self.problem.model
     }
 
     fn problem(&self) -> &dyn Problem<D> {
@@ -35,8 +31,8 @@ where
         &self.fracture.steps
     }
 
-    fn model_mut(&mut self) -> &mut M {
-        &mut self.problem.model
+    fn model_mut(&mut self) -> &mut Self::Model {
+        &mut *self.problem.model
     }
 
     fn load(&self, u: &[f64], multipliers: &[f64]) -> f64 {
@@ -71,7 +67,7 @@ where
     fn result(&mut self, solved: SolvedState, name: String, load_factor: f64, facts: Facts) -> StateResult {
         let SolvedState { state: index, solution, certificate, load, .. } = solved;
         let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
-        let (scene, model) = (self.problem.scene, &self.problem.model);
+        let (scene, model) = (self.problem.scene, &*self.problem.model);
         let mut asked = Resultant::default();
         asked.add_multiple(load_factor, &scene.asked(&scene.states[0]));
         let result = PlaneResult::new(

@@ -15,7 +15,7 @@ pub(super) fn softened(bonds: &SofteningBonds<2>) -> Vec<[usize; 2]> {
 /// Warns where all bonds that have softened, given by their ends, lie within a horizon of what is held.
 pub(super) fn tell(scene: &PlaneScene, softened: &[[usize; 2]], warnings: &mut Faults) {
     // What holds most of a body, such as one whose points move along x alone, is no grip.
-    let most = scene.model.point_count() / 2;
+    let most = scene.model.points() / 2;
     let holds = scene.conditions.holds.iter().map(|h| &h.points);
     let groups = holds.chain(scene.conditions.rigid.iter().map(|r| &r.points)).filter(|g| g.len() <= most);
     let held: Vec<[f64; 2]> = groups.flatten().map(|&p| scene.model.place(p as usize)).collect();

@@ -7,9 +7,8 @@
 use crate::case::Tips;
 use crate::diagnostic::Faults;
 use crate::run::{Counters, RunError, RunOptions, SolvedState, prepare, solve_states};
-use crate::scene::plane::{Intensity, PlaneProblem, PlaneScene, for_plane_model};
-use peristat_assembly::model::Model;
-use peristat_assembly::model::plane::PlaneModel;
+use crate::scene::plane::{Intensity, PlaneProblem, PlaneScene, with_body};
+use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::sum::Sum;
 use std::time::Instant;
 
@@ -87,12 +86,12 @@ fn potentials(
         }
         Err(error) => return Err(fault(format!("with its tips moved by a spacing: {error}"))),
     };
-    for_plane_model!(model, model => of_problem(&PlaneProblem::with_moved_tips(scene, model, cracks), options, found))
+    with_body!(model, body => of_problem(&PlaneProblem::with_moved_tips(scene, body, cracks), options, found))
 }
 
 /// Potential energies of all states of a problem.
-fn of_problem<const D: usize, M: Model<D> + PlaneModel>(
-    problem: &PlaneProblem<M>,
+fn of_problem<const D: usize>(
+    problem: &PlaneProblem<dyn Solvable<D>>,
     options: &RunOptions,
     found: &mut Found,
 ) -> Result<Vec<f64>, RunError> {

@@ -23,11 +23,10 @@ pub(crate) use verdict::{checks, probes};
 use super::fracture::Restart;
 use super::{Counters, RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, prepare, solve_states};
 use crate::diagnostic::Faults;
-use crate::scene::plane::{AnyPlaneModel, PlaneProblem, PlaneScene, for_plane_model};
+use crate::scene::plane::{AnyBody, PlaneProblem, PlaneScene, with_body};
 use fracture::BreakingPlane;
 use path::SofteningPlane;
-use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
-use peristat_assembly::model::{Breakable, Model};
+use peristat_assembly::model::plane::{BreakingModel, Solvable};
 
 /// Solves every state of a body in the plane and hands its result to `sink` as it comes.
 ///
@@ -40,11 +39,11 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
-    for_plane_model!(&scene.model, model => run_model(&PlaneProblem::new(scene, model.clone()), options, sink))
+    with_body!(&scene.model, body => run_body(&PlaneProblem::new(scene, body.clone()), options, sink))
 }
 
-fn run_model<const D: usize, M: Model<D> + PlaneModel>(
-    problem: &PlaneProblem<M>,
+fn run_body<const D: usize>(
+    problem: &PlaneProblem<dyn Solvable<D>>,
     options: &RunOptions,
     sink: &mut dyn FnMut(PlaneResult) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
@@ -82,14 +81,8 @@ pub fn run_breaking(
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
-    match &scene.model {
-        AnyPlaneModel::Central(model) => break_model::<2, _>(scene, model, options, resume, sink),
-        AnyPlaneModel::Beams(model) => break_model::<3, _>(scene, model, options, resume, sink),
-        AnyPlaneModel::State(model) => break_model::<2, _>(scene, model, options, resume, sink),
-        AnyPlaneModel::Revolved(model) => break_model::<2, _>(scene, model, options, resume, sink),
-        // Neither is made for them.
-        AnyPlaneModel::Bordered(_) | AnyPlaneModel::Shell(_) => Err(RunError::NotResumable),
-    }
+    let none = Err(RunError::NotResumable);
+    with_body!(&scene.model, body => body.breaking().map_or(none, |body| break_body(scene, body, options, resume, sink)))
 }
 
 /// Follows the path of a body in the plane whose bonds soften, and hands its states to `sink` as they come.
@@ -103,10 +96,9 @@ pub fn run_softening(
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
-    let (Some(path), AnyPlaneModel::Central(model)) = (&scene.path, &scene.model) else {
-        return Err(RunError::NotResumable);
-    };
-    let problem = PlaneProblem::new(scene, model.clone());
+    let AnyBody::Two(body) = &scene.model else { return Err(RunError::NotResumable) };
+    let (Some(path), Some(body)) = (&scene.path, body.softening()) else { return Err(RunError::NotResumable) };
+    let problem = PlaneProblem::new(scene, body);
     let prepared = prepare(&problem, options)?;
     let found = intensity::of_states(scene, options)?;
     let intensity = found.values.first().map(|k| k[0]);
@@ -122,18 +114,15 @@ pub fn run_softening(
     Ok(report)
 }
 
-fn break_model<const D: usize, M>(
+fn break_body<const D: usize>(
     scene: &PlaneScene,
-    model: &M,
+    body: Box<dyn BreakingModel<D>>,
     options: &RunOptions,
     resume: Option<Restart>,
     sink: &mut dyn Sink,
-) -> Result<RunReport, RunError>
-where
-    M: Model<D> + PlaneModel + Breakable<D, Critical = CriticalStretch> + Clone,
-{
+) -> Result<RunReport, RunError> {
     let Some(fracture) = &scene.fracture else { return Err(RunError::NotResumable) };
-    let problem = PlaneProblem::new(scene, model.clone());
+    let problem = PlaneProblem::new(scene, body);
     let prepared = prepare(&problem, options)?;
     let mut breaking = BreakingPlane { problem, fracture, recover: options.recover };
     let mut report = super::fracture::run(&mut breaking, prepared, resume, sink)?;
@@ -154,7 +143,7 @@ fn asks_for_stresses(scene: &PlaneScene) -> bool {
 /// # Errors
 /// As [`prepare`].
 pub fn sizes(scene: &PlaneScene, options: &RunOptions) -> Result<Sizes, RunError> {
-    for_plane_model!(&scene.model, model => prepare(&PlaneProblem::new(scene, model.clone()), options).map(|p| p.1))
+    with_body!(&scene.model, body => prepare(&PlaneProblem::new(scene, body.clone()), options).map(|p| p.1))
 }
 
 /// Adds what other solves have cost.

@@ -9,13 +9,12 @@ use crate::scene::Resultant;
 use crate::scene::path::PathScene;
 use crate::scene::plane::PlaneProblem;
 use peristat_assembly::law::{Bilinear, Law};
-use peristat_assembly::model::bond_plane::BondPlane;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::plane::SofteningModel;
 use peristat_assembly::stiffness::{BondAnswers, HistoryBonds};
 
 /// A body in the plane whose bonds soften.
 pub(super) struct SofteningPlane<'a> {
-    pub(super) problem: PlaneProblem<'a, BondPlane>,
+    pub(super) problem: PlaneProblem<'a, dyn SofteningModel<2>>,
     pub(super) path: &'a PathScene,
     pub(super) recover: bool,
     /// Stress intensity of the elastic body at a load factor of one.
@@ -45,7 +44,7 @@ impl SofteningBody<2> for SofteningPlane<'_> {
 
     fn bonds(&self) -> SofteningBonds<2> {
         let model = &self.problem.model;
-        let mut region = vec![None; model.point_count()];
+        let mut region = vec![None; model.points()];
         for (k, rigid) in self.problem.scene.conditions.rigid.iter().enumerate() {
             rigid.points.iter().for_each(|&p| region[p as usize] = Some(k));
         }
@@ -56,15 +55,15 @@ impl SofteningBody<2> for SofteningPlane<'_> {
             let is_exempt = points.iter().any(|&p| self.path.exempt[p as usize]);
             (!is_rigid).then_some(if is_exempt { ELASTIC } else { SOFTENS })
         };
-        let between = model.history_bonds(|points| law(&points.map(|p| p as u32)));
+        let between = model.history_bonds(&|points| law(&points.map(|p| p as u32)));
         let mut laws = vec![self.path.law, Bilinear::elastic()];
-        let ended = model.ended_bonds(|points, part| {
+        let ended = model.ended_bonds(&mut |points, part| {
             Some(match law(points)? {
                 SOFTENS => of_part(&mut laws, &self.path.law.of_part(part)),
                 elastic => elastic,
             })
         });
-        HistoryBonds::new(model.point_count(), self.path.kinematics, laws, between).with_ended(ended)
+        HistoryBonds::new(model.points(), self.path.kinematics, laws, between).with_ended(ended)
     }
 
     fn probes(&self, u: &[f64], multipliers: &[f64]) -> Vec<f64> {
@@ -102,7 +101,7 @@ impl SofteningBody<2> for SofteningPlane<'_> {
         self.softened = grips::softened(bonds);
         let SolvedState { state: index, solution, certificate, load, .. } = solved;
         let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
-        let (scene, model) = (self.problem.scene, &self.problem.model);
+        let (scene, model) = (self.problem.scene, &*self.problem.model);
         let mut asked = Resultant::default();
         asked.add_multiple(load_factor, &scene.asked(&scene.states[0]));
         let mut result =
@@ -125,8 +124,8 @@ fn of_part(laws: &mut Vec<Bilinear>, law: &Bilinear) -> usize {
 
 /// Stresses by the forces of the bonds, `σ = (1/V) ½ Σ N ξ n nᵀ`, energy densities and damage. What ends on the border
 /// stands for whole bonds of the points beside it.
-fn recovered(model: &BondPlane, bonds: &SofteningBonds<2>, answers: &BondAnswers<2>) -> Recovered {
-    let n = model.point_count();
+fn recovered(model: &dyn SofteningModel<2>, bonds: &SofteningBonds<2>, answers: &BondAnswers<2>) -> Recovered {
+    let n = model.points();
     let (mut stress, mut energy_density) = ([vec![0.0; n], vec![0.0; n], vec![0.0; n]], vec![0.0; n]);
     for (k, (bond, answer)) in bonds.list().iter().zip(&answers.bonds).enumerate() {
         let [x, y] = answer.direction;

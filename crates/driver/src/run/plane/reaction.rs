@@ -42,7 +42,7 @@ const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
 
 /// Forces of supports from the multipliers of all equations and the unknowns.
 pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) -> Vec<PlaneReaction> {
-    let (n, deflects) = (scene.model.point_count(), scene.model.deflects());
+    let (n, deflects) = (scene.model.points(), scene.model.deflects());
     let of = |support: &PlaneSupport| {
         let mut force = [Sum::default(), Sum::default(), Sum::default()];
         let mut turns = false;
@@ -76,7 +76,7 @@ pub(super) fn resultant(
     u: &[f64],
     mirrors: &[MirrorReaction],
 ) -> Resultant {
-    let n = scene.model.point_count();
+    let n = scene.model.points();
     let mut forces = vec![0.0; u.len()];
     for (equation, multiplier) in scene.equations.iter().zip(multipliers) {
         for (unknown, coefficient) in &equation.terms {
@@ -119,7 +119,7 @@ pub(super) fn of_mirrors(
         let sum = at_once.entry(*ghost).or_default();
         (0..2).for_each(|k| sum[k] += force[k]);
     }
-    for (&ghost, held) in scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components())) {
+    for (&ghost, held) in scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components().len())) {
         let cell = lattice.cell(ghost as usize);
         let (_, signs) = mirrors.image(cell);
         let taken = at_once.get(&ghost).copied().unwrap_or_default();
@@ -130,7 +130,7 @@ pub(super) fn of_mirrors(
                 _ => continue,
             };
             if let Some(sum) = &mut sums[2 * axis + beyond] {
-                let loaded = load[axis * scene.model.point_count() + ghost as usize];
+                let loaded = load[axis * scene.model.points() + ghost as usize];
                 sum.add((1.0 - signs[axis]) * (held[axis] + loaded) - taken[axis]);
             }
         }

@@ -7,7 +7,7 @@ use peristat_assembly::model::plane::Edges;
 /// What the scene was spared.
 pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> Vec<String> {
     let (counters, model) = (&report.counters, &scene.model);
-    let points = model.point_count();
+    let points = model.points();
     let mut skipped = Vec::new();
     if scene.path.is_none() {
         skipped.push(match scene.fracture {

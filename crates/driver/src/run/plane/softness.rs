@@ -2,7 +2,7 @@
 
 use crate::diagnostic::JsonPath;
 use crate::run::{RunOptions, RunReport, prepare, solve_states};
-use crate::scene::plane::{PlaneBonds, PlaneProblem, PlaneScene, for_plane_model};
+use crate::scene::plane::{PlaneBonds, PlaneProblem, PlaneScene, with_body};
 use peristat_assembly::model::plane::{Calibration, Edges};
 use peristat_assembly::sum::Sum;
 
@@ -59,8 +59,8 @@ impl Stored {
     /// That of the linear body of a scene, if it can be solved; what that costs goes to the report.
     fn of(scene: &PlaneScene, options: &RunOptions, report: &mut RunReport) -> Option<Self> {
         let mut found = None;
-        let solved = for_plane_model!(&scene.model, model => {
-            let problem = PlaneProblem::new(scene, model.clone());
+        let solved = with_body!(&scene.model, body => {
+            let problem = PlaneProblem::new(scene, body.clone());
             let (system, sizes) = prepare(&problem, options).ok()?;
             solve_states(&problem, (&system, sizes), &mut |solved| {
                 let mut work = Sum::default();

@@ -47,7 +47,7 @@ impl Tips {
     pub(super) fn check(&self, scene: &PlaneScene, state: usize, u: &[f64], warnings: &mut Faults) {
         for k in 0..scene.intensities.len() {
             let parts =
-                self.0.iter().filter(|f| f.intensity == k).map(|f| f.part(scene.model.point_count(), u));
+                self.0.iter().filter(|f| f.intensity == k).map(|f| f.part(scene.model.points(), u));
             let (mut closes, mut slides) = (false, false);
             for [opening, sliding] in parts {
                 closes |= opening < -CLOSED * sliding.abs();
@@ -95,7 +95,7 @@ fn faces(scene: &PlaneScene, intensity: usize, tip: [f64; 2], before: [f64; 2]) 
             let off = side * ((x - tip[0]) * normal[0] + (y - tip[1]) * normal[1]);
             (off > 0.0).then(|| (x - at[0]).hypot(y - at[1])).filter(|far| *far < 2.0 * h)
         };
-        let near = (0..scene.model.point_count()).filter_map(|p| Some((key(p)?, p)));
+        let near = (0..scene.model.points()).filter_map(|p| Some((key(p)?, p)));
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, p)| p)
     };
     Some(Faces { intensity, points: [beside(1.0)?, beside(-1.0)?], normal })

@@ -47,7 +47,7 @@ pub(super) fn mechanical(
     u: &[f64],
     multipliers: &[f64],
 ) -> Option<f64> {
-    let n = scene.model.point_count();
+    let n = scene.model.points();
     match quantity {
         Quantity::Reaction { equations, springs, .. } => {
             let mut sum = Sum::default();
@@ -82,7 +82,7 @@ fn rotation(scene: &PlaneScene, result: &PlaneResult, region: usize) -> Option<f
         Some((*low as usize, *high as usize, at(high)[axis] - at(low)[axis]))
     };
     let (along_x, along_y) = (ends(0)?, ends(1)?);
-    let (n, u) = (scene.model.point_count(), &result.record.u);
+    let (n, u) = (scene.model.points(), &result.record.u);
     Some(match along_x.2 >= along_y.2 {
         true => (u[n + along_x.1] - u[n + along_x.0]) / along_x.2,
         false => -(u[along_y.1] - u[along_y.0]) / along_y.2,

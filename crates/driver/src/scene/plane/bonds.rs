@@ -1,19 +1,19 @@
 //! The models of bodies in the plane: what they are made of, and the bodies made of them.
 
 use super::super::Resultant;
+use super::any_body::AnyBody;
 use super::orthotropic;
 use peristat_assembly::body::{Cell, SquareLattice};
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicError, OrthotropicParameters,
 };
 use peristat_assembly::model::bond_plane::{BondPlane, BondPlaneError, PlaneParameters};
-use peristat_assembly::model::plane::{Calibration, Edges, FindCuts, Mirrors, PlaneModel};
+use peristat_assembly::model::plane::{Calibration, Edges, FindCuts, Mirrors};
 use peristat_assembly::model::shell_membrane::{ShellError, ShellMembrane, ShellParameters};
 use peristat_assembly::model::state_based::{
     BorderedState, Geometry, StateBased, StateEdges, StateError, StateParameters,
 };
 use std::f64::consts::TAU;
-use std::ops::Deref;
 use std::sync::Arc;
 
 /// Material and bonds of a body in the plane.
@@ -27,66 +27,6 @@ pub enum PlaneBonds {
     State(StateParameters),
     /// Bonds of a developed cylinder.
     Shell(ShellParameters),
-}
-
-/// A body in the plane with its bonds.
-#[derive(Clone, Debug)]
-pub enum AnyPlaneModel {
-    /// Of central bonds.
-    Central(BondPlane),
-    /// Of beam bonds.
-    Beams(BeamBondOrthotropic),
-    /// Of state-based families.
-    State(StateBased<false>),
-    /// The same with a border that is completed.
-    Bordered(BorderedState),
-    /// Of state-based families, of revolution.
-    Revolved(StateBased<true>),
-    /// Of a shell membrane.
-    Shell(ShellMembrane),
-}
-
-/// Evaluates an expression with the model inside an [`AnyPlaneModel`], whatever it is.
-macro_rules! for_plane_model {
-    ($any:expr, $model:ident => $value:expr) => {
-        match $any {
-            $crate::scene::plane::AnyPlaneModel::Central($model) => $value,
-            $crate::scene::plane::AnyPlaneModel::Beams($model) => $value,
-            $crate::scene::plane::AnyPlaneModel::State($model) => $value,
-            $crate::scene::plane::AnyPlaneModel::Bordered($model) => $value,
-            $crate::scene::plane::AnyPlaneModel::Revolved($model) => $value,
-            $crate::scene::plane::AnyPlaneModel::Shell($model) => $value,
-        }
-    };
-}
-pub(crate) use for_plane_model;
-
-impl Deref for AnyPlaneModel {
-    type Target = dyn PlaneModel;
-
-    fn deref(&self) -> &Self::Target {
-        for_plane_model!(self, model => model)
-    }
-}
-
-impl AnyPlaneModel {
-    /// Makes cut bonds of a lattice, by index of the offset and lower point, ones that never were.
-    pub(super) fn never_joined(self, bonds: &[(usize, usize)]) -> Self {
-        match self {
-            Self::Central(model) => Self::Central(model.never_joined(bonds)),
-            Self::Beams(model) => Self::Beams(model.never_joined(bonds)),
-            Self::State(_) | Self::Bordered(_) | Self::Revolved(_) | Self::Shell(_) => self,
-        }
-    }
-
-    /// The same body, able to break: what a border leaves to the cells that it cuts breaks with the bonds.
-    pub(super) fn breaking(self) -> Self {
-        match self {
-            Self::Central(model) => Self::Central(model.breaking()),
-            Self::Beams(model) => Self::Beams(model.breaking()),
-            Self::State(_) | Self::Bordered(_) | Self::Revolved(_) | Self::Shell(_) => self,
-        }
-    }
 }
 
 /// Why a model of a body in the plane cannot be made.
@@ -295,7 +235,7 @@ impl PlaneBonds {
         Ok(match self {
             Self::Central(parameters) => BondPlane::offsets(parameters)?,
             Self::Beams(parameters) => BeamBondOrthotropic::offsets(parameters)?,
-            Self::State(parameters) => StateBased::<false>::offsets(parameters),
+            Self::State(parameters) => StateBased::offsets(parameters),
             Self::Shell(parameters) => ShellMembrane::offsets(parameters)?,
         })
     }
@@ -324,7 +264,7 @@ impl PlaneBonds {
         mirrors: Mirrors,
         cuts: &FindCuts,
         separated: &(dyn Fn(Cell, Cell) -> bool + '_),
-    ) -> Result<AnyPlaneModel, PlaneModelError> {
+    ) -> Result<AnyBody, PlaneModelError> {
         let offsets = self.offsets()?;
         let extended = || -> Result<_, PlaneModelError> {
             let extended = mirrors.extended(real, self.depth()?);
@@ -334,37 +274,23 @@ impl PlaneBonds {
         Ok(match self {
             Self::Central(parameters) => {
                 let (lattice, cuts) = extended()?;
-                AnyPlaneModel::Central(BondPlane::on_lattice(lattice, mirrors, *parameters, &cuts)?)
+                AnyBody::Two(Box::new(BondPlane::on_lattice(lattice, mirrors, *parameters, &cuts)?))
             }
             Self::Beams(parameters) => {
                 let (lattice, cuts) = extended()?;
-                AnyPlaneModel::Beams(BeamBondOrthotropic::on_lattice(lattice, mirrors, *parameters, &cuts)?)
+                AnyBody::Three(Box::new(BeamBondOrthotropic::on_lattice(lattice, mirrors, *parameters, &cuts)?))
             }
             Self::State(parameters) => {
-                let (real, cut) = (Arc::new(real.clone()), |lattice: &SquareLattice| cuts(lattice, &offsets));
-                match parameters.is_axisymmetric() {
-                    true => AnyPlaneModel::Revolved(StateBased::on_lattice(
-                        real,
-                        mirrors,
-                        *parameters,
-                        separated,
-                        &cut,
-                    )?),
-                    false if parameters.edges == StateEdges::Border => {
-                        AnyPlaneModel::Bordered(BorderedState::on_lattice(&real, mirrors, *parameters)?)
-                    }
-                    false => AnyPlaneModel::State(StateBased::on_lattice(
-                        real,
-                        mirrors,
-                        *parameters,
-                        separated,
-                        &cut,
-                    )?),
+                let real = Arc::new(real.clone());
+                if parameters.edges == StateEdges::Border {
+                    return Ok(AnyBody::Two(Box::new(BorderedState::on_lattice(&real, mirrors, *parameters)?)));
                 }
+                let cut = |lattice: &SquareLattice| cuts(lattice, &offsets);
+                AnyBody::Two(Box::new(StateBased::on_lattice(real, mirrors, *parameters, separated, &cut)?))
             }
             Self::Shell(parameters) => {
                 let (lattice, _) = extended()?;
-                AnyPlaneModel::Shell(ShellMembrane::on_lattice(lattice, mirrors, *parameters)?)
+                AnyBody::Three(Box::new(ShellMembrane::on_lattice(lattice, mirrors, *parameters)?))
             }
         })
     }
@@ -378,11 +304,11 @@ impl PlaneBonds {
         (positions, areas): (Vec<[f64; 2]>, Vec<f64>),
         horizon: f64,
         cut: &dyn Fn([f64; 2], [f64; 2]) -> bool,
-    ) -> Result<AnyPlaneModel, PlaneModelError> {
+    ) -> Result<AnyBody, PlaneModelError> {
         match self {
             Self::Central(parameters) => {
                 let model = BondPlane::on_cloud(positions, areas, horizon, *parameters, cut)?;
-                Ok(AnyPlaneModel::Central(model))
+                Ok(AnyBody::Two(Box::new(model)))
             }
             Self::Beams(_) | Self::State(_) | Self::Shell(_) => {
                 Err(PlaneModelError::NeedsLattice(self.name()))

@@ -237,7 +237,7 @@ pub(super) fn missing(
         lump::add_resultant(&mut small, &rest, context);
         return small;
     }
-    let mut through = vec![0.0; model.components() * model.point_count()];
+    let mut through = vec![0.0; model.components().len() * model.points()];
     stress.numbered(&|p| context.recipe.number(model, p)).add_to(model, 1.0, &mut through);
     rest.add_multiple(-1.0, &statics::resultant(model, context.bonds, &through));
     let mut rest = match context.bonds {

@@ -57,7 +57,7 @@ pub(super) fn resolve(
         // It is refused already; images have numbers of their own.
         return None;
     }
-    let mut exempt = vec![false; context.model.point_count()];
+    let mut exempt = vec![false; context.model.points()];
     for (k, name) in fracture.no_fail.iter().enumerate() {
         let points = context.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();
         points.iter().for_each(|&p| exempt[context.recipe.number(context.model, p) as usize] = true);

@@ -102,9 +102,9 @@ fn shares(bonds: &PlaneBonds) -> Option<[Vec<f64>; 2]> {
     let (columns, rows) = (2 * felt, 2 * felt + 1);
     let real = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
     let body = bonds.unrolled().on_lattice(&real, Mirrors::NONE, &|_, _| Vec::new(), &|_, _| false).ok()?;
-    let (n, (lattice, _)) = (body.point_count(), body.lattice()?);
+    let (n, (lattice, _)) = (body.points(), body.lattice()?);
     let of = |stress: [f64; 3], component: usize| {
-        let mut force = vec![0.0; body.components() * n];
+        let mut force = vec![0.0; body.components().len() * n];
         body.add_stress_load(None, &|_| stress, &mut force);
         body.fold(&mut force);
         let at = |column: i32| lattice.number([column, rows / 2]).map(|p| force[component * n + p]);

@@ -3,8 +3,7 @@
 use super::conditions::Conditions;
 use crate::run::{Coarser, Spread};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
-use peristat_assembly::model::Model;
-use peristat_assembly::model::plane::{Mirrors, PlaneModel};
+use peristat_assembly::model::plane::{Mirrors, PlaneModel, Solvable};
 use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 
@@ -30,8 +29,8 @@ fn is_coarsest(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
 }
 
 /// The coarser levels of a model; none of a cloud, or of a lattice that is coarse itself.
-pub(super) fn coarser<const D: usize, M: Model<D> + PlaneModel>(
-    model: &M,
+pub(super) fn coarser<const D: usize>(
+    model: &dyn Solvable<D>,
     cracks: &[Crack],
     conditions: &Conditions,
 ) -> Option<Coarser<D>> {
@@ -40,9 +39,9 @@ pub(super) fn coarser<const D: usize, M: Model<D> + PlaneModel>(
     // Coarser lattices do not know how a border cuts their blocks.
     let is_unlike = model.follows_border();
     let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new(), is_loose: false, is_unlike };
-    let (mut coarsest, mut conditions): (Option<M>, _) = (None, conditions.clone());
+    let (mut coarsest, mut conditions): (Option<Box<dyn Solvable<D>>>, _) = (None, conditions.clone());
     loop {
-        let fine = coarsest.as_ref().unwrap_or(model);
+        let fine = coarsest.as_deref().unwrap_or(model);
         let (lattice, mirrors) = fine.lattice()?;
         if is_coarsest(lattice, mirrors) {
             break;
@@ -60,15 +59,15 @@ pub(super) fn coarser<const D: usize, M: Model<D> + PlaneModel>(
         conditions = conditions.coarser(lattice, coarse_lattice);
         let mut springs: Vec<Box<dyn Term<D>>> = Vec::new();
         if !conditions.springs.is_empty() {
-            springs.push(Box::new(Springs::new(coarse.point_count(), conditions.springs.clone())));
+            springs.push(Box::new(Springs::new(coarse.points(), conditions.springs.clone())));
         }
         let equations = conditions.equations(&|point| coarse.place(point));
         // Conditions at rest contradict each other nowhere; if they do, there are no coarser levels.
-        levels.systems.push(System::new(&coarse, springs, equations).ok()?);
+        levels.systems.push(System::new(&*coarse, springs, equations).ok()?);
         coarsest = Some(coarse);
     }
     let last = levels.systems.last()?;
-    levels.is_loose = !free_motions(&coarsest?, last).is_empty();
+    levels.is_loose = !free_motions(&*coarsest?, last).is_empty();
     Some(levels)
 }
 

@@ -336,7 +336,7 @@ impl PlaneLoads {
     /// Adds the loads times a factor to `force`, N, the plane of x first, then that of y and, where points turn, that of
     /// moments per length by which rotations are multiplied, or that across the plane.
     pub fn add_to(&self, model: &dyn PlaneModel, factor: f64, force: &mut [f64]) {
-        let n = model.point_count();
+        let n = model.points();
         for &(point, f) in &self.forces {
             (0..2).for_each(|c| force[c * n + point as usize] += factor * f[c]);
         }

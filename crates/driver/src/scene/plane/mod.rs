@@ -1,5 +1,6 @@
 //! Scenes of bodies in the plane.
 
+mod any_body;
 mod asked;
 mod bearing;
 mod body;
@@ -63,8 +64,9 @@ mod traction;
 mod uniform_stress;
 mod warnings;
 
-pub(crate) use bonds::for_plane_model;
-pub use bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
+pub use any_body::AnyBody;
+pub(crate) use any_body::with_body;
+pub use bonds::{PlaneBonds, PlaneModelError};
 pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints, RIGID_KEYS, RigidPoints};
 pub use cracks::NamedCrack;
@@ -105,7 +107,7 @@ pub struct PlaneScene {
     /// Units of all numbers.
     pub units: Units,
     /// The discretised body.
-    pub model: AnyPlaneModel,
+    pub model: AnyBody,
     /// Cracks.
     pub cracks: Vec<NamedCrack>,
     /// What holds the body, by points.
@@ -196,7 +198,7 @@ impl PlaneScene {
         let resolved = Self::resolve(case, filled, folder, max_memory, faults);
         let scene = resolved.filter(|_| !faults.has_errors())?;
         if scene.outline.is_none() || scene.can_have_loose_points() {
-            for_plane_model!(&scene.model, model => loose::check(&scene, model, faults));
+            with_body!(&scene.model, body => loose::check(&scene, &**body, faults));
         }
         shell::check_bearable(&scene, faults);
         warnings::collect(&scene, faults);
@@ -365,7 +367,7 @@ impl PlaneScene {
     /// The points without images, in the order of the body.
     pub fn real_points(&self) -> impl Iterator<Item = usize> + '_ {
         let ghosts = self.model.ghosts();
-        (0..self.model.point_count()).filter(move |&p| ghosts.binary_search(&(p as u32)).is_err())
+        (0..self.model.points()).filter(move |&p| ghosts.binary_search(&(p as u32)).is_err())
     }
 
     /// The points that are images in lines of symmetry.
@@ -419,7 +421,7 @@ impl PlaneScene {
         &self,
         intensity: &Intensity,
         by: f64,
-    ) -> Result<Option<(AnyPlaneModel, Vec<Crack>)>, PlaneModelError> {
+    ) -> Result<Option<(AnyBody, Vec<Crack>)>, PlaneModelError> {
         let mut cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
         match outputs::moved(&cracks[intensity.crack], intensity.tips, by) {
             Some(crack) => cracks[intensity.crack] = crack,

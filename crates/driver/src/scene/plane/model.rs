@@ -1,7 +1,8 @@
 //! The model of a body in the plane: points of its lattice with images, or its listed points.
 
 use super::bearing::{self, Bearing};
-use super::bonds::{AnyPlaneModel, PlaneBonds, PlaneModelError};
+use super::any_body::AnyBody;
+use super::bonds::{PlaneBonds, PlaneModelError};
 use super::cracks::NamedCrack;
 use super::symmetry::Symmetry;
 use super::{orthotropic, root, shell, state_based};
@@ -36,7 +37,7 @@ impl Recipe {
     ///
     /// # Errors
     /// [`PlaneModelError`].
-    pub(super) fn make(&self, cracks: &[Crack]) -> Result<AnyPlaneModel, PlaneModelError> {
+    pub(super) fn make(&self, cracks: &[Crack]) -> Result<AnyBody, PlaneModelError> {
         let cracks = self.symmetry.with_images(cracks);
         match &self.body {
             PlaneBody::Lattice(lattice) => {
@@ -53,9 +54,12 @@ impl Recipe {
                     let ends = [lattice.centre(a), lattice.centre(b)];
                     cracks.iter().any(|crack| crack.cuts(ends[0], ends[1], slack))
                 };
-                let model = self.bonds.on_lattice(lattice, mirrors, &cuts, &separated)?;
-                let model = model.never_joined(&apart.into_inner());
-                Ok(if self.breaks { model.breaking() } else { model })
+                let mut body = self.bonds.on_lattice(lattice, mirrors, &cuts, &separated)?;
+                body.as_mut().never_joined(&apart.into_inner());
+                if self.breaks {
+                    body.as_mut().prepare_to_break();
+                }
+                Ok(body)
             }
             PlaneBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();

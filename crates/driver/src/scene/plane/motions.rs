@@ -2,24 +2,24 @@
 
 use super::super::words::tidy;
 use super::PlaneScene;
+use peristat_assembly::model::{Model, RigidMotion};
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
 /// What nothing holds, and how it would move.
-pub(super) fn describe(scene: &PlaneScene, motion: &FreeMotion) -> String {
-    let model = &scene.model;
-    let parts = model.parts();
+pub(super) fn describe<const D: usize>(scene: &PlaneScene, model: &dyn Model<D>, motion: &FreeMotion) -> String {
+    let (parts, motions) = (model.connected(), model.rigid_motions());
     // Number and sum of the positions of the real points of every part that moves.
     let mut sums = vec![(0_usize, [0.0; 2]); motion.parts.len()];
     let moving: Vec<usize> = motion.parts.iter().map(|span| parts.of(span[0])).collect();
     for point in scene.real_points() {
         if let Some(k) = moving.iter().position(|&part| part == parts.of(point)) {
             sums[k].0 += 1;
-            (0..2).for_each(|c| sums[k].1[c] += model.place(point)[c]);
+            (0..2).for_each(|c| sums[k].1[c] += model.position(point)[c]);
         }
     }
     let mut told: Vec<(usize, String)> = Vec::new();
     for (&(count, sum), part) in sums.iter().zip(&motion.moves).filter(|(s, _)| s.0 > 0) {
-        let how = how(part);
+        let how = how(part, motions);
         let what = match count == scene.body().points() {
             true => "the body".to_string(),
             false => {
@@ -40,38 +40,42 @@ pub(super) fn describe(scene: &PlaneScene, motion: &FreeMotion) -> String {
     format!("{text}: no support prevents it")
 }
 
-/// The same of a shell, whose motions are those of a body in space.
-fn on_cylinder(amounts: &[f64]) -> &'static str {
-    let acts =
-        |kinds: std::ops::Range<usize>| amounts.get(kinds).is_some_and(|a| a.iter().any(|v| *v != 0.0));
-    match [acts(0..1), acts(1..2), acts(2..4), acts(4..6)] {
-        [_, _, _, true] => "tilt its axis",
-        [_, _, true, _] => "move across its axis",
-        [_, true, _, _] => "turn about its axis",
-        _ => "move along its axis",
-    }
+/// The last of the motions that it is made of, in words: a turn about some centre is one of translations, too.
+fn how(part: &PartMotion, motions: &[RigidMotion]) -> String {
+    let last = part.amounts.iter().rposition(|amount| *amount != 0.0).unwrap_or(0);
+    let verb = motions[last].verb;
+    let verb = verb.replace("{centre}", &centre(part, last));
+    verb.replace("{direction}", &direction(part))
 }
 
-/// `move along x`, or `turn about (1, 2)`.
-fn how(part: &PartMotion) -> String {
-    let &[x, y, turn] = part.amounts.as_slice() else {
-        // Of a body of revolution one motion is left.
-        return if part.amounts.len() == 1 { "move along y" } else { on_cylinder(&part.amounts) }.into();
+fn clean(value: f64, other: f64) -> f64 {
+    if value.abs() < 1e-9 * other.abs() { 0.0 } else { value }
+}
+
+/// The place that a motion of the plane, the last of whose amounts is a turn, leaves where it is.
+fn centre(part: &PartMotion, turn: usize) -> String {
+    let (&[x, y, ..], amount) = (part.amounts.as_slice(), part.amounts[turn]) else { return String::new() };
+    let centre = [part.centre[0] - y / amount, part.centre[1] + x / amount];
+    let size = centre[0].abs().max(centre[1].abs());
+    let [a, b] = centre.map(|c| tidy(clean(c, size)));
+    format!("({a}, {b})")
+}
+
+/// The direction of translations together.
+fn direction(part: &PartMotion) -> String {
+    // Of a body of revolution the one along the axis is left.
+    let [x, y] = match part.amounts.as_slice() {
+        &[along] => [0.0, along],
+        &[x, y, ..] => [x, y],
+        [] => [0.0; 2],
     };
-    let clean = |value: f64, other: f64| if value.abs() < 1e-9 * other.abs() { 0.0 } else { value };
-    if turn != 0.0 {
-        let centre = [part.centre[0] - y / turn, part.centre[1] + x / turn];
-        let size = centre[0].abs().max(centre[1].abs());
-        let [a, b] = centre.map(|c| tidy(clean(c, size)));
-        return format!("turn about ({a}, {b})");
-    }
     match (clean(x, y), clean(y, x)) {
-        (_, 0.0) => "move along x".into(),
-        (0.0, _) => "move along y".into(),
+        (_, 0.0) => "x".into(),
+        (0.0, _) => "y".into(),
         (x, y) => {
             let size = x.hypot(y);
             let round = |v: f64| (v / size * 1e6).round() / 1e6;
-            format!("move along ({}, {})", round(x), round(y))
+            format!("({}, {})", round(x), round(y))
         }
     }
 }

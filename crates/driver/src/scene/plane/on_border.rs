@@ -15,7 +15,7 @@ pub(super) fn forces(traction: &OnBorder, context: &Context) -> Option<Forces> {
         return None;
     }
     let (shares, (lattice, _)) = (model.border_shares()?, model.lattice()?);
-    let mut forces = vec![[0.0; 2]; model.point_count()];
+    let mut forces = vec![[0.0; 2]; model.points()];
     let stretches = traction.stretches(context.ground);
     for stretch in stretches.iter().flat_map(|stretch| stretch.between_lines(lattice)) {
         for (at, along) in traction.profile.on(&stretch) {

@@ -6,35 +6,35 @@ use crate::run::{Coarser, Problem, Spread, TOO_MANY_POINTS};
 use peristat_assembly::body::Crack;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::stiffness::Spring;
 use peristat_assembly::system::FreeMotion;
 
 /// A scene with a model of its body: its own one, or one with other cracks. Points, conditions and loads are those of the
 /// scene.
 #[derive(Debug)]
-pub struct PlaneProblem<'a, M> {
+pub struct PlaneProblem<'a, M: ?Sized> {
     /// The scene.
     pub scene: &'a PlaneScene,
     /// The model.
-    pub model: M,
+    pub model: Box<M>,
     /// Cracks of the model.
     pub cracks: Vec<Crack>,
     /// What the model has that the scene has not, for messages: `with the tip moved by a spacing `.
     pub(super) apart: &'static str,
 }
 
-impl<'a, M> PlaneProblem<'a, M> {
+impl<'a, M: ?Sized> PlaneProblem<'a, M> {
     /// The scene as it is, with its own model.
-    pub fn new(scene: &'a PlaneScene, model: M) -> Self {
+    pub fn new(scene: &'a PlaneScene, model: Box<M>) -> Self {
         let cracks = scene.cracks.iter().map(|c| c.crack.clone()).collect();
         Self { scene, model, cracks, apart: "" }
     }
 }
 
-impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M> {
+impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for PlaneProblem<'_, M> {
     fn model(&self) -> &dyn Model<D> {
-        &self.model
+        self.model.as_solvable()
     }
 
     fn springs(&self) -> &[Spring] {
@@ -56,7 +56,7 @@ impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M
     fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
         let state = &self.scene.states[state];
         for &(case, factor) in &state.terms {
-            self.scene.load_cases[case].add_to(&self.model, factor, force);
+            self.scene.load_cases[case].add_to(self.model.as_solvable(), factor, force);
         }
         state.motion_factor
     }
@@ -67,23 +67,23 @@ impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M
 
     fn spread(&self) -> Spread {
         // A cycle on a shell takes the more iterations the finer it is, 190 at 90 000 points: a factor is as fast, and safe.
-        let is_shell = self.model.deflects() && self.model.point_count() <= TOO_MANY_POINTS;
+        let is_shell = self.model.deflects() && self.model.points() <= TOO_MANY_POINTS;
         match self.scene.solver == Solver::Auto && is_shell {
             true => Spread::Plane,
-            false => levels::spread(&self.model),
+            false => levels::spread(self.model.as_solvable()),
         }
     }
 
     fn positions(&self) -> Option<Vec<[f64; 2]>> {
-        Some((0..self.model.point_count()).map(|point| self.model.place(point)).collect())
+        Some((0..self.model.points()).map(|point| self.model.place(point)).collect())
     }
 
     fn coarser(&self) -> Option<Coarser<D>> {
-        levels::coarser(&self.model, &self.cracks, &self.scene.conditions)
+        levels::coarser(self.model.as_solvable(), &self.cracks, &self.scene.conditions)
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {
-        format!("{}{}", self.apart, motions::describe(self.scene, motion))
+        format!("{}{}", self.apart, motions::describe(self.scene, self.model.as_solvable(), motion))
     }
 
     fn remedy(&self) -> &'static str {
@@ -102,9 +102,9 @@ impl<const D: usize, M: Model<D> + PlaneModel> Problem<D> for PlaneProblem<'_, M
     }
 }
 
-impl<'a, M> PlaneProblem<'a, M> {
+impl<'a, M: ?Sized> PlaneProblem<'a, M> {
     /// The scene with a model that has the tips of a crack moved.
-    pub fn with_moved_tips(scene: &'a PlaneScene, model: M, cracks: Vec<Crack>) -> Self {
+    pub fn with_moved_tips(scene: &'a PlaneScene, model: Box<M>, cracks: Vec<Crack>) -> Self {
         Self { scene, model, cracks, apart: "with the tip moved by a spacing " }
     }
 }

@@ -4,11 +4,11 @@ use super::super::numbers::positive;
 use super::super::words::tidy;
 use super::loads::{Context, PlaneLoads};
 use super::stress_field::StressField;
-use super::{AnyPlaneModel, PlaneBonds, PlaneScene, body, model, root};
+use super::{PlaneBonds, PlaneScene, body, model, root};
 use crate::case::{Axis, Body, Case, LoadSharing, Pressure, Shell};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{PlaneBody, SquareLattice};
-use peristat_assembly::model::plane::{Calibration, PlaneModel};
+use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::shell_membrane::{
     EndConditions, Inextensional, ShellError, ShellMembrane, ShellParameters,
 };
@@ -217,11 +217,13 @@ fn check_harmonic(
 
 /// Adds a fault for every load case that a membrane cannot bear.
 pub(super) fn check_bearable(scene: &PlaneScene, faults: &mut Faults) {
-    let AnyPlaneModel::Shell(shell) = &scene.model else { return };
-    let left = Inextensional::new(shell, ends(scene, shell));
+    let (PlaneBonds::Shell(parameters), Some((lattice, mirrors))) = (scene.bonds(), scene.model.lattice()) else {
+        return;
+    };
+    let left = Inextensional::new(parameters, (lattice, mirrors), ends(scene, lattice));
     for (k, loads) in scene.load_cases.iter().enumerate() {
-        let mut force = vec![0.0; 3 * shell.point_count()];
-        loads.add_to(shell, 1.0, &mut force);
+        let mut force = vec![0.0; 3 * lattice.points()];
+        loads.add_to(&*scene.model, 1.0, &mut force);
         if left.is_worked_on(&force) {
             let path = match scene.case.load_cases.is_empty() {
                 true => root("loads"),
@@ -241,8 +243,7 @@ pub(super) fn check_bearable(scene: &PlaneScene, faults: &mut Faults) {
 }
 
 /// What supports hold on whole circumferences.
-fn ends(scene: &PlaneScene, shell: &ShellMembrane) -> EndConditions {
-    let Some((lattice, _)) = shell.lattice() else { return EndConditions::default() };
+fn ends(scene: &PlaneScene, lattice: &SquareLattice) -> EndConditions {
     let PlaneBody::Lattice(real) = scene.body() else { return EndConditions::default() };
     let rows = real.rows().len();
     // Points that are held along u, and along v or w, per column.

@@ -69,7 +69,7 @@ pub(super) fn statical(model: &dyn PlaneModel) -> [bool; 3] {
 /// Resultant of forces on the unknowns of a model, component by component. What acts on an image acts on its point, in its
 /// mirror.
 pub(super) fn resultant(model: &dyn PlaneModel, bonds: &PlaneBonds, forces: &[f64]) -> Resultant {
-    let (n, turning) = (model.point_count(), model.turning());
+    let (n, turning) = (model.points(), model.turning());
     let lattice = model.lattice().filter(|(_, mirrors)| !mirrors.is_none());
     let mut sum = Resultant::default();
     for point in 0..n {

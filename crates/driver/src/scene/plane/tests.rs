@@ -1,6 +1,6 @@
 //! Scenes of bodies in the plane as cases make them.
 
-use super::{AnyPlaneModel, PlaneProblem, PlaneScene};
+use super::{AnyBody, PlaneProblem, PlaneScene};
 use crate::case;
 use crate::run::{RunOptions, prepare};
 use crate::scene::Scene;
@@ -32,7 +32,7 @@ fn scene(case: &Value) -> PlaneScene {
 
 /// The loads of the first state, and their force and moment about the origin.
 fn loads(scene: &PlaneScene) -> (Vec<f64>, [f64; 3]) {
-    let n = scene.model.point_count();
+    let n = scene.model.points();
     let mut force = vec![0.0; 2 * n];
     scene.load_cases[0].add_to(&*scene.model, 1.0, &mut force);
     let mut total = [0.0; 3];
@@ -111,7 +111,7 @@ fn tractions_around_holes_have_exact_totals() {
 /// A linear displacement of a stress, with some displacement at the origin and some rotation.
 fn linear(scene: &PlaneScene, stress: [f64; 3], shift: [f64; 2], turn: f64) -> Vec<f64> {
     let [xx, yy, xy] = scene.model.strain_of(stress);
-    let n = scene.model.point_count();
+    let n = scene.model.points();
     let at = |p: usize| scene.model.place(p);
     let x = (0..n).map(|p| shift[0] + xx * at(p)[0] + (0.5 * xy - turn) * at(p)[1]);
     let y = (0..n).map(|p| shift[1] + (0.5 * xy + turn) * at(p)[0] + yy * at(p)[1]);
@@ -120,8 +120,8 @@ fn linear(scene: &PlaneScene, stress: [f64; 3], shift: [f64; 2], turn: f64) -> V
 
 /// Whether a displacement is in equilibrium with the loads of a case where nothing holds it, to 1e-12 of its forces.
 fn check_equilibrium(scene: &PlaneScene, u: &[f64]) {
-    let AnyPlaneModel::Central(model) = &scene.model else { panic!("central bonds") };
-    let problem = PlaneProblem::new(scene, model.clone());
+    let AnyBody::Two(body) = &scene.model else { panic!("central bonds") };
+    let problem = PlaneProblem::new(scene, body.clone());
     let (system, _) =
         prepare::<2>(&problem, &RunOptions::default()).unwrap_or_else(|error| panic!("{error:?}"));
     let (load, _) = loads(scene);
@@ -174,7 +174,7 @@ fn pulls_against_rollers_and_mirrors_are_exact() {
     assert!((total[0] - 2e5).abs() < 1e-7 && total[1].abs() < 1e-7 && total[2].abs() < 1e-7, "{total:?}");
     let mirrors = json!({ "loads": pull, "supports": [], "symmetry": ["left", "bottom"] });
     let mirrored = scene(&plate(mirrors));
-    assert!(mirrored.model.point_count() > 200);
+    assert!(mirrored.model.points() > 200);
     check_equilibrium(&mirrored, &linear(&mirrored, [2e6, 0.0, 0.0], [-xx, 0.5 * yy], 0.0));
 }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::body::{Hole, Outline, Shape};
-use crate::model::Model;
+use crate::model::{Model, Points};
 use crate::model::plane::through_border::through_border;
 use crate::model::plane::{Mirrors, PlaneModel};
 use nalgebra::DMatrix;
@@ -46,7 +46,7 @@ fn plates() -> Vec<(f64, BeamBondOrthotropic)> {
 
 /// Unknowns of the strain of a stress, with a rotation w of the body and of its points.
 fn uniform(plate: &BeamBondOrthotropic, stress: [f64; 3], w: f64) -> Vec<f64> {
-    let (n, [xx, yy, xy]) = (plate.point_count(), plate.strain_of(stress));
+    let (n, [xx, yy, xy]) = (plate.points(), plate.strain_of(stress));
     let mut u = vec![plate.turning().unwrap() * w; 3 * n];
     for p in 0..n {
         let [x, y] = plate.place(p);
@@ -97,7 +97,7 @@ fn tractions_on_the_true_border_hold_every_uniform_stress() {
             let sides: Vec<_> = outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
             let load = through_border(plate, &sides, stress);
             let off: Vec<f64> = internal.iter().zip(&load).map(|(a, b)| a - b).collect();
-            let (forces, couples) = off.split_at(2 * plate.point_count());
+            let (forces, couples) = off.split_at(2 * plate.points());
             let [forces, couples] = [forces, couples].map(|off| largest(off) / largest(&load));
             // 3e-15 is found; couples are in equilibrium over two spacings only: 1.6e-3 and 2.6e-2 per spacing.
             assert!(forces < 1e-12 && couples < 3e-2, "{forces:e} {couples:e}");
@@ -108,7 +108,7 @@ fn tractions_on_the_true_border_hold_every_uniform_stress() {
 #[test]
 fn only_rigid_motions_cost_nothing() {
     for (_, plate) in plates() {
-        let size = 3 * plate.point_count();
+        let size = 3 * plate.points();
         let mut matrix = DMatrix::zeros(size, size);
         for k in 0..size {
             let mut unit = vec![0.0; size];

@@ -2,8 +2,8 @@
 
 use super::super::*;
 use crate::body::{Hole, Outline, Shape};
-use crate::model::Model;
-use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
+use crate::model::{Model, Points};
+use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
 use crate::stiffness::{BlockMatrix, Term};
 use nalgebra::{DMatrix, DVector};
 
@@ -76,8 +76,8 @@ pub(super) fn plane(lattice: &Arc<SquareLattice>, parameters: PlaneParameters) -
 }
 
 /// Displacement `g x` of all points.
-pub(super) fn linear(plane: &BondPlane, g: [[f64; 2]; 2]) -> Vec<f64> {
-    let n = plane.point_count();
+pub(super) fn linear(plane: &dyn Solvable<2>, g: [[f64; 2]; 2]) -> Vec<f64> {
+    let n = plane.points();
     let mut u = vec![0.0; 2 * n];
     for p in 0..n {
         let [x, y] = plane.place(p);
@@ -86,18 +86,18 @@ pub(super) fn linear(plane: &BondPlane, g: [[f64; 2]; 2]) -> Vec<f64> {
     u
 }
 
-pub(super) fn force(plane: &BondPlane, u: &[f64]) -> Vec<f64> {
+pub(super) fn force(plane: &dyn Solvable<2>, u: &[f64]) -> Vec<f64> {
     let mut force = vec![0.0; u.len()];
     plane.terms().iter().for_each(|t| t.add_force(u, &mut force));
     force
 }
 
-pub(super) fn energy(plane: &BondPlane, u: &[f64]) -> f64 {
+pub(super) fn energy(plane: &dyn Solvable<2>, u: &[f64]) -> f64 {
     plane.terms().iter().map(|t| t.survey(u).energy).sum()
 }
 
-pub(super) fn matrix(plane: &BondPlane) -> DMatrix<f64> {
-    let n = plane.point_count();
+pub(super) fn matrix(plane: &dyn Solvable<2>) -> DMatrix<f64> {
+    let n = plane.points();
     let terms: Vec<Box<dyn Term<2>>> = plane.terms();
     let mut k = BlockMatrix::sparse(n, &terms);
     terms.iter().for_each(|t| t.add_tangent(&mut k));
@@ -110,8 +110,8 @@ pub(super) fn matrix(plane: &BondPlane) -> DMatrix<f64> {
 }
 
 /// Solves `K u = f` with three unknowns prescribed as in `exact`; refined with the forces of the elements.
-pub(super) fn solve(plane: &BondPlane, f: &[f64], exact: &[f64]) -> Vec<f64> {
-    let n = plane.point_count();
+pub(super) fn solve(plane: &dyn Solvable<2>, f: &[f64], exact: &[f64]) -> Vec<f64> {
+    let n = plane.points();
     // Two points far apart.
     let far = (0..n).max_by(|&a, &b| (plane.place(a)[0]).total_cmp(&plane.place(b)[0])).unwrap();
     let held = [0, n, n + far];

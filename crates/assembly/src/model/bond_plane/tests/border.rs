@@ -1,5 +1,6 @@
 //! Bonds that end on the border: uniform stresses are in equilibrium, whatever the border of cells.
 
+use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
 use super::patch::{STRAINS, check_fields, check_rigid};
@@ -38,7 +39,7 @@ fn uniform_strains_are_exact_on_staircases() {
 
 /// Forces of the tractions of a uniform stress on the sides of the cells, by what moves the border.
 fn through_border(plane: &BondPlane, lattice: &SquareLattice, [xx, yy, xy]: [f64; 3]) -> Vec<f64> {
-    let (n, h, t) = (plane.point_count(), lattice.spacing(), plane.parameters().material.thickness);
+    let (n, h, t) = (plane.points(), lattice.spacing(), plane.parameters().material.thickness);
     let shares = plane.border_shares().unwrap();
     let mut force = vec![0.0; 2 * n];
     for point in 0..n {
@@ -83,7 +84,7 @@ fn the_stiffness_is_that_of_another_implementation() {
     let unit = PlaneParameters { edges: Edges::Border, ..parameters(3.0, [1.0, 1.0, 1.0]) };
     let plane = plane(&lattice, unit);
     let column = |unknown: usize| {
-        let mut u = vec![0.0; 2 * plane.point_count()];
+        let mut u = vec![0.0; 2 * plane.points()];
         u[unknown] = 1.0;
         force(&plane, &u)[unknown]
     };

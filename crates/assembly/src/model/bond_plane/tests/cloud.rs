@@ -1,5 +1,6 @@
 //! Clouds of points.
 
+use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
 use super::patch::{STRAINS, check_fields, check_rigid, strain_of};
@@ -80,7 +81,7 @@ fn a_published_cloud_of_cells_is_the_published_lattice() {
             let areas = vec![1.0; positions.len()];
             let cloud = BondPlane::on_cloud(positions, areas, 3.0, parameters, &|_, _| false).unwrap();
             let plane = plane(lattice, parameters);
-            let u = random(2 * plane.point_count());
+            let u = random(2 * plane.points());
             let forces = [force(&plane, &u), force(&cloud, &u)];
             assert!(difference(&forces[0], &forces[1]) < 1e-13 * largest(&forces[0]), "{factor:?}");
             let fields = [plane.fields(&u), cloud.fields(&u)];
@@ -115,7 +116,7 @@ fn volumes_of_families_make_up_for_what_a_disc_lacks() {
 fn what_clouds_cannot_have_is_refused() {
     let of = |parameters, positions: Vec<[f64; 2]>| {
         let areas = vec![1.0; positions.len()];
-        BondPlane::on_cloud(positions, areas, 3.0, parameters, &|_, _| false).map(|p| p.point_count())
+        BondPlane::on_cloud(positions, areas, 3.0, parameters, &|_, _| false).map(|p| p.points())
     };
     let area = PlaneParameters {
         calibration: Calibration::Published,
@@ -133,7 +134,7 @@ fn a_point_that_loses_its_bonds_is_damaged_wholly() {
     for calibration in [Calibration::Matched, Calibration::Published] {
         let given = PlaneParameters { calibration, edges: Edges::None, ..parameters(3.0, MM_MPA) };
         let mut plane = cloud(MM_MPA, given);
-        let n = plane.point_count();
+        let n = plane.points();
         // All bonds are longer in a body that swells.
         let u: Vec<f64> = (0..2 * n).map(|k| plane.place(k % n)[k / n]).collect();
         let (mut own, mut neighbours) = (Vec::new(), Vec::new());

@@ -1,5 +1,6 @@
 //! Numbers of independent Python implementations.
 
+use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
 use crate::model::bond_plane::neighbourhood::neighbourhood;
@@ -10,7 +11,7 @@ fn energy_of(calibration: Calibration, volume_factor: VolumeFactor, edges: Edges
     let (_, lattice) = &bodies(1.0)[0];
     let parameters = PlaneParameters { calibration, volume_factor, edges, ..parameters(3.0, MM_MPA) };
     let plane = plane(lattice, parameters);
-    (energy(&plane, &random(2 * plane.point_count())), plane)
+    (energy(&plane, &random(2 * plane.points())), plane)
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::super::*;
 use super::bodies::*;
 use crate::model::bond_plane::neighbourhood::neighbourhood;
 use crate::model::plane::direction_product;
-use crate::model::plane::{Calibration, Edges};
+use crate::model::plane::{Calibration, Edges, Solvable};
 
 fn published(factor: VolumeFactor, m: f64) -> PlaneParameters {
     let mut parameters = parameters(m, MM_MPA);
@@ -107,9 +107,9 @@ fn a_coarser_body_is_the_body_of_coarser_cells() {
             |h: f64, size: [i32; 2]| plane(&Arc::new(SquareLattice::rectangle(h, [1.0, 2.0], size)), given);
         let coarse = of(0.5, [12, 8]).coarser(&|_, _| Vec::new()).unwrap();
         let expected = of(1.0, [6, 4]);
-        assert_eq!(coarse.point_count(), 24);
+        assert_eq!(coarse.points(), 24);
         let u = random(48);
-        let [found, expected] = [&coarse, &expected].map(|plane| energy(plane, &u));
+        let [found, expected] = [&*coarse, &expected as &dyn Solvable<2>].map(|plane| energy(plane, &u));
         assert!((found / expected - 1.0).abs() < 1e-14, "{found} {expected}");
     }
 }

@@ -3,13 +3,13 @@
 use super::super::*;
 use super::bodies::*;
 use crate::condition::Constraints;
-use crate::model::Model;
-use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
+use crate::model::{Model, Points};
+use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
 use std::ops::Range;
 
 /// Fills in the images of a displacement.
-fn with_images(plane: &BondPlane, mut u: Vec<f64>) -> Vec<f64> {
-    let constraints = Constraints::new(plane.point_count(), &plane.relations()).unwrap();
+fn with_images(plane: &dyn Solvable<2>, mut u: Vec<f64>) -> Vec<f64> {
+    let constraints = Constraints::new(plane.points(), &plane.relations()).unwrap();
     for row in constraints.rows() {
         u[row.unknown] = row.masters.iter().map(|&(master, c)| c * u[master]).sum();
     }
@@ -17,8 +17,8 @@ fn with_images(plane: &BondPlane, mut u: Vec<f64>) -> Vec<f64> {
 }
 
 /// Forces on real points, those on images brought back.
-fn restricted(plane: &BondPlane, mut f: Vec<f64>) -> Vec<f64> {
-    let constraints = Constraints::new(plane.point_count(), &plane.relations()).unwrap();
+fn restricted(plane: &dyn Solvable<2>, mut f: Vec<f64>) -> Vec<f64> {
+    let constraints = Constraints::new(plane.points(), &plane.relations()).unwrap();
     for row in constraints.rows() {
         let value = std::mem::take(&mut f[row.unknown]);
         row.masters.iter().for_each(|&(master, c)| f[master] += c * value);
@@ -100,10 +100,10 @@ fn half_and_quarter_models_are_the_full_body() {
     }
 }
 
-pub(super) fn compare(full: &BondPlane, part: &BondPlane, mirrors: Mirrors) {
+pub(super) fn compare(full: &dyn Solvable<2>, part: &dyn Solvable<2>, mirrors: Mirrors) {
     let whole = full.lattice().unwrap().0.clone();
     let lattice = part.lattice().unwrap().0.clone();
-    let (n, np) = (full.point_count(), part.point_count());
+    let (n, np) = (full.points(), part.points());
     // A displacement with the symmetry.
     let values = random(2 * np);
     let mut u = [vec![0.0; 2 * n], vec![0.0; 2 * np]];
@@ -154,6 +154,6 @@ fn coarser_bodies_keep_their_lines_of_symmetry() {
     assert_eq!(coarse.points() - coarse.ghosts().len(), 12 * 6);
     assert_eq!(coarse.points(), 15 * 9);
     // The stiffness of a plate does not depend on the spacing.
-    let u = [&fine, &coarse].map(|p| linear(p, [[1e-3, 0.0], [0.0, -2e-4]]));
-    assert!((energy(&fine, &u[0]) / energy(&coarse, &u[1]) - 1.0).abs() < 1e-13);
+    let u = [&fine as &dyn Solvable<2>, &*coarse].map(|p| linear(p, [[1e-3, 0.0], [0.0, -2e-4]]));
+    assert!((energy(&fine, &u[0]) / energy(&*coarse, &u[1]) - 1.0).abs() < 1e-13);
 }

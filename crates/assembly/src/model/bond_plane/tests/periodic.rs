@@ -4,8 +4,8 @@ use super::super::*;
 use super::bodies::*;
 use crate::body::Transfer;
 use crate::condition::Constraints;
-use crate::model::Model;
-use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
+use crate::model::{Model, Points};
+use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
 
 /// A rectangle of cells whose sides are joined along x, along y or both.
 fn joined(size: [i32; 2], along: [bool; 2], parameters: PlaneParameters) -> BondPlane {
@@ -19,9 +19,9 @@ fn joined(size: [i32; 2], along: [bool; 2], parameters: PlaneParameters) -> Bond
 }
 
 /// A displacement of real points by cell, with those of images.
-fn displaced(body: &BondPlane, at: impl Fn(Cell) -> [f64; 2]) -> Vec<f64> {
+fn displaced(body: &dyn Solvable<2>, at: impl Fn(Cell) -> [f64; 2]) -> Vec<f64> {
     let (lattice, mirrors) = body.lattice().unwrap();
-    let n = body.point_count();
+    let n = body.points();
     let mut u = vec![0.0; 2 * n];
     for p in 0..n {
         let value = at(mirrors.image(lattice.cell(p)).0);
@@ -31,8 +31,8 @@ fn displaced(body: &BondPlane, at: impl Fn(Cell) -> [f64; 2]) -> Vec<f64> {
 }
 
 /// Forces on real points by cell.
-fn forces(body: &BondPlane, u: &[f64]) -> impl Fn(Cell) -> [f64; 2] {
-    let n = body.point_count();
+fn forces(body: &dyn Solvable<2>, u: &[f64]) -> impl Fn(Cell) -> [f64; 2] {
+    let n = body.points();
     let mut f = force(body, u);
     let constraints = Constraints::new(n, &body.relations()).unwrap();
     constraints.restrict(&mut f);
@@ -131,12 +131,12 @@ fn coarser_bodies_are_joined_where_whole_cells_leave_it_possible() {
     assert_eq!(coarse.points() - coarse.ghosts().len(), 12 * 6);
     // Interpolation goes on over joined sides.
     let wave = |row: i32| (std::f64::consts::TAU * (f64::from(row) + 0.5) / 6.0).cos();
-    let coarse_wave = displaced(&coarse, |[_, j]| [wave(j), 0.0]);
+    let coarse_wave = displaced(&*coarse, |[_, j]| [wave(j), 0.0]);
     let (rows, sides) = fine.lattice().unwrap();
     let transfer = Transfer::new(rows, lattice, &|_| false, &|_, _| true);
-    let mut fine_wave = vec![0.0; fine.point_count()];
-    transfer.prolong_add(&coarse_wave[..coarse.point_count()], &mut fine_wave);
-    for p in (0..fine.point_count()).filter(|&p| sides.is_real(rows.cell(p))) {
+    let mut fine_wave = vec![0.0; fine.points()];
+    transfer.prolong_add(&coarse_wave[..coarse.points()], &mut fine_wave);
+    for p in (0..fine.points()).filter(|&p| sides.is_real(rows.cell(p))) {
         let row = rows.cell(p)[1];
         let beside = if row % 2 == 0 { row / 2 - 1 } else { row / 2 + 1 };
         assert!((fine_wave[p] - 0.75 * wave(row / 2) - 0.25 * wave(beside)).abs() < 1e-14);

@@ -1,5 +1,7 @@
 //! Stretches of bonds that yield and fail, and bonds with memory as the model lists them.
 
+use crate::model::plane::SofteningModel;
+use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
 use crate::law::{Bilinear, Compression, Unloading};
@@ -102,10 +104,10 @@ fn cracks_through_a_lattice_take_the_energies_of_the_table() {
 fn compare(name: &str, plane: &BondPlane, kinematics: Kinematics) -> [f64; 2] {
     let law = Bilinear::new([2.8e-3, 2.9e-2], Unloading::Plastic, Compression::Elastic).unwrap();
     let bonds =
-        HistoryBonds::new(plane.point_count(), kinematics, vec![law], plane.history_bonds(|_| Some(0)))
-            .with_ended(plane.ended_bonds(|_, _| Some(0)));
+        HistoryBonds::new(plane.points(), kinematics, vec![law], plane.history_bonds(&|_| Some(0)))
+            .with_ended(plane.ended_bonds(&mut |_, _| Some(0)));
     // Stretches of up to 1e-6, far below yield.
-    let size = 2 * plane.point_count();
+    let size = 2 * plane.points();
     let shortest = bonds.list().iter().map(|b| b.length).fold(f64::INFINITY, f64::min);
     let u: Vec<f64> = random(size).into_iter().map(|x| 1e-6 * shortest * x).collect();
     let (mut answers, mut own) = (bonds.at_rest(), vec![0.0; size]);
@@ -153,7 +155,7 @@ fn bonds_that_end_on_the_border_are_those_of_the_model() {
             for (name, lattice) in &bodies(units[0]) {
                 let plane = plane(lattice, parameters);
                 if plane.edges() != Some(Edges::Border) || !lattice.blocks().is_empty() {
-                    assert!(plane.ended_bonds(|_, _| Some(0)).is_empty());
+                    assert!(plane.ended_bonds(&mut |_, _| Some(0)).is_empty());
                     continue;
                 }
                 seen += 1;
@@ -176,13 +178,13 @@ fn parts_of_bonds_stand_for_those_that_points_lack() {
     let plane = plane(&lattice, PlaneParameters { edges: Edges::Border, ..parameters(3.0, MM_MPA) });
     let law = Bilinear::new([1.0, 2.0], Unloading::Plastic, Compression::Elastic).unwrap();
     let bonds = HistoryBonds::new(
-        plane.point_count(),
+        plane.points(),
         Kinematics::Linear,
         vec![law],
-        plane.history_bonds(|_| Some(0)),
+        plane.history_bonds(&|_| Some(0)),
     )
-    .with_ended(plane.ended_bonds(|_, _| Some(0)));
-    let n = plane.point_count();
+    .with_ended(plane.ended_bonds(&mut |_, _| Some(0)));
+    let n = plane.points();
     let (strain, mut u) = ([3e-3, -1e-3, 2e-3], vec![0.0; 2 * n]);
     for p in 0..n {
         let [x, y] = plane.place(p);
@@ -217,9 +219,9 @@ fn parts_of_bonds_take_the_energy_of_whole_ones() {
     let energy = |bond: &HistoryBond<2>, law: &Bilinear| {
         0.5 * bond.stiffness * bond.length * bond.length * law.yield_stretch() * law.failure_stretch()
     };
-    let whole = plane.history_bonds(|_| Some(0));
+    let whole = plane.history_bonds(&|_| Some(0));
     let mut parts = Vec::new();
-    let ended = plane.ended_bonds(|_, part| {
+    let ended = plane.ended_bonds(&mut |_, part| {
         parts.push(part);
         Some(0)
     });
@@ -239,8 +241,8 @@ fn parts_of_bonds_take_the_energy_of_whole_ones() {
 fn bonds_without_a_law_are_left_out() {
     let (_, lattice) = &bodies(1.0)[0];
     let plane = plane(lattice, published(PlaneState::Strain));
-    let all = plane.history_bonds(|_| Some(0));
-    let some = plane.history_bonds(|[i, j]| (i % 3 != 0 && j % 3 != 0).then_some(1));
+    let all = plane.history_bonds(&|_| Some(0));
+    let some = plane.history_bonds(&|[i, j]| (i % 3 != 0 && j % 3 != 0).then_some(1));
     let expected: Vec<[u32; 2]> =
         all.iter().map(|b| b.points).filter(|p| p.iter().all(|k| k % 3 != 0)).collect();
     assert_eq!(some.iter().map(|b| b.points).collect::<Vec<_>>(), expected);

@@ -1,5 +1,6 @@
 //! Bending rows: ovalling of a ring.
 
+use crate::model::Points;
 use super::super::*;
 use super::tubes::*;
 use crate::model::plane::{Mirrors, PlaneModel};
@@ -27,7 +28,7 @@ fn ovalling(points: i32) -> f64 {
     [0, 6, 0, points / 4].into_iter().enumerate().for_each(|(side, line)| mirrors.set_line(side, line));
     let lattice = mirrors.extended(&real, ShellMembrane::depth(&parameters).unwrap());
     let ring = ShellMembrane::on_lattice(Arc::new(lattice), mirrors, parameters).unwrap();
-    let n = ring.point_count();
+    let n = ring.points();
     let mut f = vec![0.0; 3 * n];
     let wave = |p: usize| (2.0 * TAU * ring.place(p)[1]).cos();
     ring.real_points().for_each(|p| f[2 * n + p] = pressure * spacing * spacing * wave(p));
@@ -65,7 +66,7 @@ fn densities_hold_the_energy_of_bending() {
 #[test]
 fn the_largest_action_of_a_deflection_is_most_of_its_force() {
     let shell = tube(24, ShellParameters { bending: true, ..chords() });
-    let (n, curvature) = (shell.point_count(), shell.curvature().unwrap());
+    let (n, curvature) = (shell.points(), shell.curvature().unwrap());
     // Far from the ends.
     for point in shell.real_points().filter(|&p| shell.lattice.cell(p)[0] == 6) {
         let (mut u, mut force) = (vec![0.0; 3 * n], vec![0.0; 3 * n]);

@@ -2,7 +2,7 @@
 
 use super::super::*;
 use super::tubes::*;
-use crate::model::Model;
+use crate::model::{Model, Points};
 use crate::model::plane::{Calibration, PlaneModel};
 use std::f64::consts::{PI, TAU};
 
@@ -38,7 +38,7 @@ fn rigid_motions_cost_nothing() {
             let tube = tube(24, parameters(kinematics, calibration));
             let stiffest = matrix(&tube).amax();
             for kind in 0..exact {
-                let n = tube.point_count();
+                let n = tube.points();
                 let mut u = vec![0.0; 3 * n];
                 for p in 0..n {
                     let motion = tube.rigid_motion(kind, p, [0.2, 0.0, 0.0]);
@@ -94,7 +94,7 @@ fn loads_of_a_uniform_stress_are_solved_by_its_strain() {
             for strain in [[1.0, 0.0], [0.0, 1.0], [1.0, -1.0 / 3.0]] {
                 let u = state(&tube, uniform(strain));
                 let stress = tube.fields(&u).stress;
-                let n = tube.point_count();
+                let n = tube.points();
                 let mut t: Vec<f64> = tube.strain(&stress).concat();
                 let work: f64 = (0..3 * n).map(|k| t[k] * stress[k / n][k % n] * tube.volume(k % n)).sum();
                 let mut f = vec![0.0; 3 * n];

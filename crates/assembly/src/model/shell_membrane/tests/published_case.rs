@@ -2,6 +2,7 @@
 //!
 //! Numbers are of an independent Python implementation.
 
+use crate::model::Points;
 use super::super::*;
 use super::tubes::*;
 use crate::model::plane::{Calibration, PlaneModel};
@@ -22,7 +23,7 @@ fn strip(columns: i32, kinematics: ShellKinematics, calibration: Calibration) ->
 
 /// u, less the mean of both ends, and w of all columns.
 fn solved(strip: &ShellMembrane) -> (Vec<f64>, Vec<f64>) {
-    let n = strip.point_count();
+    let n = strip.points();
     let mut f = vec![0.0; 3 * n];
     for p in strip.real_points() {
         let x = strip.place(p)[0] - 0.5;

@@ -1,5 +1,6 @@
 //! Loads that a membrane cannot bear.
 
+use crate::model::Points;
 use super::super::*;
 use super::tubes::*;
 use crate::model::plane::{Mirrors, PlaneModel};
@@ -7,7 +8,7 @@ use std::sync::Arc;
 
 /// Forces of a pressure p(s) outwards.
 fn pressed(shell: &ShellMembrane, pressure: impl Fn(f64) -> f64) -> Vec<f64> {
-    let n = shell.point_count();
+    let n = shell.points();
     let mut f = vec![0.0; 3 * n];
     shell.real_points().for_each(|p| f[2 * n + p] = pressure(shell.place(p)[1]));
     f
@@ -18,7 +19,7 @@ fn wave(harmonic: f64) -> impl Fn(f64) -> f64 {
 }
 
 fn worked_on(shell: &ShellMembrane, ends: EndConditions, force: &[f64]) -> bool {
-    Inextensional::new(shell, ends).is_worked_on(force)
+    Inextensional::new(&shell.parameters, (&shell.lattice, &shell.mirrors), ends).is_worked_on(force)
 }
 
 #[test]
@@ -30,7 +31,7 @@ fn free_tubes_bear_what_is_the_same_all_around_only() {
         assert_eq!(worked_on(&tube, free(), &f), is_refused, "harmonic {pressure}");
     }
     // A single force has all harmonics.
-    let mut f = vec![0.0; 3 * tube.point_count()];
+    let mut f = vec![0.0; 3 * tube.points()];
     f[tube.real_points().nth(40).unwrap()] = 1.0;
     assert!(worked_on(&tube, free(), &f));
     let bent = super::tubes::tube(24, ShellParameters { bending: true, ..chords() });
@@ -65,7 +66,7 @@ fn mirrors_hold_what_they_make_odd() {
     diaphragm.hold_shape(0.25);
     assert!(!worked_on(&half, diaphragm, &f));
     // Axial forces alone have nothing to do where the mirror holds u.
-    let mut f = vec![0.0; 3 * half.point_count()];
+    let mut f = vec![0.0; 3 * half.points()];
     half.real_points().for_each(|p| f[p] = wave(2.0)(half.place(p)[1]));
     assert!(!worked_on(&half, EndConditions::default(), &f));
 }

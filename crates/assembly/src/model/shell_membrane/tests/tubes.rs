@@ -3,7 +3,7 @@
 use super::super::*;
 use crate::body::SquareLattice;
 use crate::condition::Constraints;
-use crate::model::Model;
+use crate::model::{Model, Points};
 use crate::model::plane::{Calibration, Mirrors, PlaneModel};
 use crate::stiffness::BlockMatrix;
 use nalgebra::{DMatrix, DVector};
@@ -53,7 +53,7 @@ pub(super) fn tube(rows: i32, parameters: ShellParameters) -> ShellMembrane {
 
 /// Unknowns of all points, images included, from values at real positions and, of the images, at those of their points.
 pub(super) fn state(shell: &ShellMembrane, at: impl Fn([f64; 2]) -> [f64; 3]) -> Vec<f64> {
-    let n = shell.point_count();
+    let n = shell.points();
     let mut u = vec![0.0; 3 * n];
     for p in 0..n {
         let (cell, signs) = shell.mirrors.image(shell.lattice.cell(p));
@@ -72,7 +72,7 @@ pub(super) fn force(shell: &ShellMembrane, u: &[f64]) -> Vec<f64> {
 }
 
 pub(super) fn restricted(shell: &ShellMembrane, mut f: Vec<f64>) -> Vec<f64> {
-    Constraints::new(shell.point_count(), &shell.relations()).unwrap().restrict(&mut f);
+    Constraints::new(shell.points(), &shell.relations()).unwrap().restrict(&mut f);
     f
 }
 
@@ -86,13 +86,13 @@ pub(super) fn largest(v: &[f64]) -> f64 {
 
 /// Numbers of the unknowns of real points: all u, all v, all w.
 pub(super) fn unknowns(shell: &ShellMembrane) -> Vec<usize> {
-    let n = shell.point_count();
+    let n = shell.points();
     (0..3).flat_map(|c| shell.real_points().map(move |p| c * n + p).collect::<Vec<_>>()).collect()
 }
 
 /// The stiffness on the unknowns of real points.
 pub(super) fn matrix(shell: &ShellMembrane) -> DMatrix<f64> {
-    let n = shell.point_count();
+    let n = shell.points();
     let terms = shell.terms();
     let mut blocks = BlockMatrix::sparse(n, &terms);
     terms.iter().for_each(|term| term.add_tangent(&mut blocks));

@@ -7,7 +7,7 @@ use super::super::super::plane::PlaneFields;
 use super::super::Dilatation;
 use super::BorderedState;
 use crate::body::{Cell, SquareLattice};
-use crate::model::Model;
+use crate::model::Points;
 use std::collections::HashMap;
 
 impl BorderedState {

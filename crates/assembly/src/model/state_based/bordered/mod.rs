@@ -85,11 +85,6 @@ impl BorderedState {
     pub fn parameters(&self) -> &StateParameters {
         &self.parameters
     }
-
-    /// Whether points feel more than their bonds: not where `λ = μ`.
-    pub fn has_families(&self) -> bool {
-        self.dilatations.is_some()
-    }
 }
 
 /// The bonds of some families: of the weight w in a family with the weighted volume q they have `16 μ w ξ²/q`.

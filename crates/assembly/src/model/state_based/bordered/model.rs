@@ -1,34 +1,34 @@
 //! The plate as a model: two unknowns per point, the displacements along x and y.
 
 use super::super::super::plane::{
-    BorderShares, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, calibration_error,
+    BorderShares, COMPONENTS, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
 };
 use super::BorderedState;
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
-use crate::model::{Model, ModelSizes};
-use crate::stiffness::{NumberedParts, Term};
+use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
+use crate::stiffness::Term;
 use std::sync::Arc;
 
-impl Model<2> for BorderedState {
-    fn unknowns(&self) -> [&'static str; 2] {
-        ["ux", "uy"]
-    }
-    fn rigid_motions(&self) -> &'static [&'static str] {
-        &["translation along x", "translation along y", "rotation about z"]
-    }
-    fn is_displacement(&self) -> [bool; 2] {
-        [true, true]
-    }
-
+impl Points for BorderedState {
     fn points(&self) -> usize {
-        self.point_count()
+        self.plate.lattice.points()
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, y] = self.place(point);
+        let [x, y] = self.plate.lattice.position(point);
         [x, y, 0.0]
+    }
+
+    fn components(&self) -> &[Component] {
+        &COMPONENTS
+    }
+}
+
+impl Model<2> for BorderedState {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        &RIGID_MOTIONS
     }
 
     fn calibration_error(&self) -> f64 {
@@ -52,7 +52,7 @@ impl Model<2> for BorderedState {
         // A family couples all of its points, most of which others couple, too.
         let neighbours = 2 * self.plate.hood.bonded().count();
         let own = of.means.iter().chain([&of.own]).map(|own| ModelSizes::of(own, own.pairs()));
-        let grid = ModelSizes::of(&of.grid, 2 * neighbours * self.point_count());
+        let grid = ModelSizes::of(&of.grid, 2 * neighbours * self.points());
         own.fold(bonds.join(grid), ModelSizes::join)
     }
 
@@ -61,32 +61,18 @@ impl Model<2> for BorderedState {
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
-        let [x, y] = self.place(point);
-        match kind {
-            0 => [1.0, 0.0],
-            1 => [0.0, 1.0],
-            _ => [centre[1] - y, x - centre[0]],
-        }
+        let [x, y, _] = rigid_motion(kind, self.position(point), centre);
+        [x, y]
+    }
+}
+
+impl Solvable<2> for BorderedState {
+    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<2>>> {
+        Some(Box::new(Self::new(self.plate.coarser(cuts)?, self.parameters)))
     }
 }
 
 impl PlaneModel for BorderedState {
-    fn point_count(&self) -> usize {
-        self.plate.lattice.points()
-    }
-
-    fn components(&self) -> usize {
-        2
-    }
-
-    fn turning(&self) -> Option<f64> {
-        None
-    }
-
-    fn place(&self, point: usize) -> [f64; 2] {
-        self.plate.lattice.position(point)
-    }
-
     fn volume(&self, point: usize) -> f64 {
         self.plate.volume(point)
     }
@@ -141,14 +127,6 @@ impl PlaneModel for BorderedState {
 
     fn hardly_compresses(&self) -> bool {
         self.parameters.hardly_compresses()
-    }
-
-    fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
-        Some(Self::new(self.plate.coarser(cuts)?, self.parameters))
-    }
-
-    fn parts(&self) -> NumberedParts {
-        self.connected()
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {

@@ -1,5 +1,6 @@
 //! Bodies that touch the axis.
 
+use crate::model::Points;
 use super::super::super::plane::PlaneModel;
 use super::*;
 
@@ -27,7 +28,7 @@ fn the_table_mends_the_hoop_strain_at_the_axis() {
 }
 
 /// Unknowns of a spinning solid cylinder, body force r, free of tractions.
-fn spun(columns: i32, axis: Axis) -> (StateBased<true>, Vec<f64>) {
+fn spun(columns: i32, axis: Axis) -> (StateBased, Vec<f64>) {
     let spacing = 1.0 / f64::from(columns);
     let parameters = StateParameters { influence: Influence::Linear, axis, ..RING };
     let model = strip(spacing, 0.0, columns, parameters);
@@ -71,7 +72,7 @@ fn columns_may_be_counted_from_anywhere() {
     for radius in [0.0, 1.5] {
         let make = |corner: f64, first: i32| {
             let lattice = SquareLattice::new(0.5, [corner, 0.0], first..first + 6, 0..4, |_| true);
-            body::<true>(lattice, Mirrors::NONE, RING)
+            body(lattice, Mirrors::NONE, RING)
         };
         let (usual, moved) = (make(radius, 0), make(radius - 1.5, 3));
         let [a, b] = [&usual, &moved].map(real_points);

@@ -30,11 +30,11 @@ const RING: StateParameters = StateParameters {
 
 const PLATE: StateParameters = StateParameters { geometry: Geometry::PlaneStress(0.5), ..RING };
 
-fn body<const R: bool>(
+fn body(
     lattice: SquareLattice,
     mirrors: Mirrors,
     parameters: StateParameters,
-) -> StateBased<R> {
+) -> StateBased {
     StateBased::on_lattice(Arc::new(lattice), mirrors, parameters, &|_, _| false, &|_| Vec::new()).unwrap()
 }
 
@@ -44,7 +44,7 @@ fn cells(spacing: f64, radius: f64, size: [i32; 2]) -> SquareLattice {
 }
 
 /// A strip of one row between mirrors: plane strain.
-fn strip(spacing: f64, radius: f64, columns: i32, parameters: StateParameters) -> StateBased<true> {
+fn strip(spacing: f64, radius: f64, columns: i32, parameters: StateParameters) -> StateBased {
     let mirrors = Mirrors { rows: [Some(0), Some(1)], ..Mirrors::NONE };
     body(cells(spacing, radius, [columns, 1]), mirrors, parameters)
 }
@@ -55,7 +55,7 @@ fn held(component: usize, point: usize, value: f64) -> Equation {
 
 /// Real points, in the order of their numbers.
 fn real_points(model: &impl PlaneModel) -> Vec<usize> {
-    (0..model.point_count()).filter(|p| model.ghosts().binary_search(&(*p as u32)).is_err()).collect()
+    (0..model.points()).filter(|p| model.ghosts().binary_search(&(*p as u32)).is_err()).collect()
 }
 
 /// The stiffness on the independent unknowns, full.
@@ -69,7 +69,7 @@ fn stiffness(system: &System<2>) -> DMatrix<f64> {
 }
 
 /// Unknowns under a load and the prescribed values, refined on the element-wise operator.
-fn solve(model: &impl Model<2>, held: Vec<Equation>, force: &[f64]) -> Vec<f64> {
+fn solve(model: &dyn Model<2>, held: Vec<Equation>, force: &[f64]) -> Vec<f64> {
     let system = System::new(model, Vec::new(), held).unwrap();
     let factor = stiffness(&system).cholesky().expect("the body is held");
     let mut u = vec![0.0; system.size()];
@@ -87,7 +87,7 @@ fn solve(model: &impl Model<2>, held: Vec<Equation>, force: &[f64]) -> Vec<f64> 
 }
 
 /// The displacement `(a x + b y, c x + d y)` of all points.
-fn linear(model: &impl Model<2>, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
+fn linear(model: &dyn Model<2>, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
     let at = |p: usize| model.position(p);
     let x = (0..model.points()).map(|p| a * at(p)[0] + b * at(p)[1]);
     let y = (0..model.points()).map(|p| c * at(p)[0] + d * at(p)[1]);

@@ -1,15 +1,16 @@
 //! Uniform strains: exact energies, strains and solutions, at free faces and corners too.
 
+use crate::model::Points;
 use super::super::super::plane::PlaneModel;
 use super::*;
 
 /// Unknowns of a body under the stresses of a linear displacement, held as little as it takes: the largest error, relative
 /// to the largest displacement.
-fn traction<const R: bool>(model: &StateBased<R>, motion: [f64; 4], hold: &[(usize, usize)]) -> f64 {
+fn traction(model: &StateBased, motion: [f64; 4], hold: &[(usize, usize)]) -> f64 {
     let exact = linear(model, motion);
     let points = real_points(model);
     let [a, b, c, d] = motion;
-    let hoop = if R { a } else { 0.0 };
+    let hoop = if model.is_revolved() { a } else { 0.0 };
     let parameters = model.parameters();
     let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
     let pressure = lame * (a + d + hoop);
@@ -24,10 +25,10 @@ fn traction<const R: bool>(model: &StateBased<R>, motion: [f64; 4], hold: &[(usi
 }
 
 /// Energy of a linear displacement over the exact one.
-fn energy_ratio<const R: bool>(model: &StateBased<R>, motion: [f64; 4]) -> f64 {
+fn energy_ratio(model: &StateBased, motion: [f64; 4]) -> f64 {
     let u = linear(model, motion);
     let [a, b, c, d] = motion;
-    let hoop = if R { a } else { 0.0 };
+    let hoop = if model.is_revolved() { a } else { 0.0 };
     let parameters = model.parameters();
     let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
     let density =
@@ -45,7 +46,7 @@ fn plates_of_any_poisson_ratio_pass_everywhere() {
             let dilatation = if nu > 0.45 { Dilatation::Blocks } else { Dilatation::Points };
             let parameters = StateParameters { geometry, poisson_ratio: nu, dilatation, ..RING };
             for edges in [StateEdges::Ghosts, StateEdges::MomentPlus] {
-                let model: StateBased<false> =
+                let model: StateBased =
                     body(lattice(), Mirrors::NONE, StateParameters { edges, ..parameters });
                 for motion in [[1e-3, 0.0, 0.0, 0.0], [0.0, 1e-3, 1e-3, 0.0], [-3e-4, 0.0, 0.0, 1e-3]] {
                     let ratio = energy_ratio(&model, motion);
@@ -65,7 +66,7 @@ fn rings_pass_with_free_faces_and_corners() {
     for radius in [0.0, 1.0] {
         for edges in [StateEdges::Ghosts, StateEdges::MomentPlus] {
             let parameters = StateParameters { edges, youngs_modulus: 210.0, ..RING };
-            let model: StateBased<true> =
+            let model: StateBased =
                 body(cells(1.0 / 12.0, radius, [12, 18]), Mirrors::NONE, parameters);
             for motion in motions {
                 let ratio = energy_ratio(&model, motion);
@@ -80,7 +81,7 @@ fn rings_pass_with_free_faces_and_corners() {
 #[test]
 fn the_table_of_the_axis_keeps_uniform_stresses_exact() {
     let parameters = StateParameters { axis: Axis::Table, influence: Influence::Linear, ..RING };
-    let model: StateBased<true> = body(cells(0.1, 0.0, [10, 12]), Mirrors::NONE, parameters);
+    let model: StateBased = body(cells(0.1, 0.0, [10, 12]), Mirrors::NONE, parameters);
     for motion in [[-3e-4, 0.0, 0.0, 1e-3], [1e-3, 0.0, 0.0, 1e-3]] {
         let error = traction(&model, motion, &[(1, 0)]);
         assert!(error < 1e-8, "{motion:?}: {error:e}");
@@ -91,7 +92,7 @@ fn the_table_of_the_axis_keeps_uniform_stresses_exact() {
 fn plain_treatments_have_wrong_energies() {
     // Axial strain of a hollow block, corners and free faces: −0.13 and +0.055 (an independent Python implementation).
     for (edges, expected) in [(StateEdges::None, -0.13), (StateEdges::Calibrated, 0.055)] {
-        let model: StateBased<true> =
+        let model: StateBased =
             body(cells(1.0 / 12.0, 1.0, [12, 18]), Mirrors::NONE, StateParameters { edges, ..RING });
         let off = energy_ratio(&model, [0.0, 0.0, 0.0, 1e-3]) - 1.0;
         assert!((off - expected).abs() < 5e-3, "{edges:?} {off}");
@@ -99,7 +100,7 @@ fn plain_treatments_have_wrong_energies() {
     let moment = StateParameters { edges: StateEdges::Moment, ..RING };
     let lattice = Arc::new(cells(1.0 / 12.0, 1.0, [12, 18]));
     let error =
-        StateBased::<true>::on_lattice(lattice, Mirrors::NONE, moment, &|_, _| false, &|_| Vec::new());
+        StateBased::on_lattice(lattice, Mirrors::NONE, moment, &|_, _| false, &|_| Vec::new());
     assert_eq!(error.err(), Some(super::super::StateError::NegativeWeights(4)));
 }
 
@@ -108,11 +109,11 @@ fn a_third_in_plane_stress_has_one_hop() {
     let size = [24, 20];
     let entries = |nu: f64| {
         let parameters = StateParameters { poisson_ratio: nu, ..PLATE };
-        let model: StateBased<false> = body(cells(0.1, 0.0, size), Mirrors::NONE, parameters);
+        let model: StateBased = body(cells(0.1, 0.0, size), Mirrors::NONE, parameters);
         let system = System::new(&model, Vec::new(), Vec::new()).unwrap();
         let middle = real_points(&model)[10 * 24 + 12];
         let row = system.assemble_sparse().outer_view(model.points() + middle).map_or(0, |r| r.nnz());
-        (model.has_families(), row)
+        (parameters.has_families(), row)
     };
     // Of 29 and 105 points the upper half comes later; the row of u_y has all of u_x.
     assert!(!entries(1.0 / 3.0).0);
@@ -132,12 +133,12 @@ fn strains_of_stresses_follow_hookes_law() {
     for (geometry, across) in [(Geometry::PlaneStress(0.5), 0.0), (Geometry::PlaneStrain(0.5), nu * (x + y))]
     {
         let parameters = StateParameters { geometry, ..RING };
-        let model: StateBased<false> = body(cells(0.1, 0.0, [8, 8]), Mirrors::NONE, parameters);
+        let model: StateBased = body(cells(0.1, 0.0, [8, 8]), Mirrors::NONE, parameters);
         assert!((model.stress_across(stress) - across).abs() < 1e-15);
         follows(model.strain_of(stress), across);
         follows(model.strain_with(stress, f64::NAN), across);
     }
-    let ring: StateBased<true> = body(cells(0.1, 1.0, [8, 8]), Mirrors::NONE, RING);
+    let ring: StateBased = body(cells(0.1, 1.0, [8, 8]), Mirrors::NONE, RING);
     follows(ring.strain_with(stress, 1.1), 1.1);
 }
 
@@ -145,7 +146,7 @@ fn strains_of_stresses_follow_hookes_law() {
 fn strains_and_stresses_are_those_of_the_motion() {
     for dilatation in [Dilatation::Points, Dilatation::Blocks] {
         let parameters = StateParameters { dilatation, ..RING };
-        let model: StateBased<true> = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, parameters);
+        let model: StateBased = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, parameters);
         let fields = model.fields(&linear(&model, [1e-3, 0.0, 0.0, -2e-3]));
         let shear = parameters.shear_modulus();
         // ϑ + h = 0.
@@ -157,7 +158,7 @@ fn strains_and_stresses_are_those_of_the_motion() {
             assert!((fields.across[p] - 2e-3 * shear).abs() < 1e-15);
         }
         let parameters = StateParameters { dilatation, ..PLATE };
-        let model: StateBased<false> = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, parameters);
+        let model: StateBased = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, parameters);
         let [a, b, c, d] = [1e-3, 4e-4, -1e-4, 5e-4];
         let fields = model.fields(&linear(&model, [a, b, c, d]));
         let (lame, shear) = (parameters.lame(), parameters.shear_modulus());
@@ -175,7 +176,7 @@ fn strains_and_stresses_are_those_of_the_motion() {
 
 #[test]
 fn forces_on_ghosts_go_where_their_displacements_come_from() {
-    let model: StateBased<false> = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, PLATE);
+    let model: StateBased = body(cells(0.1, 1.0, [10, 9]), Mirrors::NONE, PLATE);
     let n = model.points();
     let force: Vec<f64> = (0..2 * n).map(|k| (k * 7919 % 1013) as f64 / 1013.0 - 0.5).collect();
     let mut folded = force.clone();

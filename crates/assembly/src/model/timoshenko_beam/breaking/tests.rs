@@ -3,7 +3,7 @@
 use super::super::*;
 use super::*;
 use crate::material::{Profile, SectionStiffness};
-use crate::model::Model;
+use crate::model::{Model, Points};
 use crate::stiffness::BlockMatrix;
 use nalgebra::{DMatrix, DVector};
 

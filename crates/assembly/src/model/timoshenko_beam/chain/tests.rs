@@ -4,7 +4,7 @@ use super::super::{TimoshenkoBeam, VolumeFactor, bond_law, end_treatment};
 use super::*;
 use crate::condition::Equation;
 use crate::material::Profile;
-use crate::model::Model;
+use crate::model::{Model, Points};
 
 const FREE: EndSupport = EndSupport { w: None, phi: None };
 
@@ -27,7 +27,7 @@ fn half(side: usize, support: EndSupport, grid: Grid, horizon_ratio: f64) -> Lin
 
 /// Deflections and rotations of all points, ghosts included.
 fn motion(beam: &TimoshenkoBeam, w: fn(f64) -> f64, phi: fn(f64) -> f64) -> Vec<f64> {
-    let x = |p: usize| Model::<2>::position(beam, p)[0];
+    let x = |p: usize| beam.position(p)[0];
     let points = 0..beam.points();
     points.clone().map(|p| w(x(p))).chain(points.map(|p| phi(x(p)))).collect()
 }

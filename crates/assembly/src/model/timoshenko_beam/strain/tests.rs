@@ -1,6 +1,6 @@
 use super::*;
 use crate::material::{Profile, SectionStiffness};
-use crate::model::Model;
+use crate::model::{Model, Points};
 use crate::model::timoshenko_beam::{
     Along, BeamLoads, BeamParameters, ChainLoads, Distributed, Intensity, Line, PHI, PointAction,
     VolumeFactor, W, bond_law, end_treatment,
@@ -307,7 +307,7 @@ fn the_size_of_a_resultant_counts_what_cancels() {
     for beam in [uniform(2, 24, 3.0, 5.0, &[]), graded(2, 24, 3.0)] {
         let form = StrainForm::new(&beam).unwrap();
         let n = beam.points();
-        let x = |p: usize| Model::<2>::position(&beam, p)[0];
+        let x = |p: usize| beam.position(p)[0];
         let action = StrainAction { point: 7, component: W, value: Sum::of(-2.0) };
         let resultant = right_hand_side(&form, Some(&loads.on_chain(&beam, 0)), &[action]).1;
         let mut f = vec![0.0; 2 * n];

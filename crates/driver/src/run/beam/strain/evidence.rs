@@ -1,6 +1,7 @@
 //! What a solution in strains is certified with.
 
 use crate::run::certificate::{Balance, Certificate, STRAIN_FREE, Seen, finite, ratio, worst};
+use peristat_assembly::model::RigidMotion;
 use peristat_assembly::model::timoshenko_beam::StrainChecks;
 
 /// What a solution in strains tells of itself.
@@ -39,7 +40,7 @@ pub(super) struct Evidence {
 /// lack. Where springs take nearly all of the energy, strains are measured by it. The work of loads and reactions is that
 /// of the displacements: it agrees with the energy of the strains only if these were summed up as the loads were. Section
 /// forces are those of reactions that are rounded, which are much larger where a support takes a load at once.
-pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evidence) -> Certificate {
+pub(super) fn certify(motions: &[RigidMotion], calibration: f64, evidence: &Evidence) -> Certificate {
     let Evidence { checks, sizes, length, spring_energy, jump_energy, .. } = *evidence;
     let strains = evidence.loaded || checks.energy > STRAIN_FREE * jump_energy;
     let or_zero = |value: f64| if strains { finite(value) } else { 0.0 };
@@ -52,8 +53,8 @@ pub(super) fn certify(motions: &[&'static str], calibration: f64, evidence: &Evi
     let sizes = [sizes[0].max(sizes[1] / length), sizes[1].max(sizes[0] * length)];
     let balance = motions.iter().zip(checks.closure).zip(sizes);
     let balance: Vec<Balance> = balance
-        .map(|((&motion, sum), size)| Balance {
-            motion: motion.into(),
+        .map(|((motion, sum), size)| Balance {
+            motion: motion.name.into(),
             relative: or_zero(ratio(sum.abs(), size)),
         })
         .collect();
