@@ -3,5 +3,5 @@
 # rounds may be given, 3 if not.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-cargo build --release --quiet -p peristat
+cargo build --release --quiet -p peristat-cli
 exec python3 bench/fracture.py "${1:-3}"

@@ -18,5 +18,5 @@ install PyNiteFEA Pynite
 if ! command -v ccx >/dev/null && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
     apt-get install --yes --quiet calculix-ccx >/dev/null 2>&1 || echo "notice: calculix-ccx cannot be installed"
 fi
-cargo build --release --quiet -p peristat
+cargo build --release --quiet -p peristat-cli
 exec "$venv/bin/python" -B bench/pareto.py "$@"

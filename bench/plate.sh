@@ -9,6 +9,6 @@ for package in numpy scipy pyamg; do
     "$venv/bin/python" -c "import $package" 2>/dev/null || "$venv/bin/python" -m pip install --quiet "$package" ||
         echo "notice: $package cannot be installed: what needs it is left out"
 done
-cargo build --release --quiet -p peristat
+cargo build --release --quiet -p peristat-cli
 cargo build --release --quiet -p peristat-assembly --example lattice_product
 exec "$venv/bin/python" -B bench/plate_table.py "$@"

@@ -69,6 +69,33 @@ fn mechanics_and_algebra_know_neither_each_other_nor_the_driver() {
     }
 }
 
+/// Libraries that only a command needs, and a program that builds on the library should not compile.
+const OF_THE_COMMAND: [&str; 6] =
+    ["clap", "clap_complete", "clap_mangen", "comfy-table", "indicatif", "signal-hook"];
+
+#[test]
+fn the_library_neither_prints_nor_knows_of_terminals_and_signals() {
+    let dependencies = |name: &str| {
+        let text = fs::read_to_string(root().join("crates").join(name).join("Cargo.toml")).unwrap();
+        let names = text.lines().filter_map(|line| line.split_once('.').map(|(name, _)| name.to_string()));
+        names.collect::<Vec<String>>()
+    };
+    let (library, command) = (dependencies("driver"), dependencies("cli"));
+    for name in OF_THE_COMMAND {
+        assert!(command.iter().any(|d| d == name), "`{name}` is not in the manifest of the command");
+        assert!(!library.iter().any(|d| d == name), "the library needs `{name}`");
+    }
+    for file in files(&root().join("crates/driver/src"), ".rs") {
+        for line in code(&file) {
+            for word in
+                ["println!", "eprintln!", "print!(", "eprint!(", "stdout()", "stderr()", "is_terminal"]
+            {
+                assert!(!line.contains(word), "{} has `{word}`: {line}", short(&file));
+            }
+        }
+    }
+}
+
 #[test]
 fn the_algebra_has_never_heard_of_a_bond() {
     for file in files(&root().join("crates/solve/src"), ".rs") {

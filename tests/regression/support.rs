@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 
 /// Root of the repository.
 pub(crate) fn root() -> PathBuf {
-    let driver = Path::new(env!("CARGO_MANIFEST_DIR"));
-    driver.ancestors().nth(2).expect("the driver is in crates/driver").to_path_buf()
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.ancestors().nth(2).expect("a package is in crates").to_path_buf()
 }
 
 /// All files below a folder whose names end like this, sorted; none where the folder is missing.

@@ -1,9 +1,10 @@
-//! `run --write-matrix`: rows of the written stiffness over the volume of a point are Eq. (12), term by term.
+//! Rows of the written stiffness over the volume of a point are Eq. (12), term by term.
 
 use crate::support::standard::{SECTIONS, Standard};
+use peristat::Loaded;
+use peristat::results::stiffness;
 use std::collections::HashMap;
 use std::fs;
-use std::process::Command;
 
 /// Order and entries of a symmetric Matrix Market file, both triangles.
 fn read(text: &str) -> (usize, HashMap<(usize, usize), f64>) {
@@ -40,16 +41,8 @@ fn rows_of_the_written_matrix_are_equation_12_term_by_term() {
     let folder = tempfile::tempdir().expect("a folder");
     let at = |name: &str| folder.path().join(name);
     fs::write(at("case.json"), case.to_string()).expect("written");
-    let output = Command::new(env!("CARGO_BIN_EXE_peristat"))
-        .arg("run")
-        .arg(at("case.json"))
-        .arg("-o")
-        .arg(at("results"))
-        .arg("--write-matrix")
-        .arg(at("K.mtx"))
-        .output()
-        .expect("the program starts");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let loaded = Loaded::read(&at("case.json"), &[], None).expect("a case");
+    stiffness::write(&loaded, &at("K.mtx")).expect("written");
     let (order, k) = read(&fs::read_to_string(at("K.mtx")).expect("written"));
     assert_eq!(order, 2 * (cells + 1));
 

@@ -2,8 +2,8 @@
 //! breaking, from a JSON case to a certified answer.
 //!
 //! A [`case::Case`] is what a file says; a [`scene::Scene`] is the same with every default resolved and every fault
-//! reported; [`run::run`] assembles, factors and solves it and certifies each result. The command line in [`cli`] and the
-//! results folder in [`results`] are built on these three.
+//! reported; [`run::run`] assembles, factors and solves it and certifies each result. The results
+//! folder in [`results`] and the command `peristat` are built on these three.
 //!
 //! ```
 //! let case = r#"{
@@ -24,10 +24,9 @@
 //! ```
 
 pub mod case;
-pub mod cli;
 pub mod diagnostic;
 pub mod input;
-mod memory;
+pub mod memory;
 pub mod output;
 pub mod reference;
 pub mod results;
@@ -35,7 +34,6 @@ pub mod run;
 pub mod scene;
 pub mod study;
 pub mod summary;
-mod workers;
 
 use diagnostic::{Diagnostic, Faults, Report, Severity};
 use input::{Folder, Reach};
@@ -67,7 +65,7 @@ pub enum Error {
 
 impl Error {
     /// Whether the case could be solved with more memory.
-    pub(crate) fn lacks_memory(&self) -> bool {
+    pub fn lacks_memory(&self) -> bool {
         match self {
             Self::Case(report) => report.diagnostics.iter().any(|d| d.lacks_memory),
             Self::Run(error) => matches!(error, RunError::Memory { .. }),

@@ -3,7 +3,7 @@
 use crate::diagnostic::{Faults, JsonPath};
 
 /// Memory that may be used, bytes: what is allowed, else what programs can have without swapping.
-pub(crate) fn allowed(limit: Option<u64>) -> Option<u64> {
+pub fn allowed(limit: Option<u64>) -> Option<u64> {
     limit.or_else(|| value("/proc/meminfo", "MemAvailable:"))
 }
 

@@ -20,6 +20,7 @@ mod region;
 mod section;
 mod shell;
 mod specimen;
+mod start;
 mod state_based;
 mod units;
 
@@ -49,6 +50,7 @@ pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, Ho
 pub use section::{PowerLaw, Stiffness};
 pub use shell::{Pressure, Shell};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
+pub use start::STARTS;
 pub use state_based::{Axisymmetric, StatePlane};
 pub use units::Units;
 

@@ -10,11 +10,11 @@ pub(crate) const LARGEST_RECORD: u64 = 256 << 20;
 
 /// Why a file gives no bytes.
 #[derive(Debug)]
-pub(crate) struct Refusal {
+pub struct Refusal {
     /// What is said of the file, such as `does not exist`.
-    pub(crate) reason: String,
+    pub reason: String,
     /// What to do about it, where that is not to mend its name.
-    pub(crate) hint: Option<&'static str>,
+    pub hint: Option<&'static str>,
 }
 
 impl From<io::Error> for Refusal {
@@ -31,7 +31,7 @@ impl From<io::Error> for Refusal {
 ///
 /// # Errors
 /// It is none, is too large, or cannot be read.
-pub(crate) fn read(path: &Path, max_memory: Option<u64>) -> Result<Vec<u8>, Refusal> {
+pub fn read(path: &Path, max_memory: Option<u64>) -> Result<Vec<u8>, Refusal> {
     let most = memory::allowed(max_memory).unwrap_or(u64::MAX - 1);
     let refuse = |reason: &str, hint| Err(Refusal { reason: reason.into(), hint });
     let large = || Refusal {

@@ -3,13 +3,13 @@
 //! Readers take the bytes of a file and never panic on any; what they hold grows with what they have read, never with a
 //! number in the file. Faults say the line and what belongs there.
 
-pub(crate) mod file;
+pub mod file;
 mod folder;
 pub mod gmsh;
 mod lines;
 pub mod points;
 
-pub(crate) use file::Refusal;
+pub use file::Refusal;
 pub use folder::{Folder, Reach};
 
 use std::fmt;

@@ -16,7 +16,7 @@ pub mod report;
 pub mod vtu;
 
 /// Text as the content of an XML attribute.
-pub(crate) fn xml(text: &str) -> String {
+pub fn xml(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

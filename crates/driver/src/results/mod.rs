@@ -14,6 +14,7 @@ mod plane;
 mod report;
 mod restart;
 mod resume;
+pub mod stiffness;
 
 use crate::case::Case;
 use crate::output::{self, atomic, csv, pvd};

@@ -17,7 +17,7 @@ mod plan;
 mod record;
 mod report;
 mod store;
-pub(crate) mod words;
+pub mod words;
 mod write;
 
 pub use faults::TaskFaults;

@@ -5,7 +5,7 @@ use super::order::{Limit, ROUNDING};
 use crate::summary::words::{Listing, number};
 
 /// Orders and limits of the quantities of a series.
-pub(crate) fn conclusions(series: &Series) -> Listing {
+pub fn conclusions(series: &Series) -> Listing {
     let row = |quantity: &Quantity| {
         let exact = quantity.exact.map_or(String::new(), |exact| format!("{exact:?}"));
         let orders = quantity.orders.iter().flatten().map(|order| format!("{order:.2}"));
@@ -62,7 +62,7 @@ fn with_digits_of(value: f64, error: f64) -> String {
 }
 
 /// Values, errors and orders of some quantities of a series, level by level.
-pub(crate) fn levels(series: &Series, quantities: &[Quantity]) -> Listing {
+pub fn levels(series: &Series, quantities: &[Quantity]) -> Listing {
     let mut header = vec!["task", "horizon", "spacing", "points", "time, s"];
     for quantity in quantities {
         header.push(&quantity.name);

@@ -5,7 +5,7 @@ mod collector;
 mod doubts;
 mod estimate;
 mod plane;
-pub(crate) mod words;
+pub mod words;
 
 pub use beam::{BeamForces, BeamSummary};
 pub use collector::Collector;

@@ -9,7 +9,7 @@ pub(crate) fn times(multiple: f64) -> String {
 }
 
 /// What the estimates of a run are against and rest on, in a sentence, and their table; or why there are none.
-pub(crate) fn estimates(summary: &Summary) -> Option<(String, Option<Listing>)> {
+pub fn estimates(summary: &Summary) -> Option<(String, Option<Listing>)> {
     let Some(estimates) = &summary.estimate else {
         return summary
             .no_estimate

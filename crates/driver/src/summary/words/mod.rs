@@ -8,8 +8,10 @@ mod plane;
 mod resultants;
 mod state;
 
-pub(crate) use estimate::{estimates, times};
-pub(crate) use state::{extremes, place, position};
+pub use estimate::estimates;
+pub(crate) use estimate::times;
+pub use state::extremes;
+pub(crate) use state::{place, position};
 
 use super::{Forces, Located, ModelSummary, StateSummary, Summary};
 use crate::case::Units;
@@ -19,17 +21,17 @@ use crate::run::{CheckResult, ProbeResult};
 const MOST_ROWS: usize = 40;
 
 /// A name and what it is.
-pub(crate) type Fact = (String, String);
+pub type Fact = (String, String);
 
 /// A table of names and numbers; the first column holds names, the others mostly numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Listing {
+pub struct Listing {
     /// Heads of the columns.
-    pub(crate) header: Vec<String>,
+    pub header: Vec<String>,
     /// Rows.
-    pub(crate) rows: Vec<Vec<String>>,
+    pub rows: Vec<Vec<String>>,
     /// Where the rest of a long table is.
-    pub(crate) more: Option<String>,
+    pub more: Option<String>,
 }
 
 impl Listing {
@@ -42,13 +44,13 @@ impl Listing {
     }
 
     /// A table of all rows.
-    pub(crate) fn whole(header: &[&str], rows: Vec<Vec<String>>) -> Self {
+    pub fn whole(header: &[&str], rows: Vec<Vec<String>>) -> Self {
         Self { header: header.iter().map(ToString::to_string).collect(), rows, more: None }
     }
 }
 
 /// A number with six digits, the way engineers write it.
-pub(crate) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     match value.abs() {
         // Such as the load at the first break of a body that does not break.
         size if !size.is_finite() => "none".into(),
@@ -68,7 +70,7 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// The model, its sizes, and how it was solved.
-pub(crate) fn model(summary: &Summary) -> Vec<Fact> {
+pub fn model(summary: &Summary) -> Vec<Fact> {
     let mut told = match &summary.model {
         ModelSummary::Beam(model) => beam::model(model, summary.units),
         ModelSummary::Plane(model) => plane::model(model, summary.units),
@@ -90,13 +92,13 @@ pub(crate) fn model(summary: &Summary) -> Vec<Fact> {
 }
 
 /// How the body broke or softened, where it did.
-pub(crate) fn course(summary: &Summary) -> Option<Vec<Fact>> {
+pub fn course(summary: &Summary) -> Option<Vec<Fact>> {
     let broken = summary.fracture.as_ref().map(fracture::fracture);
     broken.or_else(|| summary.path.as_ref().map(path::path))
 }
 
 /// Forces of members and of what holds the body, and the resultants of all that acts on it.
-pub(crate) fn forces(state: &StateSummary, units: Units) -> Vec<Listing> {
+pub fn forces(state: &StateSummary, units: Units) -> Vec<Listing> {
     let mut tables = match &state.forces {
         Forces::Beam(forces) => beam::forces(forces),
         Forces::Plane(forces) => plane::forces(forces, units),
@@ -106,7 +108,7 @@ pub(crate) fn forces(state: &StateSummary, units: Units) -> Vec<Listing> {
 }
 
 /// Smallest and largest values over all load cases and combinations.
-pub(crate) fn envelope(summary: &Summary) -> Option<Listing> {
+pub fn envelope(summary: &Summary) -> Option<Listing> {
     let rows: Vec<Vec<String>> = summary
         .envelope
         .iter()
@@ -120,7 +122,7 @@ pub(crate) fn envelope(summary: &Summary) -> Option<Listing> {
 }
 
 /// Probed values, with as many digits as `value` gives them.
-pub(crate) fn probes<'a>(
+pub fn probes<'a>(
     probes: impl Iterator<Item = &'a ProbeResult> + Clone,
     value: &dyn Fn(f64) -> String,
 ) -> Listing {
@@ -134,7 +136,7 @@ pub(crate) fn probes<'a>(
 }
 
 /// The checks of a case; the last column says whether they passed.
-pub(crate) fn checks(checks: &[CheckResult]) -> Listing {
+pub fn checks(checks: &[CheckResult]) -> Listing {
     let row = |c: &CheckResult| {
         vec![
             c.name.clone(),

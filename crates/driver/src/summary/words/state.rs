@@ -4,7 +4,7 @@ use super::{Listing, number};
 use crate::summary::{Located, StateSummary};
 
 /// Smallest and largest values of the fields.
-pub(crate) fn extremes(state: &StateSummary) -> Listing {
+pub fn extremes(state: &StateSummary) -> Listing {
     let rows: Vec<Vec<String>> = state
         .extremes
         .iter()

@@ -2,10 +2,10 @@
 
 use super::args::Global;
 use super::note;
-use crate::run::Advance;
-use crate::run::fracture::Event;
-use crate::run::path::PathPoint;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use peristat::run::Advance;
+use peristat::run::fracture::Event;
+use peristat::run::path::PathPoint;
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 

@@ -1,10 +1,10 @@
 //! Results as text.
 
 use super::print_state;
-use crate::run::{CheckResult, Sizes};
-use crate::summary::words::{self, Listing};
-use crate::summary::{Status, Summary};
 use comfy_table::{CellAlignment, Table, presets};
+use peristat::run::{CheckResult, Sizes};
+use peristat::summary::words::{self, Listing};
+use peristat::summary::{Status, Summary};
 use std::fmt::Write;
 
 /// A table that pastes as Markdown, numbers to the right.

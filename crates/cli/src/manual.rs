@@ -2,10 +2,10 @@
 
 use super::args::Arguments;
 use super::{DONE, say};
-use crate::Error;
-use crate::output::atomic::write_atomically;
 use clap::{Command, CommandFactory};
 use clap_mangen::Man;
+use peristat::Error;
+use peristat::output::atomic::write_atomically;
 use std::fs;
 use std::io;
 use std::path::Path;

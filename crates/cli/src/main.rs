@@ -1,4 +1,4 @@
-//! The command line: parse, dispatch, print, exit code.
+//! The command `peristat`: parse, dispatch, print, exit code.
 
 mod args;
 mod case_reference;
@@ -12,13 +12,14 @@ mod progress;
 mod solve;
 mod study;
 mod verify;
+mod workers;
 mod writing;
 
-use crate::Error;
-use crate::run::RunError;
-use crate::study::TaskFaults;
 use args::{Arguments, Color, Command, Global};
 use clap::{CommandFactory, Parser};
+use peristat::Error;
+use peristat::run::RunError;
+use peristat::study::TaskFaults;
 use std::io::{self, IsTerminal, Write};
 use std::process::ExitCode;
 
@@ -32,7 +33,7 @@ const USAGE: u8 = 2;
 const INTERRUPTED: u8 = 130;
 
 /// Parses the arguments of the process and does what they say.
-pub fn main() -> ExitCode {
+fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let global = arguments.global.clone();
     if let Some(threads) = global.threads {

@@ -6,13 +6,14 @@ mod report;
 use super::args::Global;
 use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, complain, note, say, solve};
-use crate::Error;
-use crate::input::file;
-use crate::output::folder::below;
-use crate::results::Claim;
-use crate::run::{RunOptions, taking};
-use crate::summary::Summary;
 use crate::workers::side_by_side;
+use peristat::Error;
+use peristat::input::file;
+use peristat::output::atomic::write_atomically;
+use peristat::output::folder::below;
+use peristat::results::Claim;
+use peristat::run::{RunOptions, taking};
+use peristat::summary::Summary;
 use std::collections::{HashMap, HashSet};
 use std::io;
 use std::path::{Component, Path, PathBuf};
@@ -75,7 +76,7 @@ pub(super) fn verify(request: &Request, global: &Global) -> Result<u8, Error> {
         }
     }
     if let Some(file) = &request.junit {
-        crate::output::atomic::write_atomically(file, report::junit(&outcomes).as_bytes())?;
+        write_atomically(file, report::junit(&outcomes).as_bytes())?;
     }
     if global.json {
         say(&report::json(&outcomes))?;

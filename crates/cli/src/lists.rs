@@ -2,10 +2,10 @@
 
 use super::args::{Global, Kind};
 use super::{DONE, USAGE, case_reference, note, say};
-use crate::Error;
-use crate::case::Case;
-use crate::reference;
-use crate::study::Study;
+use peristat::Error;
+use peristat::case::{Case, STARTS};
+use peristat::reference;
+use peristat::study::Study;
 use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};
 use serde_json::json;
 
@@ -101,17 +101,6 @@ const PLATE: [(&str, &str); 38] = [
         "  Poisson's ratio 1/3",
         "of `state_plane` in plane stress needs bonds alone, as does 1/4 of plane strain: no families are made",
     ),
-];
-
-/// What `new` prints, by name.
-const STARTS: [(&str, &str); 7] = [
-    ("timoshenko_beam", include_str!("new_timoshenko_beam.json")),
-    ("plane_frame", include_str!("new_plane_frame.json")),
-    ("bond_plane", include_str!("new_bond_plane.json")),
-    ("beam_bond_orthotropic", include_str!("new_beam_bond_orthotropic.json")),
-    ("shell_membrane", include_str!("new_shell_membrane.json")),
-    ("state_plane", include_str!("new_state_plane.json")),
-    ("axisymmetric", include_str!("new_axisymmetric.json")),
 ];
 
 const LOADS: [(&str, &str); 15] = [

@@ -1,7 +1,7 @@
 //! The command line.
 
-use crate::input::Reach;
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+use peristat::input::Reach;
 use std::path::PathBuf;
 
 /// Implicit static peridynamics: plates, beams and plane frames.
@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// Exit codes: 0 done and all checks passed; 1 ran, but did not converge or a check failed; 2 bad input or usage; 130
 /// interrupted.
 #[derive(Debug, Parser)]
-#[command(version, propagate_version = true)]
+#[command(name = "peristat", version, propagate_version = true)]
 pub(super) struct Arguments {
     /// What to do.
     #[command(subcommand)]

@@ -2,11 +2,11 @@
 
 use super::interrupt::Interrupt;
 use super::progress::Progress;
-use crate::results::{Claim, Results, finite};
-use crate::run::fracture::Restart;
-use crate::run::{Advance, Sink, StateResult};
-use crate::scene::Scene;
-use crate::summary::Summary;
+use peristat::results::{Claim, Results, finite};
+use peristat::run::fracture::Restart;
+use peristat::run::{Advance, Sink, StateResult};
+use peristat::scene::Scene;
+use peristat::summary::Summary;
 use std::io;
 
 /// A sink that writes a results folder, shows how far the run has come, and hears of signals.

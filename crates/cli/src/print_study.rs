@@ -1,8 +1,8 @@
 //! Studies as text.
 
 use super::print::{listing, table};
-use crate::study::{Findings, Plan, Task, words};
-use crate::summary::words::number;
+use peristat::study::{Findings, Plan, Task, words};
+use peristat::summary::words::number;
 use std::fmt::Write;
 
 /// Quantities that share a table, at most.

@@ -5,19 +5,14 @@ use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::writing::Writing;
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
-use crate::case;
-use crate::input::Folder;
-use crate::output::folder::below;
-use crate::output::matrix_market;
-use crate::results::{Claim, Results};
-use crate::run::fracture::Restart;
-use crate::run::{RunError, RunOptions, Sizes, beam, prepare, sizes};
-use crate::scene::Scene;
-use crate::scene::plane::{PlaneProblem, with_body};
-use crate::summary::{Grids, Status, Summary};
-use crate::{Error, Loaded};
-use peristat_assembly::model::plane::PlaneModel;
-use peristat_assembly::system::System;
+use peristat::case;
+use peristat::input::Folder;
+use peristat::output::folder::below;
+use peristat::results::{Claim, Results, stiffness};
+use peristat::run::fracture::Restart;
+use peristat::run::{RunOptions, sizes};
+use peristat::summary::{Grids, Status, Summary};
+use peristat::{Error, Loaded};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -58,7 +53,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
             );
             return Err(io::Error::new(io::ErrorKind::InvalidInput, message).into());
         }
-        write_matrix(&loaded, file)?;
+        stiffness::write(&loaded, file)?;
     }
     let mut writing = Writing::new(&loaded.scene, claim);
     // What cannot be resumed is better killed by the first signal.
@@ -169,63 +164,4 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
         say(&print::sizes(&all))?;
     }
     Ok(code)
-}
-
-/// Writes the stiffness before supports.
-fn write_matrix(loaded: &Loaded, file: &Path) -> Result<(), Error> {
-    match &loaded.scene {
-        Scene::Beam(scene) => {
-            let points = match scene.frame {
-                Some(_) => "of the points, member by member, in the axes of their members",
-                None => "of the points from left to right",
-            };
-            match scene.has_axial {
-                true => {
-                    let system = beam::prepare::<3>(scene, &RunOptions::default());
-                    let order = format!("w_0, phi_0, u_0, w_1, phi_1, u_1, ... {points}");
-                    write_stiffness(loaded, system, file, &order)
-                }
-                false => {
-                    let system = beam::prepare::<2>(scene, &RunOptions::default());
-                    write_stiffness(loaded, system, file, &format!("w_0, phi_0, w_1, phi_1, ... {points}"))
-                }
-            }
-        }
-        Scene::Plane(scene) => with_body!(&scene.model, body => {
-            let problem = PlaneProblem::new(scene, body.clone());
-            let system = prepare(&problem, &RunOptions::default());
-            write_stiffness(loaded, system, file, &in_plane(&*scene.model))
-        }),
-    }
-}
-
-/// The order of the unknowns of a body in the plane.
-fn in_plane(model: &dyn PlaneModel) -> String {
-    let (third, explained) = match (model.turning(), model.deflects()) {
-        (Some(_), _) => ("h phi_0, ", "with the spacing h, "),
-        (None, true) => ("w_0, ", ""),
-        (None, false) => ("", ""),
-    };
-    format!("ux_0, uy_0, {third}ux_1, ... {explained}of the points row by row from the lower left")
-}
-
-fn write_stiffness<const D: usize>(
-    loaded: &Loaded,
-    prepared: Result<(System<D>, Sizes), RunError>,
-    file: &Path,
-    order: &str,
-) -> Result<(), Error> {
-    let (system, _) = prepared.map_err(|e| loaded.explain(e))?;
-    let matrix = system.stiffness().to_csr(|point, component| D * point + component);
-    let entries: Vec<(usize, usize, f64)> = matrix.iter().map(|(&v, (i, j))| (i, j, v)).collect();
-    let comments = [
-        format!(
-            "stiffness of `{}` before supports, links and springs are applied",
-            loaded.scene.case().title
-        ),
-        format!("unknowns in the order {order}"),
-    ];
-    matrix_market::write(file, system.size(), &entries, &comments)
-        .map_err(|error| io::Error::new(error.kind(), format!("cannot write {}: {error}", file.display())))?;
-    Ok(())
 }

@@ -1,6 +1,6 @@
 //! What a state is certified with, as text.
 
-use crate::summary::StateSummary;
+use peristat::summary::StateSummary;
 use std::fmt::Write;
 
 /// What the result is certified with.

@@ -1,10 +1,10 @@
 //! What came of many cases: a table, JSON, and the report that CI servers read.
 
 use super::{Found, Outcome};
-use crate::cli::print;
-use crate::output::xml;
-use crate::run::CheckResult;
-use crate::summary::{Status, Summary};
+use crate::print;
+use peristat::output::xml;
+use peristat::run::CheckResult;
+use peristat::summary::{Status, Summary};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 

@@ -3,12 +3,12 @@
 use super::args::{Global, Study};
 use super::interrupt::Interrupt;
 use super::{DONE, FAILED, INTERRUPTED, complain_of_tasks, note, print_study, say};
-use crate::Error;
-use crate::output::folder::below;
-use crate::output::lock::Hold;
-use crate::run::RunError;
-use crate::study::{self, Claimed, Findings, Plan, Record, Store, Task, TaskFaults};
 use crate::workers::{self, side_by_side};
+use peristat::output::folder::below;
+use peristat::output::lock::Hold;
+use peristat::run::RunError;
+use peristat::study::{self, Claimed, Findings, Plan, Record, Store, Task, TaskFaults};
+use peristat::{Error, memory};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -115,7 +115,7 @@ fn with_all<T: Send>(
     global: &Global,
     work: impl Fn(&Task, Option<u64>) -> Option<Result<T, Error>> + Sync,
 ) -> Vec<Option<Result<T, Error>>> {
-    let allowed = crate::memory::allowed(global.max_memory);
+    let allowed = memory::allowed(global.max_memory);
     let share = allowed.map(|all| all / workers::threads(global.threads, tasks.len()) as u64);
     let first = side_by_side(global.threads, tasks.len(), |k| work(tasks[k], share));
     let again = |(task, outcome): (&&Task, Option<Result<T, Error>>)| match outcome {
