@@ -343,6 +343,9 @@ impl PlaneBonds {
             Self::State(parameters) => {
                 let (real, cut) = (Arc::new(real.clone()), |lattice: &SquareLattice| cuts(lattice, &offsets));
                 match parameters.is_axisymmetric() {
+                    _ if parameters.edges == StateEdges::Border => {
+                        AnyPlaneModel::Bordered(BorderedState::on_lattice(&real, mirrors, *parameters)?)
+                    }
                     true => AnyPlaneModel::Revolved(StateBased::on_lattice(
                         real,
                         mirrors,
@@ -350,9 +353,6 @@ impl PlaneBonds {
                         separated,
                         &cut,
                     )?),
-                    false if parameters.edges == StateEdges::Border => {
-                        AnyPlaneModel::Bordered(BorderedState::on_lattice(&real, mirrors, *parameters)?)
-                    }
                     false => AnyPlaneModel::State(StateBased::on_lattice(
                         real,
                         mirrors,
