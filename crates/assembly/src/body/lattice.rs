@@ -12,6 +12,9 @@ pub type Cell = [i32; 2];
 /// angles at its lower left, lower right, upper left and upper right point.
 pub type Parts = [f64; 4];
 
+/// Centres of the parts of four such triangles, in cells from the first point of the block.
+pub type Centres = [[f64; 2]; 4];
+
 /// Consecutive cells of one row that belong to the body.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Run {
@@ -55,6 +58,8 @@ pub struct SquareLattice {
     cut: Vec<(u32, f64)>,
     /// Blocks that a border cuts, ascending by their lower left cells.
     blocks: Vec<(Cell, Parts)>,
+    /// Centres of the parts of these blocks, where they are known.
+    centres: Vec<Centres>,
 }
 
 impl SquareLattice {
@@ -80,6 +85,7 @@ impl SquareLattice {
             points: 0,
             cut: Vec::new(),
             blocks: Vec::new(),
+            centres: Vec::new(),
         };
         for row in rows {
             let mut column = columns.start;
@@ -120,7 +126,28 @@ impl SquareLattice {
     pub fn with_blocks(mut self, mut blocks: Vec<(Cell, Parts)>) -> Self {
         blocks.sort_unstable_by_key(|block| block.0);
         self.blocks = blocks;
+        self.centres = Vec::new();
         self
+    }
+
+    /// The lattice with the centres of the parts of its [`blocks`](Self::blocks), in their order.
+    ///
+    /// # Panics
+    /// There is not one for every block.
+    pub fn with_centres(mut self, centres: Vec<Centres>) -> Self {
+        assert_eq!(centres.len(), self.blocks.len(), "every block has its centres");
+        self.centres = centres;
+        self
+    }
+
+    /// The lattice with the blocks of another one, and their centres.
+    pub(crate) fn with_blocks_of(self, other: &Self) -> Self {
+        Self { blocks: other.blocks.clone(), centres: other.centres.clone(), ..self }
+    }
+
+    /// Centres of the parts of all blocks, in their order; none where they are not known.
+    pub fn centres(&self) -> &[Centres] {
+        &self.centres
     }
 
     /// The blocks that a border cuts, ascending by their lower left cells, with the parts of their triangles; none where all cells
@@ -131,7 +158,7 @@ impl SquareLattice {
 
     /// The lattice with whole cells.
     pub fn with_whole_cells(self) -> Self {
-        Self { cut: Vec::new(), blocks: Vec::new(), ..self }
+        Self { cut: Vec::new(), blocks: Vec::new(), centres: Vec::new(), ..self }
     }
 
     /// Points that have not the area of a cell, ascending, and their areas per that of a cell.

@@ -6,6 +6,7 @@
 //! region or to a crack does not depend on how a coordinate was rounded, and mirrored bodies have mirrored points.
 
 mod border;
+mod centres;
 mod cloud;
 mod convex;
 mod cover;
@@ -26,8 +27,9 @@ mod turn;
 pub use border::BorderPart;
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
+pub(crate) use centres::middle;
 pub use fill::FillError;
-pub use lattice::{Cell, Parts, Run, SquareLattice};
+pub use lattice::{Cell, Centres, Parts, Run, SquareLattice};
 pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};

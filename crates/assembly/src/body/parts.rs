@@ -91,7 +91,7 @@ impl Outline {
     }
 
     /// The polygon, 0, or a hole, from 1, as a polygon in cells.
-    fn in_cells(&self, lattice: &SquareLattice, border: usize, moved: Point) -> Vec<Point> {
+    pub(super) fn in_cells(&self, lattice: &SquareLattice, border: usize, moved: Point) -> Vec<Point> {
         let in_cells =
             |p: &Point| [0, 1].map(|k| (p[k] - lattice.corner()[k]) / lattice.spacing() + moved[k]);
         let polygon = |vertices: &[Point]| vertices.iter().map(in_cells).collect();

@@ -42,14 +42,15 @@ pub struct Axisymmetric {
     /// How the weight of neighbours depends on their distance; `linear` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub influence: Option<Influence>,
-    /// What is done about the neighbours that points near edges lack.
-    #[serde(default)]
-    pub edges: StateEdges,
+    /// What is done about the neighbours that points near edges lack; `border` where the border cuts cells and no crack,
+    /// `fracture`, `measure` or `axis` is given, else `ghosts`, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<StateEdges>,
     /// What neighbours count by.
     #[serde(default)]
     pub measure: Measure,
     /// What points next to the axis have, where the body touches it; `table` with the edges `ghosts` and the measure
-    /// `section`, else `images`, if not given.
+    /// `section`, else `images`, if not given. With the edges `border` the body ends on its axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub axis: Option<Axis>,
     /// How changes of volume are measured; `blocks` for ν > 0.45, else `points`, if not given.

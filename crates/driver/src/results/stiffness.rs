@@ -5,7 +5,7 @@ use crate::run::{RunError, RunOptions, Sizes, beam, prepare};
 use crate::scene::Scene;
 use crate::scene::plane::{PlaneProblem, with_body};
 use crate::{Error, Loaded};
-use peristat_assembly::model::{Component, Points};
+use peristat_assembly::model::Component;
 use peristat_assembly::system::System;
 use std::io;
 use std::path::Path;

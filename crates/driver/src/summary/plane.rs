@@ -267,7 +267,8 @@ fn state_based(parameters: &StateParameters, scene: &PlaneScene) -> FamilySummar
         influence: parameters.influence,
         families_at_edges: parameters.edges,
         measure: parameters.measure,
-        axis: (parameters.is_axisymmetric() && touches).then_some(parameters.axis),
+        axis: (parameters.is_axisymmetric() && touches && parameters.edges != StateEdges::Border)
+            .then_some(parameters.axis),
         dilatation: parameters.dilatation,
         ghosts: scene.model.ghosts().len() - scene.images().count(),
         families: parameters.has_families(),

@@ -125,6 +125,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         points: Option<&[usize]>,
         force: &mut [f64],
     ) {
+        self.add_border_work(t, force);
+        self.add_bond_work(t, points, force);
+    }
+
+    /// The part of what completes the border; images get the strains of their points.
+    pub(in super::super) fn add_border_work(&self, t: &mut [f64], force: &mut [f64]) {
         let n = self.lattice.points();
         if !self.border.is_none() {
             for &ghost in &self.ghosts {
@@ -137,17 +143,19 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             }
         }
         match &self.border.by {
-            By::Points => {}
+            By::Points => add_work_of_triangles(&self.triangles, t, force),
             By::Bonds(border) => {
                 border.add_strain_work((&self.lattice, &self.hood, &self.kind.bond), t, force);
             }
             By::Triangles(families) => add_strain_work_of(families, t, force),
         }
+    }
+
+    /// The part of the bonds between points.
+    pub(in super::super) fn add_bond_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
+        let n = self.lattice.points();
         self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
         self.whole().add_work::<3>(t, &self.spans(points), &self.virial_shares(1.0), force);
-        if self.border.is_none() {
-            add_work_of_triangles(&self.triangles, t, force);
-        }
     }
 
     /// `½ Uᵀ scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.

@@ -19,12 +19,15 @@ pub struct Mirrors {
     /// Along which of both a body whose sides are joined can stretch: from one copy to the next the displacement grows by the
     /// same amount, which is an unknown.
     pub stretches: [bool; 2],
+    /// Whether the body is one of revolution: parts of it count by their radius, x, and the line on the left, where there is one,
+    /// is its axis, on which the body ends; images beyond it tell how it moves there.
+    pub revolved: bool,
 }
 
 impl Mirrors {
     /// No images.
     pub const NONE: Self =
-        Self { columns: [None; 2], rows: [None; 2], joined: [false; 2], stretches: [false; 2] };
+        Self { columns: [None; 2], rows: [None; 2], joined: [false; 2], stretches: [false; 2], revolved: false };
 
     /// Whether there is none.
     pub fn is_none(&self) -> bool {
@@ -88,7 +91,7 @@ impl Mirrors {
         let (columns, rows) = (clip(self.columns, lattice.columns()), clip(self.rows, lattice.rows()));
         let inside = |cell| lattice.number(cell).is_some();
         let all = SquareLattice::new(lattice.spacing(), lattice.corner(), columns, rows, inside);
-        all.with_areas(&cut_cells(lattice)).with_blocks(lattice.blocks().to_vec())
+        all.with_areas(&cut_cells(lattice)).with_blocks_of(lattice)
     }
 
     /// A lattice of real cells with `depth` columns or rows of images beyond every line.
@@ -108,7 +111,7 @@ impl Mirrors {
             let area = |cell| Some((cell, real.fraction(real.number(self.image(cell).0)?)));
             areas.extend(ghosts.filter_map(area));
         }
-        extended.with_areas(&areas).with_blocks(real.blocks().to_vec())
+        extended.with_areas(&areas).with_blocks_of(real)
     }
 
     /// The lines on a lattice of twice the spacing. A line of symmetry that runs through cells moves outwards; joined sides

@@ -2,7 +2,8 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
-use super::edges::{BorderShares, By, border_shares, cut_shares, left_to_triangles};
+use super::edges::{BorderShares, By, Section, border_shares, cut_shares, left_to_triangles};
+use crate::body::Cell;
 use crate::model::ModelSizes;
 use crate::stiffness::Term;
 
@@ -44,6 +45,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn left_to_triangles(&self) -> Vec<Vec<f64>> {
         let cuts = self.cuts.iter().copied().collect();
         left_to_triangles((&self.lattice, &self.mirrors), &self.hood, &cuts)
+    }
+
+    /// What lies around some points of a body whose border cuts blocks.
+    pub(in super::super) fn section(&self, points: impl Iterator<Item = usize>) -> Section {
+        let cells: Vec<Cell> = points.map(|point| self.lattice.cell(point)).collect();
+        Section::new(&self.lattice, &self.mirrors, &cells)
     }
 
     /// Their sizes.

@@ -40,7 +40,7 @@ pub(super) fn cell_volume(parameters: &StateParameters, spacing: f64) -> f64 {
 }
 
 /// Lines of symmetry, with the axis of a body of revolution that touches it among them.
-fn with_axis(
+pub(super) fn with_axis(
     parameters: &StateParameters,
     real: &SquareLattice,
     mirrors: Mirrors,

@@ -24,7 +24,8 @@ pub enum StateEdges {
     #[default]
     Ghosts,
     /// Bonds that leave the body end on its border, or give what they have to the triangles that it cuts: every uniform stress
-    /// is in equilibrium. Bodies in the plane alone; with cracks, and in bodies that break, it is `ghosts`.
+    /// is in equilibrium, in a body of revolution but for corners of its whole blocks. With cracks, and in bodies that break, it is
+    /// `ghosts`.
     Border,
     /// Weights that are exact for every uniform strain in what is left of a family; where some would be negative the point
     /// gives its energy to the next one.
@@ -144,6 +145,16 @@ impl StateParameters {
         [(a * xx - b * yy) / determinant, (a * yy - b * xx) / determinant, xy / shear]
     }
 
+    /// Strains `[ε_xx, ε_yy, γ_xy]` of stresses in the section and, in a body of revolution, of that across it.
+    pub(super) fn strain_with(&self, stress: [f64; 3], across: f64) -> [f64; 3] {
+        if !self.is_axisymmetric() {
+            return self.strain(stress);
+        }
+        let (e, nu) = (self.youngs_modulus, self.poisson_ratio);
+        let [xx, yy, xy] = stress;
+        [(xx - nu * (yy + across)) / e, (yy - nu * (xx + across)) / e, xy / self.shear_modulus()]
+    }
+
     /// Stress across the section that belongs to stresses in it.
     pub(super) fn stress_across(&self, [x, y, _]: [f64; 3]) -> f64 {
         match self.geometry {
@@ -169,15 +180,21 @@ impl StateParameters {
 
     /// From the section's dilatation and the hoop strain to what they do work with beside the bonds, Pa: the part of
     /// `W = ½(λ−μ)ϑ² + λ ϑ h + ½(λ+2μ)h² + (4μ/q) Σ w e²` that bonds have not.
-    pub(super) fn family_modulus(&self) -> Mat<2, 2> {
+    pub(super) fn whole_modulus(&self) -> Mat<2, 2> {
         let (lame, shear) = (self.lame(), self.shear_modulus());
-        let mut modulus = [[lame - shear, lame], [lame, lame + 2.0 * shear]];
+        match self.is_axisymmetric() {
+            true => [[lame - shear, lame], [lame, lame + 2.0 * shear]],
+            false => [[lame - shear, 0.0], [0.0; 2]],
+        }
+    }
+
+    /// The same without what means over blocks have of it.
+    pub(super) fn family_modulus(&self) -> Mat<2, 2> {
+        let mut modulus = self.whole_modulus();
         if self.dilatation == Dilatation::Blocks {
             let bulk = self.bulk_modulus();
-            modulus.iter_mut().flatten().for_each(|c| *c -= bulk);
-        }
-        if !self.is_axisymmetric() {
-            modulus = [[modulus[0][0], 0.0], [0.0, 0.0]];
+            let measures = if self.is_axisymmetric() { 2 } else { 1 };
+            modulus[..measures].iter_mut().for_each(|row| row[..measures].iter_mut().for_each(|c| *c -= bulk));
         }
         modulus
     }

@@ -2,7 +2,7 @@
 
 use super::super::plane::{Mirrors, PlaneFields, PlaneModel};
 use super::body::cell_volume;
-use super::{Geometry, StateBased, StateParameters};
+use super::{Geometry, StateBased};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
 use crate::model::Points;
@@ -64,13 +64,7 @@ impl PlaneModel for StateBased {
     }
 
     fn strain_with(&self, stress: [f64; 3], across: f64) -> [f64; 3] {
-        if !self.is_revolved() {
-            return self.strain_of(stress);
-        }
-        let StateParameters { youngs_modulus: e, poisson_ratio: nu, .. } = self.parameters;
-        let [xx, yy, xy] = stress;
-        let shear = self.parameters.shear_modulus();
-        [(xx - nu * (yy + across)) / e, (yy - nu * (xx + across)) / e, xy / shear]
+        self.parameters.strain_with(stress, across)
     }
 
     fn stress_across(&self, stress: [f64; 3]) -> f64 {

@@ -101,9 +101,10 @@ impl GridFamilies {
         self
     }
 
-    /// Adds the forces that do the work of stresses, times volumes, of the points with their dilatations.
-    pub fn add_dilatation_work(&self, stress: Vec<f64>, force: &mut [f64]) {
-        self.push(&[stress, Vec::new()], force);
+    /// Adds the forces that do the work of stresses, times volumes, of the points with their dilatations and, if there are any
+    /// of these, with their second measures.
+    pub fn add_measure_work(&self, stress: [Vec<f64>; 2], force: &mut [f64]) {
+        self.push(&stress, force);
     }
 
     /// Offsets of points that a family can have in common, upwards or to the right, each with the offsets of both from the

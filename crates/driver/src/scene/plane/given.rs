@@ -58,7 +58,7 @@ impl Given {
             }
             Self::State(model) => Self::State(StatePlane { edges: None, ..model }),
             Self::Revolved(model) => Self::Revolved(Axisymmetric {
-                edges: StateEdges::default(),
+                edges: None,
                 measure: Measure::default(),
                 axis: None,
                 ..model
@@ -78,7 +78,7 @@ impl Given {
                 orthotropic::parameters(model, case, is_cloud, faults).map(PlaneBonds::Beams)
             }
             Self::State(model) => state_based::in_plane(model, case, faults).map(PlaneBonds::State),
-            Self::Revolved(model) => state_based::revolved(model, faults).map(PlaneBonds::State),
+            Self::Revolved(model) => state_based::revolved(model, case, faults).map(PlaneBonds::State),
             Self::Shell(model) => shell::parameters(model, case, faults).map(PlaneBonds::Shell),
         }
     }
@@ -94,6 +94,10 @@ impl Given {
                 }
             }
             (Self::State(model), PlaneBonds::State(parameters)) => model.edges = Some(parameters.edges),
+            (Self::Revolved(model), PlaneBonds::State(parameters)) => {
+                model.edges = Some(parameters.edges);
+                model.axis = (parameters.edges != StateEdges::Border).then_some(parameters.axis);
+            }
             _ => {}
         }
     }

@@ -45,7 +45,12 @@ pub(super) fn parts(
     let bonds = bonds.map(|bonds| bonds.with_lattice_angle(angle));
     let usual = bonds.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
-    let body::Built { body, outline, curves, file } = built?;
+    let body::Built { mut body, outline, curves, file } = built?;
+    if let (PlaneBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
+        && bonds.is_some_and(|bonds| bonds.is_revolved())
+    {
+        *lattice = outline.with_centres(lattice.clone());
+    }
     let lattice = match &body {
         PlaneBody::Lattice(lattice) => Some(lattice),
         PlaneBody::Cloud(_) => None,
@@ -102,7 +107,11 @@ fn completed(
     let breaks = case.fracture.is_some() || case.path.is_some() || !case.cracks.is_empty();
     let may_break = breaks && matches!(bonds, PlaneBonds::State(_));
     // On whole cells ghosts are as good, at less cost.
-    let is_usual = matches!(&case.model, Model::StatePlane(model) if model.edges.is_none());
+    let is_usual = match &case.model {
+        Model::StatePlane(model) => model.edges.is_none(),
+        Model::Axisymmetric(model) => model.edges.is_none(),
+        _ => false,
+    };
     if is_usual && !is_cut {
         return bonds.without_border(Edges::Overlay);
     }

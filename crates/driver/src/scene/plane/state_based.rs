@@ -50,17 +50,23 @@ pub(super) fn in_plane(model: &mut StatePlane, case: &Case, faults: &mut Faults)
 }
 
 /// The same of a body of revolution.
-pub(super) fn revolved(model: &mut Axisymmetric, faults: &mut Faults) -> Option<StateParameters> {
+pub(super) fn revolved(model: &mut Axisymmetric, case: &Case, faults: &mut Faults) -> Option<StateParameters> {
     let path = root("model").key("axisymmetric");
     let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= admissible(model.poisson_ratio, &path, faults);
-    if model.edges == StateEdges::Border {
+    let of_ghosts = [("axis", model.axis.is_some()), ("measure", model.measure != Measure::Section)];
+    let of_ghosts = of_ghosts.into_iter().find(|(_, is_given)| *is_given).map(|(key, _)| key);
+    if let (Some(StateEdges::Border), Some(key)) = (model.edges, of_ghosts) {
         faults
-            .error(path.key("edges"), "the border of a body of revolution does not complete its families")
-            .hint("use the edges `ghosts`");
+            .error(path.key(key), "a body that is completed along its border ends on its axis, and counts by areas")
+            .hint(format!("leave `{key}` out, or use the edges `ghosts`"));
         fine = false;
     }
-    let is_full = model.edges == StateEdges::Ghosts && model.measure == Measure::Section;
+    let breaks = case.fracture.is_some() || !case.cracks.is_empty();
+    let usual = if breaks || of_ghosts.is_some() { StateEdges::Ghosts } else { StateEdges::Border };
+    let edges = model.edges.unwrap_or(usual);
+    let is_full =
+        matches!(edges, StateEdges::Border | StateEdges::Ghosts) && model.measure == Measure::Section;
     let axis = if is_full { Axis::Table } else { Axis::Images };
     let blocks = if model.poisson_ratio > LOCKS { Dilatation::Blocks } else { Dilatation::Points };
     fine.then(|| StateParameters {
@@ -69,9 +75,9 @@ pub(super) fn revolved(model: &mut Axisymmetric, faults: &mut Faults) -> Option<
         geometry: Geometry::Axisymmetric,
         horizon_ratio: 0.0,
         influence: *model.influence.get_or_insert(Influence::Linear),
-        edges: model.edges,
+        edges,
         measure: model.measure,
-        axis: *model.axis.get_or_insert(axis),
+        axis: model.axis.unwrap_or(axis),
         dilatation: *model.dilatation.get_or_insert(blocks),
     })
 }

@@ -3,7 +3,6 @@
 use super::*;
 use crate::body::SquareLattice;
 use crate::bonds::{BondGeometry, BondModel, block};
-use crate::model::Model;
 use crate::model::plane::{Mirrors, PlaneModel, Solvable};
 use std::sync::Arc;
 

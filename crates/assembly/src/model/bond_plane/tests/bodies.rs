@@ -2,8 +2,7 @@
 
 use super::super::*;
 use crate::body::{Hole, Outline, Shape};
-use crate::model::{Model, Points};
-use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
+use crate::model::plane::{Calibration, Edges, Mirrors, Solvable};
 use crate::stiffness::{BlockMatrix, Term};
 use nalgebra::{DMatrix, DVector};
 

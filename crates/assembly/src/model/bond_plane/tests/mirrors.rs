@@ -3,7 +3,6 @@
 use super::super::*;
 use super::bodies::*;
 use crate::condition::Constraints;
-use crate::model::{Model, Points};
 use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
 use std::ops::Range;
 

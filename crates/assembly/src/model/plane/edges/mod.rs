@@ -10,7 +10,7 @@ mod triangle;
 pub(in super::super) use border::BorderBonds;
 pub(super) use border::border_shares;
 pub use border::{BorderShares, FARTHEST};
-pub(in super::super) use cut::Strains;
+pub(in super::super) use cut::{Section, Strains};
 pub(super) use cut::{cut_shares, left_to_triangles, modulus};
 pub(super) use factors::{EdgeFactors, edge_factors};
 pub(in super::super) use factors::{energy_factor, volume_factor};

@@ -4,7 +4,7 @@ use super::super::*;
 use crate::body::SquareLattice;
 use crate::condition::Constraints;
 use crate::model::{Model, Points};
-use crate::model::plane::{Calibration, Mirrors, PlaneModel};
+use crate::model::plane::{Calibration, Mirrors};
 use crate::stiffness::BlockMatrix;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;

@@ -1,6 +1,7 @@
 //! What completes the border of a body of bonds, as sources of changes of volume.
 
 use super::super::super::plane::By;
+use super::rings::weight;
 use super::sources::{ANY, Bonded, Kind, Source, Sources};
 use crate::body::Cell;
 use std::collections::BTreeMap;
@@ -74,7 +75,8 @@ fn add_overlay(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
     for family in plate.triangles.list() {
         let cell = plate.lattice.cell(family.point as usize);
         let stress = family.stress(&[1.0, 1.0, 0.0]);
-        let tensor = stress.map(|s| s / (4.0 * shear_modulus * plate.kind.bond.volume));
+        let part = weight(plate, family.point as usize) / (4.0 * shear_modulus * plate.kind.bond.volume);
+        let tensor = stress.map(|s| part * s);
         let mut source = Source { at: cell.map(f64::from), tensor, ..Source::default() };
         for (&other, rows) in family.others.iter().zip(&family.rows) {
             let row: [f64; 2] = [0, 1].map(|c| (0..3).map(|q| tensor[q] * rows[q][c]).sum());

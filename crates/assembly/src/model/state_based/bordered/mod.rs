@@ -7,10 +7,12 @@
 mod border;
 mod families;
 mod fields;
+mod hoops;
 mod model;
 mod newton;
 mod own_bonds;
 mod reach;
+mod rings;
 mod sources;
 mod term;
 mod transport;
@@ -19,12 +21,13 @@ use super::super::bond_plane::CentralBond;
 use super::super::plane::{
     Edges, Kind, LatticeBody, Mirrors, Neighbourhood, half_offsets, has_border, is_within,
 };
-use super::body::cell_volume;
+use super::body::{cell_volume, with_axis};
 use super::sets::Maker;
 use super::weights::offsets;
-use super::{Geometry, StateError, StateParameters};
+use super::{StateError, StateParameters};
 use crate::body::{Cell, SquareLattice};
 use families::{Dilatations, NONE};
+use rings::ringed;
 use sources::Bonded;
 use std::sync::Arc;
 use term::JointTerm;
@@ -42,8 +45,15 @@ pub struct BorderedState {
 impl BorderedState {
     /// Whether the border of a lattice can be completed so.
     pub fn has_border(parameters: &StateParameters, lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
-        has_border(lattice, mirrors, parameters.horizon_ratio as i32)
-            && neighbourhood(parameters, lattice).is_ok()
+        let has_border = match parameters.is_axisymmetric() {
+            true => ringed(parameters, lattice, *mirrors).is_ok_and(|(lattice, mirrors)| {
+                let reach = parameters.horizon_ratio as i32;
+                let depth = Edges::Border.depth(reach);
+                has_border(&mirrors.extended(&lattice, depth), &mirrors, reach)
+            }),
+            false => has_border(lattice, mirrors, parameters.horizon_ratio as i32),
+        };
+        has_border && neighbourhood(parameters, lattice).is_ok()
     }
 
     /// A plate on the cells of a lattice without images.
@@ -55,24 +65,47 @@ impl BorderedState {
         mirrors: Mirrors,
         parameters: StateParameters,
     ) -> Result<Self, StateError> {
-        let hood = neighbourhood(&parameters, real)?;
-        let (Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness)) = parameters.geometry
-        else {
-            return Err(StateError::NoBorder);
+        let body = match parameters.is_axisymmetric() {
+            true => {
+                let (real, mirrors) = ringed(&parameters, real, mirrors)?;
+                Self::made(&real, mirrors, parameters, Edges::Border)?
+            }
+            false => Self::made(real, mirrors, parameters, Edges::Border)?,
         };
-        let kind = Kind {
-            bond: CentralBond { volume: cell_volume(&parameters, real.spacing()) },
-            edges: Edges::Border,
-            thickness,
-            stretch_moduli: [3.0 * parameters.shear_modulus(); 2],
-        };
-        let lattice = Arc::new(mirrors.extended(real, Edges::Border.depth(hood.reach())));
-        let body = Self::new(LatticeBody::new(lattice, mirrors, hood, kind, &[]), parameters);
         let is_left = body.dilatations.as_ref().is_some_and(|of| of.left > NONE);
         match body.plate.kind.edges == Edges::Border && !is_left {
             true => Ok(body),
             false => Err(StateError::NoBorder),
         }
+    }
+
+    /// One with these edges, or without a border whose blocks are known with an overlay.
+    fn made(
+        real: &SquareLattice,
+        mirrors: Mirrors,
+        parameters: StateParameters,
+        edges: Edges,
+    ) -> Result<Self, StateError> {
+        let hood = neighbourhood(&parameters, real)?;
+        let volume = cell_volume(&parameters, real.spacing());
+        let kind = Kind {
+            bond: CentralBond { volume },
+            edges,
+            thickness: volume / (real.spacing() * real.spacing()),
+            stretch_moduli: [3.0 * parameters.shear_modulus(); 2],
+        };
+        let lattice = Arc::new(mirrors.extended(real, edges.depth(hood.reach())));
+        Ok(Self::new(LatticeBody::new(lattice, mirrors, hood, kind, &[]), parameters))
+    }
+
+    /// The body at twice the spacing, whose axis comes back by itself.
+    fn coarser_ring(&self) -> Option<Self> {
+        let Bonded { lattice, mirrors, .. } = &self.plate;
+        let mut coarse = mirrors.coarser()?;
+        coarse.columns[0] = None;
+        let real = mirrors.real(lattice).coarser();
+        let (mirrors, _) = with_axis(&self.parameters, &real, coarse).ok()?;
+        Self::made(&real, mirrors, self.parameters, Edges::Overlay).ok()
     }
 
     fn new(plate: Bonded, parameters: StateParameters) -> Self {

@@ -4,6 +4,7 @@ use super::super::super::plane::{
     BorderShares, COMPONENTS, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
 };
 use super::BorderedState;
+use super::rings::weight;
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
@@ -28,7 +29,8 @@ impl Points for BorderedState {
 
 impl Model<2> for BorderedState {
     fn rigid_motions(&self) -> &'static [RigidMotion] {
-        &RIGID_MOTIONS
+        // A body of revolution moves along its axis alone.
+        if self.is_revolved() { &RIGID_MOTIONS[1..2] } else { &RIGID_MOTIONS }
     }
 
     fn calibration_error(&self) -> f64 {
@@ -51,9 +53,10 @@ impl Model<2> for BorderedState {
         let Some(of) = &self.dilatations else { return bonds };
         // A family couples all of its points, most of which others couple, too.
         let neighbours = 2 * self.plate.hood.bonded().count();
-        let own = of.means.iter().chain([&of.own]).map(|own| ModelSizes::of(own, own.pairs()));
+        let own = ModelSizes::of(&of.own, of.own.pairs());
+        let means = of.means.iter().map(|means| ModelSizes::of(means, means.pairs()));
         let grid = ModelSizes::of(&of.grid, 2 * neighbours * self.points());
-        own.fold(bonds.join(grid), ModelSizes::join)
+        means.fold(bonds.join(grid).join(own), ModelSizes::join)
     }
 
     fn relations(&self) -> Vec<Equation> {
@@ -61,6 +64,7 @@ impl Model<2> for BorderedState {
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {
+        let kind = if self.is_revolved() { 1 } else { kind };
         let [x, y, _] = rigid_motion(kind, self.position(point), centre);
         [x, y]
     }
@@ -68,13 +72,16 @@ impl Model<2> for BorderedState {
 
 impl Solvable<2> for BorderedState {
     fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<2>>> {
-        Some(Box::new(Self::new(self.plate.coarser(cuts)?, self.parameters)))
+        Some(Box::new(match self.is_revolved() {
+            true => self.coarser_ring()?,
+            false => Self::new(self.plate.coarser(cuts)?, self.parameters),
+        }))
     }
 }
 
 impl PlaneModel for BorderedState {
     fn volume(&self, point: usize) -> f64 {
-        self.plate.volume(point)
+        weight(&self.plate, point) * self.plate.volume(point)
     }
 
     fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
@@ -110,7 +117,7 @@ impl PlaneModel for BorderedState {
     }
 
     fn thickness(&self) -> f64 {
-        self.plate.kind.thickness
+        if self.is_revolved() { 1.0 } else { self.plate.kind.thickness }
     }
 
     fn stiffness(&self) -> Mat<3, 3> {
@@ -125,12 +132,41 @@ impl PlaneModel for BorderedState {
         self.parameters.stress_across(stress)
     }
 
+    fn strain_with(&self, stress: [f64; 3], across: f64) -> [f64; 3] {
+        self.parameters.strain_with(stress, across)
+    }
+
+    fn is_revolved(&self) -> bool {
+        self.parameters.is_axisymmetric()
+    }
+
     fn hardly_compresses(&self) -> bool {
         self.parameters.hardly_compresses()
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {
         self.fields_of(u)
+    }
+
+    fn add_stress_load(
+        &self,
+        points: Option<&[usize]>,
+        stress_at: &(dyn Fn([f64; 2]) -> [f64; 3] + Sync),
+        force: &mut [f64],
+    ) {
+        let n = self.points();
+        let mut t = vec![0.0; 3 * n];
+        let mut enter = |point: usize| {
+            // The stress across a body of revolution is that along x.
+            let stress = stress_at(self.place(point));
+            let strain = self.strain_with(stress, stress[0]);
+            (0..3).for_each(|q| t[q * n + point] = strain[q]);
+        };
+        match points {
+            Some(points) => points.iter().for_each(|&p| enter(p)),
+            None => (0..n).for_each(enter),
+        }
+        self.add_work(&mut t, points, force);
     }
 
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {

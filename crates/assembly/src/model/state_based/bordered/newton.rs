@@ -26,7 +26,7 @@ impl Transport {
         self.for_each_used(|point, edge| {
             let place = edge.place as usize;
             let change = edge.wish * rest.places[place] / sums[place];
-            (0..2).for_each(|c| wanted[point][c] -= change * edge.deviator[c]);
+            (0..2).for_each(|c| wanted[point][c] -= change * edge.measured[c]);
         });
         let points = self.multipliers(&wanted, &sums);
         let means = self.means(&points, &sums);
@@ -38,7 +38,7 @@ impl Transport {
     fn means(&self, points: &[[f64; 2]], sums: &[f64]) -> Vec<f64> {
         let mut means = vec![0.0; sums.len()];
         self.for_each_used(|point, edge| {
-            means[edge.place as usize] += edge.wish * dot(&points[point], &edge.deviator);
+            means[edge.place as usize] += edge.wish * dot(&points[point], &edge.measured);
         });
         means.iter().zip(sums).map(|(mean, sum)| mean / sum).collect()
     }
@@ -51,7 +51,7 @@ impl Transport {
         // Where all deviators are along one axis the multiplier of the other means nothing.
         let mut scales = vec![[f64::MIN_POSITIVE; 2]; self.ends.len()];
         self.for_each(|point, edge| {
-            (0..2).for_each(|c| scales[point][c] += edge.wish * (FAINT + edge.deviator[c].powi(2)));
+            (0..2).for_each(|c| scales[point][c] += edge.wish * (FAINT + edge.measured[c].powi(2)));
         });
         let scaled = |r: &[[f64; 2]]| -> Vec<[f64; 2]> {
             r.iter().zip(&scales).map(|(r, s)| [r[0] / s[0], r[1] / s[1]]).collect()
@@ -85,8 +85,8 @@ impl Transport {
         let means = self.means(points, sums);
         let mut found = vec![[0.0; 2]; points.len()];
         self.for_each_used(|point, edge| {
-            let change = edge.wish * (dot(&points[point], &edge.deviator) - means[edge.place as usize]);
-            (0..2).for_each(|c| found[point][c] += change * edge.deviator[c]);
+            let change = edge.wish * (dot(&points[point], &edge.measured) - means[edge.place as usize]);
+            (0..2).for_each(|c| found[point][c] += change * edge.measured[c]);
         });
         found
     }

@@ -3,6 +3,7 @@
 use super::super::super::plane::near_points;
 use super::border::follows;
 use super::reach::Lacking;
+use super::rings::weight;
 use super::sources::{ANY, Bonded, Kind, Source, Sources};
 use crate::body::{Cell, SquareLattice};
 use crate::stiffness::{Exception, FamilyRows};
@@ -69,10 +70,12 @@ impl<'a> PointBonds<'a> {
                 let [x, y] = lattice.vector(step);
                 0.5 * (row[0] * x + row[1] * y)
             };
-            let present = self.of(point).map(part).sum();
-            Lacking { point, cell: lattice.cell(point), volume: lattice.fraction(point), present }
+            let present: f64 = self.of(point).map(part).sum();
+            let (weight, part) = (weight(self.plate, point), lattice.fraction(point));
+            let present = weight * present;
+            Lacking { point, cell: lattice.cell(point), weight, volume: weight * part, present }
         };
-        let is_whole = |lacking: &Lacking| lacking.present > lacking.volume.max(1.0) - 1e-9;
+        let is_whole = |l: &Lacking| l.present > l.volume.max(l.weight) - 1e-9 * l.weight;
         let lacking: Vec<Lacking> =
             candidates.into_iter().filter(is_real).map(of).filter(|l| !is_whole(l)).collect();
         if !by_blocks {
@@ -95,6 +98,7 @@ impl<'a> PointBonds<'a> {
                 // The part of a point has all of the bond: its middle is that of the bond.
                 let middle = if self.follows { 0.5 } else { 0.0 };
                 let at = [0, 1].map(|k| f64::from(lacking.cell[k]) + middle * f64::from(step[k]));
+                let row = row.map(|r| lacking.weight * r);
                 let tensor = [row[0] * x, row[1] * y, row[0] * y];
                 let mut source = Source { at, tensor, ..Source::default() };
                 source.add_row(other as u32, row);

@@ -12,6 +12,8 @@ pub(super) struct Lacking {
     /// Its number.
     pub(super) point: usize,
     pub(super) cell: Cell,
+    /// What it counts by: in a body of revolution its radius, spacings.
+    pub(super) weight: f64,
     /// Its volume, cells, about, and that of the bonds that it has.
     pub(super) volume: f64,
     pub(super) present: f64,
@@ -26,27 +28,79 @@ struct Seen {
     sign: f64,
 }
 
-/// The transport from sources to points, with wishes that fall off as a spline of a degree does.
-pub(super) fn transport(sources: &[Source], points: &[Lacking], mirrors: &Mirrors, degree: i32) -> Transport {
-    let far = (degree + 1) / 2;
+/// What points need.
+#[derive(Clone, Copy)]
+pub(super) enum Need<'a> {
+    /// As much of all directions, from places as near as a spline of a degree reaches.
+    Directions(i32),
+    /// These volumes.
+    Volumes(&'a [f64]),
+}
+
+/// How far points reach for volumes, as a degree, and how little they wish for what is not next to them.
+const REACHING: (i32, f64) = (9, 1e-2);
+
+impl Need<'_> {
+    fn degree(self) -> i32 {
+        match self {
+            Self::Directions(degree) => degree,
+            Self::Volumes(_) => REACHING.0,
+        }
+    }
+
+    /// What is measured of a place: its deviator, or its volume alone.
+    fn measured(self, seen: &Seen, source: &Source) -> [f64; 2] {
+        let [xx, yy, xy] = source.tensor.map(|t| t / source.volume());
+        match self {
+            Self::Directions(_) => [xx - yy, 2.0 * seen.sign * xy],
+            Self::Volumes(_) => [1.0, 0.0],
+        }
+    }
+
+    /// How much of a place a point wishes for that is so far away.
+    fn wish(self, away: [f64; 2]) -> f64 {
+        let of = |degree: i32| spline(degree, away[0]) * spline(degree, away[1]);
+        match self {
+            Self::Directions(degree) => of(degree),
+            // A place at a point is for that alone, if it can be.
+            Self::Volumes(_) => of(1) + REACHING.1 * of(REACHING.0),
+        }
+    }
+}
+
+/// The transport from sources to points of what these need, volumes times a scale.
+pub(super) fn transport(
+    sources: &[Source],
+    points: &[Lacking],
+    mirrors: &Mirrors,
+    (need, scale): (Need, f64),
+) -> Transport {
+    let far = (need.degree() + 1) / 2;
     let seen = seen(sources, mirrors, f64::from(far));
     let mut edges = Vec::new();
     let mut ends = Vec::with_capacity(points.len());
     for lacking in points {
         // More where more is missing.
-        let missing = (lacking.volume - lacking.present).max(LEAST);
+        let missing = match need {
+            Need::Directions(_) => scale * (lacking.volume - lacking.present).max(LEAST * lacking.weight),
+            Need::Volumes(_) => scale * lacking.volume,
+        };
         for [i, j] in (-far..=far).flat_map(|j| (-far..=far).map(move |i| [i, j])) {
             for seen in seen.get(&[lacking.cell[0] + i, lacking.cell[1] + j]).into_iter().flatten() {
-                let along = |k: usize| spline(degree, seen.at[k] - f64::from(lacking.cell[k]));
-                let wish = missing * along(0) * along(1);
+                let wish = missing * need.wish([0, 1].map(|k| seen.at[k] - f64::from(lacking.cell[k])));
                 if wish > 0.0 {
-                    edges.push(edge(seen, &sources[seen.place as usize], wish));
+                    let place = &sources[seen.place as usize];
+                    edges.push(Edge { place: seen.place, measured: need.measured(seen, place), wish, volume: 0.0 });
                 }
             }
         }
         ends.push(edges.len());
     }
-    Transport { ends, edges, volumes: sources.iter().map(Source::volume).collect() }
+    let wanted = match need {
+        Need::Directions(_) => vec![[0.0; 2]; points.len()],
+        Need::Volumes(volumes) => volumes.iter().map(|v| [scale * v, 0.0]).collect(),
+    };
+    Transport { ends, edges, wanted, volumes: sources.iter().map(|s| scale * s.volume()).collect() }
 }
 
 /// The spline of an odd degree about zero whose pieces are one long. Weighted with such splines about points of a row, one
@@ -66,11 +120,6 @@ fn spline(degree: i32, x: f64) -> f64 {
     }
     // A rounding of zero is none.
     if sum > 1e-6 { sum / (1..=degree).map(f64::from).product::<f64>() } else { 0.0 }
-}
-
-fn edge(seen: &Seen, source: &Source, wish: f64) -> Edge {
-    let [xx, yy, xy] = source.tensor.map(|t| t / source.volume());
-    Edge { place: seen.place, deviator: [xx - yy, 2.0 * seen.sign * xy], wish, volume: 0.0 }
 }
 
 /// Places and their images near real points, by cell.

@@ -3,6 +3,7 @@
 //! One term, not several: dilatations alone have a negative energy where `λ < μ`.
 
 use super::families::Dilatations;
+use super::rings::terms;
 use super::sources::Bonded;
 use crate::bonds::Mat;
 use crate::stiffness::{BlockMatrix, Parts, Survey, Term};
@@ -30,7 +31,7 @@ impl JointTerm {
             terms.extend(of.means.clone().map(|means| Box::new(means) as Box<dyn Term<2>>));
             terms
         });
-        Self { bonds: Arc::new(plate.terms()), families: Arc::new(families) }
+        Self { bonds: Arc::new(terms(plate)), families: Arc::new(families) }
     }
 
     fn parts(&self) -> impl Iterator<Item = &dyn Term<2>> {

@@ -4,7 +4,8 @@
 //! the volumes `x_ks >= 0` that points take from places, so that places have given all, `Σ_k x_ks = V_s`, and points are
 //! without a deviator, `Σ_s x_ks d_ks = 0`. Of all such volumes these are the ones nearest to some wishes w, with the least
 //! `Σ (x − w)²/w`: `x = w max(0, 1 + a_k·d_ks + b_s)` with the multipliers a and b of both conditions, which Newton's method
-//! finds. The solution is unique, so that what is symmetric has symmetric shares.
+//! finds. The solution is unique, so that what is symmetric has symmetric shares. In place of a deviator of zero points can want
+//! other sums, such as volumes of their own.
 
 use super::newton::{add, dot};
 
@@ -13,8 +14,8 @@ use super::newton::{add, dot};
 pub(super) struct Edge {
     /// Index of the place.
     pub(super) place: u32,
-    /// Deviator of the place as the point sees it.
-    pub(super) deviator: [f64; 2],
+    /// Deviator of the place as the point sees it, or what else is wanted of it.
+    pub(super) measured: [f64; 2],
     /// What the point wishes for, in parts of a place.
     pub(super) wish: f64,
     /// Volume that the point takes.
@@ -27,6 +28,8 @@ pub(super) struct Transport {
     /// Of every point: behind its last edge.
     pub(super) ends: Vec<usize>,
     pub(super) edges: Vec<Edge>,
+    /// What points are to have of what is measured.
+    pub(super) wanted: Vec<[f64; 2]>,
     /// Volumes of the places.
     pub(super) volumes: Vec<f64>,
 }
@@ -88,7 +91,7 @@ impl Transport {
         let mut from = 0;
         for (point, &end) in self.ends.iter().enumerate() {
             for edge in &mut self.edges[from..end] {
-                let part = 1.0 + dot(&at.points[point], &edge.deviator) + at.places[edge.place as usize];
+                let part = 1.0 + dot(&at.points[point], &edge.measured) + at.places[edge.place as usize];
                 edge.volume = edge.wish * part.max(0.0);
                 height += 0.5 * edge.volume * part.max(0.0);
             }
@@ -108,9 +111,9 @@ impl Transport {
 
     /// What points lack of being without a deviator, and places have left.
     fn rest(&self) -> Both {
-        let mut rest = Both { points: vec![[0.0; 2]; self.ends.len()], places: self.volumes.clone() };
+        let mut rest = Both { points: self.wanted.clone(), places: self.volumes.clone() };
         self.for_each(|point, edge| {
-            (0..2).for_each(|c| rest.points[point][c] -= edge.volume * edge.deviator[c]);
+            (0..2).for_each(|c| rest.points[point][c] -= edge.volume * edge.measured[c]);
             rest.places[edge.place as usize] -= edge.volume;
         });
         rest
@@ -140,8 +143,8 @@ impl Both {
 mod tests {
     use super::*;
 
-    fn edge(place: u32, deviator: [f64; 2], wish: f64) -> Edge {
-        Edge { place, deviator, wish, volume: 0.0 }
+    fn edge(place: u32, measured: [f64; 2], wish: f64) -> Edge {
+        Edge { place, measured, wish, volume: 0.0 }
     }
 
     /// Two points mirror each other, with a place of all directions in the middle and one of its own on either side.
@@ -155,7 +158,7 @@ mod tests {
             ]
         };
         let edges = [own(1, 1.0), own(2, -1.0)].concat();
-        let mut transport = Transport { ends: vec![3, 6], edges, volumes: vec![0.5, 0.5, 0.5] };
+        let mut transport = Transport { ends: vec![3, 6], edges, wanted: vec![[0.0; 2]; 2], volumes: vec![0.5; 3] };
         assert!(transport.solve() < 1e-13);
         let volumes: Vec<f64> = transport.edges.iter().map(|edge| edge.volume).collect();
         (0..3).for_each(|k| assert!((volumes[k] - volumes[3 + k]).abs() < 1e-13, "{volumes:?}"));
@@ -167,7 +170,7 @@ mod tests {
     #[test]
     fn what_cannot_be_met_is_told() {
         let edges = vec![edge(0, [1.0, 0.0], 1.0), edge(1, [1.0, 0.5], 1.0)];
-        let mut transport = Transport { ends: vec![2], edges, volumes: vec![0.5, 0.5] };
+        let mut transport = Transport { ends: vec![2], edges, wanted: vec![[0.0; 2]], volumes: vec![0.5, 0.5] };
         assert!(transport.solve() > 0.1);
     }
 }

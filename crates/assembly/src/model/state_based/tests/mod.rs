@@ -4,6 +4,7 @@ mod axis;
 mod border;
 mod lame;
 mod patch;
+mod ring_border;
 mod spectrum;
 
 use super::super::bond_plane::Influence;

@@ -23,12 +23,19 @@ impl<'a> Missing<'a> {
         Self { blocks, offsets: &hood.offsets, paths, known: RefCell::default() }
     }
 
-    /// Whether a bond passes a triangle that is not whole.
+    /// Whether a bond passes a triangle that is not whole; in a body of revolution, a block that is not: what its bonds have of
+    /// both its halves is right only together.
     fn is_missing(&self, path: usize, from: Cell) -> bool {
         if let Some(known) = self.known.borrow().get(&(path, from)) {
             return *known;
         }
-        let passes = |piece: &Piece| self.blocks.parts(plus(from, piece.block))[piece.triangle] < 1.0;
+        let passes = |piece: &Piece| {
+            let block = plus(from, piece.block);
+            match self.blocks.mirrors.revolved {
+                true => !self.blocks.is_whole(block),
+                false => self.blocks.parts(block)[piece.triangle] < 1.0,
+            }
+        };
         let is_missing = self.paths[path].1.iter().any(passes);
         self.known.borrow_mut().insert((path, from), is_missing);
         is_missing
@@ -56,15 +63,24 @@ impl<'a> Missing<'a> {
         }
     }
 
-    /// What bonds leave to a triangle, by offset: all of its part if that is not whole, else what missing ones would have had.
+    /// What bonds leave to a triangle, by offset: all of its part if that is not whole, else what missing ones would have had. In a
+    /// body of revolution a bond counts by the radius of its middle, and a part by that of its own.
     pub(super) fn of(&self, at: Cell, triangle: usize, part: f64) -> Vec<f64> {
-        let of = |(path, (_, pieces)): (usize, &(usize, Vec<Piece>))| {
+        let is_left_all = match self.blocks.mirrors.revolved {
+            true => !self.blocks.is_whole(at),
+            false => part < 1.0,
+        };
+        let column = f64::from(at[0]);
+        let whole = 0.25 * part * self.blocks.weight(column + self.blocks.centre(at, triangle)[0]);
+        let of = |(path, (k, pieces)): (usize, &(usize, Vec<Piece>))| {
             let own = pieces.iter().filter(|piece| piece.triangle == triangle);
             let is_missing =
                 |piece: &&Piece| self.is_missing(path, [at[0] - piece.block[0], at[1] - piece.block[1]]);
-            match part < 1.0 {
-                true => 0.25 * part,
-                false => own.filter(is_missing).map(|piece| piece.share).sum(),
+            let middle = |piece: &Piece| 0.5 * f64::from(self.offsets[*k][0]) - f64::from(piece.block[0]);
+            let share = |piece: &Piece| piece.share * self.blocks.weight(column + middle(piece));
+            match is_left_all {
+                true => whole,
+                false => own.filter(is_missing).map(share).sum(),
             }
         };
         self.paths.iter().enumerate().map(of).collect()

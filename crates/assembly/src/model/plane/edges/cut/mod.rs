@@ -16,6 +16,7 @@ mod fit;
 mod members;
 mod missing;
 mod pieces;
+mod section;
 mod shares;
 mod springs;
 mod strains;
@@ -39,6 +40,7 @@ use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
+pub(in super::super::super) use section::Section;
 pub(in super::super) use shares::cut_shares;
 pub(in super::super::super) use strains::Strains;
 
@@ -67,7 +69,9 @@ pub(super) fn can_complete(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
         }
     }
     let is_seen = |cell: &Cell| CORNERS.iter().all(|c| near.contains(&[cell[0] - c[0], cell[1] - c[1]]));
-    let is_own = |cell: &Cell| lattice.number(*cell).is_some() && is_seen(cell);
+    // Images beyond an axis have nothing of the body.
+    let is_real = |cell: &Cell| !mirrors.revolved || mirrors.is_real(*cell);
+    let is_own = |cell: &Cell| lattice.number(*cell).is_some() && is_real(cell) && is_seen(cell);
     own.iter().filter(|(cell, _)| is_own(cell)).all(|(_, part)| *part > LEAST)
 }
 

@@ -1,0 +1,75 @@
+//! Hoop strains of the points of a body of revolution that have not all bonds.
+//!
+//! A point has the energy of its dilatation and of its hoop strain h together, by one volume. What the displacement `u_x` does
+//! over the section, `∫ u_x dA`, is a quarter for every whole block around a point, and that of the centres of the parts
+//! elsewhere. All of it is handed to the points, who want the volumes that their dilatations have: `Σ V_k h_k` is the change of
+//! the circumference of the body as its border has it, and `h_k` that of any displacement `u_x = a x`.
+
+use super::border::follows;
+use super::reach::{Lacking, Need, transport};
+use super::sources::{Bonded, Source};
+use std::collections::BTreeMap;
+
+/// Coefficients of `u_x` in a hoop strain, 1/m, by points.
+pub(super) type Hoop = BTreeMap<u32, f64>;
+
+/// The hoop strains of some points with these volumes, and the largest volume that does not fit, per that of a cell at the
+/// largest radius.
+pub(super) fn hoops(plate: &Bonded, points: &[Lacking], volumes: &[f64], scale: f64) -> (Vec<Hoop>, f64) {
+    let spacing = plate.lattice.spacing();
+    if !follows(plate) {
+        let own = |l: &Lacking| Hoop::from([(l.point as u32, 1.0 / (l.weight * spacing))]);
+        return (points.iter().map(own).collect(), 0.0);
+    }
+    let sources = sources(plate, points);
+    let wanted: Vec<f64> = fitted(volumes, &sources);
+    let need = (Need::Volumes(&wanted), scale);
+    let mut transport = transport(&sources, points, &plate.mirrors, need);
+    let left = transport.solve();
+    let mut found = Vec::with_capacity(points.len());
+    let mut from = 0;
+    for &end in &transport.ends {
+        let (mut rows, mut volume) = (Hoop::new(), 0.0);
+        for edge in &transport.edges[from..end] {
+            let source = &sources[edge.place as usize];
+            let part = edge.volume / (scale * source.volume());
+            source.rows.iter().for_each(|(&point, row)| *rows.entry(point).or_default() += part * row[0]);
+            volume += edge.volume / scale;
+        }
+        rows.values_mut().for_each(|row| *row /= if volume > 0.0 { volume } else { 1.0 });
+        found.push(rows);
+        from = end;
+    }
+    (found, left)
+}
+
+/// Volumes that sum to that of all sources: rounding leaves a little between both.
+fn fitted(volumes: &[f64], sources: &[Source]) -> Vec<f64> {
+    let (given, wanted) = (sources.iter().map(Source::volume).sum::<f64>(), volumes.iter().sum::<f64>());
+    volumes.iter().map(|v| v * given / wanted).collect()
+}
+
+/// `∫ u_x dA` of the points and of the parts of blocks around them, in cells times spacings.
+fn sources(plate: &Bonded, points: &[Lacking]) -> Vec<Source> {
+    let spacing = plate.lattice.spacing();
+    let section = plate.section(points.iter().map(|lacking| lacking.point));
+    let mut sources = Vec::new();
+    for (lacking, whole) in points.iter().zip(section.whole).filter(|(_, whole)| *whole > 0) {
+        let area = 0.25 * f64::from(whole);
+        let mut source = of(lacking.cell.map(f64::from), area * lacking.weight);
+        source.add_row(lacking.point as u32, [area / spacing, 0.0]);
+        sources.push(source);
+    }
+    for part in section.parts {
+        let mut source = of(part.at, part.volume);
+        let row = |share: f64| [part.area * share / spacing, 0.0];
+        part.shares.iter().for_each(|&(point, share)| source.add_row(point, row(share)));
+        sources.push(source);
+    }
+    sources
+}
+
+/// A place with a volume that is alike in all directions.
+fn of(at: [f64; 2], volume: f64) -> Source {
+    Source { at, tensor: [volume, volume, 0.0], ..Source::default() }
+}
