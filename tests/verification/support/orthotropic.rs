@@ -66,7 +66,7 @@ pub(crate) fn stiffness(plate: &BeamBondOrthotropic) -> DMatrix<f64> {
 /// Unknowns of all points in a uniform displacement gradient, rotations those of the body.
 pub(crate) fn uniform(plate: &BeamBondOrthotropic, g: [[f64; 2]; 2]) -> Vec<f64> {
     let n = plate.points();
-    let turn = plate.turning().expect("points turn") * 0.5 * (g[1][0] - g[0][1]);
+    let turn = plate.scale(2) * 0.5 * (g[1][0] - g[0][1]);
     let along = |row: [f64; 2]| (0..n).map(move |p| (row, p));
     let displacement = g.into_iter().flat_map(along).map(|(row, p)| {
         let [x, y] = plate.place(p);

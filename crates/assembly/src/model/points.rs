@@ -64,4 +64,9 @@ pub trait Points {
     fn component(&self, name: &str) -> Option<(usize, Component)> {
         self.components().iter().copied().enumerate().find(|(_, component)| component.name == name)
     }
+
+    /// What multiplies the displacement or rotation of a component to make the unknown; 1 where there is no such component.
+    fn scale(&self, component: usize) -> f64 {
+        self.components().get(component).map_or(1.0, |of| of.scale)
+    }
 }

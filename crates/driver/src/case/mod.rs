@@ -2,6 +2,7 @@
 
 mod condition;
 mod expectation;
+mod field;
 mod foundation;
 mod fracture;
 mod frame;
@@ -28,7 +29,8 @@ pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
     Sine, Steps, Support,
 };
-pub use expectation::{Baseline, Check, ClosedForm, FieldName, Formula, Limit, Probe, Value};
+pub use field::{Field, FieldName, Origin, Unit};
+pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Value};
 pub use foundation::Foundation;
 pub use fracture::{CrackDirection, Critical, CriticalFormula, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};

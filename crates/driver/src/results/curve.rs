@@ -1,6 +1,6 @@
 //! `curve.csv`: every equilibrium of a body that breaks, and diagrams of them.
 
-use crate::case::{Case, FieldName, Units};
+use crate::case::{Case, Units};
 use crate::output::atomic;
 use crate::output::plot::{self, Diagram, Series, Style};
 use crate::run::fracture::Event;
@@ -108,12 +108,8 @@ impl Curve {
 /// Name of the load, with its unit.
 fn load_label(case: &Case) -> String {
     let name = case.fracture.as_ref().map_or("load", |f| f.load.as_str());
-    let unit = case.probes.iter().find(|p| p.name == name).map(|p| match p.field {
-        FieldName::Ux | FieldName::Uy | FieldName::U | FieldName::W => case.units.length(),
-        FieldName::Phi => "rad",
-        FieldName::ReactionMoment => case.units.moment(),
-        _ => "N",
-    });
+    let probe = case.probes.iter().find(|p| p.name == name);
+    let unit = probe.map(|p| p.field.about().unit.label(case.units));
     unit.map_or_else(|| name.to_string(), |unit| case.units.label(name, unit))
 }
 

@@ -92,16 +92,6 @@ fn geometry(lattice: &SquareLattice, step: Cell) -> BondGeometry {
 
 /// A body in the plane with its bonds, whatever they are.
 pub trait PlaneModel: Points + Debug + Send + Sync {
-    /// What multiplies rotations to make unknowns of the size of displacements, m; none where points do not turn.
-    fn turning(&self) -> Option<f64> {
-        self.component("phi").map(|(_, phi)| phi.scale)
-    }
-
-    /// Whether points move across the plane, too: then the third unknown is this displacement.
-    fn deflects(&self) -> bool {
-        self.component("w").is_some()
-    }
-
     /// Position of a point in the plane, m.
     fn place(&self, point: usize) -> [f64; 2] {
         let [x, y, _] = self.position(point);

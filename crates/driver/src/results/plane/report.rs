@@ -2,7 +2,7 @@
 
 use super::plots::size_of;
 use super::raster::{Grid, Limits, Raster};
-use crate::case::{FieldName, Units};
+use crate::case::FieldName;
 use crate::output::plot::short;
 use crate::output::report::{Cells, Field, Map, Moves};
 use crate::results::factor::magnification;
@@ -21,7 +21,7 @@ pub(super) fn map(scene: &PlaneScene, result: &PlaneResult) -> Map {
         let range = scan::extremes(values).map_or([0.0; 2], |ends| ends.map(|point| values[point]));
         Field { name: name.into(), unit: unit.into(), values: raster.means(values), range }
     };
-    let named = |f: FieldName| Some(field(f.name(), unit(f, scene.units), &result.values(scene, f)?));
+    let named = |f: FieldName| Some(field(f.name(), f.about().unit.label(scene.units), &result.values(scene, f)?));
     let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
     let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
     let size = field("displacement", scene.units.length(), &size);
@@ -53,16 +53,6 @@ fn ordered(scene: &PlaneScene, result: &PlaneResult) -> Vec<FieldName> {
     let mut fields: Vec<FieldName> = result.fields().collect();
     fields.sort_by_key(rank);
     fields
-}
-
-fn unit(field: FieldName, units: Units) -> &'static str {
-    match field {
-        FieldName::Ux | FieldName::Uy | FieldName::W => units.length(),
-        FieldName::Phi => "rad",
-        FieldName::StrainXx | FieldName::StrainYy | FieldName::StrainXy | FieldName::Damage => "",
-        // A strain energy per volume is a stress, too.
-        _ => units.stress(),
-    }
 }
 
 /// What a reader must know of the cells.

@@ -1,7 +1,7 @@
 //! Results of one state of a body in the plane.
 
 use super::reaction::{self, MirrorReaction, PlaneReaction};
-use crate::case::FieldName;
+use crate::case::{FieldName, Origin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
 use crate::scene::plane::{Has, PlaneScene, Weights, of_points};
@@ -61,8 +61,6 @@ pub struct PlaneResult {
     points: usize,
     /// The fields that its points have, but for those that are zero everywhere by the nature of the body.
     shown: Vec<FieldName>,
-    /// Whether the third unknown of a point is a displacement across the plane.
-    deflects: bool,
     /// Forces that hold the equations of the scene, in their order.
     pub(super) multipliers: Vec<f64>,
 }
@@ -95,37 +93,19 @@ fn von_mises([x, y, shear]: [f64; 3], z: f64) -> f64 {
     (0.5 * squares + 3.0 * shear * shear).sqrt()
 }
 
-/// What follows from the stresses of a point.
-#[derive(Clone, Copy, Debug)]
-enum OfStress {
-    /// σ_zz itself.
-    Across,
-    /// A component of the strains, and what multiplies it.
-    Strain(usize, f64),
-    /// The von Mises stress.
-    VonMises,
-}
-
-impl OfStress {
-    fn field(field: FieldName) -> Option<Self> {
-        match field {
-            FieldName::StressZz => Some(Self::Across),
-            FieldName::StrainXx => Some(Self::Strain(0, 1.0)),
-            FieldName::StrainYy => Some(Self::Strain(1, 1.0)),
-            // ε_xy is half of γ_xy.
-            FieldName::StrainXy => Some(Self::Strain(2, 0.5)),
-            FieldName::VonMises => Some(Self::VonMises),
-            _ => None,
-        }
-    }
-
-    /// The value with stresses `[σ_xx, σ_yy, σ_xy]` and σ_zz.
-    fn value(self, model: &dyn PlaneModel, stress: [f64; 3], across: f64) -> f64 {
-        match self {
-            Self::Across => across,
-            Self::Strain(component, factor) => factor * model.strain_with(stress, across)[component],
-            Self::VonMises => von_mises(stress, across),
-        }
+/// A field that follows from the stresses `[σ_xx, σ_yy, σ_xy]` of a point and the one across the plane; none of others.
+fn of_stress(origin: Origin, model: &dyn PlaneModel, stress: [f64; 3], across: f64) -> Option<f64> {
+    match origin {
+        Origin::Across => Some(across),
+        Origin::Strain(component, factor) => Some(factor * model.strain_with(stress, across)[component]),
+        Origin::VonMises => Some(von_mises(stress, across)),
+        Origin::Stress(component) => Some(stress[component]),
+        Origin::Unknown
+        | Origin::Beam
+        | Origin::Energy
+        | Origin::Damage
+        | Origin::Opening
+        | Origin::Reaction(_) => None,
     }
 }
 
@@ -179,7 +159,6 @@ impl PlaneResult {
                 .into_iter()
                 .filter(|&field| of_points(field, model, scene.is_damaged()) == Has::Values)
                 .collect(),
-            deflects: scene.model.deflects(),
             multipliers,
         }
     }
@@ -190,80 +169,69 @@ impl PlaneResult {
         self.shown.iter().copied().filter(|f| self.recovered.is_some() || !f.is_recovered())
     }
 
-    /// Values that are kept, with the numbers that points have in the model.
-    fn kept(&self, field: FieldName) -> Option<&[f64]> {
+    /// Values that are kept, with the numbers that points have in the model, and what they are divided by.
+    fn kept(&self, scene: &PlaneScene, field: FieldName) -> Option<(&[f64], f64)> {
         let (n, recovered) = (self.points, self.recovered.as_ref());
-        match field {
-            FieldName::Ux => Some(&self.record.u[..n]),
-            FieldName::Uy => Some(&self.record.u[n..2 * n]),
-            FieldName::W if self.deflects => Some(&self.record.u[2 * n..3 * n]),
-            FieldName::StressXx => Some(&recovered?.stress[0]),
-            FieldName::StressYy => Some(&recovered?.stress[1]),
-            FieldName::StressXy => Some(&recovered?.stress[2]),
-            FieldName::StressZz => {
-                Some(&recovered?.across).filter(|across| !across.is_empty()).map(|a| &a[..])
+        let values = match field.about().origin {
+            Origin::Unknown => {
+                let (k, component) = scene.model.component(field.name())?;
+                return Some((&self.record.u[k * n..(k + 1) * n], component.scale));
             }
-            FieldName::EnergyDensity => Some(&recovered?.energy_density),
-            FieldName::Damage => recovered?.damage.as_deref(),
-            _ => None,
-        }
-    }
-
-    /// Multiples of the rotations of the points, and the length that multiplies them, where they turn.
-    fn turned(&self, scene: &PlaneScene) -> Option<(&[f64], f64)> {
-        Some((self.record.u.get(2 * self.points..3 * self.points)?, scene.model.turning()?))
+            Origin::Stress(component) => &recovered?.stress[component],
+            Origin::Across => Some(&recovered?.across).filter(|across| !across.is_empty())?,
+            Origin::Energy => &recovered?.energy_density,
+            Origin::Damage => recovered?.damage.as_ref()?,
+            Origin::Strain(..) | Origin::VonMises | Origin::Beam | Origin::Opening | Origin::Reaction(_) => {
+                return None;
+            }
+        };
+        Some((values, 1.0))
     }
 
     /// Values of a field at the points of the body, images left out.
     pub fn values(&self, scene: &PlaneScene, field: FieldName) -> Option<Cow<'_, [f64]>> {
         let whole = scene.model.ghosts().is_empty();
-        if field == FieldName::Phi {
-            let (turned, length) = self.turned(scene)?;
-            return Some(scene.real_points().map(|p| turned[p] / length).collect());
-        }
-        if let Some(kept) = self.kept(field) {
-            return Some(match whole {
+        if let Some((kept, divisor)) = self.kept(scene, field) {
+            return Some(match whole && divisor == 1.0 {
                 true => kept.into(),
-                false => scene.real_points().map(|p| kept[p]).collect(),
+                false => scene.real_points().map(|p| kept[p] / divisor).collect(),
             });
         }
         let recovered = self.recovered.as_ref()?;
-        if field == FieldName::Damage {
+        let origin = field.about().origin;
+        if origin == Origin::Damage {
             return Some(vec![0.0; scene.body().points()].into());
         }
-        let of = OfStress::field(field)?;
         let [x, y, shear] = &recovered.stress;
         let at = |p: usize| {
             let stress = [x[p], y[p], shear[p]];
             let across = recovered.across.get(p).copied();
-            of.value(&*scene.model, stress, across.unwrap_or_else(|| scene.model.stress_across(stress)))
+            let across = across.unwrap_or_else(|| scene.model.stress_across(stress));
+            of_stress(origin, &*scene.model, stress, across)
         };
-        Some(match whole {
+        match whole {
             true => (0..x.len()).map(at).collect(),
             false => scene.real_points().map(at).collect(),
-        })
+        }
     }
 
     /// Value of a field as a sum over points. What is no linear function of the stresses is that of the summed stresses.
     pub fn value(&self, scene: &PlaneScene, field: FieldName, weights: &Weights) -> Option<f64> {
         let sum = |values: &[f64]| weights.iter().map(|&(p, w)| w * values[p as usize]).sum::<f64>();
-        if field == FieldName::Phi {
-            return self.turned(scene).map(|(turned, length)| sum(turned) / length);
-        }
-        if let Some(kept) = self.kept(field) {
-            return Some(sum(kept));
+        if let Some((kept, divisor)) = self.kept(scene, field) {
+            return Some(sum(kept) / divisor);
         }
         let recovered = self.recovered.as_ref()?;
-        if field == FieldName::Damage {
+        let origin = field.about().origin;
+        if origin == Origin::Damage {
             return Some(0.0);
         }
-        let of = OfStress::field(field)?;
         let stress = recovered.stress.each_ref().map(|values| sum(values));
         let across = match recovered.across.is_empty() {
             true => scene.model.stress_across(stress),
             false => sum(&recovered.across),
         };
-        Some(of.value(&*scene.model, stress, across))
+        of_stress(origin, &*scene.model, stress, across)
     }
 }
 
@@ -303,7 +271,7 @@ mod tests {
     #[test]
     fn strains_are_components_of_the_tensor() {
         let model = model(3.0, PlaneState::Stress);
-        let at = |field, stress| OfStress::field(field).unwrap().value(&model, stress, 0.0);
+        let at = |field: FieldName, stress| of_stress(field.about().origin, &model, stress, 0.0).unwrap();
         assert!((at(FieldName::StrainXx, [3.0, 0.0, 0.0]) - 1.0).abs() < 1e-15);
         assert!((at(FieldName::StrainYy, [3.0, 0.0, 0.0]) + 1.0 / 3.0).abs() < 1e-15);
         // ε_xy = σ_xy/(2G), 2G = E/(1 + ν) = 9/4.

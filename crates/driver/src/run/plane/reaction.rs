@@ -42,7 +42,8 @@ const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
 
 /// Forces of supports from the multipliers of all equations and the unknowns.
 pub(super) fn of_supports(scene: &PlaneScene, multipliers: &[f64], u: &[f64]) -> Vec<PlaneReaction> {
-    let (n, deflects) = (scene.model.points(), scene.model.deflects());
+    let n = scene.model.points();
+    let deflects = scene.model.component("w").is_some();
     let of = |support: &PlaneSupport| {
         let mut force = [Sum::default(), Sum::default(), Sum::default()];
         let mut turns = false;

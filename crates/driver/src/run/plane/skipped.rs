@@ -15,7 +15,7 @@ pub(super) fn skipped(scene: &PlaneScene, report: &RunReport, recover: bool) -> 
             Some(_) => "Newton iterations: between two breaks the body is linear in the load".into(),
         });
     }
-    if model.turning().is_none() {
+    if model.component("phi").is_none() {
         skipped.push(format!("{points} rotations: bonds along their own direction read none"));
     }
     if model.lattice().is_some() && scene.path.is_none() {

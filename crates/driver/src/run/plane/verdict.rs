@@ -1,7 +1,7 @@
 //! Probes and checks on the result of a body in the plane.
 
 use super::PlaneResult;
-use crate::case::FieldName;
+use crate::case::Origin;
 use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
 use crate::scene::plane::{PlaneComparison, PlaneProbe, PlaneScene, Quantity};
 use crate::scene::{Expectation, ExpectationKind};
@@ -56,14 +56,9 @@ pub(super) fn mechanical(
             springs.flat_map(|s| s.forces(n, u)).for_each(|(_, force)| sum.add(-force));
             Some(sum.total())
         }
-        Quantity::Field { field: FieldName::Ux, weights } => {
-            Some(weights.iter().map(|&(p, w)| w * u[p as usize]).sum())
-        }
-        Quantity::Field { field: FieldName::Uy, weights } => {
-            Some(weights.iter().map(|&(p, w)| w * u[n + p as usize]).sum())
-        }
-        Quantity::Field { field: FieldName::W, weights } => {
-            Some(weights.iter().map(|&(p, w)| w * u[2 * n + p as usize]).sum())
+        Quantity::Field { field, weights } if field.about().origin == Origin::Unknown => {
+            let (k, component) = scene.model.component(field.name())?;
+            Some(weights.iter().map(|&(p, w)| w * u[k * n + p as usize]).sum::<f64>() / component.scale)
         }
         Quantity::Opening { component, weights } => {
             Some(weights.iter().map(|&(p, w)| w * u[component * n + p as usize]).sum())

@@ -61,14 +61,13 @@ impl PlaneBonds {
         }
     }
 
-    /// Whether points have rotations of their own.
-    pub fn points_turn(&self) -> bool {
-        matches!(self, Self::Beams(_))
-    }
-
-    /// Whether points move across the plane.
-    pub fn deflects(&self) -> bool {
-        matches!(self, Self::Shell(_))
+    /// Whether points have an unknown of a name beside `ux` and `uy`.
+    pub fn has(&self, component: &str) -> bool {
+        match self {
+            Self::Central(_) | Self::State(_) => false,
+            Self::Beams(_) => component == "phi",
+            Self::Shell(_) => component == "w",
+        }
     }
 
     /// The same on a lattice whose rows run at an angle to x, rad.

@@ -231,7 +231,7 @@ pub(super) fn missing(
     forces.iter().for_each(|&(p, f)| context.bonds.add_force(&mut rest, f.map(|f| -f), at(p)));
     let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
     let Some(model) = context.model else { return small };
-    let is_flat = !model.is_revolved() && !model.deflects();
+    let is_flat = !model.is_revolved() && model.component("w").is_none();
     if context.symmetry.mirrors.is_none() && is_flat {
         // A stress that goes through no mirror has no resultant.
         lump::add_resultant(&mut small, &rest, context);

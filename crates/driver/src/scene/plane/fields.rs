@@ -1,8 +1,9 @@
 //! The fields of a body in the plane: which its points have, and which its probes can ask for.
 
 use super::super::words;
-use crate::case::{Case, FieldName};
+use crate::case::{Case, FieldName, Origin};
 use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::model::Component;
 use peristat_assembly::model::plane::PlaneModel;
 
 /// How the points of a body have a field.
@@ -18,15 +19,13 @@ pub(crate) enum Has {
 
 /// How the points of a body have a field; of a damaged one bonds are cut, or can fail.
 pub(crate) fn of_points(field: FieldName, model: &dyn PlaneModel, is_damaged: bool) -> Has {
-    let has = |is_there: bool, otherwise: Has| if is_there { Has::Values } else { otherwise };
-    match field {
-        FieldName::W => has(model.deflects(), Has::No),
-        FieldName::Phi => has(model.turning().is_some(), Has::No),
-        FieldName::StressZz => {
-            has(model.is_revolved() || model.stress_across([1.0, 1.0, 0.0]) != 0.0, Has::Zero)
-        }
-        FieldName::Damage => has(is_damaged, Has::Zero),
-        field => has(FieldName::PLANE.contains(&field), Has::No),
+    let or = |is_there: bool, otherwise: Has| if is_there { Has::Values } else { otherwise };
+    match field.about().origin {
+        Origin::Unknown => or(model.component(field.name()).is_some(), Has::No),
+        Origin::Across => or(model.is_revolved() || model.stress_across([1.0, 1.0, 0.0]) != 0.0, Has::Zero),
+        Origin::Damage => or(is_damaged, Has::Zero),
+        Origin::Strain(..) | Origin::Stress(_) | Origin::VonMises | Origin::Energy => Has::Values,
+        Origin::Beam | Origin::Opening | Origin::Reaction(_) => Has::No,
     }
 }
 
@@ -35,15 +34,20 @@ pub(super) fn answered(model: &dyn PlaneModel) -> impl Iterator<Item = FieldName
     FieldName::PLANE.into_iter().filter(move |&field| of_points(field, model, false) != Has::No)
 }
 
-/// Reactions by their components: the third is that of points that turn, the fourth that across the plane.
-pub(super) const REACTIONS: [FieldName; 4] =
+/// Forces and moments of supports, in the order of messages.
+const REACTIONS: [FieldName; 4] =
     [FieldName::ReactionX, FieldName::ReactionY, FieldName::ReactionMoment, FieldName::ReactionForce];
+
+/// The unknown that a reaction holds: its index and what is known of it.
+pub(super) fn held(reaction: FieldName, model: &dyn PlaneModel) -> Option<(usize, Component)> {
+    let Origin::Reaction(component) = reaction.about().origin else { return None };
+    model.component(component)
+}
 
 /// The fields that probes can ask for: those of points, reactions, rotations of rigid regions and openings of cracks.
 pub(super) fn probed(model: &dyn PlaneModel, case: &Case) -> Vec<FieldName> {
-    let has = [true, true, model.turning().is_some(), model.deflects()];
-    let reactions = REACTIONS.into_iter().zip(has).filter(|r| r.1).map(|r| r.0);
-    let turns = (model.turning().is_none() && !case.rigid.is_empty()).then_some(FieldName::Phi);
+    let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model).is_some());
+    let turns = (model.component("phi").is_none() && !case.rigid.is_empty()).then_some(FieldName::Phi);
     let opens = (!case.cracks.is_empty()).then_some(FieldName::Opening);
     answered(model).chain(turns).chain(reactions).chain(opens).collect()
 }

@@ -97,7 +97,7 @@ pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoa
 }
 
 fn point(load: &PointLoad, context: &Context, path: &JsonPath, to: &mut PlaneLoads, faults: &mut Faults) {
-    let (points_turn, deflects) = (context.bonds.points_turn(), context.bonds.deflects());
+    let (points_turn, deflects) = (context.bonds.has("phi"), context.bonds.has("w"));
     let foreign = [
         ("force", load.force != 0.0 && !deflects, "use `force_x` and `force_y`"),
         ("axial", load.axial != 0.0, "use `force_x` and `force_y`"),
@@ -341,7 +341,7 @@ impl PlaneLoads {
             (0..2).for_each(|c| force[c * n + point as usize] += factor * f[c]);
         }
         // A moment does its work on the rotation, the unknown is a multiple of that.
-        let turning = model.turning().unwrap_or(1.0);
+        let turning = model.scale(2);
         for &(point, value) in &self.across {
             force[2 * n + point as usize] += factor * value / turning;
         }

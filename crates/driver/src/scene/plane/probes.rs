@@ -2,7 +2,7 @@
 
 use super::super::words::{suggest, tidy};
 use super::conditions::Conditions;
-use super::fields::{self, REACTIONS};
+use super::fields;
 use super::ground::{Ground, PLACE};
 use super::interpolate::{Interpolation, Weights};
 use super::{model::Recipe, opening, supports::Held};
@@ -35,8 +35,8 @@ pub enum Quantity {
     },
     /// What supports do to the body.
     Reaction {
-        /// Along x, 0, or along y, 1; 2 for the moment, 3 for the force across the plane.
-        component: usize,
+        /// Which of its forces, or its moment.
+        field: FieldName,
         /// Indices of equations of the scene and how much of the force that holds each counts.
         equations: Vec<(usize, f64)>,
         /// Indices of springs of the scene along this component.
@@ -60,7 +60,7 @@ impl PlaneProbe {
     pub fn field_name(&self) -> &'static str {
         match &self.quantity {
             Quantity::Field { field, .. } => field.name(),
-            Quantity::Reaction { component, .. } => REACTIONS[*component].name(),
+            Quantity::Reaction { field, .. } => field.name(),
             Quantity::Opening { .. } => FieldName::Opening.name(),
             Quantity::Rotation(_) => FieldName::Phi.name(),
             Quantity::StressIntensity(_) => "stress_intensity",
@@ -110,7 +110,7 @@ fn resolve(
         return opening::resolve(probe, context, &at, faults);
     }
     let is_rigid = |name: &String| case.rigid.iter().any(|r| r.region == *name);
-    let points_turn = context.model.turning().is_some();
+    let points_turn = context.model.component("phi").is_some();
     if field == FieldName::Phi && (!points_turn || probe.at.region.as_ref().is_some_and(is_rigid)) {
         return rotation(probe, context, path, faults);
     }
@@ -210,9 +210,8 @@ fn reaction(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Quantity> {
-    let quantity = REACTIONS.iter().position(|f| *f == field).unwrap_or(0);
-    let component = quantity.min(2);
-    let unit = if component == 2 { context.model.turning().unwrap_or(1.0) } else { 1.0 };
+    let (component, of) = fields::held(field, context.model)?;
+    let unit = of.scale;
     let mut numbers: Vec<u32> = points.iter().map(|&p| context.recipe.number(context.model, p)).collect();
     numbers.sort_unstable();
     let here = |p: u32| numbers.binary_search(&p).is_ok();
@@ -244,11 +243,16 @@ fn reaction(
             true => PLACE.to_string(),
             false => format!("supports are at {}", places.join(", ")),
         };
-        let how = ["along x", "along y", "against turning", "across the plane"][quantity];
+        let how = match of.name {
+            "ux" => "along x",
+            "uy" => "along y",
+            "phi" => "against turning",
+            _ => "across the plane",
+        };
         faults
             .error(path.clone(), format!("nothing holds {words} {how}, so there is no reaction"))
             .hint(hint);
         return None;
     }
-    Some(Quantity::Reaction { component: quantity, equations, springs })
+    Some(Quantity::Reaction { field, equations, springs })
 }

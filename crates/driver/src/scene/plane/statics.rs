@@ -60,7 +60,7 @@ pub(super) fn statical(model: &dyn PlaneModel) -> [bool; 3] {
         return [false, true, false];
     }
     let mirrors = model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
-    match model.deflects() {
+    match model.component("w").is_some() {
         true => [true, false, mirrors.joined[1] || mirrors.rows == [None; 2]],
         false => [true, true, mirrors.is_none()],
     }
@@ -69,7 +69,8 @@ pub(super) fn statical(model: &dyn PlaneModel) -> [bool; 3] {
 /// Resultant of forces on the unknowns of a model, component by component. What acts on an image acts on its point, in its
 /// mirror.
 pub(super) fn resultant(model: &dyn PlaneModel, bonds: &PlaneBonds, forces: &[f64]) -> Resultant {
-    let (n, turning) = (model.points(), model.turning());
+    let n = model.points();
+    let turning = model.component("phi").map(|(_, phi)| phi.scale);
     let lattice = model.lattice().filter(|(_, mirrors)| !mirrors.is_none());
     let mut sum = Resultant::default();
     for point in 0..n {

@@ -7,7 +7,7 @@ use crate::diagnostic::{Faults, JsonPath};
 
 /// Adds a fault for every key of a support that does not fit a body in the plane, or another key.
 pub(super) fn check(support: &Support, bonds: &PlaneBonds, path: &JsonPath, faults: &mut Faults) {
-    let (points_turn, deflects) = (bonds.points_turn(), bonds.deflects());
+    let (points_turn, deflects) = (bonds.has("phi"), bonds.has("w"));
     let foreign = [
         ("w", support.w.is_some() && !deflects, "a body in the plane is held by `ux` and `uy`"),
         (

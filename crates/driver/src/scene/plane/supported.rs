@@ -28,14 +28,14 @@ pub(super) fn conditions(
     recipe: &Recipe,
     model: &dyn PlaneModel,
 ) -> (Conditions, Vec<PlaneSupport>) {
-    let mut conditions = Conditions { turning: model.turning(), ..Conditions::default() };
+    let mut conditions = Conditions { turning: model.component("phi").map(|(_, phi)| phi.scale), ..Conditions::default() };
     let (mut supports, mut next) = (Vec::new(), 0);
     for h in held {
         let (holds, springs) = (h.holds(recipe, model), h.spring_list(recipe, model));
         let mut equations = Vec::new();
         for hold in &holds {
             let [x, y, turn] = hold.direction;
-            let shares = [x, y, turn * model.turning().unwrap_or(1.0)];
+            let shares = [x, y, turn * model.scale(2)];
             equations.push((next..next + hold.points.len(), shares));
             next += hold.points.len();
         }

@@ -70,7 +70,7 @@ pub(super) fn held(
         held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
         // Of a shell the outermost points are held.
         if let (PlaneBody::Lattice(lattice), Some(name), false) =
-            (ground.body, &support.at.region, bonds.deflects())
+            (ground.body, &support.at.region, bonds.has("w"))
         {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
             held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, &shares));
@@ -169,7 +169,7 @@ impl Held {
                 chains: if turns || follows { Vec::new() } else { chains.clone() },
                 pieces: if follows { pieces.clone() } else { Vec::new() },
                 direction,
-                value: if turns { value * model.turning().unwrap_or(1.0) } else { value },
+                value: if turns { value * model.scale(2) } else { value },
                 origin: self.path.key(key).to_string(),
             }
         };

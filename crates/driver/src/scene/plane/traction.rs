@@ -239,7 +239,7 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
     // Chords of round borders are known to one stress to rounding; what it does to images is not what goes into a mirror.
     let knows_chords =
         context.symmetry.mirrors.is_none() && context.model.is_some_and(|model| model.follows_border());
-    if (context.bonds.points_turn() || knows_chords) && add_uniform(tractions, context, to) {
+    if (context.bonds.has("phi") || knows_chords) && add_uniform(tractions, context, to) {
         // Beside the border rotations of one stress are in balance by its own loads only.
         return;
     }

@@ -170,7 +170,7 @@ fn along_joined_sides(conditions: &mut Conditions, context: &Context) {
         let along = [f64::from(u8::from(axis == 0)), f64::from(u8::from(axis == 1)), 0.0];
         if mirrors.stretches[axis] {
             conditions.need(along, periodic::stress(axis, context).unwrap_or(0.0));
-        } else if axis == 1 && context.bonds.deflects() {
+        } else if axis == 1 && context.bonds.has("w") {
             // A tube grows wider as it likes.
             conditions.settle(along, 0.0);
         } else if mirrors.joined[axis] || mirrors.lines()[axis].iter().all(Option::is_some) {

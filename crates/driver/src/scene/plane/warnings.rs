@@ -35,7 +35,7 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             .hint("use a smaller spacing or a shorter horizon");
     }
     let uncorrected = scene.model.uncorrected();
-    if uncorrected > 0 && !scene.bonds().deflects() {
+    if uncorrected > 0 && !scene.bonds().has("w") {
         let (s, verb) = if uncorrected == 1 { ("", "is") } else { ("s", "are") };
         faults
             .warning(

@@ -47,7 +47,7 @@ fn plates() -> Vec<(f64, BeamBondOrthotropic)> {
 /// Unknowns of the strain of a stress, with a rotation w of the body and of its points.
 fn uniform(plate: &BeamBondOrthotropic, stress: [f64; 3], w: f64) -> Vec<f64> {
     let (n, [xx, yy, xy]) = (plate.points(), plate.strain_of(stress));
-    let mut u = vec![plate.turning().unwrap() * w; 3 * n];
+    let mut u = vec![plate.scale(2) * w; 3 * n];
     for p in 0..n {
         let [x, y] = plate.place(p);
         u[p] = xx * x + (0.5 * xy - w) * y;

@@ -1,0 +1,273 @@
+//! Fields of results: their names, units and sources.
+
+use super::Units;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A field that can be probed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum FieldName {
+    /// Deflection, across the line or member; displacement of a shell outwards.
+    #[serde(rename = "w")]
+    W,
+    /// Displacement along the line or member.
+    #[serde(rename = "u")]
+    U,
+    /// Displacement along x, on a frame or in the plane.
+    #[serde(rename = "ux")]
+    Ux,
+    /// Displacement along y, on a frame or in the plane.
+    #[serde(rename = "uy")]
+    Uy,
+    /// Rotation, rad; in the plane that of a rigid region, or of a point where points turn.
+    #[serde(rename = "phi")]
+    Phi,
+    /// Bending moment.
+    M,
+    /// Shear force.
+    V,
+    /// Axial force, tension positive.
+    N,
+    /// Normal stress at the extreme fibre on the side of +w.
+    #[serde(rename = "stress_top")]
+    StressTop,
+    /// Normal stress at the extreme fibre on the side of −w.
+    #[serde(rename = "stress_bottom")]
+    StressBottom,
+    /// Normal strain along x, in the plane.
+    #[serde(rename = "strain_xx")]
+    StrainXx,
+    /// Normal strain along y, in the plane.
+    #[serde(rename = "strain_yy")]
+    StrainYy,
+    /// Shear strain ε_xy, half the change of the right angle, in the plane.
+    #[serde(rename = "strain_xy")]
+    StrainXy,
+    /// Normal stress along x, in the plane.
+    #[serde(rename = "stress_xx")]
+    StressXx,
+    /// Normal stress along y, in the plane.
+    #[serde(rename = "stress_yy")]
+    StressYy,
+    /// Shear stress, in the plane.
+    #[serde(rename = "stress_xy")]
+    StressXy,
+    /// Normal stress across the plane: around the axis of a body of revolution; zero in plane stress and in shells.
+    #[serde(rename = "stress_zz")]
+    StressZz,
+    /// Von Mises stress, in the plane.
+    #[serde(rename = "von_mises")]
+    VonMises,
+    /// Opening of a crack at a position on it, in the plane: the displacement of its upper face less that of the lower one,
+    /// normal to it, of a crack along y of the right one less the left one. Both faces are extrapolated from two rows.
+    #[serde(rename = "opening")]
+    Opening,
+    /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane; zero where nothing is cut.
+    #[serde(rename = "damage")]
+    Damage,
+    /// Strain energy density, per volume.
+    #[serde(rename = "energy_density")]
+    EnergyDensity,
+    /// Force of the support at the point on the beam, or of those in the region of a shell, along w.
+    #[serde(rename = "reaction_force")]
+    ReactionForce,
+    /// Force of the support at the point, or of those in the region, on the body, along x.
+    #[serde(rename = "reaction_x")]
+    ReactionX,
+    /// Force of the support at the point, or of those in the region, on the body, along y.
+    #[serde(rename = "reaction_y")]
+    ReactionY,
+    /// Moment of the support at the point on the beam, along phi; in the plane, where points turn, of all that holds the
+    /// rotations of the points of the region.
+    #[serde(rename = "reaction_moment")]
+    ReactionMoment,
+}
+
+/// What is known of a field, whatever body has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Field {
+    /// The name in case files and tables.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: Unit,
+    /// What it follows from.
+    pub origin: Origin,
+}
+
+/// The unit of a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// A length.
+    Length,
+    /// Radians.
+    Angle,
+    /// None.
+    One,
+    /// A stress; a strain energy per volume is one, too.
+    Stress,
+    /// A force.
+    Force,
+    /// A force times a length.
+    Moment,
+}
+
+impl Unit {
+    /// Its label in the units of a case.
+    pub fn label(self, units: Units) -> &'static str {
+        match self {
+            Self::Length => units.length(),
+            Self::Angle => "rad",
+            Self::One => "",
+            Self::Stress => units.stress(),
+            Self::Force => units.force(),
+            Self::Moment => units.moment(),
+        }
+    }
+}
+
+/// What a field follows from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Origin {
+    /// The unknown of this name, or in frames those of the members.
+    Unknown,
+    /// The bonds of a beam.
+    Beam,
+    /// A component of the strains `[ε_xx, ε_yy, γ_xy]`, and what multiplies it.
+    Strain(usize, f64),
+    /// A component of the stresses `[σ_xx, σ_yy, σ_xy]`.
+    Stress(usize),
+    /// The stress across the plane.
+    Across,
+    /// The stresses: von Mises.
+    VonMises,
+    /// The energies of the bonds.
+    Energy,
+    /// The bonds that are cut.
+    Damage,
+    /// The faces of a crack.
+    Opening,
+    /// What holds the unknown of this name.
+    Reaction(&'static str),
+}
+
+impl FieldName {
+    /// The fields that every point of a line has, in the order of tables.
+    const LINE: [Self; 7] =
+        [Self::W, Self::Phi, Self::M, Self::V, Self::StressTop, Self::StressBottom, Self::EnergyDensity];
+
+    /// The same where the line has axial unknowns.
+    const STRETCHED: [Self; 9] = [
+        Self::W,
+        Self::Phi,
+        Self::U,
+        Self::M,
+        Self::V,
+        Self::N,
+        Self::StressTop,
+        Self::StressBottom,
+        Self::EnergyDensity,
+    ];
+
+    /// The fields that every point of a frame has, in the order of tables.
+    const FRAME: [Self; 11] = [
+        Self::Ux,
+        Self::Uy,
+        Self::W,
+        Self::U,
+        Self::Phi,
+        Self::N,
+        Self::V,
+        Self::M,
+        Self::StressTop,
+        Self::StressBottom,
+        Self::EnergyDensity,
+    ];
+
+    /// The fields that points of bodies in the plane have, in the order of tables; `phi` where they turn, `w` in shells.
+    pub const PLANE: [Self; 14] = [
+        Self::Ux,
+        Self::Uy,
+        Self::W,
+        Self::Phi,
+        Self::StrainXx,
+        Self::StrainYy,
+        Self::StrainXy,
+        Self::StressXx,
+        Self::StressYy,
+        Self::StressXy,
+        Self::StressZz,
+        Self::VonMises,
+        Self::EnergyDensity,
+        Self::Damage,
+    ];
+
+    /// The fields that every point of a beam has, in the order of tables.
+    pub fn of_beam(on_frame: bool, has_axial: bool) -> &'static [Self] {
+        match (on_frame, has_axial) {
+            (true, _) => &Self::FRAME,
+            (false, true) => &Self::STRETCHED,
+            (false, false) => &Self::LINE,
+        }
+    }
+
+    /// What is known of it.
+    pub const fn about(self) -> Field {
+        use {Origin::*, Unit::*};
+        let (name, unit, origin) = match self {
+            Self::W => ("w", Length, Unknown),
+            Self::U => ("u", Length, Unknown),
+            Self::Ux => ("ux", Length, Unknown),
+            Self::Uy => ("uy", Length, Unknown),
+            Self::Phi => ("phi", Angle, Unknown),
+            Self::M => ("M", Moment, Beam),
+            Self::V => ("V", Force, Beam),
+            Self::N => ("N", Force, Beam),
+            Self::StressTop => ("stress_top", Unit::Stress, Beam),
+            Self::StressBottom => ("stress_bottom", Unit::Stress, Beam),
+            Self::StrainXx => ("strain_xx", One, Strain(0, 1.0)),
+            Self::StrainYy => ("strain_yy", One, Strain(1, 1.0)),
+            // ε_xy is half of γ_xy.
+            Self::StrainXy => ("strain_xy", One, Strain(2, 0.5)),
+            Self::StressXx => ("stress_xx", Unit::Stress, Origin::Stress(0)),
+            Self::StressYy => ("stress_yy", Unit::Stress, Origin::Stress(1)),
+            Self::StressXy => ("stress_xy", Unit::Stress, Origin::Stress(2)),
+            Self::StressZz => ("stress_zz", Unit::Stress, Across),
+            Self::VonMises => ("von_mises", Unit::Stress, VonMises),
+            Self::Opening => ("opening", Length, Opening),
+            Self::Damage => ("damage", One, Damage),
+            Self::EnergyDensity => ("energy_density", Unit::Stress, Energy),
+            Self::ReactionForce => ("reaction_force", Force, Reaction("w")),
+            Self::ReactionX => ("reaction_x", Force, Reaction("ux")),
+            Self::ReactionY => ("reaction_y", Force, Reaction("uy")),
+            Self::ReactionMoment => ("reaction_moment", Moment, Reaction("phi")),
+        };
+        Field { name, unit, origin }
+    }
+
+    /// The name in case files.
+    pub const fn name(self) -> &'static str {
+        self.about().name
+    }
+
+    /// Whether it is a force or moment of a support.
+    pub fn is_reaction(self) -> bool {
+        matches!(self.about().origin, Origin::Reaction(_))
+    }
+
+    /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
+    pub fn is_recovered(self) -> bool {
+        !matches!(self.about().origin, Origin::Reaction(_) | Origin::Unknown | Origin::Opening)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_case_files() {
+        for field in FieldName::FRAME.into_iter().chain(FieldName::PLANE) {
+            assert_eq!(serde_json::to_value(field).unwrap(), field.name());
+        }
+    }
+}
