@@ -40,7 +40,11 @@ fn the_first_command_prints_what_the_readme_shows() {
     let shown = readme.split_once("```text\n").unwrap().1.split("```").next().unwrap();
     assert!(shown.lines().count() > 5, "{shown}");
     for line in shown.lines() {
-        assert!(outcome.stdout.lines().any(|l| same_line(l, line)), "not printed: {line}\n{}", outcome.stdout);
+        assert!(
+            outcome.stdout.lines().any(|l| same_line(l, line)),
+            "not printed: {line}\n{}",
+            outcome.stdout
+        );
     }
     assert!(folder.path().join("results/case_b_45/report.html").is_file());
 }
