@@ -158,3 +158,10 @@ fn every_path_that_a_document_names_exists() {
         }
     }
 }
+
+#[test]
+fn the_citation_names_the_version_of_the_workspace() {
+    let citation = fs::read_to_string(root().join("CITATION.cff")).unwrap();
+    let version = format!("version: {}", env!("CARGO_PKG_VERSION"));
+    assert!(citation.lines().any(|line| line == version), "CITATION.cff has no line `{version}`");
+}
