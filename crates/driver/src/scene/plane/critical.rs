@@ -3,7 +3,7 @@
 use super::super::fracture::{foreign, needed};
 use super::super::root;
 use super::bonds::PlaneBonds;
-use super::fracture::Context;
+use super::site::Site;
 use super::model;
 use crate::case::{CriticalFormula, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
@@ -18,20 +18,20 @@ use peristat_assembly::model::plane::CriticalStretch;
 /// Critical stretches by offset, and which offsets are along fibres.
 pub(super) fn critical(
     fracture: &mut Fracture,
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(CriticalStretch, Vec<bool>)> {
-    match context.recipe.bonds {
+    match site.recipe.bonds {
         PlaneBonds::Central(parameters) => {
-            let stretch = of_central(fracture, &parameters, context, path, faults)?;
-            let offsets = context.recipe.bonds.offsets().map_or(1, |offsets| offsets.len());
+            let stretch = of_central(fracture, &parameters, site, path, faults)?;
+            let offsets = site.recipe.bonds.offsets().map_or(1, |offsets| offsets.len());
             Some((CriticalStretch(vec![stretch; offsets]), Vec::new()))
         }
-        PlaneBonds::Beams(parameters) => of_beams(fracture, &parameters, context, path, faults),
+        PlaneBonds::Beams(parameters) => of_beams(fracture, &parameters, site, path, faults),
         PlaneBonds::State(_) => {
             let stretch = of_families(fracture, path, faults)?;
-            let offsets = context.recipe.bonds.offsets().map_or(1, |offsets| offsets.len());
+            let offsets = site.recipe.bonds.offsets().map_or(1, |offsets| offsets.len());
             Some((CriticalStretch(vec![stretch; offsets]), Vec::new()))
         }
         // That they do not break has been said.
@@ -42,7 +42,7 @@ pub(super) fn critical(
 fn of_central(
     fracture: &mut Fracture,
     parameters: &PlaneParameters,
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<f64> {
@@ -73,7 +73,7 @@ fn of_central(
         return needed(given.stretch, "stretch", path, faults);
     };
     needed(Some(rate), "energy_release_rate", path, faults)?;
-    let is_lattice = matches!(context.ground.body, peristat_assembly::body::PlaneBody::Lattice(_));
+    let is_lattice = matches!(site.ground.body, peristat_assembly::body::PlaneBody::Lattice(_));
     let default = if is_lattice { CriticalFormula::Energy } else { CriticalFormula::Published };
     match given.formula.get_or_insert(default) {
         CriticalFormula::Published if parameters.influence != Influence::Constant => {
@@ -83,7 +83,7 @@ fn of_central(
             None
         }
         CriticalFormula::Published => {
-            Some(published_critical_stretch(rate, parameters, context.recipe.horizon))
+            Some(published_critical_stretch(rate, parameters, site.recipe.horizon))
         }
         CriticalFormula::Energy if !is_lattice => {
             faults
@@ -92,9 +92,9 @@ fn of_central(
             None
         }
         CriticalFormula::Energy => {
-            let spacing = context.recipe.body.spacing();
+            let spacing = site.recipe.body.spacing();
             let found = critical_stretch(rate, parameters, spacing);
-            found.map_err(|error| model::refuse(&error.into(), context.ground.case, faults)).ok()
+            found.map_err(|error| model::refuse(&error.into(), site.ground.case, faults)).ok()
         }
     }
 }
@@ -122,12 +122,12 @@ fn of_families(fracture: &Fracture, path: &JsonPath, faults: &mut Faults) -> Opt
 fn of_beams(
     fracture: &mut Fracture,
     parameters: &OrthotropicParameters,
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(CriticalStretch, Vec<bool>)> {
     let refuse = |error: OrthotropicError, faults: &mut Faults| {
-        model::refuse(&error.into(), context.ground.case, faults);
+        model::refuse(&error.into(), site.ground.case, faults);
     };
     let bonds = BeamNeighbourhood::new(parameters).map_err(|error| refuse(error, faults)).ok()?;
     if bonds.start() == Some(Start::Oblique) {
@@ -174,10 +174,10 @@ fn of_beams(
         let rates = ReleaseRates { fibre: fibre?, matrix: matrix? };
         match given.formula.get_or_insert_default() {
             CriticalFormula::Published => {
-                CriticalStretches::published(rates, &parameters.material, context.recipe.horizon)
+                CriticalStretches::published(rates, &parameters.material, site.recipe.horizon)
             }
             CriticalFormula::Energy => {
-                let found = CriticalStretches::by_energy(rates, &bonds, context.recipe.body.spacing());
+                let found = CriticalStretches::by_energy(rates, &bonds, site.recipe.body.spacing());
                 found.map_err(|error| refuse(error, faults)).ok()?
             }
         }

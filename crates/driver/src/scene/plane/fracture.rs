@@ -1,15 +1,13 @@
 //! How the bonds of a body in the plane break.
 
+use super::site::Site;
 use super::super::fracture::{self, FractureScene};
 use super::super::root;
-use super::conditions::Conditions;
 use super::critical::critical;
-use super::ground::Ground;
-use super::model::Recipe;
 use crate::case::{Case, CrackDirection, FieldName, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::fracture::FACTS;
-use peristat_assembly::model::plane::{CriticalStretch, PlaneModel};
+use peristat_assembly::model::plane::CriticalStretch;
 
 /// How a body in the plane breaks.
 #[derive(Clone, Debug)]
@@ -36,40 +34,32 @@ fn general_facts(fibres: &[bool]) -> Vec<String> {
     FACTS.into_iter().chain(of_fibres).map(Into::into).collect()
 }
 
-/// What resolution looks at.
-pub(super) struct Context<'a> {
-    pub(super) ground: &'a Ground<'a>,
-    pub(super) recipe: &'a Recipe,
-    pub(super) model: &'a dyn PlaneModel,
-    pub(super) conditions: &'a Conditions,
-    pub(super) probes: &'a [&'a str],
-}
-
 /// The fracture of a case, with its defaults filled in.
 pub(super) fn resolve(
     fracture: &mut Fracture,
-    context: &Context,
+    site: &Site,
+    probes: &[&str],
     faults: &mut Faults,
 ) -> Option<PlaneFracture> {
     let path = root("fracture");
-    let case = context.ground.case;
+    let case = site.ground.case;
     if !(case.symmetry.is_empty() && case.periodic.is_empty()) {
         // It is refused already; images have numbers of their own.
         return None;
     }
-    let mut exempt = vec![false; context.model.points()];
+    let mut exempt = vec![false; site.model.points()];
     for (k, name) in fracture.no_fail.iter().enumerate() {
-        let points = context.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();
-        points.iter().for_each(|&p| exempt[context.recipe.number(context.model, p) as usize] = true);
+        let points = site.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();
+        points.iter().for_each(|&p| exempt[site.recipe.number(site.model, p) as usize] = true);
     }
-    context.conditions.held_points().for_each(|p| exempt[p] = true);
-    let (critical, fibres) = critical(fracture, context, &path.key("critical"), faults)?;
+    site.conditions.held_points().for_each(|p| exempt[p] = true);
+    let (critical, fibres) = critical(fracture, site, &path.key("critical"), faults)?;
     check_directions(fracture, &general_facts(&fibres), &path.key("directions"), faults);
-    check_load(&fracture.load, context.ground.case, &path.key("load"), faults);
+    check_load(&fracture.load, site.ground.case, &path.key("load"), faults);
     let directions = fracture.directions.clone();
-    let steps = fracture::resolve(fracture, critical, exempt, context.probes, faults)?;
+    let steps = fracture::resolve(fracture, critical, exempt, probes, faults)?;
     let fracture = PlaneFracture { steps, fibres, directions };
-    fracture::check_probes(context.ground.case, &fracture.facts(), faults);
+    fracture::check_probes(site.ground.case, &fracture.facts(), faults);
     Some(fracture)
 }
 

@@ -44,9 +44,11 @@ mod periodic;
 mod probes;
 mod problem;
 mod profile;
+mod resolve;
 mod rigid_mirror;
 mod round;
 mod shell;
+mod site;
 mod size;
 mod snap;
 mod specimen;
@@ -82,15 +84,11 @@ pub use problem::PlaneProblem;
 pub use supported::PlaneSupport;
 
 use super::path::PathScene;
-use super::states::{self, Sum};
 use super::{Expectation, InputFile, root};
 use crate::case::{Case, Fracture, Path as CasePath, Solver, Units};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::Faults;
 use crate::input::Folder;
-use crate::run::path::PATH_FACTS;
 use elastic::Elastic;
-use ground::Ground;
-use interpolate::Interpolation;
 use model::Recipe;
 use peristat_assembly::body::{Cell, Crack, Outline, PlaneBody, SquareLattice};
 use peristat_assembly::condition::Equation;
@@ -157,195 +155,6 @@ pub struct PlaneState {
 }
 
 impl PlaneScene {
-    /// Resolves a case of a body in the plane. `folder` is where files that the case names are looked for, `faults` are
-    /// those found so far; `max_memory` is in bytes.
-    ///
-    /// # Errors
-    /// All faults of the case.
-    pub(super) fn new(
-        mut case: Case,
-        mut model: Given,
-        folder: &Folder,
-        max_memory: Option<u64>,
-        mut faults: Faults,
-    ) -> Result<Self, Faults> {
-        let usual = model.clone().bonds(&case, false, &mut Faults::default());
-        let usual = usual.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
-        let Some(expanded) = specimen::expand(&mut case, usual, &mut faults) else { return Err(faults) };
-        let mut traced = (case.fracture.clone(), case.path.clone());
-        let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, &model, folder, max_memory)));
-        let filled = (&mut model, &mut traced);
-        let scene = Self::checked(&expanded.case, filled, folder, max_memory, &mut faults);
-        expanded.relocate(&mut faults);
-        let Some(mut scene) = scene.filter(|_| !faults.has_errors()) else { return Err(faults) };
-        model.settle(scene.bonds(), &mut case);
-        case.model = model.into();
-        (case.fracture, case.path) = traced;
-        scene.elastic = elastic.filter(|elastic| elastic.differs_from(scene.bonds()));
-        scene.files = super::files::keep(&mut case, folder, max_memory);
-        (scene.case, scene.warnings) = (case, faults);
-        Ok(scene)
-    }
-
-    /// The scene of a case without specimens, and its doubts; `None` where there are faults that leave no scene.
-    fn checked(
-        case: &Case,
-        filled: (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
-        folder: &Folder,
-        max_memory: Option<u64>,
-        faults: &mut Faults,
-    ) -> Option<Self> {
-        let resolved = Self::resolve(case, filled, folder, max_memory, faults);
-        let scene = resolved.filter(|_| !faults.has_errors())?;
-        if scene.outline.is_none() || scene.can_have_loose_points() {
-            with_body!(&scene.model, body => loose::check(&scene, &**body, faults));
-        }
-        shell::check_bearable(&scene, faults);
-        warnings::collect(&scene, faults);
-        Some(scene)
-    }
-
-    /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model and of its
-    /// fracture.
-    fn resolve(
-        case: &Case,
-        (model, traced): (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
-        folder: &Folder,
-        max_memory: Option<u64>,
-        faults: &mut Faults,
-    ) -> Option<Self> {
-        foreign::check(case, faults);
-        let parts::Parts { mut recipe, outline, curves, cracks } =
-            parts::parts(case, model, folder, max_memory, faults)?;
-        let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
-        if !counts::fit(&ground, max_memory, faults) {
-            return None;
-        }
-        let held = supports::held(&ground, &recipe.symmetry, &recipe.bonds, faults);
-        let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
-        rigid_mirror::check(&rigid, &recipe, faults);
-        recipe.bearings = bearing::bearings(case, &rigid, faults);
-        let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
-        let built = recipe.make(&paths).map_err(|error| model::refuse(&error, case, faults)).ok();
-        let context = loads::Context {
-            ground: &ground,
-            symmetry: &recipe.symmetry,
-            curves: &curves,
-            bonds: &recipe.bonds,
-            horizon: recipe.horizon,
-            held: &held,
-            cracks: &cracks,
-            recipe: &recipe,
-            model: built.as_deref(),
-        };
-        let load_cases = loads::load_cases(&context, faults);
-        let moves = held.iter().flat_map(|h| &h.motions).any(|m| m.1 != 0.0)
-            || rigid.iter().flat_map(|r| r.prescribed).flatten().any(|v| v != 0.0);
-        loads::check_loaded(&ground, &load_cases, moves, faults);
-        let states = states(case, faults);
-        cracks::check(
-            &cracks,
-            &recipe.body,
-            outline.as_ref(),
-            &|crack| built.is_none() || recipe.is_cut_by(crack),
-            faults,
-        );
-        let built = built?;
-        let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &*built);
-        // Points beside a border that is followed do not see the steps of the lattice.
-        let reach = match built.follows_border() {
-            true => 1,
-            false => (recipe.bonds.horizon_ratio() + 1e-9).floor() as i32,
-        };
-        let number = |p: u32| recipe.number(&*built, p);
-        let images = recipe.symmetry.with_images(&paths);
-        let extended = built.lattice().filter(|_| !built.ghosts().is_empty());
-        let extended = extended.map(|(lattice, _)| PlaneBody::Lattice(lattice.as_ref().clone()));
-        let body = extended.as_ref().unwrap_or(&recipe.body);
-        let interpolation = Interpolation { body, cracks: &images, reach };
-        let context = probes::Context {
-            ground: &ground,
-            recipe: &recipe,
-            model: &*built,
-            interpolation: &interpolation,
-            held: &held,
-            conditions: &conditions,
-        };
-        let mut probes = probes::probes(&context, faults);
-        let lines = outputs::lines(&ground, &interpolation, &number, max_memory, faults);
-        let contains = |tip: [f64; 2]| {
-            let at = JsonPath::default();
-            let is_near = || ground.point_at(tip, &at, "", &mut Faults::default()).is_some();
-            outline.as_ref().map_or_else(is_near, |o| o.contains(tip))
-        };
-        let around = tips::Around { symmetry: &recipe.symmetry, spacing: recipe.body.spacing() };
-        let intensities = outputs::intensities(case, &cracks, &contains, &around, faults);
-        probes.extend(intensities.iter().enumerate().map(|(k, intensity)| PlaneProbe {
-            name: intensity.name.clone(),
-            quantity: Quantity::StressIntensity(k),
-            place: format!("crack `{}`", cracks[intensity.crack].name),
-            position: None,
-        }));
-        let mut names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
-        let context = fracture::Context {
-            ground: &ground,
-            recipe: &recipe,
-            model: &*built,
-            conditions: &conditions,
-            probes: &names,
-        };
-        let breaks = traced.0.as_mut().and_then(|f| fracture::resolve(f, &context, faults));
-        let context =
-            path::Context { ground: &ground, recipe: &recipe, conditions: &conditions, probes: &names };
-        let followed = traced.1.as_mut().and_then(|p| path::resolve(p, &context, faults));
-        if case.path.is_none() && path::law_of(case).is_some() {
-            faults
-                .error(root("path"), "bonds that soften need `path`: how the loads and motions grow")
-                .hint("for example \"path\": { \"load\": \"name of a reaction probe\" }");
-        }
-        let mut facts = breaks.as_ref().map_or(Vec::new(), PlaneFracture::facts);
-        if followed.is_some() {
-            facts.extend(PATH_FACTS.map(Into::into));
-        }
-        names.extend(facts.iter().map(String::as_str));
-        let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
-        let expectations = checks::expectations(
-            case,
-            (&recipe.body, &*built),
-            &state_names,
-            &names,
-            (folder, max_memory),
-            faults,
-        );
-        Some(Self {
-            case: case.clone(),
-            files: Vec::new(),
-            units: case.units,
-            equations: conditions.equations(&|p| built.place(p)),
-            load_cases: load_cases
-                .into_iter()
-                .map(|l| l.numbered(&number).with_ends(&periodic::forces(case, &*built)))
-                .collect(),
-            conditions,
-            supports,
-            states,
-            solver: case.solver,
-            cracks,
-            probes,
-            lines,
-            intensities,
-            fracture: breaks,
-            path: followed,
-            facts: facts.clone(),
-            expectations,
-            warnings: Faults::default(),
-            model: built,
-            recipe: Box::new(recipe),
-            outline: outline.map(Box::new),
-            elastic: None,
-        })
-    }
-
     /// Whether bonds can miss at points other than those of a plain edge.
     fn can_have_loose_points(&self) -> bool {
         let turned = matches!(self.body(), PlaneBody::Lattice(lattice) if lattice.is_turned());
@@ -407,7 +216,7 @@ impl PlaneScene {
         self.recipe.body.spacing()
     }
 
-    /// Cut bonds of a lattice, for [`PlaneModel::coarser`](peristat_assembly::model::plane::PlaneModel::coarser).
+    /// Cut bonds of a lattice, for [`Solvable::coarser`](peristat_assembly::model::plane::Solvable::coarser).
     pub fn cuts(&self, lattice: &SquareLattice, offsets: &[Cell]) -> Vec<(usize, usize)> {
         self.recipe.cuts(&self.cracks, lattice, offsets)
     }
@@ -434,15 +243,4 @@ impl PlaneScene {
     pub fn bonds(&self) -> &PlaneBonds {
         &self.recipe.bonds
     }
-}
-
-/// The right-hand sides.
-fn states(case: &Case, faults: &mut Faults) -> Vec<PlaneState> {
-    let state = |Sum { name, load_factor, terms }: Sum| PlaneState {
-        name,
-        load_factor,
-        motion_factor: if case.steps.is_some() { load_factor } else { 1.0 },
-        terms,
-    };
-    states::sums(case, faults).into_iter().map(state).collect()
 }

@@ -2,7 +2,8 @@
 
 use super::super::words::tidy;
 use super::interpolate::{Interpolation, Weights};
-use super::probes::{Context, Quantity};
+use super::probes::Quantity;
+use super::site::Site;
 use crate::case::Probe;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{Cell, Crack, PlaneBody, SquareLattice};
@@ -19,11 +20,11 @@ const BY_HAND: &str = "take the difference of `ux` or `uy` of two points beside 
 /// What a probe of an opening reports, and what the user calls the place.
 pub(super) fn resolve(
     probe: &Probe,
-    context: &Context,
+    site: &Site,
     at: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(Quantity, String)> {
-    let ground = context.ground;
+    let ground = site.ground;
     if ground.region_name(&probe.at, at, faults)?.is_some() {
         faults
             .error(at.key("region"), "`opening` is that of a crack at a position on it")
@@ -38,7 +39,7 @@ pub(super) fn resolve(
     }
     let position = ground.position(&probe.at, at, faults)?;
     let words = format!("({}, {})", tidy(position[0]), tidy(position[1]));
-    Some((opening(position, context.interpolation, at, faults)?, words))
+    Some((opening(position, site.interpolation, at, faults)?, words))
 }
 
 /// The opening at a position of the crack nearest to it.

@@ -1,15 +1,14 @@
 //! How the bonds of a body in the plane soften, and how it is followed.
 
+use super::site::Site;
 use super::super::fracture;
 use super::super::numbers::positive;
 use super::super::path::{self, PathScene, Softening};
 use super::super::root;
 use super::super::words::tidy;
 use super::bonds::PlaneBonds;
-use super::conditions::Conditions;
 use super::fracture::check_load;
-use super::ground::Ground;
-use super::model::{self, Recipe};
+use super::model::{self};
 use crate::case::{BilinearLaw, Case, CriticalFormula, Model, Path, PlaneBondLaw};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::path::PATH_FACTS;
@@ -23,14 +22,6 @@ use peristat_assembly::model::plane::Edges;
 /// `s_f/s_y` below which hardly anything of softening is left.
 const NEARLY_BRITTLE: f64 = 1.05;
 
-/// What resolution looks at.
-pub(super) struct Context<'a> {
-    pub(super) ground: &'a Ground<'a>,
-    pub(super) recipe: &'a Recipe,
-    pub(super) conditions: &'a Conditions,
-    pub(super) probes: &'a [&'a str],
-}
-
 /// The law of the bonds in the model of a case, if they have one.
 pub(super) fn law_of(case: &Case) -> Option<&BilinearLaw> {
     match &case.model {
@@ -40,47 +31,52 @@ pub(super) fn law_of(case: &Case) -> Option<&BilinearLaw> {
 }
 
 /// The path of a case, with its defaults filled in.
-pub(super) fn resolve(path: &mut Path, context: &Context, faults: &mut Faults) -> Option<PathScene> {
-    let (case, place) = (context.ground.case, root("path"));
+pub(super) fn resolve(
+    path: &mut Path,
+    site: &Site,
+    probes: &[&str],
+    faults: &mut Faults,
+) -> Option<PathScene> {
+    let (case, place) = (site.ground.case, root("path"));
     let Some(given) = law_of(case) else {
         faults
             .error(place, "`path` is for bonds that soften, and these are elastic")
             .hint("give \"bond_law\": { \"bilinear\": … } in the model `bond_plane`");
         return None;
     };
-    let PlaneBonds::Central(parameters) = context.recipe.bonds else { return None };
+    let PlaneBonds::Central(parameters) = site.recipe.bonds else { return None };
     if parameters.edges == Edges::Overlay {
         faults
             .error(root("model").key("bond_plane").key("edges"), "triangles of the overlay do not soften")
             .hint("use `border`, the default, or `none`");
         return None;
     }
-    if !context.conditions.springs.is_empty() {
+    if !site.conditions.springs.is_empty() {
         faults
             .error(root("supports"), "springs to the ground do not go with `path`")
             .hint("prescribe motions, or hold the place");
         return None;
     }
-    let mut exempt = vec![false; context.ground.body.points()];
+    let mut exempt = vec![false; site.ground.body.points()];
     for (k, name) in path.no_damage.iter().enumerate() {
         let points =
-            context.ground.region(name, &place.key("no_damage").index(k), faults).unwrap_or_default();
+            site.ground.region(name, &place.key("no_damage").index(k), faults).unwrap_or_default();
         points.iter().for_each(|&p| exempt[p as usize] = true);
     }
     // A path in a body with images, whose points have other numbers, is refused.
-    let gripped = context.conditions.gripped_points().filter(|&p| p < context.ground.body.points());
+    let gripped = site.conditions.gripped_points().filter(|&p| p < site.ground.body.points());
     gripped.for_each(|p| exempt[p] = true);
     check_load(&path.load, case, &place.key("load"), faults);
-    let law = law(given, &parameters, context, faults)?;
-    let spacing = context.recipe.body.spacing();
+    let law = law(given, &parameters, site, faults)?;
+    let spacing = site.recipe.body.spacing();
     let material = parameters.material;
     // The energy of a bond triangle on a crack one spacing long; by the published integral where no rate is given.
-    let published = published_critical_stretch(1.0, &parameters, context.recipe.horizon);
+    let published = published_critical_stretch(1.0, &parameters, site.recipe.horizon);
     let rate = law.yield_stretch() * law.failure_stretch() / (published * published);
     let crack_energy = given.energy_release_rate.unwrap_or(rate) * material.thickness * spacing;
     let body = Softening { law, kinematics: given.kinematics, exempt, crack_energy };
     fracture::check_probes(case, &PATH_FACTS, faults);
-    path::resolve(path, body, context.probes, faults)
+    path::resolve(path, body, probes, faults)
 }
 
 /// One of two numbers that follow from each other.
@@ -109,7 +105,7 @@ fn one_of(pair: [(Option<f64>, &str); 2], path: &JsonPath, faults: &mut Faults) 
 fn law(
     given: &BilinearLaw,
     parameters: &PlaneParameters,
-    context: &Context,
+    site: &Site,
     faults: &mut Faults,
 ) -> Option<Bilinear> {
     let path = root("model").key("bond_plane").key("bond_law").key("bilinear");
@@ -142,11 +138,11 @@ fn law(
     let failing = match (failure, rate) {
         (Some(failure), _) => failure,
         (None, Some(rate)) => {
-            failure_stretch(critical(rate, given.formula, parameters, context, &path, faults)?, yielding)
+            failure_stretch(critical(rate, given.formula, parameters, site, &path, faults)?, yielding)
         }
         (None, None) => return None,
     };
-    check_ductility(yielding, failing, rate, context, &path, faults)?;
+    check_ductility(yielding, failing, rate, site, &path, faults)?;
     Bilinear::new([yielding, failing], given.unloading, given.compression).ok()
 }
 
@@ -155,7 +151,7 @@ fn check_ductility(
     yielding: f64,
     failing: f64,
     rate: Option<f64>,
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<()> {
@@ -174,8 +170,8 @@ fn check_ductility(
             .hint("brittle bonds, which fail where they would yield, are those of `fracture` with `critical.stretch`");
         return None;
     }
-    let horizon = context.recipe.horizon;
-    let key = if context.ground.case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
+    let horizon = site.recipe.horizon;
+    let key = if site.ground.case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
     faults
         .error(
             root(key),
@@ -194,14 +190,14 @@ fn critical(
     rate: f64,
     formula: Option<CriticalFormula>,
     parameters: &PlaneParameters,
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<f64> {
     let constant = parameters.influence == Influence::Constant;
     let default = if constant { CriticalFormula::Published } else { CriticalFormula::Energy };
     let formula = formula.unwrap_or(default);
-    let is_lattice = matches!(context.recipe.body, PlaneBody::Lattice(_));
+    let is_lattice = matches!(site.recipe.body, PlaneBody::Lattice(_));
     if formula == CriticalFormula::Published && !constant {
         faults
             .error(path.key("formula"), "the published formula is that of the influence `constant`")
@@ -209,7 +205,7 @@ fn critical(
         return None;
     }
     if formula == CriticalFormula::Published {
-        return Some(published_critical_stretch(rate, parameters, context.recipe.horizon));
+        return Some(published_critical_stretch(rate, parameters, site.recipe.horizon));
     }
     if !is_lattice {
         faults
@@ -217,6 +213,6 @@ fn critical(
             .hint("use the influence `constant` and the formula `published`, or give `failure_stretch`");
         return None;
     }
-    let found = critical_stretch(rate, parameters, context.recipe.body.spacing());
-    found.map_err(|error| model::refuse(&error.into(), context.ground.case, faults)).ok()
+    let found = critical_stretch(rate, parameters, site.recipe.body.spacing());
+    found.map_err(|error| model::refuse(&error.into(), site.ground.case, faults)).ok()
 }

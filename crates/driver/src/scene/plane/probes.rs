@@ -1,14 +1,13 @@
 //! Probes of a body in the plane.
 
+use super::site::Site;
 use super::super::words::{suggest, tidy};
-use super::conditions::Conditions;
 use super::fields;
-use super::ground::{Ground, PLACE};
-use super::interpolate::{Interpolation, Weights};
-use super::{model::Recipe, opening, supports::Held};
+use super::ground::PLACE;
+use super::interpolate::Weights;
+use super::opening;
 use crate::case::{FieldName, Probe};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::model::plane::PlaneModel;
 
 /// A value to report.
 #[derive(Clone, Debug)]
@@ -73,53 +72,43 @@ impl PlaneProbe {
     }
 }
 
-/// What the resolution of probes looks at.
-pub(super) struct Context<'a> {
-    pub(super) ground: &'a Ground<'a>,
-    pub(super) recipe: &'a Recipe,
-    pub(super) model: &'a dyn PlaneModel,
-    pub(super) interpolation: &'a Interpolation<'a>,
-    pub(super) held: &'a [Held],
-    pub(super) conditions: &'a Conditions,
-}
-
 /// Probes of the case.
-pub(super) fn probes(context: &Context, faults: &mut Faults) -> Vec<PlaneProbe> {
+pub(super) fn probes(site: &Site, faults: &mut Faults) -> Vec<PlaneProbe> {
     let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| {
-        let (quantity, place) = resolve(probe, context, path, faults)?;
+        let (quantity, place) = resolve(probe, site, path, faults)?;
         let position = probe.at.x.zip(probe.at.y).map(|(x, y)| [x, y]);
         Some(PlaneProbe { name: probe.name.clone(), quantity, place, position })
     };
-    super::super::probes::probes(context.ground.case, resolve, faults)
+    super::super::probes::probes(site.ground.case, resolve, faults)
 }
 
 fn resolve(
     probe: &Probe,
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(Quantity, String)> {
     let (at, field) = (path.key("at"), probe.field);
-    let (ground, case) = (context.ground, context.ground.case);
-    let there_are = fields::probed(context.model, case);
+    let (ground, case) = (site.ground, site.ground.case);
+    let there_are = fields::probed(site.model, case);
     if !there_are.contains(&field) {
         fields::refuse(field, &there_are, case, path.key("field"), faults);
         return None;
     }
     if field == FieldName::Opening {
-        return opening::resolve(probe, context, &at, faults);
+        return opening::resolve(probe, site, &at, faults);
     }
     let is_rigid = |name: &String| case.rigid.iter().any(|r| r.region == *name);
-    let points_turn = context.model.component("phi").is_some();
+    let points_turn = site.model.component("phi").is_some();
     if field == FieldName::Phi && (!points_turn || probe.at.region.as_ref().is_some_and(is_rigid)) {
-        return rotation(probe, context, path, faults);
+        return rotation(probe, site, path, faults);
     }
     if field.is_reaction() {
         let spot = ground.spot(&probe.at, &at, "the probe", faults)?;
-        let quantity = reaction(field, &spot.points, &spot.words, context, &at, faults)?;
+        let quantity = reaction(field, &spot.points, &spot.words, site, &at, faults)?;
         return Some((quantity, spot.words));
     }
-    let number = |p: u32| context.recipe.number(context.model, p);
+    let number = |p: u32| site.recipe.number(site.model, p);
     let field = |weights| Quantity::Field { field, weights };
     if let Some(name) = ground.region_name(&probe.at, &at, faults)? {
         let points = ground.region(name, &at.key("region"), faults)?;
@@ -131,29 +120,29 @@ fn resolve(
     let words = format!("({}, {})", tidy(position[0]), tidy(position[1]));
     let nearest = ground.point_at(position, &at, "the probe", faults)?;
     let weights = match probe.at.inward {
-        None => context.interpolation.at(position, number(nearest)),
-        Some(inward) => match of_border(position, inward, probe.field, context) {
+        None => site.interpolation.at(position, number(nearest)),
+        Some(inward) => match of_border(position, inward, probe.field, site) {
             Some(weights) => weights,
-            None => from_inside(position, inward, context, &at.key("inward"), faults)?,
+            None => from_inside(position, inward, site, &at.key("inward"), faults)?,
         },
     };
     Some((field(weights), words))
 }
 
 /// Points that move a place on the border, where bonds end on it, and their shares.
-fn of_border(position: [f64; 2], inward: [i8; 2], field: FieldName, context: &Context) -> Option<Weights> {
+fn of_border(position: [f64; 2], inward: [i8; 2], field: FieldName, site: &Site) -> Option<Weights> {
     let is_along_axis = i32::from(inward[0]).abs() + i32::from(inward[1]).abs() == 1;
     if field.is_recovered() || !is_along_axis {
         return None;
     }
-    let shares = context.model.border_shares()?(position, inward.map(|k| -f64::from(k)))?;
+    let shares = site.model.border_shares()?(position, inward.map(|k| -f64::from(k)))?;
     Some(shares.into_iter().map(|(point, share)| (point as u32, share)).collect())
 }
 
 fn from_inside(
     position: [f64; 2],
     inward: [i8; 2],
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Weights> {
@@ -163,9 +152,9 @@ fn from_inside(
             .hint("it is the direction into the body: [1, 0], [-1, 0], [0, 1] or [0, -1]");
         return None;
     }
-    let found = context.interpolation.inward(position, inward);
+    let found = site.interpolation.inward(position, inward);
     if found.is_none() {
-        let hint = match context.ground.body {
+        let hint = match site.ground.body {
             peristat_assembly::body::PlaneBody::Lattice(lattice) if lattice.is_turned() => {
                 "the rows of the lattice run along neither x nor y: leave `inward` out"
             }
@@ -181,13 +170,13 @@ fn from_inside(
 
 fn rotation(
     probe: &Probe,
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<(Quantity, String)> {
-    let rigid = &context.ground.case.rigid;
+    let rigid = &site.ground.case.rigid;
     let at = path.key("at");
-    let name = context.ground.region_name(&probe.at, &at, faults)?;
+    let name = site.ground.region_name(&probe.at, &at, faults)?;
     let found = name.and_then(|name| rigid.iter().position(|r| r.region == name));
     let Some(k) = found else {
         let regions = || rigid.iter().map(|r| r.region.as_str());
@@ -206,23 +195,23 @@ fn reaction(
     field: FieldName,
     points: &[u32],
     words: &str,
-    context: &Context,
+    site: &Site,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Quantity> {
-    let (component, of) = fields::held(field, context.model)?;
+    let (component, of) = fields::held(field, site.model)?;
     let unit = of.scale;
-    let mut numbers: Vec<u32> = points.iter().map(|&p| context.recipe.number(context.model, p)).collect();
+    let mut numbers: Vec<u32> = points.iter().map(|&p| site.recipe.number(site.model, p)).collect();
     numbers.sort_unstable();
     let here = |p: u32| numbers.binary_search(&p).is_ok();
     let (mut equations, mut next) = (Vec::new(), 0);
-    for hold in &context.conditions.holds {
+    for hold in &site.conditions.holds {
         let share = unit * hold.direction[component];
         let own = hold.points.iter().enumerate().filter(|(_, p)| share != 0.0 && here(**p));
         equations.extend(own.map(|(k, _)| (next + k, share)));
         next += hold.points.len();
     }
-    for rigid in &context.conditions.rigid {
+    for rigid in &site.conditions.rigid {
         let whole = rigid.points.iter().all(|&p| here(p));
         for (k, _) in rigid.prescribed.iter().enumerate().filter(|p| p.1.is_some()) {
             if whole && k == component {
@@ -233,11 +222,11 @@ fn reaction(
     }
     let along = |s: &peristat_assembly::stiffness::Spring| s.shares[0].0 == component && here(s.point as u32);
     let springs: Vec<usize> =
-        (0..context.conditions.springs.len()).filter(|&k| along(&context.conditions.springs[k])).collect();
+        (0..site.conditions.springs.len()).filter(|&k| along(&site.conditions.springs[k])).collect();
     if equations.is_empty() && springs.is_empty() {
-        let places: Vec<&str> = context.held.iter().map(|h| h.name.as_str()).collect();
+        let places: Vec<&str> = site.held.iter().map(|h| h.name.as_str()).collect();
         let hint = match places.is_empty() {
-            true if !context.recipe.symmetry.edges.is_empty() => {
+            true if !site.recipe.symmetry.edges.is_empty() => {
                 "forces through mirrors are listed with the results, and are no probes".to_string()
             }
             true => PLACE.to_string(),

@@ -1,0 +1,245 @@
+//! From a case of a body in the plane to its scene.
+
+use super::super::states::{self, Sum};
+use super::super::{files, root};
+use super::any_body::with_body;
+use super::elastic::Elastic;
+use super::ground::Ground;
+use super::interpolate::Interpolation;
+use super::model::Recipe;
+use super::site::Site;
+use super::*;
+use crate::diagnostic::JsonPath;
+use crate::run::path::PATH_FACTS;
+use peristat_assembly::model::plane::PlaneModel;
+
+impl PlaneScene {
+    /// Resolves a case of a body in the plane. `folder` is where files that the case names are looked for, `faults` are
+    /// those found so far; `max_memory` is in bytes.
+    ///
+    /// # Errors
+    /// All faults of the case.
+    pub(in crate::scene) fn new(
+        mut case: Case,
+        mut model: Given,
+        folder: &Folder,
+        max_memory: Option<u64>,
+        mut faults: Faults,
+    ) -> Result<Self, Faults> {
+        let usual = model.clone().bonds(&case, false, &mut Faults::default());
+        let usual = usual.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
+        let Some(expanded) = specimen::expand(&mut case, usual, &mut faults) else { return Err(faults) };
+        let mut traced = (case.fracture.clone(), case.path.clone());
+        let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, &model, folder, max_memory)));
+        let filled = (&mut model, &mut traced);
+        let scene = Self::checked(&expanded.case, filled, folder, max_memory, &mut faults);
+        expanded.relocate(&mut faults);
+        let Some(mut scene) = scene.filter(|_| !faults.has_errors()) else { return Err(faults) };
+        model.settle(scene.bonds(), &mut case);
+        case.model = model.into();
+        (case.fracture, case.path) = traced;
+        scene.elastic = elastic.filter(|elastic| elastic.differs_from(scene.bonds()));
+        scene.files = files::keep(&mut case, folder, max_memory);
+        (scene.case, scene.warnings) = (case, faults);
+        Ok(scene)
+    }
+
+    /// The scene of a case without specimens, and its doubts; `None` where there are faults that leave no scene.
+    fn checked(
+        case: &Case,
+        filled: (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
+        folder: &Folder,
+        max_memory: Option<u64>,
+        faults: &mut Faults,
+    ) -> Option<Self> {
+        let resolved = Self::resolve(case, filled, folder, max_memory, faults);
+        let scene = resolved.filter(|_| !faults.has_errors())?;
+        if scene.outline.is_none() || scene.can_have_loose_points() {
+            with_body!(&scene.model, body => loose::check(&scene, &**body, faults));
+        }
+        shell::check_bearable(&scene, faults);
+        warnings::collect(&scene, faults);
+        Some(scene)
+    }
+
+    /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model and of its
+    /// fracture.
+    fn resolve(
+        case: &Case,
+        (model, traced): (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
+        folder: &Folder,
+        max_memory: Option<u64>,
+        faults: &mut Faults,
+    ) -> Option<Self> {
+        foreign::check(case, faults);
+        let parts::Parts { mut recipe, outline, curves, cracks } =
+            parts::parts(case, model, folder, max_memory, faults)?;
+        let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
+        if !counts::fit(&ground, max_memory, faults) {
+            return None;
+        }
+        let held = supports::held(&ground, &recipe.symmetry, &recipe.bonds, faults);
+        let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
+        rigid_mirror::check(&rigid, &recipe, faults);
+        recipe.bearings = bearing::bearings(case, &rigid, faults);
+        let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
+        let built = recipe.make(&paths).map_err(|error| model::refuse(&error, case, faults)).ok();
+        let context = loads::Context {
+            ground: &ground,
+            symmetry: &recipe.symmetry,
+            curves: &curves,
+            bonds: &recipe.bonds,
+            horizon: recipe.horizon,
+            held: &held,
+            cracks: &cracks,
+            recipe: &recipe,
+            model: built.as_deref(),
+        };
+        let load_cases = loads::load_cases(&context, faults);
+        let moves = held.iter().flat_map(|h| &h.motions).any(|m| m.1 != 0.0)
+            || rigid.iter().flat_map(|r| r.prescribed).flatten().any(|v| v != 0.0);
+        loads::check_loaded(&ground, &load_cases, moves, faults);
+        let states = states(case, faults);
+        cracks::check(
+            &cracks,
+            &recipe.body,
+            outline.as_ref(),
+            &|crack| built.is_none() || recipe.is_cut_by(crack),
+            faults,
+        );
+        let built = built?;
+        let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &*built);
+        let reach = reach(&*built, &recipe);
+        let images = recipe.symmetry.with_images(&paths);
+        let extended = built.lattice().filter(|_| !built.ghosts().is_empty());
+        let extended = extended.map(|(lattice, _)| PlaneBody::Lattice(lattice.as_ref().clone()));
+        let body = extended.as_ref().unwrap_or(&recipe.body);
+        let site = Site {
+            ground: &ground,
+            outline: outline.as_ref(),
+            recipe: &recipe,
+            model: &*built,
+            cracks: &cracks,
+            interpolation: &Interpolation { body, cracks: &images, reach },
+            held: &held,
+            conditions: &conditions,
+        };
+        let Readings { probes, lines, intensities } = Readings::new(&site, max_memory, faults);
+        let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
+        let Failure { fracture, path, facts } = Failure::new(&site, traced, &names, faults);
+        let names: Vec<&str> = names.into_iter().chain(facts.iter().map(String::as_str)).collect();
+        let number = |p: u32| recipe.number(&*built, p);
+        let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
+        let expectations = checks::expectations(
+            case,
+            (&recipe.body, &*built),
+            &state_names,
+            &names,
+            (folder, max_memory),
+            faults,
+        );
+        Some(Self {
+            case: case.clone(),
+            files: Vec::new(),
+            units: case.units,
+            equations: conditions.equations(&|p| built.place(p)),
+            load_cases: load_cases
+                .into_iter()
+                .map(|l| l.numbered(&number).with_ends(&periodic::forces(case, &*built)))
+                .collect(),
+            conditions,
+            supports,
+            states,
+            solver: case.solver,
+            cracks,
+            probes,
+            lines,
+            intensities,
+            fracture,
+            path,
+            facts,
+            expectations,
+            warnings: Faults::default(),
+            model: built,
+            recipe: Box::new(recipe),
+            outline: outline.map(Box::new),
+            elastic: None,
+        })
+    }
+}
+
+/// How many rows and columns beside a point values are interpolated from: points beside a border that is followed do not see the
+/// steps of the lattice.
+fn reach(model: &dyn PlaneModel, recipe: &Recipe) -> i32 {
+    if model.follows_border() { 1 } else { (recipe.bonds.horizon_ratio() + 1e-9).floor() as i32 }
+}
+
+/// What is read of the results.
+struct Readings {
+    probes: Vec<PlaneProbe>,
+    lines: Vec<OutputLine>,
+    intensities: Vec<Intensity>,
+}
+
+impl Readings {
+    fn new(site: &Site, max_memory: Option<u64>, faults: &mut Faults) -> Self {
+        let mut probes = probes::probes(site, faults);
+        let number = |p: u32| site.recipe.number(site.model, p);
+        let lines = outputs::lines(site.ground, site.interpolation, &number, max_memory, faults);
+        let contains = |tip: [f64; 2]| {
+            let at = JsonPath::default();
+            let is_near = || site.ground.point_at(tip, &at, "", &mut Faults::default()).is_some();
+            site.outline.map_or_else(is_near, |outline| outline.contains(tip))
+        };
+        let around = tips::Around { symmetry: &site.recipe.symmetry, spacing: site.recipe.body.spacing() };
+        let intensities = outputs::intensities(site.ground.case, site.cracks, &contains, &around, faults);
+        probes.extend(intensities.iter().enumerate().map(|(k, intensity)| PlaneProbe {
+            name: intensity.name.clone(),
+            quantity: Quantity::StressIntensity(k),
+            place: format!("crack `{}`", site.cracks[intensity.crack].name),
+            position: None,
+        }));
+        Self { probes, lines, intensities }
+    }
+}
+
+/// How a body breaks or softens, and what checks can ask of that.
+struct Failure {
+    fracture: Option<PlaneFracture>,
+    path: Option<PathScene>,
+    facts: Vec<String>,
+}
+
+impl Failure {
+    fn new(
+        site: &Site,
+        (fracture, path): &mut (Option<Fracture>, Option<CasePath>),
+        probes: &[&str],
+        faults: &mut Faults,
+    ) -> Self {
+        let case = site.ground.case;
+        let fracture = fracture.as_mut().and_then(|f| fracture::resolve(f, site, probes, faults));
+        let path = path.as_mut().and_then(|p| path::resolve(p, site, probes, faults));
+        if case.path.is_none() && path::law_of(case).is_some() {
+            faults
+                .error(root("path"), "bonds that soften need `path`: how the loads and motions grow")
+                .hint("for example \"path\": { \"load\": \"name of a reaction probe\" }");
+        }
+        let mut facts = fracture.as_ref().map_or(Vec::new(), PlaneFracture::facts);
+        if path.is_some() {
+            facts.extend(PATH_FACTS.map(Into::into));
+        }
+        Self { fracture, path, facts }
+    }
+}
+
+/// The right-hand sides.
+fn states(case: &Case, faults: &mut Faults) -> Vec<PlaneState> {
+    let state = |Sum { name, load_factor, terms }: Sum| PlaneState {
+        name,
+        load_factor,
+        motion_factor: if case.steps.is_some() { load_factor } else { 1.0 },
+        terms,
+    };
+    states::sums(case, faults).into_iter().map(state).collect()
+}
