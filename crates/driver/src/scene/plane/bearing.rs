@@ -3,7 +3,7 @@
 //! A pin in contact presses on one side of its hole. Glued all around, it makes a crack specimen too stiff at its mouth; the
 //! bonds behind it and beside it are therefore cut.
 
-use super::conditions::RigidPoints;
+use super::rigid::RigidPoints;
 use super::root;
 use crate::case::Case;
 use crate::diagnostic::{Faults, JsonPath};

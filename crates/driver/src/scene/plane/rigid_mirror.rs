@@ -1,6 +1,6 @@
 //! Rigid regions that mirrors halve, or that reach joined sides.
 
-use super::conditions::{RIGID_KEYS, RigidPoints};
+use super::rigid::{RIGID_KEYS, RigidPoints};
 use super::model::Recipe;
 use super::root;
 use crate::diagnostic::Faults;

@@ -2,7 +2,8 @@
 
 use super::bonds::PlaneBonds;
 use super::boundary::{self, Stretch};
-use super::conditions::{HeldPoints, RigidPoints};
+use super::conditions::HeldPoints;
+use super::rigid::RigidPoints;
 use super::ground::{Ground, Spot};
 use super::held_border::{self, Piece};
 use super::held_edge::{EdgeShares, HeldEdge};
