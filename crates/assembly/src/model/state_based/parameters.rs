@@ -194,7 +194,9 @@ impl StateParameters {
         if self.dilatation == Dilatation::Blocks {
             let bulk = self.bulk_modulus();
             let measures = if self.is_axisymmetric() { 2 } else { 1 };
-            modulus[..measures].iter_mut().for_each(|row| row[..measures].iter_mut().for_each(|c| *c -= bulk));
+            modulus[..measures]
+                .iter_mut()
+                .for_each(|row| row[..measures].iter_mut().for_each(|c| *c -= bulk));
         }
         modulus
     }
