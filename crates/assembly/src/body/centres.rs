@@ -8,6 +8,8 @@ use super::outline::Outline;
 const CORNERS: [Cell; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 /// How far areas by clipping may be from the parts of triangles, cells, before borders are taken to overlap.
 const ALIKE: f64 = 1e-8;
+/// Area that has no place, cells: rounding moves it.
+const LEAST: f64 = 1e-10;
 /// Samples along each side of a block in which borders overlap.
 const SAMPLES: i32 = 64;
 
@@ -45,6 +47,9 @@ impl Outline {
             within(polygon, &sides).map(|moment| sign * moment)
         });
         let [area, x, y] = all.fold([0.0; 3], |sum: Moments, own| [0, 1, 2].map(|k| sum[k] + own[k]));
+        if area < LEAST {
+            return middle(triangle);
+        }
         if (2.0 * area - part).abs() < ALIKE {
             return [x / area - f64::from(block[0]), y / area - f64::from(block[1])];
         }
@@ -58,9 +63,8 @@ impl Outline {
         for [x, y] in (0..SAMPLES).flat_map(|i| (0..SAMPLES).map(move |j| [at(i), at(j)])) {
             let is_within = a * (x - 0.5) + b * (y - 0.5) <= 0.0;
             let place = [x, y].map(|k| k + 0.5);
-            let place = [0, 1].map(|k| {
-                lattice.corner()[k] + lattice.spacing() * (f64::from(block[k]) + place[k])
-            });
+            let place =
+                [0, 1].map(|k| lattice.corner()[k] + lattice.spacing() * (f64::from(block[k]) + place[k]));
             if is_within && self.contains(place) {
                 (0..3).for_each(|k| sum[k] += [1.0, x, y][k]);
             }
@@ -84,7 +88,8 @@ impl SquareLattice {
         }
         blocks.sort_unstable();
         blocks.dedup();
-        let (parts, centres) = blocks.iter().map(|&(block, has)| ((block, quarters(has).0), quarters(has).1)).unzip();
+        let (parts, centres) =
+            blocks.iter().map(|&(block, has)| ((block, quarters(has).0), quarters(has).1)).unzip();
         self.with_blocks(parts).with_centres(centres)
     }
 }
@@ -196,7 +201,8 @@ mod tests {
             let listed = lattice.blocks();
             let mut sum = 0.0;
             for block in (-1..12).flat_map(|j| (-1..12).map(move |i| [i, j])) {
-                let whole = CORNERS.iter().all(|c| lattice.number([block[0] + c[0], block[1] + c[1]]).is_some());
+                let whole =
+                    CORNERS.iter().all(|c| lattice.number([block[0] + c[0], block[1] + c[1]]).is_some());
                 let found = listed.binary_search_by_key(&block, |b| b.0);
                 let of = |t: usize| match found {
                     Ok(k) => listed[k].1[t] * (f64::from(block[0]) + 0.5 + lattice.centres()[k][t][0]),

@@ -25,9 +25,9 @@ mod transfer;
 mod turn;
 
 pub use border::BorderPart;
+pub(crate) use centres::middle;
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
-pub(crate) use centres::middle;
 pub use fill::FillError;
 pub use lattice::{Cell, Centres, Parts, Run, SquareLattice};
 pub use neighbours::Neighbours;

@@ -42,8 +42,7 @@ pub struct Axisymmetric {
     /// How the weight of neighbours depends on their distance; `linear` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub influence: Option<Influence>,
-    /// What is done about the neighbours that points near edges lack; `border` where the border cuts cells and no crack,
-    /// `fracture`, `measure` or `axis` is given, else `ghosts`, if not given.
+    /// What is done about the neighbours that points near edges lack; `ghosts` if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edges: Option<StateEdges>,
     /// What neighbours count by.

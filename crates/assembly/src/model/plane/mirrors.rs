@@ -26,8 +26,13 @@ pub struct Mirrors {
 
 impl Mirrors {
     /// No images.
-    pub const NONE: Self =
-        Self { columns: [None; 2], rows: [None; 2], joined: [false; 2], stretches: [false; 2], revolved: false };
+    pub const NONE: Self = Self {
+        columns: [None; 2],
+        rows: [None; 2],
+        joined: [false; 2],
+        stretches: [false; 2],
+        revolved: false,
+    };
 
     /// Whether there is none.
     pub fn is_none(&self) -> bool {

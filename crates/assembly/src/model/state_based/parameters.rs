@@ -24,8 +24,8 @@ pub enum StateEdges {
     #[default]
     Ghosts,
     /// Bonds that leave the body end on its border, or give what they have to the triangles that it cuts: every uniform stress
-    /// is in equilibrium, in a body of revolution but for corners of its whole blocks. With cracks, and in bodies that break, it is
-    /// `ghosts`.
+    /// is in equilibrium. In a body of revolution this holds but for corners of its whole blocks and for what bonds of several
+    /// rows leave along long borders. With cracks, and in bodies that break, it is `ghosts`.
     Border,
     /// Weights that are exact for every uniform strain in what is left of a family; where some would be negative the point
     /// gives its energy to the next one.
@@ -194,7 +194,9 @@ impl StateParameters {
         if self.dilatation == Dilatation::Blocks {
             let bulk = self.bulk_modulus();
             let measures = if self.is_axisymmetric() { 2 } else { 1 };
-            modulus[..measures].iter_mut().for_each(|row| row[..measures].iter_mut().for_each(|c| *c -= bulk));
+            modulus[..measures]
+                .iter_mut()
+                .for_each(|row| row[..measures].iter_mut().for_each(|c| *c -= bulk));
         }
         modulus
     }

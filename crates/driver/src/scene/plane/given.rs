@@ -57,12 +57,9 @@ impl Given {
                 Self::Beams(Orthotropic { calibration, start: None, edges: None, ..model })
             }
             Self::State(model) => Self::State(StatePlane { edges: None, ..model }),
-            Self::Revolved(model) => Self::Revolved(Axisymmetric {
-                edges: None,
-                measure: Measure::default(),
-                axis: None,
-                ..model
-            }),
+            Self::Revolved(model) => {
+                Self::Revolved(Axisymmetric { edges: None, measure: Measure::default(), axis: None, ..model })
+            }
             Self::Shell(model) => Self::Shell(model),
         }
     }
@@ -78,7 +75,7 @@ impl Given {
                 orthotropic::parameters(model, case, is_cloud, faults).map(PlaneBonds::Beams)
             }
             Self::State(model) => state_based::in_plane(model, case, faults).map(PlaneBonds::State),
-            Self::Revolved(model) => state_based::revolved(model, case, faults).map(PlaneBonds::State),
+            Self::Revolved(model) => state_based::revolved(model, faults).map(PlaneBonds::State),
             Self::Shell(model) => shell::parameters(model, case, faults).map(PlaneBonds::Shell),
         }
     }

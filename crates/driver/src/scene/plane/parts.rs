@@ -107,11 +107,7 @@ fn completed(
     let breaks = case.fracture.is_some() || case.path.is_some() || !case.cracks.is_empty();
     let may_break = breaks && matches!(bonds, PlaneBonds::State(_));
     // On whole cells ghosts are as good, at less cost.
-    let is_usual = match &case.model {
-        Model::StatePlane(model) => model.edges.is_none(),
-        Model::Axisymmetric(model) => model.edges.is_none(),
-        _ => false,
-    };
+    let is_usual = matches!(&case.model, Model::StatePlane(model) if model.edges.is_none());
     if is_usual && !is_cut {
         return bonds.without_border(Edges::Overlay);
     }

@@ -50,7 +50,7 @@ pub(super) fn in_plane(model: &mut StatePlane, case: &Case, faults: &mut Faults)
 }
 
 /// The same of a body of revolution.
-pub(super) fn revolved(model: &mut Axisymmetric, case: &Case, faults: &mut Faults) -> Option<StateParameters> {
+pub(super) fn revolved(model: &mut Axisymmetric, faults: &mut Faults) -> Option<StateParameters> {
     let path = root("model").key("axisymmetric");
     let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= admissible(model.poisson_ratio, &path, faults);
@@ -58,13 +58,14 @@ pub(super) fn revolved(model: &mut Axisymmetric, case: &Case, faults: &mut Fault
     let of_ghosts = of_ghosts.into_iter().find(|(_, is_given)| *is_given).map(|(key, _)| key);
     if let (Some(StateEdges::Border), Some(key)) = (model.edges, of_ghosts) {
         faults
-            .error(path.key(key), "a body that is completed along its border ends on its axis, and counts by areas")
+            .error(
+                path.key(key),
+                "a body that is completed along its border ends on its axis, and counts by areas",
+            )
             .hint(format!("leave `{key}` out, or use the edges `ghosts`"));
         fine = false;
     }
-    let breaks = case.fracture.is_some() || !case.cracks.is_empty();
-    let usual = if breaks || of_ghosts.is_some() { StateEdges::Ghosts } else { StateEdges::Border };
-    let edges = model.edges.unwrap_or(usual);
+    let edges = model.edges.unwrap_or_default();
     let is_full =
         matches!(edges, StateEdges::Border | StateEdges::Ghosts) && model.measure == Measure::Section;
     let axis = if is_full { Axis::Table } else { Axis::Images };

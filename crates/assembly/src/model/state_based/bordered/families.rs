@@ -22,8 +22,15 @@ use std::sync::Arc;
 
 /// Degrees of the splines with which points reach for places: as far as it takes.
 const DEGREES: [i32; 3] = [3, 5, 9];
+/// How much of being without a deviator points of a body of revolution give up where they cannot all be. Bonds count by the radius of their middle, and
+/// families by that of their point: along a border with bonds of more than one row a deviator of about a tenth of a cell per
+/// spacing, per radius in spacings, is left that belongs to no point.
+const SLACK: f64 = 1e-2;
 /// Largest deviator of a point that counts as none: cells. Rounding leaves 1e-14.
 pub(super) const NONE: f64 = 1e-12;
+/// The same of what bodies of revolution give up anyway, and of the volumes of hoop strains, per that of a cell at the largest
+/// radius.
+const NONE_OF_RINGS: f64 = 1e-4;
 
 /// Dilatations as energies.
 #[derive(Clone, Debug)]
@@ -79,7 +86,7 @@ impl Measured {
         }
         if plate.mirrors.revolved {
             let (hoops, left) = hoops(plate, points, &found.volumes, scale);
-            (found.hoops, found.left) = (hoops, found.left.max(left));
+            (found.hoops, found.left) = (hoops, if left < NONE_OF_RINGS { found.left } else { left });
         }
         found
     }
@@ -100,17 +107,22 @@ impl Measured {
 
 /// The transport from sources to points, and the largest deviator that it leaves. Points reach as far as it takes.
 fn solved(plate: &Bonded, points: &[Lacking], sources: &[Source], scale: f64) -> (Transport, f64) {
-    let solved = |degree: i32| {
-        let mut transport = transport(sources, points, &plate.mirrors, (Need::Directions(degree), scale));
+    let solved = |degree: i32, slack: f64| {
+        let need = (Need::Directions(degree), scale);
+        let mut transport = transport(sources, points, &plate.mirrors, need, slack);
         let left = transport.solve();
         (transport, left)
     };
-    let mut found = solved(DEGREES[0]);
+    let mut found = solved(DEGREES[0], 0.0);
+    if plate.mirrors.revolved && found.1 >= NONE {
+        let (transport, left) = solved(DEGREES[0], SLACK);
+        return (transport, if left < NONE_OF_RINGS { 0.0 } else { left });
+    }
     for &degree in &DEGREES[1..] {
         if found.1 < NONE {
             break;
         }
-        found = solved(degree);
+        found = solved(degree, 0.0);
     }
     found
 }
@@ -146,7 +158,9 @@ impl Dilatations {
             sets: vec![bonds.rows],
             set_of: all().map(|p| has_all(p).then_some(0)).collect(),
             own: match plate.mirrors.revolved {
-                true => weights.iter().zip(all()).map(|(w, p)| if has_all(p) { hoop(w) } else { 0.0 }).collect(),
+                true => {
+                    weights.iter().zip(all()).map(|(w, p)| if has_all(p) { hoop(w) } else { 0.0 }).collect()
+                }
                 false => Vec::new(),
             },
             volume: weights.into_iter().map(|w| cell * w).collect(),
@@ -160,12 +174,7 @@ impl Dilatations {
 }
 
 /// Means of dilatations, hoop strains among them, over blocks of two by two cells.
-fn means(
-    plate: &Bonded,
-    points: &[Lacking],
-    measured: &Measured,
-    modulus: f64,
-) -> WideFamilies<2, 1> {
+fn means(plate: &Bonded, points: &[Lacking], measured: &Measured, modulus: f64) -> WideFamilies<2, 1> {
     let mut blocks: BTreeMap<Cell, (Rows, f64)> = BTreeMap::new();
     for (k, lacking) in points.iter().enumerate() {
         let (sum, whole) = blocks.entry(SquareLattice::parent(lacking.cell)).or_default();

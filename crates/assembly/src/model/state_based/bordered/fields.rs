@@ -44,7 +44,8 @@ impl BorderedState {
 
     /// Hoop strain of a point; zero in a plate, and of images.
     fn hoop(&self, u: &[f64], point: usize) -> f64 {
-        let is_ring = self.parameters.is_axisymmetric() && self.plate.ghosts.binary_search(&(point as u32)).is_err();
+        let is_ring =
+            self.parameters.is_axisymmetric() && self.plate.ghosts.binary_search(&(point as u32)).is_err();
         if is_ring { u[point] / self.plate.lattice.position(point)[0] } else { 0.0 }
     }
 

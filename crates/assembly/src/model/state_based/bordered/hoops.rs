@@ -24,7 +24,7 @@ pub(super) fn hoops(plate: &Bonded, points: &[Lacking], volumes: &[f64], scale: 
     let sources = sources(plate, points);
     let wanted: Vec<f64> = fitted(volumes, &sources);
     let need = (Need::Volumes(&wanted), scale);
-    let mut transport = transport(&sources, points, &plate.mirrors, need);
+    let mut transport = transport(&sources, points, &plate.mirrors, need, 0.0);
     let left = transport.solve();
     let mut found = Vec::with_capacity(points.len());
     let mut from = 0;

@@ -1,7 +1,8 @@
 //! The plate as a model: two unknowns per point, the displacements along x and y.
 
 use super::super::super::plane::{
-    BorderShares, COMPONENTS, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
+    BorderShares, COMPONENTS, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable,
+    calibration_error, rigid_motion,
 };
 use super::BorderedState;
 use super::rings::weight;

@@ -66,9 +66,9 @@ impl Transport {
             }
             let mut a = self.apply(&p, sums);
             // One multiplier for all points is as good as none: places meet it.
-            a.iter_mut().zip(&p).zip(&scales).for_each(|((a, p), s)| {
-                (0..2).for_each(|c| a[c] += FAINT * s[c] * p[c]);
-            });
+            for ((a, p), (s, slack)) in a.iter_mut().zip(&p).zip(scales.iter().zip(&self.slacks)) {
+                (0..2).for_each(|c| a[c] += (FAINT * s[c] + slack) * p[c]);
+            }
             let length = size / sum(&p, &a);
             add(&mut x, length, &p);
             add(&mut r, -length, &a);

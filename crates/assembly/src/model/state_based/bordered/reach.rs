@@ -74,6 +74,7 @@ pub(super) fn transport(
     points: &[Lacking],
     mirrors: &Mirrors,
     (need, scale): (Need, f64),
+    slack: f64,
 ) -> Transport {
     let far = (need.degree() + 1) / 2;
     let seen = seen(sources, mirrors, f64::from(far));
@@ -90,7 +91,12 @@ pub(super) fn transport(
                 let wish = missing * need.wish([0, 1].map(|k| seen.at[k] - f64::from(lacking.cell[k])));
                 if wish > 0.0 {
                     let place = &sources[seen.place as usize];
-                    edges.push(Edge { place: seen.place, measured: need.measured(seen, place), wish, volume: 0.0 });
+                    edges.push(Edge {
+                        place: seen.place,
+                        measured: need.measured(seen, place),
+                        wish,
+                        volume: 0.0,
+                    });
                 }
             }
         }
@@ -100,7 +106,14 @@ pub(super) fn transport(
         Need::Directions(_) => vec![[0.0; 2]; points.len()],
         Need::Volumes(volumes) => volumes.iter().map(|v| [scale * v, 0.0]).collect(),
     };
-    Transport { ends, edges, wanted, volumes: sources.iter().map(|s| scale * s.volume()).collect() }
+    Transport {
+        ends,
+        edges,
+        wanted,
+        volumes: sources.iter().map(|s| scale * s.volume()).collect(),
+        slack,
+        slacks: Vec::new(),
+    }
 }
 
 /// The spline of an odd degree about zero whose pieces are one long. Weighted with such splines about points of a row, one

@@ -32,12 +32,19 @@ pub(super) struct Transport {
     pub(super) wanted: Vec<[f64; 2]>,
     /// Volumes of the places.
     pub(super) volumes: Vec<f64>,
+    /// How much of what is wanted a point gives up per multiplier, as a part of its wishes; zero where all is to be met.
+    pub(super) slack: f64,
+    /// The same per point.
+    pub(super) slacks: Vec<f64>,
 }
 
 /// Largest deviator of a point, and rest of a place, that counts as none: cells. Rounding leaves 1e-15.
 const NONE: f64 = 1e-13;
 /// Steps of Newton's method at most; 2 to 5 are usual.
 const STEPS: usize = 60;
+
+/// Steps in a row that do not halve the rest before it is what can be reached.
+const IDLE: usize = 8;
 
 /// How often a step is halved at most.
 const HALVED: i32 = 20;
@@ -55,9 +62,12 @@ impl Transport {
         self.scale_wishes();
         let mut at = Both { points: vec![[0.0; 2]; self.ends.len()], places: vec![0.0; self.volumes.len()] };
         let mut height = self.take(&at);
+        let (mut least, mut idle) = (f64::INFINITY, 0);
         for _ in 0..STEPS {
-            let rest = self.rest();
-            if rest.largest() < NONE {
+            let rest = self.rest(&at);
+            idle = if rest.largest() < 0.5 * least { 0 } else { idle + 1 };
+            least = least.min(rest.largest());
+            if least < NONE || idle > IDLE {
                 break;
             }
             let step = self.newton(&rest);
@@ -66,14 +76,14 @@ impl Transport {
                 let mut next = at.clone();
                 next.add(0.5_f64.powi(halved), &step);
                 let found = self.take(&next);
-                if found <= height || self.rest().largest() < rest.largest() || halved == HALVED {
+                if found <= height || self.rest(&next).largest() < rest.largest() || halved == HALVED {
                     (at, height) = (next, found);
                     break;
                 }
             }
         }
         self.give_all();
-        self.rest().largest()
+        self.rest(&at).largest()
     }
 
     /// Makes the wishes for a place sum to its volume.
@@ -83,11 +93,17 @@ impl Transport {
         for edge in &mut self.edges {
             edge.wish *= self.volumes[edge.place as usize] / wished[edge.place as usize];
         }
+        let mut slacks = vec![0.0; self.ends.len()];
+        self.for_each(|point, edge| slacks[point] += self.slack * edge.wish);
+        self.slacks = slacks;
     }
 
     /// Takes the volumes of some multipliers; the value of the dual function, which they make least.
     fn take(&mut self, at: &Both) -> f64 {
         let mut height = -self.volumes.iter().zip(&at.places).map(|(v, b)| v * b).sum::<f64>();
+        for (point, a) in at.points.iter().enumerate() {
+            height += 0.5 * self.slacks[point] * dot(a, a) - dot(a, &self.wanted[point]);
+        }
         let mut from = 0;
         for (point, &end) in self.ends.iter().enumerate() {
             for edge in &mut self.edges[from..end] {
@@ -110,8 +126,11 @@ impl Transport {
     }
 
     /// What points lack of being without a deviator, and places have left.
-    fn rest(&self) -> Both {
+    fn rest(&self, at: &Both) -> Both {
         let mut rest = Both { points: self.wanted.clone(), places: self.volumes.clone() };
+        for (point, a) in at.points.iter().enumerate() {
+            (0..2).for_each(|c| rest.points[point][c] -= self.slacks[point] * a[c]);
+        }
         self.for_each(|point, edge| {
             (0..2).for_each(|c| rest.points[point][c] -= edge.volume * edge.measured[c]);
             rest.places[edge.place as usize] -= edge.volume;
@@ -158,7 +177,14 @@ mod tests {
             ]
         };
         let edges = [own(1, 1.0), own(2, -1.0)].concat();
-        let mut transport = Transport { ends: vec![3, 6], edges, wanted: vec![[0.0; 2]; 2], volumes: vec![0.5; 3] };
+        let mut transport = Transport {
+            ends: vec![3, 6],
+            edges,
+            wanted: vec![[0.0; 2]; 2],
+            volumes: vec![0.5; 3],
+            slack: 0.0,
+            slacks: Vec::new(),
+        };
         assert!(transport.solve() < 1e-13);
         let volumes: Vec<f64> = transport.edges.iter().map(|edge| edge.volume).collect();
         (0..3).for_each(|k| assert!((volumes[k] - volumes[3 + k]).abs() < 1e-13, "{volumes:?}"));
@@ -170,7 +196,14 @@ mod tests {
     #[test]
     fn what_cannot_be_met_is_told() {
         let edges = vec![edge(0, [1.0, 0.0], 1.0), edge(1, [1.0, 0.5], 1.0)];
-        let mut transport = Transport { ends: vec![2], edges, wanted: vec![[0.0; 2]], volumes: vec![0.5, 0.5] };
+        let mut transport = Transport {
+            ends: vec![2],
+            edges,
+            wanted: vec![[0.0; 2]],
+            volumes: vec![0.5, 0.5],
+            slack: 0.0,
+            slacks: Vec::new(),
+        };
         assert!(transport.solve() > 0.1);
     }
 }

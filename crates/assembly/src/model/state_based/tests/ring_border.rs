@@ -1,9 +1,9 @@
 //! Borders of bodies of revolution that are completed.
 
-use crate::model::Points;
 use super::super::BorderedState;
 use super::*;
 use crate::body::{Hole, Outline, Shape};
+use crate::model::Points;
 use crate::model::plane::through_border::{Side, through_border};
 use std::f64::consts::{PI, TAU};
 
@@ -104,7 +104,8 @@ fn uniform_strains_have_the_energy_of_the_true_body() {
                     let u = uniform(&ring, strain);
                     let energy: f64 = ring.terms().iter().map(|t| t.survey(&u).energy).sum();
                     let off = energy / (volume * density(&ring, strain)) - 1.0;
-                    println!("{name} {m} {nu} {strain:?}: energy {off:e}");
+                    // 2e-15 is found; a circle is one of chords with its area, but for the last digits.
+                    assert!(off.abs() < 1e-12, "{name} {m} {nu} {strain:?}: {off:e}");
                 }
             }
         }
@@ -132,16 +133,19 @@ fn tractions_hold_uniform_stresses() {
                     for k in 0..2 * n {
                         most[k / n] = most[k / n].max((internal[k] - load[k]).abs());
                     }
-                    let left = ring.dilatations.as_ref().unwrap().left;
+                    // 2e-14 and 8e-3 are found: bonds leave mixed differences at corners of the whole blocks.
+                    assert!(most[0] < 1e-11 * size, "{name} {m} {nu} {strain:?}: {:e}", most[0] / size);
+                    assert!(most[1] < 1.5e-2 * size, "{name} {m} {nu} {strain:?}: {:e}", most[1] / size);
                     let mut through_volume = vec![0.0; u.len()];
                     ring.add_stress_load(None, &|_| stress, &mut through_volume);
                     let through = folded(&ring, through_volume);
                     let off = largest(internal.iter().zip(&through).map(|(a, b)| a - b)) / size;
-                    let fields = ring.fields(&u);
-                    let real = real_points(&ring);
-                    let s = (0..3).map(|k| largest(real.iter().map(|&p| fields.stress[k][p] - stress[k]))).fold(0.0, f64::max);
-                    let s = s.max(largest(real.iter().map(|&p| fields.across[p] - stress[0])));
-                    println!("{name} {m} {nu} {strain:?}: r {:.2e} z {:.2e} left {left:.1e} volume {off:.1e} fields {s:.1e} size {size:.1e} per 2 pi {:.4}", most[0] / size, most[1] / size, most[1] / TAU);
+                    assert!(off < 1e-11, "{name} {m} {nu} {strain:?}: {off:e}");
+                    let (fields, real) = (ring.fields(&u), real_points(&ring));
+                    let off = |found: &[f64], stress: f64| largest(real.iter().map(|&p| found[p] - stress));
+                    let offs = (0..3).map(|k| off(&fields.stress[k], stress[k]));
+                    let worst = offs.fold(off(&fields.across, stress[0]), f64::max);
+                    assert!(worst < 1e-11, "{name} {m} {nu} {strain:?}: {worst:e}");
                 }
             }
         }
@@ -153,17 +157,79 @@ fn one_motion_costs_nothing_and_none_less() {
     for m in [2.0, 3.0] {
         for (name, outline, _) in outlines() {
             let lattice = filled(&outline, 1.0);
-            for nu in RATIOS {
+            for nu in [-0.5, 0.3, 0.49] {
                 let ring = ring(&lattice, Mirrors::NONE, m, nu);
                 let system = System::new(&ring, Vec::new(), Vec::new()).unwrap();
                 let (all, n) = (stiffness(&system), ring.points());
                 // Images are no unknowns of their own.
-                let real: Vec<usize> = [0, n].iter().flat_map(|k| real_points(&ring).into_iter().map(move |p| k + p)).collect();
+                let real: Vec<usize> =
+                    [0, n].iter().flat_map(|k| real_points(&ring).into_iter().map(move |p| k + p)).collect();
                 let values = all.select_rows(&real).select_columns(&real).symmetric_eigenvalues();
                 let (least, most) = (values.min(), values.max());
                 let zero = values.iter().filter(|v| **v < 1e-9 * most).count();
-                println!("{name} {m} {nu}: {zero} {:e}", least / most);
+                assert_eq!(zero, 1, "{name} {m} {nu}");
+                assert!(least > -1e-12 * most, "{name} {m} {nu}: {least:e}");
             }
         }
+    }
+}
+
+/// A hollow sphere of radii 10 and 20 under a pressure inside, with a line of symmetry below.
+fn sphere(count: i32, m: f64, nu: f64) -> BorderedState {
+    let arc = (0..=90).map(|k| (f64::from(k) * PI / 180.0).sin_cos()).map(|(y, x)| [20.0 * x, 20.0 * y]);
+    let mut vertices: Vec<[f64; 2]> = std::iter::once([0.0; 2]).chain(arc).collect();
+    vertices[91][0] = 0.0;
+    let mut outline = polygon(&vertices);
+    outline.cut(Hole { name: None, shape: Shape::Circle { centre: [0.0; 2], radius: 10.0 } }).unwrap();
+    let lattice = filled(&outline, 10.0 / f64::from(count));
+    ring(&lattice, Mirrors { rows: [Some(0), None], ..Mirrors::NONE }, m, nu)
+}
+
+/// Lamé's displacements of a sphere, through its border.
+#[test]
+fn spheres_widen_as_they_should() {
+    for (m, nu, count) in [
+        (2.0, 0.3, 5),
+        (2.0, 0.3, 10),
+        (2.0, 0.3, 20),
+        (3.0, 0.3, 5),
+        (3.0, 0.3, 10),
+        (3.0, 0.0, 10),
+        (3.0, 0.49, 10),
+    ] {
+        let ring = sphere(count, m, nu);
+        let n = ring.points();
+        let mut force = vec![0.0; 2 * n];
+        {
+            let shares = ring.border_shares().expect("a border");
+            let steps = 400 * count;
+            for k in 0..steps {
+                let angle = 0.5 * PI * (f64::from(k) + 0.5) / f64::from(steps);
+                let normal = [-angle.cos(), -angle.sin()];
+                let at = normal.map(|x| -10.0 * x);
+                let area = TAU * at[0] * 5.0 * PI / f64::from(steps);
+                for (p, share) in shares(at, normal).expect("a place on the border") {
+                    (0..2).for_each(|c| force[c * n + p] -= share * area * normal[c]);
+                }
+            }
+        }
+        let force = folded(&ring, force);
+        let u = solve(&ring, Vec::new(), &force);
+        let a = 1e3 / 7e3;
+        let (mut off, mut whole) = (0.0, 0.0);
+        let (fields, mut worst) = (ring.fields(&u), 0.0_f64);
+        for p in real_points(&ring) {
+            let [x, y] = ring.place(p);
+            let r = x.hypot(y);
+            let radial = a * (1.0 - 2.0 * nu) * r + a * 8e3 * (1.0 + nu) / (2.0 * r * r);
+            off += (u[p] - radial * x / r).powi(2) + (u[n + p] - radial * y / r).powi(2);
+            whole += radial * radial;
+            let (across, along) = (a * (1.0 + 4e3 / r.powi(3)), a * (1.0 - 8e3 / r.powi(3)));
+            let (c, s) = (x / r, y / r);
+            worst = worst.max((fields.stress[0][p] - along * c * c - across * s * s).abs());
+            worst = worst.max((fields.stress[1][p] - along * s * s - across * c * c).abs());
+            worst = worst.max((fields.across[p] - across).abs());
+        }
+        println!("SPHERE {m} {nu} {count}: u {:.3e} stress {worst:.3e}", (off / whole).sqrt());
     }
 }
