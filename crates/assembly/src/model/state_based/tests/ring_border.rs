@@ -188,14 +188,15 @@ fn sphere(count: i32, m: f64, nu: f64) -> BorderedState {
 /// Lamé's displacements of a sphere, through its border.
 #[test]
 fn spheres_widen_as_they_should() {
-    for (m, nu, count) in [
-        (2.0, 0.3, 5),
-        (2.0, 0.3, 10),
-        (2.0, 0.3, 20),
-        (3.0, 0.3, 5),
-        (3.0, 0.3, 10),
-        (3.0, 0.0, 10),
-        (3.0, 0.49, 10),
+    // 2.5e-2, 6.5e-3, 2.0e-3; 2.0e-2, 7.9e-3; 6.1e-3, 1.3e-2 are found.
+    for (m, nu, count, most) in [
+        (2.0, 0.3, 5, 0.03),
+        (2.0, 0.3, 10, 8e-3),
+        (2.0, 0.3, 20, 2.5e-3),
+        (3.0, 0.3, 5, 0.025),
+        (3.0, 0.3, 10, 0.01),
+        (3.0, 0.0, 10, 8e-3),
+        (3.0, 0.49, 10, 0.016),
     ] {
         let ring = sphere(count, m, nu);
         let n = ring.points();
@@ -217,19 +218,14 @@ fn spheres_widen_as_they_should() {
         let u = solve(&ring, Vec::new(), &force);
         let a = 1e3 / 7e3;
         let (mut off, mut whole) = (0.0, 0.0);
-        let (fields, mut worst) = (ring.fields(&u), 0.0_f64);
         for p in real_points(&ring) {
             let [x, y] = ring.place(p);
             let r = x.hypot(y);
             let radial = a * (1.0 - 2.0 * nu) * r + a * 8e3 * (1.0 + nu) / (2.0 * r * r);
             off += (u[p] - radial * x / r).powi(2) + (u[n + p] - radial * y / r).powi(2);
             whole += radial * radial;
-            let (across, along) = (a * (1.0 + 4e3 / r.powi(3)), a * (1.0 - 8e3 / r.powi(3)));
-            let (c, s) = (x / r, y / r);
-            worst = worst.max((fields.stress[0][p] - along * c * c - across * s * s).abs());
-            worst = worst.max((fields.stress[1][p] - along * s * s - across * c * c).abs());
-            worst = worst.max((fields.across[p] - across).abs());
         }
-        println!("SPHERE {m} {nu} {count}: u {:.3e} stress {worst:.3e}", (off / whole).sqrt());
+        let off = (off / whole).sqrt();
+        assert!(off < most, "{m} {nu} {count}: {off:e}");
     }
 }
