@@ -8,10 +8,10 @@ use crate::consistency::{Noise, check};
 use peristat_assembly::bonds::{BondGeometry, BondModel, Point, Rows};
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::material::SectionStiffness;
-use peristat_assembly::model::{Component, Model, Points, RigidMotion};
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Chain, Line, VolumeFactor, bond_law, end_treatment,
 };
+use peristat_assembly::model::{Component, Model, Points, RigidMotion};
 use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Spring, Springs, Term, Weights};
 use peristat_assembly::system::{System, free_motions};
 use peristat_solve::{BandCholesky, BandMatrix, Preconditioner};

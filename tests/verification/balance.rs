@@ -1,10 +1,10 @@
 //! Loads and reactions are in equilibrium, and the stored energy is half the work of the loads.
 
-use peristat_assembly::model::Points;
 use crate::support::standard::{CASES, SECTIONS, steel, unit};
 use crate::support::{Run, run};
 use peristat::solve_text;
 use peristat::summary::{Status, Summary};
+use peristat_assembly::model::Points;
 use serde_json::json;
 
 /// Imbalance of forces, and of moments about x = 0, of loads and reactions, relative to all of them over 1 m.

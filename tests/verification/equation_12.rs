@@ -2,10 +2,10 @@
 //!
 //! Yang, Oterkus and Oterkus, Procedia Structural Integrity 28 (2020) 464-471.
 
-use peristat_assembly::model::Points;
 use crate::support::error;
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::Model;
+use peristat_assembly::model::Points;
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid, Line, TimoshenkoBeam, VolumeFactor, bond_law, end_treatment,
 };

@@ -1,12 +1,12 @@
 //! Bodies whose bonds end on the border and soften: uniform stresses, their strength, and what they take to part.
 
-use peristat_assembly::model::plane::SofteningModel;
 use peristat::summary::Summary;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::law::{Bilinear, Compression, History, Law, Unloading};
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
+use peristat_assembly::model::plane::SofteningModel;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
 use peristat_assembly::stiffness::HistoryBond;
 use serde_json::{Value, json};

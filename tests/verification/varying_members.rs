@@ -1,10 +1,10 @@
 //! Members whose section varies and couples stretching with bending: nodal values and section forces are those of the
 //! local beam, under loads of every kind, whatever the horizon.
 
-use peristat_assembly::model::Points;
 use crate::support::error;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::material::{Profile, SectionStiffness};
+use peristat_assembly::model::Points;
 use peristat_assembly::model::timoshenko_beam::{
     Along, Axial, BeamLoads, BeamParameters, Distributed, Intensity, Line, PHI, PointAction, TimoshenkoBeam,
     U, VolumeFactor, W, bond_law, end_treatment,

@@ -2,11 +2,11 @@
 #![allow(clippy::print_stdout)]
 
 use peristat_assembly::body::SquareLattice;
-use peristat_assembly::model::{Model, Points};
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
+use peristat_assembly::model::{Model, Points};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;

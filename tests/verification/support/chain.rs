@@ -2,10 +2,10 @@
 
 use peristat_assembly::bonds::{BondGeometry, Point};
 use peristat_assembly::condition::Equation;
-use peristat_assembly::model::{Component, Model, Points, RigidMotion};
 use peristat_assembly::model::timoshenko_beam::{
     UniformBending, UniformSection, VolumeFactor, bond_law, bond_weights,
 };
+use peristat_assembly::model::{Component, Model, Points, RigidMotion};
 use peristat_assembly::stiffness::{Lattice, LatticeBonds, Override, Term, Weights};
 
 /// Weights and stiffnesses of a lattice of beam bonds.

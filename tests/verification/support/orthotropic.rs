@@ -1,8 +1,8 @@
 //! Plates of beam bonds made by hand: materials, lattices, dense stiffnesses.
 
 use nalgebra::{DMatrix, DVector};
-use peristat_assembly::model::Points;
 use peristat_assembly::body::SquareLattice;
+use peristat_assembly::model::Points;
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicMaterial, OrthotropicParameters,
 };

@@ -29,8 +29,8 @@ pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
     Sine, Steps, Support,
 };
-pub use field::{Field, FieldName, Origin, Unit};
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Value};
+pub use field::{Field, FieldName, Origin, Unit};
 pub use foundation::Foundation;
 pub use fracture::{CrackDirection, Critical, CriticalFormula, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};

@@ -1,8 +1,8 @@
 //! Bodies of beam bonds.
 
 use super::super::plane::{
-    BorderShares, BreakingModel, COMPONENTS, CriticalStretch, Edges, FindCuts, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel,
-    RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
+    BorderShares, BreakingModel, COMPONENTS, CriticalStretch, Edges, FindCuts, Kind, LatticeBody, Mirrors,
+    PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
 };
 use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};

@@ -1,7 +1,8 @@
 //! A plate as a model with two unknowns per point.
 
 use super::super::plane::{
-    BreakingModel, COMPONENTS, FindCuts, RIGID_MOTIONS, SofteningModel, Solvable, calibration_error, rigid_motion,
+    BreakingModel, COMPONENTS, FindCuts, RIGID_MOTIONS, SofteningModel, Solvable, calibration_error,
+    rigid_motion,
 };
 use super::{Body, BondPlane};
 use crate::bonds::Point;

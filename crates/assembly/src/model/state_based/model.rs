@@ -1,7 +1,8 @@
 //! State-based bodies as models: two unknowns per point, the displacements along x and y.
 
 use super::super::plane::{
-    BreakingModel, COMPONENTS, FindCuts, Mirrors, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
+    BreakingModel, COMPONENTS, FindCuts, Mirrors, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error,
+    rigid_motion,
 };
 use super::body::{StateBody, cell_volume};
 use super::ghosts::Separated;

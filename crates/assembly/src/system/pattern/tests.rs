@@ -136,8 +136,7 @@ fn bonds_that_end_on_the_border_make_the_assembled_matrix() {
     let between = plate.history_bonds(&|_| Some(0));
     let ended = plate.ended_bonds(&mut |_, _| Some(0));
     assert!(ended.len() > 100);
-    let bonds =
-        HistoryBonds::new(plate.points(), Kinematics::Linear, elastic, between).with_ended(ended);
+    let bonds = HistoryBonds::new(plate.points(), Kinematics::Linear, elastic, between).with_ended(ended);
     let ends = (0..bonds.list().len()).map(|k| bonds.shares(k));
     let pattern = DifferencePattern::<2>::new(plate.points(), system.constraints(), ends);
     let mut matrix = pattern.matrix();

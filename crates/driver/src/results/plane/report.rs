@@ -21,7 +21,8 @@ pub(super) fn map(scene: &PlaneScene, result: &PlaneResult) -> Map {
         let range = scan::extremes(values).map_or([0.0; 2], |ends| ends.map(|point| values[point]));
         Field { name: name.into(), unit: unit.into(), values: raster.means(values), range }
     };
-    let named = |f: FieldName| Some(field(f.name(), f.about().unit.label(scene.units), &result.values(scene, f)?));
+    let named =
+        |f: FieldName| Some(field(f.name(), f.about().unit.label(scene.units), &result.values(scene, f)?));
     let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
     let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
     let size = field("displacement", scene.units.length(), &size);

@@ -97,7 +97,9 @@ pub fn run_softening(
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
     let AnyBody::Two(body) = &scene.model else { return Err(RunError::NotResumable) };
-    let (Some(path), Some(body)) = (&scene.path, body.softening()) else { return Err(RunError::NotResumable) };
+    let (Some(path), Some(body)) = (&scene.path, body.softening()) else {
+        return Err(RunError::NotResumable);
+    };
     let problem = PlaneProblem::new(scene, body);
     let prepared = prepare(&problem, options)?;
     let found = intensity::of_states(scene, options)?;

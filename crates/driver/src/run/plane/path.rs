@@ -124,7 +124,11 @@ fn of_part(laws: &mut Vec<Bilinear>, law: &Bilinear) -> usize {
 
 /// Stresses by the forces of the bonds, `σ = (1/V) ½ Σ N ξ n nᵀ`, energy densities and damage. What ends on the border
 /// stands for whole bonds of the points beside it.
-fn recovered(model: &dyn SofteningModel<2>, bonds: &SofteningBonds<2>, answers: &BondAnswers<2>) -> Recovered {
+fn recovered(
+    model: &dyn SofteningModel<2>,
+    bonds: &SofteningBonds<2>,
+    answers: &BondAnswers<2>,
+) -> Recovered {
     let n = model.points();
     let (mut stress, mut energy_density) = ([vec![0.0; n], vec![0.0; n], vec![0.0; n]], vec![0.0; n]);
     for (k, (bond, answer)) in bonds.list().iter().zip(&answers.bonds).enumerate() {

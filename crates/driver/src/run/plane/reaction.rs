@@ -120,7 +120,9 @@ pub(super) fn of_mirrors(
         let sum = at_once.entry(*ghost).or_default();
         (0..2).for_each(|k| sum[k] += force[k]);
     }
-    for (&ghost, held) in scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components().len())) {
+    for (&ghost, held) in
+        scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components().len()))
+    {
         let cell = lattice.cell(ghost as usize);
         let (_, signs) = mirrors.image(cell);
         let taken = at_once.get(&ghost).copied().unwrap_or_default();

@@ -46,8 +46,7 @@ impl Tips {
     /// Adds a warning for every stress intensity of a state whose tips close or slide.
     pub(super) fn check(&self, scene: &PlaneScene, state: usize, u: &[f64], warnings: &mut Faults) {
         for k in 0..scene.intensities.len() {
-            let parts =
-                self.0.iter().filter(|f| f.intensity == k).map(|f| f.part(scene.model.points(), u));
+            let parts = self.0.iter().filter(|f| f.intensity == k).map(|f| f.part(scene.model.points(), u));
             let (mut closes, mut slides) = (false, false);
             for [opening, sliding] in parts {
                 closes |= opening < -CLOSED * sliding.abs();

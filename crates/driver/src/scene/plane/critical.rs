@@ -3,8 +3,8 @@
 use super::super::fracture::{foreign, needed};
 use super::super::root;
 use super::bonds::PlaneBonds;
-use super::site::Site;
 use super::model;
+use super::site::Site;
 use crate::case::{CriticalFormula, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::beam_bond_orthotropic::{
@@ -82,9 +82,7 @@ fn of_central(
                 .hint("use the formula `energy`, which knows the bonds");
             None
         }
-        CriticalFormula::Published => {
-            Some(published_critical_stretch(rate, parameters, site.recipe.horizon))
-        }
+        CriticalFormula::Published => Some(published_critical_stretch(rate, parameters, site.recipe.horizon)),
         CriticalFormula::Energy if !is_lattice => {
             faults
                 .error(path.key("formula"), "the formula `energy` needs the bonds of a lattice")

@@ -1,9 +1,9 @@
 //! How the bonds of a body in the plane break.
 
-use super::site::Site;
 use super::super::fracture::{self, FractureScene};
 use super::super::root;
 use super::critical::critical;
+use super::site::Site;
 use crate::case::{Case, CrackDirection, FieldName, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::fracture::FACTS;

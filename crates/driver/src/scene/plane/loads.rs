@@ -69,7 +69,9 @@ pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoa
         for (k, load) in loads.iter().enumerate() {
             let path = path.index(k);
             match load {
-                Load::Point(load) => point_load::resolve(load, context, &path.key("point"), &mut resolved, faults),
+                Load::Point(load) => {
+                    point_load::resolve(load, context, &path.key("point"), &mut resolved, faults)
+                }
                 Load::BodyForce(load) => {
                     body_force::resolve(load, context, &path.key("body_force"), &mut resolved, faults)
                 }

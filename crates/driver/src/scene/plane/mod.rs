@@ -74,7 +74,6 @@ pub(crate) use any_body::with_body;
 pub use bonds::{PlaneBonds, PlaneModelError};
 pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints};
-pub use rigid::{RIGID_KEYS, RigidPoints};
 pub use cracks::NamedCrack;
 pub(crate) use fields::{Has, of_points};
 pub use fracture::PlaneFracture;
@@ -85,6 +84,7 @@ pub use loads::PlaneLoads;
 pub use outputs::{Intensity, LinePoint, OutputLine};
 pub use probes::{PlaneProbe, Quantity};
 pub use problem::PlaneProblem;
+pub use rigid::{RIGID_KEYS, RigidPoints};
 pub use supported::PlaneSupport;
 
 use super::path::PathScene;

@@ -1,7 +1,7 @@
 //! The model of a body in the plane: points of its lattice with images, or its listed points.
 
-use super::bearing::{self, Bearing};
 use super::any_body::AnyBody;
+use super::bearing::{self, Bearing};
 use super::bonds::{PlaneBonds, PlaneModelError};
 use super::cracks::NamedCrack;
 use super::symmetry::Symmetry;

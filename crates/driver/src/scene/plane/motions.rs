@@ -6,7 +6,11 @@ use peristat_assembly::model::{Model, RigidMotion};
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
 /// What nothing holds, and how it would move.
-pub(super) fn describe<const D: usize>(scene: &PlaneScene, model: &dyn Model<D>, motion: &FreeMotion) -> String {
+pub(super) fn describe<const D: usize>(
+    scene: &PlaneScene,
+    model: &dyn Model<D>,
+    motion: &FreeMotion,
+) -> String {
     let (parts, motions) = (model.connected(), model.rigid_motions());
     // Number and sum of the positions of the real points of every part that moves.
     let mut sums = vec![(0_usize, [0.0; 2]); motion.parts.len()];

@@ -1,6 +1,5 @@
 //! How the bonds of a body in the plane soften, and how it is followed.
 
-use super::site::Site;
 use super::super::fracture;
 use super::super::numbers::positive;
 use super::super::path::{self, PathScene, Softening};
@@ -9,6 +8,7 @@ use super::super::words::tidy;
 use super::bonds::PlaneBonds;
 use super::fracture::check_load;
 use super::model::{self};
+use super::site::Site;
 use crate::case::{BilinearLaw, Case, CriticalFormula, Model, Path, PlaneBondLaw};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::run::path::PATH_FACTS;
@@ -59,8 +59,7 @@ pub(super) fn resolve(
     }
     let mut exempt = vec![false; site.ground.body.points()];
     for (k, name) in path.no_damage.iter().enumerate() {
-        let points =
-            site.ground.region(name, &place.key("no_damage").index(k), faults).unwrap_or_default();
+        let points = site.ground.region(name, &place.key("no_damage").index(k), faults).unwrap_or_default();
         points.iter().for_each(|&p| exempt[p as usize] = true);
     }
     // A path in a body with images, whose points have other numbers, is refused.

@@ -1,11 +1,11 @@
 //! Probes of a body in the plane.
 
-use super::site::Site;
 use super::super::words::{suggest, tidy};
 use super::fields;
 use super::ground::PLACE;
 use super::interpolate::Weights;
 use super::opening;
+use super::site::Site;
 use crate::case::{FieldName, Probe};
 use crate::diagnostic::{Faults, JsonPath};
 
@@ -82,12 +82,7 @@ pub(super) fn probes(site: &Site, faults: &mut Faults) -> Vec<PlaneProbe> {
     super::super::probes::probes(site.ground.case, resolve, faults)
 }
 
-fn resolve(
-    probe: &Probe,
-    site: &Site,
-    path: &JsonPath,
-    faults: &mut Faults,
-) -> Option<(Quantity, String)> {
+fn resolve(probe: &Probe, site: &Site, path: &JsonPath, faults: &mut Faults) -> Option<(Quantity, String)> {
     let (at, field) = (path.key("at"), probe.field);
     let (ground, case) = (site.ground, site.ground.case);
     let there_are = fields::probed(site.model, case);
@@ -168,12 +163,7 @@ fn from_inside(
     found
 }
 
-fn rotation(
-    probe: &Probe,
-    site: &Site,
-    path: &JsonPath,
-    faults: &mut Faults,
-) -> Option<(Quantity, String)> {
+fn rotation(probe: &Probe, site: &Site, path: &JsonPath, faults: &mut Faults) -> Option<(Quantity, String)> {
     let rigid = &site.ground.case.rigid;
     let at = path.key("at");
     let name = site.ground.region_name(&probe.at, &at, faults)?;

@@ -1,7 +1,7 @@
 //! Rigid regions that mirrors halve, or that reach joined sides.
 
-use super::rigid::{RIGID_KEYS, RigidPoints};
 use super::model::Recipe;
+use super::rigid::{RIGID_KEYS, RigidPoints};
 use super::root;
 use crate::diagnostic::Faults;
 use peristat_assembly::body::PlaneBody;

@@ -217,7 +217,8 @@ fn check_harmonic(
 
 /// Adds a fault for every load case that a membrane cannot bear.
 pub(super) fn check_bearable(scene: &PlaneScene, faults: &mut Faults) {
-    let (PlaneBonds::Shell(parameters), Some((lattice, mirrors))) = (scene.bonds(), scene.model.lattice()) else {
+    let (PlaneBonds::Shell(parameters), Some((lattice, mirrors))) = (scene.bonds(), scene.model.lattice())
+    else {
         return;
     };
     let left = Inextensional::new(parameters, (lattice, mirrors), ends(scene, lattice));

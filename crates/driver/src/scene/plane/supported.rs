@@ -28,7 +28,8 @@ pub(super) fn conditions(
     recipe: &Recipe,
     model: &dyn PlaneModel,
 ) -> (Conditions, Vec<PlaneSupport>) {
-    let mut conditions = Conditions { turning: model.component("phi").map(|(_, phi)| phi.scale), ..Conditions::default() };
+    let mut conditions =
+        Conditions { turning: model.component("phi").map(|(_, phi)| phi.scale), ..Conditions::default() };
     let (mut supports, mut next) = (Vec::new(), 0);
     for h in held {
         let (holds, springs) = (h.holds(recipe, model), h.spring_list(recipe, model));

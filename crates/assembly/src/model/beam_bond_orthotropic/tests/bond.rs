@@ -117,7 +117,8 @@ fn bonds_that_never_joined_are_no_damage() {
         (row < 4) != (row + offsets[k][1] < 4)
     };
     let cuts: Vec<(usize, usize)> = all.filter(is_cut).collect();
-    let mut plate = BeamBondOrthotropic::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &cuts).unwrap();
+    let mut plate =
+        BeamBondOrthotropic::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &cuts).unwrap();
     assert!(plate.damage().iter().any(|&d| d > 0.2));
     plate.never_joined(&cuts);
     assert!(plate.damage().iter().all(|&d| d == 0.0));

@@ -2,9 +2,9 @@
 
 use super::*;
 use crate::body::{Hole, Outline, Shape};
-use crate::model::{Model, Points};
 use crate::model::plane::through_border::through_border;
 use crate::model::plane::{Mirrors, PlaneModel};
+use crate::model::{Model, Points};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 

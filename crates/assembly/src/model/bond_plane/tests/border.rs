@@ -1,9 +1,9 @@
 //! Bonds that end on the border: uniform stresses are in equilibrium, whatever the border of cells.
 
-use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
 use super::patch::{STRAINS, check_fields, check_rigid};
+use crate::model::Points;
 use crate::model::plane::{Edges, PlaneModel};
 
 fn bordered(m: f64) -> PlaneParameters {

@@ -1,10 +1,10 @@
 //! Clouds of points.
 
-use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
 use super::patch::{STRAINS, check_fields, check_rigid, strain_of};
 use crate::model::Breakable;
+use crate::model::Points;
 use crate::model::plane::{Calibration, CriticalStretch, Edges, PlaneModel};
 
 /// Scattered points in a rectangle with a hole, areas that differ, in a unit of length.

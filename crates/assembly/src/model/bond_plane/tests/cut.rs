@@ -1,12 +1,12 @@
 //! Borders that cut cells: uniform stresses are in equilibrium, wherever the border runs.
 
-use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
 use super::mirrors::compare;
 use super::patch::{STRAINS, check_rigid};
 use crate::body::{Crack, Hole, Outline, Polygon, Shape, cut_bonds};
 use crate::model::Breakable;
+use crate::model::Points;
 use crate::model::plane::through_border::{Side, through_border};
 use crate::model::plane::{CriticalStretch, Edges, Mirrors, PlaneModel};
 

@@ -1,8 +1,8 @@
 //! Numbers of independent Python implementations.
 
-use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
+use crate::model::Points;
 use crate::model::bond_plane::neighbourhood::neighbourhood;
 use crate::model::plane::{Calibration, Edges, PlaneModel};
 

@@ -1,8 +1,8 @@
 //! Patch tests: uniform strains and rigid motions are exact everywhere.
 
-use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
+use crate::model::Points;
 use crate::model::plane::{Edges, PlaneModel, Solvable};
 
 pub(super) const STRAINS: [[[f64; 2]; 2]; 4] = [

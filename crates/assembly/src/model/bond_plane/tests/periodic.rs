@@ -2,9 +2,9 @@
 
 use super::super::*;
 use super::bodies::*;
-use crate::model::Points;
 use crate::body::Transfer;
 use crate::condition::Constraints;
+use crate::model::Points;
 use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
 
 /// A rectangle of cells whose sides are joined along x, along y or both.

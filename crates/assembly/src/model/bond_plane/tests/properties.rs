@@ -2,8 +2,8 @@
 
 use super::super::*;
 use super::bodies::*;
-use crate::model::{Model, Points};
 use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
+use crate::model::{Model, Points};
 
 /// Plates of all kinds, some with a crack that ends inside.
 fn planes() -> Vec<(&'static str, BondPlane)> {

@@ -1,11 +1,11 @@
 //! Stretches of bonds that yield and fail, and bonds with memory as the model lists them.
 
-use crate::model::plane::SofteningModel;
-use crate::model::Points;
 use super::super::*;
 use super::bodies::*;
 use crate::law::{Bilinear, Compression, Unloading};
+use crate::model::Points;
 use crate::model::bond_plane::neighbourhood::neighbourhood;
+use crate::model::plane::SofteningModel;
 use crate::model::plane::{Calibration, Edges, PlaneModel, toughness};
 use crate::stiffness::{HistoryBond, HistoryBonds, Kinematics};
 use std::f64::consts::PI;
@@ -103,9 +103,8 @@ fn cracks_through_a_lattice_take_the_energies_of_the_table() {
 /// Energies and forces of a model and of its bonds with memory.
 fn compare(name: &str, plane: &BondPlane, kinematics: Kinematics) -> [f64; 2] {
     let law = Bilinear::new([2.8e-3, 2.9e-2], Unloading::Plastic, Compression::Elastic).unwrap();
-    let bonds =
-        HistoryBonds::new(plane.points(), kinematics, vec![law], plane.history_bonds(&|_| Some(0)))
-            .with_ended(plane.ended_bonds(&mut |_, _| Some(0)));
+    let bonds = HistoryBonds::new(plane.points(), kinematics, vec![law], plane.history_bonds(&|_| Some(0)))
+        .with_ended(plane.ended_bonds(&mut |_, _| Some(0)));
     // Stretches of up to 1e-6, far below yield.
     let size = 2 * plane.points();
     let shortest = bonds.list().iter().map(|b| b.length).fold(f64::INFINITY, f64::min);
@@ -177,13 +176,9 @@ fn parts_of_bonds_stand_for_those_that_points_lack() {
     let lattice = Arc::new(crate::body::SquareLattice::rectangle(1.0, [0.0; 2], [12, 9]));
     let plane = plane(&lattice, PlaneParameters { edges: Edges::Border, ..parameters(3.0, MM_MPA) });
     let law = Bilinear::new([1.0, 2.0], Unloading::Plastic, Compression::Elastic).unwrap();
-    let bonds = HistoryBonds::new(
-        plane.points(),
-        Kinematics::Linear,
-        vec![law],
-        plane.history_bonds(&|_| Some(0)),
-    )
-    .with_ended(plane.ended_bonds(&mut |_, _| Some(0)));
+    let bonds =
+        HistoryBonds::new(plane.points(), Kinematics::Linear, vec![law], plane.history_bonds(&|_| Some(0)))
+            .with_ended(plane.ended_bonds(&mut |_, _| Some(0)));
     let n = plane.points();
     let (strain, mut u) = ([3e-3, -1e-3, 2e-3], vec![0.0; 2 * n]);
     for p in 0..n {

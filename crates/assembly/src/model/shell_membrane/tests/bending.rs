@@ -1,8 +1,8 @@
 //! Bending rows: ovalling of a ring.
 
-use crate::model::Points;
 use super::super::*;
 use super::tubes::*;
+use crate::model::Points;
 use crate::model::plane::{Mirrors, PlaneModel};
 use crate::stiffness::Term;
 use nalgebra::DVector;

@@ -2,8 +2,8 @@
 
 use super::super::*;
 use super::tubes::*;
-use crate::model::{Model, Points};
 use crate::model::plane::{Calibration, PlaneModel};
+use crate::model::{Model, Points};
 use std::f64::consts::{PI, TAU};
 
 const R: f64 = 1.0 / TAU;

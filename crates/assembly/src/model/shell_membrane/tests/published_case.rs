@@ -2,9 +2,9 @@
 //!
 //! Numbers are of an independent Python implementation.
 
-use crate::model::Points;
 use super::super::*;
 use super::tubes::*;
+use crate::model::Points;
 use crate::model::plane::{Calibration, PlaneModel};
 
 struct Golden {

@@ -1,8 +1,8 @@
 //! Loads that a membrane cannot bear.
 
-use crate::model::Points;
 use super::super::*;
 use super::tubes::*;
+use crate::model::Points;
 use crate::model::plane::{Mirrors, PlaneModel};
 use std::sync::Arc;
 

@@ -3,8 +3,8 @@
 use super::super::*;
 use crate::body::SquareLattice;
 use crate::condition::Constraints;
-use crate::model::{Model, Points};
 use crate::model::plane::{Calibration, Mirrors};
+use crate::model::{Model, Points};
 use crate::stiffness::BlockMatrix;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;

@@ -1,8 +1,8 @@
 //! Bodies that touch the axis.
 
-use crate::model::Points;
 use super::super::super::plane::PlaneModel;
 use super::*;
+use crate::model::Points;
 
 /// `u_r = r` prescribed on a collar of two horizons around a solid cylinder of radius 1 in plane strain: u_r/r at the first
 /// point.

@@ -1,10 +1,10 @@
 //! Borders that are completed: uniform stresses are in equilibrium, and dilatations are exact at every point.
 
-use crate::model::plane::Solvable;
-use crate::model::Points;
 use super::super::BorderedState;
 use super::*;
 use crate::body::{Hole, Outline, Polygon, Shape};
+use crate::model::Points;
+use crate::model::plane::Solvable;
 use crate::model::plane::through_border::{Side, through_border};
 
 /// Above 0.45 in plane strain, with means over blocks.

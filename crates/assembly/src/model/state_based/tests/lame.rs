@@ -1,9 +1,9 @@
 //! The thick cylinder under inner pressure, a = 1, b = 2, E = 1, ν = 0.3, plane strain: `u = (1+ν)((1−2ν) A r + B/r)`,
 //! A = 1/3, B = 4/3. Numbers with twelve digits are of an independent Python implementation, per radian.
 
-use crate::model::Points;
 use super::super::super::plane::PlaneModel;
 use super::*;
+use crate::model::Points;
 use std::f64::consts::TAU;
 
 /// Radial displacements of the real points and the diagonal of the stiffness, under the pressure `1 − (r − 1)` that reaches

@@ -31,11 +31,7 @@ const RING: StateParameters = StateParameters {
 
 const PLATE: StateParameters = StateParameters { geometry: Geometry::PlaneStress(0.5), ..RING };
 
-fn body(
-    lattice: SquareLattice,
-    mirrors: Mirrors,
-    parameters: StateParameters,
-) -> StateBased {
+fn body(lattice: SquareLattice, mirrors: Mirrors, parameters: StateParameters) -> StateBased {
     StateBased::on_lattice(Arc::new(lattice), mirrors, parameters, &|_, _| false, &|_| Vec::new()).unwrap()
 }
 

@@ -1,8 +1,8 @@
 //! Uniform strains: exact energies, strains and solutions, at free faces and corners too.
 
-use crate::model::Points;
 use super::super::super::plane::PlaneModel;
 use super::*;
+use crate::model::Points;
 
 /// Unknowns of a body under the stresses of a linear displacement, held as little as it takes: the largest error, relative
 /// to the largest displacement.
@@ -66,8 +66,7 @@ fn rings_pass_with_free_faces_and_corners() {
     for radius in [0.0, 1.0] {
         for edges in [StateEdges::Ghosts, StateEdges::MomentPlus] {
             let parameters = StateParameters { edges, youngs_modulus: 210.0, ..RING };
-            let model: StateBased =
-                body(cells(1.0 / 12.0, radius, [12, 18]), Mirrors::NONE, parameters);
+            let model: StateBased = body(cells(1.0 / 12.0, radius, [12, 18]), Mirrors::NONE, parameters);
             for motion in motions {
                 let ratio = energy_ratio(&model, motion);
                 assert!((ratio - 1.0).abs() < 1e-12, "{radius} {edges:?} {ratio}");
@@ -99,8 +98,7 @@ fn plain_treatments_have_wrong_energies() {
     }
     let moment = StateParameters { edges: StateEdges::Moment, ..RING };
     let lattice = Arc::new(cells(1.0 / 12.0, 1.0, [12, 18]));
-    let error =
-        StateBased::on_lattice(lattice, Mirrors::NONE, moment, &|_, _| false, &|_| Vec::new());
+    let error = StateBased::on_lattice(lattice, Mirrors::NONE, moment, &|_, _| false, &|_| Vec::new());
     assert_eq!(error.err(), Some(super::super::StateError::NegativeWeights(4)));
 }
 

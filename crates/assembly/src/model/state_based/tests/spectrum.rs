@@ -1,7 +1,7 @@
 //! Motions without energy, and no negative energies.
 
-use crate::model::Points;
 use super::*;
+use crate::model::Points;
 
 fn eigenvalues(model: &StateBased) -> Vec<f64> {
     let system = System::new(model, Vec::new(), Vec::new()).unwrap();
@@ -44,8 +44,7 @@ fn damaged_families_have_no_negative_energy() {
             };
             let lattice = Arc::new(cells(0.1, 1.0, [8, 8]));
             let model =
-                StateBased::on_lattice(lattice, Mirrors::NONE, parameters, &|_, _| false, &cut)
-                    .unwrap();
+                StateBased::on_lattice(lattice, Mirrors::NONE, parameters, &|_, _| false, &cut).unwrap();
             let values = eigenvalues(&model);
             assert!(values[0] > -1e-13 * values[values.len() - 1], "{nu} {dilatation:?} {:e}", values[0]);
         }

@@ -1,10 +1,10 @@
 use super::*;
 use crate::material::{Profile, SectionStiffness};
-use crate::model::{Model, Points};
 use crate::model::timoshenko_beam::{
     Along, BeamLoads, BeamParameters, ChainLoads, Distributed, Intensity, Line, PHI, PointAction,
     VolumeFactor, W, bond_law, end_treatment,
 };
+use crate::model::{Model, Points};
 use crate::stiffness::Survey;
 use nalgebra::{DMatrix, DVector};
 
