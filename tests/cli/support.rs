@@ -1,10 +1,10 @@
 //! The command, its repository, and cases to run.
 
-use assert_cmd::Command;
 use serde_json::Value;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// Root of the repository.
 pub(crate) fn root() -> PathBuf {
@@ -83,7 +83,7 @@ pub(crate) fn report_without_times(path: &Path) -> String {
 /// The Python of `PERISTAT_PYTHON`, or any, if it has a module; else a notice.
 pub(crate) fn python_with(module: &str) -> Option<String> {
     let python = std::env::var("PERISTAT_PYTHON").unwrap_or_else(|_| "python3".into());
-    let import = std::process::Command::new(&python).args(["-c", &format!("import {module}")]).output();
+    let import = Command::new(&python).args(["-c", &format!("import {module}")]).output();
     if import.is_ok_and(|output| output.status.success()) {
         return Some(python);
     }

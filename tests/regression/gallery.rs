@@ -1,98 +1,68 @@
-//! Every case of the gallery passes its own checks, one test per folder.
+//! Every case of the gallery passes its own checks.
 
-use crate::support::{files, gallery, load, root, short, solve};
+use crate::support::{files, gallery, load, root, short, try_solve};
+use peristat::case::read;
 use peristat::input::Reach;
 use peristat::study::{Findings, Plan, Record};
-use peristat::summary::Status;
-use std::fmt::Write;
+use peristat::summary::{Status, Summary};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::thread;
 
-/// Failures of the cases of a folder, one line per check.
-fn failures(folder: &str) -> String {
-    let cases = files(&root().join("cases").join(folder), ".json");
-    assert!(!cases.is_empty(), "cases/{folder} has no cases");
-    let mut text = String::new();
-    for case in cases {
-        let summary = solve(&case);
-        if summary.status == Status::NotConverged {
-            let _ = writeln!(text, "{}: not converged", short(&case));
-        }
-        for warning in summary.warnings.iter().filter(|w| w.contains("can be trusted")) {
-            let _ = writeln!(text, "{}: {warning}", short(&case));
-        }
-        for check in summary.checks.iter().filter(|c| !c.passed) {
-            let _ = writeln!(
-                text,
-                "{}: {}: expected {:e}, found {:e}, error {:.2e}, tolerance {:.0e} ({})",
-                short(&case),
-                check.name,
-                check.expected,
-                check.found,
-                check.error,
-                check.tolerance,
-                check.source
-            );
-        }
+/// What a case fails by, a line each.
+fn failures(case: &Path) -> Vec<String> {
+    let told = match try_solve(case) {
+        Ok(summary) => faults(&summary),
+        Err(error) => vec![error.to_string()],
+    };
+    told.into_iter().map(|fault| format!("{}: {fault}", short(case))).collect()
+}
+
+fn faults(summary: &Summary) -> Vec<String> {
+    let mut faults = Vec::new();
+    if summary.status == Status::NotConverged {
+        faults.push("not converged".into());
     }
-    text
+    faults.extend(summary.warnings.iter().filter(|w| w.contains("can be trusted")).cloned());
+    faults.extend(summary.checks.iter().filter(|c| !c.passed).map(|check| {
+        format!(
+            "{}: expected {:e}, found {:e}, error {:.2e}, tolerance {:.0e} ({})",
+            check.name, check.expected, check.found, check.error, check.tolerance, check.source
+        )
+    }));
+    faults
 }
 
-fn all_pass(folder: &str) {
-    let failures = failures(folder);
-    assert!(failures.is_empty(), "\n{failures}");
+/// Cases that a thread begins with: one alone takes as long as most of the others together.
+fn takes_long(case: &Path) -> bool {
+    short(case).starts_with("cases/bench/") || read(case, &[], None).is_ok_and(|source| source.case.slow)
 }
 
-/// Folders with a test below.
-const FOLDERS: [&str; 8] =
-    ["beam", "frame", "plate", "axisymmetric", "orthotropic", "ductile", "shell", "bench"];
-
-#[test]
-fn beams_pass_their_checks() {
-    all_pass("beam");
-}
-
-#[test]
-fn frames_pass_their_checks() {
-    all_pass("frame");
-}
-
-#[test]
-fn plates_pass_their_checks() {
-    all_pass("plate");
-}
-
-#[test]
-fn bodies_of_revolution_pass_their_checks() {
-    all_pass("axisymmetric");
-}
-
-#[test]
-fn orthotropic_plates_pass_their_checks() {
-    all_pass("orthotropic");
+/// Failures of all cases, each solved by whichever thread is free.
+fn failures_of_all(cases: Vec<PathBuf>) -> Vec<String> {
+    let (queue, found) = (Mutex::new(cases.into_iter()), Mutex::new(Vec::new()));
+    // A guard in the condition of a loop would be held while the case is solved.
+    let next = || queue.lock().unwrap().next();
+    let work = || {
+        while let Some(case) = next() {
+            let failures = failures(&case);
+            found.lock().unwrap().extend(failures);
+        }
+    };
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(work))));
+    found.into_inner().unwrap()
 }
 
 #[test]
-fn crack_specimens_pass_their_checks() {
-    all_pass("ductile");
-}
-
-#[test]
-fn shells_pass_their_checks() {
-    all_pass("shell");
-}
-
-#[test]
-#[cfg_attr(debug_assertions, ignore = "a million points take a release build")]
-fn benchmarks_pass_their_checks() {
-    all_pass("bench");
-}
-
-#[test]
-fn every_folder_of_cases_has_its_test() {
-    for case in gallery() {
-        let path = case.strip_prefix(root().join("cases")).unwrap();
-        let folder = path.components().next().unwrap().as_os_str().to_string_lossy();
-        assert!(FOLDERS.contains(&&*folder), "{} is in no folder of this test", short(&case));
-    }
+fn cases_pass_their_checks() {
+    let mut cases = gallery();
+    assert!(cases.len() > 150, "found only {} cases", cases.len());
+    // A million points take a release build.
+    cases.retain(|case| !cfg!(debug_assertions) || !short(case).starts_with("cases/bench/"));
+    cases.sort_by_cached_key(|case| !takes_long(case));
+    let failures = failures_of_all(cases);
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Files of the repository.
 
-use peristat::Loaded;
 use peristat::run::{RunOptions, taking};
 use peristat::summary::Summary;
+use peristat::{Error, Loaded};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -49,7 +49,11 @@ pub(crate) fn load(case: &Path) -> Loaded {
 
 /// The record of a run of a case.
 pub(crate) fn solve(case: &Path) -> Summary {
+    try_solve(case).unwrap_or_else(|error| panic!("{}: {error}", short(case)))
+}
+
+/// The same, or why there is none.
+pub(crate) fn try_solve(case: &Path) -> Result<Summary, Error> {
     let options = RunOptions { recover: false, max_memory: None, compare: false };
-    let summary = load(case).run(&options, None, &mut taking(|_| Ok(())));
-    summary.unwrap_or_else(|error| panic!("{}: {error}", short(case)))
+    Loaded::read(case, &[], None)?.run(&options, None, &mut taking(|_| Ok(())))
 }
