@@ -62,31 +62,6 @@ fn a_pulled_tube_converges_with_order_two() {
     }
 }
 
-/// Both ends slide on their lines, moved apart by a thousandth of the length: one stress E ε, also beside the ends.
-#[test]
-fn tubes_between_held_ends_have_one_stress() {
-    for (m, columns) in [(2.0, 24), (3.0, 24), (4.0, 24), (3.0, 48)] {
-        let mut case = tube([columns, columns], &json!({}));
-        case["horizon_ratio"] = json!(m);
-        let (h, outwards) = (1.0 / f64::from(columns), -1e-3 / 3.0 / TAU);
-        let quarter = 0.25 + 0.5 * h;
-        case["supports"] = json!([
-            { "at": { "region": "left" }, "ux": 0 },
-            { "at": { "region": "right" }, "ux": 1e-3 },
-            { "at": { "x": 0.5 * h, "y": 0.5 * h }, "uy": 0, "w": outwards },
-            { "at": { "x": 0.5 * h, "y": quarter }, "w": outwards }
-        ]);
-        let run = solve(&case);
-        let [xx, yy] = [FieldName::StressXx, FieldName::StressYy].map(|field| run.field(0, field));
-        let off = |found: &[f64], expected: f64| {
-            found.iter().map(|s| (s - expected).abs() / 2e8).fold(0.0, f64::max)
-        };
-        // XX is found; 0.1 to 0.3 where the outermost points are held.
-        let worst = off(&xx, 2e8).max(off(&yy, 0.0));
-        assert!(worst < 1e-10, "{m} {columns}: {worst:e}");
-    }
-}
-
 #[test]
 fn consistent_pressure_is_exact_at_every_point_of_a_closed_tube() {
     let radius = 1.0 / TAU;

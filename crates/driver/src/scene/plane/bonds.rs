@@ -145,14 +145,6 @@ impl PlaneBonds {
         }
     }
 
-    /// Whether the traction of one stress on an edge leaves that stress in the points beside it: then its shares hold the edge.
-    pub(super) fn bears_one_stress(&self) -> bool {
-        match self {
-            Self::Central(_) | Self::Beams(_) | Self::State(_) => self.is_exact_at_edges(),
-            Self::Shell(parameters) => parameters.calibration == Calibration::Matched,
-        }
-    }
-
     /// Where the stiffness of bonds comes from.
     pub fn calibration(&self) -> Calibration {
         match self {
@@ -285,21 +277,12 @@ impl PlaneBonds {
             }
             Self::Beams(parameters) => {
                 let (lattice, cuts) = extended()?;
-                AnyBody::Three(Box::new(BeamBondOrthotropic::on_lattice(
-                    lattice,
-                    mirrors,
-                    *parameters,
-                    &cuts,
-                )?))
+                AnyBody::Three(Box::new(BeamBondOrthotropic::on_lattice(lattice, mirrors, *parameters, &cuts)?))
             }
             Self::State(parameters) => {
                 let real = Arc::new(real.clone());
                 if parameters.edges == StateEdges::Border {
-                    return Ok(AnyBody::Two(Box::new(BorderedState::on_lattice(
-                        &real,
-                        mirrors,
-                        *parameters,
-                    )?)));
+                    return Ok(AnyBody::Two(Box::new(BorderedState::on_lattice(&real, mirrors, *parameters)?)));
                 }
                 let cut = |lattice: &SquareLattice| cuts(lattice, &offsets);
                 AnyBody::Two(Box::new(StateBased::on_lattice(real, mirrors, *parameters, separated, &cut)?))

@@ -32,7 +32,7 @@ impl HeldEdge {
         let at = (edge.from[axis] - lattice.corner()[axis]) / lattice.spacing();
         let between = (at - at.round()).abs() < 1e-6;
         let extent = if axis == 0 { lattice.columns() } else { lattice.rows() };
-        let [normal, tangential] = match between && shares.bonds.bears_one_stress() {
+        let [normal, tangential] = match between && shares.bonds.is_exact_at_edges() {
             // What moves the border is linear in the two outermost points.
             true if shares.bonds.edges() == Some(Edges::Border) => [vec![1.5, -0.5], vec![1.5, -0.5]],
             // The traction reaches behind all points: whatever its shares, they are held themselves.
@@ -67,20 +67,18 @@ impl HeldEdge {
 /// The shares that the points behind an edge have in it: the same for all edges of a body, and found when one asks for them.
 pub(super) struct EdgeShares<'a> {
     bonds: &'a PlaneBonds,
-    /// Side of a cell, m: what chords of a cylinder cut off depends on it.
-    spacing: f64,
     found: OnceCell<Option<[Vec<f64>; 2]>>,
 }
 
 impl<'a> EdgeShares<'a> {
-    /// Shares with some bonds on cells of a side, m.
-    pub(super) fn new(bonds: &'a PlaneBonds, spacing: f64) -> Self {
-        Self { bonds, spacing, found: OnceCell::new() }
+    /// Shares with some bonds.
+    pub(super) fn new(bonds: &'a PlaneBonds) -> Self {
+        Self { bonds, found: OnceCell::new() }
     }
 
     /// Across and along the edge.
     fn found(&self) -> Option<&[Vec<f64>; 2]> {
-        self.found.get_or_init(|| shares(self.bonds, self.spacing)).as_ref()
+        self.found.get_or_init(|| shares(self.bonds)).as_ref()
     }
 }
 
@@ -92,7 +90,7 @@ pub(super) fn takes_shares(extent: usize, bonds: &PlaneBonds) -> bool {
 
 /// How the traction of a stress on the left side of a body reaches the points behind each other, far from its other sides:
 /// for one across the side, and one along it.
-fn shares(bonds: &PlaneBonds, spacing: f64) -> Option<[Vec<f64>; 2]> {
+fn shares(bonds: &PlaneBonds) -> Option<[Vec<f64>; 2]> {
     /// Below this part of the whole it is rounding.
     const ROUNDING: f64 = 1e-12;
     let depth = bonds.depth().ok()?;
@@ -102,7 +100,7 @@ fn shares(bonds: &PlaneBonds, spacing: f64) -> Option<[Vec<f64>; 2]> {
         _ => depth + 2,
     };
     let (columns, rows) = (2 * felt, 2 * felt + 1);
-    let real = SquareLattice::rectangle(spacing, [0.0; 2], [columns, rows]);
+    let real = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
     let body = bonds.unrolled().on_lattice(&real, Mirrors::NONE, &|_, _| Vec::new(), &|_, _| false).ok()?;
     let (n, (lattice, _)) = (body.points(), body.lattice()?);
     let of = |stress: [f64; 3], component: usize| {
@@ -146,7 +144,7 @@ mod tests {
         let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
         let lattice = outline.fill_turned(1.0, 0.3).unwrap();
         assert_eq!(
-            HeldEdge::new(outline.edge("left").unwrap(), &lattice, &EdgeShares::new(&bonds(3.0), 1.0)),
+            HeldEdge::new(outline.edge("left").unwrap(), &lattice, &EdgeShares::new(&bonds(3.0))),
             None
         );
     }
@@ -159,8 +157,7 @@ mod tests {
             let lattice = outline.fill(1.0).unwrap();
             for (name, inward) in [("left", [1, 0]), ("top", [0, -1])] {
                 let held =
-                    HeldEdge::new(outline.edge(name).unwrap(), &lattice, &EdgeShares::new(&bonds, 1.0))
-                        .unwrap();
+                    HeldEdge::new(outline.edge(name).unwrap(), &lattice, &EdgeShares::new(&bonds)).unwrap();
                 assert_eq!(held.inward, inward);
                 for shares in &held.shares {
                     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-14);
@@ -193,7 +190,7 @@ mod tests {
                 let held = |columns: f64| {
                     let outline = Outline::rectangle([0.0; 2], [columns, 4.0]).unwrap();
                     let lattice = outline.fill(1.0).unwrap();
-                    let shares = EdgeShares::new(&bonds, 1.0);
+                    let shares = EdgeShares::new(&bonds);
                     let held = HeldEdge::new(outline.edge("left").unwrap(), &lattice, &shares).unwrap();
                     (lattice, held)
                 };

@@ -3,10 +3,10 @@
 use super::bonds::PlaneBonds;
 use super::boundary::{self, Stretch};
 use super::conditions::HeldPoints;
+use super::rigid::RigidPoints;
 use super::ground::{Ground, Spot};
 use super::held_border::{self, Piece};
 use super::held_edge::{EdgeShares, HeldEdge};
-use super::rigid::RigidPoints;
 use super::symmetry::Symmetry;
 use super::{model::Recipe, root, support_keys};
 use crate::case::{Rigid, Support};
@@ -57,7 +57,7 @@ pub(super) fn held(
         faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(hint);
     }
     let each = case.supports.iter().enumerate();
-    let shares = EdgeShares::new(bonds, ground.body.spacing());
+    let shares = EdgeShares::new(bonds);
     each.filter_map(|(k, support)| {
         let path = root("supports").index(k);
         support_keys::check(support, bonds, &path, faults);
@@ -69,7 +69,10 @@ pub(super) fn held(
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
         let mut held = resolve(support, spot, path);
         held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
-        if let (PlaneBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
+        // Of a shell the outermost points are held: shares of one axial stress leave out what it does across the surface.
+        if let (PlaneBody::Lattice(lattice), Some(name), false) =
+            (ground.body, &support.at.region, bonds.has("w"))
+        {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
             held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, &shares));
             held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
