@@ -277,12 +277,21 @@ impl PlaneBonds {
             }
             Self::Beams(parameters) => {
                 let (lattice, cuts) = extended()?;
-                AnyBody::Three(Box::new(BeamBondOrthotropic::on_lattice(lattice, mirrors, *parameters, &cuts)?))
+                AnyBody::Three(Box::new(BeamBondOrthotropic::on_lattice(
+                    lattice,
+                    mirrors,
+                    *parameters,
+                    &cuts,
+                )?))
             }
             Self::State(parameters) => {
                 let real = Arc::new(real.clone());
                 if parameters.edges == StateEdges::Border {
-                    return Ok(AnyBody::Two(Box::new(BorderedState::on_lattice(&real, mirrors, *parameters)?)));
+                    return Ok(AnyBody::Two(Box::new(BorderedState::on_lattice(
+                        &real,
+                        mirrors,
+                        *parameters,
+                    )?)));
                 }
                 let cut = |lattice: &SquareLattice| cuts(lattice, &offsets);
                 AnyBody::Two(Box::new(StateBased::on_lattice(real, mirrors, *parameters, separated, &cut)?))

@@ -3,10 +3,10 @@
 use super::bonds::PlaneBonds;
 use super::boundary::{self, Stretch};
 use super::conditions::HeldPoints;
-use super::rigid::RigidPoints;
 use super::ground::{Ground, Spot};
 use super::held_border::{self, Piece};
 use super::held_edge::{EdgeShares, HeldEdge};
+use super::rigid::RigidPoints;
 use super::symmetry::Symmetry;
 use super::{model::Recipe, root, support_keys};
 use crate::case::{Rigid, Support};
