@@ -1,5 +1,6 @@
 //! Where the parts of blocks are that lie in a body: bodies of revolution need their radii.
 
+use super::cover::left_of;
 use super::geometry::{Point, minus};
 use super::lattice::{Cell, Centres, Parts, SquareLattice};
 use super::outline::Outline;
@@ -157,19 +158,7 @@ fn around(polygon: &[Point], block: Cell) -> Vec<Point> {
 
 /// Area and first moments of the part of a polygon on the left of all of some lines.
 fn within(polygon: &[Point], lines: &[[Point; 2]; 3]) -> Moments {
-    let mut left = polygon.to_vec();
-    for [from, to] in lines {
-        let d = minus(*to, *from);
-        let height = |p: Point| d[0] * (p[1] - from[1]) - d[1] * (p[0] - from[0]);
-        let sides = (0..left.len()).map(|k| (left[(k + left.len() - 1) % left.len()], left[k]));
-        let clip = |(a, b): (Point, Point)| {
-            let (at, to) = (height(a), height(b));
-            let share = at / (at - to);
-            let crossing = (at * to < 0.0).then(|| [0, 1].map(|k| a[k] + share * (b[k] - a[k])));
-            crossing.into_iter().chain((to >= 0.0).then_some(b))
-        };
-        left = sides.flat_map(clip).collect();
-    }
+    let left = left_of(polygon, lines);
     let mut sum = [0.0; 3];
     let Some(&from) = left.first() else { return sum };
     for k in 0..left.len() {

@@ -133,8 +133,8 @@ fn covered_in_row(pieces: &mut [Piece], columns: i32, visit: &mut dyn FnMut(i32,
     }
 }
 
-/// Area of the part of a simple polygon on the left of all of some lines, each through two positions.
-pub(super) fn area_within(corners: &[Point], lines: &[[Point; 2]]) -> f64 {
+/// The part of a simple polygon on the left of all of some lines, each through two positions.
+pub(super) fn left_of(corners: &[Point], lines: &[[Point; 2]]) -> Vec<Point> {
     let mut left = corners.to_vec();
     for [from, to] in lines {
         let d = minus(*to, *from);
@@ -148,6 +148,12 @@ pub(super) fn area_within(corners: &[Point], lines: &[[Point; 2]]) -> f64 {
         };
         left = sides.flat_map(clip).collect();
     }
+    left
+}
+
+/// Area of the part of a simple polygon on the left of all of some lines.
+pub(super) fn area_within(corners: &[Point], lines: &[[Point; 2]]) -> f64 {
+    let left = left_of(corners, lines);
     let twice = |k: usize| {
         let (a, b) = (minus(left[k], left[0]), minus(left[(k + 1) % left.len()], left[0]));
         a[0] * b[1] - a[1] * b[0]

@@ -209,7 +209,9 @@ pub trait PlaneModel: Points + Debug + Send + Sync {
         // V_k S_k : E_k = (C⁻¹ S_k)·(V_k σ_k)
         let mut t = vec![0.0; 3 * n];
         let mut enter = |point: usize, position: [f64; 2]| {
-            let strain = self.strain_of(stress_at(position));
+            let stress = stress_at(position);
+            // The stress across a body of revolution is that along x.
+            let strain = self.strain_with(stress, stress[0]);
             (0..3).for_each(|q| t[q * n + point] = strain[q]);
         };
         match (points, self.lattice()) {

@@ -268,6 +268,22 @@ fn ends(scene: &PlaneScene, lattice: &SquareLattice) -> EndConditions {
     ends
 }
 
+/// Adds a doubt about ends whose axial motion is prescribed: their outermost points are held, half a spacing inside, which is not
+/// how one stress reaches the points. Measured 3.4 to 10 % of the force between two such ends of 20 columns.
+pub(super) fn warn_of_held_ends(scene: &PlaneScene, faults: &mut Faults) {
+    let held = scene.case.supports.iter().enumerate().find(|(_, support)| {
+        let end = support.at.region.as_deref().is_some_and(|name| ["left", "right"].contains(&name));
+        end && support.ux.is_some()
+    });
+    let Some((k, _)) = held else { return };
+    faults
+        .warning(
+            root("supports").index(k).key("ux"),
+            "ends of shells are held at their outermost points: forces between held ends are up to 10 % too large on 20 columns, stresses beside them up to a third",
+        )
+        .hint("load the end by a traction, use `symmetry`, or read stresses a horizon and more away from it");
+}
+
 /// Adds the doubts about a shell that can be solved.
 pub(super) fn warn(parameters: &ShellParameters, uncorrected: usize, faults: &mut Faults) {
     if uncorrected > 0 {

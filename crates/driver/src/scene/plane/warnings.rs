@@ -64,6 +64,7 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
     let moduli = match scene.bonds() {
         PlaneBonds::Shell(parameters) => {
             shell::warn(parameters, uncorrected, faults);
+            shell::warn_of_held_ends(scene, faults);
             vec![("youngs_modulus", parameters.youngs_modulus)]
         }
         PlaneBonds::Central(parameters) => vec![("youngs_modulus", parameters.material.youngs_modulus)],

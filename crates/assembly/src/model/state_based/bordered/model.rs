@@ -149,27 +149,6 @@ impl PlaneModel for BorderedState {
         self.fields_of(u)
     }
 
-    fn add_stress_load(
-        &self,
-        points: Option<&[usize]>,
-        stress_at: &(dyn Fn([f64; 2]) -> [f64; 3] + Sync),
-        force: &mut [f64],
-    ) {
-        let n = self.points();
-        let mut t = vec![0.0; 3 * n];
-        let mut enter = |point: usize| {
-            // The stress across a body of revolution is that along x.
-            let stress = stress_at(self.place(point));
-            let strain = self.strain_with(stress, stress[0]);
-            (0..3).for_each(|q| t[q * n + point] = strain[q]);
-        };
-        match points {
-            Some(points) => points.iter().for_each(|&p| enter(p)),
-            None => (0..n).for_each(enter),
-        }
-        self.add_work(&mut t, points, force);
-    }
-
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
         self.add_work(t, points, force);
     }
