@@ -9,7 +9,7 @@ use crate::run::StateResult;
 use crate::run::beam::BeamResult;
 use crate::run::plane::{Steepest, steepest};
 use crate::scene::Scene;
-use crate::scene::plane::{PlaneBonds, PlaneScene};
+use crate::scene::plane::PlaneScene;
 use peristat_assembly::stiffness::Kinematics;
 use serde::{Deserialize, Serialize};
 
@@ -59,7 +59,8 @@ impl Doubts {
                 if plane.path.as_ref().is_none_or(|path| path.kinematics == Kinematics::Linear) {
                     self.take_gradients(state, steepest(plane, result));
                 }
-                let most = modulus(plane.bonds()) / STIFF;
+                let moduli = plane.bonds().youngs_moduli().into_iter().map(|(_, modulus)| modulus);
+                let most = moduli.fold(0.0, f64::max) / STIFF;
                 self.take_extreme(Kind::Stress, most, 1.0, state, &["von_mises"]);
             }
             _ => {}
@@ -165,16 +166,4 @@ fn size_of_plane(scene: &PlaneScene) -> f64 {
 
 fn size_of_beam(result: &BeamResult) -> f64 {
     diagonal(result.lines.iter().flat_map(|line| [0, line.x.len() - 1].map(|end| line.position(end))))
-}
-
-/// Young's modulus of a body in the plane, the larger one.
-fn modulus(bonds: &PlaneBonds) -> f64 {
-    match bonds {
-        PlaneBonds::Central(parameters) => parameters.material.youngs_modulus,
-        PlaneBonds::Beams(parameters) => {
-            parameters.material.youngs_modulus_1.max(parameters.material.youngs_modulus_2)
-        }
-        PlaneBonds::State(parameters) => parameters.youngs_modulus,
-        PlaneBonds::Shell(parameters) => parameters.youngs_modulus,
-    }
 }

@@ -195,7 +195,7 @@ pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
         name: bonds.name(),
         material: material(scene),
         thickness: bonds.thickness(),
-        calibration: (!matches!(bonds, PlaneBonds::State(_))).then(|| bonds.calibration()),
+        calibration: (!bonds.has_families()).then(|| bonds.calibration()),
         edges: scene.model.edges(),
         horizon_ratio: scene.horizon() / scene.spacing(),
         spacing: scene.spacing(),
@@ -281,15 +281,7 @@ fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
     if scene.cracks.is_empty() {
         return None;
     }
-    // The calibration `published` has neighbours of which a part lies inside the horizon.
-    let partial = match scene.bonds() {
-        PlaneBonds::Central(parameters) => {
-            parameters.calibration == Calibration::Published
-                && matches!(parameters.volume_factor, VolumeFactor::Ramp | VolumeFactor::Area)
-        }
-        PlaneBonds::Beams(_) | PlaneBonds::State(_) | PlaneBonds::Shell(_) => false,
-    };
-    let reach = scene.bonds().horizon_ratio() + if partial { 0.5 } else { 0.0 } + 1e-9;
+    let reach = scene.bonds().horizon_ratio() + scene.bonds().partial_neighbours() + 1e-9;
     let mut offsets = scene.bonds().offsets().ok()?;
     offsets.retain(|[i, j]| f64::from(*i).hypot(f64::from(*j)) <= reach);
     Some(scene.cuts(lattice, &offsets).len())

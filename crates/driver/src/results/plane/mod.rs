@@ -14,7 +14,7 @@ use crate::output::plot;
 use crate::output::report::Block;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
 use crate::run::plane::PlaneResult;
-use crate::scene::plane::{PlaneBonds, PlaneScene};
+use crate::scene::plane::PlaneScene;
 use std::borrow::Cow;
 use std::io;
 use std::path::Path;
@@ -119,10 +119,7 @@ fn positions(scene: &PlaneScene, mut visit: impl FnMut([f64; 2])) {
 
 /// Writes the points, the cells between them and their fields as a grid; a shell as the cylinder that it is.
 fn write_grid(file: &Path, scene: &PlaneScene, fields: &[Column]) -> io::Result<()> {
-    let radius = match scene.bonds() {
-        PlaneBonds::Shell(shell) => Some(shell.radius),
-        _ => None,
-    };
+    let radius = scene.bonds().cylinder_radius();
     let (mut points, mut angles) = (Vec::with_capacity(scene.body().points()), Vec::new());
     positions(scene, |[x, y]| match radius {
         Some(r) => {

@@ -8,7 +8,7 @@ use crate::output::report::{Cells, Field, Map, Moves};
 use crate::results::factor::magnification;
 use crate::run::plane::PlaneResult;
 use crate::run::scan;
-use crate::scene::plane::{PlaneBonds, PlaneScene};
+use crate::scene::plane::PlaneScene;
 use peristat_assembly::body::{Crack, PlaneBody};
 
 /// Cells of a map: as many as fields of them fit into the report.
@@ -59,8 +59,8 @@ fn ordered(scene: &PlaneScene, result: &PlaneResult) -> Vec<FieldName> {
 /// What a reader must know of the cells.
 fn note(scene: &PlaneScene, raster: &Raster) -> String {
     let mut told = Vec::new();
-    if let PlaneBonds::Shell(shell) = scene.bonds() {
-        let radius = short(shell.radius);
+    if let Some(radius) = scene.bonds().cylinder_radius() {
+        let radius = short(radius);
         told.push(format!(
             "The surface, developed: x runs along the axis, y around it at the radius {radius}."
         ));

@@ -1,7 +1,6 @@
 //! A stress that has the traction of an edge and fades inwards.
 
 use super::super::Resultant;
-use super::bonds::PlaneBonds;
 use super::boundary::{self, Border, is_aligned};
 use super::loads::Context;
 use super::lump::{self, Forces};
@@ -240,9 +239,9 @@ pub(super) fn missing(
     let mut through = vec![0.0; model.components().len() * model.points()];
     stress.numbered(&|p| context.recipe.number(model, p)).add_to(model, 1.0, &mut through);
     rest.add_multiple(-1.0, &statics::resultant(model, context.bonds, &through));
-    let mut rest = match context.bonds {
-        PlaneBonds::Shell(shell) => [rest.force()[0], rest.moment() / shell.radius],
-        _ => rest.force(),
+    let mut rest = match context.bonds.cylinder_radius() {
+        Some(radius) => [rest.force()[0], rest.moment() / radius],
+        None => rest.force(),
     };
     let (sum, size) = sums(&lumped);
     let inside = inside(traction, context);

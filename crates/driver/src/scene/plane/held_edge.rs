@@ -95,10 +95,7 @@ fn shares(bonds: &PlaneBonds) -> Option<[Vec<f64>; 2]> {
     const ROUNDING: f64 = 1e-12;
     let depth = bonds.depth().ok()?;
     // How far a side is felt: families join points two horizons apart, and ghosts those two cells further.
-    let felt = match bonds {
-        PlaneBonds::State(_) => 2 * depth + 4,
-        _ => depth + 2,
-    };
+    let felt = if bonds.has_families() { 2 * depth + 4 } else { depth + 2 };
     let (columns, rows) = (2 * felt, 2 * felt + 1);
     let real = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
     let body = bonds.unrolled().on_lattice(&real, Mirrors::NONE, &|_, _| Vec::new(), &|_, _| false).ok()?;

@@ -116,7 +116,7 @@ fn completed(
     let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
     // Families do not break beside a border that completes them.
     let breaks = case.fracture.is_some() || case.path.is_some() || !case.cracks.is_empty();
-    let may_break = breaks && matches!(bonds, PlaneBonds::State(_));
+    let may_break = breaks && bonds.has_families();
     // On whole cells ghosts are as good, at less cost.
     let is_usual = matches!(&case.model, Model::StatePlane(model) if model.edges.is_none());
     if is_usual && !is_cut {
@@ -151,7 +151,7 @@ fn completed(
             ),
             _ => ("sides are joined", "model the whole body, or half of it beside a line of symmetry"),
         };
-        let others = if matches!(bonds, PlaneBonds::State(_)) { "ghosts" } else { "overlay" };
+        let others = if bonds.has_families() { "ghosts" } else { "overlay" };
         faults
             .warning(
                 root("body"),

@@ -54,13 +54,13 @@ pub(super) fn fits(
     let distinct = if is_plain { near.min(4.0 * (m + 1.0) * (m + 1.0)) } else { near };
     let crack = cracks.iter().map(|c| length_inside(&c.crack, outline) / body.spacing()).sum::<f64>();
     let cut = CUT * (crack * 2.0 / 3.0 * m.powi(3)).min(0.5 * points * family);
-    let own = match (body, bonds) {
+    let own = match body {
         // Listed points may lie close together in places.
-        (PlaneBody::Cloud(cloud), _) => LISTED * cloud.about_pairs(m * body.spacing()),
-        (PlaneBody::Lattice(_), PlaneBonds::State(_)) if bonds.edges() == Some(Edges::Border) => {
+        PlaneBody::Cloud(cloud) => LISTED * cloud.about_pairs(m * body.spacing()),
+        PlaneBody::Lattice(_) if bonds.has_families() && bonds.edges() == Some(Edges::Border) => {
             border * (FAMILIES[0] + FAMILIES[1] * m * m)
         }
-        (PlaneBody::Lattice(lattice), PlaneBonds::State(_)) => {
+        PlaneBody::Lattice(lattice) if bonds.has_families() => {
             let sides = [lattice.columns().len(), lattice.rows().len()];
             let holds = bonds.is_exact_at_edges() && !case.supports.is_empty();
             let strip = match holds && sides.iter().any(|&n| takes_shares(n, bonds)) {
@@ -70,13 +70,13 @@ pub(super) fn fits(
             // It is gone before the families are made.
             family * strip.max(NEIGHBOUR * points.min(distinct + crack * 2.0 * m))
         }
-        (PlaneBody::Lattice(lattice), _)
+        PlaneBody::Lattice(lattice)
             if bonds.edges() == Some(Edges::Border) && !lattice.blocks().is_empty() =>
         {
             let breaks = case.fracture.is_some() || case.path.is_some();
             border * if breaks { CUT_SPRINGS * m * m } else { CUT_BORDER[0] + CUT_BORDER[1] * m }
         }
-        (PlaneBody::Lattice(_), _) if bonds.edges() == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
+        PlaneBody::Lattice(_) if bonds.edges() == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
             ENDED * border * 2.0 / 3.0 * m.powi(3)
         }
         _ if bonds.edges().is_some_and(Edges::is_exact) => 0.0,

@@ -61,27 +61,16 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
     }
     clamped::warn(scene, faults);
     held_corner::warn(scene, faults);
-    let moduli = match scene.bonds() {
+    match scene.bonds() {
+        PlaneBonds::Central(_) => {}
+        PlaneBonds::Beams(parameters) => orthotropic::warn(parameters, faults),
+        PlaneBonds::State(parameters) => state_based::warn(parameters, scene, faults),
         PlaneBonds::Shell(parameters) => {
             shell::warn(parameters, uncorrected, faults);
             shell::warn_of_held_ends(scene, faults);
-            vec![("youngs_modulus", parameters.youngs_modulus)]
         }
-        PlaneBonds::Central(parameters) => vec![("youngs_modulus", parameters.material.youngs_modulus)],
-        PlaneBonds::State(parameters) => {
-            state_based::warn(parameters, scene, faults);
-            vec![("youngs_modulus", parameters.youngs_modulus)]
-        }
-        PlaneBonds::Beams(parameters) => {
-            orthotropic::warn(parameters, faults);
-            let material = &parameters.material;
-            vec![
-                ("youngs_modulus_1", material.youngs_modulus_1),
-                ("youngs_modulus_2", material.youngs_modulus_2),
-            ]
-        }
-    };
-    for (key, value) in moduli {
+    }
+    for (key, value) in scene.bonds().youngs_moduli() {
         modulus(value, root("model").key(scene.bonds().name()).key(key), scene.units, faults);
     }
 }
