@@ -23,7 +23,7 @@ pub use plane::PlaneScene;
 pub use resultant::Resultant;
 pub(crate) use words::tidy;
 
-use crate::case::{Case, Model};
+use crate::case::Case;
 use crate::diagnostic::{Faults, JsonPath, Report};
 use crate::input::Folder;
 
@@ -64,37 +64,13 @@ impl Scene {
         let mut faults = Faults::default();
         numbers::check(&case, &mut faults);
         check_title(&case.title, &mut faults);
-        let resolved = match case.model.clone() {
-            Model::TimoshenkoBeam(model) => BeamScene::new(case, *model, folder, max_memory, faults)
+        let resolved = match plane::keys::of(case.model.clone()) {
+            Ok(keys) => PlaneScene::new(case, keys, folder, max_memory, faults)
+                .map(|scene| Self::Plane(Box::new(scene))),
+            Err(beam) => BeamScene::new(case, *beam, folder, max_memory, faults)
                 .map(|scene| Self::Beam(Box::new(scene))),
-            Model::BondPlane(model) => {
-                Self::in_plane(case, plane::Given::Central(model), folder, max_memory, faults)
-            }
-            Model::BeamBondOrthotropic(model) => {
-                Self::in_plane(case, plane::Given::Beams(model), folder, max_memory, faults)
-            }
-            Model::StatePlane(model) => {
-                Self::in_plane(case, plane::Given::State(model), folder, max_memory, faults)
-            }
-            Model::Axisymmetric(model) => {
-                Self::in_plane(case, plane::Given::Revolved(model), folder, max_memory, faults)
-            }
-            Model::ShellMembrane(model) => {
-                Self::in_plane(case, plane::Given::Shell(model), folder, max_memory, faults)
-            }
         };
         resolved.map_err(|faults| faults.into_report(file, text))
-    }
-
-    fn in_plane(
-        case: Case,
-        model: plane::Given,
-        folder: &Folder,
-        max_memory: Option<u64>,
-        faults: Faults,
-    ) -> Result<Self, Faults> {
-        let scene = PlaneScene::new(case, model, folder, max_memory, faults)?;
-        Ok(Self::Plane(Box::new(scene)))
     }
 
     /// The case with its defaults filled in.

@@ -2,7 +2,7 @@
 //! default.
 
 use super::bonds::PlaneBonds;
-use super::{Given, PlaneScene};
+use super::{PlaneScene, keys};
 use crate::case::{Body, Case, Solver};
 use crate::diagnostic::Faults;
 use crate::input::Folder;
@@ -11,17 +11,17 @@ use crate::input::Folder;
 #[derive(Clone, Debug)]
 pub(super) struct Elastic {
     case: Case,
-    model: Given,
     folder: Folder,
     max_memory: Option<u64>,
 }
 
 impl Elastic {
     /// That of a case as it was written.
-    pub(super) fn new(case: &Case, model: &Given, folder: &Folder, max_memory: Option<u64>) -> Self {
-        let model = model.clone().with_usual_bonds();
+    pub(super) fn new(case: &Case, folder: &Folder, max_memory: Option<u64>) -> Self {
+        let mut usual = keys::of(case.model.clone()).ok();
+        usual.iter_mut().for_each(|keys| keys.take_usual_bonds());
         let case = Case {
-            model: model.clone().into(),
+            model: usual.map_or_else(|| case.model.clone(), |keys| keys.model()),
             fracture: None,
             path: None,
             solver: Solver::default(),
@@ -31,20 +31,22 @@ impl Elastic {
             checks: Vec::new(),
             ..case.clone()
         };
-        Self { case, model, folder: folder.clone(), max_memory }
+        Self { case, folder: folder.clone(), max_memory }
     }
 
     /// Whether its bonds and edges are others than these.
     pub(super) fn differs_from(&self, bonds: &PlaneBonds) -> bool {
         let is_cloud = matches!(self.case.body, Body::Points(_) | Body::Mesh(_));
-        let usual = self.model.clone().bonds(&self.case, is_cloud, &mut Faults::default());
+        let usual = keys::of(self.case.model.clone())
+            .ok()
+            .and_then(|mut keys| keys.bonds(&self.case, is_cloud, &mut Faults::default()));
         usual
             .is_some_and(|usual| (usual.edges(), usual.calibration()) != (bonds.edges(), bonds.calibration()))
     }
 
     /// Its scene, if it has one.
     pub(super) fn scene(&self) -> Option<PlaneScene> {
-        let (case, model) = (self.case.clone(), self.model.clone());
-        PlaneScene::new(case, model, &self.folder, self.max_memory, Faults::default()).ok()
+        let keys = keys::of(self.case.model.clone()).ok()?;
+        PlaneScene::new(self.case.clone(), keys, &self.folder, self.max_memory, Faults::default()).ok()
     }
 }

@@ -2,8 +2,10 @@
 
 use super::super::numbers::positive;
 use super::super::words::tidy;
+use super::bonds::PlaneBonds;
+use super::keys::PlaneKeys;
 use super::root;
-use crate::case::{self, Plane};
+use crate::case::{self, Case, Model, Plane};
 use crate::diagnostic::Faults;
 use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor};
 use peristat_assembly::model::plane::{Calibration, Edges};
@@ -11,9 +13,34 @@ use peristat_assembly::model::plane::{Calibration, Edges};
 /// How far a Poisson ratio may be off: 0.333 is a third.
 const POISSON_SLACK: f64 = 1e-3;
 
+impl PlaneKeys for Plane {
+    fn model(&self) -> Model {
+        Model::BondPlane(self.clone())
+    }
+
+    fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
+    fn take_usual_bonds(&mut self) {
+        (self.calibration, self.volume_factor) = (None, None);
+        (self.edges, self.bond_law) = (None, None);
+    }
+
+    fn bonds(&mut self, case: &Case, is_cloud: bool, faults: &mut Faults) -> Option<PlaneBonds> {
+        parameters(self, [is_cloud, case.is_traced()], faults).map(PlaneBonds::Central)
+    }
+
+    fn settle(&mut self, bonds: &PlaneBonds, _: &mut Case) {
+        if let PlaneBonds::Central(parameters) = bonds {
+            self.edges = Some(parameters.edges);
+        }
+    }
+}
+
 /// The parameters, filling in the defaults of the case; the horizon ratio is to be set. `fails` is whether bonds break or
 /// soften.
-pub(super) fn parameters(
+fn parameters(
     model: &mut Plane,
     [is_cloud, fails]: [bool; 2],
     faults: &mut Faults,

@@ -2,8 +2,10 @@
 
 use super::super::numbers::positive;
 use super::super::words::tidy;
+use super::bonds::PlaneBonds;
+use super::keys::PlaneKeys;
 use super::{body, root};
-use crate::case::{Case, Model, Orthotropic};
+use crate::case::{Case, LatticeRows, Model, Orthotropic};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamNeighbourhood, OrthotropicError, OrthotropicMaterial, OrthotropicParameters, Start,
@@ -18,9 +20,40 @@ const OBLIQUE: f64 = 3.2;
 /// The largest angle of fibres that is no slip, degrees.
 const TURN: f64 = 360.0;
 
+impl PlaneKeys for Orthotropic {
+    fn model(&self) -> Model {
+        Model::BeamBondOrthotropic(self.clone())
+    }
+
+    fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
+    fn lattice_angle(&self) -> f64 {
+        if self.lattice == LatticeRows::Fibre { self.fibre_angle.to_radians() } else { 0.0 }
+    }
+
+    fn take_usual_bonds(&mut self) {
+        self.calibration = Calibration::default();
+        (self.start, self.edges) = (None, None);
+    }
+
+    fn bonds(&mut self, case: &Case, is_cloud: bool, faults: &mut Faults) -> Option<PlaneBonds> {
+        parameters(self, case, is_cloud, faults).map(PlaneBonds::Beams)
+    }
+
+    fn settle(&mut self, bonds: &PlaneBonds, case: &mut Case) {
+        let PlaneBonds::Beams(parameters) = bonds else { return };
+        self.start = start(parameters);
+        if case.horizon.is_none() {
+            case.horizon_ratio = Some(parameters.horizon_ratio);
+        }
+    }
+}
+
 /// The parameters, filling in the defaults of the case; the horizon ratio is to be set, and the angle of the lattice is the
 /// one that is asked for.
-pub(super) fn parameters(
+fn parameters(
     model: &mut Orthotropic,
     case: &Case,
     is_cloud: bool,
@@ -134,7 +167,7 @@ pub(super) fn horizon_ratio(parameters: &OrthotropicParameters) -> f64 {
 }
 
 /// The start that the calibration `matched` has taken.
-pub(super) fn start(parameters: &OrthotropicParameters) -> Option<Start> {
+fn start(parameters: &OrthotropicParameters) -> Option<Start> {
     BeamNeighbourhood::new(parameters).ok()?.start()
 }
 

@@ -1,7 +1,7 @@
 //! The body of a case in the plane, its material, mirrors and cracks.
 
 use super::super::{horizon, root, words::tidy};
-use super::given::Given;
+use super::keys::PlaneKeys;
 use super::model::Recipe;
 use super::{NamedCrack, PlaneBonds, body, cracks, held_angle, periodic, size, state_based, symmetry};
 use crate::case::{Case, Model};
@@ -26,7 +26,7 @@ pub(super) struct Parts {
 /// The body of the case, its material and its cracks.
 pub(super) fn parts(
     case: &Case,
-    model: &mut Given,
+    model: &mut dyn PlaneKeys,
     folder: &Folder,
     max_memory: Option<u64>,
     faults: &mut Faults,

@@ -6,6 +6,7 @@ use super::any_body::with_body;
 use super::elastic::Elastic;
 use super::ground::Ground;
 use super::interpolate::Interpolation;
+use super::keys::{self, PlaneKeys};
 use super::model::Recipe;
 use super::site::Site;
 use super::*;
@@ -21,22 +22,23 @@ impl PlaneScene {
     /// All faults of the case.
     pub(in crate::scene) fn new(
         mut case: Case,
-        mut model: Given,
+        mut keys: Box<dyn PlaneKeys>,
         folder: &Folder,
         max_memory: Option<u64>,
         mut faults: Faults,
     ) -> Result<Self, Faults> {
-        let usual = model.clone().bonds(&case, false, &mut Faults::default());
+        let usual = keys::of(case.model.clone()).ok();
+        let usual = usual.and_then(|mut keys| keys.bonds(&case, false, &mut Faults::default()));
         let usual = usual.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
         let Some(expanded) = specimen::expand(&mut case, usual, &mut faults) else { return Err(faults) };
         let mut traced = (case.fracture.clone(), case.path.clone());
-        let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, &model, folder, max_memory)));
-        let filled = (&mut model, &mut traced);
+        let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, folder, max_memory)));
+        let filled = (&mut *keys, &mut traced);
         let scene = Self::checked(&expanded.case, filled, folder, max_memory, &mut faults);
         expanded.relocate(&mut faults);
         let Some(mut scene) = scene.filter(|_| !faults.has_errors()) else { return Err(faults) };
-        model.settle(scene.bonds(), &mut case);
-        case.model = model.into();
+        keys.settle(scene.bonds(), &mut case);
+        case.model = keys.model();
         (case.fracture, case.path) = traced;
         scene.elastic = elastic.filter(|elastic| elastic.differs_from(scene.bonds()));
         scene.files = files::keep(&mut case, folder, max_memory);
@@ -47,7 +49,7 @@ impl PlaneScene {
     /// The scene of a case without specimens, and its doubts; `None` where there are faults that leave no scene.
     fn checked(
         case: &Case,
-        filled: (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
+        filled: (&mut (dyn PlaneKeys + 'static), &mut (Option<Fracture>, Option<CasePath>)),
         folder: &Folder,
         max_memory: Option<u64>,
         faults: &mut Faults,
@@ -66,7 +68,7 @@ impl PlaneScene {
     /// fracture.
     fn resolve(
         case: &Case,
-        (model, traced): (&mut Given, &mut (Option<Fracture>, Option<CasePath>)),
+        (model, traced): (&mut (dyn PlaneKeys + 'static), &mut (Option<Fracture>, Option<CasePath>)),
         folder: &Folder,
         max_memory: Option<u64>,
         faults: &mut Faults,

@@ -2,10 +2,11 @@
 
 use super::super::numbers::positive;
 use super::super::words::tidy;
+use super::keys::PlaneKeys;
 use super::loads::{Context, PlaneLoads};
 use super::stress_field::StressField;
 use super::{PlaneBonds, PlaneScene, body, model, root};
-use crate::case::{Axis, Body, Case, LoadSharing, Pressure, Shell};
+use crate::case::{Axis, Body, Case, LoadSharing, Model, Pressure, Shell};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::Calibration;
@@ -17,8 +18,22 @@ use std::collections::BTreeMap;
 /// How far a Poisson ratio may be off: 0.333 is a third.
 const POISSON_SLACK: f64 = 1e-3;
 
+impl PlaneKeys for Shell {
+    fn model(&self) -> Model {
+        Model::ShellMembrane(self.clone())
+    }
+
+    fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
+    fn bonds(&mut self, case: &Case, _: bool, faults: &mut Faults) -> Option<PlaneBonds> {
+        parameters(self, case, faults).map(PlaneBonds::Shell)
+    }
+}
+
 /// The parameters of the case; the horizon ratio is to be set.
-pub(super) fn parameters(given: &Shell, case: &Case, faults: &mut Faults) -> Option<ShellParameters> {
+fn parameters(given: &Shell, case: &Case, faults: &mut Faults) -> Option<ShellParameters> {
     let path = root("model").key("shell_membrane");
     let mut fine = positive(given.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= positive(given.thickness, "thickness", path.key("thickness"), faults);

@@ -2,9 +2,11 @@
 
 use super::super::numbers::positive;
 use super::super::words::tidy;
+use super::bonds::PlaneBonds;
+use super::keys::PlaneKeys;
 use super::model::tell;
 use super::{PlaneScene, root};
-use crate::case::{Axisymmetric, Case, PlaneState, StatePlane};
+use crate::case::{Axisymmetric, Case, Model, PlaneState, StatePlane};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::bond_plane::Influence;
@@ -15,8 +17,56 @@ use peristat_assembly::model::state_based::{
 /// Poisson's ratio above which bodies lock unless changes of volume are means over blocks.
 const LOCKS: f64 = 0.45;
 
+impl PlaneKeys for StatePlane {
+    fn model(&self) -> Model {
+        Model::StatePlane(self.clone())
+    }
+
+    fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
+    fn take_usual_bonds(&mut self) {
+        self.edges = None;
+    }
+
+    fn bonds(&mut self, case: &Case, _: bool, faults: &mut Faults) -> Option<PlaneBonds> {
+        in_plane(self, case, faults).map(PlaneBonds::State)
+    }
+
+    fn settle(&mut self, bonds: &PlaneBonds, _: &mut Case) {
+        if let PlaneBonds::State(parameters) = bonds {
+            self.edges = Some(parameters.edges);
+        }
+    }
+}
+
+impl PlaneKeys for Axisymmetric {
+    fn model(&self) -> Model {
+        Model::Axisymmetric(self.clone())
+    }
+
+    fn thickness(&self) -> f64 {
+        1.0
+    }
+
+    fn take_usual_bonds(&mut self) {
+        (self.edges, self.measure, self.axis) = (None, Measure::default(), None);
+    }
+
+    fn bonds(&mut self, _: &Case, _: bool, faults: &mut Faults) -> Option<PlaneBonds> {
+        revolved(self, faults).map(PlaneBonds::State)
+    }
+
+    fn settle(&mut self, bonds: &PlaneBonds, _: &mut Case) {
+        let PlaneBonds::State(parameters) = bonds else { return };
+        self.edges = Some(parameters.edges);
+        self.axis = (parameters.edges != StateEdges::Border).then_some(parameters.axis);
+    }
+}
+
 /// The parameters of a body in the plane, filling in the defaults of the case; the horizon ratio is to be set.
-pub(super) fn in_plane(model: &mut StatePlane, case: &Case, faults: &mut Faults) -> Option<StateParameters> {
+fn in_plane(model: &mut StatePlane, case: &Case, faults: &mut Faults) -> Option<StateParameters> {
     let path = root("model").key("state_plane");
     if let Some(k) = case.rigid.iter().position(|r| r.bearing.is_some()) {
         faults
@@ -50,7 +100,7 @@ pub(super) fn in_plane(model: &mut StatePlane, case: &Case, faults: &mut Faults)
 }
 
 /// The same of a body of revolution.
-pub(super) fn revolved(model: &mut Axisymmetric, faults: &mut Faults) -> Option<StateParameters> {
+fn revolved(model: &mut Axisymmetric, faults: &mut Faults) -> Option<StateParameters> {
     let path = root("model").key("axisymmetric");
     let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= admissible(model.poisson_ratio, &path, faults);
