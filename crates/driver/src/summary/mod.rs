@@ -4,13 +4,15 @@ mod beam;
 mod collector;
 mod doubts;
 mod estimate;
+mod material;
 mod plane;
 pub mod words;
 
 pub use beam::{BeamForces, BeamSummary};
 pub use collector::Collector;
 pub use estimate::{Estimate, Estimates, Grids};
-pub use plane::{FamilySummary, OrthotropicSummary, PlaneForces, PlaneMaterialSummary, PlaneSummary};
+pub use material::MaterialSummary;
+pub use plane::{PlaneForces, PlaneSummary};
 
 use crate::case::Units;
 use crate::run::beam::ExactState;
