@@ -2,7 +2,7 @@
 //! symmetry, turned lattices, random cuts, and after random bonds have broken.
 
 use crate::consistency::{Noise, check};
-use peristat_assembly::body::{Cell, SquareLattice};
+use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicMaterial, OrthotropicParameters,
 };
@@ -72,15 +72,15 @@ proptest! {
     ) {
         let mut noise = Noise(seed);
         let parameters = parameters(choice);
-        let holes: Vec<Cell> =
+        let holes: Vec<[i32; 2]> =
             (0..holes).map(|_| [noise.index(columns as usize) as i32, noise.index(rows as usize) as i32]).collect();
-        let real = SquareLattice::new(0.5, [1.0, -3.0], 0..columns, 0..rows, |c| !holes.contains(&c));
+        let real = SquareLattice::plane(0.5, [1.0, -3.0], 0..columns, 0..rows, |c| !holes.contains(&c));
         let real = if parameters.lattice_angle == 0.0 { real } else { real.turned(parameters.lattice_angle, [1.0, -3.0]) };
         // Only fibres along or across a line are their own image in it.
         let fibres = parameters.relative_angle().to_degrees();
         let has_mirrors = parameters.lattice_angle == 0.0 && (fibres.abs() < 1e-9 || (fibres - 90.0).abs() < 1e-9);
         let line = |k: usize, at: i32| (has_mirrors && mirrored[k]).then_some(at);
-        let mirrors = Mirrors { columns: [line(0, 0), line(1, columns)], rows: [line(2, 0), line(3, rows)], ..Mirrors::NONE };
+        let mirrors = Mirrors::in_plane([line(0, 0), line(1, columns)], [line(2, 0), line(3, rows)]);
         let depth = BeamBondOrthotropic::depth(&parameters).expect("the bonds exist");
         let lattice = mirrors.extended(&real, depth);
         let offsets = BeamBondOrthotropic::offsets(&parameters).expect("the bonds exist");

@@ -2,7 +2,7 @@
 //! of symmetry and random cuts.
 
 use crate::consistency::{Noise, check};
-use peristat_assembly::body::{Cell, SquareLattice};
+use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
@@ -41,11 +41,11 @@ proptest! {
     ) {
         let mut noise = Noise(seed);
         let parameters = parameters(ratio, choice);
-        let holes: Vec<Cell> =
+        let holes: Vec<[i32; 2]> =
             (0..holes).map(|_| [noise.index(columns as usize) as i32, noise.index(rows as usize) as i32]).collect();
-        let real = SquareLattice::new(0.5, [1.0, -3.0], 0..columns, 0..rows, |c| !holes.contains(&c));
+        let real = SquareLattice::plane(0.5, [1.0, -3.0], 0..columns, 0..rows, |c| !holes.contains(&c));
         let line = |k: usize, at: i32| mirrored[k].then_some(at);
-        let mirrors = Mirrors { columns: [line(0, 0), line(1, columns)], rows: [line(2, 0), line(3, rows)], ..Mirrors::NONE };
+        let mirrors = Mirrors::in_plane([line(0, 0), line(1, columns)], [line(2, 0), line(3, rows)]);
         let lattice = mirrors.extended(&real, BondPlane::depth(&parameters).expect("the ratio is large enough"));
         let offsets = BondPlane::offsets(&parameters).expect("the ratio is large enough");
         let cuts: Vec<(usize, usize)> =

@@ -2,7 +2,7 @@
 //! and random cuts; what breaking takes is what is missing afterwards.
 
 use crate::consistency::{Noise, check};
-use peristat_assembly::body::{Cell, SquareLattice};
+use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Mirrors, PlaneModel};
 use peristat_assembly::model::state_based::{
@@ -73,14 +73,14 @@ proptest! {
         images in 0_usize..4, seed in any::<u64>()
     ) {
         let mut noise = Noise(seed);
-        let holes: Vec<Cell> =
+        let holes: Vec<[i32; 2]> =
             (0..holes).map(|_| [noise.index(columns as usize) as i32, noise.index(rows as usize) as i32]).collect();
-        let real = |left: f64| SquareLattice::new(0.5, [left, -3.0], 0..columns, 0..rows, |c| !holes.contains(&c));
+        let real = |left: f64| SquareLattice::plane(0.5, [left, -3.0], 0..columns, 0..rows, |c| !holes.contains(&c));
         let mirrors = [
             Mirrors::NONE,
-            Mirrors { rows: [Some(0), None], ..Mirrors::NONE },
-            Mirrors { rows: [Some(0), Some(rows)], ..Mirrors::NONE },
-            Mirrors { rows: [Some(0), Some(rows)], joined: [false, true], ..Mirrors::NONE },
+            Mirrors::in_plane([None; 2], [Some(0), None]),
+            Mirrors::in_plane([None; 2], [Some(0), Some(rows)]),
+            Mirrors { joined: [false, true, false], ..Mirrors::in_plane([None; 2], [Some(0), Some(rows)]) },
         ][images];
         is_consistent(parameters(ratio, nu, choice, false), real(-2.0), mirrors, cut, seed)?;
         let left = if at_axis { 0.0 } else { 5.0 };

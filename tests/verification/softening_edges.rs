@@ -94,7 +94,7 @@ fn family() -> Vec<HistoryBond<2>> {
         edges: Edges::None,
     };
     let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [9, 9]));
-    let middle = lattice.number([4, 4]).expect("a point") as u32;
+    let middle = lattice.number([4, 4, 0]).expect("a point") as u32;
     let plane = BondPlane::on_lattice(lattice, Mirrors::NONE, parameters, &[]).expect("bonds");
     plane.history_bonds(&|_| Some(0)).into_iter().filter(|bond| bond.points[0] == middle).collect()
 }

@@ -8,6 +8,7 @@ use crate::support::plane::{displacements, refusal, scene};
 use peristat::run::{RunOptions, plane};
 use peristat::scene::PlaneScene;
 use peristat::summary::Summary;
+use peristat_assembly::body::plus;
 use serde_json::{Value, json};
 
 /// E/(1 - ν²) of the material of all specimens, MPa.
@@ -75,8 +76,8 @@ fn bonds_outside_pins(scene: &PlaneScene) -> usize {
     let pin =
         |p: usize| scene.conditions.rigid.iter().position(|r| r.points.binary_search(&(p as u32)).is_ok());
     let of = |point: usize| {
-        let [i, j] = lattice.cell(point);
-        let others = offsets.iter().filter_map(move |[a, b]| lattice.number([i + a, j + b]));
+        let cell = lattice.cell(point);
+        let others = offsets.iter().filter_map(move |step| lattice.number(plus(cell, *step)));
         others.filter(|&other| pin(point).is_none() || pin(point) != pin(other)).count()
     };
     (0..lattice.points()).map(of).sum()

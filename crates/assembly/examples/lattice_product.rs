@@ -30,7 +30,7 @@ fn main() {
     let half = |[a, b]: [i32; 2]| (b > 0 || a > 0) && a * a + b * b <= 9;
     let steps = (0..=3).flat_map(|b| (-3..=3).map(move |a| [a, b]));
     let offsets: Vec<Offset<1>> =
-        steps.filter(|&step| half(step)).map(|step| Offset { step, weights: [1.0] }).collect();
+        steps.filter(|&step| half(step)).map(|[a, b]| Offset { step: [a, b, 0], weights: [1.0] }).collect();
     let grid = GridBonds::new(lattice.clone(), &Central, &offsets, &[]);
     let u: Vec<f64> = (0..2 * lattice.points()).map(|i| ((i * 31 % 101) as f64) / 101.0).collect();
     let mut force = vec![0.0; u.len()];

@@ -67,7 +67,7 @@ fn main() {
         volume_factor: VolumeFactor::Full,
         edges: Edges::Overlay,
     };
-    let mirrors = Mirrors { columns: [Some(0), None], rows: [Some(0), None], ..Mirrors::NONE };
+    let mirrors = Mirrors::in_plane([Some(0), None], [Some(0), None]);
     let real = SquareLattice::rectangle(1e-3, [0.0; 2], [side, side]);
     let extended = Arc::new(timed("extend a quarter", || mirrors.extended(&real, 3)));
     let quarter = timed("make a quarter", || BondPlane::on_lattice(extended, mirrors, parameters, &[]));

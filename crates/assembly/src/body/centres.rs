@@ -2,11 +2,11 @@
 
 use super::cover::left_of;
 use super::geometry::{Point, minus};
-use super::lattice::{Cell, Centres, Parts, SquareLattice};
+use super::lattice::{self, Cell, Centres, Parts, SquareLattice, plus};
 use super::outline::Outline;
 
 /// Corners of a block from its lower left one, in the order of [`Parts`].
-const CORNERS: [Cell; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
+const CORNERS: [Cell; 4] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]];
 /// How far areas by clipping may be from the parts of triangles, cells, before borders are taken to overlap.
 const ALIKE: f64 = 1e-8;
 /// Area that has no place, cells: rounding moves it.
@@ -59,7 +59,7 @@ impl Outline {
 
     fn sampled_centre(&self, lattice: &SquareLattice, block: Cell, triangle: usize) -> Point {
         let at = |k: i32| (f64::from(k) + 0.5) / f64::from(SAMPLES);
-        let [a, b] = CORNERS[triangle].map(|k| f64::from(1 - 2 * k));
+        let [a, b, _] = CORNERS[triangle].map(|k| f64::from(1 - 2 * k));
         let mut sum = [0.0; 3];
         for [x, y] in (0..SAMPLES).flat_map(|i| (0..SAMPLES).map(move |j| [at(i), at(j)])) {
             let is_within = a * (x - 0.5) + b * (y - 0.5) <= 0.0;
@@ -80,8 +80,10 @@ impl SquareLattice {
     pub fn with_whole_blocks(self) -> Self {
         let mut blocks = Vec::new();
         for run in self.runs() {
-            for block in run.columns.clone().flat_map(|i| CORNERS.map(|[a, b]| [i - a, run.row - b])) {
-                let has = CORNERS.map(|[a, b]| self.number([block[0] + a, block[1] + b]).is_some());
+            for block in
+                run.columns.clone().flat_map(|i| CORNERS.map(|corner| lattice::minus(run.cell(i), corner)))
+            {
+                let has = CORNERS.map(|corner| self.number(plus(block, corner)).is_some());
                 if has != [true; 4] {
                     blocks.push((block, has));
                 }
@@ -99,7 +101,7 @@ impl SquareLattice {
 /// all of which belongs to the triangle with its right angle there, and half of it to either of the next ones.
 fn quarters(has: [bool; 4]) -> (Parts, Centres) {
     let of = |triangle: usize| {
-        let square = |corner: usize| CORNERS[corner].map(|k| f64::from(k).mul_add(0.5, 0.25));
+        let square = |corner: usize| [0, 1].map(|k| f64::from(CORNERS[corner][k]).mul_add(0.5, 0.25));
         // Half of a square on one side of a diagonal has its centre a third of the way to the corner between.
         let half = |corner: usize| {
             let own = CORNERS[triangle].map(|k| f64::from(2 * k - 1));
@@ -122,7 +124,7 @@ fn quarters(has: [bool; 4]) -> (Parts, Centres) {
 
 /// Centre of a whole triangle, in cells from the first point of its block.
 pub(crate) fn middle(triangle: usize) -> Point {
-    CORNERS[triangle].map(|k| f64::from(1 + k) / 3.0)
+    [0, 1].map(|k| f64::from(1 + CORNERS[triangle][k]) / 3.0)
 }
 
 /// Sides of a triangle of a block, the triangle on their left.
@@ -189,9 +191,8 @@ mod tests {
             let lattice = outline.with_centres(outline.fill(1.0).unwrap());
             let listed = lattice.blocks();
             let mut sum = 0.0;
-            for block in (-1..12).flat_map(|j| (-1..12).map(move |i| [i, j])) {
-                let whole =
-                    CORNERS.iter().all(|c| lattice.number([block[0] + c[0], block[1] + c[1]]).is_some());
+            for block in (-1..12).flat_map(|j| (-1..12).map(move |i| [i, j, 0])) {
+                let whole = CORNERS.iter().all(|c| lattice.number(plus(block, *c)).is_some());
                 let found = listed.binary_search_by_key(&block, |b| b.0);
                 let of = |t: usize| match found {
                     Ok(k) => listed[k].1[t] * (f64::from(block[0]) + 0.5 + lattice.centres()[k][t][0]),

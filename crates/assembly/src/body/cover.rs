@@ -1,7 +1,6 @@
 //! Parts of cells that closed curves enclose.
 
 use super::geometry::{Point, minus};
-use super::lattice::Cell;
 use std::f64::consts::TAU;
 
 /// Areas within a cell: in all of it, below the diagonal that rises, and above the one that falls.
@@ -34,7 +33,7 @@ pub(super) fn partly_covered(
     [columns, rows]: [i32; 2],
     corners: &[Point],
     whole: f64,
-) -> Vec<(Cell, Covered)> {
+) -> Vec<([i32; 2], Covered)> {
     let mut pieces: Vec<Vec<Piece>> = vec![Vec::new(); rows as usize];
     for (k, &b) in corners.iter().enumerate() {
         let a = corners[(k + corners.len() - 1) % corners.len()];
@@ -189,11 +188,11 @@ mod tests {
     use proptest::prelude::*;
     use std::f64::consts::PI;
 
-    fn covered(found: &[(Cell, Covered)], cell: Cell) -> Covered {
+    fn covered(found: &[([i32; 2], Covered)], cell: [i32; 2]) -> Covered {
         found.iter().find(|f| f.0 == cell).unwrap().1
     }
 
-    fn parts(found: &[(Cell, Covered)]) -> Vec<(Cell, f64)> {
+    fn parts(found: &[([i32; 2], Covered)]) -> Vec<([i32; 2], f64)> {
         found.iter().map(|(cell, covered)| (*cell, covered.part)).collect()
     }
 
@@ -226,8 +225,8 @@ mod tests {
     fn circles_and_slots_have_their_areas() {
         let area = |corners: &[Point]| {
             let found = partly_covered([60, 60], corners, 1e-6);
-            let centres = |[i, j]: Cell| [f64::from(i) + 0.5, f64::from(j) + 0.5];
-            let whole = |c: Cell| {
+            let centres = |[i, j]: [i32; 2]| [f64::from(i) + 0.5, f64::from(j) + 0.5];
+            let whole = |c: [i32; 2]| {
                 let inside = corners.iter().enumerate().fold(false, |inside, (k, b)| {
                     let (a, p) = (corners[(k + corners.len() - 1) % corners.len()], centres(c));
                     let crossed = (a[1] > p[1]) != (b[1] > p[1])

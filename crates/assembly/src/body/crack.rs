@@ -2,7 +2,7 @@
 
 use super::convex::strip;
 use super::geometry::{Point, between_segments, minus};
-use super::lattice::{Cell, SquareLattice};
+use super::lattice::{Cell, SquareLattice, plus};
 use std::ops::Range;
 use thiserror::Error;
 
@@ -98,10 +98,10 @@ pub fn cut_bonds(lattice: &SquareLattice, steps: &[Cell], cracks: &[Crack]) -> V
     for segment in cracks.iter().flat_map(Crack::segments) {
         for (class, &step) in steps.iter().enumerate() {
             near(lattice, segment, step, |row, columns| {
-                for run in lattice.runs_of(row) {
+                for run in lattice.runs_of(row, 0) {
                     let own = columns.start.max(run.columns.start)..columns.end.min(run.columns.end);
-                    lattice.shifted(row, &own, step, |columns, _| {
-                        let ends = |i| [[i, row], [i + step[0], row + step[1]]].map(|c| lattice.centre(c));
+                    lattice.shifted(run.line(), &own, step, |columns, _| {
+                        let ends = |i| [run.cell(i), plus(run.cell(i), step)].map(|c| lattice.place_of(c));
                         let cut = columns.filter(|&i| {
                             let [a, b] = ends(i);
                             segment_cuts(segment, a, b, slack)
@@ -123,7 +123,7 @@ fn near(lattice: &SquareLattice, segment: [Point; 2], step: Cell, mut visit: imp
     // Cells far more than the slack, so that no rounding matters.
     const MARGIN: f64 = 1e-3;
     let [a, b] = segment.map(|p| lattice.in_cells(p).map(|x| x - 0.5));
-    let step = step.map(f64::from);
+    let step = [step[0], step[1]].map(f64::from);
     let swept = [a, b, minus(b, step), minus(a, step)];
     let heights = swept.map(|p| p[1]);
     let rows = lattice.rows();

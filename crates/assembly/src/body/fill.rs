@@ -168,7 +168,8 @@ impl Outline {
         if rows.is_empty() {
             return Err(FillError::NoPoints);
         }
-        let lattice = SquareLattice::new(spacing, corner, 0..size[0], 0..size[1], |cell| rows.contains(cell));
+        let lattice =
+            SquareLattice::plane(spacing, corner, 0..size[0], 0..size[1], |cell| rows.contains(cell));
         let areas = self.areas(&lattice, size);
         let lattice = lattice.with_areas(&areas);
         let blocks = if lattice.cut_cells().is_empty() { Vec::new() } else { self.blocks(&lattice, size) };

@@ -29,7 +29,7 @@ pub(crate) use centres::middle;
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
 pub use fill::FillError;
-pub use lattice::{Cell, Centres, Parts, Run, SquareLattice};
+pub use lattice::{Cell, Centres, Parts, Run, SquareLattice, minus, plus};
 pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};
@@ -60,7 +60,7 @@ impl PlaneBody {
     /// Position of a point, m.
     pub fn position(&self, point: usize) -> [f64; 2] {
         match self {
-            Self::Lattice(lattice) => lattice.position(point),
+            Self::Lattice(lattice) => lattice.place(point),
             Self::Cloud(cloud) => cloud.positions()[point],
         }
     }

@@ -2,7 +2,7 @@
 
 use super::cover::{Covered, area_within, partly_covered, stadium};
 use super::geometry::{Point, dot, left_normal, moved, side};
-use super::lattice::{Cell, Parts, SquareLattice};
+use super::lattice::{Cell, Parts, SquareLattice, plus};
 use super::outline::{Outline, Shape};
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ const WHOLE: f64 = 1e-6;
 const WHOLE_BLOCK: f64 = 1e-10;
 
 /// Corners of a block from its lower left one, in the order of [`Parts`].
-const CORNERS: [Cell; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
+const CORNERS: [[i32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
 impl Outline {
     /// Areas of the points of a lattice that it fills, per cell, where they differ from one: the part of their own cells
@@ -41,7 +41,7 @@ impl Outline {
         let rings = rings();
         for (&cell, &part) in cut.iter().filter(|(cell, _)| lattice.number(**cell).is_none()) {
             let near = rings.iter().map(|ring| {
-                let cells = ring.iter().map(|[a, b]| [cell[0] + a, cell[1] + b]);
+                let cells = ring.iter().map(|step| plus(cell, *step));
                 cells.filter_map(|c| Some((c, own(c)?))).collect::<Vec<_>>()
             });
             let Some(near) = near.into_iter().find(|near| !near.is_empty()) else { continue };
@@ -57,7 +57,7 @@ impl Outline {
     fn cut_cells(&self, lattice: &SquareLattice, size: [i32; 2]) -> BTreeMap<Cell, f64> {
         let cut = self.crossed(lattice, ([0.0; 2], size), WHOLE);
         cut.into_iter()
-            .map(|(cell, borders)| (cell, self.part(lattice.centre(cell), lattice, &borders)))
+            .map(|(cell, borders)| (cell, self.part(lattice.place_of(cell), lattice, &borders)))
             .collect()
     }
 
@@ -66,9 +66,9 @@ impl Outline {
         // A block is a cell between four points; the first ones lie before the first points.
         let cut = self.crossed(lattice, ([0.5; 2], [columns + 1, rows + 1]), WHOLE_BLOCK);
         let block = |(cell, borders): (Cell, Vec<(usize, Covered)>)| {
-            let [column, row] = cell.map(|k| k - 1);
-            let centre = lattice.node([column + 1, row + 1]);
-            ([column, row], self.triangles(centre, lattice, &borders))
+            let [column, row, layer] = cell;
+            let centre = lattice.node([column, row]);
+            ([column - 1, row - 1, layer], self.triangles(centre, lattice, &borders))
         };
         cut.into_iter().map(block).collect()
     }
@@ -83,8 +83,8 @@ impl Outline {
     ) -> BTreeMap<Cell, Vec<(usize, Covered)>> {
         let mut cut: BTreeMap<Cell, Vec<(usize, Covered)>> = BTreeMap::new();
         for border in 0..=self.holes().len() {
-            for (cell, covered) in partly_covered(size, &self.in_cells(lattice, border, moved), whole) {
-                cut.entry(cell).or_default().push((border, covered));
+            for ([i, j], covered) in partly_covered(size, &self.in_cells(lattice, border, moved), whole) {
+                cut.entry([i, j, 0]).or_default().push((border, covered));
             }
         }
         cut
@@ -215,7 +215,7 @@ impl Outline {
 /// Steps to other cells, the next ones first, equally far ones together.
 fn rings() -> Vec<Vec<Cell>> {
     let mut rings: BTreeMap<i32, Vec<Cell>> = BTreeMap::new();
-    for step in (-REACH..=REACH).flat_map(|a| (-REACH..=REACH).map(move |b| [a, b])) {
+    for step in (-REACH..=REACH).flat_map(|a| (-REACH..=REACH).map(move |b| [a, b, 0])) {
         rings.entry(step[0] * step[0] + step[1] * step[1]).or_default().push(step);
     }
     rings.into_values().skip(1).collect()

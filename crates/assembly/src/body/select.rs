@@ -27,10 +27,10 @@ fn on_lattice(lattice: &SquareLattice, part: &Convex) -> Vec<u32> {
     let [low, high] = part.rows();
     let mut found = Vec::new();
     for row in rows.start.max(first(1, low) as i32)..rows.end.min(behind(1, high) as i32) {
-        let Some([from, to]) = part.row(lattice.inner_centre([0, row])[1]) else { continue };
+        let Some([from, to]) = part.row(lattice.inner_centre([0, row, 0])[1]) else { continue };
         let from = columns.start.max(first(0, from) as i32);
         let to = columns.end.min(behind(0, to) as i32);
-        for run in lattice.runs_of(row) {
+        for run in lattice.runs_of(row, 0) {
             let (from, to) = (from.max(run.columns.start), to.min(run.columns.end));
             if from < to {
                 let number = run.number(from) as u32;
@@ -53,10 +53,10 @@ pub(super) fn nearest(body: &PlaneBody, to: Point) -> Vec<u32> {
 
 /// Least distance of a position from a point: in every run the column nearest to it counts.
 fn nearest_cell(lattice: &SquareLattice, to: Point) -> f64 {
-    let [column, _] = lattice.cell_at(to);
+    let [column, ..] = lattice.cell_at(to);
     let near = lattice.runs().iter().map(|run| {
         let column = column.clamp(run.columns.start, run.columns.end - 1);
-        distance(lattice.centre([column, run.row]), to)
+        distance(lattice.place_of(run.cell(column)), to)
     });
     near.fold(f64::INFINITY, f64::min)
 }

@@ -1,14 +1,16 @@
 //! Interpolation between a lattice and the next coarser one.
 //!
-//! The centre of a fine cell lies a quarter of the coarse spacing from that of its parent in both directions; bilinear
-//! interpolation from the four nearest coarse cells has the weights 9, 3, 3, 1 over 16. Where some of them do not exist,
-//! or a crack hides them, the others share the weight, so that constants stay constants. The restriction is the transpose.
+//! The centre of a fine cell lies a quarter of the coarse spacing from that of its parent along every axis; linear
+//! interpolation along each has the weights 3/4 and 1/4, so that the four nearest coarse cells of a plane have 9, 3, 3, 1 over
+//! 16, and the eight of a solid 27, 9, 9, 3, 9, 3, 3, 1 over 64. Where some of them do not exist, or a crack hides them, the
+//! others share the weight, so that constants stay constants. The restriction is the transpose.
 
 mod build;
 
 use super::lattice::{Cell, SquareLattice};
 use build::{candidates, coarse_side, fine_side};
 use rayon::prelude::*;
+use std::array::from_fn;
 use std::ops::Range;
 
 /// Points below which threads cost more than they bring.
@@ -29,6 +31,10 @@ struct Side {
     points: usize,
     runs: Vec<Share>,
     stretches: Vec<Stretch>,
+    /// Per stretch, numbers of points in the lines of the other lattice.
+    others: Vec<u32>,
+    /// How many these are.
+    lines: usize,
     /// Points with weights of their own, in order, and the ends of their entries.
     special: Vec<(u32, u32)>,
     entries: Vec<(u32, f64)>,
@@ -41,19 +47,21 @@ struct Share {
     stretches: Range<usize>,
 }
 
-/// Neighbouring cells with the ordinary weights. Of the fine lattice: pairs of cells with one parent, from `first`, with
-/// the numbers of the parent of the first pair and of the coarse cell beside it in the other row. Of the coarse lattice:
-/// cells from `first`, with the numbers of the first of the two middle cells in the four fine rows.
+/// Neighbouring cells with the ordinary weights. Of the fine lattice: pairs of cells with one parent, from `first`; its others
+/// are the parent of the first pair and the coarse cells beside it in the other row, and in both rows of the other layer. Of
+/// the coarse lattice: cells from `first`; its others are the first of the two middle cells in the four fine rows, of a solid in
+/// those of four layers.
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
     first: u32,
     cells: u32,
-    others: [u32; 4],
+    /// Where its others begin.
+    others: u32,
 }
 
 impl Transfer {
     /// Interpolation to `fine` from `coarse`, its coarser lattice. For the fine points that are `near_crack`, coarse
-    /// cells that are not `visible` from them (positions, m) take no part unless none is.
+    /// cells that are not `visible` from them (places in the plane, m) take no part unless none is.
     pub fn new(
         fine: &SquareLattice,
         coarse: &SquareLattice,
@@ -61,10 +69,11 @@ impl Transfer {
         visible: &dyn Fn([f64; 2], [f64; 2]) -> bool,
     ) -> Self {
         let weights = |point: usize, cell: Cell| -> Vec<(u32, f64)> {
-            let known =
-                candidates(cell).into_iter().filter_map(|(c, w)| Some((coarse.number(c)? as u32, c, w)));
+            let known = candidates(cell, fine.is_plane())
+                .into_iter()
+                .filter_map(|(c, w)| Some((coarse.number(c)? as u32, c, w)));
             let all: Vec<(u32, Cell, f64)> = known.collect();
-            let seen = |c: &(u32, Cell, f64)| visible(fine.centre(cell), coarse.centre(c.1));
+            let seen = |c: &(u32, Cell, f64)| visible(fine.place_of(cell), coarse.place_of(c.1));
             let near = near_crack(point);
             let mut kept: Vec<&(u32, Cell, f64)> = all.iter().filter(|c| !near || seen(c)).collect();
             if kept.is_empty() {
@@ -82,27 +91,39 @@ impl Transfer {
 
     /// Adds to one value per fine point what is interpolated from one per coarse point.
     pub fn prolong_add(&self, coarse: &[f64], fine: &mut [f64]) {
-        self.fine.each(fine, |first, own, stretch| {
-            let row = |k: usize| &coarse[stretch.others[k] as usize - 1..][..stretch.cells as usize + 2];
-            let (near, far) = (row(0), row(1));
-            let own = &mut own[stretch.first as usize - first..][..2 * stretch.cells as usize];
+        match self.fine.lines {
+            2 => self.prolong_pairs(coarse, fine, [0.75, 0.25]),
+            _ => self.prolong_pairs(coarse, fine, [9.0, 3.0, 3.0, 1.0].map(|w| w / 16.0)),
+        }
+        self.fine.add_special(coarse, fine);
+    }
+
+    /// What pairs of cells with the ordinary weights get, from lines with these.
+    fn prolong_pairs<const LINES: usize>(&self, coarse: &[f64], fine: &mut [f64], weights: [f64; LINES]) {
+        self.fine.each(fine, |first, own, stretch, others| {
+            let cells = stretch.cells as usize;
+            let lines: [&[f64]; LINES] = from_fn(|k| &coarse[others[k] as usize - 1..][..cells + 2]);
+            let own = &mut own[stretch.first as usize - first..][..2 * cells];
             for (k, pair) in own.chunks_exact_mut(2).enumerate() {
-                let at = |k: usize| 0.75 * near[k] + 0.25 * far[k];
+                let more = |sum: f64, line: usize, k: usize| sum + weights[line] * lines[line][k];
+                let at = |k: usize| (1..LINES).fold(weights[0] * lines[0][k], |sum, line| more(sum, line, k));
                 let middle = 0.75 * at(k + 1);
                 pair[0] += middle + 0.25 * at(k);
                 pair[1] += middle + 0.25 * at(k + 2);
             }
         });
-        self.fine.add_special(coarse, fine);
     }
 
     /// Overwrites one value per coarse point with what the transpose collects from one per fine point.
     pub fn restrict(&self, fine: &[f64], coarse: &mut [f64]) {
         coarse.fill(0.0);
-        self.coarse.each(coarse, |first, own, stretch| {
+        const ROWS: [f64; 4] = [0.25, 0.75, 0.75, 0.25];
+        let of_layer = |layer: f64| ROWS.map(|row| layer * row);
+        let weights = if self.coarse.lines == 4 { ROWS.to_vec() } else { ROWS.map(of_layer).concat() };
+        self.coarse.each(coarse, |first, own, stretch, others| {
             let own = &mut own[stretch.first as usize - first..][..stretch.cells as usize];
-            for (row, weight) in [0.25, 0.75, 0.75, 0.25].into_iter().enumerate() {
-                let row = &fine[stretch.others[row] as usize - 1..][..2 * stretch.cells as usize + 2];
+            for (&other, weight) in others.iter().zip(&weights) {
+                let row = &fine[other as usize - 1..][..2 * stretch.cells as usize + 2];
                 for (k, sum) in own.iter_mut().enumerate() {
                     let f = &row[2 * k..2 * k + 4];
                     *sum += weight * (0.25 * (f[0] + f[3]) + 0.75 * (f[1] + f[2]));
@@ -114,8 +135,8 @@ impl Transfer {
 }
 
 impl Side {
-    /// Calls `work` with the first point and the values of a part of the points, and with every stretch in it.
-    fn each(&self, values: &mut [f64], work: impl Fn(usize, &mut [f64], &Stretch) + Sync) {
+    /// Calls `work` with the first point and the values of a part of the points, and with every stretch in it and its others.
+    fn each(&self, values: &mut [f64], work: impl Fn(usize, &mut [f64], &Stretch, &[u32]) + Sync) {
         let mut rest = &mut values[..self.points];
         let mut parts = Vec::new();
         for runs in self.runs.chunks(PART) {
@@ -127,7 +148,8 @@ impl Side {
         let part = |(runs, own): (&[Share], &mut [f64])| {
             let first = runs[0].points.start;
             let stretches = runs.iter().flat_map(|run| &self.stretches[run.stretches.clone()]);
-            stretches.for_each(|stretch| work(first, own, stretch));
+            let others = |stretch: &Stretch| &self.others[stretch.others as usize..][..self.lines];
+            stretches.for_each(|stretch| work(first, own, stretch, others(stretch)));
         };
         match self.points < FEW {
             true => parts.into_iter().for_each(part),

@@ -125,6 +125,6 @@ fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
     }
     let reach = scene.bonds().horizon_ratio() + scene.bonds().partial_neighbours() + 1e-9;
     let mut offsets = scene.bonds().offsets().ok()?;
-    offsets.retain(|[i, j]| f64::from(*i).hypot(f64::from(*j)) <= reach);
+    offsets.retain(|[i, j, _]| f64::from(*i).hypot(f64::from(*j)) <= reach);
     Some(scene.cuts(lattice, &offsets).len())
 }

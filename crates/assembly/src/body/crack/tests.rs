@@ -6,7 +6,8 @@ use proptest::prelude::*;
 fn half_steps(reach: f64) -> Vec<Cell> {
     let n = reach as i32;
     let all = (0..=n).flat_map(|j| (-n..=n).map(move |i| [i, j]));
-    all.filter(|[i, j]| (*j > 0 || *i > 0) && f64::from(i * i + j * j) <= reach * reach).collect()
+    let near = all.filter(|[i, j]| (*j > 0 || *i > 0) && f64::from(i * i + j * j) <= reach * reach);
+    near.map(|[i, j]| [i, j, 0]).collect()
 }
 
 fn every_cut_bond(lattice: &SquareLattice, steps: &[Cell], cracks: &[Crack]) -> Vec<(usize, usize)> {
@@ -14,8 +15,8 @@ fn every_cut_bond(lattice: &SquareLattice, steps: &[Cell], cracks: &[Crack]) -> 
     for (class, step) in steps.iter().enumerate() {
         for p in 0..lattice.points() {
             let cell = lattice.cell(p);
-            let other = [cell[0] + step[0], cell[1] + step[1]];
-            let [a, b] = [cell, other].map(|c| lattice.centre(c));
+            let other = plus(cell, *step);
+            let [a, b] = [cell, other].map(|c| lattice.place_of(c));
             let slack = CRACK_SLACK * lattice.spacing();
             if lattice.number(other).is_some() && cracks.iter().any(|c| c.cuts(a, b, slack)) {
                 found.push((class, p));
@@ -115,8 +116,8 @@ proptest! {
         coarser: bool, angle in prop_oneof![Just(0.0), -4.0..4.0f64],
     ) {
         prop_assume!(vertices.windows(2).all(|w| w[0] != w[1]));
-        let hole = |[i, j]: Cell| (5..9).contains(&i) && (4..12).contains(&j);
-        let mut lattice = SquareLattice::new(h, [0.3, -0.7], 0..14, 0..11, |c| !hole(c));
+        let hole = |[i, j]: [i32; 2]| (5..9).contains(&i) && (4..12).contains(&j);
+        let mut lattice = SquareLattice::plane(h, [0.3, -0.7], 0..14, 0..11, |c| !hole(c));
         if coarser {
             lattice = lattice.coarser();
         }

@@ -11,9 +11,9 @@ fn plate(from: Point, size: Point, holes: &[Shape]) -> Outline {
 }
 
 fn has_symmetric_cells(lattice: &SquareLattice, [columns, rows]: [i32; 2]) -> bool {
-    (0..lattice.points()).map(|p| lattice.cell(p)).all(|[i, j]| {
+    (0..lattice.points()).map(|p| lattice.cell(p)).all(|[i, j, _]| {
         let mirrored = [[columns - 1 - i, j], [i, rows - 1 - j], [columns - 1 - i, rows - 1 - j]];
-        mirrored.into_iter().all(|c| lattice.number(c).is_some())
+        mirrored.into_iter().all(|[i, j]| lattice.number([i, j, 0]).is_some())
     })
 }
 
@@ -136,11 +136,11 @@ fn turned_cells_are_symmetric_about_the_middle() {
     for degrees in [30.0f64, -45.0, 71.5] {
         let lattice = outline.fill_turned(0.1, degrees.to_radians()).unwrap();
         let middle = lattice.cell_at([1.785, 0.355]);
-        let [x, y] = lattice.centre(middle);
+        let [x, y] = lattice.place_of(middle);
         assert!((x - 1.785).abs() < 1e-15 && (y - 0.355).abs() < 1e-15);
         for p in 0..lattice.points() {
-            let [i, j] = lattice.cell(p);
-            let image = lattice.number([2 * middle[0] - i, 2 * middle[1] - j]).unwrap();
+            let [i, j, _] = lattice.cell(p);
+            let image = lattice.number([2 * middle[0] - i, 2 * middle[1] - j, 0]).unwrap();
             assert!((lattice.fraction(image) - lattice.fraction(p)).abs() < 1e-9);
         }
     }
@@ -166,8 +166,8 @@ proptest! {
             made => made.unwrap(),
         };
         let size = outline.cells(0.37, angle).unwrap();
-        for cell in (-2..size[0] + 2).flat_map(|i| (-2..size[1] + 2).map(move |j| [i, j])) {
-            let position = lattice.centre(cell);
+        for cell in (-2..size[0] + 2).flat_map(|i| (-2..size[1] + 2).map(move |j| [i, j, 0])) {
+            let position = lattice.place_of(cell);
             let borders = outline.border().edges();
             if borders.map(|[a, b]| to_segment(position, a, b)).all(|d| d > 1e-8) {
                 prop_assert_eq!(lattice.number(cell).is_some(), outline.contains(position), "{:?}", cell);
@@ -196,8 +196,8 @@ proptest! {
             made => made.unwrap(),
         };
         let size = outline.cells(0.37, 0.0).unwrap();
-        for cell in (0..size[0]).flat_map(|i| (0..size[1]).map(move |j| [i, j])) {
-            let position = lattice.centre(cell);
+        for cell in (0..size[0]).flat_map(|i| (0..size[1]).map(move |j| [i, j, 0])) {
+            let position = lattice.place_of(cell);
             let borders = outline.border().edges();
             if borders.map(|[a, b]| to_segment(position, a, b)).all(|d| d > 1e-8) {
                 prop_assert_eq!(lattice.number(cell).is_some(), outline.contains(position), "{:?}", cell);
@@ -227,7 +227,7 @@ proptest! {
         let extent = whole.iter().map(|v| v[0]).max().unwrap() - whole.iter().map(|v| v[0]).min().unwrap();
         let mirrored = fill(whole.iter().map(|v| [-v[0], v[1]]).collect());
         prop_assert!(width < 2 * extent);
-        let flipped = mirrored.iter().map(|c| [2 * extent - 1 - c[0], c[1]]).collect();
+        let flipped = mirrored.iter().map(|c| [2 * extent - 1 - c[0], c[1], 0]).collect();
         prop_assert_eq!(cells, flipped);
     }
 }

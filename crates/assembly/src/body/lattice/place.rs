@@ -1,4 +1,4 @@
-//! Where the cells of a lattice are in the plane.
+//! Where the cells of a lattice are.
 //!
 //! Cells are known by whole numbers whatever the direction of their rows; only this file knows their axes. A lattice whose
 //! rows run along x has the positions that its corner and its spacing give, to the last bit.
@@ -28,35 +28,47 @@ impl SquareLattice {
         self.turn.map_or(0.0, |turn| turn.angle())
     }
 
-    /// Unit vectors from column to column and from row to row.
-    pub fn axes(&self) -> [[f64; 2]; 2] {
-        self.turn.map_or([[1.0, 0.0], [0.0, 1.0]], |turn| turn.axes())
+    /// Unit vectors from column to column, from row to row and from layer to layer.
+    pub fn axes(&self) -> [[f64; 3]; 3] {
+        let [along, across] = self.turn.map_or([[1.0, 0.0], [0.0, 1.0]], |turn| turn.axes());
+        [[along[0], along[1], 0.0], [across[0], across[1], 0.0], [0.0, 0.0, 1.0]]
     }
 
-    /// Lower left corner of cell `[0, 0]`, as its axes have it, m.
-    pub fn corner(&self) -> [f64; 2] {
-        self.outwards(self.corner)
+    /// Lowest corner of cell `[0, 0, 0]`, as its axes have it, m.
+    pub fn corner(&self) -> [f64; 3] {
+        at_height(self.outwards(self.inner_corner()), self.corner[2])
     }
 
     /// Centre of a cell, m.
-    pub fn centre(&self, cell: Cell) -> [f64; 2] {
-        self.outwards(self.inner_centre(cell))
+    pub fn centre(&self, cell: Cell) -> [f64; 3] {
+        let height = self.corner[2] + (f64::from(cell[2]) + 0.5) * self.spacing;
+        at_height(self.place_of(cell), height)
     }
 
     /// Position of a point, m.
-    pub fn position(&self, point: usize) -> [f64; 2] {
+    pub fn position(&self, point: usize) -> [f64; 3] {
         self.centre(self.cell(point))
     }
 
-    /// The offset of cells as a vector, m.
-    pub fn vector(&self, step: Cell) -> [f64; 2] {
-        let along = step.map(|k| self.spacing * f64::from(k));
-        self.turn.map_or(along, |turn| turn.vector(along))
+    /// Centre of a cell in the plane, m.
+    pub fn place_of(&self, cell: Cell) -> [f64; 2] {
+        self.outwards(self.inner_centre(cell))
     }
 
-    /// A position in cells: cell `[i, j]` reaches from i to i + 1 and from j to j + 1.
-    pub fn in_cells(&self, position: [f64; 2]) -> [f64; 2] {
-        let inner = self.inwards(position);
+    /// Position of a point in the plane, m.
+    pub fn place(&self, point: usize) -> [f64; 2] {
+        self.place_of(self.cell(point))
+    }
+
+    /// The offset of cells as a vector, m.
+    pub fn vector(&self, step: Cell) -> [f64; 3] {
+        let [x, y, z] = step.map(|k| self.spacing * f64::from(k));
+        at_height(self.turn.map_or([x, y], |turn| turn.vector([x, y])), z)
+    }
+
+    /// A place in cells of the plane: cell `[i, j, 0]` reaches from i to i + 1 and from j to j + 1.
+    pub fn in_cells(&self, place: [f64; 2]) -> [f64; 2] {
+        let inner = self.inwards(place);
         [0, 1].map(|k| (inner[k] - self.corner[k]) / self.spacing)
     }
 
@@ -79,22 +91,24 @@ impl SquareLattice {
         places
     }
 
-    /// The corner between the cells of two columns and of two rows, those before `node` and those from it on, m.
-    pub fn node(&self, node: Cell) -> [f64; 2] {
+    /// The corner between the cells of two columns and of two rows of a plane, those before `node` and those from it on, m.
+    pub fn node(&self, node: [i32; 2]) -> [f64; 2] {
         self.outwards([0, 1].map(|k| self.corner[k] + f64::from(node[k]) * self.spacing))
     }
 
-    /// Cell that holds a position, whether or not it belongs to the body.
-    pub fn cell_at(&self, position: [f64; 2]) -> Cell {
-        self.in_cells(position).map(|x| x.floor() as i32)
+    /// Cell of the plane that holds a place, whether or not it belongs to the body.
+    pub fn cell_at(&self, place: [f64; 2]) -> Cell {
+        let [column, row] = self.in_cells(place).map(|x| x.floor() as i32);
+        [column, row, 0]
     }
 
-    /// Lower left corner of cell `[0, 0]` in the axes of the lattice, m.
+    /// Lower left corner of cell `[0, 0, 0]` in the plane, in the axes of the lattice, m.
     pub(in super::super) fn inner_corner(&self) -> Point {
-        self.corner
+        let [x, y, _] = self.corner;
+        [x, y]
     }
 
-    /// Centre of a cell in the axes of the lattice, m.
+    /// Centre of a cell in the plane, in the axes of the lattice, m.
     pub(in super::super) fn inner_centre(&self, cell: Cell) -> Point {
         [0, 1].map(|k| self.corner[k] + (f64::from(cell[k]) + 0.5) * self.spacing)
     }
@@ -115,4 +129,8 @@ impl SquareLattice {
     fn outwards(&self, coordinates: Point) -> Point {
         self.turn.map_or(coordinates, |turn| turn.outwards(coordinates))
     }
+}
+
+fn at_height([x, y]: Point, z: f64) -> [f64; 3] {
+    [x, y, z]
 }

@@ -112,9 +112,9 @@ fn parts_without_points_go_to_the_fullest_neighbour() {
     for p in 0..12 {
         let expected = match lattice.cell(p) {
             // The corner, 0.12, goes to the only point across it.
-            [3, 2] => 1.0 + 0.3 + 0.4 + 0.12,
-            [3, _] => 1.4,
-            [_, 2] => 1.3,
+            [3, 2, _] => 1.0 + 0.3 + 0.4 + 0.12,
+            [3, _, _] => 1.4,
+            [_, 2, _] => 1.3,
             _ => 1.0,
         };
         assert!((lattice.fraction(p) - expected).abs() < 1e-12, "{:?}", lattice.cell(p));
@@ -133,8 +133,8 @@ fn symmetric_bodies_have_symmetric_areas() {
             assert!(lattice.cut_cells().len() > 8);
             let n = cells[0] - 1;
             for &(point, part) in lattice.cut_cells() {
-                let [i, j] = lattice.cell(point as usize);
-                let images: [Cell; 4] = [[n - i, j], [i, n - j], [j, i], [n - j, n - i]];
+                let [i, j, _] = lattice.cell(point as usize);
+                let images: [Cell; 4] = [[n - i, j, 0], [i, n - j, 0], [j, i, 0], [n - j, n - i, 0]];
                 for image in images {
                     let other = lattice.fraction(lattice.number(image).unwrap());
                     assert!((part - other).abs() < 1e-9, "{centre:?} {radius}: {part} {other}");
@@ -172,10 +172,10 @@ fn triangles_of_blocks_have_the_area_of_the_body() {
 
 fn check_triangles(lattice: &SquareLattice, area_of: f64) {
     let listed: BTreeMap<Cell, [f64; 4]> = lattice.blocks().iter().copied().collect();
-    let is_whole = |[i, j]: Cell| {
-        [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().all(|[a, b]| lattice.number([i + a, j + b]).is_some())
+    let is_whole = |[i, j, _]: Cell| {
+        [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().all(|[a, b]| lattice.number([i + a, j + b, 0]).is_some())
     };
-    let blocks = (-2..30).flat_map(|j| (-2..30).map(move |i| [i, j]));
+    let blocks = (-2..30).flat_map(|j| (-2..30).map(move |i| [i, j, 0]));
     let whole = blocks.filter(|b| !listed.contains_key(b) && is_whole(*b)).count() as f64;
     for pair in [[0, 3], [1, 2]] {
         let cut: f64 = listed.values().map(|parts| 0.5 * (parts[pair[0]] + parts[pair[1]])).sum();

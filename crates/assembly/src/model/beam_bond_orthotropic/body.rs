@@ -151,7 +151,7 @@ impl Points for BeamBondOrthotropic {
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, y] = self.body.lattice.position(point);
+        let [x, y] = self.body.lattice.place(point);
         [x, y, 0.0]
     }
 
@@ -187,7 +187,7 @@ impl Model<3> for BeamBondOrthotropic {
     }
 
     fn relations(&self) -> Vec<Equation> {
-        let signs = |[x, y]: [f64; 2]| [x, y, x * y];
+        let signs = |[x, y, _]: [f64; 3]| [x, y, x * y];
         self.body.mirrors.relations(&self.body.lattice, &self.body.ghosts, signs)
     }
 

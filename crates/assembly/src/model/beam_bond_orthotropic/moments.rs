@@ -47,7 +47,7 @@ impl Moments {
 }
 
 /// `T = (−n_x n_y, n_x n_y, (n_x² − n_y²)/2)`: the shear of a bond in a uniform strain is `T·ε + r`.
-pub(super) fn shear_row([a, b]: Cell) -> [f64; 3] {
+pub(super) fn shear_row([a, b, _]: Cell) -> [f64; 3] {
     let squared = f64::from(a * a + b * b);
     let product = f64::from(a * b) / squared;
     [-product, product, 0.5 * f64::from(a * a - b * b) / squared]

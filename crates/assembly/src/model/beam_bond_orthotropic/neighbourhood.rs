@@ -24,7 +24,7 @@ impl BeamNeighbourhood {
     pub fn new(parameters: &OrthotropicParameters) -> Result<Self, OrthotropicError> {
         parameters.material.check()?;
         let m = parameters.horizon_ratio;
-        let all = half_offsets(m);
+        let all = half_offsets(m, 1);
         let offsets: Vec<Cell> = all.iter().copied().filter(|&step| is_within(step, m)).collect();
         if offsets.is_empty() {
             return Err(OrthotropicError::NoNeighbours { horizon_ratio: m });

@@ -50,7 +50,7 @@ pub struct BondPlane {
 
 #[derive(Clone, Debug)]
 enum Body {
-    Lattice(LatticeBody<2, 1, 3, CentralBond>),
+    Lattice(Box<LatticeBody<2, 1, 3, CentralBond>>),
     Cloud(CloudBody),
 }
 
@@ -95,7 +95,7 @@ impl BondPlane {
             stretch_moduli: [parameters.material.c11(); 2],
         };
         let body = LatticeBody::new(lattice, mirrors, hood, kind, cuts);
-        Ok(Self { parameters, body: Body::Lattice(body) })
+        Ok(Self { parameters, body: Body::Lattice(Box::new(body)) })
     }
 
     /// Points anywhere, with areas in m² and a horizon in m; `cut` tells whether something separates two positions. The

@@ -20,7 +20,7 @@ impl Points for BondPlane {
 
     fn position(&self, point: usize) -> Point {
         let [x, y] = match &self.body {
-            Body::Lattice(body) => body.lattice.position(point),
+            Body::Lattice(body) => body.lattice.place(point),
             Body::Cloud(body) => body.positions[point],
         };
         [x, y, 0.0]
@@ -56,7 +56,7 @@ impl Model<2> for BondPlane {
 
     fn relations(&self) -> Vec<Equation> {
         match &self.body {
-            Body::Lattice(body) => body.mirrors.relations(&body.lattice, &body.ghosts, |signs| signs),
+            Body::Lattice(body) => body.mirrors.relations(&body.lattice, &body.ghosts, |[x, y, _]| [x, y]),
             Body::Cloud(_) => Vec::new(),
         }
     }
@@ -70,7 +70,8 @@ impl Model<2> for BondPlane {
 impl Solvable<2> for BondPlane {
     fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<2>>> {
         let Body::Lattice(body) = &self.body else { return None };
-        Some(Box::new(Self { parameters: self.parameters, body: Body::Lattice(body.coarser(cuts)?) }))
+        let body = Body::Lattice(Box::new(body.coarser(cuts)?));
+        Some(Box::new(Self { parameters: self.parameters, body }))
     }
 
     fn breaking(&self) -> Option<Box<dyn BreakingModel<2>>> {

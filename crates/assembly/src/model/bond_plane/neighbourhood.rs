@@ -10,7 +10,7 @@ use super::{BondPlaneError, PlaneParameters, VolumeFactor};
 /// # Errors
 /// All of [`BondPlaneError`] that do not speak of clouds.
 pub(super) fn neighbourhood(parameters: &PlaneParameters) -> Result<Neighbourhood<1>, BondPlaneError> {
-    let offsets = half_offsets(reach_of(parameters));
+    let offsets = half_offsets(reach_of(parameters), 1);
     let (weights, parts) = match parameters.calibration {
         Calibration::Matched => {
             let weights = matched::weights(parameters, &offsets)?;

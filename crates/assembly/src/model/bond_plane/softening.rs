@@ -2,7 +2,7 @@
 
 use super::super::plane::{PlaneModel, SofteningModel};
 use super::{Body, BondPlane, PlaneMaterial};
-use crate::body::SquareLattice;
+use crate::body::{Cell, SquareLattice};
 use crate::bonds::Rows;
 use crate::stiffness::{EndedBond, HistoryBond};
 
@@ -78,6 +78,6 @@ impl SofteningModel<2> for BondPlane {
 }
 
 /// Length of a bond at an offset, m.
-fn length(lattice: &SquareLattice, [a, b]: [i32; 2]) -> f64 {
+fn length(lattice: &SquareLattice, [a, b, _]: Cell) -> f64 {
     lattice.spacing() * f64::from(a).hypot(f64::from(b))
 }

@@ -134,7 +134,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let n = self.lattice.points();
         if !self.border.is_none() {
             for &ghost in &self.ghosts {
-                let (image, [x, y]) = self.mirrors.image(self.lattice.cell(ghost as usize));
+                let (image, [x, y, _]) = self.mirrors.image(self.lattice.cell(ghost as usize));
                 let real = self.lattice.number(image);
                 let of =
                     |q: usize| real.map_or(0.0, |real| t[q * n + real] * if q == 2 { x * y } else { 1.0 });
@@ -167,7 +167,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         self.hood.bonded().map(of).collect()
     }
 
-    /// Columns from the first to behind the last of some points, per row of the lattice.
+    /// Columns from the first to behind the last of some points, per row of the plane.
     fn spans(&self, points: Option<&[usize]>) -> Vec<Range<i32>> {
         let rows = self.lattice.rows();
         let Some(points) = points else {
@@ -175,7 +175,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         };
         let mut spans = vec![0..0; rows.len()];
         for &point in points {
-            let [column, row] = self.lattice.cell(point);
+            let [column, row, _] = self.lattice.cell(point);
             let span: &mut Range<i32> = &mut spans[(row - rows.start) as usize];
             *span = match span.start >= span.end {
                 true => column..column + 1,

@@ -1,24 +1,21 @@
 //! Lines along the sides of a lattice beyond which cells are images of real ones: mirror images behind lines of symmetry, or
 //! copies where two opposite sides are joined.
 
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, Run, SquareLattice};
 use crate::condition::{Equation, Unknown};
 use std::array::from_fn;
 use std::ops::Range;
 
-/// Lines between columns and between rows of cells, as the number of the first cell behind the line.
+/// Lines between columns, between rows and between layers of cells, as the number of the first cell behind the line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mirrors {
-    /// On the left and on the right: real cells have `left <= column < right`.
-    pub columns: [Option<i32>; 2],
-    /// Below and above: real cells have `below <= row < above`.
-    pub rows: [Option<i32>; 2],
-    /// Whether both lines between columns, and both between rows, are one: behind the last cell follows the first. Else they
-    /// are lines of symmetry.
-    pub joined: [bool; 2],
-    /// Along which of both a body whose sides are joined can stretch: from one copy to the next the displacement grows by the
-    /// same amount, which is an unknown.
-    pub stretches: [bool; 2],
+    /// Along every axis, before the real cells and behind them: these have `low <= column < high`, and so for rows and layers.
+    pub lines: [[Option<i32>; 2]; 3],
+    /// Whether both lines along an axis are one: behind the last cell follows the first. Else they are lines of symmetry.
+    pub joined: [bool; 3],
+    /// Along which axes a body whose sides are joined can stretch: from one copy to the next the displacement grows by the same
+    /// amount, which is an unknown.
+    pub stretches: [bool; 3],
     /// Whether the body is one of revolution: parts of it count by their radius, x, and the line on the left, where there is one,
     /// is its axis, on which the body ends; images beyond it tell how it moves there.
     pub revolved: bool,
@@ -26,52 +23,46 @@ pub struct Mirrors {
 
 impl Mirrors {
     /// No images.
-    pub const NONE: Self = Self {
-        columns: [None; 2],
-        rows: [None; 2],
-        joined: [false; 2],
-        stretches: [false; 2],
-        revolved: false,
-    };
+    pub const NONE: Self =
+        Self { lines: [[None; 2]; 3], joined: [false; 3], stretches: [false; 3], revolved: false };
+
+    /// Lines of symmetry between columns and between rows.
+    pub fn in_plane(columns: [Option<i32>; 2], rows: [Option<i32>; 2]) -> Self {
+        Self { lines: [columns, rows, [None; 2]], ..Self::NONE }
+    }
 
     /// Whether there is none.
     pub fn is_none(&self) -> bool {
         *self == Self::NONE
     }
 
-    /// Sets a line: that on the left, on the right, below or above.
+    /// Sets a line: that on the left, on the right, below or above, of a solid then in front or behind.
     ///
     /// # Panics
-    /// There are four sides.
+    /// There are six sides.
     pub fn set_line(&mut self, side: usize, line: i32) {
-        let lines = if side < 2 { &mut self.columns } else { &mut self.rows };
-        lines[side % 2] = Some(line);
-        assert!(side < 4, "a body has four sides");
+        assert!(side < 6, "a body has six sides");
+        self.lines[side / 2][side % 2] = Some(line);
     }
 
     /// Whether a cell lies on the real side of all lines.
     pub fn is_real(&self, cell: Cell) -> bool {
-        self.lines().iter().zip(cell).all(|(line, k)| inside(*line, k))
+        self.lines.iter().zip(cell).all(|(line, k)| inside(*line, k))
     }
 
-    /// The real cell that a cell is an image of, and the signs of the displacements along x and y of the image.
-    pub fn image(&self, cell: Cell) -> (Cell, [f64; 2]) {
-        let [(column, x), (row, y)] = [0, 1].map(|k| match (self.joined[k], self.lines()[k]) {
+    /// The real cell that a cell is an image of, and the signs of the displacements along x, y and z of the image.
+    pub fn image(&self, cell: Cell) -> (Cell, [f64; 3]) {
+        let along: [(i32, f64); 3] = from_fn(|k| match (self.joined[k], self.lines[k]) {
             (true, [Some(low), Some(high)]) => (low + (cell[k] - low).rem_euclid(high - low), 1.0),
             (_, lines) => reflected(lines, cell[k]),
         });
-        ([column, row], [x, y])
-    }
-
-    /// Lines between columns, then between rows.
-    pub fn lines(&self) -> [[Option<i32>; 2]; 2] {
-        [self.columns, self.rows]
+        (along.map(|a| a.0), along.map(|a| a.1))
     }
 
     /// How many periods lie between a cell and its image, along each axis that stretches.
-    fn periods(&self, cell: Cell) -> [i32; 2] {
+    fn periods(&self, cell: Cell) -> [i32; 3] {
         let (image, _) = self.image(cell);
-        from_fn(|k| match (self.stretches[k], self.lines()[k]) {
+        from_fn(|k| match (self.stretches[k], self.lines[k]) {
             (true, [Some(low), Some(high)]) => (cell[k] - image[k]) / (high - low),
             _ => 0,
         })
@@ -79,7 +70,7 @@ impl Mirrors {
 
     /// Two points whose difference is what a body grows by along an axis that stretches: a real one, and its first copy.
     pub fn stretch_points(&self, lattice: &SquareLattice, axis: usize) -> Option<[usize; 2]> {
-        let [Some(low), Some(high)] = self.lines()[axis] else { return None };
+        let [Some(low), Some(high)] = self.lines[axis] else { return None };
         let is_first = |cell: &Cell| self.stretches[axis] && self.is_real(*cell) && cell[axis] == low;
         let first = (0..lattice.points()).map(|p| lattice.cell(p)).find(is_first)?;
         let mut copy = first;
@@ -93,13 +84,14 @@ impl Mirrors {
             let start = line[0].map_or(range.start, |l| l.max(range.start));
             start..line[1].map_or(range.end, |l| l.min(range.end)).max(start)
         };
-        let (columns, rows) = (clip(self.columns, lattice.columns()), clip(self.rows, lattice.rows()));
+        let ranges = ranges(lattice);
+        let ranges = from_fn(|k| clip(self.lines[k], ranges[k].clone()));
         let inside = |cell| lattice.number(cell).is_some();
-        let all = SquareLattice::new(lattice.spacing(), lattice.corner(), columns, rows, inside);
+        let all = SquareLattice::new(lattice.spacing(), lattice.corner(), ranges, inside);
         all.with_areas(&cut_cells(lattice)).with_blocks_of(lattice)
     }
 
-    /// A lattice of real cells with `depth` columns or rows of images beyond every line.
+    /// A lattice of real cells with `depth` columns, rows or layers of images beyond every line.
     pub fn extended(&self, real: &SquareLattice, depth: i32) -> SquareLattice {
         if self.is_none() {
             return real.clone();
@@ -107,9 +99,10 @@ impl Mirrors {
         let widen = |line: [Option<i32>; 2], range: Range<i32>| {
             line[0].map_or(range.start, |l| l - depth)..line[1].map_or(range.end, |l| l + depth)
         };
-        let (columns, rows) = (widen(self.columns, real.columns()), widen(self.rows, real.rows()));
+        let ranges = ranges(real);
+        let ranges = from_fn(|k| widen(self.lines[k], ranges[k].clone()));
         let inside = |cell| real.number(self.image(cell).0).is_some();
-        let extended = SquareLattice::new(real.spacing(), real.corner(), columns, rows, inside);
+        let extended = SquareLattice::new(real.spacing(), real.corner(), ranges, inside);
         let mut areas: Vec<(Cell, f64)> = cut_cells(real);
         if !areas.is_empty() {
             let ghosts = self.ghosts(&extended).into_iter().map(|g| extended.cell(g as usize));
@@ -123,13 +116,13 @@ impl Mirrors {
     /// cannot move, so that there are no coarser ones.
     pub fn coarser(&self) -> Option<Self> {
         let cut = |line: Option<i32>| line.is_some_and(|l| l.rem_euclid(2) == 1);
-        if (0..2).any(|k| self.joined[k] && self.lines()[k].into_iter().any(cut)) {
+        if (0..3).any(|k| self.joined[k] && self.lines[k].into_iter().any(cut)) {
             return None;
         }
         let halved = |[low, high]: [Option<i32>; 2]| {
             [low.map(|l| l.div_euclid(2)), high.map(|l| (l + 1).div_euclid(2))]
         };
-        Some(Self { columns: halved(self.columns), rows: halved(self.rows), ..*self })
+        Some(Self { lines: self.lines.map(halved), ..*self })
     }
 
     /// Numbers of the points that are images.
@@ -137,23 +130,22 @@ impl Mirrors {
         if self.is_none() {
             return Vec::new();
         }
-        let of = |run: &crate::body::Run| {
-            let (row, first, start) = (run.row, run.first, run.columns.start);
-            let ghosts = run.columns.clone().filter(move |&column| !self.is_real([column, row]));
-            ghosts.map(move |column| (first + (column - start) as usize) as u32).collect::<Vec<_>>()
+        let of = |run: &Run| {
+            let ghosts = run.columns.clone().filter(|&column| !self.is_real(run.cell(column)));
+            ghosts.map(|column| run.number(column) as u32).collect::<Vec<_>>()
         };
         lattice.runs().iter().flat_map(of).collect()
     }
 
     /// What ties the unknowns of the images to those of real points; `signs_of` makes
-    /// their signs of those of the displacements along x and y.
+    /// their signs of those of the displacements along x, y and z.
     pub(in super::super) fn relations<const D: usize>(
         &self,
         lattice: &SquareLattice,
         ghosts: &[u32],
-        signs_of: impl Fn([f64; 2]) -> [f64; D],
+        signs_of: impl Fn([f64; 3]) -> [f64; D],
     ) -> Vec<Equation> {
-        let growth: [Option<[usize; 2]>; 2] = from_fn(|axis| match self.stretches[axis] {
+        let growth: [Option<[usize; 2]>; 3] = from_fn(|axis| match self.stretches[axis] {
             true => self.stretch_points(lattice, axis),
             false => None,
         });
@@ -175,7 +167,7 @@ impl Mirrors {
                         false => add_growth(&mut terms, component, [first, copy], grown),
                     }
                 }
-                let origin = if self.joined == [false; 2] { "symmetry" } else { "periodic" };
+                let origin = if self.joined == [false; 3] { "symmetry" } else { "periodic" };
                 Equation { terms, value: 0.0, origin: origin.into() }
             })
         };
@@ -199,6 +191,11 @@ fn cut_cells(lattice: &SquareLattice) -> Vec<(Cell, f64)> {
     lattice.cut_cells().iter().map(|&(p, area)| (lattice.cell(p as usize), area)).collect()
 }
 
+/// Columns, rows and layers of a lattice.
+fn ranges(lattice: &SquareLattice) -> [Range<i32>; 3] {
+    [lattice.columns(), lattice.rows(), lattice.layers()]
+}
+
 fn inside([low, high]: [Option<i32>; 2], k: i32) -> bool {
     low.is_none_or(|l| k >= l) && high.is_none_or(|h| k < h)
 }
@@ -219,76 +216,4 @@ fn reflected(line: [Option<i32>; 2], mut k: i32) -> (i32, f64) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cells_between_two_lines_repeat() {
-        let mirrors = Mirrors { columns: [Some(0), Some(2)], ..Mirrors::NONE };
-        let images: Vec<(i32, f64)> =
-            (-4..6).map(|c| (mirrors.image([c, 7]).0[0], mirrors.image([c, 7]).1[0])).collect();
-        let expected = [
-            (0, 1.0),
-            (1, 1.0),
-            (1, -1.0),
-            (0, -1.0),
-            (0, 1.0),
-            (1, 1.0),
-            (1, -1.0),
-            (0, -1.0),
-            (0, 1.0),
-            (1, 1.0),
-        ];
-        assert_eq!(images, expected);
-        assert!(mirrors.is_real([1, -3]) && !mirrors.is_real([2, 0]));
-    }
-
-    #[test]
-    fn behind_a_joined_side_the_other_one_follows() {
-        for (from, period) in [(0, 5), (-2, 1), (3, 4)] {
-            let joined = [false, true];
-            let mirrors = Mirrors { rows: [Some(from), Some(from + period)], joined, ..Mirrors::NONE };
-            for row in from - 12..from + 12 {
-                let (cell, signs) = mirrors.image([7, row]);
-                assert_eq!((cell[0], signs), (7, [1.0, 1.0]));
-                assert!(mirrors.is_real(cell) && (cell[1] - row) % period == 0);
-                assert_eq!(mirrors.is_real([7, row]), cell[1] == row);
-            }
-            assert_eq!(mirrors.coarser().is_some(), from % 2 == 0 && period % 2 == 0);
-        }
-    }
-
-    #[test]
-    fn copies_of_a_body_that_stretches_grow_by_whole_periods() {
-        let [joined, stretches] = [[true, false]; 2];
-        let mirrors = Mirrors { columns: [Some(1), Some(4)], joined, stretches, ..Mirrors::NONE };
-        let real = SquareLattice::new(1.0, [0.0; 2], 1..4, 0..2, |_| true);
-        let lattice = mirrors.extended(&real, 7);
-        let relations = mirrors.relations::<2>(&lattice, &mirrors.ghosts(&lattice), |signs| signs);
-        // What repeats, and half a unit more along x per column.
-        let value = |Unknown { component, point }: Unknown| {
-            let [column, row] = lattice.cell(point);
-            let repeated = (column.rem_euclid(3) * 5 + row * 3) % 7 + component as i32;
-            f64::from(repeated) + if component == 0 { 0.5 * f64::from(column) } else { 0.0 }
-        };
-        assert!(relations.iter().any(|relation| relation.terms.len() > 2));
-        for Equation { terms, value: right, origin } in relations {
-            let left: f64 = terms.iter().map(|(unknown, factor)| factor * value(*unknown)).sum();
-            assert!((left - right).abs() < 1e-13, "{terms:?}");
-            assert_eq!(origin, "periodic");
-        }
-    }
-
-    #[test]
-    fn images_are_added_and_taken_away() {
-        let hole = |c: Cell| c != [1, 1];
-        let real = SquareLattice::new(1.0, [0.0; 2], 0..5, 0..4, hole);
-        let mirrors = Mirrors { columns: [None, Some(5)], rows: [Some(0), None], ..Mirrors::NONE };
-        let extended = mirrors.extended(&real, 4);
-        // The hole and its three images.
-        assert_eq!(extended.points(), 9 * 8 - 4);
-        assert_eq!(extended.number([8, -2]), None);
-        assert_eq!(mirrors.real(&extended).runs(), real.runs());
-        assert_eq!(mirrors.ghosts(&extended).len(), extended.points() - real.points());
-    }
-}
+mod tests;

@@ -31,7 +31,7 @@ pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{By, energy_factor, strain_rows, volume_factor};
 pub(super) use fields::add_work_of_triangles;
 pub(super) use near::{at, near_points};
-pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_within, length};
+pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_up, is_within, length};
 pub(super) use projection::project;
 
 use crate::body::{Cell, SquareLattice};
@@ -86,8 +86,7 @@ pub type FindCuts<'a> = dyn Fn(&SquareLattice, &[Cell]) -> Vec<(usize, usize)> +
 
 /// A bond of a lattice at an offset.
 fn geometry(lattice: &SquareLattice, step: Cell) -> BondGeometry {
-    let [x, y] = lattice.vector(step);
-    BondGeometry { xi: [x, y, 0.0] }
+    BondGeometry { xi: lattice.vector(step) }
 }
 
 /// A body in the plane with its bonds, whatever they are.
@@ -220,7 +219,7 @@ pub trait PlaneModel: Points + Debug + Send + Sync {
             (None, Some((lattice, _))) => {
                 for run in lattice.runs() {
                     for column in run.columns.clone() {
-                        enter(run.number(column), lattice.centre([column, run.row]));
+                        enter(run.number(column), lattice.place_of(run.cell(column)));
                     }
                 }
             }

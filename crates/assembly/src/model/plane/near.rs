@@ -1,16 +1,19 @@
 //! Points near edges, found by runs: the others are never visited.
 
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, minus, plus};
 use std::ops::Range;
 
-/// Numbers of the points that lack a cell within `reach` rows and columns, in order.
+/// Numbers of the points that lack a cell within `reach` rows and columns, and in a solid layers, in order.
 pub(in super::super) fn near_points(lattice: &SquareLattice, reach: i32) -> Vec<usize> {
     let mut near = Vec::new();
+    let layers = if lattice.is_plane() { 0 } else { reach };
+    let lines: Vec<[i32; 2]> =
+        (-layers..=layers).flat_map(|c| (-reach..=reach).map(move |b| [b, c])).collect();
     for run in lattice.runs() {
         let mut inner: Vec<Range<i32>> = vec![run.columns.clone()];
-        for row in run.row - reach..=run.row + reach {
+        for [row, layer] in &lines {
             let mut left = Vec::new();
-            for other in lattice.runs_of(row) {
+            for other in lattice.runs_of(run.row + row, run.layer + layer) {
                 let (start, end) = (other.columns.start + reach, other.columns.end - reach);
                 for range in &inner {
                     let both = range.start.max(start)..range.end.min(end);
@@ -34,8 +37,7 @@ pub(in super::super) fn near_points(lattice: &SquareLattice, reach: i32) -> Vec<
 
 /// The cell at an offset, `forwards` or the opposite way.
 pub(in super::super) fn at(cell: Cell, step: Cell, forwards: bool) -> Cell {
-    let sign = if forwards { 1 } else { -1 };
-    [cell[0] + sign * step[0], cell[1] + sign * step[1]]
+    if forwards { plus(cell, step) } else { minus(cell, step) }
 }
 
 #[cfg(test)]
@@ -44,15 +46,19 @@ mod tests {
 
     #[test]
     fn near_points_lack_a_cell() {
-        let hole = |[i, j]: Cell| (i - 14).pow(2) + (j - 9).pow(2) < 6 || i + j < 5;
-        let lattice = SquareLattice::new(1.0, [0.0; 2], 0..30, 0..20, |c| !hole(c));
-        for reach in 1..5 {
-            let complete = |p: usize| {
-                let [i, j] = lattice.cell(p);
-                (-reach..=reach).all(|b| (-reach..=reach).all(|a| lattice.number([i + a, j + b]).is_some()))
-            };
-            let expected: Vec<usize> = (0..lattice.points()).filter(|&p| !complete(p)).collect();
-            assert_eq!(near_points(&lattice, reach), expected);
+        let hole = |[i, j]: [i32; 2]| (i - 14).pow(2) + (j - 9).pow(2) < 6 || i + j < 5;
+        let plane = SquareLattice::plane(1.0, [0.0; 2], 0..30, 0..20, |c| !hole(c));
+        let in_solid = |[i, j, k]: Cell| !hole([i, j]) || k > 6;
+        let solid = SquareLattice::new(1.0, [0.0; 3], [0..30, 0..20, 0..8], in_solid);
+        for (reach, (lattice, layers)) in (1..4).flat_map(|m| [(m, (&plane, 0)), (m, (&solid, m))]) {
+            let steps: Vec<Cell> = (-layers..=layers)
+                .flat_map(|c| (-reach..=reach).flat_map(move |b| (-reach..=reach).map(move |a| [a, b, c])))
+                .collect();
+            let lacks =
+                |p: &usize| steps.iter().any(|s| lattice.number(plus(lattice.cell(*p), *s)).is_none());
+            let expected: Vec<usize> = (0..lattice.points()).filter(lacks).collect();
+            assert!(expected.len() < lattice.points());
+            assert_eq!(near_points(lattice, reach), expected);
         }
     }
 }

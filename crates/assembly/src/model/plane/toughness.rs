@@ -46,7 +46,7 @@ fn crossing<'a>(
     spacing: f64,
     [nx, ny]: [f64; 2],
 ) -> impl Iterator<Item = f64> + 'a {
-    let across = move |[a, b]: Cell| spacing * (f64::from(a) * nx + f64::from(b) * ny).abs();
+    let across = move |[a, b, _]: Cell| spacing * (f64::from(a) * nx + f64::from(b) * ny).abs();
     weights.iter().zip(offsets).map(move |(weight, &step)| weight * across(step))
 }
 
@@ -66,7 +66,7 @@ mod tests {
         energy / (columns as f64 * spacing)
     }
 
-    const OFFSETS: [Cell; 6] = [[1, 0], [0, 1], [1, 1], [-1, 1], [2, 1], [-1, 2]];
+    const OFFSETS: [Cell; 6] = [[1, 0, 0], [0, 1, 0], [1, 1, 0], [-1, 1, 0], [2, 1, 0], [-1, 2, 0]];
     const WEIGHTS: [f64; 6] = [3.0e9, 2.0e9, 1.5e9, 1.0e9, 0.7e9, 0.4e9];
 
     #[test]
@@ -83,17 +83,17 @@ mod tests {
         let s = critical_stretch(250.0, &WEIGHTS, &OFFSETS, 1.0e-3, normal);
         let back = energy_release_rate(&WEIGHTS, &OFFSETS, 1.0e-3, &[s; 6], normal);
         assert!((back / 250.0 - 1.0).abs() < 1e-14);
-        assert_eq!(critical_stretch(250.0, &[1.0], &[[1, 0]], 1.0e-3, [0.0, 1.0]), 0.0);
+        assert_eq!(critical_stretch(250.0, &[1.0], &[[1, 0, 0]], 1.0e-3, [0.0, 1.0]), 0.0);
     }
 
     #[test]
     fn a_fine_lattice_of_the_continuum_has_its_toughness() {
         // Weights c V ξ with c = 9E/(π t δ³), ν = 1/3, on a lattice of m = 40: 2.3e-4 below the continuum here.
         let (m, youngs, rate) = (40.0_f64, 70.0e9, 100.0);
-        let all = (0..=40).flat_map(|b: i32| (-40..=40).map(move |a: i32| [a, b]));
+        let all = (0..=40).flat_map(|b: i32| (-40..=40).map(move |a: i32| [a, b, 0]));
         let offsets: Vec<Cell> =
             all.filter(|s| (s[1] > 0 || s[0] > 0) && s[0] * s[0] + s[1] * s[1] <= 1600).collect();
-        let length = |[a, b]: Cell| f64::from(a * a + b * b).sqrt();
+        let length = |[a, b, _]: Cell| f64::from(a * a + b * b).sqrt();
         let c = 9.0 * youngs / (std::f64::consts::PI * m.powi(3));
         let weights: Vec<f64> = offsets.iter().map(|&s| c * length(s)).collect();
         let spacing = 1.0e-4;

@@ -54,7 +54,7 @@ impl ShellMembrane {
 
     /// Rows after which a body comes back to itself: between joined sides, or twice those between two mirrors.
     pub fn closing_rows(mirrors: &Mirrors) -> Option<i32> {
-        let [low, high] = mirrors.rows;
+        let [low, high] = mirrors.lines[1];
         let rows = high? - low?;
         Some(if mirrors.joined[1] { rows } else { 2 * rows })
     }

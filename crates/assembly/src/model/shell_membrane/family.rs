@@ -1,6 +1,8 @@
 //! The weights of the bonds of every point: those of a full family, and those of the points that lack bonds.
 
-use super::super::plane::{Calibration, Mirrors, Neighbourhood, at, half_offsets, is_within, near_points};
+use super::super::plane::{
+    Calibration, Mirrors, Neighbourhood, at, half_offsets, is_up, is_within, near_points,
+};
 use super::weights::{Member, matched};
 use super::{ShellBond, ShellError, ShellParameters};
 use crate::body::{Cell, SquareLattice};
@@ -50,7 +52,7 @@ pub(super) fn offsets(
     let mut found: Vec<ShellOffset> = steps(m)
         .into_iter()
         .map(|step| {
-            let xi = step.map(|k| spacing * f64::from(k));
+            let xi = [0, 1].map(|k| spacing * f64::from(step[k]));
             let (length, [x, s]) = (bond.length(xi), bond.direction(xi));
             let product = [x * x, s * s, x * s].map(|n| length * n);
             let start = start(parameters, bond, spacing, xi);
@@ -76,7 +78,7 @@ pub(super) fn offsets(
 
 /// One of each pair of opposite offsets inside a horizon of m spacings.
 pub(super) fn steps(m: f64) -> Vec<Cell> {
-    half_offsets(m).into_iter().filter(|&step| is_within(step, m)).collect()
+    half_offsets(m, 1).into_iter().filter(|&step| is_within(step, m)).collect()
 }
 
 /// `ω A/q` with the influence ω = 1/L, the area A of a point and `q = 2πδ³/3`: with it `c = 9E/(π h δ³)`, as published.
@@ -135,14 +137,12 @@ impl ShellFamilies {
 
     /// Weight of a bond of an image, given the weights of its real point and the signs of the image: a mirror image sees the
     /// mirror image of the bond.
-    pub(super) fn seen(&self, weights: &[[f64; 2]], k: usize, up: bool, signs: [f64; 2]) -> f64 {
-        let [a, b] = self.offsets[k].step;
+    pub(super) fn seen(&self, weights: &[[f64; 2]], k: usize, up: bool, signs: [f64; 3]) -> f64 {
         let sign = if up { 1 } else { -1 };
-        let step = [sign * a * signs[0] as i32, sign * b * signs[1] as i32];
-        let is_up = step[1] > 0 || (step[1] == 0 && step[0] > 0);
-        let half = if is_up { step } else { [-step[0], -step[1]] };
+        let step = [0, 1, 2].map(|axis| sign * self.offsets[k].step[axis] * signs[axis] as i32);
+        let half = if is_up(step) { step } else { step.map(|k| -k) };
         let index = self.offsets.iter().position(|o| o.step == half);
-        index.map_or(0.0, |index| weights[index][usize::from(!is_up)])
+        index.map_or(0.0, |index| weights[index][usize::from(!is_up(step))])
     }
 
     /// Rows or columns that bonds reach.

@@ -85,7 +85,7 @@ impl<'a> Inextensional<'a> {
         mut ends: EndConditions,
     ) -> Self {
         // A mirror makes u odd; joined ends make it, and v, the same on both.
-        if mirrors.columns != [None; 2] {
+        if mirrors.lines[0] != [None; 2] {
             ends.hold_axial();
         }
         Self { parameters, lattice, mirrors, ends }
@@ -110,7 +110,7 @@ impl<'a> Inextensional<'a> {
         let mut rows: BTreeMap<i32, RowForces> = BTreeMap::new();
         for p in 0..n {
             let (cell, signs) = self.mirrors.image(self.lattice.cell(p));
-            let [x, s] = self.lattice.centre(cell);
+            let [x, s] = self.lattice.place_of(cell);
             let [u, v, w] = [0, 1, 2].map(|c| force[c * n + p]);
             let (u, v) = (signs[0] * u, signs[1] * v);
             let row = rows.entry(cell[1]).or_insert(RowForces { s, sums: [0.0; 5] });
@@ -133,7 +133,7 @@ impl<'a> Inextensional<'a> {
             let all = (1..=most).map(|k| unit * k as f64);
             all.filter(|wave| *wave > 1.01 / radius).collect()
         };
-        match (mirrors.joined[1], mirrors.rows) {
+        match (mirrors.joined[1], mirrors.lines[1]) {
             (true, _) => {
                 let numbers = beyond_rigid(TAU / arc, rows / 2);
                 Waves { numbers, parities: &[false, true], slack: SLACK[0] }
@@ -162,7 +162,7 @@ impl<'a> Inextensional<'a> {
             shares.iter().zip(&row.sums).map(|(share, sum)| share * sum).sum::<f64>()
         };
         let places = self.lattice.columns();
-        let far = [places.start, places.end].map(|column| self.lattice.centre([column, 0])[0].abs());
+        let far = [places.start, places.end].map(|column| self.lattice.place_of([column, 0, 0])[0].abs());
         let most = b.abs() + a.abs() * far[0].max(far[1]);
         let amplitude = most.max(a.abs() / wave).max(r * wave * most);
         rows.iter().map(of_row).sum::<f64>() / amplitude

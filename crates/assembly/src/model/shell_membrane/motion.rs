@@ -78,7 +78,7 @@ impl Points for ShellMembrane {
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, s] = self.lattice.position(point);
+        let [x, s] = self.lattice.place(point);
         [x, s, 0.0]
     }
 
@@ -118,7 +118,7 @@ impl Model<3> for ShellMembrane {
     }
 
     fn relations(&self) -> Vec<Equation> {
-        self.mirrors.relations(&self.lattice, &self.ghosts, |[x, y]| [x, y, 1.0])
+        self.mirrors.relations(&self.lattice, &self.ghosts, |[x, y, _]| [x, y, 1.0])
     }
 
     /// The published elongations resist all but the first two a little, so that these are none.

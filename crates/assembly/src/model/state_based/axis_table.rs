@@ -116,7 +116,7 @@ impl Layout<'_> {
     /// Equations (i).
     fn strains(&self, matrix: &mut DMatrix<f64>) {
         for column in 0..self.columns {
-            for (t, &[a, b]) in self.offsets.iter().enumerate() {
+            for (t, &[a, b, _]) in self.offsets.iter().enumerate() {
                 let (x, y) = (f64::from(a * a), f64::from(b * b));
                 let square = x + y;
                 let cos2 = (x - y) / square;
@@ -141,7 +141,7 @@ impl Layout<'_> {
         }
         let reach = self.reached - self.columns;
         for k in 0..self.reached + reach {
-            for (t, &[a, b]) in self.offsets.iter().enumerate() {
+            for (t, &[a, b, _]) in self.offsets.iter().enumerate() {
                 let length = f64::from(a * a + b * b).sqrt();
                 let n = [f64::from(a) / length, f64::from(b) / length];
                 let across = k as i64 + i64::from(a);
@@ -174,7 +174,7 @@ mod tests {
     use super::*;
 
     fn table(influence: Influence, m: f64) -> (Vec<Cell>, Vec<f64>, Option<AxisTable>) {
-        let half: Vec<Cell> = half_offsets(m).into_iter().filter(|&o| is_within(o, m)).collect();
+        let half: Vec<Cell> = half_offsets(m, 1).into_iter().filter(|&o| is_within(o, m)).collect();
         let offsets: Vec<Cell> = half.iter().copied().chain(half.iter().map(|o| o.map(|k| -k))).collect();
         let mut weights: Vec<f64> = offsets.iter().map(|&o| influence.at(length(o) / m)).collect();
         let q = weighted_volume(&offsets, &weights);

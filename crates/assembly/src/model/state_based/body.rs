@@ -6,7 +6,7 @@ use super::ghosts::{Fit, Separated, fits, nearest, outside};
 use super::term::StateTerm;
 use super::weights::{FamilyWeights, offsets};
 use super::{Axis, Dilatation, StateEdges, StateError, StateParameters};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, plus};
 use crate::stiffness::{GridBonds, GridFamilies, GridFamily, Offset};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
@@ -58,7 +58,9 @@ pub(super) fn with_axis(
     }
     let has_images = parameters.axis != Axis::Truncated;
     let line = has_images.then_some(real.columns().start);
-    Ok((Mirrors { columns: [line, mirrors.columns[1]], ..mirrors }, has_images))
+    let mut mirrors = mirrors;
+    mirrors.lines[0][0] = line;
+    Ok((mirrors, has_images))
 }
 
 /// The lattice of a body with its ghosts and images, the lines of symmetry, and the fits of the ghosts.
@@ -83,8 +85,8 @@ pub(super) fn extended(
     let fits = fits(real, &beyond, separated);
     let widened = |range: std::ops::Range<i32>| range.start - reach..range.end + reach;
     let inside = |cell: Cell| real.number(cell).is_some() || fits.contains_key(&cell);
-    let (columns, rows) = (widened(real.columns()), widened(real.rows()));
-    let filled = SquareLattice::new(real.spacing(), real.corner(), columns, rows, inside);
+    let ranges = [widened(real.columns()), widened(real.rows()), real.layers()];
+    let filled = SquareLattice::new(real.spacing(), real.corner(), ranges, inside);
     let areas: Vec<(Cell, f64)> =
         real.cut_cells().iter().map(|&(p, area)| (real.cell(p as usize), area)).collect();
     Ok((mirrors.extended(&filled.with_areas(&areas), reach), mirrors, fits))
@@ -136,8 +138,8 @@ impl StateBody {
             let (Some(middle), Some(own)) = (nearest(&self.real, ghost), self.lattice.number(ghost)) else {
                 continue;
             };
-            for (k, [a, b]) in self.families.offsets.iter().enumerate() {
-                let cell = [ghost[0] + a, ghost[1] + b];
+            for (k, step) in self.families.offsets.iter().enumerate() {
+                let cell = plus(ghost, *step);
                 if let Some(other) = self.lattice.number(cell)
                     && self.real.number(cell).is_some()
                     && separated(middle, cell)
@@ -157,8 +159,7 @@ impl StateBody {
 
     /// Upper end of the bond at an offset of the half.
     pub(super) fn upper(&self, offset: usize, lower: usize) -> Option<usize> {
-        let ([a, b], [column, row]) = (self.families.offsets[offset], self.lattice.cell(lower));
-        self.lattice.number([column + a, row + b])
+        self.lattice.number(plus(self.lattice.cell(lower), self.families.offsets[offset]))
     }
 
     /// Removes bonds from the families of their points; the term is to be made again.
@@ -180,7 +181,7 @@ impl StateBody {
         let steps: Vec<Offset<1>> = bonded
             .iter()
             .map(|&k| {
-                let [a, b] = families.offsets[k];
+                let [a, b, _] = families.offsets[k];
                 // 8 μ (V + V) w/q = a V/ξ².
                 let square = f64::from(a * a + b * b);
                 let weight = 16.0 * parameters.shear_modulus() * plain.weights[k] * square / plain.q;
@@ -213,13 +214,13 @@ impl StateBody {
     pub(super) fn dilatation_rows(&self, set: &super::weights::Set) -> Vec<[f64; 2]> {
         let scale = 2.0 / (set.q * self.lattice.spacing());
         let rows = self.families.offsets.iter().zip(&set.weights);
-        rows.map(|(o, w)| o.map(|k| scale * w * f64::from(k))).collect()
+        rows.map(|(o, w)| [0, 1].map(|k| scale * w * f64::from(o[k]))).collect()
     }
 
     /// `1/x` of the points that have a family.
     fn hoop_rows(&self) -> Vec<f64> {
         let of = |p: usize| match self.families.set_of[p] {
-            Some(_) => 1.0 / self.lattice.position(p)[0],
+            Some(_) => 1.0 / self.lattice.place(p)[0],
             None => 0.0,
         };
         (0..self.lattice.points()).map(of).collect()

@@ -8,6 +8,7 @@
 use super::super::plane::CriticalStretch;
 use super::StateBased;
 use super::body::StateBody;
+use crate::body::{Cell, plus};
 use crate::model::Breakable;
 use crate::stiffness::{Bonds, FamilyRows, Term};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
@@ -17,15 +18,15 @@ type Place = (usize, usize);
 
 impl StateBody {
     /// Ghosts that have two points in their fits between which one of some bonds was.
-    fn lost_ghosts(&self, bonds: &[Place]) -> Vec<[i32; 2]> {
-        let pairs: HashSet<[[i32; 2]; 2]> = bonds
+    fn lost_ghosts(&self, bonds: &[Place]) -> Vec<Cell> {
+        let pairs: HashSet<[Cell; 2]> = bonds
             .iter()
             .filter_map(|&(offset, lower)| {
                 let upper = self.upper(offset, lower)?;
                 Some([self.lattice.cell(lower), self.lattice.cell(upper)])
             })
             .collect();
-        let has_both = |fit: &[([i32; 2], f64)]| {
+        let has_both = |fit: &[(Cell, f64)]| {
             let cells = || fit.iter().map(|(cell, _)| *cell);
             cells().any(|a| cells().any(|b| pairs.contains(&[a, b])))
         };
@@ -33,7 +34,7 @@ impl StateBody {
     }
 
     /// Some bonds, with all bonds of the ghosts that go with them.
-    fn with_ghosts(&self, bonds: &[Place], ghosts: &[[i32; 2]]) -> Vec<Place> {
+    fn with_ghosts(&self, bonds: &[Place], ghosts: &[Cell]) -> Vec<Place> {
         let mut all: BTreeSet<Place> = bonds.iter().copied().collect();
         let half = self.families.offsets.len() / 2;
         // Images of a ghost go with it.
@@ -43,8 +44,8 @@ impl StateBody {
         };
         for &own in self.ghosts.iter().filter(|_| !ghosts.is_empty()).filter(is_lost) {
             let (own, cell) = (own as usize, self.lattice.cell(own as usize));
-            for (k, [a, b]) in self.families.offsets.iter().enumerate() {
-                let Some(other) = self.lattice.number([cell[0] + a, cell[1] + b]) else { continue };
+            for (k, step) in self.families.offsets.iter().enumerate() {
+                let Some(other) = self.lattice.number(plus(cell, *step)) else { continue };
                 all.insert(if k < half { (k, own) } else { (k - half, other) });
             }
         }
@@ -80,7 +81,7 @@ impl StateBased {
     }
 
     /// Bonds that go when some break.
-    fn gone(&self, bonds: &[u64]) -> (Vec<Place>, Vec<[i32; 2]>) {
+    fn gone(&self, bonds: &[u64]) -> (Vec<Place>, Vec<Cell>) {
         let places: Vec<Place> = bonds.iter().map(|&bond| self.place_of(bond)).collect();
         let ghosts = self.body.lost_ghosts(&places);
         (self.body.with_ghosts(&places, &ghosts), ghosts)
@@ -111,7 +112,7 @@ impl Breakable<2> for StateBased {
         let is_own = |p: usize| mirrors.is_none() || mirrors.is_real(lattice.cell(p));
         bonds.for_each_measured(u, |index, lower, [elongation]| {
             let k = bonded[index];
-            let [a, b] = lattice.vector(self.body.families.offsets[k]);
+            let [a, b, _] = lattice.vector(self.body.families.offsets[k]);
             let ratio = elongation / (a.hypot(b) * critical.0[k]);
             if ratio > 0.0 && is_own(lower) && self.body.upper(k, lower).is_some_and(is_own) {
                 visit((k * points + lower) as u64, ratio);

@@ -6,7 +6,7 @@
 use super::super::plane::PlaneFields;
 use super::body::{StateBody, cell_volume};
 use super::{Dilatation, StateParameters};
-use crate::body::SquareLattice;
+use crate::body::{Cell, SquareLattice, plus};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
@@ -32,14 +32,14 @@ impl StateBody {
         let Some(number) = self.families.set_of[point] else { return State::default() };
         let n = self.lattice.points();
         let set = &self.families.sets[number as usize];
-        let [column, row] = self.lattice.cell(point);
+        let cell = self.lattice.cell(point);
         let own = [u[point], u[n + point]];
         let (mut sums, mut squares) = ([0.0; 3], 0.0);
-        for (&[a, b], &w) in self.families.offsets.iter().zip(&set.weights) {
-            let Some(other) = self.lattice.number([column + a, row + b]).filter(|_| w != 0.0) else {
+        for (&step, &w) in self.families.offsets.iter().zip(&set.weights) {
+            let Some(other) = self.lattice.number(plus(cell, step)).filter(|_| w != 0.0) else {
                 continue;
             };
-            let (x, y) = (f64::from(a), f64::from(b));
+            let [x, y, _] = step.map(f64::from);
             let square = x * x + y * y;
             let stretch = (x * (u[other] - own[0]) + y * (u[n + other] - own[1])) / square;
             // e |ξ| n_a n_b = stretch ξ_a ξ_b.
@@ -52,7 +52,7 @@ impl StateBody {
         let [xx, yy, xy] = sums.map(|s| 8.0 / (set.q * spacing) * s);
         let half = 0.25 * (xx + yy);
         let across = match parameters.is_axisymmetric() {
-            true => own[0] / self.lattice.position(point)[0],
+            true => own[0] / self.lattice.place(point)[0],
             false => 0.0,
         };
         State {
@@ -68,7 +68,7 @@ impl StateBody {
             return states.iter().map(State::dilatation).collect();
         }
         let block = |p: usize| SquareLattice::parent(self.lattice.cell(p));
-        let mut sums: HashMap<[i32; 2], [f64; 2]> = HashMap::new();
+        let mut sums: HashMap<Cell, [f64; 2]> = HashMap::new();
         for (p, state) in states.iter().enumerate() {
             let volume = self.families.energy[p];
             let sum = sums.entry(block(p)).or_default();
@@ -120,7 +120,7 @@ impl StateBody {
             return;
         }
         for (cell, fit) in &self.fits {
-            let of = |(c, share): &([i32; 2], f64)| Some(share * values[self.lattice.number(*c)?]);
+            let of = |(c, share): &(Cell, f64)| Some(share * values[self.lattice.number(*c)?]);
             if let Some(ghost) = self.lattice.number(*cell) {
                 values[ghost] = fit.iter().filter_map(of).sum();
             }
@@ -162,13 +162,13 @@ impl StateBody {
                 return;
             }
             let set = &self.families.sets[number as usize];
-            let [column, row] = self.lattice.cell(point);
+            let cell = self.lattice.cell(point);
             let scale = energy / (set.q * self.lattice.spacing());
-            for (&[a, b], &w) in self.families.offsets.iter().zip(&set.weights) {
-                let Some(other) = self.lattice.number([column + a, row + b]).filter(|_| w != 0.0) else {
+            for (&step, &w) in self.families.offsets.iter().zip(&set.weights) {
+                let Some(other) = self.lattice.number(plus(cell, step)).filter(|_| w != 0.0) else {
                     continue;
                 };
-                let (x, y) = (f64::from(a), f64::from(b));
+                let [x, y, _] = step.map(f64::from);
                 let along = (s[0] * x * x + s[1] * y * y + 2.0 * s[2] * x * y) / (x * x + y * y);
                 let action = scale * w * (4.0 * along - s[0] - s[1]);
                 for (plane, part) in [(0, x), (n, y)] {

@@ -5,7 +5,7 @@
 //! affine fit. So a linear displacement goes on beyond an edge, and ghosts carry no energy of their own.
 
 use super::super::plane::Mirrors;
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, plus};
 use nalgebra::{Matrix3, Vector3};
 use std::collections::BTreeMap;
 
@@ -29,14 +29,16 @@ pub(super) fn outside(real: &SquareLattice, mirrors: &Mirrors, offsets: &[Cell])
     for run in real.runs() {
         let inner = |row: i32| {
             let wide = run.columns.start - reach..run.columns.end + reach;
-            real.runs_of(row).iter().any(|r| r.columns.start <= wide.start && wide.end <= r.columns.end)
+            real.runs_of(row, run.layer)
+                .iter()
+                .any(|r| r.columns.start <= wide.start && wide.end <= r.columns.end)
         };
         let is_inside = (run.row - reach..=run.row + reach).all(inner);
         if is_inside {
             continue;
         }
         for column in run.columns.clone() {
-            let beyond = offsets.iter().map(|o| [column + o[0], run.row + o[1]]);
+            let beyond = offsets.iter().map(|o| plus(run.cell(column), *o));
             cells.extend(beyond.filter(|&c| mirrors.is_real(c) && real.number(c).is_none()));
         }
         if cells.len() > 1 << 20 {
@@ -56,7 +58,7 @@ pub(super) fn fits(real: &SquareLattice, ghosts: &[Cell], separated: &Separated)
 }
 
 /// The cell of the body that is nearest to another, of several the first by row and column.
-pub(super) fn nearest(real: &SquareLattice, [column, row]: Cell) -> Option<Cell> {
+pub(super) fn nearest(real: &SquareLattice, [column, row, layer]: Cell) -> Option<Cell> {
     let rows = real.rows();
     let mut best: Option<(i64, Cell)> = None;
     let far = (rows.end - row).abs().max((row - rows.start).abs());
@@ -66,10 +68,10 @@ pub(super) fn nearest(real: &SquareLattice, [column, row]: Cell) -> Option<Cell>
             break;
         }
         for other in if step == 0 { vec![row] } else { vec![row - step, row + step] } {
-            for run in real.runs_of(other) {
+            for run in real.runs_of(other, layer) {
                 let at = column.clamp(run.columns.start, run.columns.end - 1);
                 let across = i64::from(at - column);
-                let found = (square + across * across, [at, other]);
+                let found = (square + across * across, run.cell(at));
                 if best.is_none_or(|b| (found.0, found.1[1], found.1[0]) < (b.0, b.1[1], b.1[0])) {
                     best = Some(found);
                 }
@@ -82,10 +84,10 @@ pub(super) fn nearest(real: &SquareLattice, [column, row]: Cell) -> Option<Cell>
 /// Shares of the points near `middle` in a ghost.
 fn affine(real: &SquareLattice, ghost: Cell, middle: Cell, separated: &Separated) -> Fit {
     let most = FIT.floor() as i32;
-    let near = (-most..=most).flat_map(|b| (-most..=most).map(move |a| [a, b]));
-    let near = near.filter(|[a, b]| f64::from(a * a + b * b) <= FIT * FIT);
+    let near = (-most..=most).flat_map(|b| (-most..=most).map(move |a| [a, b, 0]));
+    let near = near.filter(|[a, b, _]| f64::from(a * a + b * b) <= FIT * FIT);
     let cells: Vec<(Cell, Vector3<f64>, f64)> = near
-        .map(|[a, b]| ([middle[0] + a, middle[1] + b], [f64::from(a), f64::from(b)]))
+        .map(|step| (plus(middle, step), [f64::from(step[0]), f64::from(step[1])]))
         .filter(|(cell, _)| real.number(*cell).is_some() && !separated(middle, *cell))
         .map(|(cell, [x, y])| (cell, Vector3::new(1.0, x, y), (-(x * x + y * y) / (FADE * FADE)).exp()))
         .collect();
@@ -104,12 +106,12 @@ mod tests {
     use super::*;
 
     fn ring() -> Vec<Cell> {
-        (-3..=3).flat_map(|b| (-3..=3).map(move |a| [a, b])).filter(|c| *c != [0, 0]).collect()
+        (-3..=3).flat_map(|b| (-3..=3).map(move |a| [a, b, 0])).filter(|c| *c != [0; 3]).collect()
     }
 
     #[test]
     fn linear_displacements_go_on_beyond_edges_and_corners() {
-        let real = SquareLattice::new(1.0, [0.0; 2], 0..8, 0..7, |c| c != [4, 3]);
+        let real = SquareLattice::plane(1.0, [0.0; 2], 0..8, 0..7, |c| c != [4, 3]);
         let ghosts = outside(&real, &Mirrors::NONE, &ring());
         assert_eq!(ghosts.len(), 14 * 13 - 55);
         let fits = fits(&real, &ghosts, &|_, _| false);
@@ -125,7 +127,7 @@ mod tests {
     #[test]
     fn a_single_row_is_continued_along_itself() {
         let real = SquareLattice::rectangle(1.0, [0.0; 2], [9, 1]);
-        let fit = affine(&real, [-2, 0], nearest(&real, [-2, 0]).unwrap(), &|_, _| false);
+        let fit = affine(&real, [-2, 0, 0], nearest(&real, [-2, 0, 0]).unwrap(), &|_, _| false);
         assert!(fit.iter().all(|(cell, _)| cell[1] == 0));
         let linear: f64 = fit.iter().map(|(c, share)| share * f64::from(c[0])).sum();
         assert!((linear + 2.0).abs() < 1e-13);
@@ -134,10 +136,10 @@ mod tests {
     #[test]
     fn no_cell_beyond_a_mirror_is_a_ghost_and_no_fit_crosses_a_crack() {
         let real = SquareLattice::rectangle(1.0, [0.0; 2], [6, 6]);
-        let mirrors = Mirrors { columns: [Some(0), None], ..Mirrors::NONE };
+        let mirrors = Mirrors::in_plane([Some(0), None], [None; 2]);
         assert!(outside(&real, &mirrors, &ring()).iter().all(|c| c[0] >= 0));
         let apart = |a: Cell, b: Cell| (a[1] < 3) != (b[1] < 3);
-        let fit = affine(&real, [6, 3], [5, 3], &apart);
+        let fit = affine(&real, [6, 3, 0], [5, 3, 0], &apart);
         assert!(fit.iter().all(|(cell, _)| cell[1] >= 3));
     }
 }

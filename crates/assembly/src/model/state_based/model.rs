@@ -63,7 +63,7 @@ impl Points for StateBased {
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, y] = self.body.lattice.position(point);
+        let [x, y] = self.body.lattice.place(point);
         [x, y, 0.0]
     }
 
@@ -109,7 +109,8 @@ impl Model<2> for StateBased {
         let fit = |ghost: u32| body.fits.get(&body.lattice.cell(ghost as usize));
         let is_image = |ghost: u32| !body.mirrors.is_real(body.lattice.cell(ghost as usize));
         let images: Vec<u32> = body.ghosts.iter().copied().filter(|&ghost| is_image(ghost)).collect();
-        let mut of_images = body.mirrors.relations::<2>(&body.lattice, &images, |signs| signs).into_iter();
+        let mut of_images =
+            body.mirrors.relations::<2>(&body.lattice, &images, |[x, y, _]| [x, y]).into_iter();
         let of = |&ghost: &u32| {
             if is_image(ghost) {
                 return of_images.by_ref().take(2).collect::<Vec<_>>();
@@ -142,7 +143,7 @@ impl Solvable<2> for StateBased {
         // The axis comes back by itself.
         let mut mirrors = body.mirrors.coarser()?;
         if self.is_revolved() {
-            mirrors.columns[0] = None;
+            mirrors.lines[0][0] = None;
         }
         let half = offsets(parameters);
         let cut = |lattice: &SquareLattice| cuts(lattice, &half);

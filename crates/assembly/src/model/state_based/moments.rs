@@ -7,7 +7,7 @@ use nalgebra::{SMatrix, SVector};
 const RANK: f64 = 1e-10;
 
 /// `(1, cos 2φ, sin 2φ, cos 4φ, sin 4φ)` of a direction.
-fn harmonics([a, b]: Cell) -> SVector<f64, 5> {
+fn harmonics([a, b, _]: Cell) -> SVector<f64, 5> {
     let (x, y) = (f64::from(a), f64::from(b));
     let square = x * x + y * y;
     let (cos, sin) = ((x * x - y * y) / square, 2.0 * x * y / square);
@@ -15,7 +15,7 @@ fn harmonics([a, b]: Cell) -> SVector<f64, 5> {
 }
 
 /// Square of the length of an offset, spacings².
-fn squared([a, b]: Cell) -> f64 {
+fn squared([a, b, _]: Cell) -> f64 {
     f64::from(a * a + b * b)
 }
 
@@ -62,13 +62,13 @@ mod tests {
             (Influence::Linear, 4.0, 79.1935897369, 1.0012108169, 0.0476261763),
         ];
         for (influence, m, q, c0, c1) in table {
-            let half: Vec<Cell> = half_offsets(m).into_iter().filter(|&o| is_within(o, m)).collect();
+            let half: Vec<Cell> = half_offsets(m, 1).into_iter().filter(|&o| is_within(o, m)).collect();
             let offsets: Vec<Cell> = half.iter().copied().chain(half.iter().map(|o| o.map(|k| -k))).collect();
             let plain: Vec<f64> = offsets.iter().map(|&o| influence.at(length(o) / m)).collect();
             assert!((weighted_volume(&offsets, &plain) / q - 1.0).abs() < 1e-9, "{influence:?} {m}");
             let mut weights = plain.clone();
             correct(&offsets, &mut weights, weighted_volume(&offsets, &plain));
-            for (offset, factor) in [([1, 0], c0 + c1), ([1, 1], c0 - c1)] {
+            for (offset, factor) in [([1, 0, 0], c0 + c1), ([1, 1, 0], c0 - c1)] {
                 let k = offsets.iter().position(|o| *o == offset).unwrap();
                 assert!((weights[k] / plain[k] - factor).abs() < 1e-9, "{influence:?} {m} {offset:?}");
             }

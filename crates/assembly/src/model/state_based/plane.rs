@@ -39,7 +39,7 @@ impl PlaneModel for StateBased {
             ];
             for (point, offset) in ends {
                 let plain = &families.sets[0];
-                let of = |w: f64, [a, b]: Cell| w * f64::from(a * a + b * b) / plain.q;
+                let of = |w: f64, [a, b, _]: Cell| w * f64::from(a * a + b * b) / plain.q;
                 if families.set_of[point].is_some() {
                     gone[point] += of(plain.weights[offset], families.offsets[offset]);
                 }

@@ -6,7 +6,7 @@ use super::axis_table::AxisTable;
 use super::moments::{correct, weighted_volume};
 use super::weights::Set;
 use super::{Axis, Measure, StateEdges, StateError, StateParameters};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, plus};
 use std::f64::consts::TAU;
 
 /// What all families are made of.
@@ -62,13 +62,14 @@ impl<'a> Maker<'a> {
     /// What points have in common that share their weights: a class of columns, zero for all where the column does not
     /// matter, and which neighbours are there.
     pub(super) fn key(&self, point: usize) -> (i32, Vec<bool>) {
-        let [column, row] = self.lattice.cell(point);
+        let cell = self.lattice.cell(point);
+        let column = cell[0];
         let class = match (self.parameters.measure, self.table_column(column)) {
             (Measure::Published, _) => 1 + column,
             (_, Some((ring, _))) => 1 + ring as i32,
             _ => 0,
         };
-        let present = |o: &Cell| self.lattice.number([column + o[0], row + o[1]]).is_some();
+        let present = |o: &Cell| self.lattice.number(plus(cell, *o)).is_some();
         (class, self.offsets.iter().map(present).collect())
     }
 

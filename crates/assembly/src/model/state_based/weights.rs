@@ -3,7 +3,7 @@
 use super::super::plane::{half_offsets, is_within};
 use super::sets::Maker;
 use super::{StateEdges, StateError, StateParameters};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, plus};
 use std::collections::HashMap;
 
 /// Weights below this part of the largest one are what rounding leaves of zero.
@@ -36,7 +36,7 @@ pub(super) struct FamilyWeights {
 /// One of each pair of opposite offsets to the neighbours of a point.
 pub(super) fn offsets(parameters: &StateParameters) -> Vec<Cell> {
     let m = parameters.horizon_ratio;
-    half_offsets(m).into_iter().filter(|&o| is_within(o, m)).collect()
+    half_offsets(m, 1).into_iter().filter(|&o| is_within(o, m)).collect()
 }
 
 impl FamilyWeights {
@@ -92,12 +92,13 @@ impl FamilyWeights {
         let keeps = |p: usize| self.set_of[p].is_some() && from.binary_search(&p).is_err();
         let mut moved = Vec::new();
         for &point in from {
-            let [a, b] = lattice.cell(point);
+            let cell = lattice.cell(point);
             // Rings of growing size: corners are a few cells large.
             let found = (1..64).find_map(|reach: i32| {
-                let ring = (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| [i, j]));
-                let near = ring.filter(|[i, j]| i * i + j * j <= reach * reach);
-                let points = near.filter_map(|[i, j]| Some((i * i + j * j, lattice.number([a + i, b + j])?)));
+                let ring = (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| [i, j, 0]));
+                let near = ring.filter(|[i, j, _]| i * i + j * j <= reach * reach);
+                let points =
+                    near.filter_map(|s| Some((s[0] * s[0] + s[1] * s[1], lattice.number(plus(cell, s))?)));
                 points.filter(|(_, p)| keeps(*p)).min()
             });
             moved.extend(found.map(|(_, to)| (point, to)));

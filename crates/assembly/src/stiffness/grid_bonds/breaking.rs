@@ -2,6 +2,7 @@
 
 use super::shares::measure;
 use super::{CHUNK, GridBonds};
+use crate::body::plus;
 use crate::bonds::{BondModel, Mat, Rows};
 use crate::stiffness::Bond;
 use crate::stiffness::planes::planes;
@@ -14,7 +15,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         for chunk in self.chunks.all() {
             for (index, class) in self.classes.iter().enumerate() {
                 let factors = self.chunks.factors_of(chunk, index, 0);
-                self.lattice.shifted(chunk.row, &chunk.columns(), class.step, |columns, other| {
+                self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, other| {
                     let (k, width) = ((columns.start - chunk.from) as usize, columns.len());
                     let own = chunk.first as usize + k;
                     let lower: [&[f64]; D] = from_fn(|c| &u[c][own..own + width]);
@@ -36,8 +37,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// One bond, by index of its offset and lower point; none where there is no such bond.
     pub fn bond(&self, offset: usize, lower: usize) -> Option<Bond<D, M>> {
         let class = &self.classes[offset];
-        let [column, row] = self.lattice.cell(lower);
-        let upper = self.lattice.number([column + class.step[0], row + class.step[1]])?;
+        let upper = self.lattice.number(plus(self.lattice.cell(lower), class.step))?;
         let (chunk, k) = self.chunks.of(lower);
         let factor = self.chunks.factor(chunk, offset, k);
         let mean: Mat<M, D> = class.half_mean.map(|row| row.map(|v| 2.0 * v));

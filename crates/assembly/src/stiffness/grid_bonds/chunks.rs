@@ -1,6 +1,6 @@
 //! Points in chunks: stretches of at most 64 points of one row, their neighbours, and the factors of exceptional bonds.
 
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, plus};
 use std::ops::Range;
 
 /// Points per chunk: the inner loops run over one chunk of one offset.
@@ -25,7 +25,8 @@ pub struct Exception {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chunk {
     pub(super) first: u32,
-    pub(super) row: i32,
+    /// Row and layer.
+    pub(super) line: [i32; 2],
     pub(super) from: i32,
     pub(super) width: u32,
     /// Place of its neighbours in the table, where all of them exist.
@@ -56,7 +57,11 @@ pub(super) struct Chunks {
     all: Vec<Chunk>,
     /// Largest offset, rows or columns.
     reach: i32,
-    /// Per inner chunk and row `-reach..=reach`: number of the point in the chunk's first column.
+    /// Largest offset, layers; none in a plane.
+    layers: i32,
+    /// Place of the own line among those within the reach.
+    middle: usize,
+    /// Per inner chunk, layer `-layers..=layers` and row `-reach..=reach`: number of the point in the chunk's first column.
     neighbours: Vec<u32>,
     classes: usize,
     /// Per exceptional chunk, `[offset][upwards or downwards][point]`: factors of the bonds of its points as the lower
@@ -66,10 +71,13 @@ pub(super) struct Chunks {
 
 impl Chunks {
     pub(super) fn new(lattice: &SquareLattice, steps: &[Cell], exceptions: &[Exception]) -> Self {
-        let reach = steps.iter().flat_map(|s| s.map(i32::abs)).max().unwrap_or(0);
+        let reach = steps.iter().flat_map(|[a, b, _]| [a.abs(), b.abs()]).max().unwrap_or(0);
+        let layers = steps.iter().map(|step| step[2].abs()).max().unwrap_or(0);
         let mut chunks = Self {
             all: Vec::new(),
             reach,
+            layers,
+            middle: (layers * (2 * reach + 1) + reach) as usize,
             neighbours: Vec::new(),
             classes: steps.len(),
             factors: Vec::new(),
@@ -77,10 +85,10 @@ impl Chunks {
         for run in lattice.runs() {
             for from in run.columns.clone().step_by(CHUNK) {
                 let width = (run.columns.end - from).min(CHUNK as i32);
-                let neighbours = chunks.neighbours_of(lattice, run.row, &(from..from + width));
+                let neighbours = chunks.neighbours_of(lattice, run.line(), &(from..from + width));
                 chunks.all.push(Chunk {
                     first: run.number(from) as u32,
-                    row: run.row,
+                    line: run.line(),
                     from,
                     width: width as u32,
                     neighbours,
@@ -89,10 +97,7 @@ impl Chunks {
             }
         }
         for e in exceptions.iter().filter(|e| e.factor != 1.0) {
-            let [column, row] = lattice.cell(e.lower);
-            let step = steps[e.offset];
-            let upper = lattice.number([column + step[0], row + step[1]]);
-            if let Some(upper) = upper {
+            if let Some(upper) = lattice.number(plus(lattice.cell(e.lower), steps[e.offset])) {
                 chunks.multiply(2 * e.offset, e.lower, e.factor);
                 chunks.multiply(2 * e.offset + 1, upper, e.factor);
             }
@@ -101,11 +106,11 @@ impl Chunks {
     }
 
     /// Enters the neighbours of a chunk into the table if all of them exist.
-    fn neighbours_of(&mut self, lattice: &SquareLattice, row: i32, columns: &Range<i32>) -> u32 {
+    fn neighbours_of(&mut self, lattice: &SquareLattice, line: [i32; 2], columns: &Range<i32>) -> u32 {
         let (wide, begin) = (columns.start - self.reach..columns.end + self.reach, self.neighbours.len());
-        for other in row - self.reach..=row + self.reach {
+        for step in self.lines() {
             let mut whole = None;
-            lattice.shifted(other, &wide, [0, 0], |found, first| {
+            lattice.shifted(line, &wide, step, |found, first| {
                 if found == wide {
                     whole = Some(first as u32 + self.reach as u32);
                 }
@@ -117,6 +122,12 @@ impl Chunks {
             self.neighbours.push(number);
         }
         begin as u32
+    }
+
+    /// Steps to the lines within the reach.
+    pub(super) fn lines(&self) -> impl Iterator<Item = Cell> + use<> {
+        let (reach, layers) = (self.reach, self.layers);
+        (-layers..=layers).flat_map(move |layer| (-reach..=reach).map(move |row| [0, row, layer]))
     }
 
     pub(super) fn multiply(&mut self, plane: usize, point: usize, factor: f64) {
@@ -163,11 +174,12 @@ impl Chunks {
     /// Numbers of the points at an offset, upwards and downwards, from the first point of an inner chunk.
     #[inline(always)]
     pub(super) fn neighbours(&self, chunk: &Chunk, step: Cell) -> [usize; 2] {
-        let number = |[a, b]: Cell| {
-            let row = self.neighbours[chunk.neighbours as usize + (self.reach + b) as usize];
-            (i64::from(row) + i64::from(a)) as usize
-        };
-        [number(step), number([-step[0], -step[1]])]
+        let [along, across, layer] = step;
+        // In the table a line and its opposite are equally far from the middle.
+        let away = (layer * (2 * self.reach + 1) + across) as isize;
+        let middle = chunk.neighbours as usize + self.middle;
+        let number = |line: usize, along: i32| (i64::from(self.neighbours[line]) + i64::from(along)) as usize;
+        [number(middle.wrapping_add_signed(away), along), number(middle.wrapping_add_signed(-away), -along)]
     }
 
     /// Largest offset, rows or columns.

@@ -99,10 +99,9 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     #[inline(always)]
     fn ragged(&self, chunk: &Chunk, u: &[&[f64]; D], forces: &mut Forces<D>) {
         for (index, class) in self.classes.iter().enumerate() {
-            let [a, b] = class.step;
-            for (side, step) in [(0, [a, b]), (1, [-a, -b])] {
+            for (side, step) in [(0, class.step), (1, class.step.map(|k| -k))] {
                 let factors = self.chunks.factors_of(chunk, index, side);
-                self.lattice.shifted(chunk.row, &chunk.columns(), step, |columns, other| {
+                self.lattice.shifted(chunk.line, &chunk.columns(), step, |columns, other| {
                     let k = (columns.start - chunk.from) as usize;
                     let (own, width) = (chunk.first as usize + k, columns.len());
                     let own: [&[f64]; D] = from_fn(|c| &u[c][own..own + width]);

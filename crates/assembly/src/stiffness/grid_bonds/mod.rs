@@ -1,4 +1,4 @@
-//! Bonds of a square lattice by offset: nothing is stored per bond. One type for every plane lattice and every bond model.
+//! Bonds of a lattice by offset: nothing is stored per bond. One type for every lattice and every bond model.
 
 mod assemble;
 mod breaking;
@@ -21,7 +21,7 @@ use std::sync::Arc;
 /// The bonds of one offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Offset<const M: usize> {
-    /// From the lower point of a bond to the other, cells: up, or to the right in the same row.
+    /// From the lower point of a bond to the other, cells: to a higher layer, up in the same one, or to the right in the same row.
     pub step: Cell,
     /// Multiply the moduli of the bonds, >= 0.
     pub weights: [f64; M],
@@ -37,7 +37,7 @@ struct Class<const D: usize, const M: usize> {
     modulus: [f64; M],
 }
 
-/// Energy of the bonds of a square lattice, `E = Σ ½ f s·diag(moduli)·s`, the factor f of a bond one but for exceptions.
+/// Energy of the bonds of a lattice, `E = Σ ½ f s·diag(moduli)·s`, the factor f of a bond one but for exceptions.
 #[derive(Clone, Debug)]
 pub struct GridBonds<const D: usize, const M: usize, B> {
     lattice: Arc<SquareLattice>,
@@ -52,7 +52,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// multiply.
     ///
     /// # Panics
-    /// An offset does not go up, nor to the right in its row.
+    /// An offset does not go to a higher layer, nor up in its own, nor to the right in its row.
     pub fn new(
         lattice: Arc<SquareLattice>,
         model: &B,
@@ -60,10 +60,12 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         exceptions: &[Exception],
     ) -> Self {
         let class = |offset: &Offset<M>| {
-            let [a, b] = offset.step;
-            assert!(b > 0 || (b == 0 && a > 0), "an offset goes up, or to the right in its row");
-            let [x, y] = lattice.vector(offset.step);
-            let bond = BondGeometry { xi: [x, y, 0.0] };
+            let [a, b, c] = offset.step;
+            assert!(
+                [c, b, a] > [0; 3],
+                "an offset goes to a higher layer, up in its own, or to the right in its row"
+            );
+            let bond = BondGeometry { xi: lattice.vector(offset.step) };
             let (rows, moduli) = (model.rows(&bond), model.moduli(&bond));
             Class {
                 step: offset.step,
@@ -115,7 +117,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     pub fn for_each_bond(&self, mut visit: impl FnMut(usize, [usize; 2], f64)) {
         for chunk in self.chunks.all() {
             for (index, class) in self.classes.iter().enumerate() {
-                self.lattice.shifted(chunk.row, &chunk.columns(), class.step, |columns, other| {
+                self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, other| {
                     let k = (columns.start - chunk.from) as usize;
                     for (step, other) in (0..columns.len()).zip(other..) {
                         let factor = self.chunks.factor(chunk, index, k + step);
@@ -132,7 +134,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         let mut count = 0;
         for chunk in self.chunks.all() {
             for (index, class) in self.classes.iter().enumerate() {
-                self.lattice.shifted(chunk.row, &chunk.columns(), class.step, |columns, _| {
+                self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, _| {
                     let k = (columns.start - chunk.from) as usize;
                     count += match chunk.is_plain() {
                         true => columns.len(),
@@ -157,7 +159,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
         let mut reach = 0;
         for run in self.lattice.runs() {
             for class in &self.classes {
-                self.lattice.shifted(run.row, &run.columns, class.step, |columns, other| {
+                self.lattice.shifted(run.line(), &run.columns, class.step, |columns, other| {
                     reach = reach.max(other - run.number(columns.start));
                 });
             }
@@ -166,22 +168,23 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
     }
 
     fn join(&self, parts: &mut Parts) {
-        let plain: Vec<usize> = [[1, 0], [0, 1]]
+        let next = &[[1, 0, 0], [0, 1, 0], [0, 0, 1]][..if self.lattice.is_plane() { 2 } else { 3 }];
+        let plain: Vec<usize> = next
             .iter()
             .filter_map(|step| self.classes.iter().position(|c| c.step == *step && c.modulus != [0.0; M]))
             .collect();
         for chunk in self.chunks.all() {
             // Inside a body the bonds to the next points already join all that longer ones would.
-            let (all, inner) = (0..self.classes.len(), plain.len() == 2 && chunk.is_plain());
+            let (all, inner) = (0..self.classes.len(), plain.len() == next.len() && chunk.is_plain());
             let joined: Vec<usize> = if inner && chunk.is_inner() { plain.clone() } else { all.collect() };
             for index in joined {
                 let step = self.classes[index].step;
-                self.lattice.shifted(chunk.row, &chunk.columns(), step, |columns, other| {
+                self.lattice.shifted(chunk.line, &chunk.columns(), step, |columns, other| {
                     let k = (columns.start - chunk.from) as usize;
                     let first = chunk.first as usize + k;
-                    if chunk.is_plain() && step == [1, 0] {
+                    if chunk.is_plain() && step == [1, 0, 0] {
                         parts.join_run(first..=first + columns.len());
-                    } else if chunk.is_plain() && step == [0, 1] && chunk.is_inner() {
+                    } else if chunk.is_plain() && next[1..].contains(&step) && chunk.is_inner() {
                         parts.join(first, other);
                     } else {
                         let present = (0..columns.len())

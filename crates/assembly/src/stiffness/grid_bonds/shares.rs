@@ -77,7 +77,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
 
     /// The adjoint of [`sums`](Self::sums): adds the forces that do the work `Σ_points t·sums` for the `Q` planes `t`.
     ///
-    /// `spans` tells, for every row of the lattice, which columns can have t other than zero.
+    /// `spans` tells, for every row of every layer, which columns can have t other than zero.
     pub fn add_work<const Q: usize>(
         &self,
         t: &[f64],
@@ -141,11 +141,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
 
     /// Whether a point with a neighbour in the chunk, or in it, lies in the spans.
     fn is_near(&self, chunk: &Chunk, spans: &[Range<i32>]) -> bool {
-        let (reach, first) = (self.chunks.reach(), self.lattice.rows().start);
-        let columns = chunk.columns();
-        (chunk.row - reach..=chunk.row + reach).any(|row| {
-            let span = usize::try_from(row - first).ok().and_then(|k| spans.get(k));
-            span.is_some_and(|s| s.start < columns.end + reach && columns.start - reach < s.end)
+        let (reach, columns) = (self.chunks.reach(), chunk.columns());
+        self.chunks.lines().any(|[_, row, layer]| {
+            let line = self.lattice.line([chunk.line[0] + row, chunk.line[1] + layer]);
+            line.and_then(|line| spans.get(line))
+                .is_some_and(|s| s.start < columns.end + reach && columns.start - reach < s.end)
         })
     }
 
@@ -158,9 +158,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         mut visit: impl FnMut(usize, usize, usize, Range<usize>, Range<usize>),
     ) {
         for (index, class) in self.classes.iter().enumerate() {
-            let [a, b] = class.step;
-            for (side, step) in [(0, [a, b]), (1, [-a, -b])] {
-                self.lattice.shifted(chunk.row, &chunk.columns(), step, |columns, other| {
+            for (side, step) in [(0, class.step), (1, class.step.map(|k| -k))] {
+                self.lattice.shifted(chunk.line, &chunk.columns(), step, |columns, other| {
                     let (k, width) = ((columns.start - chunk.from) as usize, columns.len());
                     let own = chunk.first as usize + k;
                     visit(index, side, k, own..own + width, other..other + width);

@@ -27,7 +27,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         let mut survey = Survey::EMPTY;
         for (index, class) in self.classes.iter().enumerate() {
             let factors = self.chunks.factors_of(chunk, index, 0);
-            self.lattice.shifted(chunk.row, &chunk.columns(), class.step, |columns, other| {
+            self.lattice.shifted(chunk.line, &chunk.columns(), class.step, |columns, other| {
                 let k = (columns.start - chunk.from) as usize;
                 let (own, width) = (chunk.first as usize + k, columns.len());
                 let lower: [&[f64]; D] = from_fn(|c| &u[c][own..own + width]);

@@ -1,4 +1,5 @@
 use super::*;
+use crate::body::plus;
 use crate::bonds::Rows;
 use crate::stiffness::{Bond, Bonds};
 
@@ -41,14 +42,14 @@ impl BondModel<3, 3> for BeamLike {
 
 /// 150 × 12 cells with a hole and a ragged right side, so that all kinds of chunks occur.
 fn lattice() -> Arc<SquareLattice> {
-    let inside = |[i, j]: Cell| {
+    let inside = |[i, j]: [i32; 2]| {
         let hole = (i - 40).pow(2) + (j - 5).pow(2) < 9;
         !hole && i < 150 - j % 3
     };
-    Arc::new(SquareLattice::new(0.5, [0.0; 2], 0..150, 0..12, inside))
+    Arc::new(SquareLattice::plane(0.5, [0.0; 2], 0..150, 0..12, inside))
 }
 
-const STEPS: [Cell; 6] = [[1, 0], [2, 0], [0, 1], [1, 1], [-1, 1], [-2, 1]];
+const STEPS: [Cell; 6] = [[1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [-1, 1, 0], [-2, 1, 0]];
 
 fn offsets<const M: usize>() -> Vec<Offset<M>> {
     STEPS.iter().zip(1..).map(|(&step, k)| Offset { step, weights: [f64::from(k); M] }).collect()
@@ -76,9 +77,8 @@ fn listed<const D: usize, const M: usize, B: BondModel<D, M>>(
     let mut bonds = Vec::new();
     for (index, offset) in offsets::<1>().iter().enumerate() {
         for i in 0..lattice.points() {
-            let [a, b] = lattice.cell(i);
-            let Some(j) = lattice.number([a + offset.step[0], b + offset.step[1]]) else { continue };
-            let [x, y] = offset.step.map(|k| lattice.spacing() * f64::from(k));
+            let Some(j) = lattice.number(plus(lattice.cell(i), offset.step)) else { continue };
+            let [x, y, _] = offset.step.map(|k| lattice.spacing() * f64::from(k));
             let (sin, cos) = lattice.angle().sin_cos();
             let bond = BondGeometry { xi: [cos * x - sin * y, sin * x + cos * y, 0.0] };
             let mine = exceptions.iter().filter(|e| (e.offset, e.lower) == (index, i));
@@ -169,7 +169,7 @@ fn a_cut_through_all_bonds_makes_two_parts() {
     let mut cuts = Vec::new();
     for (offset, step) in STEPS.iter().enumerate() {
         for lower in 0..lattice.points() {
-            let [i, _] = lattice.cell(lower);
+            let [i, ..] = lattice.cell(lower);
             if (i < 120) != (i + step[0] < 120) {
                 cuts.push(Exception { offset, lower, factor: 0.0 });
             }

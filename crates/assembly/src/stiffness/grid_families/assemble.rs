@@ -1,6 +1,7 @@
 //! Families as blocks of the assembled stiffness.
 
 use super::GridFamilies;
+use crate::body::plus;
 use crate::bonds::Mat;
 use crate::stiffness::BlockMatrix;
 use std::collections::BTreeMap;
@@ -15,7 +16,7 @@ impl GridFamilies {
         let cell = self.lattice.cell(point);
         let mut own = [[0.0; 2]; 2];
         for (step, row) in self.family.steps.iter().zip(&self.family.sets[set as usize]) {
-            if let Some(other) = self.lattice.number([cell[0] + step[0], cell[1] + step[1]])
+            if let Some(other) = self.lattice.number(plus(cell, *step))
                 && *row != [0.0; 2]
             {
                 members.push((other, [*row, [0.0; 2]]));

@@ -1,4 +1,4 @@
-//! Means over blocks of two by two cells.
+//! Means over blocks of two by two cells, in several layers of eight.
 
 use super::GridFamily;
 use crate::body::SquareLattice;
@@ -14,13 +14,13 @@ pub(super) struct Blocks {
 
 impl Blocks {
     pub(super) fn new(lattice: &SquareLattice, family: &GridFamily) -> Self {
-        let mut placed: Vec<([i32; 2], u32)> = Vec::new();
+        let mut placed: Vec<([i32; 3], u32)> = Vec::new();
         for run in lattice.runs() {
             for column in run.columns.clone() {
                 let point = run.number(column);
                 if family.set_of[point].is_some() {
-                    let [column, row] = SquareLattice::parent([column, run.row]);
-                    placed.push(([row, column], point as u32));
+                    let [column, row, layer] = SquareLattice::parent(run.cell(column));
+                    placed.push(([layer, row, column], point as u32));
                 }
             }
         }

@@ -50,7 +50,7 @@ impl GridFamilies {
             if [a, b] == [0.0; 2] {
                 continue;
             }
-            self.lattice.shifted(stretch.row, &stretch.columns, step, |columns, other| {
+            self.lattice.shifted(stretch.line, &stretch.columns, step, |columns, other| {
                 let (k, width) = ((columns.start - stretch.columns.start) as usize, columns.len());
                 let own = stretch.first + k;
                 let (own_x, own_y) = (&x[own..own + width], &y[own..own + width]);
@@ -131,7 +131,7 @@ impl GridFamilies {
             if [a, b] == [0.0; 2] {
                 continue;
             }
-            self.lattice.shifted(stretch.row, &stretch.columns, step, |columns, other| {
+            self.lattice.shifted(stretch.line, &stretch.columns, step, |columns, other| {
                 let (k, width) = ((columns.start - stretch.columns.start) as usize, columns.len());
                 let own = stretch.first + k;
                 let sigma = &sigma[own..own + width];

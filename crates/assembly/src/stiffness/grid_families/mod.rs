@@ -1,4 +1,4 @@
-//! Families of a square lattice by offset: what a point and all neighbours within its horizon make together.
+//! Families of a lattice by offset: what a point and all neighbours within its horizon in the plane make together.
 //!
 //! A family has two measures: `ϑ_k = Σ_o d_o·(u_{k+o} − u_k)` with rows d per offset, and `h_k = a_k u_x,k`; its energy is
 //! `½ V_k s·C s`. Most points share one set of rows, so that inner loops run over stretches of points with nothing but
@@ -12,7 +12,7 @@ mod evaluate;
 mod tests;
 
 use super::{BlockMatrix, Parts, Survey, Term};
-use crate::body::{Cell, Run, SquareLattice};
+use crate::body::{Cell, Run, SquareLattice, minus};
 use crate::bonds::Mat;
 use blocks::Blocks;
 use std::collections::BTreeMap;
@@ -41,16 +41,20 @@ pub struct GridFamily {
     pub mean_modulus: f64,
 }
 
+/// A point of a family: its offset, cells, and its index among the steps; none of the point itself.
+type Measured = (Cell, Option<usize>);
+
 /// Consecutive points of one row with the same rows.
 #[derive(Clone, Debug)]
 struct Stretch {
     first: usize,
-    row: i32,
+    /// Row and layer.
+    line: [i32; 2],
     columns: Range<i32>,
     set: u32,
 }
 
-/// Consecutive rows: of two bands that are not next to each other no two families share a point.
+/// Consecutive rows, or where there are several consecutive layers: of two bands that are not next to each other no two families share a point.
 #[derive(Clone, Debug)]
 struct Band {
     /// Points of its rows.
@@ -107,35 +111,37 @@ impl GridFamilies {
         self.push(&stress, force);
     }
 
-    /// Offsets of points that a family can have in common, upwards or to the right, each with the offsets of both from the
+    /// Offsets of points that a family can have in common, those to points behind, each with the offsets of both from the
     /// point of the family.
-    fn shared_steps(&self) -> BTreeMap<Cell, Vec<[Cell; 2]>> {
-        let members = || std::iter::once([0, 0]).chain(self.family.steps.iter().copied());
-        let mut shared: BTreeMap<Cell, Vec<[Cell; 2]>> = BTreeMap::new();
+    fn shared_steps(&self) -> BTreeMap<Cell, Vec<[Measured; 2]>> {
+        let others = || self.family.steps.iter().enumerate().map(|(k, step)| (*step, Some(k)));
+        let members = || std::iter::once(([0; 3], None)).chain(others());
+        let mut shared: BTreeMap<Cell, Vec<[Measured; 2]>> = BTreeMap::new();
         for a in members() {
             for b in members() {
-                let step = [b[0] - a[0], b[1] - a[1]];
-                if step[1] > 0 || (step[1] == 0 && step[0] > 0) {
+                let step = minus(b.0, a.0);
+                if [step[2], step[1], step[0]] > [0; 3] {
                     shared.entry(step).or_default().push([a, b]);
                 }
             }
         }
         // Families in the middle of both are the most likely ones.
-        let far = |[a, b]: &[Cell; 2]| a.iter().chain(b).map(|k| k * k).sum::<i32>();
+        let far = |pair: &[Measured; 2]| pair.iter().flat_map(|member| member.0).map(|k| k * k).sum::<i32>();
         shared.values_mut().for_each(|pairs| pairs.sort_by_key(far));
         shared
     }
 
-    /// Whether the family of a cell measures the point at an offset from it.
-    fn has_member(&self, [column, row]: Cell, offset: Cell) -> bool {
-        let Some(set) = self.lattice.number([column, row]).and_then(|p| self.family.set_of[p]) else {
+    /// Whether the family of a cell measures two points, by their indices.
+    fn has_members(&self, cell: Cell, points: [Option<usize>; 2]) -> bool {
+        let Some(set) = self.lattice.number(cell).and_then(|p| self.family.set_of[p]) else {
             return false;
         };
         // A point without neighbours measures nothing, itself neither.
         let rows = &self.family.sets[set as usize];
-        let measured =
-            |(step, row): (&Cell, &[f64; 2])| *row != [0.0; 2] && (offset == [0, 0] || *step == offset);
-        self.family.steps.iter().zip(rows).any(measured)
+        points.into_iter().all(|point| match point {
+            Some(k) => rows[k] != [0.0; 2],
+            None => rows.iter().any(|row| *row != [0.0; 2]),
+        })
     }
 }
 
@@ -151,7 +157,7 @@ fn stretches(lattice: &SquareLattice, set_of: &[Option<u32>]) -> Vec<Stretch> {
                     stretches.extend(open.take());
                     open = set.map(|set| Stretch {
                         first: point,
-                        row: run.row,
+                        line: run.line(),
                         columns: column..column + 1,
                         set,
                     });
@@ -164,18 +170,19 @@ fn stretches(lattice: &SquareLattice, set_of: &[Option<u32>]) -> Vec<Stretch> {
 }
 
 fn bands(lattice: &SquareLattice, stretches: &[Stretch], reach: i32) -> Vec<Band> {
-    let rows = lattice.rows();
-    // Number of the first point at or behind a row.
+    // Points are numbered layer by layer.
+    let (axis, rows) = if lattice.is_plane() { (0, lattice.rows()) } else { (1, lattice.layers()) };
+    // Number of the first point at or behind a row, or a layer.
     let from = |row: i32| {
         let runs = lattice.runs();
-        runs.get(runs.partition_point(|r| r.row < row)).map_or(lattice.points(), |r| r.first)
+        runs.get(runs.partition_point(|r| r.line()[axis] < row)).map_or(lattice.points(), |r| r.first)
     };
     let height = (2 * reach).max(8);
     let mut bands = Vec::new();
     for start in rows.clone().step_by(height as usize) {
         let end = (start + height).min(rows.end);
-        let first = stretches.partition_point(|s| s.row < start);
-        let behind = stretches.partition_point(|s| s.row < end);
+        let first = stretches.partition_point(|s| s.line[axis] < start);
+        let behind = stretches.partition_point(|s| s.line[axis] < end);
         bands.push(Band {
             points: from(start)..from(end),
             reached: from(start - reach)..from(end + reach),
@@ -189,11 +196,10 @@ impl Term<2> for GridFamilies {
     fn couplings(&self, visit: &mut dyn FnMut(usize, usize)) {
         for (step, pairs) in self.shared_steps() {
             for run in self.lattice.runs() {
-                self.lattice.shifted(run.row, &run.columns, step, |columns, other| {
+                self.lattice.shifted(run.line(), &run.columns, step, |columns, other| {
                     for (k, column) in columns.clone().enumerate() {
-                        let shared = pairs.iter().any(|&[a, b]| {
-                            let family = [column - a[0], run.row - a[1]];
-                            self.has_member(family, a) && self.has_member(family, b)
+                        let shared = pairs.iter().any(|&[(from, a), (_, b)]| {
+                            self.has_members(minus(run.cell(column), from), [a, b])
                         });
                         if shared {
                             visit(run.number(column), other + k);
@@ -214,9 +220,10 @@ impl Term<2> for GridFamilies {
     fn reach(&self) -> usize {
         let most = self.family.steps.iter().flat_map(|s| s.map(i32::abs)).max().unwrap_or(0);
         let rows = 2 * most + i32::from(self.blocks.is_some());
+        let layers = if self.lattice.is_plane() { 0 } else { rows };
         let runs = self.lattice.runs();
         let reach = |run: &Run| {
-            let behind = runs.partition_point(|r| r.row <= run.row + rows);
+            let behind = runs.partition_point(|r| [r.layer, r.row] <= [run.layer + layers, run.row + rows]);
             runs[behind - 1].points().end - run.first
         };
         runs.iter().map(reach).max().unwrap_or(0)

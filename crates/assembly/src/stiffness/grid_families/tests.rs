@@ -1,17 +1,16 @@
 use super::*;
+use crate::body::plus;
 use crate::stiffness::Term;
 
-/// A ring of 8 neighbours, rows of the dilatation of a lattice of unit spacing, and a hole.
-fn families(mean_modulus: f64) -> (GridFamilies, usize) {
-    let lattice = SquareLattice::new(1.0, [0.0; 2], 0..14, 0..40, |c| c != [5, 6]);
-    let steps: Vec<Cell> =
-        (-1..=1).flat_map(|b| (-1..=1).map(move |a| [a, b])).filter(|s| *s != [0, 0]).collect();
-    let rows = |scale: f64| steps.iter().map(|s| s.map(|k| scale * f64::from(k))).collect();
+/// All next neighbours, rows of the dilatation of a lattice of unit spacing in the plane, and a hole.
+fn families(mean_modulus: f64, [rows, layers]: [i32; 2]) -> (GridFamilies, usize) {
+    let lattice = SquareLattice::new(1.0, [0.0; 3], [0..14, 0..rows, 0..layers], |c| c != [5, 6, 0]);
+    let up = if layers > 1 { 1 } else { 0 };
+    let all = (-up..=up).flat_map(|c| (-1..=1).flat_map(move |b| (-1..=1).map(move |a| [a, b, c])));
+    let steps: Vec<Cell> = all.filter(|s| *s != [0; 3]).collect();
+    let rows = |scale: f64| steps.iter().map(|s| [0, 1].map(|k| scale * f64::from(s[k]))).collect();
     let n = lattice.points();
-    let inner = |p: usize| {
-        let [a, b] = lattice.cell(p);
-        steps.iter().all(|s| lattice.number([a + s[0], b + s[1]]).is_some())
-    };
+    let inner = |p: usize| steps.iter().all(|s| lattice.number(plus(lattice.cell(p), *s)).is_some());
     let set_of = (0..n).map(|p| inner(p).then_some(u32::from(lattice.cell(p)[0] < 4))).collect();
     let family = GridFamily {
         steps: steps.clone(),
@@ -36,8 +35,8 @@ fn motion(n: usize, seed: u64) -> Vec<f64> {
 
 #[test]
 fn the_assembled_matrix_is_the_product() {
-    for mean_modulus in [0.0, 7.0] {
-        let (families, n) = families(mean_modulus);
+    for (mean_modulus, size) in [(0.0, [40, 1]), (7.0, [40, 1]), (0.0, [9, 11]), (7.0, [9, 11])] {
+        let (families, n) = families(mean_modulus, size);
         let u = motion(n, 3);
         let mut force = vec![0.0; 2 * n];
         families.add_force(&u, &mut force);

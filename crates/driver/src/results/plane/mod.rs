@@ -110,7 +110,7 @@ fn positions(scene: &PlaneScene, mut visit: impl FnMut([f64; 2])) {
     match scene.body() {
         PlaneBody::Lattice(lattice) => {
             for run in lattice.runs() {
-                run.columns.clone().for_each(|column| visit(lattice.centre([column, run.row])));
+                run.columns.clone().for_each(|column| visit(lattice.place_of(run.cell(column))));
             }
         }
         PlaneBody::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(*at)),

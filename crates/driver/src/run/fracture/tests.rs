@@ -39,7 +39,8 @@ fn cut_out(
     cells: &[[i32; 2]],
 ) -> bool {
     let (lattice, _) = plate.model.lattice().unwrap();
-    let points: Vec<usize> = cells.iter().map(|&cell| lattice.number(cell).unwrap()).collect();
+    let points: Vec<usize> =
+        cells.iter().map(|&cell| lattice.number([cell[0], cell[1], 0]).unwrap()).collect();
     let crosses = |&bond: &u64| {
         let [a, b] = plate.model.ends(bond);
         points.contains(&a) != points.contains(&b)
@@ -85,5 +86,8 @@ fn a_point_and_a_block_come_off_and_the_old_factor_finds_the_rest() {
     let (lattice, _) = plate.model.lattice().unwrap();
     let n = lattice.points();
     let off = block.iter().chain(&[[14, 8]]).flat_map(|&cell| (0..3).map(move |c| (cell, c)));
-    assert!(off.into_iter().all(|(cell, c)| unit.u[c * n + lattice.number(cell).unwrap()] == 0.0));
+    assert!(
+        off.into_iter()
+            .all(|(cell, c)| unit.u[c * n + lattice.number([cell[0], cell[1], 0]).unwrap()] == 0.0)
+    );
 }

@@ -28,7 +28,7 @@ impl Recovered {
         let Some((lattice, mirrors)) = scene.model.lattice() else { return };
         for &ghost in scene.model.ghosts() {
             let ghost = ghost as usize;
-            let (cell, [x, y]) = mirrors.image(lattice.cell(ghost));
+            let (cell, [x, y, _]) = mirrors.image(lattice.cell(ghost));
             let Some(real) = lattice.number(cell) else { continue };
             for (values, sign) in self.stress.iter_mut().zip([1.0, 1.0, x * y]) {
                 values[ghost] = sign * values[real];

@@ -3,7 +3,7 @@
 use super::PlaneResult;
 use crate::case::FieldName;
 use crate::scene::plane::PlaneScene;
-use peristat_assembly::body::{PlaneBody, SquareLattice};
+use peristat_assembly::body::{Cell, PlaneBody, SquareLattice, plus};
 
 /// A magnitude, and where it is.
 pub(crate) type Place = (f64, [f64; 2]);
@@ -34,10 +34,10 @@ pub(crate) fn steepest(scene: &PlaneScene, result: &PlaneResult) -> Steepest {
     let is_cut = |point: usize| damage.as_ref().is_some_and(|damage| damage[point] > 0.0);
     for run in lattice.runs() {
         for (column, point) in run.columns.clone().zip(run.points()).filter(|(_, point)| !is_cut(*point)) {
-            let [strain, rotation] = neighbours.at([column, run.row], point);
+            let [strain, rotation] = neighbours.at(run.cell(column), point);
             for (most, value) in [(&mut found.strain, strain), (&mut found.rotation, rotation)] {
                 if let Some(value) = value.filter(|value| most.is_none_or(|m| *value > m.0)) {
-                    *most = Some((value, lattice.position(point)));
+                    *most = Some((value, lattice.place(point)));
                 }
             }
         }
@@ -57,11 +57,12 @@ struct Neighbours<'a> {
 
 impl Neighbours<'_> {
     /// Largest magnitude of a strain at a point, and the rotation, where it has neighbours along both axes.
-    fn at(&self, [column, row]: [i32; 2], point: usize) -> [Option<f64>; 2] {
+    fn at(&self, cell: Cell, point: usize) -> [Option<f64>; 2] {
         let h = self.lattice.spacing();
         let slope = |values: &[f64], to: usize| (values[to] - values[point]) / h;
-        let next = [[1, 0], [0, 1]].map(|[i, j]| self.lattice.number([column + i, row + j]));
-        let axes = [[1, 0], [0, 1]].map(|step| self.lattice.vector(step).map(|x| x / h));
+        let steps = [[1, 0, 0], [0, 1, 0]];
+        let next = steps.map(|step| self.lattice.number(plus(cell, step)));
+        let axes = steps.map(|step| self.lattice.vector(step).map(|x| x / h));
         // Slope of the displacement along the axis `of` on the way along the axis `along`.
         let part = |of: usize, along: usize| {
             let to = next[along]?;
@@ -76,7 +77,7 @@ impl Neighbours<'_> {
             }
             ([x, y], _) => x.or(y).map(f64::abs),
         };
-        let hoop = if self.is_revolved { self.u[0][point] / self.lattice.position(point)[0] } else { around };
+        let hoop = if self.is_revolved { self.u[0][point] / self.lattice.place(point)[0] } else { around };
         let tilt = self.shell.map_or(0.0, |(w, radius)| {
             let [x, y] = next.map(|to| to.map_or(0.0, |to| slope(w, to)));
             x.hypot(y - self.u[1][point] / radius)
@@ -94,13 +95,13 @@ mod tests {
     fn of(slopes: [[f64; 2]; 2], shell: Option<f64>) -> [Option<f64>; 2] {
         let lattice = SquareLattice::rectangle(0.5, [2.0, 0.0], [2, 2]);
         let along = |k: usize| {
-            let at = |p: usize| lattice.position(p);
+            let at = |p: usize| lattice.place(p);
             (0..4).map(|p| slopes[k][0] * at(p)[0] + slopes[k][1] * at(p)[1]).collect::<Vec<f64>>()
         };
         let (x, y, w) = (along(0), along(1), [0.3; 4]);
         let shell = shell.map(|radius| (&w[..], radius));
         let neighbours = Neighbours { lattice: &lattice, u: [&x, &y], shell, is_revolved: false };
-        neighbours.at([0, 0], 0)
+        neighbours.at([0; 3], 0)
     }
 
     #[test]

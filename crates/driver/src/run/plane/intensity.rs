@@ -57,8 +57,8 @@ fn sides(scene: &PlaneScene, intensity: &Intensity) -> f64 {
         let at = lattice.corner()[axis] + f64::from(line) * lattice.spacing();
         vertices.iter().all(|v| (v[axis] - at).abs() <= 1e-6 * lattice.spacing())
     };
-    let lines = [mirrors.columns, mirrors.rows];
-    let mut all = (0..2).flat_map(|axis| lines[axis].into_iter().flatten().map(move |line| (axis, line)));
+    let mut all =
+        (0..2).flat_map(|axis| mirrors.lines[axis].into_iter().flatten().map(move |line| (axis, line)));
     if all.any(|(axis, line)| lies_on(axis, line)) { 2.0 } else { 1.0 }
 }
 

@@ -107,7 +107,8 @@ pub(super) fn of_mirrors(
     let Some((lattice, mirrors)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
         return Vec::new();
     };
-    let lines = mirrors.lines();
+    let [columns, rows, _] = mirrors.lines;
+    let lines = [columns, rows];
     let mut sums = [const { None }; 4];
     for (k, line) in lines.as_flattened().iter().enumerate() {
         // Nothing goes through the axis of a body of revolution.

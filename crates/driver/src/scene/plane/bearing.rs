@@ -7,7 +7,7 @@ use super::rigid::RigidPoints;
 use super::root;
 use crate::case::Case;
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::body::{Cell, PlaneBody, SquareLattice};
+use peristat_assembly::body::{Cell, PlaneBody, SquareLattice, plus};
 use peristat_assembly::model::plane::Mirrors;
 use std::collections::HashSet;
 
@@ -100,16 +100,16 @@ pub(super) fn on_lattice(
         for point in (0..lattice.points()).filter(|&p| is_in(lattice.cell(p))) {
             let cell = lattice.cell(point);
             let (image, signs) = mirrors.image(cell);
-            let at = real.centre(image);
-            for (k, &[i, j]) in offsets.iter().enumerate() {
-                for step in [[i, j], [-i, -j]] {
-                    let other = [cell[0] + step[0], cell[1] + step[1]];
+            let at = real.place_of(image);
+            for (k, &offset) in offsets.iter().enumerate() {
+                for step in [offset, offset.map(|k| -k)] {
+                    let other = plus(cell, step);
                     let Some(number) = lattice.number(other).filter(|_| !is_in(other)) else { continue };
                     // An image sees what its point sees, mirrored.
                     let along = lattice.vector(step);
                     let seen = [0, 1].map(|c| at[c] + signs[c] * along[c] - bearing.centre[c]);
                     if bearing.lets_go(seen) {
-                        cuts.push((k, if step == [i, j] { point } else { number }));
+                        cuts.push((k, if step == offset { point } else { number }));
                     }
                 }
             }
@@ -162,9 +162,9 @@ mod tests {
     fn only_bonds_to_other_points_in_front_of_the_region_stay() {
         // Two points in the middle of 5 × 4 cells that press upwards.
         let lattice = SquareLattice::rectangle(1.0, [0.0; 2], [6, 5]);
-        let points: Vec<u32> = [[2, 2], [3, 2]].map(|c| lattice.number(c).unwrap() as u32).into();
+        let points: Vec<u32> = [[2, 2, 0], [3, 2, 0]].map(|c| lattice.number(c).unwrap() as u32).into();
         let pin = bearing(points.clone(), [3.0, 2.5], 60.0);
-        let offsets = [[1, 0], [0, 1], [1, 1], [-1, 1]];
+        let offsets = [[1, 0, 0], [0, 1, 0], [1, 1, 0], [-1, 1, 0]];
         let cuts = on_lattice(&[pin], (&lattice, &lattice), &Mirrors::NONE, &offsets);
         // Each point has eight bonds, one of them to the other, and three upwards. Of those the one to [1, 3], seen at
         // atan 1.5/1 = 56.3 degrees, still is in front.
@@ -178,22 +178,21 @@ mod tests {
         let (columns, rows) = (6, 5);
         let whole = SquareLattice::rectangle(1.0, [-6.0, 0.0], [2 * columns, rows]);
         let half = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
-        let mirrors = Mirrors { columns: [Some(0), None], ..Mirrors::NONE };
+        let mirrors = Mirrors::in_plane([Some(0), None], [None; 2]);
         let extended = mirrors.extended(&half, 2);
-        let pin = |lattice: &SquareLattice, cells: [Cell; 2], x: f64| {
-            let points = cells.map(|c| lattice.number(c).unwrap() as u32).into();
+        let pin = |lattice: &SquareLattice, columns: [i32; 2], x: f64| {
+            let points = columns.map(|i| lattice.number([i, 2, 0]).unwrap() as u32).into();
             bearing(points, [x, 2.5], 50.0)
         };
-        let offsets = [[1, 0], [2, 0], [0, 1], [1, 1], [-1, 1], [2, 1]];
-        let both = [pin(&whole, [[7, 2], [8, 2]], 2.0), pin(&whole, [[3, 2], [4, 2]], -2.0)];
+        let offsets = [[1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [-1, 1, 0], [2, 1, 0]];
+        let both = [pin(&whole, [7, 8], 2.0), pin(&whole, [3, 4], -2.0)];
         let expected = on_lattice(&both, (&whole, &whole), &Mirrors::NONE, &offsets);
-        let one = [pin(&half, [[1, 2], [2, 2]], 2.0)];
+        let one = [pin(&half, [1, 2], 2.0)];
         let found = on_lattice(&one, (&extended, &half), &mirrors, &offsets);
         // Bonds by their ends, in the part of the whole lattice that the half one has with its images.
         let ends = |lattice: &SquareLattice, shift: i32, (k, lower): (usize, usize)| {
-            let [i, j] = lattice.cell(lower);
-            let [a, b]: Cell = offsets[k];
-            [[i - shift, j], [i - shift + a, j + b]]
+            let first = plus(lattice.cell(lower), [-shift, 0, 0]);
+            [first, plus(first, offsets[k])]
         };
         let known = |e: &[Cell; 2]| e.iter().all(|&c| extended.number(c).is_some());
         let expected: HashSet<_> = expected.into_iter().map(|c| ends(&whole, 6, c)).filter(known).collect();

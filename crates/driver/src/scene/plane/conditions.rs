@@ -151,7 +151,7 @@ mod tests {
 
     /// Displacements of a rigid motion about a centre.
     fn motion(lattice: &SquareLattice, [a, b, turn]: [f64; 3], centre: [f64; 2]) -> Vec<f64> {
-        let at = |p: usize| lattice.position(p);
+        let at = |p: usize| lattice.place(p);
         let x = (0..lattice.points()).map(|p| a - turn * (at(p)[1] - centre[1]));
         let y = (0..lattice.points()).map(|p| b + turn * (at(p)[0] - centre[0]));
         x.chain(y).collect()
@@ -163,7 +163,7 @@ mod tests {
             let lattice = SquareLattice::rectangle(0.3, [1.0, 2.0], size);
             let conditions = region(&lattice, [None; 3]);
             let constraints =
-                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.position(p))).unwrap();
+                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.place(p))).unwrap();
             assert_eq!(constraints.rows().len(), 2 * lattice.points() - 3, "{size:?}");
             // What a rigid motion leaves of the equations is rounding.
             let expected = motion(&lattice, [0.3, -0.5, 0.8], [0.1, 0.2]);
@@ -182,7 +182,7 @@ mod tests {
         for prescribed in [[None; 3], [Some(0.1), Some(-0.2), Some(0.4)]] {
             let conditions = Conditions { turning: Some(turning), ..region(&lattice, prescribed) };
             let constraints =
-                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.position(p))).unwrap();
+                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.place(p))).unwrap();
             let free = prescribed.iter().filter(|p| p.is_none()).count();
             assert_eq!(constraints.rows().len(), 3 * lattice.points() - free);
             let mut expected = motion(&lattice, [0.1, -0.2, 0.4], [0.7, -0.2]);
@@ -200,14 +200,14 @@ mod tests {
     fn prescribed_motions_are_those_of_the_centre() {
         let lattice = SquareLattice::rectangle(0.5, [0.0; 2], [3, 4]);
         let conditions = region(&lattice, [Some(0.1), Some(-0.2), Some(0.3)]);
-        let equations = conditions.equations(&|p| lattice.position(p));
+        let equations = conditions.equations(&|p| lattice.place(p));
         let constraints = Constraints::new(lattice.points(), &equations).unwrap();
         let mut u = vec![0.0; 2 * lattice.points()];
         constraints.expand(1.0, &mut u);
         let expected = motion(&lattice, [0.1, -0.2, 0.3], [0.7, -0.2]);
         assert!(u.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-14), "{u:?} {expected:?}");
         // A pin turns: ux and uy of its centre leave one unknown.
-        let pin = region(&lattice, [Some(0.1), Some(-0.2), None]).equations(&|p| lattice.position(p));
+        let pin = region(&lattice, [Some(0.1), Some(-0.2), None]).equations(&|p| lattice.place(p));
         let rows = Constraints::new(lattice.points(), &pin).unwrap().rows().len();
         assert_eq!(rows, 2 * lattice.points() - 1);
     }

@@ -264,7 +264,7 @@ pub(super) fn inside(traction: &OnBorder, context: &Context) -> [bool; 2] {
     let mirrors = context.symmetry.mirrors;
     let (sum, size) = sums(&lump::forces(traction, context));
     [0, 1].map(|axis| {
-        let is_mirrored = mirrors.lines()[axis] != [None; 2] && !mirrors.joined[axis];
+        let is_mirrored = mirrors.lines[axis] != [None; 2] && !mirrors.joined[axis];
         is_mirrored && sum[axis].abs() <= 1e-10 * size[0].max(size[1])
     })
 }

@@ -4,7 +4,7 @@
 //! other, as if there were material. A crack drawn along it cuts them.
 
 use super::PlaneScene;
-use peristat_assembly::body::{CRACK_SLACK, Cell, SquareLattice};
+use peristat_assembly::body::{CRACK_SLACK, Cell, SquareLattice, plus};
 use peristat_assembly::model::plane::Edges;
 
 /// A place in a gap and the width of the gap in cells, if gaps narrower than the horizon go on for as long as two horizons.
@@ -16,7 +16,7 @@ pub(super) fn narrow(scene: &PlaneScene) -> Option<([f64; 2], i32)> {
         return None;
     }
     let reach = scene.recipe.bonds.horizon_ratio().floor() as i32;
-    let along = [[1, 0], [0, 1]].map(|step| places(scene, lattice, step, reach));
+    let along = [[1, 0, 0], [0, 1, 0]].map(|step| places(scene, lattice, step, reach));
     let found = along.into_iter().find(|places| places.len() as i32 >= 2 * reach)?;
     found.get(found.len() / 2).copied()
 }
@@ -29,12 +29,12 @@ fn places(scene: &PlaneScene, lattice: &SquareLattice, step: Cell, reach: i32) -
         // Along rows only the end of a run can be beside a gap.
         let from = if step[1] == 0 { run.columns.end - 1 } else { run.columns.start };
         for column in from..run.columns.end {
-            let at = |k: i32| [column + k * step[0], run.row + k * step[1]];
+            let at = |k: i32| plus(run.cell(column), step.map(|s| k * s));
             if lattice.number(at(1)).is_some() {
                 continue;
             }
             let Some(width) = (2..=reach).find(|&k| lattice.number(at(k)).is_some()) else { continue };
-            let [a, b] = [0, width].map(|k| lattice.centre(at(k)));
+            let [a, b] = [0, width].map(|k| lattice.place_of(at(k)));
             if !scene.cracks.iter().any(|c| c.crack.cuts(a, b, slack)) {
                 found.push(([0, 1].map(|k| 0.5 * (a[k] + b[k])), width - 1));
             }

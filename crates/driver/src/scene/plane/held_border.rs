@@ -5,7 +5,7 @@
 //! uniform stress goes into the support undisturbed.
 
 use super::boundary::{Sample, Stretch};
-use peristat_assembly::body::SquareLattice;
+use peristat_assembly::body::{SquareLattice, plus};
 use peristat_assembly::model::plane::PlaneModel;
 use std::collections::BTreeMap;
 
@@ -71,11 +71,11 @@ fn owned(samples: &[Sample], points: &[u32], lattice: &SquareLattice) -> BTreeMa
 /// The nearest of some points to a position.
 fn nearest<T>(at: [f64; 2], among: &BTreeMap<u32, T>, lattice: &SquareLattice) -> Option<u32> {
     let distance = |point: &u32| {
-        let [x, y] = lattice.position(*point as usize);
+        let [x, y] = lattice.place(*point as usize);
         (x - at[0]).hypot(y - at[1])
     };
-    let [i, j] = lattice.in_cells(at).map(|x| x.floor() as i32);
-    let around = (-BEHIND..=BEHIND).flat_map(|b| (-BEHIND..=BEHIND).map(move |a| [i + a, j + b]));
+    let cell = lattice.cell_at(at);
+    let around = (-BEHIND..=BEHIND).flat_map(|b| (-BEHIND..=BEHIND).map(move |a| plus(cell, [a, b, 0])));
     let near = around.filter_map(|cell| Some(lattice.number(cell)? as u32)).filter(|p| among.contains_key(p));
     let by = |a: &u32, b: &u32| distance(a).total_cmp(&distance(b));
     near.min_by(by).or_else(|| among.keys().copied().min_by(by))

@@ -6,7 +6,7 @@
 //! For a linear field this is the displacement of the edge.
 
 use super::bonds::PlaneBonds;
-use peristat_assembly::body::{Cell, Edge, SquareLattice};
+use peristat_assembly::body::{Cell, Edge, SquareLattice, plus};
 use peristat_assembly::model::plane::{Edges, Mirrors};
 use std::cell::OnceCell;
 
@@ -26,7 +26,7 @@ impl HeldEdge {
             return None;
         }
         let axis = edge.normal.iter().position(|n| n.abs() > 1.0 - 1e-12)?;
-        let mut inward = [0; 2];
+        let mut inward = [0; 3];
         inward[axis] = if edge.normal[axis] > 0.0 { -1 } else { 1 };
         // Where the edge lies between the centres of cells.
         let at = (edge.from[axis] - lattice.corner()[axis]) / lattice.spacing();
@@ -50,8 +50,8 @@ impl HeldEdge {
     pub(super) fn chains(&self, lattice: &SquareLattice, points: &[u32]) -> Vec<Vec<u32>> {
         let depth = self.shares.iter().map(Vec::len).max().unwrap_or(1) as i32;
         let chain = |&point: &u32| {
-            let [column, row] = lattice.cell(point as usize);
-            let behind = |k: i32| lattice.number([column + k * self.inward[0], row + k * self.inward[1]]);
+            let cell = lattice.cell(point as usize);
+            let behind = |k: i32| lattice.number(plus(cell, self.inward.map(|step| k * step)));
             let chain: Option<Vec<u32>> = (1..depth).map(|k| behind(k).map(|p| p as u32)).collect();
             chain.filter(|c| c.iter().all(|p| points.binary_search(p).is_err())).unwrap_or_default()
         };
@@ -104,7 +104,7 @@ fn shares(bonds: &PlaneBonds) -> Option<[Vec<f64>; 2]> {
         let mut force = vec![0.0; body.components().len() * n];
         body.add_stress_load(None, &|_| stress, &mut force);
         body.fold(&mut force);
-        let at = |column: i32| lattice.number([column, rows / 2]).map(|p| force[component * n + p]);
+        let at = |column: i32| lattice.number([column, rows / 2, 0]).map(|p| force[component * n + p]);
         let forces: Vec<f64> = (0..columns / 2).map(at).collect::<Option<_>>()?;
         let total: f64 = forces.iter().sum();
         let last = forces.iter().rposition(|f| f.abs() > ROUNDING * total.abs())?;
@@ -152,7 +152,7 @@ mod tests {
             let bonds = bonds(horizon_ratio);
             let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
             let lattice = outline.fill(1.0).unwrap();
-            for (name, inward) in [("left", [1, 0]), ("top", [0, -1])] {
+            for (name, inward) in [("left", [1, 0, 0]), ("top", [0, -1, 0])] {
                 let held =
                     HeldEdge::new(outline.edge(name).unwrap(), &lattice, &EdgeShares::new(&bonds)).unwrap();
                 assert_eq!(held.inward, inward);
@@ -195,7 +195,7 @@ mod tests {
                 for columns in 1..10 {
                     let (lattice, thin) = held(f64::from(columns));
                     let points: Vec<u32> =
-                        (0..4).map(|row| lattice.number([0, row]).unwrap() as u32).collect();
+                        (0..4).map(|row| lattice.number([0, row, 0]).unwrap() as u32).collect();
                     let found = thin.chains(&lattice, &points);
                     assert_eq!(found, wide.chains(&lattice, &points), "{horizon_ratio} {columns}");
                 }

@@ -56,9 +56,9 @@ impl Interpolation<'_> {
         blocks.into_iter().find_map(|block| {
             let share = [0, 1].map(|k| at[k] - block[k]);
             let corner = |[i, j]: [usize; 2]| {
-                let cell: Cell = [block[0] as i32 + i as i32, block[1] as i32 + j as i32];
+                let cell: Cell = [block[0] as i32 + i as i32, block[1] as i32 + j as i32, 0];
                 let point = lattice.number(cell)?;
-                let seen = self.sees(position, lattice.centre(cell));
+                let seen = self.sees(position, lattice.place_of(cell));
                 let along = |k: usize, side: usize| if side == 1 { share[k] } else { 1.0 - share[k] };
                 seen.then_some((point as u32, along(0, i) * along(1, j)))
             };
@@ -116,7 +116,7 @@ impl Interpolation<'_> {
         let low = across.floor();
         let line = |column: f64| {
             let cell = |k: i32| {
-                let mut cell = [column as i32; 2];
+                let mut cell = [column as i32, column as i32, 0];
                 cell[axis] = k;
                 cell
             };

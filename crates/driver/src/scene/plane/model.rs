@@ -51,7 +51,7 @@ impl Recipe {
                 };
                 let slack = CRACK_SLACK * lattice.spacing();
                 let separated = |a: Cell, b: Cell| {
-                    let ends = [lattice.centre(a), lattice.centre(b)];
+                    let ends = [lattice.place_of(a), lattice.place_of(b)];
                     cracks.iter().any(|crack| crack.cuts(ends[0], ends[1], slack))
                 };
                 let mut body = self.bonds.on_lattice(lattice, mirrors, &cuts, &separated)?;

@@ -136,7 +136,7 @@ fn faces(lattice: &SquareLattice, axis: usize, plane: f64, along: f64) -> Option
 
 /// The two points of a row that are nearest to a place, and the shares with which they extrapolate to it.
 fn in_row(lattice: &SquareLattice, axis: usize, row: i32, along: f64) -> Option<[(u32, f64); 2]> {
-    let cell = |k: i32| -> Cell { if axis == 0 { [row, k] } else { [k, row] } };
+    let cell = |k: i32| -> Cell { if axis == 0 { [row, k, 0] } else { [k, row, 0] } };
     let reach = (along - FARTHEST).ceil() as i32..=(along + FARTHEST).floor() as i32;
     let mut near: Vec<(f64, u32)> =
         reach.filter_map(|k| Some((f64::from(k), lattice.number(cell(k))? as u32))).collect();
@@ -159,7 +159,7 @@ mod tests {
         let mut faults = Faults::default();
         let found = opening(position, &on, &JsonPath::default(), &mut faults);
         let Some(Quantity::Opening { component, weights }) = found else { panic!("{faults:?}") };
-        weights.iter().map(|&(p, w)| w * field(lattice.position(p as usize))[component]).sum()
+        weights.iter().map(|&(p, w)| w * field(lattice.place(p as usize))[component]).sum()
     }
 
     #[test]

@@ -145,7 +145,7 @@ fn completed(
             _ if ratio >= f64::from(FARTHEST + 1) => {
                 ("the horizon is too long to follow it", "use a horizon of ten spacings at most")
             }
-            [false, false] => (
+            [false, false, _] => (
                 "single rows and thin tips do not tell how it moves",
                 "round off tips, or use a smaller spacing",
             ),

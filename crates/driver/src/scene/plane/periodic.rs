@@ -129,8 +129,8 @@ mod tests {
     fn both_sides_are_joined() {
         let mut symmetry = Symmetry::default();
         assert!(!joined(&json!([{ "along": "y" }]), &mut symmetry).has_errors());
-        assert_eq!(symmetry.mirrors.joined, [false, true]);
-        assert_eq!(symmetry.mirrors.lines(), [[None, None], [Some(0), Some(2)]]);
+        assert_eq!(symmetry.mirrors.joined, [false, true, false]);
+        assert_eq!(symmetry.mirrors.lines, [[None; 2], [Some(0), Some(2)], [None; 2]]);
         assert!(symmetry.joins("bottom") && symmetry.joins("top") && !symmetry.joins("left"));
     }
 

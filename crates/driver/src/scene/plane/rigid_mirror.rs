@@ -23,7 +23,7 @@ pub(super) fn check(rigid: &[RigidPoints], recipe: &Recipe, faults: &mut Faults)
                 low.is_some_and(|l| at == l) || high.is_some_and(|h| at + 1 == h)
             })
         };
-        let met = [reaches(0, mirrors.columns), reaches(1, mirrors.rows)];
+        let met = [0, 1].map(|axis| reaches(axis, mirrors.lines[axis]));
         if met == [false; 2] {
             continue;
         }

@@ -155,7 +155,7 @@ pub(super) fn pressure(
     }
     let mirrors = context.symmetry.mirrors;
     // The hoop stress that goes with a pressure pulls at sides that are free.
-    let goes_on = mirrors.joined[1] || mirrors.rows.iter().all(Option::is_some);
+    let goes_on = mirrors.joined[1] || mirrors.lines[1].iter().all(Option::is_some);
     let usual = match shell.calibration {
         Calibration::Matched if goes_on => LoadSharing::Consistent,
         _ => LoadSharing::Lumped,
@@ -272,7 +272,7 @@ fn ends(scene: &PlaneScene, lattice: &SquareLattice) -> EndConditions {
     }
     let mut ends = EndConditions::default();
     for (column, counts) in counts {
-        let x = lattice.centre([column, real.rows().start])[0];
+        let x = lattice.place_of([column, real.rows().start, 0])[0];
         if counts[0] >= rows {
             ends.hold_axial();
         }

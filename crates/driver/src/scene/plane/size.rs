@@ -98,7 +98,7 @@ pub(super) fn fits(
 /// a single one no more than of the body.
 fn images(mirrors: &Mirrors, lattice: &SquareLattice, m: f64) -> f64 {
     let sides = [lattice.columns().len() as f64, lattice.rows().len() as f64];
-    let grown = mirrors.lines().into_iter().zip(sides).map(|(lines, n)| match lines {
+    let grown = mirrors.lines.into_iter().zip(sides).map(|(lines, n)| match lines {
         [None, None] => 1.0,
         [Some(_), Some(_)] => 1.0 + 2.0 * m / n,
         _ => 1.0 + (m / n).min(1.0),

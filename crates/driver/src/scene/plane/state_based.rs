@@ -259,7 +259,7 @@ fn warn_of_single_rows(parameters: &StateParameters, scene: &PlaneScene, faults:
         Geometry::PlaneStrain(_) => (1.0 - nu) * (1.0 - nu) / (1.0 - 2.0 * nu),
         Geometry::Axisymmetric => return,
     };
-    let lines = scene.recipe.symmetry.mirrors.lines();
+    let lines = scene.recipe.symmetry.mirrors.lines;
     let is_single = |across: usize| {
         let extent = [lattice.columns(), lattice.rows()][across].len();
         extent == 1 && lines[across].iter().all(Option::is_none)

@@ -61,7 +61,7 @@ pub(super) fn statical(model: &dyn PlaneModel) -> [bool; 3] {
     }
     let mirrors = model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
     match model.component("w").is_some() {
-        true => [true, false, mirrors.joined[1] || mirrors.rows == [None; 2]],
+        true => [true, false, mirrors.joined[1] || mirrors.lines[1] == [None; 2]],
         false => [true, true, mirrors.is_none()],
     }
 }
@@ -83,7 +83,7 @@ pub(super) fn resultant(model: &dyn PlaneModel, bonds: &PlaneBonds, forces: &[f6
         if let Some((lattice, mirrors)) = lattice {
             let (cell, signs) = mirrors.image(lattice.cell(point));
             (0..2).for_each(|k| force[k] *= signs[k]);
-            at = lattice.centre(cell);
+            at = lattice.place_of(cell);
         }
         bonds.add_force(&mut sum, force, at);
         if turn != 0.0 {

@@ -173,7 +173,7 @@ fn along_joined_sides(conditions: &mut Conditions, context: &Context) {
         } else if axis == 1 && context.bonds.has("w") {
             // A tube grows wider as it likes.
             conditions.settle(along, 0.0);
-        } else if mirrors.joined[axis] || mirrors.lines()[axis].iter().all(Option::is_some) {
+        } else if mirrors.joined[axis] || mirrors.lines[axis].iter().all(Option::is_some) {
             conditions.settle(context.bonds.strain_row(axis), 0.0);
         }
     }

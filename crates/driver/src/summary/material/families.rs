@@ -48,7 +48,7 @@ pub(super) fn summary(of: &StateParameters, scene: &PlaneScene, words: &Words) -
 
 /// What points next to the axis have, where the body touches it.
 fn axis(of: &StateParameters, scene: &PlaneScene) -> Option<Axis> {
-    let touches = scene.model.lattice().is_some_and(|(_, mirrors)| mirrors.columns[0].is_some());
+    let touches = scene.model.lattice().is_some_and(|(_, mirrors)| mirrors.lines[0][0].is_some());
     (of.is_axisymmetric() && touches && of.edges != StateEdges::Border).then_some(of.axis)
 }
 

@@ -1,6 +1,6 @@
 //! Which bonds of a lattice lie exactly along and across the fibres.
 
-use super::super::super::plane::length;
+use super::super::super::plane::{is_up, length};
 use crate::body::Cell;
 
 /// Largest angle between a bond and fibres that are parallel, rad.
@@ -24,13 +24,17 @@ impl Fibres {
     pub(in super::super) fn new(angle: f64, offsets: &[Cell]) -> Self {
         let (s, c) = angle.sin_cos();
         let small = |product: f64, step: Cell| product.abs() <= PARALLEL * length(step);
-        let along: Vec<bool> =
-            offsets.iter().map(|&[a, b]| small(f64::from(a) * s - f64::from(b) * c, [a, b])).collect();
-        let across =
-            offsets.iter().map(|&[a, b]| small(f64::from(a) * c + f64::from(b) * s, [a, b])).collect();
+        let along: Vec<bool> = offsets
+            .iter()
+            .map(|&step| small(f64::from(step[0]) * s - f64::from(step[1]) * c, step))
+            .collect();
+        let across = offsets
+            .iter()
+            .map(|&step| small(f64::from(step[0]) * c + f64::from(step[1]) * s, step))
+            .collect();
         let shortest = (0..offsets.len()).filter(|&k| along[k]).map(|k| offsets[k]);
         let shortest = shortest.min_by(|&v, &w| length(v).total_cmp(&length(w)));
-        let exact = shortest.map(|step| step.map(|x| f64::from(x) / length(step)));
+        let exact = shortest.map(|step| [0, 1].map(|k| f64::from(step[k]) / length(step)));
         Self { direction: exact.unwrap_or([c, s]), along, across, shortest }
     }
 
@@ -41,16 +45,15 @@ impl Fibres {
 
     /// The half offset whose bonds are the images of those of another in the fibres; none unless the whole lattice is its
     /// image, which it is for fibres along its rows, columns and diagonals.
-    pub(super) fn image(&self, [a, b]: Cell) -> Option<Cell> {
-        let [x, y] = self.shortest.map(|step| step.map(i32::signum))?;
-        if self.shortest.is_some_and(|[p, q]| p * q != 0 && p.abs() != q.abs()) {
+    pub(super) fn image(&self, [a, b, _]: Cell) -> Option<Cell> {
+        let [x, y, _] = self.shortest.map(|step| step.map(i32::signum))?;
+        if self.shortest.is_some_and(|[p, q, _]| p * q != 0 && p.abs() != q.abs()) {
             return None;
         }
         // v ↦ 2 (v·d) d/|d|² − v
         let twice = 2 * (a * x + b * y) / (x * x + y * y);
-        let image = [twice * x - a, twice * y - b];
-        let up = image[1] > 0 || (image[1] == 0 && image[0] > 0);
-        Some(if up { image } else { image.map(|v| -v) })
+        let image = [twice * x - a, twice * y - b, 0];
+        Some(if is_up(image) { image } else { image.map(|v| -v) })
     }
 }
 
@@ -58,31 +61,32 @@ impl Fibres {
 mod tests {
     use super::*;
 
-    const OFFSETS: [Cell; 8] = [[1, 0], [2, 0], [-1, 1], [0, 1], [1, 1], [2, 1], [-1, 2], [1, 2]];
+    const OFFSETS: [Cell; 8] =
+        [[1, 0, 0], [2, 0, 0], [-1, 1, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0], [-1, 2, 0], [1, 2, 0]];
 
     #[test]
     fn bonds_are_found_at_their_angles_alone() {
         let of = |degrees: f64| Fibres::new(degrees.to_radians(), &OFFSETS);
         let chosen = |mask: &[bool]| (0..8).filter(|&k| mask[k]).map(|k| OFFSETS[k]).collect::<Vec<_>>();
-        assert_eq!(chosen(&of(180.0).along), [[1, 0], [2, 0]]);
-        assert_eq!(chosen(&of(-90.0).along), [[0, 1]]);
-        assert_eq!(chosen(&of(135.0).across), [[1, 1]]);
-        assert_eq!(chosen(&of(45.0 + 1e-6).along), [[0; 2]; 0]);
+        assert_eq!(chosen(&of(180.0).along), [[1, 0, 0], [2, 0, 0]]);
+        assert_eq!(chosen(&of(-90.0).along), [[0, 1, 0]]);
+        assert_eq!(chosen(&of(135.0).across), [[1, 1, 0]]);
+        assert_eq!(chosen(&of(45.0 + 1e-6).along), [[0; 3]; 0]);
         let slope = Fibres::new(0.5_f64.atan(), &OFFSETS);
-        assert_eq!((chosen(&slope.along), chosen(&slope.across)), (vec![[2, 1]], vec![[-1, 2]]));
+        assert_eq!((chosen(&slope.along), chosen(&slope.across)), (vec![[2, 1, 0]], vec![[-1, 2, 0]]));
         assert_eq!(of(90.0).direction, [0.0, 1.0]);
     }
 
     #[test]
     fn images_are_those_of_a_mirror_along_the_fibres() {
         let image = |degrees: f64, step| Fibres::new(degrees.to_radians(), &OFFSETS).image(step);
-        assert_eq!(image(0.0, [2, 1]), Some([-2, 1]));
-        assert_eq!(image(90.0, [2, 1]), Some([-2, 1]));
-        assert_eq!(image(45.0, [2, 1]), Some([1, 2]));
-        assert_eq!(image(45.0, [1, 1]), Some([1, 1]));
-        assert_eq!(image(135.0, [2, 1]), Some([1, 2]));
-        assert_eq!(image(135.0, [1, 0]), Some([0, 1]));
-        assert_eq!(Fibres::new(0.5_f64.atan(), &OFFSETS).image([1, 0]), None);
-        assert_eq!(image(30.0, [1, 0]), None);
+        assert_eq!(image(0.0, [2, 1, 0]), Some([-2, 1, 0]));
+        assert_eq!(image(90.0, [2, 1, 0]), Some([-2, 1, 0]));
+        assert_eq!(image(45.0, [2, 1, 0]), Some([1, 2, 0]));
+        assert_eq!(image(45.0, [1, 1, 0]), Some([1, 1, 0]));
+        assert_eq!(image(135.0, [2, 1, 0]), Some([1, 2, 0]));
+        assert_eq!(image(135.0, [1, 0, 0]), Some([0, 1, 0]));
+        assert_eq!(Fibres::new(0.5_f64.atan(), &OFFSETS).image([1, 0, 0]), None);
+        assert_eq!(image(30.0, [1, 0, 0]), None);
     }
 }

@@ -89,7 +89,7 @@ fn oblique(parameters: &OrthotropicParameters, offsets: &[Cell], fibres: &Fibres
     let beta = |k: usize| flexibilities(material, length(offsets[k]))[0];
     let [c, s] = fibres.direction;
     let near = |k: usize| {
-        let [a, b] = offsets[k].map(f64::from);
+        let [a, b, _] = offsets[k].map(f64::from);
         let angle = (b * c - a * s).abs().atan2((a * c + b * s).abs());
         length(offsets[k]) * (-0.5 * (angle / WIDTH).powi(2)).exp()
     };

@@ -113,7 +113,7 @@ fn bonds_that_never_joined_are_no_damage() {
     let offsets = BeamNeighbourhood::new(&parameters).unwrap().offsets().to_vec();
     let all = (0..lattice.points()).flat_map(|point| (0..offsets.len()).map(move |k| (k, point)));
     let is_cut = |&(k, point): &(usize, usize)| {
-        let [_, row] = lattice.cell(point);
+        let [_, row, _] = lattice.cell(point);
         (row < 4) != (row + offsets[k][1] < 4)
     };
     let cuts: Vec<(usize, usize)> = all.filter(is_cut).collect();

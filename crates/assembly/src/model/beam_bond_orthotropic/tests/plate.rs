@@ -10,13 +10,13 @@ const SIZE: [i32; 2] = [14, 8];
 /// Stiffness of a free plate of unit spacing and unit volumes, in units of E2; unknowns `u, v, hθ` per point.
 fn stiffness(bonds: &BeamNeighbourhood, unit: f64) -> DMatrix<f64> {
     let [columns, rows] = SIZE;
-    let number = |[a, b]: Cell| {
+    let number = |[a, b]: [i32; 2]| {
         ((0..columns).contains(&a) && (0..rows).contains(&b)).then_some((b * columns + a) as usize)
     };
     let model = BeamBond { volume: 1.0, turning: 1.0 };
     let n = 3 * (columns * rows) as usize;
     let mut matrix = DMatrix::zeros(n, n);
-    for (&[a, b], weights) in bonds.offsets().iter().zip(bonds.weights()) {
+    for (&[a, b, _], weights) in bonds.offsets().iter().zip(bonds.weights()) {
         let geometry = BondGeometry { xi: [f64::from(a), f64::from(b), 0.0] };
         let (ends, moduli) = (model.rows(&geometry), model.moduli(&geometry));
         let modulus: [f64; 3] = std::array::from_fn(|k| weights[k] * moduli[k] / unit);

@@ -59,8 +59,8 @@ pub(in super::super) fn weights(
 
 /// Gives offsets that are images of each other in the symmetries of the square the same weight, to the last bit.
 fn equalise(weights: &mut DVector<f64>, offsets: &[Cell]) {
-    let mut kinds: BTreeMap<Cell, Vec<usize>> = BTreeMap::new();
-    for (k, [a, b]) in offsets.iter().map(|offset| offset.map(i32::abs)).enumerate() {
+    let mut kinds: BTreeMap<[i32; 2], Vec<usize>> = BTreeMap::new();
+    for (k, [a, b, _]) in offsets.iter().map(|offset| offset.map(i32::abs)).enumerate() {
         kinds.entry([a.max(b), a.min(b)]).or_default().push(k);
     }
     for alike in kinds.values() {

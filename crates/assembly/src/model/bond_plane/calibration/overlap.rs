@@ -3,7 +3,7 @@
 use crate::body::Cell;
 
 /// Area of the unit cell around an offset inside the disc of a radius around the origin, all in spacings.
-pub(super) fn cell_in_disc([a, b]: Cell, radius: f64) -> f64 {
+pub(super) fn cell_in_disc([a, b, _]: Cell, radius: f64) -> f64 {
     let [x, y] = [f64::from(a.abs()), f64::from(b.abs())];
     let upper = corner(x + 0.5, y + 0.5, radius) - corner(x - 0.5, y + 0.5, radius);
     let lower = corner(x + 0.5, y - 0.5, radius) - corner(x - 0.5, y - 0.5, radius);
@@ -35,7 +35,7 @@ mod tests {
     #[test]
     fn all_cells_together_make_the_disc() {
         for radius in [0.3, 0.5, 1.0, 2.0, 3.0, 3.015, 4.7] {
-            let cells = (-6..=6).flat_map(|b| (-6..=6).map(move |a| [a, b]));
+            let cells = (-6..=6).flat_map(|b| (-6..=6).map(move |a| [a, b, 0]));
             let area: f64 = cells.map(|c| cell_in_disc(c, radius)).sum();
             assert!(
                 (area / (std::f64::consts::PI * radius * radius) - 1.0).abs() < 1e-12,
@@ -47,7 +47,7 @@ mod tests {
     #[test]
     fn a_cell_is_cut_as_midpoints_say() {
         let (radius, n) = (3.0, 1000);
-        for cell in [[3, 0], [2, 2], [3, 1], [2, 3], [0, 0], [1, 2]] {
+        for cell in [[3, 0, 0], [2, 2, 0], [3, 1, 0], [2, 3, 0], [0, 0, 0], [1, 2, 0]] {
             let at = |k: usize, c: i32| (k as f64 + 0.5) / n as f64 - 0.5 + f64::from(c);
             let inside = (0..n * n)
                 .filter(|k| at(k % n, cell[0]).powi(2) + at(k / n, cell[1]).powi(2) <= radius * radius);

@@ -26,8 +26,8 @@ pub(super) fn parameters(m: f64, [_, youngs_modulus, thickness]: [f64; 3]) -> Pl
 pub(super) fn bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
     let make = |columns: i32, rows: i32, inside: &dyn Fn(f64, f64) -> bool| {
         let centre = |k: i32| f64::from(k) + 0.5;
-        let at = |[i, j]: Cell| inside(centre(i), centre(j));
-        Arc::new(SquareLattice::new(h, [0.3 * h, -2.0 * h], 0..columns, 0..rows, at))
+        let at = |[i, j]: [i32; 2]| inside(centre(i), centre(j));
+        Arc::new(SquareLattice::plane(h, [0.3 * h, -2.0 * h], 0..columns, 0..rows, at))
     };
     let cut = |outline: &Outline| {
         let lattice = outline.fill(h).unwrap();

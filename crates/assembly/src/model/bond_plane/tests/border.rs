@@ -3,6 +3,7 @@
 use super::super::*;
 use super::bodies::*;
 use super::patch::{STRAINS, check_fields, check_rigid};
+use crate::body::plus;
 use crate::model::Points;
 use crate::model::plane::{Edges, PlaneModel};
 
@@ -13,7 +14,7 @@ fn bordered(m: f64) -> PlaneParameters {
 /// A rectangle, an L, a square with a square hole, a staircase disc, a comb with a notch two cells wide.
 fn staircases() -> Vec<(&'static str, Arc<SquareLattice>)> {
     let make = |columns: i32, rows: i32, inside: &dyn Fn(i32, i32) -> bool| {
-        Arc::new(SquareLattice::new(1.0, [0.3, -2.0], 0..columns, 0..rows, |[i, j]| inside(i, j)))
+        Arc::new(SquareLattice::plane(1.0, [0.3, -2.0], 0..columns, 0..rows, |[i, j]| inside(i, j)))
     };
     let middle = |i: i32| f64::from(i) - 6.5;
     vec![
@@ -43,9 +44,9 @@ fn through_border(plane: &BondPlane, lattice: &SquareLattice, [xx, yy, xy]: [f64
     let shares = plane.border_shares().unwrap();
     let mut force = vec![0.0; 2 * n];
     for point in 0..n {
-        let (cell, at) = (lattice.cell(point), lattice.position(point));
+        let (cell, at) = (lattice.cell(point), lattice.place(point));
         for [a, b] in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
-            if lattice.number([cell[0] + a, cell[1] + b]).is_some() {
+            if lattice.number(plus(cell, [a, b, 0])).is_some() {
                 continue;
             }
             let normal = [f64::from(a), f64::from(b)];
@@ -97,6 +98,6 @@ fn the_stiffness_is_that_of_another_implementation() {
 fn thin_and_cut_bodies_have_the_overlay() {
     let row = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [7, 1]));
     assert_eq!(PlaneModel::edges(&plane(&row, bordered(3.0))), Some(Edges::Overlay));
-    let cut = SquareLattice::rectangle(1.0, [0.0; 2], [7, 5]).with_areas(&[([3, 4], 0.7)]);
+    let cut = SquareLattice::rectangle(1.0, [0.0; 2], [7, 5]).with_areas(&[([3, 4, 0], 0.7)]);
     assert_eq!(PlaneModel::edges(&plane(&Arc::new(cut), bordered(3.0))), Some(Edges::Overlay));
 }

@@ -77,7 +77,7 @@ fn a_published_cloud_of_cells_is_the_published_lattice() {
                 edges,
                 ..parameters(3.0, MM_MPA)
             };
-            let positions: Vec<[f64; 2]> = (0..lattice.points()).map(|p| lattice.position(p)).collect();
+            let positions: Vec<[f64; 2]> = (0..lattice.points()).map(|p| lattice.place(p)).collect();
             let areas = vec![1.0; positions.len()];
             let cloud = BondPlane::on_cloud(positions, areas, 3.0, parameters, &|_, _| false).unwrap();
             let plane = plane(lattice, parameters);

@@ -125,7 +125,7 @@ fn a_quarter_is_the_whole_body() {
         // The lower left quarter: its cells have the same numbers.
         let whole = body([-11.0, -9.0], [22.0, 18.0]);
         let full = BondPlane::on_lattice(Arc::new(whole), Mirrors::NONE, parameters, &[]).unwrap();
-        let mirrors = Mirrors { columns: [None, Some(11)], rows: [None, Some(9)], ..Mirrors::NONE };
+        let mirrors = Mirrors::in_plane([None, Some(11)], [None, Some(9)]);
         let real = body([-11.0, -9.0], [11.0, 9.0]);
         let part = mirrors.extended(&real, BondPlane::depth(&parameters).unwrap());
         let part = BondPlane::on_lattice(Arc::new(part), mirrors, parameters, &[]).unwrap();

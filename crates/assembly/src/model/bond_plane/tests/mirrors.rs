@@ -26,7 +26,7 @@ fn restricted(plane: &dyn Solvable<2>, mut f: Vec<f64>) -> Vec<f64> {
 }
 
 /// A body with a hole and slanted ends that is symmetric in both directions, and its cuts.
-fn inside([i, j]: Cell) -> bool {
+fn inside([i, j]: [i32; 2]) -> bool {
     let (x, y) = (f64::from(i) + 0.5, f64::from(j) + 0.5);
     x.hypot(y) > 2.3 && x.abs() + 0.5 * y.abs() < 11.0
 }
@@ -35,9 +35,9 @@ fn inside([i, j]: Cell) -> bool {
 fn cuts(lattice: &SquareLattice, offsets: &[Cell]) -> Vec<(usize, usize)> {
     let mut cuts = Vec::new();
     for p in 0..lattice.points() {
-        let [i, j] = lattice.cell(p);
+        let [i, j, _] = lattice.cell(p);
         let (x, y) = (f64::from(i) + 0.5, f64::from(j) + 0.5);
-        for (k, &[a, b]) in offsets.iter().enumerate() {
+        for (k, &[a, b, _]) in offsets.iter().enumerate() {
             let (dx, dy) = (f64::from(a), f64::from(b));
             let along = |t: f64| (x + t * dx, y + t * dy, (0.0..=1.0).contains(&t));
             let rows = [4.0, -4.0].iter().any(|level| {
@@ -66,28 +66,25 @@ fn half_and_quarter_models_are_the_full_body() {
             let parameters = PlaneParameters { edges, calibration, ..parameters(m, MM_MPA) };
             let offsets = BondPlane::offsets(&parameters).unwrap();
             // Parts of cells with the symmetries of the body.
-            let part = |[i, j]: Cell| match ((2 * i + 1).abs(), (2 * j + 1).abs()) {
+            let part = |[i, j]: [i32; 2]| match ((2 * i + 1).abs(), (2 * j + 1).abs()) {
                 (a, b) if (a + 3 * b) % 5 == 0 && edges != Edges::Border => {
-                    ([i, j], 0.5 + f64::from(a + b) / 40.0)
+                    ([i, j, 0], 0.5 + f64::from(a + b) / 40.0)
                 }
-                _ => ([i, j], 1.0),
+                _ => ([i, j, 0], 1.0),
             };
             let lattice = |columns: Range<i32>, rows: Range<i32>| {
                 let cells = rows.clone().flat_map(|j| columns.clone().map(move |i| part([i, j])));
                 let areas: Vec<(Cell, f64)> = cells.collect();
-                SquareLattice::new(1.0, [0.0; 2], columns, rows, inside).with_areas(&areas)
+                SquareLattice::plane(1.0, [0.0; 2], columns, rows, inside).with_areas(&areas)
             };
             let full = Arc::new(lattice(-12..12, -9..9));
             let cut = cuts(&full, &offsets);
             let full = BondPlane::on_lattice(full, Mirrors::NONE, parameters, &cut).unwrap();
             assert!(full.damage().iter().any(|&d| d > 0.3), "some bonds are cut");
             let parts = [
-                (lattice(0..12, -9..9), Mirrors { columns: [Some(0), None], ..Mirrors::NONE }),
-                (lattice(-12..0, -9..9), Mirrors { columns: [None, Some(0)], ..Mirrors::NONE }),
-                (
-                    lattice(0..12, -9..0),
-                    Mirrors { columns: [Some(0), None], rows: [None, Some(0)], ..Mirrors::NONE },
-                ),
+                (lattice(0..12, -9..9), Mirrors::in_plane([Some(0), None], [None; 2])),
+                (lattice(-12..0, -9..9), Mirrors::in_plane([None, Some(0)], [None; 2])),
+                (lattice(0..12, -9..0), Mirrors::in_plane([Some(0), None], [None, Some(0)])),
             ];
             for (real, mirrors) in parts {
                 let part = mirrors.extended(&real, BondPlane::depth(&parameters).unwrap());
@@ -142,14 +139,14 @@ pub(super) fn compare(full: &dyn Solvable<2>, part: &dyn Solvable<2>, mirrors: M
 #[test]
 fn coarser_bodies_keep_their_lines_of_symmetry() {
     let real = SquareLattice::rectangle(1.0, [0.0; 2], [24, 12]);
-    let mirrors = Mirrors { columns: [Some(0), None], rows: [None, Some(12)], ..Mirrors::NONE };
+    let mirrors = Mirrors::in_plane([Some(0), None], [None, Some(12)]);
     let parameters = parameters(3.0, MM_MPA);
     let extended = Arc::new(mirrors.extended(&real, 3));
     let fine = BondPlane::on_lattice(extended, mirrors, parameters, &[]).unwrap();
     let coarse = fine.coarser(&|_, _| Vec::new()).unwrap();
     let (lattice, lines) = coarse.lattice().unwrap();
     assert_eq!(lattice.spacing(), 2.0);
-    assert_eq!((lines.columns, lines.rows), ([Some(0), None], [None, Some(6)]));
+    assert_eq!(lines.lines, [[Some(0), None], [None, Some(6)], [None; 2]]);
     assert_eq!(coarse.points() - coarse.ghosts().len(), 12 * 6);
     assert_eq!(coarse.points(), 15 * 9);
     // The stiffness of a plate does not depend on the spacing.

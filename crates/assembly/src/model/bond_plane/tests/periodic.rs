@@ -10,7 +10,7 @@ use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
 /// A rectangle of cells whose sides are joined along x, along y or both.
 fn joined(size: [i32; 2], along: [bool; 2], parameters: PlaneParameters) -> BondPlane {
     let real = SquareLattice::rectangle(1.0, [0.0; 2], size);
-    let mut mirrors = Mirrors { joined: along, ..Mirrors::NONE };
+    let mut mirrors = Mirrors { joined: [along[0], along[1], false], ..Mirrors::NONE };
     for side in (0..4).filter(|side| along[side / 2]) {
         mirrors.set_line(side, if side % 2 == 0 { 0 } else { size[side / 2] });
     }
@@ -67,7 +67,7 @@ fn a_period_is_a_part_of_several() {
             let whole = [size[0] * copies[0], size[1] * copies[1]];
             let (one, many) = (joined(size, along, parameters), joined(whole, along, parameters));
             let values = random(2 * (size[0] * size[1]) as usize);
-            let at = |[i, j]: Cell| {
+            let at = |[i, j, _]: Cell| {
                 let k = (i.rem_euclid(size[0]) + size[0] * j.rem_euclid(size[1])) as usize;
                 [values[2 * k], values[2 * k + 1]]
             };
@@ -78,7 +78,7 @@ fn a_period_is_a_part_of_several() {
             assert!((energies[0] - energies[1]).abs() <= 1e-13 * energies[1], "{energies:?}");
             for i in 0..size[0] {
                 for j in 0..size[1] {
-                    let [a, b] = [f[0]([i, j]), f[1]([i, j])];
+                    let [a, b] = [f[0]([i, j, 0]), f[1]([i, j, 0])];
                     (0..2).for_each(|c| assert!((a[c] - b[c]).abs() <= 1e-13 * size_of_forces));
                 }
             }
@@ -91,7 +91,7 @@ fn far_from_joined_sides_nothing_changes() {
     for parameters in all_parameters() {
         let (periodic, plain) =
             (joined([20, 20], [true; 2], parameters), joined([20, 20], [false; 2], parameters));
-        let patch = |[i, j]: Cell| {
+        let patch = |[i, j, _]: Cell| {
             let inside = (8..12).contains(&i) && (8..12).contains(&j);
             let value = f64::from((7 * i + 13 * j) % 11) - 5.0;
             if inside { [value, 0.3 * value * value] } else { [0.0; 2] }
@@ -100,7 +100,7 @@ fn far_from_joined_sides_nothing_changes() {
         let energies = [energy(&periodic, &u[0]), energy(&plain, &u[1])];
         assert!((energies[0] / energies[1] - 1.0).abs() < 1e-13);
         // What is moved over a joined side comes back on the other one.
-        let moved = displaced(&periodic, |[i, j]| patch([(i + 10).rem_euclid(20), (j + 10).rem_euclid(20)]));
+        let moved = displaced(&periodic, |cell| patch(cell.map(|k| (k + 10).rem_euclid(20))));
         assert!((energy(&periodic, &moved) / energies[1] - 1.0).abs() < 1e-13);
     }
 }
@@ -112,7 +112,7 @@ fn a_strip_with_joined_sides_has_the_moduli_of_plane_strain() {
     for rows in [1, 3, 4] {
         let strip = joined([12, rows], [false, true], parameters);
         let lattice = strip.lattice().unwrap().0.clone();
-        let u = displaced(&strip, |cell| [lattice.centre(cell)[0], 0.0]);
+        let u = displaced(&strip, |cell| [lattice.place_of(cell)[0], 0.0]);
         let volume = 12.0 * f64::from(rows) * 25.0;
         let modulus = strip.stiffness()[0][0];
         assert!((energy(&strip, &u) / (0.5 * modulus * volume) - 1.0).abs() < 1e-13);
@@ -127,11 +127,11 @@ fn coarser_bodies_are_joined_where_whole_cells_leave_it_possible() {
     let fine = joined([24, 12], [false, true], parameters);
     let coarse = fine.coarser(&none).unwrap();
     let (lattice, mirrors) = coarse.lattice().unwrap();
-    assert_eq!((mirrors.rows, mirrors.joined), ([Some(0), Some(6)], [false, true]));
+    assert_eq!((mirrors.lines[1], mirrors.joined), ([Some(0), Some(6)], [false, true, false]));
     assert_eq!(coarse.points() - coarse.ghosts().len(), 12 * 6);
     // Interpolation goes on over joined sides.
     let wave = |row: i32| (std::f64::consts::TAU * (f64::from(row) + 0.5) / 6.0).cos();
-    let coarse_wave = displaced(&*coarse, |[_, j]| [wave(j), 0.0]);
+    let coarse_wave = displaced(&*coarse, |[_, j, _]| [wave(j), 0.0]);
     let (rows, sides) = fine.lattice().unwrap();
     let transfer = Transfer::new(rows, lattice, &|_| false, &|_, _| true);
     let mut fine_wave = vec![0.0; fine.points()];

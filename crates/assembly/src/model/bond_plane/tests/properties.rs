@@ -22,7 +22,7 @@ fn planes() -> Vec<(&'static str, BondPlane)> {
             let mut cuts = Vec::new();
             for lower in 0..lattice.points() {
                 for (k, step) in offsets.iter().enumerate() {
-                    let [i, j] = lattice.cell(lower);
+                    let [i, j, _] = lattice.cell(lower);
                     if (i < 12) != (i + step[0] < 12) && j.max(j + step[1]) < 4 {
                         cuts.push((k, lower));
                     }
@@ -91,7 +91,7 @@ fn damage_is_the_cut_share_of_the_family() {
     let mut cuts = Vec::new();
     for lower in 0..lattice.points() {
         for (k, step) in offsets.iter().enumerate() {
-            let [_, j] = lattice.cell(lower);
+            let [_, j, _] = lattice.cell(lower);
             if (j < 10) != (j + step[1] < 10) {
                 cuts.push((k, lower));
             }
@@ -99,7 +99,7 @@ fn damage_is_the_cut_share_of_the_family() {
     }
     let plane = BondPlane::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &cuts).unwrap();
     let damage = plane.damage();
-    let at = |row| damage[lattice.number([10, row]).unwrap()];
+    let at = |row| damage[lattice.number([10, row, 0]).unwrap()];
     // Of 28 neighbours 7, 5 + ... lie in the rows beyond: rows at distance 1, 2, 3 hold 5, 5 and 1 points.
     let expected = [(9, 11.0), (8, 6.0), (7, 1.0), (6, 0.0), (10, 11.0), (12, 1.0), (13, 0.0)];
     expected.iter().for_each(|&(row, count)| assert!((at(row) - count / 28.0).abs() < 1e-15, "{row}"));
@@ -109,7 +109,7 @@ fn damage_is_the_cut_share_of_the_family() {
     other.never_joined(&apart);
     assert!(broken.len() < apart.len());
     // Of its family the point below the line has lost three straight above it, and 8 were never there.
-    assert!((other.damage()[lattice.number([10, 9]).unwrap()] - 3.0 / 20.0).abs() < 1e-15);
+    assert!((other.damage()[lattice.number([10, 9, 0]).unwrap()] - 3.0 / 20.0).abs() < 1e-15);
     other.never_joined(&cuts);
     assert!(other.damage().iter().all(|&d| d == 0.0));
     // The two halves are held together by nothing: overlay triangles do not bridge a crack.

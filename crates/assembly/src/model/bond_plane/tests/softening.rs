@@ -62,7 +62,7 @@ fn bonds_that_all_yield_bear_the_yield_stress() {
         let sum: f64 = hood
             .bonded()
             .map(|k| {
-                let [x, y] = hood.offsets[k].map(f64::from);
+                let [x, y, _] = hood.offsets[k].map(f64::from);
                 hood.weights[k][0] * x * x / (x * x + y * y)
             })
             .sum();
@@ -83,7 +83,7 @@ fn cracks_through_a_lattice_take_the_energies_of_the_table() {
         ] {
             let parameters = PlaneParameters { horizon_ratio: m, volume_factor: factor, ..published(state) };
             let hood = neighbourhood(&parameters).unwrap();
-            let (weights, offsets): (Vec<f64>, Vec<[i32; 2]>) =
+            let (weights, offsets): (Vec<f64>, Vec<crate::body::Cell>) =
                 hood.bonded().map(|k| (hood.weights[k][0], hood.offsets[k])).unzip();
             let stretch = published_critical_stretch(RELEASE_RATE, &parameters, m * scale);
             let critical = vec![stretch; weights.len()];

@@ -24,7 +24,7 @@ impl<const S: usize> Shares<S> {
         let side = (2 * reach + 1) as usize;
         let mut of = vec![[[0.0; S]; S]; side * side];
         for k in hood.bonded() {
-            let [a, b] = hood.offsets[k];
+            let [a, b, _] = hood.offsets[k];
             let place = |a: i32, b: i32| (b + reach) as usize * side + (a + reach) as usize;
             of[place(a, b)] = share(k);
             of[place(-a, -b)] = share(k);
@@ -42,20 +42,20 @@ impl<const S: usize> Shares<S> {
     }
 
     /// That of an offset.
-    pub(super) fn of_offset(&self, [column, row]: Cell) -> &Mat<S, S> {
+    pub(super) fn of_offset(&self, [column, row, _]: Cell) -> &Mat<S, S> {
         &self.of[self.place(column, row)]
     }
 
     /// `½ Σ (a_i − f_ij) Uᵀ c U` with the part a_i of its cell and the factors `f_ij = min(a_i, a_j)` of its bonds, zero
     /// where they are missing; none where nothing is missing.
     pub(super) fn deficit(&self, lattice: &SquareLattice, cell: Cell) -> Option<Mat<S, S>> {
-        let (reach, [column, row]) = (self.reach, cell);
+        let (reach, [column, row, layer]) = (self.reach, cell);
         let own = lattice.number(cell).map_or(1.0, |p| lattice.fraction(p));
         let lack = |part: f64| (own - part).max(0.0);
         let mut sum = [[0.0; S]; S];
         for b in -reach..=reach {
             let mut from = -reach;
-            for run in lattice.runs_of(row + b) {
+            for run in lattice.runs_of(row + b, layer) {
                 let start = (run.columns.start - column).max(from);
                 let end = (run.columns.end - column).min(reach + 1);
                 if start >= end {
@@ -106,10 +106,11 @@ fn add<const S: usize>(sum: &mut Mat<S, S>, times: f64, share: &Mat<S, S>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::body::{minus, plus};
 
     /// Shares that tell all cells apart, of all neighbours within some spacings.
     fn numbered(reach: i32) -> (Neighbourhood<1>, Shares<1>) {
-        let offsets = super::super::super::neighbourhood::half_offsets(f64::from(reach));
+        let offsets = super::super::super::neighbourhood::half_offsets(f64::from(reach), 1);
         let weights: Vec<[f64; 1]> = (0..offsets.len()).map(|k| [1.0 + k as f64]).collect();
         let hood = Neighbourhood::new(&offsets, &weights, &vec![1.0; offsets.len()]);
         let shares = Shares::new(&hood, |k| [hood.weights[k]]);
@@ -118,24 +119,23 @@ mod tests {
 
     #[test]
     fn a_deficit_is_the_sum_over_all_that_is_missing() {
-        let hole = |[i, j]: Cell| (i - 9).pow(2) + (j - 6).pow(2) < 5 || i + j < 4 || (i, j) == (15, 3);
+        let hole = |[i, j]: [i32; 2]| (i - 9).pow(2) + (j - 6).pow(2) < 5 || i + j < 4 || (i, j) == (15, 3);
         let areas = [
-            ([9, 9], 0.5),
-            ([10, 9], 0.25),
-            ([0, 4], 0.75),
-            ([19, 0], 0.125),
-            ([7, 0], 1.5),
-            ([16, 8], 1.25),
+            ([9, 9, 0], 0.5),
+            ([10, 9, 0], 0.25),
+            ([0, 4, 0], 0.75),
+            ([19, 0, 0], 0.125),
+            ([7, 0, 0], 1.5),
+            ([16, 8, 0], 1.25),
         ];
-        let lattice = SquareLattice::new(1.0, [0.0; 2], 0..20, 0..12, |c| !hole(c)).with_areas(&areas);
+        let lattice = SquareLattice::plane(1.0, [0.0; 2], 0..20, 0..12, |c| !hole(c)).with_areas(&areas);
         for reach in [2, 3, 5, 30] {
             let (hood, shares) = numbered(reach);
             for point in 0..lattice.points() {
                 let (cell, own) = (lattice.cell(point), lattice.fraction(point));
                 let part = |c: Cell| lattice.number(c).map_or(0.0, |p| own.min(lattice.fraction(p)));
                 let lacks = |k: usize| {
-                    let [a, b] = hood.offsets[k];
-                    let both = [[cell[0] + a, cell[1] + b], [cell[0] - a, cell[1] - b]];
+                    let both = [plus(cell, hood.offsets[k]), minus(cell, hood.offsets[k])];
                     both.map(|c| hood.weights[k][0] * (own - part(c))).iter().sum::<f64>()
                 };
                 // Parts are sums of powers of two: nothing rounds.

@@ -11,7 +11,7 @@ use super::super::geometry;
 use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
 use super::deficit::Shares;
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, minus, plus};
 use crate::bonds::{add, block};
 use crate::stiffness::{Exception, Family};
 use std::collections::{HashMap, HashSet};
@@ -65,7 +65,7 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
         let modulus = deficit.map(|row| row.map(|v| v / corners.len().max(1) as f64));
         overlay.triangles.extend(corners.iter().filter_map(|&[a, b]| {
             let from_point = |c: Cell| {
-                let [x, y, _] = geometry(lattice, [c[0] - cell[0], c[1] - cell[1]]).xi;
+                let [x, y, _] = geometry(lattice, minus(c, cell)).xi;
                 [x, y]
             };
             let (rows, own) = bond.triangle(from_point(a), from_point(b));
@@ -80,7 +80,7 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
 fn quadrants(lattice: &SquareLattice, cell: Cell) -> Vec<Corners> {
     let exists = |c: &Cell| lattice.number(*c).is_some();
     let all =
-        [1, -1].into_iter().flat_map(|x| [1, -1].map(|y| [[cell[0] + x, cell[1]], [cell[0], cell[1] + y]]));
+        [1, -1].into_iter().flat_map(|x| [1, -1].map(|y| [plus(cell, [x, 0, 0]), plus(cell, [0, y, 0])]));
     all.filter(|corners| corners.iter().all(exists)).collect()
 }
 
@@ -90,8 +90,8 @@ const AS_GOOD: f64 = 4.0;
 /// The nearest, best shaped triangles of neighbours within the horizon: all that are about equally good, so that images in
 /// a mirror choose images, and that a point is not a hinge between the triangles on its sides.
 fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cell: Cell) -> Vec<Corners> {
-    let squared = |[x, y]: Cell| f64::from(x * x + y * y);
-    let steps = hood.offsets.iter().flat_map(|&[a, b]| [[a, b], [-a, -b]]);
+    let squared = |[x, y, _]: Cell| f64::from(x * x + y * y);
+    let steps = hood.offsets.iter().flat_map(|&step| [step, step.map(|k| -k)]);
     let mut near: Vec<Cell> = steps.filter(|&s| lattice.number(at(cell, s, true)).is_some()).collect();
     near.sort_by(|&a, &b| squared(a).total_cmp(&squared(b)));
     let mut found: Vec<(f64, Corners)> = Vec::new();
@@ -104,7 +104,7 @@ fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cel
         for &a in &near[..k] {
             let twice_area = (a[0] * b[1] - a[1] * b[0]).abs();
             if twice_area != 0 && hood.between(a, b).is_some() {
-                let sides = squared(a) + squared(b) + squared([b[0] - a[0], b[1] - a[1]]);
+                let sides = squared(a) + squared(b) + squared(minus(b, a));
                 let badness = sides * sides / f64::from(twice_area);
                 least = least.min(badness);
                 found.push((badness, [at(cell, a, true), at(cell, b, true)]));

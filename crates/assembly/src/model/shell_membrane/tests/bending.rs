@@ -24,7 +24,7 @@ fn ovalling(points: i32) -> f64 {
     let parameters = ShellParameters { bending: true, ..chords() };
     let (spacing, pressure) = (1.0 / f64::from(points), 2e5);
     let real = crate::body::SquareLattice::rectangle(spacing, [0.0; 2], [6, points / 4]);
-    let mut mirrors = Mirrors { joined: [true, false], ..Mirrors::NONE };
+    let mut mirrors = Mirrors { joined: [true, false, false], ..Mirrors::NONE };
     [0, 6, 0, points / 4].into_iter().enumerate().for_each(|(side, line)| mirrors.set_line(side, line));
     let lattice = mirrors.extended(&real, ShellMembrane::depth(&parameters).unwrap());
     let ring = ShellMembrane::on_lattice(Arc::new(lattice), mirrors, parameters).unwrap();

@@ -56,7 +56,7 @@ fn two_diaphragms_or_one_clamped_end_are_enough() {
 #[test]
 fn mirrors_hold_what_they_make_odd() {
     let real = crate::body::SquareLattice::rectangle(1.0 / 24.0, [0.0; 2], [6, 24]);
-    let mut mirrors = Mirrors { joined: [false, true], ..Mirrors::NONE };
+    let mut mirrors = Mirrors { joined: [false, true, false], ..Mirrors::NONE };
     [(0, 0), (2, 0), (3, 24)].into_iter().for_each(|(side, line)| mirrors.set_line(side, line));
     let lattice = mirrors.extended(&real, 3);
     let half = ShellMembrane::on_lattice(Arc::new(lattice), mirrors, chords()).unwrap();

@@ -38,7 +38,7 @@ pub(super) fn shell(
     parameters: ShellParameters,
 ) -> ShellMembrane {
     let real = SquareLattice::rectangle(spacing, [0.0; 2], size);
-    let mut mirrors = Mirrors { joined, ..Mirrors::NONE };
+    let mut mirrors = Mirrors { joined: [joined[0], joined[1], false], ..Mirrors::NONE };
     for side in (0..4).filter(|side| joined[side / 2]) {
         mirrors.set_line(side, if side % 2 == 0 { 0 } else { size[side / 2] });
     }
@@ -57,7 +57,7 @@ pub(super) fn state(shell: &ShellMembrane, at: impl Fn([f64; 2]) -> [f64; 3]) ->
     let mut u = vec![0.0; 3 * n];
     for p in 0..n {
         let (cell, signs) = shell.mirrors.image(shell.lattice.cell(p));
-        let value = at(shell.lattice.centre(cell));
+        let value = at(shell.lattice.place_of(cell));
         let signs = [signs[0], signs[1], 1.0];
         (0..3).for_each(|c| u[c * n + p] = signs[c] * value[c]);
     }

@@ -18,7 +18,7 @@ fn add_runs(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
     let Some(border) = plate.border.bonds() else { return };
     for (k, part) in border.kinds.iter().enumerate() {
         let mut direction = plate.hood.offsets[part.offset as usize];
-        let [x, y] = plate.lattice.vector(direction);
+        let [x, y, _] = plate.lattice.vector(direction);
         let length = part.share * x.hypot(y);
         // A modulus times the squared length is a part of `a V`, and the run has the shares of two points.
         let volume =
@@ -31,7 +31,7 @@ fn add_runs(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
             rows: border.bonds.difference(k).map(|(point, share)| (point, row(share))).collect(),
         };
         let Some((start, _)) = part.of[0] else {
-            to.add(Kind::Single(k), [0; 2], direction, &source);
+            to.add(Kind::Single(k), [0; 3], direction, &source);
             continue;
         };
         let cell = plate.lattice.cell(start as usize);
@@ -53,10 +53,10 @@ fn add_triangles(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
     for (k, left) in plate.left_to_triangles().iter().enumerate() {
         let members = families.members(k);
         let at = centre(plate, members.iter().map(|m| (m.point, m.share)));
-        let block = at.map(|x| x.floor() as i32);
+        let block = [at[0].floor() as i32, at[1].floor() as i32, 0];
         for (&offset, part) in bonded.iter().zip(left).filter(|(_, part)| **part > 0.0) {
             let direction: Cell = plate.hood.offsets[offset];
-            let [x, y] = plate.lattice.vector(direction);
+            let [x, y, _] = plate.lattice.vector(direction);
             let volume = part * plate.hood.weights[offset][0] / (4.0 * shear_modulus * (x * x + y * y));
             let tensor = [x * x, y * y, x * y].map(|t| volume * t);
             let row = |c: usize, rows: &[[f64; 2]; 3]| (0..3).map(|q| tensor[q] * rows[q][c]).sum();
@@ -77,7 +77,8 @@ fn add_overlay(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
         let stress = family.stress(&[1.0, 1.0, 0.0]);
         let part = weight(plate, family.point as usize) / (4.0 * shear_modulus * plate.kind.bond.volume);
         let tensor = stress.map(|s| part * s);
-        let mut source = Source { at: cell.map(f64::from), tensor, ..Source::default() };
+        let at = [cell[0], cell[1]].map(f64::from);
+        let mut source = Source { at, tensor, ..Source::default() };
         for (&other, rows) in family.others.iter().zip(&family.rows) {
             let row: [f64; 2] = [0, 1].map(|c| (0..3).map(|q| tensor[q] * rows[q][c]).sum());
             source.add_row(other, row);

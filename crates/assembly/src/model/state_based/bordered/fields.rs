@@ -46,7 +46,7 @@ impl BorderedState {
     fn hoop(&self, u: &[f64], point: usize) -> f64 {
         let is_ring =
             self.parameters.is_axisymmetric() && self.plate.ghosts.binary_search(&(point as u32)).is_err();
-        if is_ring { u[point] / self.plate.lattice.position(point)[0] } else { 0.0 }
+        if is_ring { u[point] / self.plate.lattice.place(point)[0] } else { 0.0 }
     }
 
     /// Means over blocks of two by two real points.

@@ -56,7 +56,8 @@ fn sources(plate: &Bonded, points: &[Lacking]) -> Vec<Source> {
     let mut sources = Vec::new();
     for (lacking, whole) in points.iter().zip(section.whole).filter(|(_, whole)| *whole > 0) {
         let area = 0.25 * f64::from(whole);
-        let mut source = of(lacking.cell.map(f64::from), area * lacking.weight);
+        let at = [0, 1].map(|k| f64::from(lacking.cell[k]));
+        let mut source = of(at, area * lacking.weight);
         source.add_row(lacking.point as u32, [area / spacing, 0.0]);
         sources.push(source);
     }

@@ -102,7 +102,7 @@ impl BorderedState {
     fn coarser_ring(&self) -> Option<Self> {
         let Bonded { lattice, mirrors, .. } = &self.plate;
         let mut coarse = mirrors.coarser()?;
-        coarse.columns[0] = None;
+        coarse.lines[0][0] = None;
         let real = mirrors.real(lattice).coarser();
         let (mirrors, _) = with_axis(&self.parameters, &real, coarse).ok()?;
         Self::made(&real, mirrors, self.parameters, Edges::Overlay).ok()
@@ -134,7 +134,7 @@ fn neighbourhood(parameters: &StateParameters, real: &SquareLattice) -> Result<N
         let square = f64::from(o[0] * o[0] + o[1] * o[1]);
         [index.map_or(0.0, |k| 16.0 * parameters.shear_modulus() * plain.weights[k] * square / plain.q)]
     };
-    let steps = half_offsets(m);
+    let steps = half_offsets(m, 1);
     let weights: Vec<[f64; 1]> = steps.iter().map(weight).collect();
     if weights.iter().any(|w| w[0] < 0.0) {
         return Err(StateError::NoBorder);

@@ -19,7 +19,7 @@ impl Points for BorderedState {
     }
 
     fn position(&self, point: usize) -> Point {
-        let [x, y] = self.plate.lattice.position(point);
+        let [x, y] = self.plate.lattice.place(point);
         [x, y, 0.0]
     }
 
@@ -61,7 +61,7 @@ impl Model<2> for BorderedState {
     }
 
     fn relations(&self) -> Vec<Equation> {
-        self.plate.mirrors.relations(&self.plate.lattice, &self.plate.ghosts, |signs| signs)
+        self.plate.mirrors.relations(&self.plate.lattice, &self.plate.ghosts, |[x, y, _]| [x, y])
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 2] {

@@ -5,7 +5,7 @@ use super::border::follows;
 use super::reach::Lacking;
 use super::rings::weight;
 use super::sources::{ANY, Bonded, Kind, Source, Sources};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, plus};
 use crate::stiffness::{Exception, FamilyRows};
 use std::collections::{BTreeSet, HashSet};
 
@@ -30,7 +30,7 @@ impl<'a> PointBonds<'a> {
         for sign in [1, -1] {
             for k in plate.hood.bonded() {
                 let step = plate.hood.offsets[k].map(|o| sign * o);
-                let [x, y] = plate.lattice.vector(step);
+                let [x, y, _] = plate.lattice.vector(step);
                 let part = plate.hood.weights[k][0] / (8.0 * shear_modulus * (x * x + y * y));
                 steps.push(step);
                 rows.push([part * x, part * y]);
@@ -38,7 +38,7 @@ impl<'a> PointBonds<'a> {
         }
         let ends = |gap: &Exception| {
             let (cell, step) = (plate.lattice.cell(gap.lower), plate.hood.offsets[gap.offset]);
-            let upper = plate.lattice.number([cell[0] + step[0], cell[1] + step[1]])?;
+            let upper = plate.lattice.number(plus(cell, step))?;
             Some([gap.lower.min(upper), gap.lower.max(upper)])
         };
         let gaps = plate.border.gaps.iter().filter_map(ends).collect();
@@ -49,7 +49,7 @@ impl<'a> PointBonds<'a> {
     fn of(&self, point: usize) -> impl Iterator<Item = Neighbour> + '_ {
         let (lattice, cell) = (&self.plate.lattice, self.plate.lattice.cell(point));
         self.steps.iter().zip(&self.rows).filter_map(move |(step, row)| {
-            let other = lattice.number([cell[0] + step[0], cell[1] + step[1]])?;
+            let other = lattice.number(plus(cell, *step))?;
             let part = match self.follows {
                 true => 1.0,
                 false => lattice.fraction(point).min(lattice.fraction(other)),
@@ -67,7 +67,7 @@ impl<'a> PointBonds<'a> {
         let is_real = |p: &usize| mirrors.is_none() || mirrors.is_real(lattice.cell(*p));
         let of = |point: usize| {
             let part = |(_, step, row): Neighbour| {
-                let [x, y] = lattice.vector(step);
+                let [x, y, _] = lattice.vector(step);
                 0.5 * (row[0] * x + row[1] * y)
             };
             let present: f64 = self.of(point).map(part).sum();
@@ -82,8 +82,8 @@ impl<'a> PointBonds<'a> {
             return lacking;
         }
         let block = |l: &Lacking| {
-            let [i, j] = SquareLattice::parent(l.cell).map(|k| 2 * k);
-            [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]]
+            let [i, j, layer] = SquareLattice::parent(l.cell).map(|k| 2 * k);
+            [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]].map(|[i, j]| [i, j, layer])
         };
         let mates = lacking.iter().flat_map(block).filter_map(|cell| lattice.number(cell));
         let mates: BTreeSet<usize> = mates.filter(is_real).collect();
@@ -94,7 +94,7 @@ impl<'a> PointBonds<'a> {
     pub(super) fn add_sources(&self, points: &[Lacking], to: &mut Sources) {
         for lacking in points {
             for (other, step, row) in self.of(lacking.point) {
-                let [x, y] = self.plate.lattice.vector(step);
+                let [x, y, _] = self.plate.lattice.vector(step);
                 // The part of a point has all of the bond: its middle is that of the bond.
                 let middle = if self.follows { 0.5 } else { 0.0 };
                 let at = [0, 1].map(|k| f64::from(lacking.cell[k]) + middle * f64::from(step[k]));

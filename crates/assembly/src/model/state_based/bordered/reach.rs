@@ -3,7 +3,7 @@
 use super::super::super::plane::Mirrors;
 use super::sources::Source;
 use super::transport::{Edge, Transport};
-use crate::body::Cell;
+use crate::body::{Cell, plus};
 use std::collections::HashMap;
 
 /// A point without all of its bonds.
@@ -86,8 +86,8 @@ pub(super) fn transport(
             Need::Directions(_) => scale * (lacking.volume - lacking.present).max(LEAST * lacking.weight),
             Need::Volumes(_) => scale * lacking.volume,
         };
-        for [i, j] in (-far..=far).flat_map(|j| (-far..=far).map(move |i| [i, j])) {
-            for seen in seen.get(&[lacking.cell[0] + i, lacking.cell[1] + j]).into_iter().flatten() {
+        for step in (-far..=far).flat_map(|j| (-far..=far).map(move |i| [i, j, 0])) {
+            for seen in seen.get(&plus(lacking.cell, step)).into_iter().flatten() {
                 let wish = missing * need.wish([0, 1].map(|k| seen.at[k] - f64::from(lacking.cell[k])));
                 if wish > 0.0 {
                     let place = &sources[seen.place as usize];
@@ -138,12 +138,12 @@ fn spline(degree: i32, x: f64) -> f64 {
 /// Places and their images near real points, by cell.
 fn seen(sources: &[Source], mirrors: &Mirrors, far: f64) -> HashMap<Cell, Vec<Seen>> {
     let mut seen: HashMap<Cell, Vec<Seen>> = HashMap::new();
-    let lines = mirrors.lines();
+    let lines = mirrors.lines;
     for (place, source) in (0..).zip(sources) {
         let along = |k: usize| copies(lines[k], mirrors.joined[k], source.at[k], far);
         for &(x, turned) in &along(0) {
             for &(y, other) in &along(1) {
-                let cell = [x, y].map(|x| x.round() as i32);
+                let cell = [x.round() as i32, y.round() as i32, 0];
                 seen.entry(cell).or_default().push(Seen { place, at: [x, y], sign: turned * other });
             }
         }

@@ -36,7 +36,7 @@ pub(super) fn ringed(
 /// What a point counts by: in a body of revolution its radius in spacings, beyond the axis that of its image.
 pub(super) fn weight(plate: &Bonded, point: usize) -> f64 {
     match plate.mirrors.revolved {
-        true => (plate.lattice.position(point)[0] / plate.lattice.spacing()).abs(),
+        true => (plate.lattice.place(point)[0] / plate.lattice.spacing()).abs(),
         false => 1.0,
     }
 }

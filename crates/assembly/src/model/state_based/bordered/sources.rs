@@ -62,7 +62,7 @@ pub(super) enum Kind {
 }
 
 /// The direction of all that has many.
-pub(super) const ANY: Cell = [1, 1];
+pub(super) const ANY: Cell = [1, 1, 0];
 
 /// Sources by kind, cell and direction.
 #[derive(Clone, Debug, Default)]
@@ -86,7 +86,7 @@ impl Sources {
 
 /// The quarters of all directions, nearer to the rows or to the columns and with or against the diagonal, that one belongs to, and
 /// its parts in them.
-fn sectors([a, b]: Cell) -> Vec<(usize, f64)> {
+fn sectors([a, b, _]: Cell) -> Vec<(usize, f64)> {
     let choice = |first: i32, second: i32| match first.cmp(&second) {
         std::cmp::Ordering::Greater => vec![(0, 1.0)],
         std::cmp::Ordering::Less => vec![(1, 1.0)],

@@ -71,7 +71,7 @@ fn columns_may_be_counted_from_anywhere() {
     // A solid cylinder and one with a bore, on lattices whose first column is not the zeroth.
     for radius in [0.0, 1.5] {
         let make = |corner: f64, first: i32| {
-            let lattice = SquareLattice::new(0.5, [corner, 0.0], first..first + 6, 0..4, |_| true);
+            let lattice = SquareLattice::plane(0.5, [corner, 0.0], first..first + 6, 0..4, |_| true);
             body(lattice, Mirrors::NONE, RING)
         };
         let (usual, moved) = (make(radius, 0), make(radius - 1.5, 3));

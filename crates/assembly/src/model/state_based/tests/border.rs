@@ -2,7 +2,7 @@
 
 use super::super::BorderedState;
 use super::*;
-use crate::body::{Hole, Outline, Polygon, Shape};
+use crate::body::{Hole, Outline, Polygon, Shape, plus};
 use crate::model::Points;
 use crate::model::plane::Solvable;
 use crate::model::plane::through_border::{Side, through_border};
@@ -180,7 +180,7 @@ fn a_quarter_with_mirrors_is_the_whole() {
     };
     for (m, nu, holed) in [(2.0, 0.0, true), (3.0, 0.45, true), (3.0, 0.2, false), (3.0, 0.49, true)] {
         let whole = plate(&quarter([-8.0; 2], [16.0; 2], holed), Mirrors::NONE, m, nu);
-        let mirrors = Mirrors { columns: [Some(0), None], rows: [Some(0), None], ..Mirrors::NONE };
+        let mirrors = Mirrors::in_plane([Some(0), None], [Some(0), None]);
         let part = plate(&quarter([0.0; 2], [8.0; 2], holed), mirrors, m, nu);
         // A displacement with the symmetry of the body.
         let at = |plate: &BorderedState, p: usize| {
@@ -205,7 +205,7 @@ fn a_quarter_with_mirrors_is_the_whole() {
         let (count, wide) = (whole.points(), whole.lattice().unwrap().0);
         for p in real_points(&part) {
             let cell = lattice.cell(p);
-            let other = wide.number([cell[0] + 8, cell[1] + 8]).unwrap();
+            let other = wide.number(plus(cell, [8, 8, 0])).unwrap();
             for k in 0..2 {
                 let off = sums[p][k] - all[k * count + other];
                 assert!(off.abs() < 1e-12 * largest(all.iter().copied()), "{m} {nu} {cell:?}: {off:e}");
@@ -223,7 +223,7 @@ fn strips_between_held_edges_have_one_stress() {
         let number = |cell| lattice.number(cell).unwrap();
         let edge = |row: i32, column: i32, inward: i32, value: f64| Equation {
             terms: [(0, 1.5), (inward, -0.5)]
-                .map(|(k, share)| (Unknown { component: 0, point: number([column + k, row]) }, share))
+                .map(|(k, share)| (Unknown { component: 0, point: number([column + k, row, 0]) }, share))
                 .to_vec(),
             value,
             origin: "held".into(),
@@ -231,7 +231,7 @@ fn strips_between_held_edges_have_one_stress() {
         let moved = 0.01 * f64::from(columns);
         let mut held: Vec<Equation> =
             (0..rows).flat_map(|r| [edge(r, 0, 1, 0.0), edge(r, columns - 1, -1, moved)]).collect();
-        held.push(super::held(1, number([0, 0]), 0.0));
+        held.push(super::held(1, number([0, 0, 0]), 0.0));
         let u = solve(&plate, held, &vec![0.0; 2 * plate.points()]);
         let fields = plate.fields(&u);
         // Across a strip of plane strain nothing is held but itself.
@@ -242,7 +242,7 @@ fn strips_between_held_edges_have_one_stress() {
             assert!(off < 1e-10, "{m} {nu} {k}: {off:e}");
         }
         let force: f64 = (0..rows)
-            .map(|r| force(&plate, &u)[number([0, r])] + self::force(&plate, &u)[number([1, r])])
+            .map(|r| force(&plate, &u)[number([0, r, 0])] + self::force(&plate, &u)[number([1, r, 0])])
             .sum();
         let wanted = -exact * plate.thickness() * f64::from(rows);
         assert!((force / wanted - 1.0).abs() < 1e-11, "{m} {nu}: {force} {wanted}");

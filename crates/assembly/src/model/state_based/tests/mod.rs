@@ -42,7 +42,7 @@ fn cells(spacing: f64, radius: f64, size: [i32; 2]) -> SquareLattice {
 
 /// A strip of one row between mirrors: plane strain.
 fn strip(spacing: f64, radius: f64, columns: i32, parameters: StateParameters) -> StateBased {
-    let mirrors = Mirrors { rows: [Some(0), Some(1)], ..Mirrors::NONE };
+    let mirrors = Mirrors::in_plane([None; 2], [Some(0), Some(1)]);
     body(cells(spacing, radius, [columns, 1]), mirrors, parameters)
 }
 

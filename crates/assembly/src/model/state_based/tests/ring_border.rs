@@ -182,7 +182,7 @@ fn sphere(count: i32, m: f64, nu: f64) -> BorderedState {
     let mut outline = polygon(&vertices);
     outline.cut(Hole { name: None, shape: Shape::Circle { centre: [0.0; 2], radius: 10.0 } }).unwrap();
     let lattice = filled(&outline, 10.0 / f64::from(count));
-    ring(&lattice, Mirrors { rows: [Some(0), None], ..Mirrors::NONE }, m, nu)
+    ring(&lattice, Mirrors::in_plane([None; 2], [Some(0), None]), m, nu)
 }
 
 /// Lamé's displacements of a sphere, through its border.

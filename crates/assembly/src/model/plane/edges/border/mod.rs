@@ -20,7 +20,7 @@ use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
 use super::super::{Mirrors, geometry};
 use super::{By, Completion};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::{BondGeometry, Mat};
 use crate::stiffness::{Exception, PlacedBond, PlacedBonds};
 use nodes::{Cells, Nodes};
@@ -60,10 +60,11 @@ pub(super) fn can_end(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
         let image = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
         lattice.number(image).is_some()
     };
-    let in_block = |[i, j]: Cell| {
+    let in_block = |cell: Cell| {
+        let beside = |a: i32, b: i32| has(plus(cell, [a, b, 0]));
         [(-1, -1), (-1, 1), (1, -1), (1, 1)]
             .into_iter()
-            .any(|(a, b)| has([i + a, j]) && has([i, j + b]) && has([i + a, j + b]))
+            .any(|(a, b)| beside(a, 0) && beside(0, b) && beside(a, b))
     };
     let mut near = super::super::near::near_points(lattice, 1).into_iter();
     near.all(|point| in_block(lattice.cell(point)))

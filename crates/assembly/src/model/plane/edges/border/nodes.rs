@@ -81,8 +81,8 @@ impl<'a, const M: usize> Nodes<'a, M> {
     /// From blocks beside the corner, or if there are none from those across: the mean of all, each continued linearly along
     /// both axes.
     fn extrapolated(&self, corner: Cell, from: Cell) -> Option<Shares> {
-        const BESIDE: [Cell; 4] = [[-1, 0], [1, 0], [0, -1], [0, 1]];
-        const ACROSS: [Cell; 4] = [[-1, -1], [1, -1], [-1, 1], [1, 1]];
+        const BESIDE: [Cell; 4] = [[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0]];
+        const ACROSS: [Cell; 4] = [[-1, -1, 0], [1, -1, 0], [-1, 1, 0], [1, 1, 0]];
         [&BESIDE, &ACROSS].into_iter().find_map(|shifts| {
             let blocks: Vec<Cell> =
                 shifts.iter().copied().filter(|s| self.is_whole(corner, *s, from)).collect();
@@ -115,10 +115,10 @@ pub(super) fn around(at: [f64; 2]) -> impl Iterator<Item = (Cell, f64)> {
     const SAME: f64 = 1e-9;
     let low = at.map(|x| (x + SAME).floor());
     let part = [0, 1].map(|k| Some(at[k] - low[k]).filter(|f| *f > SAME).unwrap_or(0.0));
-    [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().filter_map(move |[dx, dy]: Cell| {
+    [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().filter_map(move |[dx, dy]| {
         let along = |d: i32, f: f64| if d == 0 { 1.0 - f } else { f };
         let share = along(dx, part[0]) * along(dy, part[1]);
-        (share > 0.0).then_some(([low[0] as i32 + dx, low[1] as i32 + dy], share))
+        (share > 0.0).then_some(([low[0] as i32 + dx, low[1] as i32 + dy, 0], share))
     })
 }
 
@@ -130,8 +130,8 @@ fn block(corner: Cell, shift: Cell) -> impl Iterator<Item = (Cell, f64)> {
         1 => [1.5, -0.5][far as usize],
         _ => [-0.5, 1.5][far as usize],
     };
-    [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().map(move |[a, b]: Cell| {
-        let cell = [corner[0] - 1 + shift[0] + a, corner[1] - 1 + shift[1] + b];
+    [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().map(move |[a, b]| {
+        let cell = [corner[0] - 1 + shift[0] + a, corner[1] - 1 + shift[1] + b, corner[2]];
         (cell, share(shift[0], a) * share(shift[1], b))
     })
 }

@@ -16,7 +16,7 @@ impl Path {
     /// That of an offset. A bond that goes through a corner of cells has no part in the two cells beside it.
     pub(super) fn of(offset: Cell) -> Self {
         // Borders of cells are half a spacing beyond their centres; times 2 |a| |b| all shares are whole numbers.
-        let [a, b] = offset.map(|x| x.unsigned_abs().max(1));
+        let [a, b, _] = offset.map(|x| x.unsigned_abs().max(1));
         let crossings = |count: u32, other: u32| (0..count).map(move |q| (2 * q + 1) * other);
         let mut shares: Vec<u32> = vec![0];
         shares.extend(if offset[0] == 0 { None } else { Some(crossings(a, b)) }.into_iter().flatten());
@@ -32,7 +32,7 @@ impl Path {
 
     /// The place at a share of its length, in spacings from the first point.
     pub(super) fn at(&self, share: f64) -> [f64; 2] {
-        self.offset.map(|x| f64::from(x) * share)
+        [0, 1].map(|k| f64::from(self.offset[k]) * share)
     }
 
     /// Where it enters a cell, or behind the last one its end, in spacings from the first point.
@@ -52,13 +52,13 @@ mod tests {
 
     #[test]
     fn bonds_pass_cells_one_after_the_other() {
-        let straight = Path::of([0, 2]);
-        assert_eq!(straight.cells, [[0, 0], [0, 1], [0, 2]]);
+        let straight = Path::of([0, 2, 0]);
+        assert_eq!(straight.cells, [[0, 0, 0], [0, 1, 0], [0, 2, 0]]);
         assert_eq!(straight.entries, [0.0, 0.25, 0.75, 1.0]);
-        let diagonal = Path::of([-1, 1]);
+        let diagonal = Path::of([-1, 1, 0]);
         assert_eq!((diagonal.cells.len(), diagonal.place(1)), (2, [-0.5, 0.5]));
-        let steep = Path::of([1, 2]);
-        assert_eq!(steep.cells, [[0, 0], [0, 1], [1, 1], [1, 2]]);
+        let steep = Path::of([1, 2, 0]);
+        assert_eq!(steep.cells, [[0, 0, 0], [0, 1, 0], [1, 1, 0], [1, 2, 0]]);
         assert_eq!(steep.place(2), [0.5, 1.0]);
         assert!((steep.share(1, 3) - 0.5).abs() < 1e-15);
     }

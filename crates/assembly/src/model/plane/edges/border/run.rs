@@ -3,7 +3,7 @@
 use super::super::super::Mirrors;
 use super::nodes::{Cells, Nodes, around};
 use super::path::Path;
-use crate::body::Cell;
+use crate::body::{Cell, minus, plus};
 use crate::stiffness::Place;
 
 /// A run of cells along the path of a bond, one after the other.
@@ -27,7 +27,7 @@ pub(super) fn for_each_run<const M: usize>(
     for &point in near {
         let cell = cells.lattice.cell(point);
         for (first, step) in path.cells.iter().enumerate() {
-            let start = [cell[0] - step[0], cell[1] - step[1]];
+            let start = minus(cell, *step);
             let has = |p: usize| cells.has(plus(start, path.cells[p]));
             // A run is met at its first cell.
             if first > 0 && has(first - 1) {
@@ -86,7 +86,7 @@ impl Run<'_> {
             let place = self.path.place(piece);
             let along = |k: usize| {
                 let at = f64::from(self.start[k]) + place[k] + 0.5;
-                let [low, high] = mirrors.lines()[k];
+                let [low, high] = mirrors.lines[k];
                 let past =
                     low.map_or(-1.0, |l| f64::from(l) - at).max(high.map_or(-1.0, |h| at - f64::from(h)));
                 match past {
@@ -139,8 +139,4 @@ impl Run<'_> {
         let rest = rest.into_iter().map(|(point, part)| (point, part / whole * (share - 0.5) / share));
         Some(std::iter::once((own, 0.5 / share)).chain(rest).collect())
     }
-}
-
-fn plus(a: Cell, b: Cell) -> Cell {
-    [a[0] + b[0], a[1] + b[1]]
 }

@@ -30,7 +30,7 @@ pub(in super::super::super) fn border_shares<'a, const M: usize>(
             return None;
         }
         corner[axis] = side;
-        let mut cell = corner.map(|x| x.floor() as i32);
+        let mut cell = [corner[0].floor() as i32, corner[1].floor() as i32, 0];
         cell[axis] = side as i32 - i32::from(normal[axis] > 0.0);
         let mut beyond = cell;
         beyond[axis] = 2 * side as i32 - 1 - cell[axis];

@@ -1,13 +1,13 @@
 //! How much of the triangles of blocks lies in the body, images among them.
 
 use super::super::super::Mirrors;
-use crate::body::{Cell, Parts, SquareLattice, middle};
+use crate::body::{Cell, Parts, SquareLattice, middle, plus};
 use std::array::from_fn;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
 /// Corners of a block from its lower left one, in the order of [`Parts`].
-pub(super) const CORNERS: [Cell; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
+pub(super) const CORNERS: [Cell; 4] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]];
 
 /// Parts nearer to none or all are that.
 const WHOLE: f64 = 1e-9;
@@ -26,7 +26,7 @@ pub(super) struct Blocks<'a> {
 
 impl<'a> Blocks<'a> {
     pub(super) fn new(lattice: &'a SquareLattice, mirrors: &'a Mirrors) -> Self {
-        let [mut columns, rows] = mirrors.lines();
+        let [mut columns, rows, _] = mirrors.lines;
         if mirrors.revolved {
             columns[0] = None;
         }
@@ -122,7 +122,7 @@ impl<'a> Blocks<'a> {
     fn own(&self, block: Cell) -> [Moments; 4] {
         let (listed, centres) = (self.lattice.blocks(), self.lattice.centres());
         let found = listed.binary_search_by_key(&block, |b| b.0);
-        let is_there = || CORNERS.iter().all(|c| self.has_own([block[0] + c[0], block[1] + c[1]]));
+        let is_there = || CORNERS.iter().all(|c| self.has_own(plus(block, *c)));
         from_fn(|t| {
             let part = found.map_or_else(|_| f64::from(u8::from(is_there())), |index| listed[index].1[t]);
             let known = found.ok().and_then(|index| centres.get(index));
@@ -161,17 +161,17 @@ mod tests {
     #[test]
     fn blocks_of_a_quarter_are_those_of_the_whole() {
         let (whole, quarter) = (with_hole([-8.0; 2], [16.0; 2]), with_hole([0.0; 2], [8.0; 2]));
-        let mirrors = Mirrors { columns: [Some(0), None], rows: [Some(0), None], ..Mirrors::NONE };
+        let mirrors = Mirrors::in_plane([Some(0), None], [Some(0), None]);
         let (own, mirrored) = (Blocks::new(&whole, &Mirrors::NONE), Blocks::new(&quarter, &mirrors));
         let mut counted = 0.0;
-        for block in (-9..8).flat_map(|j| (-9..8).map(move |i| [i, j])) {
-            let [found, expected] = [mirrored.parts(block), own.parts([block[0] + 8, block[1] + 8])];
+        for block in (-9..8).flat_map(|j| (-9..8).map(move |i| [i, j, 0])) {
+            let [found, expected] = [mirrored.parts(block), own.parts(plus(block, [8, 8, 0]))];
             for (a, b) in found.iter().zip(expected) {
                 assert!((a - b).abs() < 1e-12, "{block:?} {found:?} {expected:?}");
             }
             counted += mirrored.counted(block) * found.iter().sum::<f64>();
         }
-        let all = (-1..16).flat_map(|j| (-1..16).map(move |i| [i, j]));
+        let all = (-1..16).flat_map(|j| (-1..16).map(move |i| [i, j, 0]));
         let sum: f64 = all.map(|block| own.parts(block).iter().sum::<f64>()).sum();
         assert!((counted / sum - 0.25).abs() < 1e-12);
     }

@@ -2,7 +2,7 @@
 
 use super::blocks::{Blocks, CORNERS};
 use super::fit::fit;
-use crate::body::Cell;
+use crate::body::{Cell, minus, plus};
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
@@ -25,7 +25,8 @@ pub(super) const WIDE: f64 = 1.0 / 4.5;
 /// Steps from a corner's point to those that it follows, at most.
 const AROUND: i32 = 8;
 /// Steps to next cells.
-const NEXT: [Cell; 8] = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
+const NEXT: [Cell; 8] =
+    [[1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 1, 0], [-1, 0, 0], [-1, -1, 0], [0, -1, 0], [1, -1, 0]];
 
 /// Cracks that run between points.
 pub(super) struct Cracks<'a> {
@@ -50,8 +51,8 @@ impl<'a> Cracks<'a> {
 
     /// Whether a crack can run between a point and those around it.
     fn is_near(&self, cell: Cell) -> bool {
-        let [i, j] = Self::square(cell);
-        self.squares.contains(&[i, j]) || NEXT.iter().any(|[a, b]| self.squares.contains(&[i + a, j + b]))
+        let square = Self::square(cell);
+        self.squares.contains(&square) || NEXT.iter().any(|step| self.squares.contains(&plus(square, *step)))
     }
 }
 
@@ -93,12 +94,15 @@ impl<'a> Corners<'a> {
     /// Beside a border half a spacing beyond rows and columns: linearly along them, so that a line of the border moves as the
     /// points beside it alone do.
     fn straight(&self, corner: Cell, from: Cell) -> Option<Shares> {
-        let around = CORNERS.map(|c| [corner[0] - c[0], corner[1] - c[1]]);
+        let around = CORNERS.map(|c| minus(corner, c));
         if !around.iter().all(|block| self.is_aligned(*block)) {
             return None;
         }
         let near = self.around(from);
-        let steps = [[[1, 0], [-1, 0], [0, 1], [0, -1]], [[1, 1], [-1, 1], [1, -1], [-1, -1]]];
+        let steps = [
+            [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]],
+            [[1, 1, 0], [-1, 1, 0], [1, -1, 0], [-1, -1, 0]],
+        ];
         steps.iter().find_map(|steps| {
             let found: Vec<Shares> =
                 steps.iter().filter_map(|&step| self.along(corner, step, &near)).collect();
@@ -115,14 +119,15 @@ impl<'a> Corners<'a> {
             s => vec![(corner[k] + s, 2.0), (corner[k] + 2 * s, -1.0)],
         };
         let rows = axis(1);
-        let all = axis(0).into_iter().flat_map(|(i, p)| rows.iter().map(move |&(j, q)| ([i, j], p * q)));
+        let all =
+            axis(0).into_iter().flat_map(|(i, p)| rows.iter().map(move |&(j, q)| ([i, j, corner[2]], p * q)));
         let shares: Shares = all.collect();
         shares.iter().all(|s| self.is_near(s.0, near)).then_some(shares)
     }
 
     /// Whether the borders in a block are half a spacing beyond its points: then these tell its parts.
     fn is_aligned(&self, block: Cell) -> bool {
-        let there = CORNERS.map(|c| f64::from(u8::from(self.blocks.has([block[0] + c[0], block[1] + c[1]]))));
+        let there = CORNERS.map(|c| f64::from(u8::from(self.blocks.has(plus(block, c)))));
         let parts = self.blocks.parts(block);
         (0..4).all(|t| (parts[t] - 0.5 * there[t] - 0.25 * (there[t ^ 1] + there[t ^ 2])).abs() < 1e-6)
     }
@@ -138,7 +143,7 @@ impl<'a> Corners<'a> {
         let far = |cell: Cell| (0..2).map(|k| (cell[k] - from[k]).abs()).max().unwrap_or(0);
         let (mut found, mut last) = (HashSet::from([from]), vec![from]);
         for step in 1..=AROUND {
-            let next = last.iter().flat_map(|&cell| NEXT.map(|[i, j]| (cell, [cell[0] + i, cell[1] + j])));
+            let next = last.iter().flat_map(|&cell| NEXT.map(|step| (cell, plus(cell, step))));
             let leads = |(cell, to): &(Cell, Cell)| {
                 step <= far(*to) + 1
                     && self.blocks.has(*to)
@@ -164,8 +169,8 @@ impl<'a> Corners<'a> {
         let steps = (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| [i, j]));
         let seen = self.around(from);
         let mut near: Vec<(i32, Cell)> = steps
-            .map(|[i, j]| (i * i + j * j, [i, j]))
-            .filter(|(d, [i, j])| *d <= FARTHEST && self.is_near([at[0] + i, at[1] + j], &seen))
+            .map(|[i, j]| (i * i + j * j, [i, j, 0]))
+            .filter(|(d, step)| *d <= FARTHEST && self.is_near(plus(at, *step), &seen))
             .collect();
         near.sort_unstable();
         let at_least = |count: usize| {
@@ -175,7 +180,7 @@ impl<'a> Corners<'a> {
         let fits = [(6, POINTS), (6, 2 * POINTS), (3, 4), (3, POINTS)];
         let rows =
             fits.into_iter().find_map(|(terms, count)| fit(&near[..at_least(count)?], terms, decay))?;
-        let named = |(&(_, [i, j]), rows): (&(i32, Cell), [f64; 3])| ([at[0] + i, at[1] + j], rows);
+        let named = |(&(_, step), rows): (&(i32, Cell), [f64; 3])| (plus(at, step), rows);
         Some(near.iter().zip(rows).map(named).collect())
     }
 }

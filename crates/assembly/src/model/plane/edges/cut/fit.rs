@@ -13,7 +13,7 @@ pub(super) fn fit(near: &[(i32, Cell)], terms: usize, decay: f64) -> Option<Vec<
     let first = near.first()?.0;
     let weight: Vec<f64> = near.iter().map(|n| (decay * f64::from(first - n.0)).exp()).collect();
     let term = |k: usize, q: usize| {
-        let [x, y] = near[k].1.map(f64::from);
+        let [x, y, _] = near[k].1.map(f64::from);
         [1.0, x, y, x * x, x * y, y * y][q]
     };
     let all = DMatrix::from_fn(near.len(), terms, |k, q| weight[k] * term(k, q));
@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     fn cells(of: &dyn Fn(Cell) -> bool) -> Vec<(i32, Cell)> {
-        let all = (-4..=4).flat_map(|j| (-4..=4).map(move |i| [i, j])).filter(|c| of(*c));
+        let all = (-4..=4).flat_map(|j| (-4..=4).map(move |i| [i, j, 0])).filter(|c| of(*c));
         let mut near: Vec<(i32, Cell)> = all.map(|c| (c[0] * c[0] + c[1] * c[1], c)).collect();
         near.sort_unstable();
         near
@@ -50,14 +50,14 @@ mod tests {
 
     #[test]
     fn a_fit_is_exact_for_its_terms() {
-        let near = cells(&|[i, j]| 2 * j + i > 2 && i.abs() < 4);
+        let near = cells(&|[i, j, _]| 2 * j + i > 2 && i.abs() < 4);
         for decay in [0.5, 0.2] {
             let rows = fit(&near, 6, decay).expect("a quadratic");
             for (k, expected) in
                 [[0.25, 0.0, 0.0], [0.0, 1.0, -3.0], [0.0, -3.0, 1.0], [0.0, 0.0, 0.0]].iter().enumerate()
             {
                 let value =
-                    |[x, y]: [f64; 2]| [0.25, x - 3.0 * y, y - 3.0 * x, x * x + x * y - 2.0 * y * y][k];
+                    |[x, y, _]: [f64; 3]| [0.25, x - 3.0 * y, y - 3.0 * x, x * x + x * y - 2.0 * y * y][k];
                 for (row, expected) in expected.iter().enumerate() {
                     let all = near.iter().zip(&rows);
                     let found: f64 = all.map(|(n, r)| r[row] * value(n.1.map(f64::from))).sum();
@@ -69,8 +69,8 @@ mod tests {
 
     #[test]
     fn what_points_do_not_tell_is_refused() {
-        let two_rows = cells(&|[_, j]| j == 1 || j == 2);
+        let two_rows = cells(&|[_, j, _]| j == 1 || j == 2);
         assert!(fit(&two_rows, 6, 0.5).is_none() && fit(&two_rows, 3, 0.5).is_some());
-        assert!(fit(&cells(&|[_, j]| j == 1), 3, 0.5).is_none());
+        assert!(fit(&cells(&|[_, j, _]| j == 1), 3, 0.5).is_none());
     }
 }

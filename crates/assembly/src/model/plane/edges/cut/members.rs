@@ -4,8 +4,7 @@ use super::super::super::bond::PlaneBond;
 use super::super::super::geometry;
 use super::blocks::CORNERS;
 use super::corners::Corners;
-use super::plus;
-use crate::body::Cell;
+use crate::body::{Cell, minus, plus};
 use crate::bonds::Mat;
 use crate::stiffness::{Place, WideMember};
 
@@ -32,7 +31,7 @@ pub(super) fn members<const D: usize, const M: usize, const S: usize, B: PlaneBo
     let lattice = corners.blocks.lattice;
     let cells = corners_of(at, triangle);
     let vector = |to: Cell| {
-        let [x, y, _] = geometry(lattice, [to[0] - cells[0][0], to[1] - cells[0][1]]).xi;
+        let [x, y, _] = geometry(lattice, minus(to, cells[0])).xi;
         [x, y]
     };
     let (others, own) = bond.triangle(vector(cells[1]), vector(cells[2]));
@@ -72,7 +71,7 @@ fn combined<const D: usize, const S: usize>(a: &Mat<S, D>, b: &Mat<S, D>, factor
 
 /// The point nearest to a cell outside.
 pub(super) fn next_point(corners: &Corners, cell: Cell) -> Option<Cell> {
-    let steps = (-3..=3).flat_map(|j| (-3..=3).map(move |i| [i, j]));
+    let steps = (-3..=3).flat_map(|j| (-3..=3).map(move |i| [i, j, 0]));
     let there = steps.filter(|step| corners.blocks.has(plus(cell, *step)));
-    Some(plus(cell, there.min_by_key(|[i, j]| i * i + j * j)?))
+    Some(plus(cell, there.min_by_key(|[i, j, _]| i * i + j * j)?))
 }

@@ -3,8 +3,7 @@
 use super::super::super::neighbourhood::Neighbourhood;
 use super::blocks::Blocks;
 use super::pieces::{Piece, pieces};
-use super::plus;
-use crate::body::Cell;
+use crate::body::{Cell, minus, plus};
 use std::cell::RefCell;
 use std::collections::HashMap;
 
@@ -44,7 +43,7 @@ impl<'a> Missing<'a> {
     /// How many of the two bonds of a path that begin or end at a cell are missing.
     pub(super) fn lacks(&self, path: usize, cell: Cell) -> u8 {
         let offset = self.offsets[self.paths[path].0];
-        let ends = [cell, [cell[0] - offset[0], cell[1] - offset[1]]];
+        let ends = [cell, minus(cell, offset)];
         ends.into_iter().map(|from| u8::from(self.is_missing(path, from))).sum()
     }
 
@@ -55,7 +54,7 @@ impl<'a> Missing<'a> {
         }
         for (path, (k, pieces)) in self.paths.iter().enumerate() {
             for piece in pieces {
-                let from = [at[0] - piece.block[0], at[1] - piece.block[1]];
+                let from = minus(at, piece.block);
                 if self.is_missing(path, from) {
                     visit(*k, from, plus(from, self.offsets[*k]));
                 }
@@ -74,8 +73,7 @@ impl<'a> Missing<'a> {
         let whole = 0.25 * part * self.blocks.weight(column + self.blocks.centre(at, triangle)[0]);
         let of = |(path, (k, pieces)): (usize, &(usize, Vec<Piece>))| {
             let own = pieces.iter().filter(|piece| piece.triangle == triangle);
-            let is_missing =
-                |piece: &&Piece| self.is_missing(path, [at[0] - piece.block[0], at[1] - piece.block[1]]);
+            let is_missing = |piece: &&Piece| self.is_missing(path, minus(at, piece.block));
             let middle = |piece: &Piece| 0.5 * f64::from(self.offsets[*k][0]) - f64::from(piece.block[0]);
             let share = |piece: &Piece| piece.share * self.blocks.weight(column + middle(piece));
             match is_left_all {

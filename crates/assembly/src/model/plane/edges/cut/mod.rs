@@ -28,7 +28,7 @@ use super::super::near::{at, near_points};
 use super::super::neighbourhood::Neighbourhood;
 use super::overlay::is_cut;
 use super::{By, Completion};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, minus, plus};
 use crate::bonds::{Mat, block};
 use crate::stiffness::{Exception, WideFamilies};
 use blocks::{Blocks, CORNERS};
@@ -50,7 +50,7 @@ const LEAST: f64 = 1e-4;
 /// Whether all that lies in the body can be completed so: no sides are joined, every point has its part of it, and corners
 /// beyond the border can be told.
 pub(super) fn can_complete(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
-    if lattice.blocks().is_empty() || mirrors.joined != [false; 2] {
+    if lattice.blocks().is_empty() || mirrors.joined != [false; 3] {
         return false;
     }
     let corners = Corners::new(Blocks::new(lattice, mirrors), None);
@@ -68,7 +68,7 @@ pub(super) fn can_complete(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
             *own.entry(cell).or_default() += all / 12.0;
         }
     }
-    let is_seen = |cell: &Cell| CORNERS.iter().all(|c| near.contains(&[cell[0] - c[0], cell[1] - c[1]]));
+    let is_seen = |cell: &Cell| CORNERS.iter().all(|c| near.contains(&minus(*cell, *c)));
     // Images beyond an axis have nothing of the body.
     let is_real = |cell: &Cell| !mirrors.revolved || mirrors.is_real(*cell);
     let is_own = |cell: &Cell| lattice.number(*cell).is_some() && is_real(cell) && is_seen(cell);
@@ -78,7 +78,7 @@ pub(super) fn can_complete(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
 /// Blocks within some rows and columns of those that a border can cut.
 fn near_blocks(lattice: &SquareLattice, reach: i32) -> BTreeSet<Cell> {
     let around = |cell: Cell, low: i32, high: i32| {
-        (low..=high).flat_map(move |j| (low..=high).map(move |i| plus(cell, [i, j])))
+        (low..=high).flat_map(move |j| (low..=high).map(move |i| plus(cell, [i, j, 0])))
     };
     let listed = lattice.blocks().iter().flat_map(|b| around(b.0, -reach, reach));
     let near = near_points(lattice, 1).into_iter().map(|point| lattice.cell(point));
@@ -216,8 +216,4 @@ pub(in super::super) fn modulus<const D: usize, const M: usize, const S: usize, 
     let geometry = geometry(lattice, hood.offsets[k]);
     let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
     block(&uniform, &std::array::from_fn(|m| hood.weights[k][m] * unit[m]), &uniform)
-}
-
-fn plus(a: Cell, b: Cell) -> Cell {
-    [a[0] + b[0], a[1] + b[1]]
 }

@@ -16,7 +16,7 @@ pub(super) struct Piece {
 /// The triangles that the bond of an offset passes. Either diagonal divides a block into two of them, and has half of the bond;
 /// what lies on a side belongs to the triangles on both sides of it alike.
 pub(super) fn pieces(offset: Cell) -> Vec<Piece> {
-    let [a, b] = offset.map(f64::from);
+    let [a, b, _] = offset.map(f64::from);
     let mut found: Vec<Piece> = Vec::new();
     for rises in [true, false] {
         for ends in places(offset, rises).windows(2) {
@@ -36,7 +36,7 @@ pub(super) fn pieces(offset: Cell) -> Vec<Piece> {
 }
 
 /// Where a bond crosses rows, columns and diagonals, in parts of its length, with both ends.
-fn places([a, b]: Cell, rises: bool) -> Vec<f64> {
+fn places([a, b, _]: Cell, rises: bool) -> Vec<f64> {
     let diagonal = if rises { a - b } else { a + b };
     let mut places = vec![0.0, 1.0];
     for steps in [a, b, diagonal].map(i32::abs) {
@@ -49,13 +49,13 @@ fn places([a, b]: Cell, rises: bool) -> Vec<f64> {
 
 /// The block of a position, in spacings from a point, and the triangle there that one of the diagonals makes.
 pub(super) fn triangle_at(at: [f64; 2], rises: bool) -> (Cell, usize) {
-    let block = at.map(|x| x.floor());
-    let [x, y] = [0, 1].map(|k| at[k] - block[k]);
+    let low = at.map(|x| x.floor());
+    let [x, y] = [0, 1].map(|k| at[k] - low[k]);
     let triangle = match rises {
         true => 1 + usize::from(x < y),
         false => 3 * usize::from(x + y > 1.0),
     };
-    (block.map(|x| x as i32), triangle)
+    ([low[0] as i32, low[1] as i32, 0], triangle)
 }
 
 #[cfg(test)]
@@ -64,7 +64,9 @@ mod tests {
 
     #[test]
     fn every_triangle_inside_has_a_quarter_of_each_offset() {
-        for offset in [[1, 0], [0, 2], [1, 1], [-1, 1], [2, 1], [-1, 3], [3, 2], [-4, 1]] {
+        for offset in
+            [[1, 0], [0, 2], [1, 1], [-1, 1], [2, 1], [-1, 3], [3, 2], [-4, 1]].map(|[a, b]| [a, b, 0])
+        {
             let found = pieces(offset);
             assert!((found.iter().map(|p| p.share).sum::<f64>() - 1.0).abs() < 1e-12);
             // One bond begins at every point, so that a triangle meets all pieces of its kind.
@@ -77,8 +79,8 @@ mod tests {
 
     #[test]
     fn a_side_belongs_to_both_sides() {
-        let blocks: Vec<Cell> = pieces([1, 0]).iter().map(|p| p.block).collect();
-        assert!(blocks.contains(&[0, 0]) && blocks.contains(&[0, -1]));
-        assert!(pieces([1, 1]).iter().all(|p| p.block == [0, 0]));
+        let blocks: Vec<Cell> = pieces([1, 0, 0]).iter().map(|p| p.block).collect();
+        assert!(blocks.contains(&[0, 0, 0]) && blocks.contains(&[0, -1, 0]));
+        assert!(pieces([1, 1, 0]).iter().all(|p| p.block == [0, 0, 0]));
     }
 }

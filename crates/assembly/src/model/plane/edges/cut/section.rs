@@ -4,7 +4,7 @@ use super::super::super::Mirrors;
 use super::blocks::{Blocks, CORNERS};
 use super::corners::Corners;
 use super::members::{corner_shares, corners_of};
-use crate::body::{Cell, SquareLattice};
+use crate::body::{Cell, SquareLattice, minus};
 use crate::stiffness::Place;
 use std::collections::BTreeSet;
 
@@ -34,7 +34,7 @@ impl Section {
     /// That around some cells of a body; triangles whose corners cannot be told are left out.
     pub(in super::super::super) fn new(lattice: &SquareLattice, mirrors: &Mirrors, cells: &[Cell]) -> Self {
         let corners = Corners::new(Blocks::new(lattice, mirrors), None);
-        let around = |cell: &Cell| CORNERS.map(|c| [cell[0] - c[0], cell[1] - c[1]]);
+        let around = |cell: &Cell| CORNERS.map(|c| minus(*cell, c));
         let is_whole = |block: &Cell| corners.blocks.is_whole(*block);
         let count = |cell: &Cell| around(cell).iter().filter(|block| is_whole(block)).count() as u8;
         let cut: BTreeSet<Cell> = cells.iter().flat_map(around).filter(|block| !is_whole(block)).collect();

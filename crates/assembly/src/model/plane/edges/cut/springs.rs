@@ -43,8 +43,8 @@ pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBo
             let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
             let unit = bond.part_moduli(&whole, share);
             let moduli = from_fn(|m| left / share * hood.weights[offset][m] * unit[m]);
-            let ends =
-                [-0.5, 0.5].map(|half| place(&cells, &places, step.map(|k| half * share * f64::from(k))));
+            let ends = [-0.5, 0.5]
+                .map(|half| place(&cells, &places, [0, 1].map(|c| half * share * f64::from(step[c]))));
             let foremost = bonds.push(&PlacedBond { ends, mean: None, rows: bond.rows(&short), moduli });
             kinds.push(PartOfBond { offset: offset as u32, share, of: [None; 3], foremost });
             at.push((cells, path, left));
