@@ -1,3 +1,5 @@
+mod solid;
+
 use super::*;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,3 +1,5 @@
+mod solid;
+
 use super::*;
 use crate::body::plus;
 use crate::bonds::Rows;
