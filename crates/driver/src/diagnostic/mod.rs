@@ -6,6 +6,7 @@
 //! caret, and [`parse`] turns the messages of `serde` into the same form. A [`Report`] holds every fault of
 //! one file at once. Nothing here prints.
 
+mod check;
 mod data;
 mod excerpt;
 pub mod locate;
@@ -13,14 +14,17 @@ mod parse;
 mod path;
 mod render;
 mod syntax;
+mod words;
 
 use std::collections::HashSet;
 use std::fmt;
 use std::ops::Range;
 
+pub(crate) use check::{positive, root};
 pub use excerpt::{clip, quote};
 pub use parse::{decode, parse};
 pub use path::{JsonPath, PathError, Segment};
+pub(crate) use words::{suggest, tidy};
 
 /// How much a fault weighs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

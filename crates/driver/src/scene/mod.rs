@@ -24,7 +24,7 @@ pub use resultant::Resultant;
 pub(crate) use words::tidy;
 
 use crate::case::Case;
-use crate::diagnostic::{Faults, JsonPath, Report};
+use crate::diagnostic::{Faults, Report, root};
 use crate::input::Folder;
 
 /// A problem, resolved.
@@ -34,11 +34,6 @@ pub enum Scene {
     Beam(Box<BeamScene>),
     /// A body in the plane.
     Plane(Box<PlaneScene>),
-}
-
-/// Path of a key at the root of a case.
-fn root(key: &str) -> JsonPath {
-    JsonPath::default().key(key)
 }
 
 fn check_title(title: &str, faults: &mut Faults) {

@@ -1,6 +1,7 @@
 //! Numbers of a case that cannot be: not positive, or beyond double precision when they are multiplied.
 
 use crate::case::Case;
+pub(super) use crate::diagnostic::positive;
 use crate::diagnostic::{Faults, JsonPath};
 use serde_json::Value;
 
@@ -10,15 +11,6 @@ const RANGE: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
 /// Whether two stiffnesses and their product keep all digits.
 pub(super) fn fit(bending: f64, shear: f64) -> bool {
     (bending * shear).is_normal() && bending.is_normal()
-}
-
-/// A number that must be finite and greater than zero.
-pub(super) fn positive(value: f64, name: &str, path: JsonPath, faults: &mut Faults) -> bool {
-    let fine = value > 0.0 && value.is_finite();
-    if !fine {
-        faults.error(path, format!("`{name}` must be greater than zero, found {value}"));
-    }
-    fine
 }
 
 /// Adds a fault for every number beyond the range; zero is fine, and checks may compare with anything.
