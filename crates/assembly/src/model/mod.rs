@@ -1,6 +1,7 @@
 //! Models with their bodies: terms of the energy, relations and rigid motions.
 
 pub mod beam_bond_orthotropic;
+pub mod bond_antiplane;
 pub mod bond_plane;
 mod breaking;
 pub mod plane;

@@ -21,7 +21,7 @@ mod neighbourhood;
 mod parameters;
 mod softening;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 mod toughness;
 
 pub use bond::CentralBond;

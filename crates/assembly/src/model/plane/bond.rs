@@ -22,6 +22,11 @@ pub trait PlaneBond<const D: usize, const M: usize, const S: usize>: BondModel<D
     /// The same bond on a lattice of twice the spacing; rotations keep the length that multiplies them.
     fn coarser(&self) -> Self;
 
+    /// Signs of the strains of an image, from those of its displacements along x and y.
+    fn image_signs([x, y]: [f64; 2]) -> [f64; 3] {
+        [1.0, 1.0, x * y]
+    }
+
     /// Rows that make the numbers of the state of a triangle: from the unknowns of the two points that lie at `first` and
     /// `second` (m) from its own one, relative to those of the own one, and from these.
     fn triangle(&self, first: [f64; 2], second: [f64; 2]) -> ([Mat<S, D>; 2], Mat<S, D>);

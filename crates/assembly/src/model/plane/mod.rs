@@ -106,6 +106,12 @@ pub trait PlaneModel: Points + Debug + Send + Sync {
     /// Numbers of the points that are images, in order.
     fn ghosts(&self) -> &[u32];
 
+    /// Which components of strain and stress the numbers of its fields are, as far as there are any: `[xx, yy, xy]` in all
+    /// that is said here, but for points that move across the plane.
+    fn tensor_components(&self) -> &'static [&'static str] {
+        &["xx", "yy", "xy"]
+    }
+
     /// What is done about the bonds that points near edges lack; families have another treatment.
     fn edges(&self) -> Option<Edges> {
         None
