@@ -26,9 +26,9 @@ pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
 pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 
-pub(super) use body::{Kind, LatticeBody, halved};
+pub(super) use body::{Kind, LatticeBody, grid, halved};
 pub(super) use breaking::{remove_spanning, spanning};
-pub(super) use edges::{By, energy_factor, strain_rows, volume_factor};
+pub(super) use edges::{By, energy_factor, is_cut, strain_rows, volume_factor};
 pub(super) use fields::add_work_of_triangles;
 pub(super) use near::{at, near_points};
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_up, is_within, length};

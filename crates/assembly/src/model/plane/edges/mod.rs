@@ -14,6 +14,7 @@ pub(in super::super) use cut::{Section, Strains};
 pub(super) use cut::{cut_shares, left_to_triangles, modulus};
 pub(super) use factors::{EdgeFactors, edge_factors};
 pub(in super::super) use factors::{energy_factor, volume_factor};
+pub(in super::super) use overlay::is_cut;
 pub(super) use overlay::{Overlay, overlay};
 pub(in super::super) use triangle::strain_rows;
 
