@@ -7,8 +7,8 @@
 //!
 //! Models: plates of central bonds ([`model::bond_plane`]), plates in antiplane shear ([`model::bond_antiplane`]),
 //! orthotropic plates of beam bonds whose points turn ([`model::beam_bond_orthotropic`]), Timoshenko beams
-//! ([`model::timoshenko_beam`]), solids of central bonds and state-based ones ([`model::solid`]). Bonds of plates that move in their plane, and those of beams, can break
-//! ([`model::Breakable`]).
+//! ([`model::timoshenko_beam`]), solids of central bonds and state-based ones ([`model::solid`]). Bonds of beams, and of plates
+//! that move in their plane, can break ([`model::Breakable`]).
 //!
 //! Modules use only what stands to their left:
 //! `sum → quadrature → law → material → bonds → body → condition → stiffness → model → system`.

@@ -1,6 +1,6 @@
 //! A bond that resists the difference of displacements across the plane.
 
-use super::super::plane::{PlaneBond, strain_rows};
+use super::super::plane::{LatticeBond, PlaneBond, strain_rows};
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 
 /// Measure: `e = w_j − w_i`, m. Modulus: `V/ξ²` with the volume V of a point, m³; the weight of an offset is the rest of the
@@ -25,7 +25,7 @@ impl BondModel<1, 1> for ShearBond {
     }
 }
 
-impl PlaneBond<1, 1, 3> for ShearBond {
+impl LatticeBond<1, 1, 3> for ShearBond {
     /// `e = ξ n·γ`.
     fn in_uniform_state(&self, bond: &BondGeometry) -> Mat<1, 3> {
         [[bond.xi[0], bond.xi[1], 0.0]]
@@ -38,7 +38,9 @@ impl PlaneBond<1, 1, 3> for ShearBond {
     fn coarser(&self) -> Self {
         Self { volume: 4.0 * self.volume }
     }
+}
 
+impl PlaneBond<1, 1, 3> for ShearBond {
     fn image_signs(signs: [f64; 2]) -> [f64; 3] {
         [signs[0], signs[1], 0.0]
     }

@@ -50,8 +50,8 @@ impl SolidMaterial for BondSolidParameters {
                 let parts = weights.iter().map(|&a| f64::from(a > 0.0)).collect();
                 (weights, parts)
             }
-            Calibration::Published if self.edges == SolidEdges::Overlay => {
-                return Err(SolidError::OverlayNeedsMatched);
+            Calibration::Published if self.edges.is_exact() => {
+                return Err(SolidError::EdgesNeedMatched);
             }
             Calibration::Published => self.published(&offsets),
         };

@@ -111,7 +111,7 @@ fn published_constants_have_the_moduli_that_are_known() {
         assert!((found12 / 0.4 - c12).abs() < 6e-5, "{volume_factor:?} {horizon_ratio} {}", found12 / 0.4);
         assert!((found12 - found44).abs() < 1e-14);
         let refused = BondSolidParameters { edges: SolidEdges::Overlay, ..parameters }.law();
-        assert_eq!(refused.unwrap_err(), SolidError::OverlayNeedsMatched);
+        assert_eq!(refused.unwrap_err(), SolidError::EdgesNeedMatched);
     }
 }
 

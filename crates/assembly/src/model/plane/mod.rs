@@ -18,7 +18,7 @@ mod terms;
 pub(super) mod through_border;
 pub mod toughness;
 
-pub use bond::PlaneBond;
+pub use bond::{LatticeBond, PlaneBond};
 pub use breaking::CriticalStretch;
 pub use edges::{BorderShares, FARTHEST, has_border};
 pub use fields::PlaneFields;
@@ -28,7 +28,9 @@ pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 
 pub(super) use body::{Kind, LatticeBody, grid, halved};
 pub(super) use breaking::{remove_spanning, spanning};
-pub(super) use edges::{By, energy_factor, is_cut, strain_rows, volume_factor};
+pub(super) use edges::{
+    BorderBonds, By, Completion, can_end, complete_border, energy_factor, is_cut, strain_rows, volume_factor,
+};
 pub(super) use fields::add_work_of_triangles;
 pub(super) use near::{at, near_points};
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_up, is_within, length};

@@ -3,7 +3,10 @@
 //! A point of a cell that a face cuts has the part `a_k` of a cell for its volume, and so has all of its energy: a bond has the
 //! mean of the parts of its two ends.
 
-use super::super::plane::{Mirrors, Neighbourhood, at, grid, halved, near_points};
+use super::super::plane::{
+    BorderBonds, By, Completion, FARTHEST, Mirrors, Neighbourhood, at, can_end, complete_border, grid,
+    halved, near_points,
+};
 use super::bond::SolidBond;
 use super::corners::Overlay;
 use super::dilatation::families;
@@ -62,6 +65,9 @@ pub(super) struct SolidBody {
     pub(super) bonds: Bonds,
     /// Bonds as whole real points feel them, where that is different.
     pub(super) felt: Option<Bonds>,
+    /// Bonds that end on the border.
+    pub(super) border: Option<BorderBonds<3, 1>>,
+    /// What tetrahedra have of the energy, or beside a border that is completed tell of stresses alone.
     pub(super) overlay: Overlay,
     /// What does work with changes of volume.
     pub(super) families: Option<Arc<GridFamilies<3>>>,
@@ -75,26 +81,34 @@ impl SolidBody {
     pub(super) fn new(
         lattice: Arc<SquareLattice>,
         mirrors: Mirrors,
-        law: SolidLaw,
+        mut law: SolidLaw,
         cuts: &[(usize, usize)],
     ) -> Result<Self, SolidError> {
         let sides = [lattice.columns(), lattice.rows(), lattice.layers()];
         if sides.iter().any(|side| side.len() < 2) {
             return Err(SolidError::TooThin);
         }
+        if law.edges == SolidEdges::Border && !has_border(&lattice, &mirrors, &law) {
+            law.edges = SolidEdges::Overlay;
+        }
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
         let mut cuts: Vec<(usize, usize)> = known.iter().copied().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
         let (hood, reach) = (&law.hood, Reach::new(&law.hood));
         let mut near = near_points(&lattice, hood.reach());
-        near.retain(|&point| mirrors.is_real(lattice.cell(point)));
-        let completed = if law.edges == SolidEdges::Overlay { &near[..] } else { &[] };
-        let overlay = Overlay::new(&lattice, &law, &reach, completed.iter().copied(), &known);
         let bond = SolidBond { volume: lattice.spacing().powi(3) };
+        let border = match law.edges {
+            SolidEdges::Border => complete_border((&lattice, &mirrors), (hood, &bond), &near, &known),
+            _ => Completion::NONE,
+        };
+        near.retain(|&point| mirrors.is_real(lattice.cell(point)));
+        let completed = if law.edges.is_exact() { &near[..] } else { &[] };
+        let mut overlay = Overlay::new(&lattice, &law, &reach, completed, &known, &border.gaps);
+        overlay.uncorrected = if border.is_none() { overlay.uncorrected } else { border.lost };
         let base = vec![1.0; hood.offsets.len()];
         let grid = |exceptions: &[Exception]| Arc::new(grid(&lattice, hood, &base, &bond, exceptions));
         let cut = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
-        let mut exceptions: Vec<Exception> = cuts.iter().map(cut).collect();
+        let mut exceptions: Vec<Exception> = cuts.iter().map(cut).chain(border.gaps).collect();
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
@@ -104,7 +118,8 @@ impl SolidBody {
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
         let families = families(&lattice, &law, &reach, &overlay, (&near, &ghosts), &cuts).map(Arc::new);
-        Ok(Self { lattice, mirrors, ghosts, law, bonds, felt, overlay, families, cuts })
+        let border = if let By::Bonds(bonds) = border.by { Some(bonds) } else { None };
+        Ok(Self { lattice, mirrors, ghosts, law, bonds, felt, border, overlay, families, cuts })
     }
 
     /// Bonds as whole real points feel them.
@@ -128,8 +143,10 @@ impl SolidBody {
     /// Terms of the energy.
     pub(super) fn terms(&self) -> Vec<Box<dyn Term<3>>> {
         let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.bonds.clone())];
-        if self.overlay.families.count() > 0 {
-            terms.push(Box::new(self.overlay.families.clone()));
+        match &self.border {
+            Some(border) => terms.push(Box::new(border.bonds.clone())),
+            None if self.overlay.families.count() > 0 => terms.push(Box::new(self.overlay.families.clone())),
+            None => {}
         }
         if let Some(families) = &self.families {
             terms.push(Box::new(families.clone()));
@@ -144,10 +161,16 @@ impl SolidBody {
             true => self.lattice.coarser(),
             false => self.mirrors.real(&self.lattice).coarser(),
         };
-        let coarse = mirrors.extended(&coarse, self.law.hood.reach());
+        let coarse = mirrors.extended(&coarse, self.law.edges.depth(self.law.hood.reach()));
         let cuts = cuts(&coarse, &self.law.hood.offsets);
         Self::new(Arc::new(coarse), mirrors, self.law.clone(), &cuts).ok()
     }
+}
+
+/// Whether bonds can end on the border: cells are whole and belong to blocks of eight, and points feel their bonds alone.
+fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, law: &SolidLaw) -> bool {
+    let is_near = law.hood.reach() <= FARTHEST && law.dilatation.is_none();
+    is_near && lattice.cut_cells().is_empty() && can_end(lattice, mirrors)
 }
 
 /// Factors of the bonds of cells that are not whole: the mean of the parts of both ends.

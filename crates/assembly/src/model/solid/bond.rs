@@ -1,5 +1,6 @@
 //! A bond of a solid that resists its elongation alone.
 
+use super::super::plane::LatticeBond;
 use super::TENSOR;
 use crate::body::Cell;
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
@@ -27,11 +28,19 @@ impl BondModel<3, 1> for SolidBond {
     }
 }
 
-impl SolidBond {
-    /// `ξ N`: the elongation per unit of every uniform strain.
-    pub fn in_uniform_strain(bond: &BondGeometry) -> Mat<1, TENSOR> {
+impl LatticeBond<3, 1, TENSOR> for SolidBond {
+    /// `e = ξ N·E`.
+    fn in_uniform_state(&self, bond: &BondGeometry) -> Mat<1, TENSOR> {
         let ([x, y, z], length) = (bond.xi, bond.length());
         [[x * x, y * y, z * z, y * z, x * z, x * y].map(|product| product / length)]
+    }
+
+    fn stretch_per_measure(&self, bond: &BondGeometry) -> f64 {
+        1.0 / bond.length()
+    }
+
+    fn coarser(&self) -> Self {
+        Self { volume: 8.0 * self.volume }
     }
 }
 

@@ -10,7 +10,7 @@ use super::tetrahedra::{Corners, strain_rows, tetrahedra};
 use super::{SolidLaw, TENSOR};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::Mat;
-use crate::stiffness::{SharedFamilies, SharedKind};
+use crate::stiffness::{Exception, SharedFamilies, SharedKind};
 use nalgebra::DMatrix;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -40,20 +40,24 @@ pub(super) struct Overlay {
 }
 
 impl Overlay {
-    /// That of some points of a lattice; `cuts` part the corners of tetrahedra.
+    /// That of some points of a lattice; `cuts` part the corners of tetrahedra. Bonds of `gaps` are missing, too, although both of
+    /// their points are there.
     pub(super) fn new(
         lattice: &SquareLattice,
         law: &SolidLaw,
         reach: &Reach,
-        points: impl Iterator<Item = usize>,
+        points: &[usize],
         cuts: &HashSet<(usize, usize)>,
+        gaps: &[Exception],
     ) -> Self {
         let mut families = SharedFamilies::new(lattice.points());
         let (mut kinds, mut of_point, mut uncorrected) = (Vec::new(), HashMap::new(), 0);
         let mut known: HashMap<(Vec<bool>, Vec<Corners>), usize> = HashMap::new();
-        for point in points {
+        let across = across(lattice, law, reach, gaps);
+        for &point in points {
             let cell = lattice.cell(point);
-            let missing = reach.missing(lattice, cell);
+            let mut missing = reach.missing(lattice, cell);
+            across.get(&point).into_iter().flatten().for_each(|&step| missing[step] = true);
             if !missing.contains(&true) {
                 continue;
             }
@@ -125,6 +129,24 @@ impl CornerKind {
         }
         strain
     }
+}
+
+/// Steps from points to those that gaps part them from.
+fn across(
+    lattice: &SquareLattice,
+    law: &SolidLaw,
+    reach: &Reach,
+    gaps: &[Exception],
+) -> HashMap<usize, Vec<usize>> {
+    let mut across: HashMap<usize, Vec<usize>> = HashMap::new();
+    for gap in gaps {
+        let upper = lattice.number(plus(lattice.cell(gap.lower), law.hood.offsets[gap.offset]));
+        for (point, is_lower) in [(Some(gap.lower), true), (upper, false)] {
+            let Some(point) = point else { continue };
+            across.entry(point).or_default().push(reach.step_of(gap.offset, is_lower));
+        }
+    }
+    across
 }
 
 /// Measures of a family that a tetrahedron moves with, by their indices, and its strains per unit of them.

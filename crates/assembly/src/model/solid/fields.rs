@@ -1,5 +1,6 @@
 //! Stress and energy density of the points of a solid, and the load that belongs to a stress.
 
+use super::super::plane::LatticeBond;
 use super::body::SolidBody;
 use super::bond::SolidBond;
 use super::{SolidFields, TENSOR};
@@ -38,11 +39,38 @@ impl SolidBody {
 
     /// Adds the forces that do the work `Σ_k t_k·V_k σ_k` with the strains `t`, six planes.
     pub(super) fn add_strain_work(&self, t: &mut [f64], force: &mut [f64]) {
-        let (n, volume) = (self.lattice.points(), self.cell_volume());
+        let n = self.lattice.points();
+        if let Some(border) = &self.border {
+            self.reflect(t);
+            border.add_strain_work((&*self.lattice, &self.law.hood, &self.bond()), t, force);
+        }
         for &ghost in &self.ghosts {
             (0..TENSOR).for_each(|q| t[q * n + ghost as usize] = 0.0);
         }
-        let overlay = &self.overlay;
+        if self.border.is_none() {
+            self.add_overlay_work(t, force);
+        }
+        let lines = self.lattice.rows().len() * self.lattice.layers().len();
+        let spans = vec![self.lattice.columns(); lines];
+        self.whole().add_work::<TENSOR>(t, &spans, &self.virial_shares(1.0), force);
+    }
+
+    /// Gives images the strains of their points.
+    fn reflect(&self, t: &mut [f64]) {
+        let n = self.lattice.points();
+        for &ghost in &self.ghosts {
+            let (image, [x, y, z]) = self.mirrors.image(self.lattice.cell(ghost as usize));
+            let signs = [1.0, 1.0, 1.0, y * z, x * z, x * y];
+            let real = self.lattice.number(image);
+            (0..TENSOR).for_each(|q| {
+                t[q * n + ghost as usize] = real.map_or(0.0, |real| signs[q] * t[q * n + real])
+            });
+        }
+    }
+
+    /// The part of tetrahedra and families. Strains of cells that are not whole are reduced to their parts.
+    fn add_overlay_work(&self, t: &mut [f64], force: &mut [f64]) {
+        let (n, volume, overlay) = (self.lattice.points(), self.cell_volume(), &self.overlay);
         for &(point, part) in self.lattice.cut_cells() {
             (0..TENSOR).for_each(|q| t[q * n + point as usize] *= part);
         }
@@ -61,16 +89,17 @@ impl SolidBody {
             let stress = (0..n).map(|p| volume * law.modulus * trace(p)).collect();
             families.add_measure_work([stress, Vec::new()], force);
         }
-        let lines = self.lattice.rows().len() * self.lattice.layers().len();
-        let spans = vec![self.lattice.columns(); lines];
-        self.whole().add_work::<TENSOR>(t, &spans, &self.virial_shares(1.0), force);
+    }
+
+    fn bond(&self) -> SolidBond {
+        SolidBond { volume: self.cell_volume() }
     }
 
     /// `½ ξ N scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.
     fn virial_shares(&self, scale: f64) -> Vec<Mat<TENSOR, 1>> {
         let of = |k: usize| {
             let bond = BondGeometry { xi: self.lattice.vector(self.law.hood.offsets[k]) };
-            let [uniform] = SolidBond::in_uniform_strain(&bond);
+            let [uniform] = self.bond().in_uniform_state(&bond);
             uniform.map(|x| [0.5 * scale * x])
         };
         self.law.hood.bonded().map(of).collect()

@@ -15,11 +15,28 @@ use thiserror::Error;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum SolidEdges {
-    /// Tetrahedra with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.
+    /// Bonds that leave the body end on its border, which moves with the points beside it: every uniform stress without shear is
+    /// in equilibrium at every face, edge and corner, and shear but for corners. It is the overlay where cells are cut, where
+    /// single rows or layers stand alone, and for solids whose points feel changes of volume.
     #[default]
+    Border,
+    /// Tetrahedra with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.
     Overlay,
     /// Nothing: points near faces are too soft.
     None,
+}
+
+impl SolidEdges {
+    /// Rows, columns or layers of images beyond a plane of symmetry that bonds of some reach need.
+    pub(super) fn depth(self, reach: i32) -> i32 {
+        // Bonds through the plane may end on the border, which moves with the next but one layer, too.
+        if self == Self::Border { reach + 2 } else { reach }
+    }
+
+    /// Whether points near faces have exactly the stiffness of the material, if the others have.
+    pub fn is_exact(self) -> bool {
+        matches!(self, Self::Border | Self::Overlay)
+    }
 }
 
 /// Why a solid cannot be made.
@@ -42,9 +59,11 @@ pub enum SolidError {
         /// Horizon per spacing.
         horizon_ratio: f64,
     },
-    /// The overlay adds what exact families lack.
-    #[error("edges `overlay` need the calibration `matched`: bonds as published do not have exact moduli")]
-    OverlayNeedsMatched,
+    /// What completes faces adds what exact families lack.
+    #[error(
+        "edges `border` and `overlay` need the calibration `matched`: bonds as published do not have exact moduli"
+    )]
+    EdgesNeedMatched,
     /// A layer of points does not resist bending, nor do rows.
     #[error(
         "the body is one point thick; a solid needs two points in every direction, so refine the lattice"

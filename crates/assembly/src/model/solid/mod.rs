@@ -80,10 +80,11 @@ pub trait SolidModel: Points + Debug + Send + Sync {
     /// What is done about the bonds that points near faces lack.
     fn edges(&self) -> SolidEdges;
 
-    /// Number of points whose missing bonds tetrahedra replace.
+    /// Number of elements that complete faces: points whose missing bonds tetrahedra replace, or bonds that end on the border.
     fn completing(&self) -> usize;
 
-    /// Number of points that lack bonds and have no tetrahedron: they are too soft.
+    /// Number of points that lack bonds and have no tetrahedron, or of bonds on the border that are left out: the body is too
+    /// soft there.
     fn uncorrected(&self) -> usize;
 
     /// Cut share of the family volume of every point, 0 to 1.

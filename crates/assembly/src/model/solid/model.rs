@@ -35,7 +35,8 @@ impl<P: SolidMaterial> Solid<P> {
     /// # Errors
     /// As [`offsets`](Self::offsets).
     pub fn depth(parameters: &P) -> Result<i32, SolidError> {
-        Ok(parameters.law()?.hood.reach())
+        let law = parameters.law()?;
+        Ok(law.edges.depth(law.hood.reach()))
     }
 
     /// A lattice of points, images in `mirrors` among them ([`Mirrors::extended`] by [`depth`](Self::depth)). A cut is an
@@ -85,17 +86,21 @@ impl<P> Model<3> for Solid<P> {
         self.body.terms()
     }
 
-    /// Bonds alone: what else there is joins what they join.
+    /// Bonds alone, also those on the border: what else there is joins what they join.
     fn connected(&self) -> NumberedParts {
         let mut parts = Parts::new(self.points());
         self.body.bonds.join(&mut parts);
+        self.body.border.iter().for_each(|border| border.bonds.join(&mut parts));
         parts.numbered()
     }
 
     fn sizes(&self) -> ModelSizes {
         let (body, overlay) = (&self.body, &self.body.overlay.families);
         let sizes = ModelSizes::of(&body.bonds, body.bonds.elements());
-        let sizes = sizes.join(ModelSizes::of(overlay, overlay.pairs()));
+        let sizes = sizes.join(match &body.border {
+            Some(border) => ModelSizes::of(&border.bonds, border.bonds.pairs()),
+            None => ModelSizes::of(overlay, overlay.pairs()),
+        });
         match &body.families {
             None => sizes,
             // Points that two bonds join are about eight times as many as those that one does.
@@ -152,7 +157,10 @@ impl<P: SolidMaterial> SolidModel for Solid<P> {
     }
 
     fn completing(&self) -> usize {
-        self.body.overlay.families.count()
+        match &self.body.border {
+            Some(border) => border.bonds.count(),
+            None => self.body.overlay.families.count(),
+        }
     }
 
     fn uncorrected(&self) -> usize {

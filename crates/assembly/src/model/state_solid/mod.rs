@@ -105,8 +105,8 @@ impl SolidMaterial for StateSolidParameters {
         if !(poisson_ratio > -1.0 && poisson_ratio < 0.5) {
             return Err(SolidError::PoissonRatio { poisson_ratio });
         }
-        if self.calibration == Calibration::Published && self.edges == SolidEdges::Overlay {
-            return Err(SolidError::OverlayNeedsMatched);
+        if self.calibration == Calibration::Published && self.edges.is_exact() {
+            return Err(SolidError::EdgesNeedMatched);
         }
         let reach = reach_of(self.calibration, self.volume_factor, self.horizon_ratio);
         let offsets = half_offsets(reach, i32::MAX);

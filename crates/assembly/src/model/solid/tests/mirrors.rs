@@ -4,11 +4,12 @@ use super::*;
 use crate::condition::Constraints;
 use crate::model::bond_plane::tests::bodies::{difference, largest};
 
-/// A block with a hole through its middle and cut cells at two faces, symmetric about the planes through the origin.
-fn whole() -> SquareLattice {
+/// A block with a hole through its middle, symmetric about the planes through the origin; cells of two faces have a part of their
+/// volume.
+fn whole(part: f64) -> SquareLattice {
     let hole = |[i, j, _]: [i32; 3]| (-2..2).contains(&i) && (-1..1).contains(&j);
     let all = SquareLattice::new(1.0, [0.0; 3], [-5..5, -4..4, -3..3], |cell| !hole(cell));
-    let outer = |cell: [i32; 3]| if cell[0] == 4 || cell[0] == -5 { Some((cell, 0.6)) } else { None };
+    let outer = |cell: [i32; 3]| if cell[0] == 4 || cell[0] == -5 { Some((cell, part)) } else { None };
     let areas: Vec<([i32; 3], f64)> = (0..all.points()).filter_map(|p| outer(all.cell(p))).collect();
     all.with_areas(&areas)
 }
@@ -46,23 +47,27 @@ fn check(full: &dyn SolvableSolid, part: &dyn SolvableSolid) {
     }
 }
 
+const MIRRORS: Mirrors = Mirrors { lines: [[Some(0), None]; 3], ..Mirrors::NONE };
+
+fn eighth(full: &SquareLattice, depth: i32) -> Arc<SquareLattice> {
+    Arc::new(MIRRORS.extended(&MIRRORS.real(full), depth))
+}
+
 #[test]
 fn an_eighth_is_the_whole_body() {
-    let full = Arc::new(whole());
-    let mirrors = Mirrors { lines: [[Some(0), None]; 3], ..Mirrors::NONE };
-    let cells = |depth: i32| Arc::new(mirrors.extended(&mirrors.real(&full), depth));
-    for horizon_ratio in [2.0, 3.0] {
-        let bonds = BondSolidParameters { horizon_ratio, ..BONDS };
-        let part = cells(BondSolid::depth(&bonds).unwrap());
-        check(
-            &BondSolid::on_lattice(full.clone(), Mirrors::NONE, bonds, &[]).unwrap(),
-            &BondSolid::on_lattice(part, mirrors, bonds, &[]).unwrap(),
-        );
-        let state = StateSolidParameters { horizon_ratio, ..STATE };
-        let part = cells(StateSolid::depth(&state).unwrap());
-        check(
-            &StateSolid::on_lattice(full.clone(), Mirrors::NONE, state, &[]).unwrap(),
-            &StateSolid::on_lattice(part, mirrors, state, &[]).unwrap(),
-        );
+    for (part, edges) in [(0.6, SolidEdges::Overlay), (1.0, SolidEdges::Overlay), (1.0, SolidEdges::Border)] {
+        let full = Arc::new(whole(part));
+        for horizon_ratio in [2.0, 3.0] {
+            let bonds = BondSolidParameters { horizon_ratio, edges, ..BONDS };
+            let body = BondSolid::on_lattice(full.clone(), Mirrors::NONE, bonds, &[]).unwrap();
+            assert_eq!(body.edges(), edges);
+            let part = eighth(&full, BondSolid::depth(&bonds).unwrap());
+            check(&body, &BondSolid::on_lattice(part, MIRRORS, bonds, &[]).unwrap());
+            let state = StateSolidParameters { horizon_ratio, edges, ..STATE };
+            let body = StateSolid::on_lattice(full.clone(), Mirrors::NONE, state, &[]).unwrap();
+            assert_eq!(body.edges(), SolidEdges::Overlay);
+            let part = eighth(&full, StateSolid::depth(&state).unwrap());
+            check(&body, &StateSolid::on_lattice(part, MIRRORS, state, &[]).unwrap());
+        }
     }
 }

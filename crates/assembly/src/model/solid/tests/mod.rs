@@ -1,6 +1,7 @@
 //! Bodies, helpers, and what holds for every solid.
 
 mod bodies;
+mod border;
 mod cut;
 mod golden;
 mod mirrors;
@@ -45,6 +46,11 @@ fn solids(lattice: &Arc<SquareLattice>) -> Vec<(String, Box<dyn SolvableSolid>)>
         let parameters = BondSolidParameters { horizon_ratio, influence, ..BONDS };
         let body = BondSolid::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &[]).unwrap();
         all.push((format!("bonds {horizon_ratio} {influence:?}"), Box::new(body)));
+    }
+    for horizon_ratio in [2.0, 3.0, 4.0] {
+        let parameters = BondSolidParameters { horizon_ratio, edges: SolidEdges::Border, ..BONDS };
+        let body = BondSolid::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &[]).unwrap();
+        all.push((format!("border {horizon_ratio}"), Box::new(body)));
     }
     for (poisson_ratio, horizon_ratio, influence) in [
         (0.3, 3.0, Influence::Linear),
