@@ -5,9 +5,10 @@
 //! bond has and which moduli belong to them ([`bonds::BondModel`]); operator, assembly, constraints, reactions and free
 //! motions are written once, for all models. Nothing here opens a file, prints, or solves.
 //!
-//! Models: plates of central bonds ([`model::bond_plane`]), orthotropic plates of beam bonds whose points turn
-//! ([`model::beam_bond_orthotropic`]), Timoshenko beams ([`model::timoshenko_beam`]). The bonds of all of them can break
-//! ([`model::Breakable`]).
+//! Models: plates of central bonds ([`model::bond_plane`]), plates in antiplane shear ([`model::bond_antiplane`]),
+//! orthotropic plates of beam bonds whose points turn ([`model::beam_bond_orthotropic`]), Timoshenko beams
+//! ([`model::timoshenko_beam`]), solids of central bonds and state-based ones ([`model::solid`]). Bonds of beams, and of plates
+//! that move in their plane, can break ([`model::Breakable`]).
 //!
 //! Modules use only what stands to their left:
 //! `sum → quadrature → law → material → bonds → body → condition → stiffness → model → system`.

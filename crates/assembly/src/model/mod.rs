@@ -1,12 +1,16 @@
 //! Models with their bodies: terms of the energy, relations and rigid motions.
 
 pub mod beam_bond_orthotropic;
+pub mod bond_antiplane;
 pub mod bond_plane;
+pub mod bond_solid;
 mod breaking;
 pub mod plane;
 mod points;
 pub mod shell_membrane;
+pub mod solid;
 pub mod state_based;
+pub mod state_solid;
 pub mod timoshenko_beam;
 
 pub use breaking::Breakable;

@@ -11,6 +11,7 @@ mod lattice_bonds;
 mod parts;
 mod placed_bonds;
 pub(crate) mod planes;
+mod shared_families;
 mod springs;
 mod term;
 mod twofold;
@@ -26,6 +27,7 @@ pub use history_bonds::{Answer, BondAnswers, EndedBond, HistoryBond, HistoryBond
 pub use lattice_bonds::{Lattice, LatticeBonds, Override, Weights};
 pub use parts::{NumberedParts, Parts};
 pub use placed_bonds::{Place, PlacedBond, PlacedBonds};
+pub use shared_families::{SharedFamilies, SharedKind};
 pub use springs::{Spring, Springs};
 pub use term::{Share, Survey, TakeForces, Term};
 pub use twofold::Twofold;

@@ -1,6 +1,6 @@
 //! A bond that resists elongation, shear and the difference of the rotations of its ends.
 
-use super::super::plane::{PlaneBond, strain_rows};
+use super::super::plane::{LatticeBond, PlaneBond, strain_rows};
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 
 /// Unknowns of a point: `u`, `v` and `hθ`, all in m, with a length h of about the spacing.
@@ -36,7 +36,7 @@ impl BondModel<3, 3> for BeamBond {
     }
 }
 
-impl PlaneBond<3, 3, 4> for BeamBond {
+impl LatticeBond<3, 3, 4> for BeamBond {
     /// `N·ε` and `T·ε + r` with `N = (n_x², n_y², n_x n_y)`, `T = (−n_x n_y, n_x n_y, (n_x² − n_y²)/2)`; nothing bends.
     fn in_uniform_state(&self, bond: &BondGeometry) -> Mat<3, 4> {
         let ([x, y, _], squared) = (bond.xi, bond.length().powi(2));
@@ -56,7 +56,9 @@ impl PlaneBond<3, 3, 4> for BeamBond {
     fn coarser(&self) -> Self {
         Self { volume: 4.0 * self.volume, ..*self }
     }
+}
 
+impl PlaneBond<3, 3, 4> for BeamBond {
     fn triangle(&self, first: [f64; 2], second: [f64; 2]) -> ([Mat<4, 3>; 2], Mat<4, 3>) {
         // ω = (∂v/∂x − ∂u/∂y)/2; a strain row of u along x is the derivative by x, that of v along y the one by y.
         let with_rotation = |rows: Mat<3, 2>| {

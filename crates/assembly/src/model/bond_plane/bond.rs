@@ -1,6 +1,6 @@
 //! A bond that resists its elongation alone.
 
-use super::super::plane::{PlaneBond, strain_rows};
+use super::super::plane::{LatticeBond, PlaneBond, strain_rows};
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 
 /// Measure: elongation `e = n·(u_j − u_i)`, m. Modulus: `V/ξ²` with the volume V of a point, m³; the weight of an offset
@@ -26,7 +26,7 @@ impl BondModel<2, 1> for CentralBond {
     }
 }
 
-impl PlaneBond<2, 1, 3> for CentralBond {
+impl LatticeBond<2, 1, 3> for CentralBond {
     /// `e = ξ N·ε`.
     fn in_uniform_state(&self, bond: &BondGeometry) -> Mat<1, 3> {
         let ([x, y, _], length) = (bond.xi, bond.length());
@@ -40,7 +40,9 @@ impl PlaneBond<2, 1, 3> for CentralBond {
     fn coarser(&self) -> Self {
         Self { volume: 4.0 * self.volume }
     }
+}
 
+impl PlaneBond<2, 1, 3> for CentralBond {
     fn triangle(&self, first: [f64; 2], second: [f64; 2]) -> ([Mat<3, 2>; 2], Mat<3, 2>) {
         (strain_rows(first, second), [[0.0; 2]; 3])
     }

@@ -21,7 +21,7 @@ mod neighbourhood;
 mod parameters;
 mod softening;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 mod toughness;
 
 pub use bond::CentralBond;
@@ -30,6 +30,9 @@ pub use material::{PlaneMaterial, PlaneState};
 pub use parameters::{Influence, PlaneParameters, VolumeFactor};
 pub use softening::{failure_stretch, yield_stretch};
 pub use toughness::{critical_stretch, published_critical_stretch};
+
+pub(super) use calibration::overlap::cell_in_disc;
+pub(super) use calibration::published::radial_part;
 
 use super::plane::{
     BorderShares, Edges, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles,

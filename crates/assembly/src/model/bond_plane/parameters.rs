@@ -36,6 +36,24 @@ impl Influence {
             Self::Linear => 1.0 / 12.0,
         }
     }
+
+    /// `∫₀¹ ω(r) r³ dr`.
+    pub fn third_moment(self) -> f64 {
+        match self {
+            Self::Constant => 0.25,
+            Self::Inverse => 1.0 / 3.0,
+            Self::Linear => 0.05,
+        }
+    }
+
+    /// `∫₀¹ ω(r) r⁴ dr`.
+    pub fn fourth_moment(self) -> f64 {
+        match self {
+            Self::Constant => 0.2,
+            Self::Inverse => 0.25,
+            Self::Linear => 1.0 / 30.0,
+        }
+    }
 }
 
 /// Part of the volume of a neighbour that is taken to lie inside the horizon, for the calibration `published`.

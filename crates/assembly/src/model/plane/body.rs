@@ -184,7 +184,7 @@ fn completing<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M,
 }
 
 /// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.
-fn grid<const D: usize, const M: usize, B: BondModel<D, M>>(
+pub(in super::super) fn grid<const D: usize, const M: usize, B: BondModel<D, M>>(
     lattice: &Arc<SquareLattice>,
     hood: &Neighbourhood<M>,
     base: &[f64],

@@ -136,8 +136,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             for &ghost in &self.ghosts {
                 let (image, [x, y, _]) = self.mirrors.image(self.lattice.cell(ghost as usize));
                 let real = self.lattice.number(image);
-                let of =
-                    |q: usize| real.map_or(0.0, |real| t[q * n + real] * if q == 2 { x * y } else { 1.0 });
+                let signs = B::image_signs([x, y]);
+                let of = |q: usize| real.map_or(0.0, |real| signs[q] * t[q * n + real]);
                 let strain = [of(0), of(1), of(2)];
                 (0..3).for_each(|q| t[q * n + ghost as usize] = strain[q]);
             }

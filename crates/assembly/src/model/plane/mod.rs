@@ -18,7 +18,7 @@ mod terms;
 pub(super) mod through_border;
 pub mod toughness;
 
-pub use bond::PlaneBond;
+pub use bond::{LatticeBond, PlaneBond};
 pub use breaking::CriticalStretch;
 pub use edges::{BorderShares, FARTHEST, has_border};
 pub use fields::PlaneFields;
@@ -26,9 +26,11 @@ pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
 pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 
-pub(super) use body::{Kind, LatticeBody, halved};
+pub(super) use body::{Kind, LatticeBody, grid, halved};
 pub(super) use breaking::{remove_spanning, spanning};
-pub(super) use edges::{By, energy_factor, strain_rows, volume_factor};
+pub(super) use edges::{
+    BorderBonds, By, Completion, can_end, complete_border, energy_factor, is_cut, strain_rows, volume_factor,
+};
 pub(super) use fields::add_work_of_triangles;
 pub(super) use near::{at, near_points};
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_up, is_within, length};
@@ -105,6 +107,12 @@ pub trait PlaneModel: Points + Debug + Send + Sync {
 
     /// Numbers of the points that are images, in order.
     fn ghosts(&self) -> &[u32];
+
+    /// Which components of strain and stress the numbers of its fields are, as far as there are any: `[xx, yy, xy]` in all
+    /// that is said here, but for points that move across the plane.
+    fn tensor_components(&self) -> &'static [&'static str] {
+        &["xx", "yy", "xy"]
+    }
 
     /// What is done about the bonds that points near edges lack; families have another treatment.
     fn edges(&self) -> Option<Edges> {

@@ -201,14 +201,3 @@ impl StateParameters {
         modulus
     }
 }
-
-impl Influence {
-    /// `∫₀¹ ω(r) r³ dr`.
-    pub(super) fn third_moment(self) -> f64 {
-        match self {
-            Self::Constant => 0.25,
-            Self::Inverse => 1.0 / 3.0,
-            Self::Linear => 0.05,
-        }
-    }
-}

@@ -13,7 +13,7 @@ pub(super) struct Blocks {
 }
 
 impl Blocks {
-    pub(super) fn new(lattice: &SquareLattice, family: &GridFamily) -> Self {
+    pub(super) fn new<const D: usize>(lattice: &SquareLattice, family: &GridFamily<D>) -> Self {
         let mut placed: Vec<([i32; 3], u32)> = Vec::new();
         for run in lattice.runs() {
             for column in run.columns.clone() {

@@ -5,18 +5,19 @@
 
 use super::{Band, GridFamilies, Stretch};
 use crate::stiffness::Survey;
-use crate::stiffness::planes::{planes, planes_mut};
+use crate::stiffness::planes::{planes, planes_mut, take_front};
 use crate::sum::Sum;
 use rayon::prelude::*;
+use std::array::from_fn;
 
 /// Points below which threads cost more than they bring.
 const FEW: usize = 8192;
 
-impl GridFamilies {
+impl<const D: usize> GridFamilies<D> {
     /// ϑ and h of all points; h is empty where no family has one.
     pub(super) fn measures(&self, u: &[f64]) -> [Vec<f64>; 2] {
         let n = self.lattice.points();
-        let [x, y] = planes::<2>(u);
+        let u = planes::<D>(u);
         let mut theta = vec![0.0; n];
         let mut rest = theta.as_mut_slice();
         let bands: Vec<(&Band, &mut [f64])> = self
@@ -31,7 +32,7 @@ impl GridFamilies {
                     for stretch in &self.stretches[band.stretches.clone()] {
                         let first = stretch.first - band.points.start;
                         let own = &mut theta[first..first + stretch.columns.len()];
-                        self.dilatation(stretch, [x, y], own);
+                        self.dilatation(stretch, &u, own);
                     }
                 },
             );
@@ -40,24 +41,25 @@ impl GridFamilies {
             true => bands.into_iter().for_each(work),
             false => bands.into_par_iter().for_each(work),
         }
-        [theta, self.family.own.iter().zip(x).map(|(a, x)| a * x).collect()]
+        [theta, self.family.own.iter().zip(u[0]).map(|(a, x)| a * x).collect()]
     }
 
     #[inline(always)]
-    fn dilatation(&self, stretch: &Stretch, [x, y]: [&[f64]; 2], theta: &mut [f64]) {
+    fn dilatation(&self, stretch: &Stretch, u: &[&[f64]; D], theta: &mut [f64]) {
         let set = &self.family.sets[stretch.set as usize];
-        for (&step, &[a, b]) in self.family.steps.iter().zip(set) {
-            if [a, b] == [0.0; 2] {
+        for (&step, row) in self.family.steps.iter().zip(set) {
+            if *row == [0.0; D] {
                 continue;
             }
             self.lattice.shifted(stretch.line, &stretch.columns, step, |columns, other| {
                 let (k, width) = ((columns.start - stretch.columns.start) as usize, columns.len());
                 let own = stretch.first + k;
-                let (own_x, own_y) = (&x[own..own + width], &y[own..own + width]);
-                let (other_x, other_y) = (&x[other..other + width], &y[other..other + width]);
+                let near: [&[f64]; D] = from_fn(|c| &u[c][own..own + width]);
+                let far: [&[f64]; D] = from_fn(|c| &u[c][other..other + width]);
                 let theta = &mut theta[k..k + width];
                 for i in 0..width {
-                    theta[i] += a * (other_x[i] - own_x[i]) + b * (other_y[i] - own_y[i]);
+                    let part = |c: usize| row[c] * (far[c][i] - near[c][i]);
+                    theta[i] += (1..D).fold(part(0), |sum, c| sum + part(c));
                 }
             });
         }
@@ -90,21 +92,16 @@ impl GridFamilies {
     /// Adds the forces that do the work of these stresses, times volumes, with the measures.
     pub(super) fn push(&self, [sigma, across]: &[Vec<f64>; 2], force: &mut [f64]) {
         for part in [0, 1] {
-            let [mut x, mut y] = planes_mut::<2>(force);
+            let mut planes = planes_mut::<D>(force);
             let mut behind = 0;
             let mut bands = Vec::new();
             for band in self.bands.iter().skip(part).step_by(2) {
-                let cut = |rest: &mut &mut [f64]| {
-                    let _ = rest.split_off_mut(..band.reached.start - behind);
-                };
-                cut(&mut x);
-                cut(&mut y);
-                let own =
-                    [&mut x, &mut y].map(|rest| rest.split_off_mut(..band.reached.len()).unwrap_or_default());
+                take_front(&mut planes, band.reached.start - behind);
+                let own = take_front(&mut planes, band.reached.len());
                 bands.push((band, own));
                 behind = band.reached.end;
             }
-            let work = |(band, mut own): (&Band, [&mut [f64]; 2])| {
+            let work = |(band, mut own): (&Band, [&mut [f64]; D])| {
                 pulp::Arch::new().dispatch(
                     #[inline(always)]
                     || {
@@ -125,17 +122,17 @@ impl GridFamilies {
     }
 
     #[inline(always)]
-    fn push_stretch(&self, stretch: &Stretch, sigma: &[f64], base: usize, [x, y]: &mut [&mut [f64]; 2]) {
+    fn push_stretch(&self, stretch: &Stretch, sigma: &[f64], base: usize, planes: &mut [&mut [f64]; D]) {
         let set = &self.family.sets[stretch.set as usize];
-        for (&step, &[a, b]) in self.family.steps.iter().zip(set) {
-            if [a, b] == [0.0; 2] {
+        for (&step, row) in self.family.steps.iter().zip(set) {
+            if *row == [0.0; D] {
                 continue;
             }
             self.lattice.shifted(stretch.line, &stretch.columns, step, |columns, other| {
                 let (k, width) = ((columns.start - stretch.columns.start) as usize, columns.len());
                 let own = stretch.first + k;
                 let sigma = &sigma[own..own + width];
-                for (plane, row) in [(&mut *x, a), (&mut *y, b)] {
+                for (plane, row) in planes.iter_mut().zip(row) {
                     let to = &mut plane[other - base..][..width];
                     to.iter_mut().zip(sigma).for_each(|(f, s)| *f += row * s);
                     let from = &mut plane[own - base..][..width];
@@ -145,18 +142,18 @@ impl GridFamilies {
         }
     }
 
-    pub(super) fn survey_families(&self, u: &[f64]) -> Survey<2> {
+    pub(super) fn survey_families(&self, u: &[f64]) -> Survey<D> {
         let [theta, hoop] = self.measures(u);
         let [sigma, across] = self.stresses(&theta, &hoop);
         let mut energy = Sum::default();
         theta.iter().zip(&sigma).for_each(|(s, stress)| energy.add(0.5 * s * stress));
         hoop.iter().zip(&across).for_each(|(s, stress)| energy.add(0.5 * s * stress));
         let largest = |values: &[f64]| values.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-        let mut largest_action = [0.0_f64; 2];
+        let mut largest_action = [0.0_f64; D];
         for stretch in &self.stretches {
             let most = largest(&sigma[stretch.first..stretch.first + stretch.columns.len()]);
             for row in &self.family.sets[stretch.set as usize] {
-                (0..2).for_each(|c| largest_action[c] = largest_action[c].max(row[c].abs() * most));
+                (0..D).for_each(|c| largest_action[c] = largest_action[c].max(row[c].abs() * most));
             }
         }
         let own = across.iter().zip(&self.family.own).map(|(s, a)| (s * a).abs());

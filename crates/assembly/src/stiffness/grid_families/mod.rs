@@ -1,4 +1,4 @@
-//! Families of a lattice by offset: what a point and all neighbours within its horizon in the plane make together.
+//! Families of a lattice by offset: what a point and all neighbours within its horizon make together, in the plane or in a solid.
 //!
 //! A family has two measures: `ϑ_k = Σ_o d_o·(u_{k+o} − u_k)` with rows d per offset, and `h_k = a_k u_x,k`; its energy is
 //! `½ V_k s·C s`. Most points share one set of rows, so that inner loops run over stretches of points with nothing but
@@ -19,16 +19,16 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// The rows `d` of a family, `[x, y]` per step.
-pub type FamilyRows = Vec<[f64; 2]>;
+/// The rows `d` of a family, `[x, y]` per step, in a solid `[x, y, z]`.
+pub type FamilyRows<const D: usize = 2> = Vec<[f64; D]>;
 
 /// What the families of a lattice are.
 #[derive(Clone, Debug)]
-pub struct GridFamily {
+pub struct GridFamily<const D: usize = 2> {
     /// From a point to its neighbours, cells, in both directions.
     pub steps: Vec<Cell>,
     /// Sets of rows that points share.
-    pub sets: Vec<FamilyRows>,
+    pub sets: Vec<FamilyRows<D>>,
     /// Set of every point; none where a point has no family.
     pub set_of: Vec<Option<u32>>,
     /// Volume of every point, m³.
@@ -66,17 +66,17 @@ struct Band {
 
 /// Energy of the families of a lattice, `E = Σ ½ V s·C s`.
 #[derive(Clone, Debug)]
-pub struct GridFamilies {
+pub struct GridFamilies<const D: usize = 2> {
     lattice: Arc<SquareLattice>,
-    family: GridFamily,
+    family: GridFamily<D>,
     stretches: Vec<Stretch>,
     bands: Vec<Band>,
     blocks: Option<Blocks>,
 }
 
-impl GridFamilies {
+impl<const D: usize> GridFamilies<D> {
     /// The families of the points that have a set.
-    pub fn new(lattice: Arc<SquareLattice>, mut family: GridFamily) -> Self {
+    pub fn new(lattice: Arc<SquareLattice>, mut family: GridFamily<D>) -> Self {
         let without = family.volume.iter_mut().zip(&family.set_of).filter(|(_, set)| set.is_none());
         without.for_each(|(volume, _)| *volume = 0.0);
         let reach = family.steps.iter().flat_map(|s| s.map(i32::abs)).max().unwrap_or(0);
@@ -87,7 +87,7 @@ impl GridFamilies {
     }
 
     /// Gives some points rows of their own.
-    pub fn set_rows(&mut self, rows: impl IntoIterator<Item = (usize, FamilyRows)>) {
+    pub fn set_rows(&mut self, rows: impl IntoIterator<Item = (usize, FamilyRows<D>)>) {
         for (point, rows) in rows {
             self.family.set_of[point] = Some(self.family.sets.len() as u32);
             self.family.sets.push(rows);
@@ -103,6 +103,12 @@ impl GridFamilies {
         self.family.modulus.iter_mut().flatten().for_each(|c| *c = -*c);
         self.family.mean_modulus = -self.family.mean_modulus;
         self
+    }
+
+    /// The first measure ϑ of every point; zero where there is no family.
+    pub fn dilatations(&self, u: &[f64]) -> Vec<f64> {
+        let [theta, _] = self.measures(u);
+        theta
     }
 
     /// Adds the forces that do the work of stresses, times volumes, of the points with their dilatations and, if there are any
@@ -139,8 +145,8 @@ impl GridFamilies {
         // A point without neighbours measures nothing, itself neither.
         let rows = &self.family.sets[set as usize];
         points.into_iter().all(|point| match point {
-            Some(k) => rows[k] != [0.0; 2],
-            None => rows.iter().any(|row| *row != [0.0; 2]),
+            Some(k) => rows[k] != [0.0; D],
+            None => rows.iter().any(|row| *row != [0.0; D]),
         })
     }
 }
@@ -192,7 +198,7 @@ fn bands(lattice: &SquareLattice, stretches: &[Stretch], reach: i32) -> Vec<Band
     bands
 }
 
-impl Term<2> for GridFamilies {
+impl<const D: usize> Term<D> for GridFamilies<D> {
     fn couplings(&self, visit: &mut dyn FnMut(usize, usize)) {
         for (step, pairs) in self.shared_steps() {
             for run in self.lattice.runs() {
@@ -240,15 +246,15 @@ impl Term<2> for GridFamilies {
         self.push(&self.stresses(&theta, &hoop), force);
     }
 
-    fn survey(&self, u: &[f64]) -> Survey<2> {
+    fn survey(&self, u: &[f64]) -> Survey<D> {
         self.survey_families(u)
     }
 
-    fn add_tangent(&self, tangent: &mut BlockMatrix<2>) {
+    fn add_tangent(&self, tangent: &mut BlockMatrix<D>) {
         self.assemble(tangent);
     }
 
-    fn add_diagonal(&self, blocks: &mut [Mat<2, 2>]) {
+    fn add_diagonal(&self, blocks: &mut [Mat<D, D>]) {
         self.assemble_diagonal(blocks);
     }
 
@@ -257,7 +263,7 @@ impl Term<2> for GridFamilies {
     }
 
     fn stored_factors(&self) -> usize {
-        let rows: usize = self.family.sets.iter().map(|set| 2 * set.len()).sum();
+        let rows: usize = self.family.sets.iter().map(|set| D * set.len()).sum();
         rows + self.family.volume.len() + self.family.own.len() + self.family.set_of.len()
     }
 }

@@ -3,7 +3,7 @@
 use crate::body::Cell;
 
 /// Area of the unit cell around an offset inside the disc of a radius around the origin, all in spacings.
-pub(super) fn cell_in_disc([a, b, _]: Cell, radius: f64) -> f64 {
+pub(in crate::model) fn cell_in_disc([a, b, _]: Cell, radius: f64) -> f64 {
     let [x, y] = [f64::from(a.abs()), f64::from(b.abs())];
     let upper = corner(x + 0.5, y + 0.5, radius) - corner(x - 0.5, y + 0.5, radius);
     let lower = corner(x + 0.5, y - 0.5, radius) - corner(x - 0.5, y - 0.5, radius);

@@ -37,7 +37,7 @@ fn part(factor: VolumeFactor, m: f64, step: Cell) -> f64 {
 }
 
 /// Part β by the distance `xi` alone, of a neighbour of width `h`, inside a horizon.
-pub(in super::super) fn radial_part(factor: VolumeFactor, xi: f64, horizon: f64, h: f64) -> f64 {
+pub(in crate::model) fn radial_part(factor: VolumeFactor, xi: f64, horizon: f64, h: f64) -> f64 {
     let inside = xi * xi <= horizon * horizon * (1.0 + 1e-9);
     let ramp = ((horizon + 0.5 * h - xi) / h).clamp(0.0, 1.0);
     match factor {

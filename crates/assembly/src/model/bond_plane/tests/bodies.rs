@@ -23,7 +23,7 @@ pub(super) fn parameters(m: f64, [_, youngs_modulus, thickness]: [f64; 3]) -> Pl
 
 /// A rectangle with a hole, an L, a disc and a triangle with a sharp tip, of cells of size `h`: whole ones, and such that
 /// the border cuts.
-pub(super) fn bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
+pub(in crate::model) fn bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
     let make = |columns: i32, rows: i32, inside: &dyn Fn(f64, f64) -> bool| {
         let centre = |k: i32| f64::from(k) + 0.5;
         let at = |[i, j]: [i32; 2]| inside(centre(i), centre(j));
@@ -58,7 +58,7 @@ pub(super) fn bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
 }
 
 /// The same bodies in axes turned by 30°, and a plate that fills turned cells.
-pub(super) fn turned_bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
+pub(in crate::model) fn turned_bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)> {
     let angle = std::f64::consts::PI / 6.0;
     let turned =
         |lattice: Arc<SquareLattice>| Arc::new(lattice.as_ref().clone().turned(angle, [0.4 * h, 0.7 * h]));
@@ -134,14 +134,14 @@ pub(super) fn solve(plane: &dyn Solvable<2>, f: &[f64], exact: &[f64]) -> Vec<f6
     u
 }
 
-pub(super) fn largest(v: &[f64]) -> f64 {
+pub(in crate::model) fn largest(v: &[f64]) -> f64 {
     v.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
-pub(super) fn difference(a: &[f64], b: &[f64]) -> f64 {
+pub(in crate::model) fn difference(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-pub(super) fn random(size: usize) -> Vec<f64> {
+pub(in crate::model) fn random(size: usize) -> Vec<f64> {
     (0..size).map(|i| ((i * 7919 % 1013) as f64) / 1013.0 - 0.5).collect()
 }

@@ -1,6 +1,6 @@
 //! What holds for every plate.
 
-mod bodies;
+pub(in crate::model) mod bodies;
 mod border;
 mod cloud;
 mod cut;

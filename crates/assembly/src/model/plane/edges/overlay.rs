@@ -115,7 +115,7 @@ fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cel
 }
 
 /// Whether the bond between two cells is cut.
-pub(super) fn is_cut<const M: usize>(
+pub(in super::super::super) fn is_cut<const M: usize>(
     lattice: &SquareLattice,
     hood: &Neighbourhood<M>,
     cuts: &HashSet<(usize, usize)>,

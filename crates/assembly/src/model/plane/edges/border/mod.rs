@@ -15,7 +15,7 @@ mod shares;
 pub use shares::BorderShares;
 pub(in super::super) use shares::border_shares;
 
-use super::super::bond::PlaneBond;
+use super::super::bond::LatticeBond;
 use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
 use super::super::{Mirrors, geometry};
@@ -54,24 +54,34 @@ pub(in super::super::super) struct PartOfBond {
 /// Reach of bonds, rows or columns, up to which they end on the border: their number grows with its third power.
 pub const FARTHEST: i32 = 10;
 
-/// Whether bonds can end on the border of a lattice of whole cells: all belong to blocks of four.
-pub(super) fn can_end(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
+/// Whether bonds can end on the border of a lattice of whole cells: all belong to blocks of four, in solids of eight.
+pub(in super::super::super) fn can_end(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
     let has = |cell: Cell| {
         let image = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
         lattice.number(image).is_some()
     };
     let in_block = |cell: Cell| {
-        let beside = |a: i32, b: i32| has(plus(cell, [a, b, 0]));
-        [(-1, -1), (-1, 1), (1, -1), (1, 1)]
-            .into_iter()
-            .any(|(a, b)| beside(a, 0) && beside(0, b) && beside(a, b))
+        let block = |side: Cell| {
+            let third = if lattice.is_plane() { vec![0] } else { vec![0, side[2]] };
+            third.into_iter().all(|c| {
+                [[0, 0], [side[0], 0], [0, side[1]], [side[0], side[1]]]
+                    .iter()
+                    .all(|&[a, b]| has(plus(cell, [a, b, c])))
+            })
+        };
+        (0..8).map(|k| [1, 2, 4].map(|bit| if k & bit == 0 { -1 } else { 1 })).any(block)
     };
     let mut near = super::super::near::near_points(lattice, 1).into_iter();
     near.all(|point| in_block(lattice.cell(point)))
 }
 
 /// Builds the bonds that end on the border; `near` are the points within reach of it.
-pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
+pub(in super::super::super) fn completed<
+    const D: usize,
+    const M: usize,
+    const S: usize,
+    B: LatticeBond<D, M, S>,
+>(
     (lattice, mirrors): (&SquareLattice, &Mirrors),
     (hood, bond): (&Neighbourhood<M>, &B),
     near: &[usize],
@@ -117,7 +127,7 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
     /// Calls `visit` with every bond and the ratio of its stretch to the critical one, where that is positive. `critical` are
     /// the critical stretches of whole bonds by offset. A run has a part of a bond, and a crack that opens it takes the energy
     /// of a whole one.
-    pub(in super::super) fn for_each_ratio<const S: usize, B: PlaneBond<D, M, S>>(
+    pub(in super::super) fn for_each_ratio<const S: usize, B: LatticeBond<D, M, S>>(
         &self,
         (lattice, hood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
         (u, critical): (&[f64], &[f64]),
@@ -143,7 +153,7 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
     ) -> Vec<usize> {
         let is_next = |pair: &&[u32; 2]| {
             let [a, b] = pair.map(|p| lattice.cell(p as usize));
-            (0..2).all(|k| (a[k] - b[k]).abs() <= 1)
+            (0..3).all(|k| (a[k] - b[k]).abs() <= 1)
         };
         let next: HashSet<[u32; 2]> = broken.iter().filter(is_next).copied().collect();
         if next.is_empty() {
@@ -158,25 +168,26 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
         (0..self.bonds.count()).filter(spans).collect()
     }
 
-    /// Adds the forces that do the work of the bonds in strains `t` of the points, three planes, as far as they move them.
-    pub(in super::super) fn add_strain_work<const S: usize, B: PlaneBond<D, M, S>>(
+    /// Adds the forces that do the work of the bonds in strains `t` of the points, a plane each, as far as they move them.
+    pub(in crate::model) fn add_strain_work<const S: usize, B: LatticeBond<D, M, S>>(
         &self,
         (lattice, hood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
         t: &[f64],
         force: &mut [f64],
     ) {
-        let n = lattice.points();
+        let (n, strains) = (lattice.points(), t.len() / lattice.points().max(1));
         for (k, &PartOfBond { offset, share, .. }) in self.kinds.iter().enumerate() {
-            let mut strain = [0.0; 3];
-            self.bonds.middle(k).for_each(|(p, s)| (0..3).for_each(|q| strain[q] += s * t[q * n + p]));
-            if strain == [0.0; 3] {
+            let mut strain = [0.0; S];
+            self.bonds.middle(k).for_each(|(p, s)| (0..strains).for_each(|q| strain[q] += s * t[q * n + p]));
+            if strain == [0.0; S] {
                 continue;
             }
             let whole = geometry(lattice, hood.offsets[offset as usize]);
             let uniform: Mat<M, S> = bond.in_uniform_state(&BondGeometry { xi: whole.xi.map(|x| share * x) });
             let moduli = self.bonds.moduli(k);
-            let sigma =
-                std::array::from_fn(|m| moduli[m] * (0..3).map(|q| uniform[m][q] * strain[q]).sum::<f64>());
+            let sigma = std::array::from_fn(|m| {
+                moduli[m] * (0..strains).map(|q| uniform[m][q] * strain[q]).sum::<f64>()
+            });
             self.bonds.add_work(k, &sigma, force);
         }
     }

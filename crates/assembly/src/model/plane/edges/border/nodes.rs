@@ -1,4 +1,4 @@
-//! How corners of cells on the border move: as the nearest whole blocks of four points do.
+//! How corners of cells on the border move: as the nearest whole blocks of four points do, in solids of eight.
 
 use super::super::super::Mirrors;
 use super::super::super::neighbourhood::Neighbourhood;
@@ -30,6 +30,11 @@ impl<const M: usize> Cells<'_, M> {
         self.lattice.number(image).is_some()
     }
 
+    /// Number of axes: those of a plane, or of a solid.
+    pub(super) fn axes(&self) -> usize {
+        if self.lattice.is_plane() { 2 } else { 3 }
+    }
+
     /// Number of the point of a cell.
     pub(super) fn number(&self, cell: Cell) -> Option<u32> {
         self.lattice.number(cell).map(|number| number as u32)
@@ -41,7 +46,8 @@ impl<const M: usize> Cells<'_, M> {
     }
 }
 
-/// The displacement of corners of cells on the border. The corner `[i, j]` is that below and to the left of the cell.
+/// The displacement of corners of cells on the border. A corner has the indices of the cell whose lowest one it is; in a plane it
+/// lies in the layer of the cells.
 pub(super) struct Nodes<'a, const M: usize> {
     pub(super) cells: Cells<'a, M>,
     known: RefCell<HashMap<Asked, Option<Shares>>>,
@@ -52,9 +58,9 @@ impl<'a, const M: usize> Nodes<'a, M> {
         Self { cells, known: RefCell::default() }
     }
 
-    /// Cells and their shares in the displacement of a place on the border of a cell, in spacings from the corner `[0, 0]`;
+    /// Cells and their shares in the displacement of a place on the border of a cell, in spacings from the corner `[0, 0, 0]`;
     /// none where the body is too thin to tell.
-    pub(super) fn place(&self, at: [f64; 2], cell: Cell) -> Option<Shares> {
+    pub(super) fn place(&self, at: [f64; 3], cell: Cell) -> Option<Shares> {
         let mut sum: Shares = Vec::new();
         for (corner, share) in around(at) {
             for (cell, own) in self.corner(corner, cell)? {
@@ -78,23 +84,22 @@ impl<'a, const M: usize> Nodes<'a, M> {
         found
     }
 
-    /// From blocks beside the corner, or if there are none from those across: the mean of all, each continued linearly along
-    /// both axes.
+    /// From blocks beside the corner, or if there are none from those across an edge, or across the corner itself: the mean of all
+    /// that are as near, each continued linearly along all axes.
     fn extrapolated(&self, corner: Cell, from: Cell) -> Option<Shares> {
-        const BESIDE: [Cell; 4] = [[-1, 0, 0], [1, 0, 0], [0, -1, 0], [0, 1, 0]];
-        const ACROSS: [Cell; 4] = [[-1, -1, 0], [1, -1, 0], [-1, 1, 0], [1, 1, 0]];
-        [&BESIDE, &ACROSS].into_iter().find_map(|shifts| {
-            let blocks: Vec<Cell> =
-                shifts.iter().copied().filter(|s| self.is_whole(corner, *s, from)).collect();
+        (1..=self.cells.axes()).find_map(|far| {
+            let is_whole = |shift: &Cell| self.is_whole(corner, *shift, from);
+            let blocks: Vec<Cell> = shifts(self.cells.axes(), far).into_iter().filter(is_whole).collect();
             let part = 1.0 / blocks.len() as f64;
-            let all = blocks.iter().flat_map(|shift| block(corner, *shift)).map(|(cell, s)| (cell, part * s));
+            let cells = blocks.iter().flat_map(|shift| block(self.cells.axes(), corner, *shift));
+            let all = cells.map(|(cell, s)| (cell, part * s));
             (!blocks.is_empty()).then(|| all.collect())
         })
     }
 
-    /// Whether all four cells of a block exist, and no crack runs between them nor between them and the cell that asks.
+    /// Whether all cells of a block exist, and no crack runs between them nor between them and the cell that asks.
     fn is_whole(&self, corner: Cell, shift: Cell, from: Cell) -> bool {
-        let cells: Vec<Cell> = block(corner, shift).map(|(cell, _)| cell).collect();
+        let cells: Vec<Cell> = block(self.cells.axes(), corner, shift).map(|(cell, _)| cell).collect();
         if !cells.iter().all(|cell| self.cells.has(*cell)) {
             return false;
         }
@@ -103,35 +108,50 @@ impl<'a, const M: usize> Nodes<'a, M> {
         }
         let is_one =
             cells.iter().enumerate().all(|(k, a)| cells[..k].iter().all(|b| !self.cells.parted(*a, *b)));
-        let is_near = |cell: &Cell| (0..2).all(|k| (cell[k] - from[k]).abs() <= 1);
+        let is_near = |cell: &Cell| (0..3).all(|k| (cell[k] - from[k]).abs() <= 1);
         let joins = |cell: &&Cell| **cell == from || (is_near(cell) && !self.cells.parted(from, **cell));
         is_one && cells.iter().filter(|cell| is_near(cell)).count() > 0 && cells.iter().find(joins).is_some()
     }
 }
 
-/// The whole numbers around a position and their bilinear shares, without those that are zero.
-pub(super) fn around(at: [f64; 2]) -> impl Iterator<Item = (Cell, f64)> {
+/// Shifts of blocks from that about a corner, by one along so many axes and none along the others.
+fn shifts(axes: usize, far: usize) -> Vec<Cell> {
+    let mut all: Vec<Cell> = corners(axes, [-1, 0, 1]).collect();
+    all.retain(|shift| shift.iter().filter(|k| **k != 0).count() == far);
+    all.sort_by_key(|shift| shift.iter().position(|k| *k != 0));
+    all
+}
+
+/// All choices of an index along each axis, the first one fastest; 0 along an axis that a plane has not.
+fn corners<const N: usize>(axes: usize, along: [i32; N]) -> impl Iterator<Item = Cell> {
+    let third = if axes > 2 { along.to_vec() } else { vec![0] };
+    third.into_iter().flat_map(move |c| along.into_iter().flat_map(move |b| along.map(move |a| [a, b, c])))
+}
+
+/// The whole numbers around a position and their shares, linear along each axis, without those that are zero.
+pub(super) fn around(at: [f64; 3]) -> impl Iterator<Item = (Cell, f64)> {
     /// Positions this close to a whole number are it.
     const SAME: f64 = 1e-9;
     let low = at.map(|x| (x + SAME).floor());
-    let part = [0, 1].map(|k| Some(at[k] - low[k]).filter(|f| *f > SAME).unwrap_or(0.0));
-    [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().filter_map(move |[dx, dy]| {
-        let along = |d: i32, f: f64| if d == 0 { 1.0 - f } else { f };
-        let share = along(dx, part[0]) * along(dy, part[1]);
-        (share > 0.0).then_some(([low[0] as i32 + dx, low[1] as i32 + dy, 0], share))
+    let part = [0, 1, 2].map(|k| Some(at[k] - low[k]).filter(|f| *f > SAME).unwrap_or(0.0));
+    corners(3, [0, 1]).filter_map(move |step| {
+        let along = |k: usize| if step[k] == 0 { 1.0 - part[k] } else { part[k] };
+        let share = along(0) * along(1) * along(2);
+        (share > 0.0).then_some(([0, 1, 2].map(|k| low[k] as i32 + step[k]), share))
     })
 }
 
 /// The cells of the block at a shift from a corner and their shares in its displacement: that of the middle along an axis
 /// without a shift, 3/2 and −1/2 along one with.
-fn block(corner: Cell, shift: Cell) -> impl Iterator<Item = (Cell, f64)> {
+fn block(axes: usize, corner: Cell, shift: Cell) -> impl Iterator<Item = (Cell, f64)> {
     let share = |shift: i32, far: i32| match shift {
         0 => 0.5,
         1 => [1.5, -0.5][far as usize],
         _ => [-0.5, 1.5][far as usize],
     };
-    [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().map(move |[a, b]| {
-        let cell = [corner[0] - 1 + shift[0] + a, corner[1] - 1 + shift[1] + b, corner[2]];
-        (cell, share(shift[0], a) * share(shift[1], b))
+    corners(axes, [0, 1]).map(move |far| {
+        let mut cell = corner;
+        (0..axes).for_each(|k| cell[k] += far[k] + shift[k] - 1);
+        (cell, (0..axes).map(|k| share(shift[k], far[k])).product())
     })
 }

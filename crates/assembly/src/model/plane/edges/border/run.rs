@@ -95,7 +95,7 @@ impl Run<'_> {
                     _ => 1.0,
                 }
             };
-            along(0) * along(1)
+            along(0) * along(1) * along(2)
         };
         0.5 * self.pieces.map(real).iter().sum::<f64>()
     }
@@ -107,7 +107,9 @@ impl Run<'_> {
                 return Some(vec![(nodes.cells.number(cell)?, 1.0)]);
             }
             let place = self.path.place(piece);
-            let corner = [0, 1].map(|k| f64::from(self.start[k]) + place[k] + 0.5);
+            let axes = nodes.cells.axes();
+            let half = |k: usize| if k < axes { 0.5 } else { 0.0 };
+            let corner = [0, 1, 2].map(|k| f64::from(self.start[k]) + place[k] + half(k));
             let shares = nodes.place(corner, cell)?.into_iter();
             shares.map(|(cell, share)| Some((nodes.cells.number(cell)?, share))).collect()
         };

@@ -38,6 +38,6 @@ pub(in super::super::super) fn border_shares<'a, const M: usize>(
             return None;
         }
         let numbered = |(cell, share)| Some((nodes.cells.number(cell)? as usize, share));
-        nodes.place(corner, cell)?.into_iter().map(numbered).collect()
+        nodes.place([corner[0], corner[1], 0.0], cell)?.into_iter().map(numbered).collect()
     })
 }

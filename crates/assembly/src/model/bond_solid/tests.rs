@@ -1,0 +1,138 @@
+//! Weights, constants and critical stretches of lattices of central bonds.
+
+use super::super::solid::tests::BONDS;
+use super::super::solid::toughness::{critical_stretch, published_critical_stretch};
+use super::super::solid::{TENSOR, direction_product};
+use super::*;
+
+/// Stiffness of a lattice per Young's modulus: C11, C12, C44.
+fn moduli(parameters: BondSolidParameters) -> [f64; 3] {
+    let hood = parameters.law().unwrap().hood;
+    let mut c = [[0.0; TENSOR]; TENSOR];
+    for ([a], &step) in hood.weights.iter().zip(&hood.offsets) {
+        let n = direction_product(step);
+        (0..TENSOR).for_each(|r| (0..TENSOR).for_each(|q| c[r][q] += a * n[r] * n[q]));
+    }
+    for (r, q) in [(0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (5, 5)] {
+        let same = if r < 3 { c[0][0] } else { c[3][3] };
+        assert!((c[r][q] - same).abs() < 1e-14);
+    }
+    [c[0][0], c[0][1], c[3][3]]
+}
+
+#[test]
+fn matched_lattices_have_the_moduli_of_the_material() {
+    for horizon_ratio in [1.5, 1.75, 2.0, 2.5, 3.0, 3.015, 4.0, 5.0] {
+        for influence in [Influence::Constant, Influence::Inverse, Influence::Linear] {
+            let found = moduli(BondSolidParameters { horizon_ratio, influence, ..BONDS });
+            for (found, expected) in found.iter().zip([1.2, 0.4, 0.4]) {
+                // 8e-16 measured.
+                assert!((found - expected).abs() < 1e-14, "{horizon_ratio} {influence:?} {found}");
+            }
+        }
+    }
+    // Six neighbours resist no shear.
+    let refused = BondSolidParameters { horizon_ratio: 1.2, ..BONDS }.law();
+    assert!(matches!(refused, Err(SolidError::NotRepresentable { .. })));
+}
+
+/// An offset and its weight.
+type Known = ([i32; 3], f64);
+
+/// Weights per Young's modulus that an independent Python implementation finds.
+#[test]
+fn matched_weights_are_those_of_the_reference() {
+    let table: [(Influence, f64, &[Known]); 4] = [
+        (
+            Influence::Constant,
+            2.0,
+            &[
+                ([1, 0, 0], 0.2216554020),
+                ([1, 1, 0], 0.3665092500),
+                ([1, 1, 1], 0.4876770937),
+                ([2, 0, 0], 0.3950899730),
+            ],
+        ),
+        (
+            Influence::Constant,
+            3.0,
+            &[
+                ([1, 0, 0], 0.0493691091),
+                ([1, 1, 1], 0.0618991631),
+                ([2, 1, 0], 0.1042699997),
+                ([2, 2, 1], 0.1042538133),
+                ([3, 0, 0], 0.1918865762),
+            ],
+        ),
+        (Influence::Inverse, 3.0, &[([1, 0, 0], 0.1187924571), ([2, 2, 1], 0.0899620180)]),
+        (
+            Influence::Linear,
+            3.0,
+            &[([1, 1, 1], 0.1937868312), ([2, 2, 0], 0.0397372509), ([2, 2, 1], 0.0003074265)],
+        ),
+    ];
+    for (influence, horizon_ratio, weights) in table {
+        let hood = BondSolidParameters { horizon_ratio, influence, ..BONDS }.law().unwrap().hood;
+        for (offset, expected) in weights {
+            let same = |step: &[i32; 3]| {
+                let mut kind = step.map(i32::abs);
+                kind.sort_unstable_by(|a, b| b.cmp(a));
+                kind == *offset
+            };
+            let of = hood.offsets.iter().zip(&hood.weights).filter(|(step, _)| same(step));
+            let found: Vec<f64> = of.map(|(_, [a])| *a).collect();
+            assert!(found.iter().all(|a| (a - expected).abs() < 1e-9), "{influence:?} {offset:?} {found:?}");
+        }
+    }
+}
+
+/// Moduli over those of the material, to four digits.
+#[test]
+fn published_constants_have_the_moduli_that_are_known() {
+    let table = [
+        (VolumeFactor::Full, 3.0, [1.0564, 1.2175]),
+        (VolumeFactor::Full, 4.0, [0.9343, 0.9566]),
+        (VolumeFactor::Clip, 3.0, [0.8649, 0.9532]),
+        (VolumeFactor::Ramp, 2.0, [1.1654, 1.0741]),
+        (VolumeFactor::Ramp, 3.0, [1.0703, 1.0500]),
+        (VolumeFactor::Area, 2.0, [1.0589, 1.0054]),
+        (VolumeFactor::Area, 3.0, [1.0224, 1.0109]),
+    ];
+    for (volume_factor, horizon_ratio, [c11, c12]) in table {
+        let parameters = BondSolidParameters {
+            horizon_ratio,
+            volume_factor,
+            calibration: Calibration::Published,
+            edges: SolidEdges::None,
+            ..BONDS
+        };
+        let [found11, found12, found44] = moduli(parameters);
+        assert!((found11 / 1.2 - c11).abs() < 6e-5, "{volume_factor:?} {horizon_ratio} {}", found11 / 1.2);
+        assert!((found12 / 0.4 - c12).abs() < 6e-5, "{volume_factor:?} {horizon_ratio} {}", found12 / 0.4);
+        assert!((found12 - found44).abs() < 1e-14);
+        let refused = BondSolidParameters { edges: SolidEdges::Overlay, ..parameters }.law();
+        assert_eq!(refused.unwrap_err(), SolidError::EdgesNeedMatched);
+    }
+}
+
+/// `G/(E s² h)` of a plane across an axis, counted bond by bond by a Python implementation.
+#[test]
+fn critical_stretches_release_the_energy_that_is_counted() {
+    for (influence, rates) in [
+        (Influence::Constant, [2.214290, 3.560050, 4.627668]),
+        (Influence::Inverse, [2.145902, 3.370593, 4.355995]),
+        (Influence::Linear, [1.933469, 2.858826, 3.925461]),
+    ] {
+        for (rate, horizon_ratio) in rates.into_iter().zip([2.0, 3.0, 4.0]) {
+            let parameters = BondSolidParameters { horizon_ratio, influence, ..BONDS };
+            let s = critical_stretch(rate * 0.5, &parameters, 0.5, [0.0, 0.0, 1.0]).unwrap();
+            assert!((s - 1.0).abs() < 1e-6, "{influence:?} {horizon_ratio} {s}");
+            // The continuum is within 8 %: 3.6e-2 of G in the mean.
+            let published = published_critical_stretch(rate * 0.5, 2.0 / 3.0, influence, horizon_ratio * 0.5);
+            assert!((published - 1.0).abs() < 0.05, "{influence:?} {horizon_ratio} {published}");
+        }
+    }
+    // √(5·12/(9·3·0.7)).
+    let known = published_critical_stretch(12.0, 3.0, Influence::Constant, 0.7);
+    assert!((known / 1.781_741_612_749_496 - 1.0).abs() < 1e-12);
+}

@@ -1,0 +1,194 @@
+//! Bonds, tetrahedra and families of a solid on a lattice.
+//!
+//! A point of a cell that a face cuts has the part `a_k` of a cell for its volume, and so has all of its energy: a bond has the
+//! mean of the parts of its two ends.
+
+use super::super::plane::{
+    BorderBonds, By, Completion, FARTHEST, Mirrors, Neighbourhood, at, can_end, complete_border, grid,
+    halved, near_points,
+};
+use super::bond::SolidBond;
+use super::corners::Overlay;
+use super::dilatation::families;
+use super::{SolidEdges, SolidError, SolidLaw};
+use crate::body::{Cell, SquareLattice, plus};
+use crate::stiffness::{Exception, GridBonds, GridFamilies, Term};
+use std::collections::HashSet;
+use std::sync::Arc;
+
+/// The bonds of a solid.
+pub(super) type Bonds = Arc<GridBonds<3, 1, SolidBond>>;
+
+/// From a point to all of its neighbours.
+#[derive(Clone, Debug)]
+pub(super) struct Reach {
+    /// Offsets of the neighbourhood, then their opposites in the same order.
+    pub(super) steps: Vec<Cell>,
+    bonded: Vec<bool>,
+}
+
+impl Reach {
+    fn new(hood: &Neighbourhood<1>) -> Self {
+        let half = &hood.offsets;
+        Self {
+            steps: half.iter().copied().chain(half.iter().map(|o| o.map(|k| -k))).collect(),
+            bonded: (0..2 * half.len()).map(|k| hood.has_bonds(k % half.len())).collect(),
+        }
+    }
+
+    /// Index of the offset of a step, or of its opposite.
+    pub(super) fn offset_of(&self, step: usize) -> usize {
+        step % (self.steps.len() / 2)
+    }
+
+    /// Which bonds of a cell have no point at their other end.
+    pub(super) fn missing(&self, lattice: &SquareLattice, cell: Cell) -> Vec<bool> {
+        let missing = |(step, bonded): (&Cell, &bool)| *bonded && lattice.number(plus(cell, *step)).is_none();
+        self.steps.iter().zip(&self.bonded).map(missing).collect()
+    }
+
+    /// Step of the bond of an offset from its lower or its upper end.
+    pub(super) fn step_of(&self, offset: usize, is_lower: bool) -> usize {
+        offset + if is_lower { 0 } else { self.steps.len() / 2 }
+    }
+}
+
+/// A lattice with its bonds and what completes them.
+#[derive(Clone, Debug)]
+pub(super) struct SolidBody {
+    pub(super) lattice: Arc<SquareLattice>,
+    pub(super) mirrors: Mirrors,
+    /// Images of real points.
+    pub(super) ghosts: Vec<u32>,
+    pub(super) law: SolidLaw,
+    /// Bonds as their energy counts: half across a plane of symmetry, not beyond it, and by the parts of cells.
+    pub(super) bonds: Bonds,
+    /// Bonds as whole real points feel them, where that is different.
+    pub(super) felt: Option<Bonds>,
+    /// Bonds that end on the border.
+    pub(super) border: Option<BorderBonds<3, 1>>,
+    /// What tetrahedra have of the energy, or beside a border that is completed tell of stresses alone.
+    pub(super) overlay: Overlay,
+    /// What does work with changes of volume.
+    pub(super) families: Option<Arc<GridFamilies<3>>>,
+    /// Bonds that are cut: indices of offsets of the neighbourhood and lower points, sorted by these.
+    pub(super) cuts: Vec<(usize, usize)>,
+}
+
+impl SolidBody {
+    /// # Errors
+    /// [`SolidError::TooThin`].
+    pub(super) fn new(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        mut law: SolidLaw,
+        cuts: &[(usize, usize)],
+    ) -> Result<Self, SolidError> {
+        let sides = [lattice.columns(), lattice.rows(), lattice.layers()];
+        if sides.iter().any(|side| side.len() < 2) {
+            return Err(SolidError::TooThin);
+        }
+        if law.edges == SolidEdges::Border && !has_border(&lattice, &mirrors, &law) {
+            law.edges = SolidEdges::Overlay;
+        }
+        let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
+        let mut cuts: Vec<(usize, usize)> = known.iter().copied().collect();
+        cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
+        let (hood, reach) = (&law.hood, Reach::new(&law.hood));
+        let mut near = near_points(&lattice, hood.reach());
+        let bond = SolidBond { volume: lattice.spacing().powi(3) };
+        let border = match law.edges {
+            SolidEdges::Border => complete_border((&lattice, &mirrors), (hood, &bond), &near, &known),
+            _ => Completion::NONE,
+        };
+        near.retain(|&point| mirrors.is_real(lattice.cell(point)));
+        let completed = if law.edges.is_exact() { &near[..] } else { &[] };
+        let mut overlay = Overlay::new(&lattice, &law, &reach, completed, &known, &border.gaps);
+        overlay.uncorrected = if border.is_none() { overlay.uncorrected } else { border.lost };
+        let base = vec![1.0; hood.offsets.len()];
+        let grid = |exceptions: &[Exception]| Arc::new(grid(&lattice, hood, &base, &bond, exceptions));
+        let cut = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
+        let mut exceptions: Vec<Exception> = cuts.iter().map(cut).chain(border.gaps).collect();
+        let ghosts = mirrors.ghosts(&lattice);
+        let mut bonds = grid(&exceptions);
+        let mut felt = None;
+        if !ghosts.is_empty() || !lattice.cut_cells().is_empty() {
+            exceptions.extend(reduced(&lattice, hood));
+            exceptions.extend(halved(&lattice, &mirrors, hood, &ghosts));
+            felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
+        }
+        let families = families(&lattice, &law, &reach, &overlay, (&near, &ghosts), &cuts).map(Arc::new);
+        let border = if let By::Bonds(bonds) = border.by { Some(bonds) } else { None };
+        Ok(Self { lattice, mirrors, ghosts, law, bonds, felt, border, overlay, families, cuts })
+    }
+
+    /// Bonds as whole real points feel them.
+    pub(super) fn whole(&self) -> &GridBonds<3, 1, SolidBond> {
+        self.felt.as_ref().unwrap_or(&self.bonds)
+    }
+
+    /// Volume of a cell, m³.
+    pub(super) fn cell_volume(&self) -> f64 {
+        self.lattice.spacing().powi(3)
+    }
+
+    /// Volume of a point, m³; an image has none.
+    pub(super) fn volume(&self, point: usize) -> f64 {
+        match self.ghosts.binary_search(&(point as u32)) {
+            Ok(_) => 0.0,
+            Err(_) => self.cell_volume() * self.lattice.fraction(point),
+        }
+    }
+
+    /// Terms of the energy.
+    pub(super) fn terms(&self) -> Vec<Box<dyn Term<3>>> {
+        let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.bonds.clone())];
+        match &self.border {
+            Some(border) => terms.push(Box::new(border.bonds.clone())),
+            None if self.overlay.families.count() > 0 => terms.push(Box::new(self.overlay.families.clone())),
+            None => {}
+        }
+        if let Some(families) = &self.families {
+            terms.push(Box::new(families.clone()));
+        }
+        terms
+    }
+
+    /// The body at twice the spacing; none where joined sides or a single layer leave no lattice for it.
+    pub(super) fn coarser(&self, cuts: &super::FindCuts) -> Option<Self> {
+        let mirrors = self.mirrors.coarser()?;
+        let coarse = match self.mirrors.is_none() {
+            true => self.lattice.coarser(),
+            false => self.mirrors.real(&self.lattice).coarser(),
+        };
+        let coarse = mirrors.extended(&coarse, self.law.edges.depth(self.law.hood.reach()));
+        let cuts = cuts(&coarse, &self.law.hood.offsets);
+        Self::new(Arc::new(coarse), mirrors, self.law.clone(), &cuts).ok()
+    }
+}
+
+/// Whether bonds can end on the border: cells are whole and belong to blocks of eight, and points feel their bonds alone.
+fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, law: &SolidLaw) -> bool {
+    let is_near = law.hood.reach() <= FARTHEST && law.dilatation.is_none();
+    is_near && lattice.cut_cells().is_empty() && can_end(lattice, mirrors)
+}
+
+/// Factors of the bonds of cells that are not whole: the mean of the parts of both ends.
+fn reduced(lattice: &SquareLattice, hood: &Neighbourhood<1>) -> Vec<Exception> {
+    let mut exceptions = Vec::new();
+    for &(point, part) in lattice.cut_cells() {
+        let (point, cell) = (point as usize, lattice.cell(point as usize));
+        for offset in hood.bonded() {
+            for up in [true, false] {
+                let Some(other) = lattice.number(at(cell, hood.offsets[offset], up)) else { continue };
+                let of_other = lattice.fraction(other);
+                // A bond between two such cells is met twice.
+                if up || of_other == 1.0 {
+                    let lower = if up { point } else { other };
+                    exceptions.push(Exception { offset, lower, factor: 0.5 * (part + of_other) });
+                }
+            }
+        }
+    }
+    exceptions
+}

@@ -1,0 +1,107 @@
+//! Stress and energy density of the points of a solid, and the load that belongs to a stress.
+
+use super::super::plane::LatticeBond;
+use super::body::SolidBody;
+use super::bond::SolidBond;
+use super::{SolidFields, TENSOR};
+use crate::bonds::{BondGeometry, Mat};
+use std::array::from_fn;
+
+impl SolidBody {
+    /// Stresses and energy densities of a state: the virial `σ_k = (1/V) [½ Σ_j k ξ N e] + D Ē + A ϑ 1` of a whole point, with
+    /// the mean strain Ē of its tetrahedra.
+    pub(super) fn fields(&self, u: &[f64]) -> SolidFields {
+        let (n, volume) = (self.lattice.points(), self.cell_volume());
+        let mut sums = self.whole().sums::<TENSOR>(u, &self.virial_shares(1.0 / volume));
+        sums[TENSOR * n..].iter_mut().for_each(|energy| *energy /= volume);
+        let overlay = &self.overlay;
+        for family in 0..overlay.families.count() {
+            let (point, kind, factor, measures) = overlay.families.family(family, u);
+            let kind = &overlay.kinds[kind];
+            let strain = kind.strain_of(&measures);
+            for q in 0..TENSOR {
+                sums[q * n + point] += (0..TENSOR).map(|r| kind.lack[q][r] * strain[r]).sum::<f64>();
+            }
+            sums[TENSOR * n + point] += overlay.families.energy(family, &measures) / (factor * volume);
+        }
+        if let (Some(families), Some(law)) = (&self.families, &self.law.dilatation) {
+            for (point, theta) in families.dilatations(u).into_iter().enumerate() {
+                (0..3).for_each(|q| sums[q * n + point] += law.modulus * theta);
+                sums[TENSOR * n + point] += 0.5 * law.modulus * theta * theta;
+            }
+        }
+        for &ghost in &self.ghosts {
+            (0..=TENSOR).for_each(|q| sums[q * n + ghost as usize] = 0.0);
+        }
+        let energy_density = sums.split_off(TENSOR * n);
+        SolidFields { stress: from_fn(|q| sums[q * n..(q + 1) * n].to_vec()), energy_density }
+    }
+
+    /// Adds the forces that do the work `Σ_k t_k·V_k σ_k` with the strains `t`, six planes.
+    pub(super) fn add_strain_work(&self, t: &mut [f64], force: &mut [f64]) {
+        let n = self.lattice.points();
+        if let Some(border) = &self.border {
+            self.reflect(t);
+            border.add_strain_work((&*self.lattice, &self.law.hood, &self.bond()), t, force);
+        }
+        for &ghost in &self.ghosts {
+            (0..TENSOR).for_each(|q| t[q * n + ghost as usize] = 0.0);
+        }
+        if self.border.is_none() {
+            self.add_overlay_work(t, force);
+        }
+        let lines = self.lattice.rows().len() * self.lattice.layers().len();
+        let spans = vec![self.lattice.columns(); lines];
+        self.whole().add_work::<TENSOR>(t, &spans, &self.virial_shares(1.0), force);
+    }
+
+    /// Gives images the strains of their points.
+    fn reflect(&self, t: &mut [f64]) {
+        let n = self.lattice.points();
+        for &ghost in &self.ghosts {
+            let (image, [x, y, z]) = self.mirrors.image(self.lattice.cell(ghost as usize));
+            let signs = [1.0, 1.0, 1.0, y * z, x * z, x * y];
+            let real = self.lattice.number(image);
+            (0..TENSOR).for_each(|q| {
+                t[q * n + ghost as usize] = real.map_or(0.0, |real| signs[q] * t[q * n + real])
+            });
+        }
+    }
+
+    /// The part of tetrahedra and families. Strains of cells that are not whole are reduced to their parts.
+    fn add_overlay_work(&self, t: &mut [f64], force: &mut [f64]) {
+        let (n, volume, overlay) = (self.lattice.points(), self.cell_volume(), &self.overlay);
+        for &(point, part) in self.lattice.cut_cells() {
+            (0..TENSOR).for_each(|q| t[q * n + point as usize] *= part);
+        }
+        for family in 0..overlay.families.count() {
+            let (point, kind) = overlay.families.point_and_kind(family);
+            let kind = &overlay.kinds[kind];
+            let own: [f64; TENSOR] = from_fn(|q| t[q * n + point]);
+            let stress: [f64; TENSOR] =
+                from_fn(|q| volume * (0..TENSOR).map(|r| kind.lack[q][r] * own[r]).sum::<f64>());
+            let sigma: Vec<f64> =
+                kind.strain.iter().map(|rows| (0..TENSOR).map(|q| rows[q] * stress[q]).sum()).collect();
+            overlay.families.add_work(family, &sigma, force);
+        }
+        if let (Some(families), Some(law)) = (&self.families, &self.law.dilatation) {
+            let trace = |p: usize| t[p] + t[n + p] + t[2 * n + p];
+            let stress = (0..n).map(|p| volume * law.modulus * trace(p)).collect();
+            families.add_measure_work([stress, Vec::new()], force);
+        }
+    }
+
+    fn bond(&self) -> SolidBond {
+        SolidBond { volume: self.cell_volume() }
+    }
+
+    /// `½ ξ N scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.
+    fn virial_shares(&self, scale: f64) -> Vec<Mat<TENSOR, 1>> {
+        let of = |k: usize| {
+            let bond = BondGeometry { xi: self.lattice.vector(self.law.hood.offsets[k]) };
+            let [uniform] = self.bond().in_uniform_state(&bond);
+            uniform.map(|x| [0.5 * scale * x])
+        };
+        self.law.hood.bonded().map(of).collect()
+    }
+}

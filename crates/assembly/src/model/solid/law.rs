@@ -1,0 +1,182 @@
+//! What a solid is made of, whatever its points.
+
+use super::super::bond_plane::{VolumeFactor, cell_in_disc, radial_part};
+use super::super::plane::{Calibration, Neighbourhood, length};
+use super::TENSOR;
+use crate::body::Cell;
+use crate::bonds::Mat;
+use crate::quadrature::GAUSS;
+use serde::{Deserialize, Serialize};
+use std::fmt::Debug;
+use thiserror::Error;
+
+/// What is done about the bonds that points near faces of a solid lack.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum SolidEdges {
+    /// Bonds that leave the body end on its border, which moves with the points beside it: every uniform stress without shear is
+    /// in equilibrium at every face, edge and corner, and shear but for corners. It is the overlay where cells are cut, where
+    /// single rows or layers stand alone, and for solids whose points feel changes of volume.
+    #[default]
+    Border,
+    /// Tetrahedra with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.
+    Overlay,
+    /// Nothing: points near faces are too soft.
+    None,
+}
+
+impl SolidEdges {
+    /// Rows, columns or layers of images beyond a plane of symmetry that bonds of some reach need.
+    pub(super) fn depth(self, reach: i32) -> i32 {
+        // Bonds through the plane may end on the border, which moves with the next but one layer, too.
+        if self == Self::Border { reach + 2 } else { reach }
+    }
+
+    /// Whether points near faces have exactly the stiffness of the material, if the others have.
+    pub fn is_exact(self) -> bool {
+        matches!(self, Self::Border | Self::Overlay)
+    }
+}
+
+/// Why a solid cannot be made.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum SolidError {
+    /// No non-negative stiffnesses of the bonds give the moduli of the material.
+    #[error(
+        "bonds of at most {horizon_ratio} spacings cannot have the moduli of the material exactly; \
+         increase the horizon ratio"
+    )]
+    NotRepresentable {
+        /// Horizon per spacing.
+        horizon_ratio: f64,
+        /// What remains of the moduli, relative to C11 or to the weighted volume.
+        residual: f64,
+    },
+    /// The horizon reaches no other point.
+    #[error("a horizon of {horizon_ratio} spacings reaches no other point; increase the horizon ratio")]
+    NoNeighbours {
+        /// Horizon per spacing.
+        horizon_ratio: f64,
+    },
+    /// What completes faces adds what exact families lack.
+    #[error(
+        "edges `border` and `overlay` need the calibration `matched`: bonds as published do not have exact moduli"
+    )]
+    EdgesNeedMatched,
+    /// A layer of points does not resist bending, nor do rows.
+    #[error(
+        "the body is one point thick; a solid needs two points in every direction, so refine the lattice"
+    )]
+    TooThin,
+    /// Poisson's ratio is that of no stable material.
+    #[error("a Poisson ratio of {poisson_ratio} is not between -1 and 1/2")]
+    PoissonRatio {
+        /// What was given.
+        poisson_ratio: f64,
+    },
+}
+
+/// What the dilatation of a point is, and what it does work with.
+#[derive(Clone, Debug)]
+pub(in super::super) struct Dilatation {
+    /// `3 w/q` per offset, spacings⁻²: `ϑ = Σ (3 w/q) |ξ| e` over all neighbours, lengths in spacings.
+    pub(in super::super) shares: Vec<f64>,
+    /// The modulus A, Pa.
+    pub(in super::super) modulus: f64,
+}
+
+/// The offsets of a solid with the weights of their bonds, and its dilatation.
+#[derive(Clone, Debug)]
+pub struct SolidLaw {
+    pub(in super::super) hood: Neighbourhood<1>,
+    pub(in super::super) dilatation: Option<Dilatation>,
+    /// Young's modulus, Pa.
+    pub(in super::super) youngs_modulus: f64,
+    /// Poisson's ratio.
+    pub(in super::super) poisson_ratio: f64,
+    pub(in super::super) edges: SolidEdges,
+}
+
+/// Parameters of a solid that say what it is made of.
+pub trait SolidMaterial: Copy + Debug + Send + Sync + 'static {
+    /// Its law.
+    ///
+    /// # Errors
+    /// [`SolidError`], but [`SolidError::TooThin`].
+    fn law(&self) -> Result<SolidLaw, SolidError>;
+}
+
+impl SolidLaw {
+    /// Shear modulus G, Pa.
+    pub(in super::super) fn shear_modulus(&self) -> f64 {
+        0.5 * self.youngs_modulus / (1.0 + self.poisson_ratio)
+    }
+
+    /// Bulk modulus K, Pa.
+    pub(in super::super) fn bulk_modulus(&self) -> f64 {
+        self.youngs_modulus / (3.0 * (1.0 - 2.0 * self.poisson_ratio))
+    }
+
+    /// Stiffness of the material, Pa.
+    pub(super) fn stiffness(&self) -> Mat<TENSOR, TENSOR> {
+        let (shear, bulk) = (self.shear_modulus(), self.bulk_modulus());
+        let lame = bulk - 2.0 * shear / 3.0;
+        let mut c = [[0.0; TENSOR]; TENSOR];
+        (0..3).for_each(|i| (0..3).for_each(|j| c[i][j] = lame));
+        (0..3).for_each(|i| c[i][i] += 2.0 * shear);
+        (3..TENSOR).for_each(|i| c[i][i] = shear);
+        c
+    }
+
+    /// Strains of stresses.
+    pub(super) fn strain(&self, stress: [f64; TENSOR]) -> [f64; TENSOR] {
+        let (e, nu, shear) = (self.youngs_modulus, self.poisson_ratio, self.shear_modulus());
+        let trace = stress[0] + stress[1] + stress[2];
+        let of = |q: usize| if q < 3 { ((1.0 + nu) * stress[q] - nu * trace) / e } else { stress[q] / shear };
+        std::array::from_fn(of)
+    }
+
+    /// Root of the ratio of the moduli of changes of volume and of shape, the larger over the smaller.
+    pub(super) fn contrast(&self) -> f64 {
+        let (shape, volume) = (2.0 * self.shear_modulus(), 3.0 * self.bulk_modulus());
+        (shape / volume).max(volume / shape).sqrt()
+    }
+}
+
+/// Offsets of all bonds that can exist, spacings.
+pub(in super::super) fn reach_of(calibration: Calibration, factor: VolumeFactor, horizon_ratio: f64) -> f64 {
+    let beyond = match (calibration, factor) {
+        (Calibration::Published, VolumeFactor::Ramp) => 0.5,
+        // Half a diagonal of a cell.
+        (Calibration::Published, VolumeFactor::Area) => 0.87,
+        _ => 0.0,
+    };
+    horizon_ratio + beyond
+}
+
+/// Part of the volume of the neighbour at an offset inside a horizon of `m` spacings; the factor `area` is the overlap of its
+/// cell with the ball.
+pub(in super::super) fn part(factor: VolumeFactor, m: f64, step: Cell) -> f64 {
+    if factor != VolumeFactor::Area {
+        return radial_part(factor, length(step), m, 1.0);
+    }
+    // One order, so that offsets that are images of each other have the same part.
+    let mut step = step.map(i32::abs);
+    step.sort_unstable();
+    let [a, b, c] = step.map(f64::from);
+    let least = [a, b, c].map(|k| (k - 0.5).max(0.0));
+    if least.iter().map(|k| k * k).sum::<f64>() >= m * m {
+        return 0.0;
+    }
+    /// Slices of a cell; the sum is exact to 1e-6 of a cell.
+    const SLICES: usize = 16;
+    let slice = |k: usize| {
+        let of = |(at, weight): (f64, f64)| {
+            let height = c - 0.5 + (k as f64 + at) / SLICES as f64;
+            weight * cell_in_disc([step[0], step[1], 0], (m * m - height * height).max(0.0).sqrt())
+        };
+        GAUSS.into_iter().map(of).sum::<f64>() / SLICES as f64
+    };
+    (0..SLICES).map(slice).sum()
+}

@@ -1,0 +1,134 @@
+//! What models of solids share: bonds on a lattice of cubes, families that feel a change of volume, what is done about what
+//! points near faces lack, stresses and the loads that belong to them, images in planes of symmetry.
+//!
+//! A point k of volume V_k has the energy density
+//!
+//! `W_k = ½ A ϑ_k² + ¼ Σ_j (a_j/ξ_j²) e_kj²`, `ϑ_k = Σ_j d_j e_kj`
+//!
+//! with the elongations `e_kj = n·(u_j − u_k)` of its bonds, their weights a, Pa, and, where a model has any, its dilatation ϑ:
+//! bonds are seen from both ends. Strains are `E = (ε_xx, ε_yy, ε_zz, γ_yz, γ_xz, γ_xy)`, `N = (n_x², n_y², n_z², n_y n_z,
+//! n_x n_z, n_x n_y)`, so that `e = ξ N·E` in a uniform strain, and `C = Σ a N Nᵀ` over half of the offsets is what bonds
+//! have of the stiffness. A model is a [`SolidLaw`]: the weights of its offsets.
+
+mod body;
+mod bond;
+mod corners;
+mod damage;
+mod dilatation;
+mod fields;
+mod law;
+mod model;
+#[cfg(test)]
+pub(in crate::model) mod tests;
+mod tetrahedra;
+pub mod toughness;
+
+pub use bond::SolidBond;
+pub use law::{SolidEdges, SolidError, SolidLaw, SolidMaterial};
+pub use model::Solid;
+
+pub(super) use bond::direction_product;
+pub(super) use law::{Dilatation, part, reach_of};
+
+use super::plane::{FindCuts, Mirrors};
+use super::{Component, Model, Points, RigidMotion};
+use crate::body::SquareLattice;
+use crate::bonds::{Mat, Point};
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// Number of components of strain and stress.
+pub const TENSOR: usize = 6;
+
+/// Their names.
+pub const TENSOR_COMPONENTS: [&str; TENSOR] = ["xx", "yy", "zz", "yz", "xz", "xy"];
+
+/// The unknowns of a point of a solid.
+const COMPONENTS: [Component; 3] =
+    [Component::displacement("ux"), Component::displacement("uy"), Component::displacement("uz")];
+
+/// The rigid motions of a solid.
+const RIGID_MOTIONS: [RigidMotion; 6] = [
+    RigidMotion::translation("translation along x", "move along {direction}"),
+    RigidMotion::translation("translation along y", "move along {direction}"),
+    RigidMotion::translation("translation along z", "move along {direction}"),
+    RigidMotion::rotation("rotation about x", "turn about {centre}"),
+    RigidMotion::rotation("rotation about y", "turn about {centre}"),
+    RigidMotion::rotation("rotation about z", "turn about {centre}"),
+];
+
+/// Fields by component planes; images have zeros.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolidFields {
+    /// Stresses, Pa, of every point, in the order of [`TENSOR_COMPONENTS`].
+    pub stress: [Vec<f64>; TENSOR],
+    /// Strain energy density, J/m³, of every point.
+    pub energy_density: Vec<f64>,
+}
+
+/// A solid with its bonds, whatever they are.
+pub trait SolidModel: Points + Debug + Send + Sync {
+    /// Volume of a point, m³; an image has none.
+    fn volume(&self, point: usize) -> f64;
+
+    /// The lattice, images included, and its planes of symmetry.
+    fn lattice(&self) -> (&Arc<SquareLattice>, &Mirrors);
+
+    /// Numbers of the points that are images, in order.
+    fn ghosts(&self) -> &[u32];
+
+    /// What is done about the bonds that points near faces lack.
+    fn edges(&self) -> SolidEdges;
+
+    /// Number of elements that complete faces: points whose missing bonds tetrahedra replace, or bonds that end on the border.
+    fn completing(&self) -> usize;
+
+    /// Number of points that lack bonds and have no tetrahedron, or of bonds on the border that are left out: the body is too
+    /// soft there.
+    fn uncorrected(&self) -> usize;
+
+    /// Cut share of the family volume of every point, 0 to 1.
+    fn damage(&self) -> Vec<f64>;
+
+    /// Stiffness of the material, Pa, from strains to stresses.
+    fn stiffness(&self) -> Mat<TENSOR, TENSOR>;
+
+    /// Strains of stresses: its inverse.
+    fn strain_of(&self, stress: [f64; TENSOR]) -> [f64; TENSOR];
+
+    /// Stresses and energy densities of a state, `[ux, uy, uz]` in planes, m.
+    fn fields(&self, u: &[f64]) -> SolidFields;
+
+    /// Adds the forces `Σ_k t_k·V_k σ_k` per unit strain, with the strains `t`, six planes: the adjoint of the stresses. What t
+    /// says of images is not read.
+    fn add_strain_work(&self, t: &mut [f64], force: &mut [f64]);
+
+    /// Adds the forces `Σ_k V_k S_k : E_k` of a stress S, Pa, with E the strain of a point: with one stress for all points and
+    /// the tractions that it has at the faces, the linear displacement that belongs to it is the solution to rounding. The
+    /// forces have no resultant: `V div S` has to be added by the caller.
+    fn add_stress_load(&self, stress_at: &dyn Fn(Point) -> [f64; TENSOR], force: &mut [f64]) {
+        let n = self.points();
+        let mut t = vec![0.0; TENSOR * n];
+        for point in 0..n {
+            let strain = self.strain_of(stress_at(self.position(point)));
+            (0..TENSOR).for_each(|q| t[q * n + point] = strain[q]);
+        }
+        self.add_strain_work(&mut t, force);
+    }
+}
+
+/// A solid that is solved.
+pub trait SolvableSolid: Model<3> + SolidModel {
+    /// The same body on a lattice of twice the spacing with the same horizon ratio. `cuts` finds the cuts on a lattice, given the
+    /// offsets. None where joined sides or a single layer of points leave no lattice for it.
+    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn SolvableSolid>>;
+
+    /// A copy of it.
+    fn boxed(&self) -> Box<dyn SolvableSolid>;
+}
+
+impl Clone for Box<dyn SolvableSolid> {
+    fn clone(&self) -> Self {
+        self.boxed()
+    }
+}

@@ -1,0 +1,199 @@
+//! Solids as models: three unknowns per point, its displacements.
+
+use super::super::plane::{CALIBRATION, FindCuts, Mirrors};
+use super::body::SolidBody;
+use super::{
+    COMPONENTS, RIGID_MOTIONS, SolidEdges, SolidError, SolidFields, SolidMaterial, SolidModel, SolvableSolid,
+    TENSOR,
+};
+use crate::body::{Cell, SquareLattice};
+use crate::bonds::{Mat, Point};
+use crate::condition::Equation;
+use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
+use crate::stiffness::{NumberedParts, Parts, Term};
+use std::sync::Arc;
+
+/// A solid on a lattice of cubes with the parameters of its material and its bonds.
+#[derive(Clone, Debug)]
+pub struct Solid<P> {
+    parameters: P,
+    body: SolidBody,
+}
+
+impl<P: SolidMaterial> Solid<P> {
+    /// One of each pair of opposite offsets to the neighbours of a point: the first number of a cut is an index into them.
+    /// They hold those of all bonds and the possible edges of tetrahedra.
+    ///
+    /// # Errors
+    /// [`SolidError`], but [`SolidError::TooThin`].
+    pub fn offsets(parameters: &P) -> Result<Vec<Cell>, SolidError> {
+        Ok(parameters.law()?.hood.offsets)
+    }
+
+    /// Rows, columns or layers of images that a lattice needs beyond a plane of symmetry: the depth of [`Mirrors::extended`].
+    ///
+    /// # Errors
+    /// As [`offsets`](Self::offsets).
+    pub fn depth(parameters: &P) -> Result<i32, SolidError> {
+        let law = parameters.law()?;
+        Ok(law.edges.depth(law.hood.reach()))
+    }
+
+    /// A lattice of points, images in `mirrors` among them ([`Mirrors::extended`] by [`depth`](Self::depth)). A cut is an
+    /// index into [`offsets`](Self::offsets) and the lower point of a bond; images of cuts are cuts.
+    ///
+    /// # Errors
+    /// [`SolidError`].
+    ///
+    /// # Panics
+    /// A cut has no such offset or point.
+    pub fn on_lattice(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: P,
+        cuts: &[(usize, usize)],
+    ) -> Result<Self, SolidError> {
+        let body = SolidBody::new(lattice, mirrors, parameters.law()?, cuts)?;
+        Ok(Self { parameters, body })
+    }
+
+    /// The parameters.
+    pub fn parameters(&self) -> &P {
+        &self.parameters
+    }
+}
+
+impl<P> Points for Solid<P> {
+    fn points(&self) -> usize {
+        self.body.lattice.points()
+    }
+
+    fn position(&self, point: usize) -> Point {
+        self.body.lattice.position(point)
+    }
+
+    fn components(&self) -> &[Component] {
+        &COMPONENTS
+    }
+}
+
+impl<P> Model<3> for Solid<P> {
+    fn rigid_motions(&self) -> &'static [RigidMotion] {
+        &RIGID_MOTIONS
+    }
+
+    fn terms(&self) -> Vec<Box<dyn Term<3>>> {
+        self.body.terms()
+    }
+
+    /// Bonds alone, also those on the border: what else there is joins what they join.
+    fn connected(&self) -> NumberedParts {
+        let mut parts = Parts::new(self.points());
+        self.body.bonds.join(&mut parts);
+        self.body.border.iter().for_each(|border| border.bonds.join(&mut parts));
+        parts.numbered()
+    }
+
+    fn sizes(&self) -> ModelSizes {
+        let (body, overlay) = (&self.body, &self.body.overlay.families);
+        let sizes = ModelSizes::of(&body.bonds, body.bonds.elements());
+        let sizes = sizes.join(match &body.border {
+            Some(border) => ModelSizes::of(&border.bonds, border.bonds.pairs()),
+            None => ModelSizes::of(overlay, overlay.pairs()),
+        });
+        match &body.families {
+            None => sizes,
+            // Points that two bonds join are about eight times as many as those that one does.
+            Some(families) => {
+                sizes.join(ModelSizes::of(families, 8 * body.law.hood.bonded().count() * self.points()))
+            }
+        }
+    }
+
+    fn relations(&self) -> Vec<Equation> {
+        self.body.mirrors.relations(&self.body.lattice, &self.body.ghosts, |signs| signs)
+    }
+
+    fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
+        let at = self.position(point);
+        let [x, y, z] = [0, 1, 2].map(|k| at[k] - centre[k]);
+        match kind {
+            0 => [1.0, 0.0, 0.0],
+            1 => [0.0, 1.0, 0.0],
+            2 => [0.0, 0.0, 1.0],
+            3 => [0.0, -z, y],
+            4 => [z, 0.0, -x],
+            _ => [-y, x, 0.0],
+        }
+    }
+
+    fn calibration_error(&self) -> f64 {
+        let lattice = &self.body.lattice;
+        let sides = [lattice.columns(), lattice.rows(), lattice.layers()].map(|side| side.len() as f64);
+        CALIBRATION * sides.iter().fold(0.0, |a: f64, b| a.max(*b))
+            / sides.iter().fold(f64::INFINITY, |a: f64, b| a.min(*b))
+    }
+
+    fn contrast(&self) -> f64 {
+        self.body.law.contrast()
+    }
+}
+
+impl<P: SolidMaterial> SolidModel for Solid<P> {
+    fn volume(&self, point: usize) -> f64 {
+        self.body.volume(point)
+    }
+
+    fn lattice(&self) -> (&Arc<SquareLattice>, &Mirrors) {
+        (&self.body.lattice, &self.body.mirrors)
+    }
+
+    fn ghosts(&self) -> &[u32] {
+        &self.body.ghosts
+    }
+
+    fn edges(&self) -> SolidEdges {
+        self.body.law.edges
+    }
+
+    fn completing(&self) -> usize {
+        match &self.body.border {
+            Some(border) => border.bonds.count(),
+            None => self.body.overlay.families.count(),
+        }
+    }
+
+    fn uncorrected(&self) -> usize {
+        self.body.overlay.uncorrected
+    }
+
+    fn damage(&self) -> Vec<f64> {
+        self.body.damage()
+    }
+
+    fn stiffness(&self) -> Mat<TENSOR, TENSOR> {
+        self.body.law.stiffness()
+    }
+
+    fn strain_of(&self, stress: [f64; TENSOR]) -> [f64; TENSOR] {
+        self.body.law.strain(stress)
+    }
+
+    fn fields(&self, u: &[f64]) -> SolidFields {
+        self.body.fields(u)
+    }
+
+    fn add_strain_work(&self, t: &mut [f64], force: &mut [f64]) {
+        self.body.add_strain_work(t, force);
+    }
+}
+
+impl<P: SolidMaterial> SolvableSolid for Solid<P> {
+    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn SolvableSolid>> {
+        Some(Box::new(Self { parameters: self.parameters, body: self.body.coarser(cuts)? }))
+    }
+
+    fn boxed(&self) -> Box<dyn SolvableSolid> {
+        Box::new(self.clone())
+    }
+}
