@@ -42,7 +42,7 @@ impl SolidBody {
         let n = self.lattice.points();
         if let Some(border) = &self.border {
             self.reflect(t);
-            border.add_strain_work((&*self.lattice, &self.law.hood, &self.bond()), t, force);
+            border.bonds.add_work(t, &border.uniform, force);
         }
         for &ghost in &self.ghosts {
             (0..TENSOR).for_each(|q| t[q * n + ghost as usize] = 0.0);
