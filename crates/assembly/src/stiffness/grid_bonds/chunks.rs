@@ -156,13 +156,15 @@ impl Chunks {
                 [(range, _)] => Some([columns.start - range.start, range.end - columns.end]),
                 _ => Some([-1; 2]),
             };
-            let differs = own.is_some_and(|own| own.iter().any(|k| *k < 0) || clip.is_some_and(|clip| clip != own));
+            let differs =
+                own.is_some_and(|own| own.iter().any(|k| *k < 0) || clip.is_some_and(|clip| clip != own));
             if differs {
                 self.lines.truncate(begin);
                 return None;
             }
             clip = clip.or(own);
-            let number = |(range, first): &(Range<i32>, usize)| *first as u32 + (columns.start - range.start) as u32;
+            let number =
+                |(range, first): &(Range<i32>, usize)| *first as u32 + (columns.start - range.start) as u32;
             self.lines.push(found.first().map_or(NONE, number));
         }
         Some(Beside { clip: clip?, begin: begin as u32 })
