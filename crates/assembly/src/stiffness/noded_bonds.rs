@@ -215,6 +215,26 @@ impl<const D: usize, const M: usize> Term<D> for NodedBonds<D, M> {
         self.written_out(|bonds| bonds.couplings(visit));
     }
 
+    fn reach(&self) -> usize {
+        let span = |points: &mut dyn Iterator<Item = u32>| {
+            points.fold([u32::MAX, 0], |[low, high], p| [low.min(p), high.max(p)])
+        };
+        let of_nodes: Vec<[u32; 2]> =
+            self.nodes.iter().map(|place| span(&mut place.iter().map(|p| p.0))).collect();
+        let mut reach = 0;
+        for (kind, hung) in self.parts() {
+            let of = &self.kinds[kind];
+            let is_node = |k: usize| !of.shares[usize::from(k >= of.width(0))].is_empty();
+            for hung in hung.chunks_exact(self.stride(kind)) {
+                let ends =
+                    |(k, id): (usize, &u32)| if is_node(k) { of_nodes[*id as usize] } else { [*id; 2] };
+                let [low, high] = span(&mut hung.iter().enumerate().flat_map(ends));
+                reach = reach.max((high - low) as usize);
+            }
+        }
+        reach
+    }
+
     fn join(&self, parts: &mut Parts) {
         for place in &self.nodes {
             place.windows(2).for_each(|pair| parts.join(pair[0].0 as usize, pair[1].0 as usize));
