@@ -50,18 +50,22 @@ fn main() {
                 };
                 report(&format!("bonds {horizon_ratio} {name}"), side, &make);
             }
-            let parameters = StateSolidParameters {
-                youngs_modulus: 1.0,
-                poisson_ratio: 0.3,
-                horizon_ratio,
-                influence: Influence::Inverse,
-                calibration: Calibration::Matched,
-                volume_factor: VolumeFactor::Ramp,
-                edges: SolidEdges::Overlay,
-            };
-            report(&format!("state {horizon_ratio}"), side, &|lattice| {
-                Box::new(StateSolid::on_lattice(lattice, Mirrors::NONE, parameters, &[]).expect("a solid"))
-            });
+            for (name, edges) in [("overlay", SolidEdges::Overlay), ("border", SolidEdges::Border)] {
+                let parameters = StateSolidParameters {
+                    youngs_modulus: 1.0,
+                    poisson_ratio: 0.3,
+                    horizon_ratio,
+                    influence: Influence::Inverse,
+                    calibration: Calibration::Matched,
+                    volume_factor: VolumeFactor::Ramp,
+                    edges,
+                };
+                report(&format!("state {horizon_ratio} {name}"), side, &|lattice| {
+                    Box::new(
+                        StateSolid::on_lattice(lattice, Mirrors::NONE, parameters, &[]).expect("a solid"),
+                    )
+                });
+            }
         }
     });
 }

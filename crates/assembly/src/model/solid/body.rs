@@ -96,7 +96,7 @@ impl SolidBody {
         let mut near = near_points(&lattice, hood.reach());
         let bond = SolidBond { volume: lattice.spacing().powi(3) };
         let has_border = law.edges == SolidEdges::Border;
-        let border = has_border.then(|| Border::new((&lattice, &mirrors), (hood, &bond), &near, &known));
+        let border = has_border.then(|| Border::new((&lattice, &mirrors), (&law, bond), &near, &known));
         let gaps: &[Exception] = border.as_ref().map_or(&[], |border| &border.gaps);
         near.retain(|&point| mirrors.is_real(lattice.cell(point)));
         let completed = if law.edges.is_exact() { &near[..] } else { &[] };
@@ -114,7 +114,9 @@ impl SolidBody {
             exceptions.extend(halved(&lattice, &mirrors, hood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
-        let families = families(&lattice, &law, &reach, &overlay, (&near, &ghosts), &cuts).map(Arc::new);
+        let families =
+            families((&lattice, &law, &reach), (&overlay, border.as_ref()), (&near, &ghosts), &cuts)
+                .map(Arc::new);
         Ok(Self { lattice, mirrors, ghosts, law, bonds, felt, border, overlay, families, cuts })
     }
 
@@ -163,10 +165,9 @@ impl SolidBody {
     }
 }
 
-/// Whether bonds can end on the border: cells are whole and belong to blocks of eight, and points feel their bonds alone.
+/// Whether bonds can end on the border: cells are whole and belong to blocks of eight.
 fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, law: &SolidLaw) -> bool {
-    let is_near = law.hood.reach() <= FARTHEST && law.dilatation.is_none();
-    is_near && lattice.cut_cells().is_empty() && can_end(lattice, mirrors)
+    law.hood.reach() <= FARTHEST && lattice.cut_cells().is_empty() && can_end(lattice, mirrors)
 }
 
 /// Factors of the bonds of cells that are not whole: the mean of the parts of both ends.

@@ -8,7 +8,7 @@ mod overlay;
 mod triangle;
 
 pub(super) use border::border_shares;
-pub(in super::super) use border::{BorderBonds, Cells, End, Nodes, around, can_end, for_each_part};
+pub(in super::super) use border::{BorderBonds, Cells, End, Nodes, Run, around, can_end, for_each_part};
 pub use border::{BorderShares, FARTHEST};
 pub(in super::super) use cut::{Section, Strains};
 pub(super) use cut::{cut_shares, left_to_triangles, modulus};

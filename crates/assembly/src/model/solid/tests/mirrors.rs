@@ -65,7 +65,7 @@ fn an_eighth_is_the_whole_body() {
             check(&body, &BondSolid::on_lattice(part, MIRRORS, bonds, &[]).unwrap());
             let state = StateSolidParameters { horizon_ratio, edges, ..STATE };
             let body = StateSolid::on_lattice(full.clone(), Mirrors::NONE, state, &[]).unwrap();
-            assert_eq!(body.edges(), SolidEdges::Overlay);
+            assert_eq!(body.edges(), edges);
             let part = eighth(&full, StateSolid::depth(&state).unwrap());
             check(&body, &StateSolid::on_lattice(part, MIRRORS, state, &[]).unwrap());
         }

@@ -60,7 +60,7 @@ impl<'a, const M: usize> Nodes<'a, M> {
 
     /// Cells and their shares in the displacement of a place on the border of a cell, in spacings from the corner `[0, 0, 0]`;
     /// none where the body is too thin to tell.
-    pub(super) fn place(&self, at: [f64; 3], cell: Cell) -> Option<Shares> {
+    pub(in crate::model) fn place(&self, at: [f64; 3], cell: Cell) -> Option<Shares> {
         let mut sum: Shares = Vec::new();
         for (corner, share) in around(at) {
             for (cell, own) in self.corner(corner, cell)? {

@@ -57,7 +57,7 @@ impl Run<'_> {
     }
 
     /// Whether it begins, and whether it ends, at a point of the bond.
-    pub(super) fn has_points(&self) -> [bool; 2] {
+    pub(in crate::model) fn has_points(&self) -> [bool; 2] {
         [self.pieces[0] == 0, self.pieces[1] == self.path.cells.len()]
     }
 
