@@ -29,7 +29,8 @@ pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 pub(super) use body::{Kind, LatticeBody, grid, halved};
 pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{
-    BorderBonds, By, Completion, can_end, complete_border, energy_factor, is_cut, strain_rows, volume_factor,
+    By, Cells, End, Nodes, Run, around, can_end, energy_factor, for_each_part, is_cut, strain_rows,
+    volume_factor,
 };
 pub(super) use fields::add_work_of_triangles;
 pub(super) use near::{at, near_points};

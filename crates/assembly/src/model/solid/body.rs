@@ -3,11 +3,9 @@
 //! A point of a cell that a face cuts has the part `a_k` of a cell for its volume, and so has all of its energy: a bond has the
 //! mean of the parts of its two ends.
 
-use super::super::plane::{
-    BorderBonds, By, Completion, FARTHEST, Mirrors, Neighbourhood, at, can_end, complete_border, grid,
-    halved, near_points,
-};
+use super::super::plane::{FARTHEST, Mirrors, Neighbourhood, at, can_end, grid, halved, near_points};
 use super::bond::SolidBond;
+use super::border::Border;
 use super::corners::Overlay;
 use super::dilatation::families;
 use super::{SolidEdges, SolidError, SolidLaw};
@@ -66,7 +64,7 @@ pub(super) struct SolidBody {
     /// Bonds as whole real points feel them, where that is different.
     pub(super) felt: Option<Bonds>,
     /// Bonds that end on the border.
-    pub(super) border: Option<BorderBonds<3, 1>>,
+    pub(super) border: Option<Border>,
     /// What tetrahedra have of the energy, or beside a border that is completed tell of stresses alone.
     pub(super) overlay: Overlay,
     /// What does work with changes of volume.
@@ -97,18 +95,17 @@ impl SolidBody {
         let (hood, reach) = (&law.hood, Reach::new(&law.hood));
         let mut near = near_points(&lattice, hood.reach());
         let bond = SolidBond { volume: lattice.spacing().powi(3) };
-        let border = match law.edges {
-            SolidEdges::Border => complete_border((&lattice, &mirrors), (hood, &bond), &near, &known),
-            _ => Completion::NONE,
-        };
+        let has_border = law.edges == SolidEdges::Border;
+        let border = has_border.then(|| Border::new((&lattice, &mirrors), (&law, bond), &near, &known));
+        let gaps: &[Exception] = border.as_ref().map_or(&[], |border| &border.gaps);
         near.retain(|&point| mirrors.is_real(lattice.cell(point)));
         let completed = if law.edges.is_exact() { &near[..] } else { &[] };
-        let mut overlay = Overlay::new(&lattice, &law, &reach, completed, &known, &border.gaps);
-        overlay.uncorrected = if border.is_none() { overlay.uncorrected } else { border.lost };
+        let mut overlay = Overlay::new(&lattice, &law, &reach, completed, &known, gaps);
+        overlay.uncorrected = border.as_ref().map_or(overlay.uncorrected, |border| border.lost);
         let base = vec![1.0; hood.offsets.len()];
         let grid = |exceptions: &[Exception]| Arc::new(grid(&lattice, hood, &base, &bond, exceptions));
         let cut = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
-        let mut exceptions: Vec<Exception> = cuts.iter().map(cut).chain(border.gaps).collect();
+        let mut exceptions: Vec<Exception> = cuts.iter().map(cut).chain(gaps.iter().copied()).collect();
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
@@ -117,8 +114,9 @@ impl SolidBody {
             exceptions.extend(halved(&lattice, &mirrors, hood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
-        let families = families(&lattice, &law, &reach, &overlay, (&near, &ghosts), &cuts).map(Arc::new);
-        let border = if let By::Bonds(bonds) = border.by { Some(bonds) } else { None };
+        let families =
+            families((&lattice, &law, &reach), (&overlay, border.as_ref()), (&near, &ghosts), &cuts)
+                .map(Arc::new);
         Ok(Self { lattice, mirrors, ghosts, law, bonds, felt, border, overlay, families, cuts })
     }
 
@@ -167,10 +165,9 @@ impl SolidBody {
     }
 }
 
-/// Whether bonds can end on the border: cells are whole and belong to blocks of eight, and points feel their bonds alone.
+/// Whether bonds can end on the border: cells are whole and belong to blocks of eight.
 fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, law: &SolidLaw) -> bool {
-    let is_near = law.hood.reach() <= FARTHEST && law.dilatation.is_none();
-    is_near && lattice.cut_cells().is_empty() && can_end(lattice, mirrors)
+    law.hood.reach() <= FARTHEST && lattice.cut_cells().is_empty() && can_end(lattice, mirrors)
 }
 
 /// Factors of the bonds of cells that are not whole: the mean of the parts of both ends.

@@ -1,56 +1,53 @@
-//! Families that feel changes of volume, `ϑ_k = Σ (3w/q) |ξ| e`, with what tetrahedra measure in place of missing bonds.
+//! Families that feel changes of volume, `ϑ_k = Σ (3w/q) |ξ| e`, with what tetrahedra, or bonds on the
+//! border, measure in place of missing bonds.
 
+use super::super::plane::is_up;
 use super::body::Reach;
+use super::border::Border;
 use super::corners::Overlay;
 use super::{SolidLaw, TENSOR};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::stiffness::{FamilyRows, GridFamilies, GridFamily};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 /// The families of the real points of a lattice; none of a law without dilatation. Points that lack nothing share their rows.
 pub(super) fn families(
-    lattice: &Arc<SquareLattice>,
-    law: &SolidLaw,
-    reach: &Reach,
-    overlay: &Overlay,
+    (lattice, law, reach): (&Arc<SquareLattice>, &SolidLaw, &Reach),
+    (overlay, border): (&Overlay, Option<&Border>),
     (near, ghosts): (&[usize], &[u32]),
     cuts: &[(usize, usize)],
 ) -> Option<GridFamilies<3>> {
     let dilatation = law.dilatation.as_ref()?;
     let spacing = lattice.spacing();
+    let steps = Steps::new(reach, border);
     // (3w/q) |ξ| n, lengths in spacings but for the last: per m.
-    let row = |(k, step): (usize, &Cell)| {
+    let mut plain: FamilyRows<3> = vec![[0.0; 3]; steps.all.len()];
+    for (k, step) in reach.steps.iter().enumerate() {
         let share = dilatation.shares[reach.offset_of(k)] / spacing;
-        step.map(|x| share * f64::from(x))
-    };
-    let plain: FamilyRows<3> = reach.steps.iter().enumerate().map(row).collect();
-    let mut gone: HashMap<usize, Vec<bool>> =
-        near.iter().map(|&p| (p, reach.missing(lattice, lattice.cell(p)))).collect();
-    for &(offset, lower) in cuts {
-        let upper = lattice.number(plus(lattice.cell(lower), law.hood.offsets[offset]));
-        for (point, is_lower) in [(Some(lower), true), (upper, false)] {
-            let Some(point) = point else { continue };
-            let own = gone.entry(point).or_insert_with(|| vec![false; reach.steps.len()]);
-            own[reach.step_of(offset, is_lower)] = true;
-        }
+        plain[steps.of[step]] = step.map(|x| share * f64::from(x));
     }
     let mut sets = vec![plain];
-    let mut known: HashMap<(Vec<bool>, Option<usize>), u32> = HashMap::new();
+    let mut known: HashMap<Vec<[u64; 3]>, u32> = HashMap::new();
     let mut set_of = vec![Some(0); lattice.points()];
-    for (point, gone) in gone {
-        let kind = overlay.of_point.get(&point).copied();
-        let set = known.entry((gone, kind)).or_insert_with_key(|(gone, kind)| {
-            let set = rows((&sets[0], gone), reach, overlay, *kind);
-            sets.push(set);
+    for (point, gone) in without(lattice, law, reach, (near, border), cuts) {
+        let mut rows = sets[0].clone();
+        let lost = gone.iter().zip(&reach.steps).filter(|(gone, _)| **gone);
+        lost.for_each(|(_, step)| rows[steps.of[step]] = [0.0; 3]);
+        match border {
+            Some(border) => add_border(&mut rows, &steps, border.rows.get(&point)),
+            None => add_tetrahedra(&mut rows, &steps, overlay, point),
+        }
+        let bits = rows.iter().map(|row| row.map(f64::to_bits)).collect();
+        set_of[point] = Some(*known.entry(bits).or_insert_with(|| {
+            sets.push(rows);
             sets.len() as u32 - 1
-        });
-        set_of[point] = Some(*set);
+        }));
     }
     ghosts.iter().for_each(|&ghost| set_of[ghost as usize] = None);
     let volume = |point: usize| spacing.powi(3) * lattice.fraction(point);
     let family = GridFamily {
-        steps: reach.steps.clone(),
+        steps: steps.all,
         sets,
         set_of,
         volume: (0..lattice.points()).map(volume).collect(),
@@ -61,22 +58,63 @@ pub(super) fn families(
     Some(GridFamilies::new(lattice.clone(), family))
 }
 
-/// The rows of a family without some of its bonds and with its tetrahedra.
-fn rows(
-    (plain, gone): (&FamilyRows<3>, &[bool]),
+/// Steps from a point to all that its dilatation can depend on: a half, then their opposites.
+struct Steps {
+    all: Vec<Cell>,
+    /// Index of a step.
+    of: HashMap<Cell, usize>,
+}
+
+impl Steps {
+    fn new(reach: &Reach, border: Option<&Border>) -> Self {
+        let upwards = |step: &Cell| if is_up(*step) { *step } else { step.map(|k| -k) };
+        let mut half: Vec<Cell> = reach.steps[..reach.steps.len() / 2].to_vec();
+        let beyond =
+            border.iter().flat_map(|border| border.rows.values().flat_map(|rows| rows.keys().map(upwards)));
+        let known: HashSet<Cell> = half.iter().copied().collect();
+        let new: BTreeSet<Cell> = beyond.filter(|step| !known.contains(step)).collect();
+        half.extend(new);
+        let all: Vec<Cell> = half.iter().copied().chain(half.iter().map(|step| step.map(|k| -k))).collect();
+        let of = all.iter().enumerate().map(|(k, step)| (*step, k)).collect();
+        Self { all, of }
+    }
+}
+
+/// Points that lack bonds, and which by their steps: there is no point, the border parts them, or they are cut.
+fn without(
+    lattice: &SquareLattice,
+    law: &SolidLaw,
     reach: &Reach,
-    overlay: &Overlay,
-    kind: Option<usize>,
-) -> FamilyRows<3> {
-    let mut rows: FamilyRows<3> =
-        plain.iter().zip(gone).map(|(row, &gone)| if gone { [0.0; 3] } else { *row }).collect();
-    if let Some(kind) = kind.map(|kind| &overlay.kinds[kind]) {
-        for (other, strain) in kind.others.iter().zip(kind.strain.chunks_exact(3)) {
-            let step = reach.steps.iter().position(|step| step == other);
-            let row = &mut rows[step.expect("corners of tetrahedra are at offsets")];
-            (0..3)
-                .for_each(|c| row[c] += (0..TENSOR).map(|q| kind.dilatation[q] * strain[c][q]).sum::<f64>());
+    (near, border): (&[usize], Option<&Border>),
+    cuts: &[(usize, usize)],
+) -> BTreeMap<usize, Vec<bool>> {
+    let missing = |&point: &usize| (point, reach.missing(lattice, lattice.cell(point)));
+    let mut gone: BTreeMap<usize, Vec<bool>> = near.iter().map(missing).collect();
+    let gaps = border.iter().flat_map(|border| border.gaps.iter().map(|gap| (gap.offset, gap.lower)));
+    for (offset, lower) in cuts.iter().copied().chain(gaps) {
+        let upper = lattice.number(plus(lattice.cell(lower), law.hood.offsets[offset]));
+        for (point, is_lower) in [(Some(lower), true), (upper, false)] {
+            let Some(point) = point else { continue };
+            let own = gone.entry(point).or_insert_with(|| vec![false; reach.steps.len()]);
+            own[reach.step_of(offset, is_lower)] = true;
         }
     }
-    rows
+    gone
+}
+
+/// Adds the rows that bonds on the border bring to a point.
+fn add_border(rows: &mut FamilyRows<3>, steps: &Steps, of: Option<&BTreeMap<Cell, [f64; 3]>>) {
+    for (step, part) in of.into_iter().flatten() {
+        let row = &mut rows[steps.of[step]];
+        (0..3).for_each(|c| row[c] += part[c]);
+    }
+}
+
+/// Adds what the tetrahedra of a point measure in place of missing bonds.
+fn add_tetrahedra(rows: &mut FamilyRows<3>, steps: &Steps, overlay: &Overlay, point: usize) {
+    let Some(kind) = overlay.of_point.get(&point).map(|&kind| &overlay.kinds[kind]) else { return };
+    for (other, strain) in kind.others.iter().zip(kind.strain.chunks_exact(3)) {
+        let row = &mut rows[steps.of[other]];
+        (0..3).for_each(|c| row[c] += (0..TENSOR).map(|q| kind.dilatation[q] * strain[c][q]).sum::<f64>());
+    }
 }

@@ -42,13 +42,21 @@ impl SolidBody {
         let n = self.lattice.points();
         if let Some(border) = &self.border {
             self.reflect(t);
-            border.add_strain_work((&*self.lattice, &self.law.hood, &self.bond()), t, force);
+            border.bonds.add_work(t, &border.uniform, force);
         }
         for &ghost in &self.ghosts {
             (0..TENSOR).for_each(|q| t[q * n + ghost as usize] = 0.0);
         }
+        for &(point, part) in self.lattice.cut_cells() {
+            (0..TENSOR).for_each(|q| t[q * n + point as usize] *= part);
+        }
         if self.border.is_none() {
             self.add_overlay_work(t, force);
+        }
+        if let (Some(families), Some(law)) = (&self.families, &self.law.dilatation) {
+            let trace = |p: usize| t[p] + t[n + p] + t[2 * n + p];
+            let stress = (0..n).map(|p| self.cell_volume() * law.modulus * trace(p)).collect();
+            families.add_measure_work([stress, Vec::new()], force);
         }
         let lines = self.lattice.rows().len() * self.lattice.layers().len();
         let spans = vec![self.lattice.columns(); lines];
@@ -68,12 +76,9 @@ impl SolidBody {
         }
     }
 
-    /// The part of tetrahedra and families. Strains of cells that are not whole are reduced to their parts.
-    fn add_overlay_work(&self, t: &mut [f64], force: &mut [f64]) {
+    /// The part of tetrahedra.
+    fn add_overlay_work(&self, t: &[f64], force: &mut [f64]) {
         let (n, volume, overlay) = (self.lattice.points(), self.cell_volume(), &self.overlay);
-        for &(point, part) in self.lattice.cut_cells() {
-            (0..TENSOR).for_each(|q| t[q * n + point as usize] *= part);
-        }
         for family in 0..overlay.families.count() {
             let (point, kind) = overlay.families.point_and_kind(family);
             let kind = &overlay.kinds[kind];
@@ -83,11 +88,6 @@ impl SolidBody {
             let sigma: Vec<f64> =
                 kind.strain.iter().map(|rows| (0..TENSOR).map(|q| rows[q] * stress[q]).sum()).collect();
             overlay.families.add_work(family, &sigma, force);
-        }
-        if let (Some(families), Some(law)) = (&self.families, &self.law.dilatation) {
-            let trace = |p: usize| t[p] + t[n + p] + t[2 * n + p];
-            let stress = (0..n).map(|p| volume * law.modulus * trace(p)).collect();
-            families.add_measure_work([stress, Vec::new()], force);
         }
     }
 

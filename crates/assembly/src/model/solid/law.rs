@@ -16,8 +16,8 @@ use thiserror::Error;
 #[serde(rename_all = "snake_case")]
 pub enum SolidEdges {
     /// Bonds that leave the body end on its border, which moves with the points beside it: every uniform stress without shear is
-    /// in equilibrium at every face, edge and corner, and shear but for corners. It is the overlay where cells are cut, where
-    /// single rows or layers stand alone, and for solids whose points feel changes of volume.
+    /// in equilibrium at every face, edge and corner, and shear but for corners. Of solids whose points feel changes of volume only
+    /// the stiffness is exact. It is the overlay where cells are cut, and where single rows or layers stand alone.
     #[default]
     Border,
     /// Tetrahedra with the stiffness of the missing bonds: every point has the right stiffness for every uniform strain.

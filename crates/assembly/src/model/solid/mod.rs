@@ -12,6 +12,7 @@
 
 mod body;
 mod bond;
+mod border;
 mod corners;
 mod damage;
 mod dilatation;

@@ -33,6 +33,17 @@ pub(super) struct Chunk {
     neighbours: u32,
     /// Place of its factors in the table, where some are not one.
     factors: u32,
+    /// What it has beside it in a solid, where that is simple.
+    pub(super) beside: Option<Beside>,
+}
+
+/// Lines beside a chunk that all go as far beyond its ends, as far as bonds reach.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beside {
+    /// Cells before the first column and behind the last one.
+    pub(super) clip: [i32; 2],
+    /// Place of the lines in the table.
+    begin: u32,
 }
 
 impl Chunk {
@@ -64,6 +75,8 @@ pub(super) struct Chunks {
     /// Per inner chunk, layer `-layers..=layers` and row `-reach..=reach`: number of the point in the chunk's first column.
     neighbours: Vec<u32>,
     classes: usize,
+    /// Of chunks with simple lines beside them, as `neighbours`; none where there is no such line.
+    lines: Vec<u32>,
     /// Per exceptional chunk, `[offset][upwards or downwards][point]`: factors of the bonds of its points as the lower
     /// and as the upper one.
     factors: Vec<f64>,
@@ -79,13 +92,18 @@ impl Chunks {
             layers,
             middle: (layers * (2 * reach + 1) + reach) as usize,
             neighbours: Vec::new(),
+            lines: Vec::new(),
             classes: steps.len(),
             factors: Vec::new(),
         };
         for run in lattice.runs() {
             for from in run.columns.clone().step_by(CHUNK) {
                 let width = (run.columns.end - from).min(CHUNK as i32);
-                let neighbours = chunks.neighbours_of(lattice, run.line(), &(from..from + width));
+                let columns = from..from + width;
+                let neighbours = chunks.neighbours_of(lattice, run.line(), &columns);
+                // The rows of a plane are long, and most of their chunks have all neighbours.
+                let is_short = neighbours == NONE && !lattice.is_plane();
+                let beside = if is_short { chunks.beside(lattice, run.line(), &columns) } else { None };
                 chunks.all.push(Chunk {
                     first: run.number(from) as u32,
                     line: run.line(),
@@ -93,6 +111,7 @@ impl Chunks {
                     width: width as u32,
                     neighbours,
                     factors: NONE,
+                    beside,
                 });
             }
         }
@@ -122,6 +141,44 @@ impl Chunks {
             self.neighbours.push(number);
         }
         begin as u32
+    }
+
+    /// Enters the lines beside a chunk into the table if each of them is not there or goes as far as the others.
+    fn beside(&mut self, lattice: &SquareLattice, line: [i32; 2], columns: &Range<i32>) -> Option<Beside> {
+        let wide = columns.start - self.reach..columns.end + self.reach;
+        let begin = self.lines.len();
+        let mut clip: Option<[i32; 2]> = None;
+        for step in self.lines() {
+            let mut found: Vec<(Range<i32>, usize)> = Vec::new();
+            lattice.shifted(line, &wide, step, |range, first| found.push((range, first)));
+            let own = match &found[..] {
+                [] => None,
+                [(range, _)] => Some([columns.start - range.start, range.end - columns.end]),
+                _ => Some([-1; 2]),
+            };
+            let differs =
+                own.is_some_and(|own| own.iter().any(|k| *k < 0) || clip.is_some_and(|clip| clip != own));
+            if differs {
+                self.lines.truncate(begin);
+                return None;
+            }
+            clip = clip.or(own);
+            let number =
+                |(range, first): &(Range<i32>, usize)| *first as u32 + (columns.start - range.start) as u32;
+            self.lines.push(found.first().map_or(NONE, number));
+        }
+        Some(Beside { clip: clip?, begin: begin as u32 })
+    }
+
+    /// Numbers of the points in the first column of a chunk at an offset, upwards and downwards, from the lines beside it.
+    #[inline(always)]
+    pub(super) fn lines_at(&self, beside: &Beside, [_, across, layer]: Cell) -> [Option<usize>; 2] {
+        let away = (layer * (2 * self.reach + 1) + across) as isize;
+        let middle = beside.begin as usize + self.middle;
+        [away, -away].map(|away| {
+            let number = self.lines[middle.wrapping_add_signed(away)];
+            (number != NONE).then_some(number as usize)
+        })
     }
 
     /// Steps to the lines within the reach.

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::array::from_fn;
 
 /// Forces on the points of a chunk.
-type Forces<const D: usize> = [[f64; CHUNK]; D];
+pub(super) type Forces<const D: usize> = [[f64; CHUNK]; D];
 
 /// Points below which threads cost more than they bring.
 const FEW: usize = 8192;
@@ -52,6 +52,10 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     fn gather_chunk(&self, chunk: &Chunk, u: &[&[f64]; D], forces: &mut Forces<D>) {
         if chunk.is_inner() && chunk.is_plain() && chunk.width as usize == CHUNK {
             self.inner(chunk, u, forces);
+        } else if let Some(beside) = &chunk.beside
+            && chunk.is_plain()
+        {
+            self.beside(chunk, beside, u, forces);
         } else {
             self.ragged(chunk, u, forces);
         }
@@ -121,7 +125,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
 /// Forces of a stretch of bonds, given by their lower and upper points, on the lower or on the `UPPER` ones, the k-th and
 /// following points of a chunk.
 #[inline(always)]
-fn one_side<const D: usize, const M: usize, B: BondModel<D, M>, const UPPER: bool>(
+pub(super) fn one_side<const D: usize, const M: usize, B: BondModel<D, M>, const UPPER: bool>(
     class: &Class<D, M>,
     [lower, upper]: [&[&[f64]; D]; 2],
     factors: Option<&[f64]>,

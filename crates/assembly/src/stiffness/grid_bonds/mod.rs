@@ -1,6 +1,7 @@
 //! Bonds of a lattice by offset: nothing is stored per bond. One type for every lattice and every bond model.
 
 mod assemble;
+mod beside;
 mod breaking;
 mod chunks;
 mod gather;

@@ -4,6 +4,7 @@
 //! other one, then the rest, so that threads share nothing and sums do not depend on their number.
 
 use super::{Band, GridFamilies, Stretch};
+use crate::body::Cell;
 use crate::stiffness::Survey;
 use crate::stiffness::planes::{planes, planes_mut, take_front};
 use crate::sum::Sum;
@@ -44,8 +45,45 @@ impl<const D: usize> GridFamilies<D> {
         [theta, self.family.own.iter().zip(u[0]).map(|(a, x)| a * x).collect()]
     }
 
+    /// Numbers of the points at a step from a stretch and at the opposite one, if all are there.
+    #[inline(always)]
+    fn opposite(&self, stretch: &Stretch, step: Cell) -> Option<[usize; 2]> {
+        let at = |step: Cell| {
+            let mut first = None;
+            self.lattice.shifted(stretch.line, &stretch.columns, step, |columns, other| {
+                first = (columns == stretch.columns).then_some(other);
+            });
+            first
+        };
+        Some([at(step)?, at(step.map(|k| -k))?])
+    }
+
+    /// ϑ where rows at opposite steps are opposite: from differences of points on both sides, without the point itself. `false`
+    /// if some of them are not there.
+    #[inline(always)]
+    fn odd_dilatation(&self, stretch: &Stretch, u: &[&[f64]; D], theta: &mut [f64]) -> bool {
+        let set = &self.family.sets[stretch.set as usize];
+        let width = stretch.columns.len();
+        for (&step, row) in self.family.steps.iter().zip(&set[..set.len() / 2]).filter(|of| *of.1 != [0.0; D])
+        {
+            let Some([ahead, behind]) = self.opposite(stretch, step) else {
+                theta.fill(0.0);
+                return false;
+            };
+            let far: [[&[f64]; 2]; D] = from_fn(|c| [ahead, behind].map(|first| &u[c][first..first + width]));
+            for i in 0..width {
+                let part = |c: usize| row[c] * (far[c][0][i] - far[c][1][i]);
+                theta[i] += (1..D).fold(part(0), |sum, c| sum + part(c));
+            }
+        }
+        true
+    }
+
     #[inline(always)]
     fn dilatation(&self, stretch: &Stretch, u: &[&[f64]; D], theta: &mut [f64]) {
+        if self.odd[stretch.set as usize] && self.odd_dilatation(stretch, u, theta) {
+            return;
+        }
         let set = &self.family.sets[stretch.set as usize];
         for (&step, row) in self.family.steps.iter().zip(set) {
             if *row == [0.0; D] {
@@ -124,6 +162,8 @@ impl<const D: usize> GridFamilies<D> {
     #[inline(always)]
     fn push_stretch(&self, stretch: &Stretch, sigma: &[f64], base: usize, planes: &mut [&mut [f64]; D]) {
         let set = &self.family.sets[stretch.set as usize];
+        // Many steps of a solid take as much from the points themselves as others bring.
+        let mut taken = [0.0; D];
         for (&step, row) in self.family.steps.iter().zip(set) {
             if *row == [0.0; D] {
                 continue;
@@ -132,13 +172,26 @@ impl<const D: usize> GridFamilies<D> {
                 let (k, width) = ((columns.start - stretch.columns.start) as usize, columns.len());
                 let own = stretch.first + k;
                 let sigma = &sigma[own..own + width];
-                for (plane, row) in planes.iter_mut().zip(row) {
+                let takes_later = D > 2 && columns == stretch.columns;
+                for (c, (plane, row)) in planes.iter_mut().zip(row).enumerate() {
                     let to = &mut plane[other - base..][..width];
                     to.iter_mut().zip(sigma).for_each(|(f, s)| *f += row * s);
-                    let from = &mut plane[own - base..][..width];
-                    from.iter_mut().zip(sigma).for_each(|(f, s)| *f -= row * s);
+                    if takes_later {
+                        taken[c] += row;
+                    } else {
+                        let from = &mut plane[own - base..][..width];
+                        from.iter_mut().zip(sigma).for_each(|(f, s)| *f -= row * s);
+                    }
                 }
             });
+        }
+        if taken == [0.0; D] {
+            return;
+        }
+        let (own, width) = (stretch.first, stretch.columns.len());
+        for (plane, row) in planes.iter_mut().zip(taken) {
+            let from = &mut plane[own - base..][..width];
+            from.iter_mut().zip(&sigma[own..own + width]).for_each(|(f, s)| *f -= row * s);
         }
     }
 

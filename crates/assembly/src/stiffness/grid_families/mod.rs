@@ -72,6 +72,8 @@ pub struct GridFamilies<const D: usize = 2> {
     stretches: Vec<Stretch>,
     bands: Vec<Band>,
     blocks: Option<Blocks>,
+    /// Sets of a solid whose rows at opposite steps, half of all steps apart, are opposite.
+    odd: Vec<bool>,
 }
 
 impl<const D: usize> GridFamilies<D> {
@@ -83,13 +85,15 @@ impl<const D: usize> GridFamilies<D> {
         let stretches = stretches(&lattice, &family.set_of);
         let bands = bands(&lattice, &stretches, reach);
         let blocks = (family.mean_modulus != 0.0).then(|| Blocks::new(&lattice, &family));
-        Self { lattice, family, stretches, bands, blocks }
+        let odd = family.sets.iter().map(|set| is_odd(&family.steps, set)).collect();
+        Self { lattice, family, stretches, bands, blocks, odd }
     }
 
     /// Gives some points rows of their own.
     pub fn set_rows(&mut self, rows: impl IntoIterator<Item = (usize, FamilyRows<D>)>) {
         for (point, rows) in rows {
             self.family.set_of[point] = Some(self.family.sets.len() as u32);
+            self.odd.push(is_odd(&self.family.steps, &rows));
             self.family.sets.push(rows);
         }
         self.stretches = stretches(&self.lattice, &self.family.set_of);
@@ -149,6 +153,13 @@ impl<const D: usize> GridFamilies<D> {
             None => rows.iter().any(|row| *row != [0.0; D]),
         })
     }
+}
+
+/// Whether rows at opposite steps are opposite; in a plane nobody asks.
+fn is_odd<const D: usize>(steps: &[Cell], set: &FamilyRows<D>) -> bool {
+    let half = steps.len() / 2;
+    let opposite = |k: usize| steps[k] == steps[k + half].map(|x| -x) && set[k] == set[k + half].map(|x| -x);
+    D > 2 && steps.len() == 2 * half && (0..half).all(opposite)
 }
 
 fn stretches(lattice: &SquareLattice, set_of: &[Option<u32>]) -> Vec<Stretch> {

@@ -8,7 +8,7 @@ mod overlay;
 mod triangle;
 
 pub(super) use border::border_shares;
-pub(in super::super) use border::{BorderBonds, can_end, completed as complete_border};
+pub(in super::super) use border::{BorderBonds, Cells, End, Nodes, Run, around, can_end, for_each_part};
 pub use border::{BorderShares, FARTHEST};
 pub(in super::super) use cut::{Section, Strains};
 pub(super) use cut::{cut_shares, left_to_triangles, modulus};
@@ -57,9 +57,6 @@ pub(in super::super) enum By<const D: usize, const M: usize, const S: usize> {
 }
 
 impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {
-    /// Nothing on the border.
-    pub(in super::super) const NONE: Self = Self { by: By::Points, gaps: Vec::new(), lost: 0, strains: None };
-
     /// That of a body with some edges; `near` are the points within reach of its border.
     pub(super) fn new<B: PlaneBond<D, M, S>>(
         body: (&SquareLattice, &Mirrors),
@@ -71,7 +68,7 @@ impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {
         match (edges, body.0.blocks()) {
             (Edges::Border, []) => border::completed(body, bonds, near, cuts),
             (Edges::Border, _) => cut::completed(body, bonds, cuts, false),
-            _ => Self::NONE,
+            _ => Self { by: By::Points, gaps: Vec::new(), lost: 0, strains: None },
         }
     }
 

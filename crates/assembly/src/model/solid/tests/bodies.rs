@@ -82,23 +82,30 @@ pub(in crate::model) fn matrix(solid: &dyn SolvableSolid) -> DMatrix<f64> {
 /// Conjugate gradients from a displacement that stays where unknowns are held.
 pub(in crate::model) fn solve(
     solid: &dyn SolvableSolid,
-    mut u: Vec<f64>,
+    u: Vec<f64>,
     load: &[f64],
     held: impl Fn(usize) -> bool,
 ) -> Vec<f64> {
-    let mask =
-        |v: &mut Vec<f64>| v.iter_mut().enumerate().filter(|(k, _)| held(*k)).for_each(|(_, x)| *x = 0.0);
+    let mask = |mut v: Vec<f64>| {
+        v.iter_mut().enumerate().filter(|(k, _)| held(*k)).for_each(|(_, x)| *x = 0.0);
+        v
+    };
+    let missing = load.iter().zip(force(solid, &u)).map(|(f, own)| f - own).collect();
+    let step = gradients(&|p| mask(force(solid, p)), mask(missing));
+    u.iter().zip(&step).map(|(u, step)| u + step).collect()
+}
+
+/// Conjugate gradients from zero.
+pub(in crate::model) fn gradients(product: &dyn Fn(&[f64]) -> Vec<f64>, load: Vec<f64>) -> Vec<f64> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let mut r: Vec<f64> = load.iter().zip(force(solid, &u)).map(|(f, own)| f - own).collect();
-    mask(&mut r);
+    let (mut u, mut r) = (vec![0.0; load.len()], load);
     let (mut p, mut rr) = (r.clone(), dot(&r, &r));
-    let small = 1e-28 * dot(load, load).max(rr);
+    let small = 1e-28 * rr;
     for _ in 0..20_000 {
         if rr <= small {
             return u;
         }
-        let mut q = force(solid, &p);
-        mask(&mut q);
+        let q = product(&p);
         let step = rr / dot(&p, &q);
         u.iter_mut().zip(&p).for_each(|(u, p)| *u += step * p);
         r.iter_mut().zip(&q).for_each(|(r, q)| *r -= step * q);

@@ -21,9 +21,13 @@ fn a_crack_through_the_body_parts_it() {
     let lattice = Arc::new(SquareLattice::cuboid(1.0, [0.0; 3], [6, 5, 8]));
     let cuts = across(&lattice, &BondSolid::offsets(&BONDS).unwrap(), 4, 6);
     let bonds = BondSolid::on_lattice(lattice.clone(), Mirrors::NONE, BONDS, &cuts).unwrap();
+    let parameters = BondSolidParameters { edges: SolidEdges::Border, ..BONDS };
+    let border = BondSolid::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &cuts).unwrap();
+    assert_eq!((border.edges(), border.uncorrected()), (SolidEdges::Border, 0));
     let cuts = across(&lattice, &StateSolid::offsets(&STATE).unwrap(), 4, 6);
     let state = StateSolid::on_lattice(lattice.clone(), Mirrors::NONE, STATE, &cuts).unwrap();
-    for solid in [&bonds as &dyn SolvableSolid, &state] {
+    for solid in [&bonds as &dyn SolvableSolid, &border, &state] {
+        assert_eq!(solid.connected().spans().len(), 2);
         let apart =
             planes(solid, |[x, y, z]| if z > 4.0 { [1.0, 2.0, 3.0] } else { [-0.1 * y, 0.1 * x, 0.0] });
         assert!(energy(solid, &apart).abs() < 1e-24);

@@ -65,9 +65,36 @@ fn an_eighth_is_the_whole_body() {
             check(&body, &BondSolid::on_lattice(part, MIRRORS, bonds, &[]).unwrap());
             let state = StateSolidParameters { horizon_ratio, edges, ..STATE };
             let body = StateSolid::on_lattice(full.clone(), Mirrors::NONE, state, &[]).unwrap();
-            assert_eq!(body.edges(), SolidEdges::Overlay);
+            assert_eq!(body.edges(), edges);
             let part = eighth(&full, StateSolid::depth(&state).unwrap());
             check(&body, &StateSolid::on_lattice(part, MIRRORS, state, &[]).unwrap());
+        }
+    }
+}
+
+/// Cells behind the last column are copies of the first ones: the body goes on for ever.
+#[test]
+fn joined_sides_have_no_faces() {
+    let mirrors = Mirrors {
+        lines: [[Some(0), Some(6)], [None; 2], [None; 2]],
+        joined: [true, false, false],
+        ..Mirrors::NONE
+    };
+    let real = SquareLattice::cuboid(1.0, [0.0; 3], [6, 5, 4]);
+    let strain = [0.0, 0.7, -0.2, 0.5, 0.0, 0.0];
+    for edges in [SolidEdges::Overlay, SolidEdges::Border] {
+        let parameters = BondSolidParameters { edges, ..BONDS };
+        let cells = mirrors.extended(&real, BondSolid::depth(&parameters).unwrap());
+        let solid = BondSolid::on_lattice(Arc::new(cells), mirrors, parameters, &[]).unwrap();
+        assert_eq!((solid.edges(), solid.uncorrected()), (edges, 0));
+        let u = linear(&solid, gradient(strain));
+        let c = solid.stiffness();
+        let stress = c.map(|row| (0..6).map(|q| row[q] * strain[q]).sum::<f64>());
+        let density = 0.5 * (0..6).map(|q| stress[q] * strain[q]).sum::<f64>();
+        assert!((energy(&solid, &u) / (120.0 * density) - 1.0).abs() < 1e-12);
+        let fields = solid.fields(&u);
+        for p in (0..solid.points()).filter(|&p| solid.volume(p) > 0.0) {
+            (0..6).for_each(|q| assert!((fields.stress[q][p] - stress[q]).abs() < 1e-12, "{p} {q}"));
         }
     }
 }

@@ -62,6 +62,9 @@ fn solids(lattice: &Arc<SquareLattice>) -> Vec<(String, Box<dyn SolvableSolid>)>
         let parameters = StateSolidParameters { poisson_ratio, horizon_ratio, influence, ..STATE };
         let body = StateSolid::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &[]).unwrap();
         all.push((format!("state {poisson_ratio} {horizon_ratio} {influence:?}"), Box::new(body)));
+        let parameters = StateSolidParameters { edges: SolidEdges::Border, ..parameters };
+        let body = StateSolid::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &[]).unwrap();
+        all.push((format!("state border {poisson_ratio} {horizon_ratio} {influence:?}"), Box::new(body)));
     }
     all
 }

@@ -23,9 +23,10 @@ use super::{By, Completion};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::{BondGeometry, Mat};
 use crate::stiffness::{Exception, PlacedBond, PlacedBonds};
-use nodes::{Cells, Nodes};
+pub(in super::super::super) use nodes::{Cells, Nodes, around};
 use path::Path;
 use run::for_each_run;
+pub(in super::super::super) use run::{End, Run};
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -76,51 +77,59 @@ pub(in super::super::super) fn can_end(lattice: &SquareLattice, mirrors: &Mirror
 }
 
 /// Builds the bonds that end on the border; `near` are the points within reach of it.
-pub(in super::super::super) fn completed<
-    const D: usize,
-    const M: usize,
-    const S: usize,
-    B: LatticeBond<D, M, S>,
->(
+pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: LatticeBond<D, M, S>>(
     (lattice, mirrors): (&SquareLattice, &Mirrors),
     (hood, bond): (&Neighbourhood<M>, &B),
     near: &[usize],
     cuts: &HashSet<(usize, usize)>,
 ) -> Completion<D, M, S> {
     let nodes = Nodes::new(Cells { lattice, mirrors, hood, cuts: Cow::Borrowed(cuts) });
-    let cells = &nodes.cells;
     let mut bonds = PlacedBonds::new(lattice.points());
-    let (mut kinds, mut gaps, mut lost) = (Vec::new(), Vec::new(), HashSet::new());
-    for offset in hood.bonded() {
-        let path = Path::of(hood.offsets[offset]);
+    let (mut kinds, mut lost) = (Vec::new(), HashSet::new());
+    let gaps = for_each_part(&nodes, near, &mut |offset, run, part| {
+        let Some(ends) = run.ends(&nodes) else {
+            lost.insert(run.first());
+            return;
+        };
+        let (whole, share) = (geometry(lattice, hood.offsets[offset]), run.share());
+        let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
+        let unit = bond.part_moduli(&whole, share);
+        let moduli = std::array::from_fn(|m| part * hood.weights[offset][m] * unit[m]);
+        // Only rotations are read on the mean.
+        let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
+        let foremost = bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
+        let of = [run.point(&nodes.cells).map(|point| (point, share)), None, None];
+        kinds.push(PartOfBond { offset: offset as u32, share, of, foremost });
+    });
+    let by = By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds });
+    Completion { by, gaps, lost: lost.len(), strains: None }
+}
+
+/// Calls `visit` with every part of a bond that ends on the border: the index of its offset, its run of cells, and the part of it
+/// that is real; cracks cut none of them. Returns the bonds between points that give way; `near` are the points within reach of
+/// the border.
+pub(in super::super::super) fn for_each_part<const M: usize>(
+    nodes: &Nodes<M>,
+    near: &[usize],
+    visit: &mut dyn FnMut(usize, &Run, f64),
+) -> Vec<Exception> {
+    let (cells, mut gaps) = (&nodes.cells, Vec::new());
+    for offset in cells.hood.bonded() {
+        let path = Path::of(cells.hood.offsets[offset]);
         for_each_run(cells, &path, near, &mut |run| {
-            let upper = lattice.number(at(run.start, hood.offsets[offset], true));
+            let upper = cells.lattice.number(at(run.start, cells.hood.offsets[offset], true));
             if run.has_points()[0]
-                && let (Some(lower), Some(_)) = (lattice.number(run.start), upper)
+                && let (Some(lower), Some(_)) = (cells.lattice.number(run.start), upper)
             {
                 gaps.push(Exception { offset, lower, factor: 0.0 });
             }
-            let (part, share) = (run.counted(mirrors), run.share());
-            if part == 0.0 || run.is_cut(cells) {
-                return;
+            let part = run.counted(cells.mirrors);
+            if part != 0.0 && !run.is_cut(cells) {
+                visit(offset, run, part);
             }
-            let Some(ends) = run.ends(&nodes) else {
-                lost.insert(run.first());
-                return;
-            };
-            let whole = geometry(lattice, hood.offsets[offset]);
-            let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
-            let unit = bond.part_moduli(&whole, share);
-            let moduli = std::array::from_fn(|m| part * hood.weights[offset][m] * unit[m]);
-            // Only rotations are read on the mean.
-            let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
-            let foremost = bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
-            let of = [run.point(cells).map(|point| (point, share)), None, None];
-            kinds.push(PartOfBond { offset: offset as u32, share, of, foremost });
         });
     }
-    let by = By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds });
-    Completion { by, gaps, lost: lost.len(), strains: None }
+    gaps
 }
 
 impl<const D: usize, const M: usize> BorderBonds<D, M> {
@@ -168,26 +177,25 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
         (0..self.bonds.count()).filter(spans).collect()
     }
 
-    /// Adds the forces that do the work of the bonds in strains `t` of the points, a plane each, as far as they move them.
-    pub(in crate::model) fn add_strain_work<const S: usize, B: LatticeBond<D, M, S>>(
+    /// Adds the forces that do the work of the bonds in strains `t` of the points, three planes, as far as they move them.
+    pub(in super::super) fn add_strain_work<const S: usize, B: LatticeBond<D, M, S>>(
         &self,
         (lattice, hood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
         t: &[f64],
         force: &mut [f64],
     ) {
-        let (n, strains) = (lattice.points(), t.len() / lattice.points().max(1));
+        let n = lattice.points();
         for (k, &PartOfBond { offset, share, .. }) in self.kinds.iter().enumerate() {
-            let mut strain = [0.0; S];
-            self.bonds.middle(k).for_each(|(p, s)| (0..strains).for_each(|q| strain[q] += s * t[q * n + p]));
-            if strain == [0.0; S] {
+            let mut strain = [0.0; 3];
+            self.bonds.middle(k).for_each(|(p, s)| (0..3).for_each(|q| strain[q] += s * t[q * n + p]));
+            if strain == [0.0; 3] {
                 continue;
             }
             let whole = geometry(lattice, hood.offsets[offset as usize]);
             let uniform: Mat<M, S> = bond.in_uniform_state(&BondGeometry { xi: whole.xi.map(|x| share * x) });
             let moduli = self.bonds.moduli(k);
-            let sigma = std::array::from_fn(|m| {
-                moduli[m] * (0..strains).map(|q| uniform[m][q] * strain[q]).sum::<f64>()
-            });
+            let sigma =
+                std::array::from_fn(|m| moduli[m] * (0..3).map(|q| uniform[m][q] * strain[q]).sum::<f64>());
             self.bonds.add_work(k, &sigma, force);
         }
     }

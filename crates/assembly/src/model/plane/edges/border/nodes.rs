@@ -9,18 +9,18 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
 /// Cells and their shares.
-type Shares = Vec<(Cell, f64)>;
+pub(in crate::model) type Shares = Vec<(Cell, f64)>;
 
 /// A corner and, where there are cracks, the cell from which a bond comes.
 type Asked = (Cell, Option<Cell>);
 
 /// The cells of a body with its images, as far as mirrors make them.
-pub(super) struct Cells<'a, const M: usize> {
-    pub(super) lattice: &'a SquareLattice,
-    pub(super) mirrors: &'a Mirrors,
-    pub(super) hood: &'a Neighbourhood<M>,
+pub(in crate::model) struct Cells<'a, const M: usize> {
+    pub(in crate::model) lattice: &'a SquareLattice,
+    pub(in crate::model) mirrors: &'a Mirrors,
+    pub(in crate::model) hood: &'a Neighbourhood<M>,
     /// Bonds that cracks cut.
-    pub(super) cuts: Cow<'a, HashSet<(usize, usize)>>,
+    pub(in crate::model) cuts: Cow<'a, HashSet<(usize, usize)>>,
 }
 
 impl<const M: usize> Cells<'_, M> {
@@ -31,12 +31,12 @@ impl<const M: usize> Cells<'_, M> {
     }
 
     /// Number of axes: those of a plane, or of a solid.
-    pub(super) fn axes(&self) -> usize {
+    pub(in crate::model) fn axes(&self) -> usize {
         if self.lattice.is_plane() { 2 } else { 3 }
     }
 
     /// Number of the point of a cell.
-    pub(super) fn number(&self, cell: Cell) -> Option<u32> {
+    pub(in crate::model) fn number(&self, cell: Cell) -> Option<u32> {
         self.lattice.number(cell).map(|number| number as u32)
     }
 
@@ -48,19 +48,19 @@ impl<const M: usize> Cells<'_, M> {
 
 /// The displacement of corners of cells on the border. A corner has the indices of the cell whose lowest one it is; in a plane it
 /// lies in the layer of the cells.
-pub(super) struct Nodes<'a, const M: usize> {
-    pub(super) cells: Cells<'a, M>,
+pub(in crate::model) struct Nodes<'a, const M: usize> {
+    pub(in crate::model) cells: Cells<'a, M>,
     known: RefCell<HashMap<Asked, Option<Shares>>>,
 }
 
 impl<'a, const M: usize> Nodes<'a, M> {
-    pub(super) fn new(cells: Cells<'a, M>) -> Self {
+    pub(in crate::model) fn new(cells: Cells<'a, M>) -> Self {
         Self { cells, known: RefCell::default() }
     }
 
     /// Cells and their shares in the displacement of a place on the border of a cell, in spacings from the corner `[0, 0, 0]`;
     /// none where the body is too thin to tell.
-    pub(super) fn place(&self, at: [f64; 3], cell: Cell) -> Option<Shares> {
+    pub(in crate::model) fn place(&self, at: [f64; 3], cell: Cell) -> Option<Shares> {
         let mut sum: Shares = Vec::new();
         for (corner, share) in around(at) {
             for (cell, own) in self.corner(corner, cell)? {
@@ -74,7 +74,7 @@ impl<'a, const M: usize> Nodes<'a, M> {
     }
 
     /// Cells and their shares in the displacement of a corner on the border.
-    fn corner(&self, corner: Cell, from: Cell) -> Option<Shares> {
+    pub(in crate::model) fn corner(&self, corner: Cell, from: Cell) -> Option<Shares> {
         let key = (corner, (!self.cells.cuts.is_empty()).then_some(from));
         if let Some(known) = self.known.borrow().get(&key) {
             return known.clone();
@@ -129,7 +129,7 @@ fn corners<const N: usize>(axes: usize, along: [i32; N]) -> impl Iterator<Item =
 }
 
 /// The whole numbers around a position and their shares, linear along each axis, without those that are zero.
-pub(super) fn around(at: [f64; 3]) -> impl Iterator<Item = (Cell, f64)> {
+pub(in crate::model) fn around(at: [f64; 3]) -> impl Iterator<Item = (Cell, f64)> {
     /// Positions this close to a whole number are it.
     const SAME: f64 = 1e-9;
     let low = at.map(|x| (x + SAME).floor());

@@ -6,8 +6,17 @@ use super::path::Path;
 use crate::body::{Cell, minus, plus};
 use crate::stiffness::Place;
 
+/// What a run ends at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::model) enum End {
+    /// The point of a cell.
+    Point(Cell),
+    /// A place on the border of a cell, in spacings from the corner `[0, 0, 0]`.
+    Border([f64; 3], Cell),
+}
+
 /// A run of cells along the path of a bond, one after the other.
-pub(super) struct Run<'a> {
+pub(in crate::model) struct Run<'a> {
     path: &'a Path,
     /// Cell of the first point of the bond, whether there is one or not.
     pub(super) start: Cell,
@@ -43,17 +52,17 @@ pub(super) fn for_each_run<const M: usize>(
 
 impl Run<'_> {
     /// Its length over that of the whole bond.
-    pub(super) fn share(&self) -> f64 {
+    pub(in crate::model) fn share(&self) -> f64 {
         self.path.share(self.pieces[0], self.pieces[1])
     }
 
     /// Whether it begins, and whether it ends, at a point of the bond.
-    pub(super) fn has_points(&self) -> [bool; 2] {
+    pub(in crate::model) fn has_points(&self) -> [bool; 2] {
         [self.pieces[0] == 0, self.pieces[1] == self.path.cells.len()]
     }
 
     /// Its first cell.
-    pub(super) fn first(&self) -> Cell {
+    pub(in crate::model) fn first(&self) -> Cell {
         self.cell(self.pieces[0])
     }
 
@@ -100,21 +109,36 @@ impl Run<'_> {
         0.5 * self.pieces.map(real).iter().sum::<f64>()
     }
 
+    /// What its first or its other end is, of a body of so many axes.
+    pub(in crate::model) fn end(&self, side: usize, axes: usize) -> End {
+        let cell = self.cell(self.pieces[side] - side);
+        if self.has_points()[side] {
+            return End::Point(cell);
+        }
+        let place = self.path.place(self.pieces[side]);
+        let half = |k: usize| if k < axes { 0.5 } else { 0.0 };
+        End::Border([0, 1, 2].map(|k| f64::from(self.start[k]) + place[k] + half(k)), cell)
+    }
+
     /// How both of its ends move; none where the body is too thin to tell.
     pub(super) fn ends<const M: usize>(&self, nodes: &Nodes<M>) -> Option<[Place; 2]> {
-        let end = |piece: usize, cell: Cell, is_point: bool| -> Option<Place> {
-            if is_point {
-                return Some(vec![(nodes.cells.number(cell)?, 1.0)]);
+        let number = |cell: Cell| nodes.cells.number(cell);
+        let end = |side: usize| -> Option<Place> {
+            match self.end(side, nodes.cells.axes()) {
+                End::Point(cell) => Some(vec![(number(cell)?, 1.0)]),
+                End::Border(at, cell) => nodes
+                    .place(at, cell)?
+                    .into_iter()
+                    .map(|(cell, share)| Some((number(cell)?, share)))
+                    .collect(),
             }
-            let place = self.path.place(piece);
-            let axes = nodes.cells.axes();
-            let half = |k: usize| if k < axes { 0.5 } else { 0.0 };
-            let corner = [0, 1, 2].map(|k| f64::from(self.start[k]) + place[k] + half(k));
-            let shares = nodes.place(corner, cell)?.into_iter();
-            shares.map(|(cell, share)| Some((nodes.cells.number(cell)?, share))).collect()
         };
-        let ([first, behind], [begins, ends]) = (self.pieces, self.has_points());
-        Some([end(first, self.cell(first), begins)?, end(behind, self.cell(behind - 1), ends)?])
+        Some([end(0)?, end(1)?])
+    }
+
+    /// What tells it from the other runs of its path: its first piece, and behind the last one.
+    pub(in crate::model) fn pieces(&self) -> [usize; 2] {
+        self.pieces
     }
 
     /// How it turns on the mean, where that is not with both of its ends alike. A whole bond turns by half with either of its

@@ -1,0 +1,152 @@
+//! Bonds of a solid that end on its border, as in the plane: what leaves the body is cut off there.
+//!
+//! A place on the border of a cube moves with the corners beside it, four on a face, and these with the nearest whole blocks of
+//! eight points, continued linearly. Corners are found once, and bonds of the same offset and run of cells share the rest.
+//!
+//! Where points feel changes of volume, a point needs the elongations of all of its bonds. One that leaves the body has that of
+//! its run from the point, `e ξ/|run|`, and half of the energy of a whole bond; runs without a point have none.
+
+use super::super::plane::{Cells, End, LatticeBond, Mirrors, Nodes, Run, around, for_each_part};
+use super::bond::SolidBond;
+use super::{SolidLaw, TENSOR};
+use crate::body::{Cell, SquareLattice, minus};
+use crate::bonds::{BondGeometry, BondModel, Mat};
+use crate::stiffness::{Exception, NodedBonds, NodedKind};
+use std::borrow::Cow;
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::sync::Arc;
+
+/// What completes the border of a solid.
+#[derive(Clone, Debug)]
+pub(super) struct Border {
+    pub(super) bonds: Arc<NodedBonds<3, 1>>,
+    /// Elongation of the bonds of every kind per unit of every uniform strain.
+    pub(super) uniform: Vec<Mat<TENSOR, 1>>,
+    /// Bonds between points that give way to it.
+    pub(super) gaps: Vec<Exception>,
+    /// Rows of the dilatation of points that bonds on the border bring, by steps from them, per m.
+    pub(super) rows: HashMap<usize, BTreeMap<Cell, [f64; 3]>>,
+    /// Number of cells whose bonds are left out, because the body is too thin there to tell how they move.
+    pub(super) lost: usize,
+}
+
+/// A corner and, where there are cracks, the cell from which a bond comes.
+type Asked = (Cell, Option<Cell>);
+
+/// Builds them.
+struct Builder<'a> {
+    nodes: Nodes<'a, 1>,
+    law: &'a SolidLaw,
+    bond: SolidBond,
+    bonds: NodedBonds<3, 1>,
+    uniform: Vec<Mat<TENSOR, 1>>,
+    rows: HashMap<usize, BTreeMap<Cell, [f64; 3]>>,
+    corners: HashMap<Asked, Option<u32>>,
+    /// By offset, run and modulus.
+    kinds: HashMap<(usize, [usize; 2], u64), usize>,
+}
+
+impl Border {
+    /// That of a body; `near` are the points within reach of its border.
+    pub(super) fn new(
+        (lattice, mirrors): (&SquareLattice, &Mirrors),
+        (law, bond): (&SolidLaw, SolidBond),
+        near: &[usize],
+        cuts: &HashSet<(usize, usize)>,
+    ) -> Self {
+        let cells = || Cells { lattice, mirrors, hood: &law.hood, cuts: Cow::Borrowed(cuts) };
+        let mut builder = Builder {
+            nodes: Nodes::new(cells()),
+            law,
+            bond,
+            bonds: NodedBonds::new(lattice.points()),
+            uniform: Vec::new(),
+            rows: HashMap::new(),
+            corners: HashMap::new(),
+            kinds: HashMap::new(),
+        };
+        let mut lost = HashSet::new();
+        let gaps = for_each_part(&Nodes::new(cells()), near, &mut |offset, run, part| {
+            let added = match &law.dilatation {
+                None => builder.add(offset, run, part * run.share()),
+                Some(dilatation) => builder.add_sides(offset, run, dilatation.shares[offset]),
+            };
+            if added.is_none() {
+                lost.insert(run.first());
+            }
+        });
+        let Builder { bonds, uniform, rows, .. } = builder;
+        Self { bonds: Arc::new(bonds), uniform, gaps, rows, lost: lost.len() }
+    }
+}
+
+impl Builder<'_> {
+    /// Adds a run that has a part of the energy that its whole bond would have with the same stretch; none where the body is too
+    /// thin to tell how it moves.
+    fn add(&mut self, offset: usize, run: &Run, part: f64) -> Option<()> {
+        let ends = [0, 1].map(|side| run.end(side, 3));
+        let hung = [self.hung(&ends[0])?, self.hung(&ends[1])?].concat();
+        let whole = BondGeometry { xi: self.nodes.cells.lattice.vector(self.law.hood.offsets[offset]) };
+        let short = BondGeometry { xi: whole.xi.map(|x| run.share() * x) };
+        let (bond, weight) = (self.bond, self.law.hood.weights[offset][0]);
+        let (bonds, uniform) = (&mut self.bonds, &mut self.uniform);
+        let kind = *self.kinds.entry((offset, run.pieces(), part.to_bits())).or_insert_with(|| {
+            let [elongation] = bond.in_uniform_state(&short);
+            uniform.push(elongation.map(|e| [e]));
+            let [modulus] = bond.moduli(&short);
+            bonds.add_kind(NodedKind {
+                shares: ends.map(|end| match end {
+                    End::Point(_) => Vec::new(),
+                    End::Border(at, _) => around(at).map(|(_, share)| share).collect(),
+                }),
+                rows: bond.rows(&short).difference,
+                moduli: [part * weight * modulus],
+            })
+        });
+        self.bonds.push(kind, hung);
+        Some(())
+    }
+
+    /// Adds a run as half of the whole bond of each real point that it begins or ends at, with its part of their dilatation.
+    fn add_sides(&mut self, offset: usize, run: &Run, share: f64) -> Option<()> {
+        let cells = &self.nodes.cells;
+        let spacing = cells.lattice.spacing();
+        for side in [0, 1].into_iter().filter(|&side| run.has_points()[side]) {
+            let (End::Point(own), End::Border(at, from)) = (run.end(side, 3), run.end(1 - side, 3)) else {
+                continue;
+            };
+            let cells = &self.nodes.cells;
+            let (true, Some(point)) = (cells.mirrors.is_real(own), cells.number(own)) else { continue };
+            let away = if side == 0 { 1.0 } else { -1.0 };
+            let row =
+                self.law.hood.offsets[offset].map(|x| away * share / (spacing * run.share()) * f64::from(x));
+            let shares = self.nodes.place(at, from)?;
+            let rows = self.rows.entry(point as usize).or_default();
+            for (cell, part) in shares.into_iter().filter(|of| of.0 != own) {
+                let sum = rows.entry(minus(cell, own)).or_insert([0.0; 3]);
+                (0..3).for_each(|c| sum[c] += part * row[c]);
+            }
+            self.add(offset, run, 0.5)?;
+        }
+        Some(())
+    }
+
+    /// The point or the nodes that an end hangs on; none where the body is too thin to tell.
+    fn hung(&mut self, end: &End) -> Option<Vec<u32>> {
+        let nodes = &self.nodes;
+        let (at, from) = match *end {
+            End::Point(cell) => return Some(vec![nodes.cells.number(cell)?]),
+            End::Border(at, from) => (at, from),
+        };
+        let (bonds, known) = (&mut self.bonds, &mut self.corners);
+        let node = |(corner, _): (Cell, f64)| {
+            let asked = (corner, (!nodes.cells.cuts.is_empty()).then_some(from));
+            *known.entry(asked).or_insert_with(|| {
+                let shares = nodes.corner(corner, from)?;
+                let numbered = |(cell, share)| Some((nodes.cells.number(cell)?, share));
+                Some(bonds.add_node(shares.into_iter().map(numbered).collect::<Option<_>>()?))
+            })
+        };
+        around(at).map(node).collect()
+    }
+}
