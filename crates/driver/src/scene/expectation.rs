@@ -1,8 +1,8 @@
 //! What the results of a scene must be.
 
-use super::{numbers, root, words};
+use super::root;
 use crate::case::{Baseline, Case, Check, ClosedForm, Formula};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive, suggest};
 
 /// A check, resolved.
 #[derive(Debug)]
@@ -68,7 +68,7 @@ pub(super) fn expectations<F>(
                 (c.probe.clone(), ExpectationKind::Value { probe, expected, tolerance, source })
             }
             Check::Limit(c) => {
-                numbers::positive(c.at_most, "at_most", path.key("at_most"), faults);
+                positive(c.at_most, "at_most", path.key("at_most"), faults);
                 let probe = probe(case, probes, &c.probe, &path, faults)?;
                 let kind = ExpectationKind::Limit { probe, at_most: c.at_most, why: c.why.clone() };
                 (format!("{} <= {}", c.probe, c.why), kind)
@@ -121,7 +121,7 @@ fn state<'a>(
         Check::Formula(c) => (&c.load_case, Some(c.tolerance)),
     };
     if let Some(tolerance) = tolerance {
-        numbers::positive(tolerance, "tolerance", path.key("tolerance"), faults);
+        positive(tolerance, "tolerance", path.key("tolerance"), faults);
     }
     let Some(name) = load_case else {
         return Some((states.len().checked_sub(1)?, None));
@@ -130,7 +130,7 @@ fn state<'a>(
     if found.is_none() {
         faults
             .error(path.key("load_case"), format!("there is no load case or combination `{name}`"))
-            .hint(words::suggest(name, states.iter().copied()));
+            .hint(suggest(name, states.iter().copied()));
     }
     Some((found?, Some(name)))
 }
@@ -142,7 +142,7 @@ fn probe(case: &Case, probes: &[&str], name: &str, path: &JsonPath, faults: &mut
         faults.error(path.key("probe"), format!("there is no probe `{name}`")).hint(
             match case.probes.as_slice() {
                 [] => "the case has no `probes`: add one of this name".into(),
-                probes => words::suggest(name, probes.iter().map(|p| p.name.as_str())),
+                probes => suggest(name, probes.iter().map(|p| p.name.as_str())),
             },
         );
     }

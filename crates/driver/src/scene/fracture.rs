@@ -1,9 +1,8 @@
 //! How the bonds of a body break, resolved.
 
-use super::numbers::positive;
-use super::{root, words};
+use super::root;
 use crate::case::{Case, Fracture, Solver, Strategy};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive, suggest};
 
 /// Load steps of a body whose bonds break at the critical strains `C` of its model.
 #[derive(Clone, Debug)]
@@ -78,7 +77,7 @@ pub(super) fn resolve<C>(
     if load.is_none() {
         faults
             .error(path.key("load"), format!("there is no probe `{}`", fracture.load))
-            .hint(words::suggest(&fracture.load, probes.iter().copied()));
+            .hint(suggest(&fracture.load, probes.iter().copied()));
     }
     let threshold = match strategy {
         Strategy::Batch => fracture.batch_threshold.unwrap_or(0.9),

@@ -21,7 +21,6 @@ pub use expectation::{Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
 pub use plane::PlaneScene;
 pub use resultant::Resultant;
-pub(crate) use words::tidy;
 
 use crate::case::Case;
 use crate::diagnostic::{Faults, Report, root};

@@ -1,7 +1,6 @@
 //! Numbers of a case that cannot be: not positive, or beyond double precision when they are multiplied.
 
 use crate::case::Case;
-pub(super) use crate::diagnostic::positive;
 use crate::diagnostic::{Faults, JsonPath};
 use serde_json::Value;
 

@@ -1,8 +1,8 @@
 //! How the path of a body that softens is followed, resolved.
 
-use super::{root, words};
+use super::root;
 use crate::case::{Case, Path, PathControl, Solver, Turn};
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, suggest};
 use crate::run::path::Goal;
 use peristat_assembly::law::Bilinear;
 use peristat_assembly::stiffness::Kinematics;
@@ -139,7 +139,7 @@ pub(super) fn resolve(
             fine = false;
             faults
                 .error(place.key(key), format!("there is no probe `{name}`"))
-                .hint(words::suggest(name, probes.iter().copied()));
+                .hint(suggest(name, probes.iter().copied()));
         }
         found
     };

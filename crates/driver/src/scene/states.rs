@@ -1,8 +1,8 @@
 //! Load steps, load cases and combinations as sums of load cases, whatever the loads are.
 
-use super::{root, words};
+use super::root;
 use crate::case::{Case, Load};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, suggest};
 use std::collections::HashSet;
 
 /// One right-hand side.
@@ -98,7 +98,7 @@ fn combination(case: &Case, index: usize, cases: &[&str], faults: &mut Faults) -
             None => {
                 faults
                     .error(path.key("factors").key(key), format!("there is no load case `{key}`"))
-                    .hint(words::suggest(key, cases.iter().copied()));
+                    .hint(suggest(key, cases.iter().copied()));
             }
         }
     }

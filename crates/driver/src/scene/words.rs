@@ -2,8 +2,6 @@
 
 use crate::case::FieldName;
 
-pub(crate) use crate::diagnostic::{suggest, tidy};
-
 /// The fields that there are where another one was asked for, for a hint.
 pub(super) fn there_are(fields: &[FieldName]) -> String {
     let names: Vec<&str> = fields.iter().map(|f| f.name()).collect();

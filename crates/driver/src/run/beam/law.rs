@@ -7,9 +7,9 @@ use super::twin::{self, Departure, Twin};
 use super::{BeamResult, probes, run_linear};
 use crate::case::FieldName;
 use crate::diagnostic::Faults;
+use crate::diagnostic::tidy;
 use crate::run::{ProbeResult, RunOptions};
 use crate::scene::beam::BeamScene;
-use crate::scene::tidy;
 use std::time::Instant;
 
 /// Distance from the exact answer, relative, above which a beam is warned of.

@@ -6,9 +6,8 @@
 //! concentration comes out too low: of holes with E₁/E₂ of 4 and 14 a layer of 1/4, 1/2, 1 and 2 horizons leaves about 45, 60, 73
 //! and 87 % of it.
 
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::scene::plane::{PlaneBonds, PlaneScene};
-use crate::scene::words::tidy;
 use peristat_assembly::body::Shape;
 use peristat_assembly::model::beam_bond_orthotropic::{OrthotropicMaterial, OrthotropicParameters};
 use std::f64::consts::PI;

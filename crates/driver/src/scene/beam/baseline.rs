@@ -2,8 +2,7 @@
 
 use super::checks::Context;
 use super::files::text;
-use super::words::tidy;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
 
 /// The stored values of a baseline check, positions and values, if they belong to the points of the scene.

@@ -4,13 +4,12 @@ use super::super::horizon::horizon_ratio;
 use super::beam_path;
 use super::grading::stations;
 use super::loads::ResolvedLoads;
-use super::numbers::positive;
 use super::place::{Layout, LayoutLine};
 use super::section::Resolved;
 use super::size::{self, is_special};
 use super::{HeldPoint, RigidBar, root};
 use crate::case::{Beam, Case};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive};
 use peristat_assembly::model::timoshenko_beam::{
     Axial, BeamParameters, ChainError, Grid, Line, TimoshenkoBeam, VolumeFactor,
     end_treatment::{self, EndSupport},

@@ -5,7 +5,7 @@ use super::facts::facts;
 use super::foundation::Bed;
 use super::{HeldPoint, ProbePoint, RigidBar, State, baseline, words};
 use crate::case::{Baseline, Case, ClosedForm, FieldName};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::input::Folder;
 use crate::reference::{self, Field, Solution};
 use crate::scene::{Expectation, ExpectationKind};
@@ -125,7 +125,7 @@ fn closed_form(
     let Some(reference) = reference::find(&check.name) else {
         faults
             .error(path.key("name"), format!("there is no closed form `{}`", check.name))
-            .hint(words::suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
+            .hint(suggest(&check.name, reference::TABLE.iter().map(|r| r.name)));
         return None;
     };
     if context.on_frame {

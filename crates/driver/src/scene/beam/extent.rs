@@ -2,8 +2,7 @@
 
 use super::place::{Layout, Place};
 use super::spot;
-use super::words::tidy;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 
 /// A part of a line.
 #[derive(Clone, Copy, Debug)]

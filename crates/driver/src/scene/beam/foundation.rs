@@ -2,10 +2,9 @@
 
 use super::extent::{self, Extent, Given, Words};
 use super::place::Layout;
-use super::words::tidy;
 use super::{profile, root};
 use crate::case::{Case, Foundation};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::material::Profile;
 use peristat_assembly::model::timoshenko_beam::{TimoshenkoBeam, W};
 use peristat_assembly::stiffness::Spring;

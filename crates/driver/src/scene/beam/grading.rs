@@ -1,8 +1,7 @@
 //! Points of graded grids.
 
-use super::words::tidy;
 use crate::case::Grading;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 
 /// Largest ratio of two cells of a line.
 const MOST: f64 = 1e6;

@@ -1,10 +1,9 @@
 //! Material, section and calibration of a scene.
 
 use super::section::{Resolved, stiffness};
-use super::words::suggest;
 use super::{beam_path, root};
 use crate::case::{Beam, Body, Case, Frame, Member};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, suggest};
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid,
     bond_law::{self, BondLaw},

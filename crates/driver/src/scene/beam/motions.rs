@@ -1,7 +1,7 @@
 //! Free motions in words.
 
 use super::BeamScene;
-use super::words::tidy;
+use crate::diagnostic::tidy;
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
 /// Names of members that a message lists, at most.

@@ -1,8 +1,7 @@
 //! Where on the body a position is.
 
 use super::frame::{EndOfMember, FrameLayout};
-use super::words::tidy;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::model::timoshenko_beam::Grid;
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndTreatment;
 

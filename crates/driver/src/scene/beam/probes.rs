@@ -2,10 +2,10 @@
 
 use super::place::{Layout, Place};
 use super::spot::{self, Spot};
-use super::words::{self, tidy};
+use super::words;
 use super::{HeldPoint, SectionAlong};
 use crate::case::{Beam, Case, FieldName, Probe};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 
 /// A probe on a point.
 #[derive(Clone, Debug)]

@@ -1,7 +1,6 @@
 //! Whether quantities that vary along a line are what they must be.
 
-use super::words::tidy;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::material::Profile;
 
 /// Parts of a range at whose ends a polynomial is looked at.

@@ -2,10 +2,8 @@
 
 use super::frame::FrameLayout;
 use super::place::{Layout, Place};
-use super::words::suggest;
-use super::words::tidy;
 use crate::case::At;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
 
 /// A place that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,8 +1,7 @@
 //! Which keys of a support fit its body and each other.
 
-use super::numbers::positive;
 use crate::case::Support;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive};
 
 /// A key of a support with the key that does its work on the other kind of body.
 struct Misplaced {

@@ -5,9 +5,8 @@ use super::foundation::Bed;
 use super::place::{Layout, LayoutLine};
 use super::profile;
 use super::root;
-use super::words::tidy;
 use crate::case::{Beam, Case, Units};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::model::timoshenko_beam::{Chain, TimoshenkoBeam, VolumeFactor};
 
 /// Adds all warnings on a scene.

@@ -1,10 +1,9 @@
 //! The points of a body in the plane and its outline.
 
-use super::super::words::tidy;
 use super::snap::Snap;
 use super::{boundary, files, root};
 use crate::case::{Body, Case, Hole, Model};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::memory;

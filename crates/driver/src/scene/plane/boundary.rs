@@ -1,8 +1,7 @@
 //! The border of a body in the plane as stretches that tractions act on.
 
-use super::super::words::suggest;
 use super::ground::Ground;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::input::gmsh::Curve;
 use crate::memory;
 use peristat_assembly::body::{BorderPart, Edge, Outline, PlaneBody, SquareLattice};

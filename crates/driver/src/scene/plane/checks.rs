@@ -2,11 +2,11 @@
 
 use super::super::expectation::{self, Expectation, PointsCheck};
 use super::super::files::{BASELINE, text};
-use super::super::words::{self, tidy};
+use super::super::words;
 use super::fields;
 use super::formula;
 use crate::case::{Baseline, Case, FieldName, Formula};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::input::Folder;
 use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::plane::PlaneModel;

@@ -1,9 +1,8 @@
 //! Regions and places of a body in the plane by the names that a case gives them.
 
-use super::super::words::{suggest, tidy};
 use super::root;
 use crate::case::{self, At, Case};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
 use peristat_assembly::body::{Outline, PlaneBody, Region, RegionError, Regions};
 use std::collections::BTreeMap;
 

@@ -1,9 +1,8 @@
 //! Points that their bonds do not hold: with one bond, or bonds on one line, they can move without any force.
 
-use super::super::words::tidy;
 use super::conditions::Conditions;
 use super::{PlaneScene, body, root};
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, tidy};
 use peristat_assembly::model::Model;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -1,12 +1,10 @@
 //! Material and bonds of a body in the plane.
 
-use super::super::numbers::positive;
-use super::super::words::tidy;
 use super::bonds::PlaneBonds;
 use super::keys::PlaneKeys;
 use super::root;
 use crate::case::{self, Case, Model, Plane};
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, positive, tidy};
 use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor};
 use peristat_assembly::model::plane::{Calibration, Edges};
 

@@ -1,7 +1,7 @@
 //! Free motions of a body in the plane in words.
 
-use super::super::words::tidy;
 use super::PlaneScene;
+use crate::diagnostic::tidy;
 use peristat_assembly::model::{Model, RigidMotion};
 use peristat_assembly::system::{FreeMotion, PartMotion};
 

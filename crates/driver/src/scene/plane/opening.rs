@@ -1,11 +1,10 @@
 //! Openings of cracks between the rows of a lattice, as sums of displacements.
 
-use super::super::words::tidy;
 use super::interpolate::{Interpolation, Weights};
 use super::probes::Quantity;
 use super::site::Site;
 use crate::case::Probe;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::body::{Cell, Crack, PlaneBody, SquareLattice};
 
 /// Farthest point of a row from the place, in spacings: that next to the mouth is half a spacing away, its neighbour one

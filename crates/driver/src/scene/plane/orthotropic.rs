@@ -1,12 +1,10 @@
 //! Material and bonds of a body of beam bonds.
 
-use super::super::numbers::positive;
-use super::super::words::tidy;
 use super::bonds::PlaneBonds;
 use super::keys::PlaneKeys;
 use super::{body, root};
 use crate::case::{Case, LatticeRows, Model, Orthotropic};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamNeighbourhood, OrthotropicError, OrthotropicMaterial, OrthotropicParameters, Start,
 };

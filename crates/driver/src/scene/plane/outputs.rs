@@ -1,11 +1,10 @@
 //! Lines through a body in the plane and stress intensities of its cracks.
 
-use super::super::words::{suggest, tidy};
 use super::ground::Ground;
 use super::interpolate::{Interpolation, Weights};
 use super::{NamedCrack, root, tips};
 use crate::case::{Case, Tips};
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, suggest, tidy};
 use crate::memory;
 use peristat_assembly::body::Crack;
 use std::collections::HashSet;

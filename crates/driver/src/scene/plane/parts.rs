@@ -1,11 +1,11 @@
 //! The body of a case in the plane, its material, mirrors and cracks.
 
-use super::super::{horizon, root, words::tidy};
+use super::super::{horizon, root};
 use super::keys::PlaneKeys;
 use super::model::Recipe;
 use super::{NamedCrack, PlaneBonds, body, cracks, held_angle, periodic, size, state_based, symmetry};
 use crate::case::{Case, Model};
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, tidy};
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};

@@ -1,16 +1,14 @@
 //! How the bonds of a body in the plane soften, and how it is followed.
 
 use super::super::fracture;
-use super::super::numbers::positive;
 use super::super::path::{self, PathScene, Softening};
 use super::super::root;
-use super::super::words::tidy;
 use super::bonds::PlaneBonds;
 use super::fracture::check_load;
 use super::model::{self};
 use super::site::Site;
 use crate::case::{BilinearLaw, Case, CriticalFormula, Model, Path, PlaneBondLaw};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use crate::run::path::PATH_FACTS;
 use peristat_assembly::body::PlaneBody;
 use peristat_assembly::law::{Bilinear, Compression, Unloading};

@@ -1,11 +1,10 @@
 //! Forces and moments at places of a body in the plane.
 
-use super::super::words::tidy;
 use super::ground::{PLACE, Spot};
 use super::interpolate::{Interpolation, Weights};
 use super::loads::{Context, PlaneLoads, is_held};
 use crate::case::PointLoad;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::body::Crack;
 
 /// A force, or a moment, at a place.

@@ -1,13 +1,12 @@
 //! Probes of a body in the plane.
 
-use super::super::words::{suggest, tidy};
 use super::fields;
 use super::ground::PLACE;
 use super::interpolate::Weights;
 use super::opening;
 use super::site::Site;
 use crate::case::{FieldName, Probe};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
 
 /// A value to report.
 #[derive(Clone, Debug)]

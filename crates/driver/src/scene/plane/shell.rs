@@ -1,13 +1,11 @@
 //! Shell membranes: parameters, what bodies and keys they can have, pressures, and loads that no membrane bears.
 
-use super::super::numbers::positive;
-use super::super::words::tidy;
 use super::keys::PlaneKeys;
 use super::loads::{Context, PlaneLoads};
 use super::stress_field::StressField;
 use super::{PlaneBonds, PlaneScene, body, model, root};
 use crate::case::{Axis, Body, Case, LoadSharing, Model, Pressure, Shell};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use peristat_assembly::body::{PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::shell_membrane::{

@@ -5,7 +5,7 @@ use super::bonds::PlaneBonds;
 use super::held_edge::takes_shares;
 use super::{NamedCrack, root};
 use crate::case::Case;
-use crate::diagnostic::Faults;
+use crate::diagnostic::{Faults, tidy};
 use crate::memory;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
@@ -90,7 +90,7 @@ pub(super) fn fits(
         PlaneBody::Cloud(_) => 0.0,
     };
     let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
-    let what = format!("bonds over a horizon of {} spacings", super::super::words::tidy(m));
+    let what = format!("bonds over a horizon of {} spacings", tidy(m));
     memory::fits(cut + own + of_images, (&what, "use a shorter horizon"), max_memory, root(key), faults)
 }
 

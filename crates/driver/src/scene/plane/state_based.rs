@@ -1,13 +1,11 @@
 //! Material and families of state-based bodies.
 
-use super::super::numbers::positive;
-use super::super::words::tidy;
 use super::bonds::PlaneBonds;
 use super::keys::PlaneKeys;
 use super::model::tell;
 use super::{PlaneScene, root};
 use crate::case::{Axisymmetric, Case, Model, PlaneState, StatePlane};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::state_based::{

@@ -1,9 +1,8 @@
 //! Keys of supports of a body in the plane.
 
-use super::super::numbers::positive;
 use super::bonds::PlaneBonds;
 use crate::case::Support;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive};
 
 /// Adds a fault for every key of a support that does not fit a body in the plane, or another key.
 pub(super) fn check(support: &Support, bonds: &PlaneBonds, path: &JsonPath, faults: &mut Faults) {

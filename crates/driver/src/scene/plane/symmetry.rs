@@ -1,8 +1,7 @@
 //! Edges of a body in the plane that are mirrors, and beyond which it has images therefore.
 
-use super::super::words::suggest;
 use super::root;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, suggest};
 use peristat_assembly::body::{Crack, Edge, Outline, SquareLattice};
 use peristat_assembly::model::plane::Mirrors;
 

@@ -6,8 +6,6 @@
 //! rounding; else S fades from the edge inwards. What S does on other borders is taken back there.
 //! `lumped`: the force of every stretch of the border goes to the nearest point. Force and moment are exact either way.
 
-use super::super::numbers::positive;
-use super::super::words::tidy;
 use super::boundary::{self, Border, Stretch, is_aligned};
 use super::ground::Ground;
 use super::loads::{Context, PlaneLoads};
@@ -17,7 +15,7 @@ use super::profile::Profile;
 use super::stress_field::StressField;
 use super::uniform_stress;
 use crate::case::{Hertz, LoadSharing, Traction};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use peristat_assembly::body::BorderPart;
 use peristat_assembly::model::plane::Calibration;
 

@@ -1,9 +1,8 @@
 //! Doubts about a body in the plane that can be solved.
 
-use super::super::words::tidy;
 use super::{PlaneBonds, PlaneScene, clamped, gaps, held_corner, orthotropic, root, shell, state_based};
 use crate::case::Units;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, tidy};
 
 /// Adds all warnings on a scene.
 pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {

@@ -1,11 +1,9 @@
 //! Sections of which the stiffness is given by numbers.
 
-use super::super::numbers::positive;
 use super::super::profile;
-use super::super::words::tidy;
 use super::{Resolved, SectionAlong, scaled};
 use crate::case::Stiffness;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use peristat_assembly::material::{Profile, SectionStiffness};
 
 /// Sections of which the stiffness is given.

@@ -6,9 +6,8 @@ mod shape;
 mod taper;
 
 use super::numbers;
-use super::numbers::positive;
 use crate::case::Beam;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive};
 use peristat_assembly::material::{Profile, SectionStiffness};
 
 /// What is known of the sections of a line, by the distance from its start.

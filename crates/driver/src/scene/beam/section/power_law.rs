@@ -1,9 +1,8 @@
 //! Rectangles whose modulus varies over their height.
 
-use super::super::numbers::positive;
 use super::{Resolved, SectionAlong, shear_modulus};
 use crate::case::{Beam, PowerLaw};
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive};
 use peristat_assembly::material::{Profile, SectionStiffness, ShearCorrection};
 
 /// Shear correction factor of a rectangle.

@@ -1,10 +1,9 @@
 //! Sections of a given shape and material.
 
-use super::super::numbers::positive;
 use super::taper::{self, Taper};
 use super::{Resolved, SectionAlong, scaled, shear_modulus};
 use crate::case::Beam;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, positive};
 use peristat_assembly::material::{Profile, Section, SectionError, SectionProperties, SectionStiffness};
 
 /// Sections of a shape, which may vary linearly to that at the end.

@@ -1,9 +1,9 @@
 //! The compact tension specimen, ASTM E399.
 
-use super::super::super::words::tidy;
 use super::Parts;
 use super::plan::{Filled, Plan, disc, union};
 use crate::case::{Bearing, CompactTension, RectangleBody, Rigid};
+use crate::diagnostic::tidy;
 
 /// How far pins reach beyond their rim where they pull, in spacings: points on it belong to them there, and elsewhere to the
 /// plate. Five cells per quarter of the width have six such points per pin, which rounding would give to either.

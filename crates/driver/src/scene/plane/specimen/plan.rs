@@ -1,9 +1,7 @@
 //! What specimens check of their sizes.
 
-use super::super::super::numbers;
-use super::super::super::words::tidy;
 use crate::case::{DiscRegion, Region};
-use crate::diagnostic::{Diagnostic, Faults, JsonPath};
+use crate::diagnostic::{Diagnostic, Faults, JsonPath, positive, tidy};
 
 /// Lengths are whole numbers of spacings up to this part of one.
 const WHOLE: f64 = 1e-6;
@@ -45,8 +43,7 @@ impl Plan<'_> {
 
     /// Whether lengths, by their keys, are all positive.
     pub(super) fn positive(&mut self, lengths: &[(&str, f64)]) -> bool {
-        let check =
-            |&(key, value): &(&str, f64)| numbers::positive(value, key, self.path.key(key), self.faults);
+        let check = |&(key, value): &(&str, f64)| positive(value, key, self.path.key(key), self.faults);
         // All are asked, so that all faults are told.
         lengths.iter().map(check).filter(|fine| !fine).count() == 0
     }

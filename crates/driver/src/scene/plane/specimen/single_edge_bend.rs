@@ -1,9 +1,9 @@
 //! The bend specimen with an edge crack, on three rollers.
 
-use super::super::super::words::tidy;
 use super::Parts;
 use super::plan::{Filled, Plan, disc, union};
 use crate::case::{RectangleBody, Rigid, SingleEdgeBend};
+use crate::diagnostic::tidy;
 
 /// Least radius of a roller, in spacings: half a disc of it has two points at least.
 const LEAST: f64 = 1.5;
