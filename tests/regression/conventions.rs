@@ -69,6 +69,33 @@ fn mechanics_and_algebra_know_neither_each_other_nor_the_driver() {
     }
 }
 
+/// What names a model of bodies in the plane: its key in cases, and its types.
+fn names_of(model: &str) -> [String; 2] {
+    let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
+    [model.to_string(), model.split('_').map(capital).collect()]
+}
+
+#[test]
+fn only_its_own_folder_names_a_model() {
+    let source = root().join("crates/driver/src");
+    let models =
+        peristat::model::TABLE.iter().map(|entry| entry.name).filter(|name| *name != "timoshenko_beam");
+    let models: Vec<&str> = models.collect();
+    assert!(models.len() > 3, "{models:?}");
+    for file in files(&source, ".rs") {
+        let inside = short(&file).replace('\\', "/");
+        // The table of models, and the models themselves.
+        if inside.contains("/src/model/") || inside.ends_with("tests.rs") {
+            continue;
+        }
+        for line in code(&file) {
+            for name in models.iter().flat_map(|model| names_of(model)) {
+                assert!(!line.contains(&name), "{inside} names `{name}`: {line}");
+            }
+        }
+    }
+}
+
 /// Libraries that only a command needs, and a program that builds on the library should not compile.
 const OF_THE_COMMAND: [&str; 6] =
     ["clap", "clap_complete", "clap_mangen", "comfy-table", "indicatif", "signal-hook"];

@@ -72,7 +72,7 @@ fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
 /// All bonds of the lattice but those inside one rigid region, cut ones included.
 fn bonds_outside_pins(scene: &PlaneScene) -> usize {
     let (lattice, _) = scene.model.lattice().expect("a lattice");
-    let offsets = scene.bonds().offsets().expect("bonds");
+    let offsets = scene.material().offsets().expect("bonds");
     let pin =
         |p: usize| scene.conditions.rigid.iter().position(|r| r.points.binary_search(&(p as u32)).is_ok());
     let of = |point: usize| {
@@ -95,7 +95,7 @@ fn a_compact_tension_specimen_has_the_points_bonds_and_unknowns_of_an_independen
     for (cells, expected) in expected {
         let scene = scene(&compact_tension(cells, 25.0, 60.0)).unwrap();
         let (lattice, _) = scene.model.lattice().unwrap();
-        let cut = scene.cuts(lattice, &scene.bonds().offsets().unwrap()).len();
+        let cut = scene.cuts(lattice, &scene.material().offsets().unwrap()).len();
         let sizes = plane::sizes(&scene, &RunOptions::default()).unwrap();
         let found = [sizes.points, bonds_outside_pins(&scene), cut, sizes.unknowns];
         assert_eq!(found, expected, "{cells} cells per quarter of the width");

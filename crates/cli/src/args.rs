@@ -1,7 +1,9 @@
 //! The command line.
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
 use peristat::input::Reach;
+use peristat::model;
 use std::path::PathBuf;
 
 /// Implicit static peridynamics: plates, beams and plane frames.
@@ -100,7 +102,8 @@ pub(super) enum Command {
     Study(Study),
     /// Print a case to begin with.
     New {
-        /// `timoshenko_beam`, a straight line; `plane_frame`, one with joints and members; `bond_plane`, a plate with a hole.
+        /// The model, or the kind of body.
+        #[arg(value_parser = starts())]
         model: String,
     },
     /// List models, loads, references and solvers.
@@ -199,6 +202,12 @@ pub(super) enum Kind {
     References,
     /// Solvers.
     Solvers,
+}
+
+/// The cases to begin with.
+fn starts() -> PossibleValuesParser {
+    let values = model::starts().map(|start| PossibleValue::new(start.name).help(start.about));
+    values.collect::<Vec<_>>().into()
 }
 
 /// A size in bytes, with an optional unit.

@@ -1,107 +1,13 @@
 //! `new`, `list` and `schema`.
 
 use super::args::{Global, Kind};
-use super::{DONE, USAGE, case_reference, note, say};
+use super::{DONE, case_reference, say};
 use peristat::Error;
-use peristat::case::{Case, STARTS};
+use peristat::case::Case;
+use peristat::model::{self, Entry};
 use peristat::reference;
 use peristat::study::Study;
-use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};
 use serde_json::json;
-
-const BEAM: (&str, &str) = (
-    "timoshenko_beam",
-    "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
-);
-
-const PLATE: [(&str, &str); 38] = [
-    (
-        "bond_plane",
-        "isotropic plate of central bonds, plane stress (ν = 1/3) or plane strain (ν = 1/4): rectangle, outline, points, mesh, and the specimens compact_tension, single_edge_bend, centre_cracked_panel",
-    ),
-    (
-        "  calibration matched",
-        "bonds with which a lattice has the moduli of the material to rounding (default)",
-    ),
-    (
-        "  calibration published",
-        "the constants of the continuum; moduli of a lattice are off by percents; with volume_factor full, clip, ramp, area",
-    ),
-    ("  influence constant", "ω = 1, how the stiffness of bonds depends on their length (default)"),
-    ("  influence inverse", "ω = δ/ξ"),
-    ("  influence linear", "ω = 1 − ξ/δ"),
-    (
-        "  edges overlay",
-        "triangles replace missing bonds: exact for every uniform strain at every point (default of matched)",
-    ),
-    ("  edges none", "bonds beyond an edge are missing (default of published)"),
-    ("  edges volume", "bonds are stiffened by the volumes of the families of their ends"),
-    ("  edges energy", "bonds are stiffened by the energies of their ends in stretches along x and y"),
-    (
-        "beam_bond_orthotropic",
-        "orthotropic plate of beam bonds, plane stress, fibres at any angle: rectangle, outline; points turn; calibrations and edges as bond_plane",
-    ),
-    (
-        "  start aligned",
-        "bonds that lie exactly on the fibres carry what the fibres add (default where there are such bonds)",
-    ),
-    (
-        "  start oblique",
-        "bonds carry the more of it the closer they are to the fibres: elasticity at any angle",
-    ),
-    ("  lattice axes", "rows of the lattice along x (default)"),
-    (
-        "  lattice fibre",
-        "rows of the lattice along the fibres, so that bonds lie on them whatever their angle",
-    ),
-    (
-        "shell_membrane",
-        "membrane of a cylindrical shell of central bonds, ν = 1/3: a rectangle of length and arc, joined by periodic; calibrations as bond_plane",
-    ),
-    ("  kinematics chord", "elongations of straight lines in space: rigid motions are free (default)"),
-    ("  kinematics published", "elongations in the developed plane"),
-    ("  bending", "rows that resist changes of the curvature of the circumference, for ovalling"),
-    (
-        "state_plane",
-        "isotropic plate of state-based families, plane stress or plane strain, any Poisson's ratio below 1/2: rectangle, outline",
-    ),
-    (
-        "axisymmetric",
-        "isotropic body of revolution of state-based families, any Poisson's ratio below 1/2: x is the radius, y the axis; volumes and forces are those of the whole ring: rectangle, outline",
-    ),
-    ("  influence linear", "ω = 1 − ξ/δ, how the weight of neighbours depends on their distance (default)"),
-    ("  influence inverse", "ω = δ/ξ"),
-    ("  influence constant", "ω = 1"),
-    (
-        "  edges ghosts",
-        "points outside, moved by fits of those inside, complete every family (default on whole cells)",
-    ),
-    (
-        "  edges border",
-        "bonds end on the border, or leave what they have to triangles that it cuts: uniform stresses and held edges are exact (plates alone; default where a border cuts cells)",
-    ),
-    (
-        "  edges moment_plus",
-        "weights exact for every uniform strain in what is left of a family; points that would need negative ones give their energy away",
-    ),
-    ("  edges moment", "the same, refused where a weight would be negative, such as at corners"),
-    ("  edges calibrated", "families are weighed by the neighbours that are there: moduli percents off"),
-    ("  edges none", "families are weighed as if they were whole: moduli percents off"),
-    ("  dilatation points", "every point measures its change of volume (default for ν <= 0.45)"),
-    (
-        "  dilatation blocks",
-        "means over blocks of two by two points, so that nothing locks near ν = 1/2 (default in plane strain and of bodies of revolution for ν > 0.45)",
-    ),
-    ("  measure section", "of `axisymmetric`: neighbours count by their areas in the section (default)"),
-    ("  measure published", "neighbours count by the volumes of their rings"),
-    ("  axis table", "weights and radii that hold uniform stresses in equilibrium at the axis (default)"),
-    ("  axis images", "images across the axis alone: hoop strains beside it are up to 70 % wrong"),
-    ("  axis truncated", "families end at the axis: hoop strains beside it are about 17 % wrong"),
-    (
-        "  Poisson's ratio 1/3",
-        "of `state_plane` in plane stress needs bonds alone, as does 1/4 of plane strain: no families are made",
-    ),
-];
 
 const LOADS: [(&str, &str); 15] = [
     (
@@ -210,20 +116,15 @@ const SOLVERS: [(&str, &str); 6] = [
 
 /// Prints a starting case.
 pub(super) fn new(name: &str) -> Result<u8, Error> {
-    match STARTS.iter().find(|start| start.0 == name) {
-        Some((_, case)) => {
-            say(case)?;
-            Ok(DONE)
-        }
-        None => {
-            let known: Vec<&str> = STARTS.iter().map(|start| start.0).collect();
-            note(&format!(
-                "error: there is no case `{name}` to begin with\nhint: known are {}\n",
-                known.join(", ")
-            ));
-            Ok(USAGE)
-        }
-    }
+    say(model::start(name).unwrap_or_default())?;
+    Ok(DONE)
+}
+
+/// A model and what can be chosen of it.
+fn of_model(entry: &Entry) -> Vec<(String, String)> {
+    let option = |(name, about)| (format!("  {name}"), String::from(about));
+    let own = std::iter::once((entry.name.to_string(), entry.about.to_string()));
+    own.chain((entry.options)().into_iter().map(option)).collect()
 }
 
 /// All entries of a kind: name and what it is.
@@ -232,12 +133,7 @@ fn entries(kind: Kind) -> Vec<(String, String)> {
         pairs.iter().map(|(a, b)| ((*a).into(), (*b).into())).collect()
     };
     match kind {
-        Kind::Models => {
-            let laws = bond_law::TABLE.iter().map(|l| (format!("  bond_law {}", l.name), l.about.into()));
-            let ends =
-                end_treatment::TABLE.iter().map(|t| (format!("  end_treatment {}", t.name), t.about.into()));
-            own(&[BEAM]).into_iter().chain(laws).chain(ends).chain(own(&PLATE)).collect()
-        }
+        Kind::Models => model::TABLE.iter().flat_map(of_model).collect(),
         Kind::Loads => own(&LOADS),
         Kind::Fracture => own(&FRACTURE),
         Kind::Path => own(&PATH),

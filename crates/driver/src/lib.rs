@@ -27,6 +27,7 @@ pub mod case;
 pub mod diagnostic;
 pub mod input;
 pub mod memory;
+pub mod model;
 pub mod output;
 pub mod reference;
 pub mod results;
@@ -34,6 +35,7 @@ pub mod run;
 pub mod scene;
 pub mod study;
 pub mod summary;
+pub mod units;
 
 use diagnostic::{Diagnostic, Faults, Report, Severity};
 use input::{Folder, Reach};

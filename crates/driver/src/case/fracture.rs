@@ -1,5 +1,6 @@
 //! How a body breaks.
 
+use crate::model::Critical;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -61,52 +62,6 @@ impl CrackDirection {
     pub fn facts(&self) -> [String; 2] {
         [format!("{}_direction", self.name), format!("{}_bonds", self.name)]
     }
-}
-
-/// Critical strains of bonds. By their stretch: `stretch`, or `fibre_stretch` and `matrix_stretch`. By the energy it takes to
-/// open a crack: `energy_release_rate`, or `fibre_energy_release_rate` and `matrix_energy_release_rate`. By their bending:
-/// `curvature` and `shear_strain`. One of these is given; which ones apply depends on the model.
-#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Critical {
-    /// Elongation over length at which every bond of a body in the plane breaks, > 0.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub stretch: Option<f64>,
-    /// Elongation over length at which a bond along the fibres breaks, > 0.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fibre_stretch: Option<f64>,
-    /// Elongation over length at which every other bond breaks, > 0.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub matrix_stretch: Option<f64>,
-    /// Energy per area of a crack, > 0; of a beam per area of its section.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub energy_release_rate: Option<f64>,
-    /// Energy per area of a crack across the fibres, > 0.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub fibre_energy_release_rate: Option<f64>,
-    /// Energy per area of a crack along the fibres, > 0.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub matrix_energy_release_rate: Option<f64>,
-    /// How a stretch follows from an energy release rate; `energy` if not given.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub formula: Option<CriticalFormula>,
-    /// Change of rotation over length at which a bond of a beam breaks, > 0.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub curvature: Option<f64>,
-    /// Shear strain at which a bond of a beam breaks, > 0.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub shear_strain: Option<f64>,
-}
-
-/// How a critical stretch follows from an energy release rate.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum CriticalFormula {
-    /// The bonds that a crack on this lattice cuts take up the energy release rate.
-    #[default]
-    Energy,
-    /// The published formula of a full circle of bonds.
-    Published,
 }
 
 /// Which bonds break at an equilibrium.

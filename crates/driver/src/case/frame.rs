@@ -1,6 +1,7 @@
 //! Plane frames: joints, and straight members between them.
 
-use super::{Grading, Stiffness};
+use super::Grading;
+use crate::model::Stiffness;
 use peristat_assembly::material::Section;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

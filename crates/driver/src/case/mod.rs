@@ -1,5 +1,6 @@
 //! A case as its author wrote it: the JSON types, nothing resolved, nothing checked beyond their shape.
 
+mod body;
 mod condition;
 mod expectation;
 mod field;
@@ -7,24 +8,19 @@ mod foundation;
 mod fracture;
 mod frame;
 mod grading;
-mod model;
-mod orthotropic;
 mod path;
 mod periodic;
-mod plane;
 mod plane_body;
 mod plane_load;
 mod plane_output;
 mod read;
 mod refine;
 mod region;
-mod section;
-mod shell;
 mod specimen;
-mod start;
-mod state_based;
-mod units;
 
+pub use crate::model::{Critical, LoadSharing, Model, Pressure};
+pub use crate::units::Units;
+pub use body::{Body, Line};
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
     Sine, Steps, Support,
@@ -32,14 +28,11 @@ pub use condition::{
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Value};
 pub use field::{Field, FieldName, Origin, Unit};
 pub use foundation::Foundation;
-pub use fracture::{CrackDirection, Critical, CriticalFormula, Fracture, Strategy};
+pub use fracture::{CrackDirection, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
-pub use model::{Beam, Body, Line, LoadSharing, Model};
-pub use orthotropic::{LatticeRows, Orthotropic};
-pub use path::{BilinearLaw, Path, PathControl, PlaneBondLaw, Turn};
+pub use path::{Path, PathControl, Turn};
 pub use periodic::{Axis, Periodic};
-pub use plane::{Plane, PlaneState};
 pub use plane_body::{
     CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
     SlotHole,
@@ -49,12 +42,7 @@ pub use plane_output::{LineOutput, StressIntensity, Tips};
 pub use read::{Source, from_text, read, read_text};
 pub use refine::Overrides;
 pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
-pub use section::{PowerLaw, Stiffness};
-pub use shell::{Pressure, Shell};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
-pub use start::STARTS;
-pub use state_based::{Axisymmetric, StatePlane};
-pub use units::Units;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -91,13 +91,13 @@ mod tests {
 
     #[test]
     fn cells_are_multiplied_and_lengths_divided() {
-        let beam = include_str!("start/timoshenko_beam.json");
+        let beam = crate::model::start("timoshenko_beam").unwrap();
         assert_eq!(refined(beam, 2.0).unwrap(), ["body.line.cells=192"]);
         assert_eq!(refined(beam, 0.5).unwrap(), ["body.line.cells=48"]);
         assert!(refined(beam, 0.3).unwrap_err().contains("no whole number"));
-        let frame = include_str!("start/plane_frame.json");
+        let frame = crate::model::start("plane_frame").unwrap();
         assert!(refined(frame, 2.0).unwrap().len() > 1);
-        let plate = include_str!("start/bond_plane.json");
+        let plate = crate::model::start("bond_plane").unwrap();
         let spacing = refined(plate, 2.0).unwrap();
         assert!(spacing.len() == 1 && spacing[0].starts_with("body.rectangle.spacing="), "{spacing:?}");
     }

@@ -1,9 +1,10 @@
 //! The assembled stiffness of a case as a file, for programs that look at matrices.
 
+use crate::model::with_body;
 use crate::output::matrix_market;
 use crate::run::{RunError, RunOptions, Sizes, beam, prepare};
 use crate::scene::Scene;
-use crate::scene::plane::{PlaneProblem, with_body};
+use crate::scene::plane::PlaneProblem;
 use crate::{Error, Loaded};
 use peristat_assembly::model::Component;
 use peristat_assembly::system::System;

@@ -77,7 +77,7 @@ mod tests {
         let check =
             |file: &str| serde_json::json!({ "baseline": { "file": file, "field": "w", "tolerance": 1 } });
         let checks = ["a.csv", "b/a.csv", "c/a.csv", "./b/a.csv", "b/A.csv", "none.csv"].map(check);
-        let text = include_str!("../case/start/timoshenko_beam.json").to_string();
+        let text = crate::model::start("timoshenko_beam").unwrap().to_string();
         let set = [format!("checks={}", serde_json::Value::from(checks.to_vec()))];
         let mut case = crate::case::from_text("case", text, &set).unwrap().case;
         let kept = keep(&mut case, &folder.path().into(), None);

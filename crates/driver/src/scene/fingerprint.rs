@@ -47,7 +47,7 @@ mod tests {
 
     /// Fingerprint of a plate with some of its keys replaced.
     fn of(overrides: &[&str]) -> String {
-        let text = include_str!("../case/start/bond_plane.json").to_string();
+        let text = crate::model::start("bond_plane").unwrap().to_string();
         let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
         let source = crate::case::from_text("case", text, &overrides).unwrap();
         Scene::new(source.case, Path::new("."), "case", "", None).unwrap().fingerprint().unwrap()

@@ -2,7 +2,7 @@
 
 use super::root;
 use crate::case::{Case, Fracture, Solver, Strategy};
-use crate::diagnostic::{Faults, JsonPath, positive, suggest};
+use crate::diagnostic::{Faults, suggest};
 
 /// Load steps of a body whose bonds break at the critical strains `C` of its model.
 #[derive(Clone, Debug)]
@@ -143,23 +143,5 @@ pub(super) fn check_probes(case: &Case, facts: &[impl AsRef<str>], faults: &mut 
                 .error(root("probes").index(k).key("name"), message)
                 .hint("facts of a body that breaks have names of their own: choose another one");
         }
-    }
-}
-
-/// A critical strain that must be there.
-pub(super) fn needed(value: Option<f64>, key: &str, path: &JsonPath, faults: &mut Faults) -> Option<f64> {
-    match value {
-        Some(value) => positive(value, key, path.key(key), faults).then_some(value),
-        None => {
-            faults.error(path.clone(), format!("`{key}` is missing"));
-            None
-        }
-    }
-}
-
-/// Faults of keys that are for other models.
-pub(super) fn foreign(keys: &[(&str, Option<f64>)], hint: &str, path: &JsonPath, faults: &mut Faults) {
-    for (key, _) in keys.iter().filter(|k| k.1.is_some()) {
-        faults.error(path.key(*key), format!("`{key}` is for another model")).hint(hint);
     }
 }

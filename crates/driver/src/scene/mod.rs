@@ -58,10 +58,11 @@ impl Scene {
         let mut faults = Faults::default();
         numbers::check(&case, &mut faults);
         check_title(&case.title, &mut faults);
-        let resolved = match plane::keys::of(case.model.clone()) {
-            Ok(keys) => PlaneScene::new(case, keys, folder, max_memory, faults)
-                .map(|scene| Self::Plane(Box::new(scene))),
-            Err(beam) => BeamScene::new(case, *beam, folder, max_memory, faults)
+        let resolved = match case.model.keys().map_err(Clone::clone) {
+            Ok(_) => {
+                PlaneScene::new(case, folder, max_memory, faults).map(|scene| Self::Plane(Box::new(scene)))
+            }
+            Err(beam) => BeamScene::new(case, beam, folder, max_memory, faults)
                 .map(|scene| Self::Beam(Box::new(scene))),
         };
         resolved.map_err(|faults| faults.into_report(file, text))

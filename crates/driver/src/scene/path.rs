@@ -3,6 +3,7 @@
 use super::root;
 use crate::case::{Case, Path, PathControl, Solver, Turn};
 use crate::diagnostic::{Faults, suggest};
+use crate::model::SofteningBonds;
 use crate::run::path::Goal;
 use peristat_assembly::law::Bilinear;
 use peristat_assembly::stiffness::Kinematics;
@@ -60,12 +61,10 @@ impl PathScene {
     }
 }
 
-/// What is resolved before: the law, its kinematics, points that stay elastic, the energy of a crack as long as the spacing.
+/// What is resolved before: the bonds, and points that stay elastic.
 pub(super) struct Softening {
-    pub(super) law: Bilinear,
-    pub(super) kinematics: Kinematics,
+    pub(super) bonds: SofteningBonds,
     pub(super) exempt: Vec<bool>,
-    pub(super) crack_energy: f64,
 }
 
 /// How a body of bonds that soften is followed, with the defaults of the case filled in.
@@ -101,7 +100,7 @@ pub(super) fn resolve(
         }
     }
     let control = *path.control.get_or_insert_default();
-    if control == PathControl::Event && body.kinematics == Kinematics::Finite {
+    if control == PathControl::Event && body.bonds.kinematics == Kinematics::Finite {
         fine = false;
         faults
             .error(
@@ -153,13 +152,13 @@ pub(super) fn resolve(
         control,
         increment: path.increment.unwrap_or(0.02),
         turns: turns.collect(),
-        law: body.law,
-        kinematics: body.kinematics,
+        law: body.bonds.law,
+        kinematics: body.bonds.kinematics,
         exempt: body.exempt,
         load: load?,
         opening,
         stop_below: path.stop_below,
-        energy_increment: energy_increment * body.crack_energy,
+        energy_increment: energy_increment * body.bonds.crack_energy,
         max_steps,
         record_every,
     };

@@ -2,7 +2,8 @@
 
 use super::judge::{Other, from_exact, of_quantities};
 use super::record::{of_exact, quantities};
-use crate::case::{self, Body, Model};
+use crate::case::{self, Body};
+use crate::model::Growth;
 use crate::run::{RunOptions, taking};
 use crate::summary::words::times;
 use crate::summary::{Estimates, Grids, Status, Summary};
@@ -14,7 +15,7 @@ use peristat_assembly::model::timoshenko_beam::Grid;
 const COARSER: [f64; 4] = [2.0, 1.5, 3.0, 4.0 / 3.0];
 /// The same of state-based plates: with the couplings of whole families a factor costs at 3/2 times the spacing, where no
 /// lattice is coarser, as much as the run.
-const COARSER_OF_STATES: [f64; 4] = [2.0, 3.0, 1.5, 4.0 / 3.0];
+const COARSER_OF_FAMILIES: [f64; 4] = [2.0, 3.0, 1.5, 4.0 / 3.0];
 /// The same along lines, where the cost is in proportion to the points: with a second one it stays below that of the run.
 const COARSER_ON_LINES: [f64; 2] = [2.0, 3.0];
 /// Those of a second one, of which an order is observed.
@@ -79,10 +80,10 @@ impl Loaded {
         let remark = match kind {
             Grids::FinerAndCoarser => self.add_first(&[nested], &mut others, max_memory).err(),
             Grids::Coarser | Grids::ExactBeam => {
-                let first = match &self.written.model {
-                    Model::TimoshenkoBeam(_) => &COARSER_ON_LINES[..],
-                    Model::StatePlane(_) => &COARSER_OF_STATES,
-                    _ => &COARSER,
+                let first = match self.written.model.entry().growth {
+                    Growth::Lines => &COARSER_ON_LINES[..],
+                    Growth::Families => &COARSER_OF_FAMILIES,
+                    Growth::Plane => &COARSER,
                 };
                 self.add_first(first, &mut others, max_memory)?;
                 self.add_first(&COARSEST, &mut others, max_memory).err()

@@ -214,7 +214,7 @@ mod tests {
     #[test]
     fn a_saved_collector_goes_on_with_the_same_states_and_probes() {
         let coarse = ["body.rectangle.spacing=5.0", "checks=[]"];
-        let plate = scene(include_str!("../case/start/bond_plane.json"), &coarse);
+        let plate = scene(crate::model::start("bond_plane").unwrap(), &coarse);
         let all = assert_goes_on(&plate);
         assert_eq!((all.states.len(), all.probes.len()), (2, 6));
         let Forces::Plane(forces) = &all.states[0].forces else { panic!("a plate is in the plane") };
@@ -224,9 +224,9 @@ mod tests {
 
     #[test]
     fn forces_of_beams_are_read_as_such_with_and_without_supports() {
-        let beam = include_str!("../case/start/timoshenko_beam.json");
+        let beam = crate::model::start("timoshenko_beam").unwrap();
         let bedded = ["supports=[]", r#"foundation=[{"stiffness": {"uniform": 1e6}}]"#, "checks=[]"];
-        let frame = include_str!("../case/start/plane_frame.json");
+        let frame = crate::model::start("plane_frame").unwrap();
         let cases = [scene(beam, &["checks=[]"]), scene(beam, &bedded), scene(frame, &["checks=[]"])];
         let counts = cases.map(|scene| {
             let all = assert_goes_on(&scene);

@@ -59,7 +59,7 @@ impl Doubts {
                 if plane.path.as_ref().is_none_or(|path| path.kinematics == Kinematics::Linear) {
                     self.take_gradients(state, steepest(plane, result));
                 }
-                let moduli = plane.bonds().youngs_moduli().into_iter().map(|(_, modulus)| modulus);
+                let moduli = plane.material().youngs_moduli().into_iter().map(|(_, modulus)| modulus);
                 let most = moduli.fold(0.0, f64::max) / STIFF;
                 self.take_extreme(Kind::Stress, most, 1.0, state, &["von_mises"]);
             }

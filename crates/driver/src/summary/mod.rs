@@ -4,14 +4,13 @@ mod beam;
 mod collector;
 mod doubts;
 mod estimate;
-mod material;
 mod plane;
 pub mod words;
 
+pub use crate::model::MaterialSummary;
 pub use beam::{BeamForces, BeamSummary};
 pub use collector::Collector;
 pub use estimate::{Estimate, Estimates, Grids};
-pub use material::MaterialSummary;
 pub use plane::{PlaneForces, PlaneSummary};
 
 use crate::case::Units;

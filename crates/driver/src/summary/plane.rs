@@ -1,7 +1,7 @@
 //! What the record of a run says of bodies in the plane.
 
-use super::material::{self, MaterialSummary};
 use super::{Extremes, Forces, Located, StateSummary};
+use crate::model::MaterialSummary;
 use crate::run::plane::{MirrorReaction, PlaneReaction, PlaneResult, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
 use crate::scene::plane::PlaneScene;
@@ -95,14 +95,16 @@ pub(super) fn state(
 
 /// The model of a body and its derived numbers.
 pub(super) fn model(scene: &PlaneScene) -> PlaneSummary {
-    let bonds = scene.bonds();
+    let material = scene.material();
+    let about = material.about();
     let breaks = scene.fracture.is_some() || scene.path.is_some();
     let on_border = if scene.model.follows_border() { scene.model.completing() } else { 0 };
+    let ghosts = scene.model.ghosts().len() - scene.images().count();
     PlaneSummary {
-        name: bonds.name(),
-        material: material::of(scene),
-        thickness: bonds.thickness(),
-        calibration: (!bonds.has_families()).then(|| bonds.calibration()),
+        name: about.name,
+        material: material.told(&scene.resolved(&[]), ghosts, scene.units),
+        thickness: about.thickness,
+        calibration: (!about.has_families).then_some(about.calibration),
         edges: scene.model.edges(),
         horizon_ratio: scene.horizon() / scene.spacing(),
         spacing: scene.spacing(),
@@ -123,8 +125,9 @@ fn cut_bonds(scene: &PlaneScene) -> Option<usize> {
     if scene.cracks.is_empty() {
         return None;
     }
-    let reach = scene.bonds().horizon_ratio() + scene.bonds().partial_neighbours() + 1e-9;
-    let mut offsets = scene.bonds().offsets().ok()?;
+    let about = scene.material().about();
+    let reach = about.horizon_ratio + about.partial_neighbours + 1e-9;
+    let mut offsets = scene.material().offsets().ok()?;
     offsets.retain(|[i, j, _]| f64::from(*i).hypot(f64::from(*j)) <= reach);
     Some(scene.cuts(lattice, &offsets).len())
 }

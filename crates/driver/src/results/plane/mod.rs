@@ -119,7 +119,7 @@ fn positions(scene: &PlaneScene, mut visit: impl FnMut([f64; 2])) {
 
 /// Writes the points, the cells between them and their fields as a grid; a shell as the cylinder that it is.
 fn write_grid(file: &Path, scene: &PlaneScene, fields: &[Column]) -> io::Result<()> {
-    let radius = scene.bonds().cylinder_radius();
+    let radius = scene.material().cylinder_radius();
     let (mut points, mut angles) = (Vec::with_capacity(scene.body().points()), Vec::new());
     positions(scene, |[x, y]| match radius {
         Some(r) => {

@@ -59,7 +59,7 @@ fn ordered(scene: &PlaneScene, result: &PlaneResult) -> Vec<FieldName> {
 /// What a reader must know of the cells.
 fn note(scene: &PlaneScene, raster: &Raster) -> String {
     let mut told = Vec::new();
-    if let Some(radius) = scene.bonds().cylinder_radius() {
+    if let Some(radius) = scene.material().cylinder_radius() {
         let radius = short(radius);
         told.push(format!(
             "The surface, developed: x runs along the axis, y around it at the radius {radius}."

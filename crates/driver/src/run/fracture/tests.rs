@@ -3,9 +3,10 @@
 use super::islands::Islands;
 use super::unit::{Outcome, Unit};
 use crate::case::from_text;
+use crate::model::AnyBody;
 use crate::run::{Problem, RunOptions, Timing, prepare};
 use crate::scene::Scene;
-use crate::scene::plane::{AnyBody, PlaneProblem, PlaneScene};
+use crate::scene::plane::{PlaneProblem, PlaneScene};
 use peristat_assembly::model::plane::BreakingModel;
 use peristat_assembly::system::System;
 use serde_json::json;

@@ -29,7 +29,7 @@ pub(crate) fn steepest(scene: &PlaneScene, result: &PlaneResult) -> Steepest {
     }
     let (Some(ux), Some(uy)) = (values(FieldName::Ux), values(FieldName::Uy)) else { return found };
     let w = values(FieldName::W);
-    let shell = w.as_deref().zip(scene.bonds().cylinder_radius());
+    let shell = w.as_deref().zip(scene.material().cylinder_radius());
     let neighbours = Neighbours { lattice, u: [&ux, &uy], shell, is_revolved: scene.model.is_revolved() };
     let is_cut = |point: usize| damage.as_ref().is_some_and(|damage| damage[point] > 0.0);
     for run in lattice.runs() {

@@ -6,8 +6,9 @@
 
 use crate::case::Tips;
 use crate::diagnostic::Faults;
+use crate::model::with_body;
 use crate::run::{Counters, RunError, RunOptions, SolvedState, prepare, solve_states};
-use crate::scene::plane::{Intensity, PlaneProblem, PlaneScene, with_body};
+use crate::scene::plane::{Intensity, PlaneProblem, PlaneScene};
 use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::sum::Sum;
 use std::time::Instant;

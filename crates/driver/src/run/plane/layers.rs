@@ -7,9 +7,9 @@
 //! and 87 % of it.
 
 use crate::diagnostic::{Faults, JsonPath, tidy};
-use crate::scene::plane::{PlaneBonds, PlaneScene};
+use crate::model::Fibres;
+use crate::scene::plane::PlaneScene;
 use peristat_assembly::body::Shape;
-use peristat_assembly::model::beam_bond_orthotropic::{OrthotropicMaterial, OrthotropicParameters};
 use std::f64::consts::PI;
 
 /// Horizons that a layer should have at least; a warning comes below one.
@@ -35,10 +35,10 @@ pub(super) struct Layers(Vec<Layer>);
 impl Layers {
     /// Finds them; bodies without fibres have none.
     pub(super) fn of(scene: &PlaneScene) -> Self {
-        let (PlaneBonds::Beams(parameters), Some(outline)) = (scene.bonds(), scene.outline()) else {
+        let (Some(fibres), Some(outline)) = (scene.material().fibres(), scene.outline()) else {
             return Self(Vec::new());
         };
-        let squares = squared_roots(&parameters.material);
+        let squares = squared_roots(&fibres);
         let radii = outline.holes().iter().enumerate().map(|(k, hole)| match &hole.shape {
             Shape::Circle { radius, .. } | Shape::Slot { radius, .. } => (k, *radius),
             // As round as a circle of its area, or sharper.
@@ -52,11 +52,8 @@ impl Layers {
 
     /// Adds a warning for every layer of a state that its pull makes, and forgets it.
     pub(super) fn check(&mut self, scene: &PlaneScene, u: &[f64], warnings: &mut Faults) {
-        let PlaneBonds::Beams(parameters) = scene.bonds() else { return };
-        if self.0.is_empty() {
-            return;
-        }
-        let pull = pull(scene, parameters, u);
+        let Some(fibres) = scene.material().fibres().filter(|_| !self.0.is_empty()) else { return };
+        let pull = pull(scene, &fibres, u);
         let acts =
             |layer: &Layer| ACROSS * pull[layer.axis] >= pull[1 - layer.axis] && pull[layer.axis] > 0.0;
         let (told, left) = self.0.iter().partition(|layer| acts(layer));
@@ -66,10 +63,8 @@ impl Layers {
 }
 
 /// The larger β² of a pull along either axis of the material; the magnitude of complex ones.
-fn squared_roots(material: &OrthotropicMaterial) -> [f64; 2] {
-    let &OrthotropicMaterial { youngs_modulus_1: e1, youngs_modulus_2: e2, shear_modulus_12: g, .. } =
-        material;
-    let nu = material.poisson_ratio_12;
+fn squared_roots(fibres: &Fibres) -> [f64; 2] {
+    let &Fibres { youngs_moduli: [e1, e2], poisson_ratio: nu, shear_modulus: g, .. } = fibres;
     [[e1, e2, nu], [e2, e1, nu * e2 / e1]].map(|[along, across, nu]| {
         let (half, product) = (0.5 * along / g - nu, along / across);
         let under = half * half - product;
@@ -78,9 +73,9 @@ fn squared_roots(material: &OrthotropicMaterial) -> [f64; 2] {
 }
 
 /// Integrals of the magnitudes of the normal stresses along the two axes of the material.
-fn pull(scene: &PlaneScene, parameters: &OrthotropicParameters, u: &[f64]) -> [f64; 2] {
+fn pull(scene: &PlaneScene, fibres: &Fibres, u: &[f64]) -> [f64; 2] {
     let [xx, yy, xy] = scene.model.fields(u).stress;
-    let (s, c) = parameters.fibre_angle.sin_cos();
+    let (s, c) = fibres.angle.sin_cos();
     let mut pull = [0.0; 2];
     for p in scene.real_points() {
         let shear = 2.0 * s * c * xy[p];
@@ -117,12 +112,11 @@ mod tests {
     #[test]
     fn roots_are_those_of_lekhnitskii() {
         let of = |e1: f64, nu: f64, g: f64| {
-            squared_roots(&OrthotropicMaterial {
-                youngs_modulus_1: e1,
-                youngs_modulus_2: 1.0,
-                poisson_ratio_12: nu,
-                shear_modulus_12: g,
-                thickness: 1.0,
+            squared_roots(&Fibres {
+                youngs_moduli: [e1, 1.0],
+                poisson_ratio: nu,
+                shear_modulus: g,
+                angle: 0.0,
             })
         };
         // All directions alike: β = 1.

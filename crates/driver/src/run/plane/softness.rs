@@ -1,8 +1,9 @@
 //! How much softer a body that breaks or softens is than the same elastic one, because its edges are not completed.
 
 use crate::diagnostic::JsonPath;
+use crate::model::with_body;
 use crate::run::{RunOptions, RunReport, prepare, solve_states};
-use crate::scene::plane::{PlaneBonds, PlaneProblem, PlaneScene, with_body};
+use crate::scene::plane::{PlaneProblem, PlaneScene};
 use peristat_assembly::model::plane::{Calibration, Edges};
 use peristat_assembly::sum::Sum;
 
@@ -22,9 +23,9 @@ pub(super) fn tell(scene: &PlaneScene, options: &RunOptions, report: &mut RunRep
         return;
     }
     let key = if scene.path.is_some() { "path" } else { "fracture" };
-    let bonds = scene.bonds();
-    let lacks = match bonds.calibration() {
-        Calibration::Published if bonds.edges() == Some(Edges::None) => {
+    let about = scene.material().about();
+    let lacks = match about.calibration {
+        Calibration::Published if about.edges == Some(Edges::None) => {
             "its edges are not completed, and its bonds have the published constants"
         }
         Calibration::Published => "its bonds have the published constants",
@@ -37,14 +38,10 @@ pub(super) fn tell(scene: &PlaneScene, options: &RunOptions, report: &mut RunRep
 
 /// What makes the body stiffer.
 fn hint(scene: &PlaneScene) -> &'static str {
-    match scene.bonds() {
-        _ if scene.path.is_some() => {
-            "hold and move points of a `box` as deep as the horizon, not an edge, and list it under `no_damage`"
-        }
-        PlaneBonds::Beams(_) => r#"take "edges": "overlay" in the model, which completes them"#,
-        PlaneBonds::Central(_) | PlaneBonds::State(_) | PlaneBonds::Shell(_) => {
-            "leave `edges` out of the model"
-        }
+    if scene.path.is_some() {
+        "hold and move points of a `box` as deep as the horizon, not an edge, and list it under `no_damage`"
+    } else {
+        "leave `edges` out of the model"
     }
 }
 

@@ -8,8 +8,9 @@ use super::place::{Layout, LayoutLine};
 use super::section::Resolved;
 use super::size::{self, is_special};
 use super::{HeldPoint, RigidBar, root};
-use crate::case::{Beam, Case};
+use crate::case::Case;
 use crate::diagnostic::{Faults, JsonPath, positive};
+use crate::model::Beam;
 use peristat_assembly::model::timoshenko_beam::{
     Axial, BeamParameters, ChainError, Grid, Line, TimoshenkoBeam, VolumeFactor,
     end_treatment::{self, EndSupport},

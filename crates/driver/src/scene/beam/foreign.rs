@@ -3,13 +3,17 @@
 use super::root;
 use crate::case::{At, Body, Case, Load, Solver};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::model::hints;
 
 /// Adds a fault for every key that is for bodies in the plane, places aside; whether the body is one for beams.
 pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
+    let cracks = format!("a beam is a line: cracks need the model `{}`", hints::PLANE);
+    let intensities =
+        format!("stress intensities are those of `cracks`, which need the model `{}`", hints::PLANE);
     let keys = [
         ("symmetry", !case.symmetry.is_empty(), "hold the motions that the symmetry excludes by a support"),
         ("periodic", !case.periodic.is_empty(), "join the ends of a line by `links`"),
-        ("cracks", !case.cracks.is_empty(), "a beam is a line: cracks need the model `bond_plane`"),
+        ("cracks", !case.cracks.is_empty(), &*cracks),
         (
             "regions",
             !case.regions.is_empty(),
@@ -18,11 +22,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
         ("rigid", !case.rigid.is_empty(), "points of a beam that move together are joined by `links`"),
         ("lines", !case.lines.is_empty(), "all points of a beam are written anyway"),
         ("path", case.path.is_some(), "beams do not soften: `fracture` breaks their bonds"),
-        (
-            "stress_intensity",
-            !case.stress_intensity.is_empty(),
-            "stress intensities are those of `cracks`, which need the model `bond_plane`",
-        ),
+        ("stress_intensity", !case.stress_intensity.is_empty(), &*intensities),
     ];
     for (key, _, hint) in keys.iter().filter(|k| k.1) {
         faults.error(root(key), format!("`{key}` is for bodies in the plane")).hint(*hint);
@@ -38,7 +38,7 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
     if !fits {
         faults
             .error(root("body"), "the model `timoshenko_beam` needs a body of lines")
-            .hint("take `line`, `lines` or `frame`; bodies in the plane are for `bond_plane`");
+            .hint(format!("take `line`, `lines` or `frame`; bodies in the plane are for `{}`", hints::PLANE));
     }
     fits
 }

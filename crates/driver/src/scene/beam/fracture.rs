@@ -1,10 +1,11 @@
 //! How the bonds of a beam break.
 
-use super::super::fracture::{self, FractureScene, foreign, needed};
+use super::super::fracture::{self, FractureScene};
 use super::place::Layout;
 use super::{ProbePoint, SectionAlong, beam_path, root};
 use crate::case::{Case, Check, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::model::{foreign, needed};
 use crate::run::fracture::FACTS;
 use peristat_assembly::model::timoshenko_beam::{CriticalStrain, CriticalStrains, TimoshenkoBeam};
 

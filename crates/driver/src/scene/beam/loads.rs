@@ -3,8 +3,9 @@
 use super::place::Layout;
 use super::states::Sum;
 use super::{State, distributed_load, point_load};
-use crate::case::{Beam, Case, Load, LoadSharing};
+use crate::case::{Case, Load, LoadSharing};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::model::Beam;
 use peristat_assembly::model::timoshenko_beam::BeamLoads;
 
 /// Loads of one load case, and the points they split.

@@ -2,8 +2,9 @@
 
 use super::section::{Resolved, stiffness};
 use super::{beam_path, root};
-use crate::case::{Beam, Body, Case, Frame, Member};
+use crate::case::{Body, Case, Frame, Member};
 use crate::diagnostic::{Faults, JsonPath, suggest};
+use crate::model::Beam;
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid,
     bond_law::{self, BondLaw},

@@ -43,9 +43,10 @@ pub use supports::HeldPoint;
 
 use super::fracture::FractureScene;
 use super::{Expectation, InputFile, expectation, files, numbers, root, states, words};
-use crate::case::{Beam, Case, Check, FieldName, Fracture, Model, Solver, Units};
+use crate::case::{Case, Check, FieldName, Fracture, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
+use crate::model::Beam;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, CriticalStrains, TimoshenkoBeam};

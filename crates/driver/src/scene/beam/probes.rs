@@ -4,8 +4,9 @@ use super::place::{Layout, Place};
 use super::spot::{self, Spot};
 use super::words;
 use super::{HeldPoint, SectionAlong};
-use crate::case::{Beam, Case, FieldName, Probe};
+use crate::case::{Case, FieldName, Probe};
 use crate::diagnostic::{Faults, JsonPath, tidy};
+use crate::model::Beam;
 
 /// A probe on a point.
 #[derive(Clone, Debug)]

@@ -5,8 +5,9 @@ use super::foundation::Bed;
 use super::place::{Layout, LayoutLine};
 use super::profile;
 use super::root;
-use crate::case::{Beam, Case, Units};
+use crate::case::{Case, Units};
 use crate::diagnostic::{Faults, JsonPath, tidy};
+use crate::model::Beam;
 use peristat_assembly::model::timoshenko_beam::{Chain, TimoshenkoBeam, VolumeFactor};
 
 /// Adds all warnings on a scene.

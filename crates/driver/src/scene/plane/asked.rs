@@ -4,6 +4,7 @@ use super::super::Resultant;
 use super::boundary::{self, Border};
 use super::loads::Context;
 use super::profile::Profile;
+use super::statics;
 use super::traction::OnBorder;
 use peristat_assembly::body::{BorderPart, Edge, Outline};
 use peristat_assembly::quadrature::GAUSS;
@@ -21,8 +22,8 @@ pub(super) fn of_traction(on: &OnBorder, context: &Context) -> Resultant {
     for (part, [start, end]) in on.parts(context.ground) {
         integrate(&part, |share, at, length| {
             let t = on.profile.at(start + share * (end - start), part.normal(share));
-            let force = t.map(|t| length * context.bonds.across(at) * t);
-            context.bonds.add_force(&mut sum, force, at);
+            let force = t.map(|t| length * context.material.across(at) * t);
+            statics::add_force(context.material, &mut sum, force, at);
         });
     }
     sum
@@ -57,13 +58,13 @@ fn of_contact(edge: &Edge, (centre, radius, peak): (f64, f64, f64), context: &Co
         let [start, end] = [0.0, 1.0].map(|share| ((place(share) - centre) / radius).clamp(-1.0, 1.0));
         let ([a0, a1], [b0, b1]) = (primitive(start), primitive(end));
         let (whole, first) = (b0 - a0, b1 - a1);
-        let across = context.bonds.across(middle);
+        let across = context.material.across(middle);
         // A ring is the wider the farther from its axis.
-        let width = match context.bonds.is_revolved() {
+        let width = match context.material.is_revolved() {
             true => TAU * (middle[0] * whole + a * tangent[0] * first),
             false => across * whole,
         };
-        context.bonds.add_force(&mut sum, edge.normal.map(|n| -peak * a * width * n), middle);
+        statics::add_force(context.material, &mut sum, edge.normal.map(|n| -peak * a * width * n), middle);
         let turn = tangent[0] * edge.normal[1] - tangent[1] * edge.normal[0];
         sum.add_moment(-peak * a * a * across * first * turn);
     }
@@ -76,13 +77,18 @@ pub(super) fn of_body(density: [f64; 2], context: &Context) -> Resultant {
     match context.ground.outline {
         Some(outline) => {
             let (volume, centroid) = volume(outline, context);
-            context.bonds.add_force(&mut sum, density.map(|b| b * volume), centroid);
+            statics::add_force(context.material, &mut sum, density.map(|b| b * volume), centroid);
         }
         // Listed points are the body.
         None => {
             for p in 0..context.ground.body.points() as u32 {
                 let force = density.map(|b| b * context.volume(p));
-                context.bonds.add_force(&mut sum, force, context.ground.body.position(p as usize));
+                statics::add_force(
+                    context.material,
+                    &mut sum,
+                    force,
+                    context.ground.body.position(p as usize),
+                );
             }
         }
     }
@@ -103,5 +109,5 @@ fn volume(outline: &Outline, context: &Context) -> (f64, [f64; 2]) {
         });
     }
     let centroid = [0, 1].map(|k| low[k] + first[k] / area);
-    (area * context.bonds.across(centroid), centroid)
+    (area * context.material.across(centroid), centroid)
 }

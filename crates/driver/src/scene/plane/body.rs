@@ -2,11 +2,12 @@
 
 use super::snap::Snap;
 use super::{boundary, files, root};
-use crate::case::{Body, Case, Hole, Model};
+use crate::case::{Body, Case, Hole};
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::memory;
+use crate::model::{Keys, hints};
 use peristat_assembly::body::{self, FillError, HoleError, Outline, OutlineError, PlaneBody, Polygon, Shape};
 
 /// Memory per point of what a scene keeps of a lattice and its model, bytes.
@@ -33,11 +34,10 @@ pub(super) struct Built {
     pub(super) file: Option<blake3::Hash>,
 }
 
-/// The body of the case, of this thickness; the rows of a lattice run at an angle to x, rad.
+/// The body of the case; the keys of its model give its thickness and along what the rows of a lattice run.
 pub(super) fn build(
     case: &Case,
-    thickness: f64,
-    angle: f64,
+    keys: &dyn Keys,
     folder: &Folder,
     max_memory: Option<u64>,
     faults: &mut Faults,
@@ -55,7 +55,7 @@ pub(super) fn build(
             (cut(made, (&b.holes, &snap), &path, faults)?, b.spacing)
         }
         Body::Points(b) => {
-            let (body, file) = files::points(folder, &b.file, thickness, max_memory, &path, faults)?;
+            let (body, file) = files::points(folder, &b.file, keys.thickness(), max_memory, &path, faults)?;
             if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
                 return None;
             }
@@ -70,11 +70,12 @@ pub(super) fn build(
         }
         _ => {
             let message = format!("the model `{}` needs a body in the plane", case.model.name());
-            faults.error(root("body"), message).hint(match &case.model {
-                Model::BeamBondOrthotropic(_) => {
-                    "take `rectangle` or `outline`; lines and frames are for `timoshenko_beam`"
-                }
-                _ => "take `rectangle`, `outline`, `points` or `mesh`; lines and frames are for `timoshenko_beam`",
+            faults.error(root("body"), message).hint({
+                let bodies = match keys.takes_points() {
+                    true => "`rectangle`, `outline`, `points` or `mesh`",
+                    false => "`rectangle` or `outline`",
+                };
+                format!("take {bodies}; lines and frames are for `{}`", hints::LINES)
             });
             return None;
         }
@@ -83,11 +84,11 @@ pub(super) fn build(
     if !resolves(outline.bounds(), spacing, &path.key(key), faults) {
         return None;
     }
-    let filled = outline.cells(spacing, angle).and_then(|cells| {
+    let filled = outline.cells(spacing, keys.lattice_angle()).and_then(|cells| {
         let box_points = f64::from(cells[0]) * f64::from(cells[1]);
         let fits = fits(&outline, box_points, max_memory, &path, faults)
             && boundary::fits(&outline, spacing, max_memory, &path, faults);
-        Ok(if fits { Some(outline.fill_turned(spacing, angle)?) } else { None })
+        Ok(if fits { Some(outline.fill_turned(spacing, keys.lattice_angle())?) } else { None })
     });
     match filled {
         Ok(lattice) => {

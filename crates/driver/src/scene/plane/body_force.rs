@@ -1,9 +1,11 @@
 //! Forces on the volume of a body in the plane.
 
 use super::loads::{Context, PlaneLoads};
+use super::statics;
 use super::{asked, lump};
 use crate::case::BodyForce;
 use crate::diagnostic::{Faults, JsonPath};
+use crate::model::hints;
 use peristat_assembly::body::PlaneBody;
 
 /// Forces per volume, or altogether, on a body or a region, or those of a spin.
@@ -48,7 +50,7 @@ pub(super) fn resolve(
     let density = if is_total { value.map(|f| f / volume) } else { value };
     for p in points {
         let force = density.map(|b| b * context.volume(p));
-        context.bonds.add_force(&mut to.asked, force, context.ground.body.position(p as usize));
+        statics::add_force(context.material, &mut to.asked, force, context.ground.body.position(p as usize));
         to.forces.push((p, force));
     }
 }
@@ -65,14 +67,16 @@ fn on_body(value: [f64; 2], is_total: bool, context: &Context, to: &mut PlaneLoa
     let mut forces: lump::Forces = (0..body.points() as u32).map(force).collect();
     let mut missing = asked;
     let at = |p: u32| body.position(p as usize);
-    forces.iter().for_each(|&(p, f)| context.bonds.add_force(&mut missing, f.map(|f| -f), at(p)));
+    forces
+        .iter()
+        .for_each(|&(p, f)| statics::add_force(context.material, &mut missing, f.map(|f| -f), at(p)));
     let is_whole = matches!(body, PlaneBody::Lattice(lattice) if lattice.cut_cells().is_empty());
     let lacks = missing.force().into_iter().chain([missing.moment() * asked.sizes()[0] / asked.sizes()[1]]);
     if is_whole && lacks.fold(0.0, |a: f64, f| a.max(f.abs())) <= 1e-12 * asked.sizes()[0] {
         (0..2).for_each(|k| to.density[k] += density[k]);
         return;
     }
-    if context.symmetry.mirrors.is_none() && !context.bonds.is_revolved() {
+    if context.symmetry.mirrors.is_none() && !context.material.is_revolved() {
         lump::add_resultant(&mut forces, &missing, context);
     } else {
         // A mirror takes moments, and rings have none.
@@ -91,10 +95,10 @@ fn spin(
     to: &mut PlaneLoads,
     faults: &mut Faults,
 ) {
-    if !context.bonds.is_revolved() {
+    if !context.material.is_revolved() {
         faults
             .error(path.key("spin"), "`spin` is for bodies of revolution, which have an axis")
-            .hint("use the model `axisymmetric`");
+            .hint(format!("use the model `{}`", hints::TURNING));
         return;
     }
     if load.density.is_some() || load.total.is_some() {

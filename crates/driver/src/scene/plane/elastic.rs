@@ -1,11 +1,11 @@
 //! The elastic body beside one that breaks or softens: the same case with the bonds, edges and loads that it would have by
 //! default.
 
-use super::bonds::PlaneBonds;
-use super::{PlaneScene, keys};
-use crate::case::{Body, Case, Solver};
+use super::{PlaneScene, of_case};
+use crate::case::{Case, Solver};
 use crate::diagnostic::Faults;
 use crate::input::Folder;
+use crate::model::{Keys, Material};
 
 /// What the elastic body is resolved from.
 #[derive(Clone, Debug)]
@@ -18,10 +18,9 @@ pub(super) struct Elastic {
 impl Elastic {
     /// That of a case as it was written.
     pub(super) fn new(case: &Case, folder: &Folder, max_memory: Option<u64>) -> Self {
-        let mut usual = keys::of(case.model.clone()).ok();
-        usual.iter_mut().for_each(|keys| keys.take_usual_bonds());
+        let model = case.model.keys().map_or_else(|_| case.model.clone(), |keys| keys.with_usual_bonds());
         let case = Case {
-            model: usual.map_or_else(|| case.model.clone(), |keys| keys.model()),
+            model,
             fracture: None,
             path: None,
             solver: Solver::default(),
@@ -35,18 +34,15 @@ impl Elastic {
     }
 
     /// Whether its bonds and edges are others than these.
-    pub(super) fn differs_from(&self, bonds: &PlaneBonds) -> bool {
-        let is_cloud = matches!(self.case.body, Body::Points(_) | Body::Mesh(_));
-        let usual = keys::of(self.case.model.clone())
-            .ok()
-            .and_then(|mut keys| keys.bonds(&self.case, is_cloud, &mut Faults::default()));
-        usual
-            .is_some_and(|usual| (usual.edges(), usual.calibration()) != (bonds.edges(), bonds.calibration()))
+    pub(super) fn differs_from(&self, material: &dyn Material) -> bool {
+        let resolve = |keys: &dyn Keys| keys.resolve(&of_case::asked(&self.case), &mut Faults::default());
+        let usual = self.case.model.keys().ok().and_then(resolve).map(|usual| usual.about());
+        let own = material.about();
+        usual.is_some_and(|usual| (usual.edges, usual.calibration) != (own.edges, own.calibration))
     }
 
     /// Its scene, if it has one.
     pub(super) fn scene(&self) -> Option<PlaneScene> {
-        let keys = keys::of(self.case.model.clone()).ok()?;
-        PlaneScene::new(self.case.clone(), keys, &self.folder, self.max_memory, Faults::default()).ok()
+        PlaneScene::new(self.case.clone(), &self.folder, self.max_memory, Faults::default()).ok()
     }
 }

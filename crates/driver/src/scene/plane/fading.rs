@@ -147,7 +147,7 @@ pub(super) fn fade(traction: &OnBorder, context: &Context) -> Result<(StressFiel
 
 /// What the divergence of a stress along the axis of a body of revolution has beside that in the plane: `S_xy/x`, N/m³.
 pub(super) fn around_axis([_, _, shear]: [f64; 3], [x, _]: [f64; 2], context: &Context) -> f64 {
-    if context.bonds.is_revolved() { shear / x } else { 0.0 }
+    if context.material.is_revolved() { shear / x } else { 0.0 }
 }
 
 /// Whether at both ends of an edge another one goes on against its normal, for this length at least (m).
@@ -226,8 +226,8 @@ pub(super) fn missing(
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut rest = Resultant::default();
     let lumped = lump::forces(traction, context);
-    lumped.iter().for_each(|&(p, f)| context.bonds.add_force(&mut rest, f, at(p)));
-    forces.iter().for_each(|&(p, f)| context.bonds.add_force(&mut rest, f.map(|f| -f), at(p)));
+    lumped.iter().for_each(|&(p, f)| statics::add_force(context.material, &mut rest, f, at(p)));
+    forces.iter().for_each(|&(p, f)| statics::add_force(context.material, &mut rest, f.map(|f| -f), at(p)));
     let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
     let Some(model) = context.model else { return small };
     let is_flat = !model.is_revolved() && model.component("w").is_none();
@@ -238,8 +238,8 @@ pub(super) fn missing(
     }
     let mut through = vec![0.0; model.components().len() * model.points()];
     stress.numbered(&|p| context.recipe.number(model, p)).add_to(model, 1.0, &mut through);
-    rest.add_multiple(-1.0, &statics::resultant(model, context.bonds, &through));
-    let mut rest = match context.bonds.cylinder_radius() {
+    rest.add_multiple(-1.0, &statics::resultant(model, context.material, &through));
+    let mut rest = match context.material.cylinder_radius() {
         Some(radius) => [rest.force()[0], rest.moment() / radius],
         None => rest.force(),
     };

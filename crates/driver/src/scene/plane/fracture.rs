@@ -2,10 +2,10 @@
 
 use super::super::fracture::{self, FractureScene};
 use super::super::root;
-use super::critical::critical;
 use super::site::Site;
 use crate::case::{Case, CrackDirection, FieldName, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::model::CriticalStretches;
 use crate::run::fracture::FACTS;
 use peristat_assembly::model::plane::CriticalStretch;
 
@@ -53,7 +53,10 @@ pub(super) fn resolve(
         points.iter().for_each(|&p| exempt[site.recipe.number(site.model, p) as usize] = true);
     }
     site.conditions.held_points().for_each(|p| exempt[p] = true);
-    let (critical, fibres) = critical(fracture, site, &path.key("critical"), faults)?;
+    let on = site.recipe.on_ground(case);
+    let critical =
+        site.recipe.material.critical(&mut fracture.critical, &on, &path.key("critical"), faults)?;
+    let CriticalStretches { by_offset: critical, fibres } = critical;
     check_directions(fracture, &general_facts(&fibres), &path.key("directions"), faults);
     check_load(&fracture.load, site.ground.case, &path.key("load"), faults);
     let directions = fracture.directions.clone();

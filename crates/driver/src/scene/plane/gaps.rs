@@ -15,7 +15,7 @@ pub(super) fn narrow(scene: &PlaneScene) -> Option<([f64; 2], i32)> {
         // Bonds that leave the body end there.
         return None;
     }
-    let reach = scene.recipe.bonds.horizon_ratio().floor() as i32;
+    let reach = scene.recipe.material.about().horizon_ratio.floor() as i32;
     let along = [[1, 0, 0], [0, 1, 0]].map(|step| places(scene, lattice, step, reach));
     let found = along.into_iter().find(|places| places.len() as i32 >= 2 * reach)?;
     found.get(found.len() / 2).copied()

@@ -15,7 +15,7 @@ use peristat_assembly::model::plane::Edges;
 /// Adds a warning if a stress or strain is asked for in such a corner.
 pub(super) fn warn(scene: &PlaneScene, faults: &mut Faults) {
     let is_lattice = scene.model.lattice().is_some_and(|(lattice, _)| !lattice.is_turned());
-    if !scene.bonds().is_exact_at_edges() || !is_lattice || has_one_stress(scene) {
+    if !scene.material().about().is_exact_at_edges || !is_lattice || has_one_stress(scene) {
         return;
     }
     let found = corners(scene).into_iter().find_map(|corner| Some((asked(scene, corner.at)?, corner)));

@@ -5,7 +5,7 @@
 //! displacement that this traction does its work on: a weighted sum over the few points behind each other, in every row.
 //! For a linear field this is the displacement of the edge.
 
-use super::bonds::PlaneBonds;
+use crate::model::{Material, OnLattice};
 use peristat_assembly::body::{Cell, Edge, SquareLattice, plus};
 use peristat_assembly::model::plane::{Edges, Mirrors};
 use std::cell::OnceCell;
@@ -32,11 +32,12 @@ impl HeldEdge {
         let at = (edge.from[axis] - lattice.corner()[axis]) / lattice.spacing();
         let between = (at - at.round()).abs() < 1e-6;
         let extent = if axis == 0 { lattice.columns() } else { lattice.rows() };
-        let [normal, tangential] = match between && shares.bonds.is_exact_at_edges() {
+        let about = shares.material.about();
+        let [normal, tangential] = match between && about.is_exact_at_edges {
             // What moves the border is linear in the two outermost points.
-            true if shares.bonds.edges() == Some(Edges::Border) => [vec![1.5, -0.5], vec![1.5, -0.5]],
+            true if about.edges == Some(Edges::Border) => [vec![1.5, -0.5], vec![1.5, -0.5]],
             // The traction reaches behind all points: whatever its shares, they are held themselves.
-            true if !takes_shares(extent.len(), shares.bonds) => [vec![1.0], vec![1.0]],
+            true if !takes_shares(extent.len(), about.horizon_ratio) => [vec![1.0], vec![1.0]],
             true => shares.found()?.clone(),
             // The other treatments are not exact at edges: a line through two points is good enough.
             false => [vec![1.5, -0.5], vec![1.5, -0.5]],
@@ -66,39 +67,43 @@ impl HeldEdge {
 
 /// The shares that the points behind an edge have in it: the same for all edges of a body, and found when one asks for them.
 pub(super) struct EdgeShares<'a> {
-    bonds: &'a PlaneBonds,
+    material: &'a dyn Material,
     found: OnceCell<Option<[Vec<f64>; 2]>>,
 }
 
 impl<'a> EdgeShares<'a> {
-    /// Shares with some bonds.
-    pub(super) fn new(bonds: &'a PlaneBonds) -> Self {
-        Self { bonds, found: OnceCell::new() }
+    /// Shares of some material.
+    pub(super) fn new(material: &'a dyn Material) -> Self {
+        Self { material, found: OnceCell::new() }
     }
 
     /// Across and along the edge.
     fn found(&self) -> Option<&[Vec<f64>; 2]> {
-        self.found.get_or_init(|| shares(self.bonds)).as_ref()
+        self.found.get_or_init(|| shares(self.material)).as_ref()
     }
 }
 
 /// Whether so many points behind each other can share an edge. Bonds of the length of the horizon may have no weight, so that
 /// shares end a row or column before it.
-pub(super) fn takes_shares(extent: usize, bonds: &PlaneBonds) -> bool {
-    extent as f64 + 2.0 > bonds.horizon_ratio()
+pub(super) fn takes_shares(extent: usize, horizon_ratio: f64) -> bool {
+    extent as f64 + 2.0 > horizon_ratio
 }
 
 /// How the traction of a stress on the left side of a body reaches the points behind each other, far from its other sides:
 /// for one across the side, and one along it.
-fn shares(bonds: &PlaneBonds) -> Option<[Vec<f64>; 2]> {
+fn shares(material: &dyn Material) -> Option<[Vec<f64>; 2]> {
     /// Below this part of the whole it is rounding.
     const ROUNDING: f64 = 1e-12;
-    let depth = bonds.depth().ok()?;
+    let depth = material.depth().ok()?;
     // How far a side is felt: families join points two horizons apart, and ghosts those two cells further.
-    let felt = if bonds.has_families() { 2 * depth + 4 } else { depth + 2 };
+    let felt = if material.about().has_families { 2 * depth + 4 } else { depth + 2 };
     let (columns, rows) = (2 * felt, 2 * felt + 1);
     let real = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
-    let body = bonds.unrolled().on_lattice(&real, Mirrors::NONE, &|_, _| Vec::new(), &|_, _| false).ok()?;
+    let mut straight = material.boxed();
+    straight.unroll();
+    let on =
+        OnLattice { real: &real, mirrors: Mirrors::NONE, cuts: &|_, _| Vec::new(), separated: &|_, _| false };
+    let body = straight.on_lattice(&on).ok()?;
     let (n, (lattice, _)) = (body.points(), body.lattice()?);
     let of = |stress: [f64; 3], component: usize| {
         let mut force = vec![0.0; body.components().len() * n];
@@ -116,24 +121,31 @@ fn shares(bonds: &PlaneBonds) -> Option<[Vec<f64>; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnostic::Faults;
+    use crate::model::{Asked, BodyKind, Model};
     use peristat_assembly::body::Outline;
-    use peristat_assembly::model::bond_plane::{
-        Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
-    };
-    use peristat_assembly::model::plane::{Calibration, Edges};
-    use peristat_assembly::model::state_based::{
-        Axis, Dilatation, Geometry, Measure, StateEdges, StateParameters,
-    };
+    use serde_json::{Value, json};
 
-    fn bonds(horizon_ratio: f64) -> PlaneBonds {
-        PlaneBonds::Central(PlaneParameters {
-            material: PlaneMaterial { youngs_modulus: 7.0, thickness: 0.3, state: PlaneState::Stress },
-            horizon_ratio,
-            influence: Influence::Constant,
-            calibration: Calibration::Matched,
-            volume_factor: VolumeFactor::Ramp,
-            edges: Edges::Overlay,
-        })
+    fn material(model: Value, horizon_ratio: f64) -> Box<dyn Material> {
+        let model: Model = serde_json::from_value(model).unwrap();
+        let asked = Asked {
+            body: BodyKind::Other,
+            body_path: "body".into(),
+            breaks: false,
+            softens: false,
+            has_cracks: false,
+            symmetry: &[],
+            joined: Vec::new(),
+        };
+        let mut material = model.keys().unwrap().resolve(&asked, &mut Faults::default()).unwrap();
+        material.set_horizon_ratio(horizon_ratio);
+        material
+    }
+
+    fn bonds(horizon_ratio: f64) -> Box<dyn Material> {
+        let keys =
+            json!({ "youngs_modulus": 7.0, "thickness": 0.3, "state": "plane_stress", "edges": "overlay" });
+        material(json!({ "bond_plane": keys }), horizon_ratio)
     }
 
     #[test]
@@ -141,7 +153,7 @@ mod tests {
         let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
         let lattice = outline.fill_turned(1.0, 0.3).unwrap();
         assert_eq!(
-            HeldEdge::new(outline.edge("left").unwrap(), &lattice, &EdgeShares::new(&bonds(3.0))),
+            HeldEdge::new(outline.edge("left").unwrap(), &lattice, &EdgeShares::new(&*bonds(3.0))),
             None
         );
     }
@@ -154,7 +166,7 @@ mod tests {
             let lattice = outline.fill(1.0).unwrap();
             for (name, inward) in [("left", [1, 0, 0]), ("top", [0, -1, 0])] {
                 let held =
-                    HeldEdge::new(outline.edge(name).unwrap(), &lattice, &EdgeShares::new(&bonds)).unwrap();
+                    HeldEdge::new(outline.edge(name).unwrap(), &lattice, &EdgeShares::new(&*bonds)).unwrap();
                 assert_eq!(held.inward, inward);
                 for shares in &held.shares {
                     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-14);
@@ -170,24 +182,16 @@ mod tests {
     fn points_of_thin_bodies_are_held_as_the_shares_have_it() {
         // The longest bonds of the influence `linear` have no weight.
         let family = |horizon_ratio: f64| {
-            PlaneBonds::State(StateParameters {
-                youngs_modulus: 7.0,
-                poisson_ratio: 0.2,
-                geometry: Geometry::PlaneStress(0.3),
-                horizon_ratio,
-                influence: Influence::Linear,
-                edges: StateEdges::Ghosts,
-                measure: Measure::default(),
-                axis: Axis::default(),
-                dilatation: Dilatation::Points,
-            })
+            let keys = json!({ "youngs_modulus": 7.0, "poisson_ratio": 0.2, "thickness": 0.3,
+                "state": "plane_stress", "influence": "linear", "edges": "ghosts" });
+            material(json!({ "state_plane": keys }), horizon_ratio)
         };
         for horizon_ratio in [2.0, 3.0, 4.0, 4.5, 5.0, 6.0] {
             for bonds in [bonds(horizon_ratio), family(horizon_ratio)] {
                 let held = |columns: f64| {
                     let outline = Outline::rectangle([0.0; 2], [columns, 4.0]).unwrap();
                     let lattice = outline.fill(1.0).unwrap();
-                    let shares = EdgeShares::new(&bonds);
+                    let shares = EdgeShares::new(&*bonds);
                     let held = HeldEdge::new(outline.edge("left").unwrap(), &lattice, &shares).unwrap();
                     (lattice, held)
                 };

@@ -1,17 +1,17 @@
 //! Loads of a body in the plane as forces and stresses on its points.
 
 use super::super::{Resultant, states};
-use super::bonds::PlaneBonds;
 use super::ground::Ground;
 use super::model::Recipe;
 use super::stress_field::StressField;
 use super::symmetry::Symmetry;
 use super::traction;
-use super::{Held, root, shell};
+use super::{Held, pressure, root};
 use super::{asked, body_force, point_load};
 use crate::case::Load;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
+use crate::model::Material;
 use peristat_assembly::model::plane::PlaneModel;
 
 /// The loads of one load case.
@@ -42,7 +42,7 @@ pub(super) struct Context<'a> {
     pub(super) ground: &'a Ground<'a>,
     pub(super) symmetry: &'a Symmetry,
     pub(super) curves: &'a [Curve],
-    pub(super) bonds: &'a PlaneBonds,
+    pub(super) material: &'a dyn Material,
     pub(super) horizon: f64,
     pub(super) held: &'a [Held],
     /// Paths of cracks, images left out.
@@ -57,7 +57,7 @@ impl Context<'_> {
     /// Volume of a point of the body, m³.
     pub(super) fn volume(&self, point: u32) -> f64 {
         let body = self.ground.body;
-        body.area(point as usize) * self.bonds.across(body.position(point as usize))
+        body.area(point as usize) * self.material.across(body.position(point as usize))
     }
 }
 
@@ -79,7 +79,7 @@ pub(super) fn load_cases(context: &Context, faults: &mut Faults) -> Vec<PlaneLoa
                     tractions.extend(traction::resolve(load, context, path.key("traction"), faults))
                 }
                 Load::Pressure(load) => {
-                    shell::pressure(load, context, &path.key("pressure"), &mut resolved, faults)
+                    pressure::resolve(load, context, &path.key("pressure"), &mut resolved, faults)
                 }
                 Load::Distributed(_) => {
                     faults

@@ -49,7 +49,7 @@ pub(super) fn on_points(
         let points = nearest(stretch, candidates, context);
         let mut force = [0.0; 2];
         for (at, along) in traction(stretch) {
-            let share = along.map(|t| context.bonds.across(at) * t);
+            let share = along.map(|t| context.material.across(at) * t);
             (0..2).for_each(|k| force[k] += share[k]);
             if !points.is_empty() {
                 wanted.add(share, at);
@@ -137,7 +137,7 @@ fn settle(forces: &mut Forces, mut wanted: Resultant, is_halved: bool, context: 
     let mut found = Resultant::default();
     forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
     // A ring has no force along its radius and no moment as a whole.
-    if is_halved || context.bonds.is_revolved() {
+    if is_halved || context.material.is_revolved() {
         return;
     }
     wanted.add_multiple(-1.0, &found);

@@ -1,18 +1,15 @@
 //! Scenes of bodies in the plane.
 
-mod any_body;
 mod asked;
 mod bearing;
 mod body;
 mod body_force;
-mod bonds;
 mod boundary;
 mod checks;
 mod clamped;
 mod conditions;
 mod counts;
 mod cracks;
-mod critical;
 mod elastic;
 mod fading;
 mod fields;
@@ -27,22 +24,21 @@ mod held_border;
 mod held_corner;
 mod held_edge;
 mod interpolate;
-pub(super) mod keys;
 mod levels;
 mod loads;
 mod loose;
 mod lump;
-mod material;
 mod model;
 mod motions;
+mod of_case;
 mod on_border;
 mod opening;
-mod orthotropic;
 mod outputs;
 mod parts;
 mod path;
 mod periodic;
 mod point_load;
+mod pressure;
 mod probes;
 mod problem;
 mod profile;
@@ -50,12 +46,10 @@ mod resolve;
 mod rigid;
 mod rigid_mirror;
 mod round;
-mod shell;
 mod site;
 mod size;
 mod snap;
 mod specimen;
-mod state_based;
 mod statics;
 mod stress_field;
 mod support_keys;
@@ -69,9 +63,6 @@ mod traction;
 mod uniform_stress;
 mod warnings;
 
-pub use any_body::AnyBody;
-pub(crate) use any_body::with_body;
-pub use bonds::{PlaneBonds, PlaneModelError};
 pub use checks::PlaneComparison;
 pub use conditions::{Conditions, HeldPoints};
 pub use cracks::NamedCrack;
@@ -91,6 +82,7 @@ use super::{Expectation, InputFile, root};
 use crate::case::{Case, Fracture, Path as CasePath, Solver, Units};
 use crate::diagnostic::Faults;
 use crate::input::Folder;
+use crate::model::{AnyBody, HeldRegion, Material, Refusal, Resolved};
 use elastic::Elastic;
 use model::Recipe;
 use peristat_assembly::body::{Cell, Crack, Outline, PlaneBody, SquareLattice};
@@ -228,12 +220,12 @@ impl PlaneScene {
     /// if positive; `None` where that leaves no crack.
     ///
     /// # Errors
-    /// [`PlaneModelError`].
+    /// [`Refusal`].
     pub fn with_moved_tips(
         &self,
         intensity: &Intensity,
         by: f64,
-    ) -> Result<Option<(AnyBody, Vec<Crack>)>, PlaneModelError> {
+    ) -> Result<Option<(AnyBody, Vec<Crack>)>, Refusal> {
         let mut cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
         match outputs::moved(&cracks[intensity.crack], intensity.tips, by) {
             Some(crack) => cracks[intensity.crack] = crack,
@@ -242,8 +234,23 @@ impl PlaneScene {
         Ok(Some((self.recipe.make(&cracks)?, cracks)))
     }
 
+    /// The body as its model is given it; `held` are the regions that supports hold.
+    pub(crate) fn resolved<'a>(&'a self, held: &'a [HeldRegion]) -> Resolved<'a> {
+        Resolved {
+            model: &*self.model,
+            lattice: match self.body() {
+                PlaneBody::Lattice(lattice) => Some(lattice),
+                PlaneBody::Cloud(_) => None,
+            },
+            outline: self.outline(),
+            mirrors: &self.recipe.symmetry.mirrors,
+            spacing: self.spacing(),
+            held,
+        }
+    }
+
     /// Material and bonds.
-    pub fn bonds(&self) -> &PlaneBonds {
-        &self.recipe.bonds
+    pub fn material(&self) -> &dyn Material {
+        &*self.recipe.material
     }
 }

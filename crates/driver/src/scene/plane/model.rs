@@ -1,15 +1,12 @@
 //! The model of a body in the plane: points of its lattice with images, or its listed points.
 
-use super::any_body::AnyBody;
 use super::bearing::{self, Bearing};
-use super::bonds::{PlaneBonds, PlaneModelError};
 use super::cracks::NamedCrack;
+use super::of_case::horizon_key;
 use super::symmetry::Symmetry;
-use super::{orthotropic, root, shell, state_based};
 use crate::case::Case;
-use crate::diagnostic::{Faults, JsonPath};
+use crate::model::{AnyBody, Material, OnGround, OnLattice, Refusal};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
-use peristat_assembly::model::bond_plane::BondPlaneError;
 use peristat_assembly::model::plane::PlaneModel;
 use std::cell::RefCell;
 
@@ -25,7 +22,7 @@ pub(super) struct Recipe {
     /// Rigid regions that bear on the rest in some directions only. Coarser lattices, which only precondition, know none.
     pub(super) bearings: Vec<Bearing>,
     /// Material and bonds.
-    pub(super) bonds: PlaneBonds,
+    pub(super) material: Box<dyn Material>,
     /// Horizon, m.
     pub(super) horizon: f64,
     /// Whether its bonds break or soften.
@@ -36,8 +33,8 @@ impl Recipe {
     /// The model with some cracks.
     ///
     /// # Errors
-    /// [`PlaneModelError`].
-    pub(super) fn make(&self, cracks: &[Crack]) -> Result<AnyBody, PlaneModelError> {
+    /// [`Refusal`].
+    pub(super) fn make(&self, cracks: &[Crack]) -> Result<AnyBody, Refusal> {
         let cracks = self.symmetry.with_images(cracks);
         match &self.body {
             PlaneBody::Lattice(lattice) => {
@@ -54,7 +51,8 @@ impl Recipe {
                     let ends = [lattice.place_of(a), lattice.place_of(b)];
                     cracks.iter().any(|crack| crack.cuts(ends[0], ends[1], slack))
                 };
-                let mut body = self.bonds.on_lattice(lattice, mirrors, &cuts, &separated)?;
+                let on = OnLattice { real: lattice, mirrors, cuts: &cuts, separated: &separated };
+                let mut body = self.material.on_lattice(&on)?;
                 body.as_mut().never_joined(&apart.into_inner());
                 if self.breaks {
                     body.as_mut().prepare_to_break();
@@ -67,7 +65,7 @@ impl Recipe {
                 let cut =
                     |a: [f64; 2], b: [f64; 2]| cracks.iter().any(|c| c.cuts(a, b, slack)) || apart(a, b);
                 let points = (cloud.positions().to_vec(), cloud.areas().to_vec());
-                self.bonds.on_cloud(points, self.horizon, &cut)
+                self.material.on_points(points, self.horizon, &cut)
             }
         }
     }
@@ -87,8 +85,8 @@ impl Recipe {
     pub(super) fn is_cut_by(&self, crack: &Crack) -> bool {
         match &self.body {
             PlaneBody::Lattice(lattice) => {
-                let depth = self.bonds.depth().unwrap_or(0);
-                let offsets = self.bonds.offsets().unwrap_or_default();
+                let depth = self.material.depth().unwrap_or(0);
+                let offsets = self.material.offsets().unwrap_or_default();
                 // A crack along a mirror cuts bonds to images only.
                 let lattice = self.symmetry.mirrors.extended(lattice, depth);
                 !cut_bonds(&lattice, &offsets, std::slice::from_ref(crack)).is_empty()
@@ -102,6 +100,16 @@ impl Recipe {
         }
     }
 
+    /// What the strength of bonds depends on.
+    pub(super) fn on_ground(&self, case: &Case) -> OnGround {
+        OnGround {
+            is_lattice: matches!(self.body, PlaneBody::Lattice(_)),
+            spacing: self.body.spacing(),
+            horizon: self.horizon,
+            horizon_key: horizon_key(case),
+        }
+    }
+
     /// Numbers in the model of points of the body.
     pub(super) fn number(&self, model: &dyn PlaneModel, point: u32) -> u32 {
         match (&self.body, model.lattice()) {
@@ -111,34 +119,5 @@ impl Recipe {
             }
             _ => point,
         }
-    }
-}
-
-/// A fault for a model that cannot be made.
-pub(super) fn refuse(error: &PlaneModelError, case: &Case, faults: &mut Faults) {
-    let model_path = || root("model").key(case.model.name());
-    let central = match error {
-        PlaneModelError::Central(central) => central,
-        PlaneModelError::Beams(error) => return orthotropic::refuse(error, case, faults),
-        PlaneModelError::State(error) => return state_based::refuse(error, case, faults),
-        PlaneModelError::Shell(error) => return shell::refuse(error, faults),
-        PlaneModelError::NeedsLattice(_) => return tell(&error.to_string(), root("body"), faults),
-    };
-    let path = match central {
-        BondPlaneError::NotRepresentable { .. } | BondPlaneError::NoNeighbours { .. } => {
-            root("horizon_ratio")
-        }
-        BondPlaneError::OverlayNeedsMatched => model_path().key("edges"),
-        BondPlaneError::AreaNeedsCells => model_path().key("volume_factor"),
-        BondPlaneError::Coincident { .. } => root("body"),
-    };
-    tell(&error.to_string(), path, faults);
-}
-
-/// A fault from a text that has its hint behind a semicolon.
-pub(super) fn tell(text: &str, path: JsonPath, faults: &mut Faults) {
-    match text.split_once("; ") {
-        Some((message, hint)) => _ = faults.error(path, message).hint(hint),
-        None => _ = faults.error(path, text),
     }
 }

@@ -19,7 +19,7 @@ pub(super) fn forces(traction: &OnBorder, context: &Context) -> Option<Forces> {
     let stretches = traction.stretches(context.ground);
     for stretch in stretches.iter().flat_map(|stretch| stretch.between_lines(lattice)) {
         for (at, along) in traction.profile.on(&stretch) {
-            let force = along.map(|t| context.bonds.across(at) * t);
+            let force = along.map(|t| context.material.across(at) * t);
             for (point, share) in shares(at, stretch.normal)? {
                 (0..2).for_each(|k| forces[point][k] += share * force[k]);
             }

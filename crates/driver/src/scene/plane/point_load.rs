@@ -3,6 +3,7 @@
 use super::ground::{PLACE, Spot};
 use super::interpolate::{Interpolation, Weights};
 use super::loads::{Context, PlaneLoads, is_held};
+use super::statics;
 use crate::case::PointLoad;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::body::Crack;
@@ -15,7 +16,7 @@ pub(super) fn resolve(
     to: &mut PlaneLoads,
     faults: &mut Faults,
 ) {
-    let (points_turn, deflects) = (context.bonds.has("phi"), context.bonds.has("w"));
+    let (points_turn, deflects) = (context.material.has("phi"), context.material.has("w"));
     let foreign = [
         ("force", load.force != 0.0 && !deflects, "use `force_x` and `force_y`"),
         ("axial", load.axial != 0.0, "use `force_x` and `force_y`"),
@@ -50,7 +51,7 @@ pub(super) fn resolve(
     let is_fixed = acts && (0..2).all(is_fixed);
     let shares = shares(load, &spot, is_fixed, context);
     let at_place = place(load, &shares, context, &at, faults);
-    context.bonds.add_force(&mut to.asked, force, at_place);
+    statics::add_force(context.material, &mut to.asked, force, at_place);
     if points_turn {
         to.asked.add_moment(load.moment);
     }

@@ -88,7 +88,7 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for PlaneProblem<'_, M>
 
     fn remedy(&self) -> &'static str {
         match self.apart {
-            "" if self.scene.bonds().is_revolved() => {
+            "" if self.scene.material().is_revolved() => {
                 "a body of revolution needs `uy` held on one place, in every part that cracks leave"
             }
             "" if self.model.component("w").is_some() => {

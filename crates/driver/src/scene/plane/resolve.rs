@@ -2,15 +2,15 @@
 
 use super::super::states::{self, Sum};
 use super::super::{files, root};
-use super::any_body::with_body;
 use super::elastic::Elastic;
 use super::ground::Ground;
 use super::interpolate::Interpolation;
-use super::keys::{self, PlaneKeys};
 use super::model::Recipe;
+use super::of_case::horizon_key;
 use super::site::Site;
 use super::*;
 use crate::diagnostic::JsonPath;
+use crate::model::with_body;
 use crate::run::path::PATH_FACTS;
 use peristat_assembly::model::plane::PlaneModel;
 
@@ -22,25 +22,25 @@ impl PlaneScene {
     /// All faults of the case.
     pub(in crate::scene) fn new(
         mut case: Case,
-        mut keys: Box<dyn PlaneKeys>,
         folder: &Folder,
         max_memory: Option<u64>,
         mut faults: Faults,
     ) -> Result<Self, Faults> {
-        let usual = keys::of(case.model.clone()).ok();
-        let usual = usual.and_then(|mut keys| keys.bonds(&case, false, &mut Faults::default()));
-        let usual = usual.map_or(3.0, |bonds| bonds.usual_horizon_ratio());
+        let usual = case.model.keys().ok();
+        let usual = usual.and_then(|keys| keys.resolve(&of_case::asked(&case), &mut Faults::default()));
+        let usual = usual.map_or(3.0, |material| material.usual_horizon_ratio());
         let Some(expanded) = specimen::expand(&mut case, usual, &mut faults) else { return Err(faults) };
         let mut traced = (case.fracture.clone(), case.path.clone());
         let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, folder, max_memory)));
-        let filled = (&mut *keys, &mut traced);
-        let scene = Self::checked(&expanded.case, filled, folder, max_memory, &mut faults);
+        let scene = Self::checked(&expanded.case, &mut traced, folder, max_memory, &mut faults);
         expanded.relocate(&mut faults);
         let Some(mut scene) = scene.filter(|_| !faults.has_errors()) else { return Err(faults) };
-        keys.settle(scene.bonds(), &mut case);
-        case.model = keys.model();
+        case.model = scene.material().keys();
+        if case.horizon.is_none() {
+            case.horizon_ratio = Some(scene.material().about().horizon_ratio);
+        }
         (case.fracture, case.path) = traced;
-        scene.elastic = elastic.filter(|elastic| elastic.differs_from(scene.bonds()));
+        scene.elastic = elastic.filter(|elastic| elastic.differs_from(scene.material()));
         scene.files = files::keep(&mut case, folder, max_memory);
         (scene.case, scene.warnings) = (case, faults);
         Ok(scene)
@@ -49,17 +49,17 @@ impl PlaneScene {
     /// The scene of a case without specimens, and its doubts; `None` where there are faults that leave no scene.
     fn checked(
         case: &Case,
-        filled: (&mut (dyn PlaneKeys + 'static), &mut (Option<Fracture>, Option<CasePath>)),
+        traced: &mut (Option<Fracture>, Option<CasePath>),
         folder: &Folder,
         max_memory: Option<u64>,
         faults: &mut Faults,
     ) -> Option<Self> {
-        let resolved = Self::resolve(case, filled, folder, max_memory, faults);
+        let resolved = Self::resolve(case, traced, folder, max_memory, faults);
         let scene = resolved.filter(|_| !faults.has_errors())?;
         if scene.outline.is_none() || scene.can_have_loose_points() {
             with_body!(&scene.model, body => loose::check(&scene, &**body, faults));
         }
-        shell::check_bearable(&scene, faults);
+        check_bearable(&scene, faults);
         warnings::collect(&scene, faults);
         Some(scene)
     }
@@ -68,29 +68,32 @@ impl PlaneScene {
     /// fracture.
     fn resolve(
         case: &Case,
-        (model, traced): (&mut (dyn PlaneKeys + 'static), &mut (Option<Fracture>, Option<CasePath>)),
+        traced: &mut (Option<Fracture>, Option<CasePath>),
         folder: &Folder,
         max_memory: Option<u64>,
         faults: &mut Faults,
     ) -> Option<Self> {
+        let keys = case.model.keys().ok()?;
         foreign::check(case, faults);
+        of_case::check_refused(case, keys, faults);
         let parts::Parts { mut recipe, outline, curves, cracks } =
-            parts::parts(case, model, folder, max_memory, faults)?;
+            parts::parts(case, keys, folder, max_memory, faults)?;
         let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
         if !counts::fit(&ground, max_memory, faults) {
             return None;
         }
-        let held = supports::held(&ground, &recipe.symmetry, &recipe.bonds, faults);
+        let held = supports::held(&ground, &recipe.symmetry, &*recipe.material, faults);
         let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
         rigid_mirror::check(&rigid, &recipe, faults);
         recipe.bearings = bearing::bearings(case, &rigid, faults);
         let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
-        let built = recipe.make(&paths).map_err(|error| model::refuse(&error, case, faults)).ok();
+        let built = recipe.make(&paths);
+        let built = built.map_err(|refusal| refusal.tell(case.model.name(), horizon_key(case), faults)).ok();
         let context = loads::Context {
             ground: &ground,
             symmetry: &recipe.symmetry,
             curves: &curves,
-            bonds: &recipe.bonds,
+            material: &*recipe.material,
             horizon: recipe.horizon,
             held: &held,
             cracks: &cracks,
@@ -170,10 +173,26 @@ impl PlaneScene {
     }
 }
 
+/// Adds a fault for every load case that the body cannot bear.
+fn check_bearable(scene: &PlaneScene, faults: &mut Faults) {
+    let held = scene.conditions.holds.iter().map(|held| (&held.points[..], held.direction));
+    let loads = scene.load_cases.iter().enumerate().map(|(k, loads)| {
+        let path = match scene.case.load_cases.is_empty() {
+            true => root("loads"),
+            false => root("load_cases").index(k),
+        };
+        let mut force = vec![0.0; scene.model.components().len() * scene.model.points()];
+        loads.add_to(&*scene.model, 1.0, &mut force);
+        (path, force)
+    });
+    let (mut held, mut loads) = (held, loads);
+    scene.material().check_bearable(&scene.resolved(&[]), &mut held, &mut loads, faults);
+}
+
 /// How many rows and columns beside a point values are interpolated from: points beside a border that is followed do not see the
 /// steps of the lattice.
 fn reach(model: &dyn PlaneModel, recipe: &Recipe) -> i32 {
-    if model.follows_border() { 1 } else { (recipe.bonds.horizon_ratio() + 1e-9).floor() as i32 }
+    if model.follows_border() { 1 } else { (recipe.material.about().horizon_ratio + 1e-9).floor() as i32 }
 }
 
 /// What is read of the results.
@@ -222,7 +241,7 @@ impl Failure {
         let case = site.ground.case;
         let fracture = fracture.as_mut().and_then(|f| fracture::resolve(f, site, probes, faults));
         let path = path.as_mut().and_then(|p| path::resolve(p, site, probes, faults));
-        if case.path.is_none() && path::law_of(case).is_some() {
+        if case.path.is_none() && case.model.softens() {
             faults
                 .error(root("path"), "bonds that soften need `path`: how the loads and motions grow")
                 .hint("for example \"path\": { \"load\": \"name of a reaction probe\" }");

@@ -11,7 +11,7 @@ use peristat_assembly::body::PlaneBody;
 pub(super) fn check(rigid: &[RigidPoints], recipe: &Recipe, faults: &mut Faults) {
     let PlaneBody::Lattice(lattice) = &recipe.body else { return };
     // Bodies of revolution have no rigid regions, and were told so.
-    if recipe.bonds.is_revolved() {
+    if recipe.material.is_revolved() {
         return;
     }
     let mirrors = recipe.symmetry.mirrors;

@@ -1,12 +1,12 @@
 //! Whether bonds that differ from those inside of a body fit into memory, before they are made: with long horizons they are
 //! far more than the points.
 
-use super::bonds::PlaneBonds;
 use super::held_edge::takes_shares;
 use super::{NamedCrack, root};
 use crate::case::Case;
 use crate::diagnostic::{Faults, tidy};
 use crate::memory;
+use crate::model::Material;
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 use std::f64::consts::PI;
@@ -39,13 +39,14 @@ const STRIP: f64 = 28.0;
 /// Bonds of `bonds` on a body.
 pub(super) fn fits(
     case: &Case,
-    bonds: &PlaneBonds,
+    material: &dyn Material,
     (body, outline): (&PlaneBody, Option<&Outline>),
     (cracks, mirrors): (&[NamedCrack], &Mirrors),
     max_memory: Option<u64>,
     faults: &mut Faults,
 ) -> bool {
-    let (m, points) = (bonds.horizon_ratio(), body.points() as f64);
+    let about = material.about();
+    let (m, points) = (about.horizon_ratio, body.points() as f64);
     let family = PI * m * m;
     let border = outline.map_or(points, |outline| length_of(outline) / body.spacing());
     let near = points.min(border * m);
@@ -57,29 +58,27 @@ pub(super) fn fits(
     let own = match body {
         // Listed points may lie close together in places.
         PlaneBody::Cloud(cloud) => LISTED * cloud.about_pairs(m * body.spacing()),
-        PlaneBody::Lattice(_) if bonds.has_families() && bonds.edges() == Some(Edges::Border) => {
+        PlaneBody::Lattice(_) if about.has_families && about.edges == Some(Edges::Border) => {
             border * (FAMILIES[0] + FAMILIES[1] * m * m)
         }
-        PlaneBody::Lattice(lattice) if bonds.has_families() => {
+        PlaneBody::Lattice(lattice) if about.has_families => {
             let sides = [lattice.columns().len(), lattice.rows().len()];
-            let holds = bonds.is_exact_at_edges() && !case.supports.is_empty();
-            let strip = match holds && sides.iter().any(|&n| takes_shares(n, bonds)) {
+            let holds = about.is_exact_at_edges && !case.supports.is_empty();
+            let strip = match holds && sides.iter().any(|&n| takes_shares(n, m)) {
                 true => STRIP * 16.0 * m * m,
                 false => 0.0,
             };
             // It is gone before the families are made.
             family * strip.max(NEIGHBOUR * points.min(distinct + crack * 2.0 * m))
         }
-        PlaneBody::Lattice(lattice)
-            if bonds.edges() == Some(Edges::Border) && !lattice.blocks().is_empty() =>
-        {
+        PlaneBody::Lattice(lattice) if about.edges == Some(Edges::Border) && !lattice.blocks().is_empty() => {
             let breaks = case.fracture.is_some() || case.path.is_some();
             border * if breaks { CUT_SPRINGS * m * m } else { CUT_BORDER[0] + CUT_BORDER[1] * m }
         }
-        PlaneBody::Lattice(_) if bonds.edges() == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
+        PlaneBody::Lattice(_) if about.edges == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
             ENDED * border * 2.0 / 3.0 * m.powi(3)
         }
-        _ if bonds.edges().is_some_and(Edges::is_exact) => 0.0,
+        _ if about.edges.is_some_and(Edges::is_exact) => 0.0,
         _ => OWN * 0.5 * family * near,
     };
     let of_images = match body {

@@ -1,7 +1,8 @@
 //! Resultants of what acts on a body in the plane.
 
 use super::super::Resultant;
-use super::{PlaneBonds, PlaneScene, PlaneState};
+use super::{PlaneScene, PlaneState};
+use crate::model::Material;
 use peristat_assembly::model::plane::PlaneModel;
 
 impl PlaneScene {
@@ -49,7 +50,7 @@ impl PlaneScene {
 
     /// Resultant of forces on the unknowns, component by component.
     pub fn resultant(&self, forces: &[f64]) -> Resultant {
-        resultant(&*self.model, self.bonds(), forces)
+        resultant(&*self.model, self.material(), forces)
     }
 }
 
@@ -66,9 +67,20 @@ pub(super) fn statical(model: &dyn PlaneModel) -> [bool; 3] {
     }
 }
 
+/// Adds a force, N, at a position to a resultant: what a shell has along its circumference turns it about its axis.
+pub(super) fn add_force(material: &dyn Material, to: &mut Resultant, force: [f64; 2], at: [f64; 2]) {
+    match material.cylinder_radius() {
+        Some(radius) => {
+            to.add([force[0], 0.0], [0.0; 2]);
+            to.add_moment(radius * force[1]);
+        }
+        None => to.add(force, at),
+    }
+}
+
 /// Resultant of forces on the unknowns of a model, component by component. What acts on an image acts on its point, in its
 /// mirror.
-pub(super) fn resultant(model: &dyn PlaneModel, bonds: &PlaneBonds, forces: &[f64]) -> Resultant {
+pub(super) fn resultant(model: &dyn PlaneModel, material: &dyn Material, forces: &[f64]) -> Resultant {
     let n = model.points();
     let turning = model.component("phi").map(|(_, phi)| phi.scale);
     let lattice = model.lattice().filter(|(_, mirrors)| !mirrors.is_none());
@@ -85,7 +97,7 @@ pub(super) fn resultant(model: &dyn PlaneModel, bonds: &PlaneBonds, forces: &[f6
             (0..2).for_each(|k| force[k] *= signs[k]);
             at = lattice.place_of(cell);
         }
-        bonds.add_force(&mut sum, force, at);
+        add_force(material, &mut sum, force, at);
         if turn != 0.0 {
             sum.add_moment(turn);
         }

@@ -1,12 +1,12 @@
 //! Keys of supports of a body in the plane.
 
-use super::bonds::PlaneBonds;
 use crate::case::Support;
 use crate::diagnostic::{Faults, JsonPath, positive};
+use crate::model::Material;
 
 /// Adds a fault for every key of a support that does not fit a body in the plane, or another key.
-pub(super) fn check(support: &Support, bonds: &PlaneBonds, path: &JsonPath, faults: &mut Faults) {
-    let (points_turn, deflects) = (bonds.has("phi"), bonds.has("w"));
+pub(super) fn check(support: &Support, material: &dyn Material, path: &JsonPath, faults: &mut Faults) {
+    let (points_turn, deflects) = (material.has("phi"), material.has("w"));
     let foreign = [
         ("w", support.w.is_some() && !deflects, "a body in the plane is held by `ux` and `uy`"),
         (

@@ -1,6 +1,5 @@
 //! Supports of a body in the plane.
 
-use super::bonds::PlaneBonds;
 use super::boundary::{self, Stretch};
 use super::conditions::HeldPoints;
 use super::ground::{Ground, Spot};
@@ -11,6 +10,7 @@ use super::symmetry::Symmetry;
 use super::{model::Recipe, root, support_keys};
 use crate::case::{Rigid, Support};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::model::Material;
 use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::plane::PlaneModel;
 use peristat_assembly::stiffness::Spring;
@@ -48,19 +48,19 @@ const EXAMPLE: &str =
 pub(super) fn held(
     ground: &Ground,
     symmetry: &Symmetry,
-    bonds: &PlaneBonds,
+    material: &dyn Material,
     faults: &mut Faults,
 ) -> Vec<Held> {
     let case = ground.case;
     if case.supports.is_empty() && case.rigid.is_empty() && case.symmetry.is_empty() {
-        let hint = if bonds.is_revolved() { REVOLVED_EXAMPLE } else { EXAMPLE };
+        let hint = if material.is_revolved() { REVOLVED_EXAMPLE } else { EXAMPLE };
         faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(hint);
     }
     let each = case.supports.iter().enumerate();
-    let shares = EdgeShares::new(bonds);
+    let shares = EdgeShares::new(material);
     each.filter_map(|(k, support)| {
         let path = root("supports").index(k);
-        support_keys::check(support, bonds, &path, faults);
+        support_keys::check(support, material, &path, faults);
         let at = path.key("at");
         if support.at.inward.is_some() {
             faults.error(at.key("inward"), "`inward` is for probes").hint(super::ground::PLACE);
@@ -71,7 +71,7 @@ pub(super) fn held(
         held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
         // Of a shell the outermost points are held: shares of one axial stress leave out what it does across the surface.
         if let (PlaneBody::Lattice(lattice), Some(name), false) =
-            (ground.body, &support.at.region, bonds.has("w"))
+            (ground.body, &support.at.region, material.cylinder_radius().is_some())
         {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
             held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, &shares));

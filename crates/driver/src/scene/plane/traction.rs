@@ -143,7 +143,7 @@ pub(super) fn resolve(
 
 /// Area of some stretches, m².
 pub(super) fn area(stretches: &[Stretch], context: &Context) -> f64 {
-    stretches.iter().flat_map(Stretch::samples).map(|s| s.length * context.bonds.across(s.at)).sum()
+    stretches.iter().flat_map(Stretch::samples).map(|s| s.length * context.material.across(s.at)).sum()
 }
 
 /// A contact pressure by places along its edge.
@@ -215,7 +215,7 @@ fn check_sharing(load: &Traction, on: &OnBorder, context: &Context, path: &JsonP
             "leave `sharing` out: on slanted edges tractions are `lumped` unless one stress has all of them",
         );
     }
-    if context.bonds.calibration() == Calibration::Published {
+    if context.material.about().calibration == Calibration::Published {
         faults
             .warning(
                 path.key("sharing"),
@@ -229,7 +229,7 @@ fn check_sharing(load: &Traction, on: &OnBorder, context: &Context, path: &JsonP
 
 /// Adds the tractions of one load case.
 pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads, faults: &mut Faults) {
-    let matched = context.bonds.calibration() == Calibration::Matched;
+    let matched = context.material.about().calibration == Calibration::Matched;
     let pulled = context.ground.case.periodic.iter().any(|p| p.force.is_some());
     if tractions.is_empty() && !(pulled && matched) {
         return;
@@ -237,7 +237,7 @@ pub(super) fn add(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads
     // Chords of round borders are known to one stress to rounding; what it does to images is not what goes into a mirror.
     let knows_chords =
         context.symmetry.mirrors.is_none() && context.model.is_some_and(|model| model.follows_border());
-    if (context.bonds.has("phi") || knows_chords) && add_uniform(tractions, context, to) {
+    if (context.material.has("phi") || knows_chords) && add_uniform(tractions, context, to) {
         // Beside the border rotations of one stress are in balance by its own loads only.
         return;
     }
@@ -301,7 +301,7 @@ fn add_uniform(tractions: &[OnBorder], context: &Context, to: &mut PlaneLoads) -
 
 /// Whether a traction may be consistent, by what is asked for and by the calibration.
 pub(super) fn may_be_consistent(traction: &OnBorder, context: &Context) -> bool {
-    let matched = context.bonds.calibration() == Calibration::Matched;
+    let matched = context.material.about().calibration == Calibration::Matched;
     match traction.sharing {
         Some(sharing) => sharing == LoadSharing::Consistent,
         None => matched,

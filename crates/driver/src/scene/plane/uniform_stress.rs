@@ -152,7 +152,7 @@ pub(super) fn find(tractions: &[OnBorder], context: &Context) -> Option<UniformS
 
 /// Forces of the divergence that a uniform shear has in a body of revolution.
 fn divergence(stress: [f64; 3], context: &Context) -> Forces {
-    if !context.bonds.is_revolved() || stress[2] == 0.0 {
+    if !context.material.is_revolved() || stress[2] == 0.0 {
         return Vec::new();
     }
     let force = |p: u32| {
@@ -170,11 +170,11 @@ fn along_joined_sides(conditions: &mut Conditions, context: &Context) {
         let along = [f64::from(u8::from(axis == 0)), f64::from(u8::from(axis == 1)), 0.0];
         if mirrors.stretches[axis] {
             conditions.need(along, periodic::stress(axis, context).unwrap_or(0.0));
-        } else if axis == 1 && context.bonds.has("w") {
+        } else if axis == 1 && context.material.has("w") {
             // A tube grows wider as it likes.
             conditions.settle(along, 0.0);
         } else if mirrors.joined[axis] || mirrors.lines[axis].iter().all(Option::is_some) {
-            conditions.settle(context.bonds.strain_row(axis), 0.0);
+            conditions.settle(context.material.strain_row(axis), 0.0);
         }
     }
 }

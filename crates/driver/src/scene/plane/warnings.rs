@@ -1,8 +1,9 @@
 //! Doubts about a body in the plane that can be solved.
 
-use super::{PlaneBonds, PlaneScene, clamped, gaps, held_corner, orthotropic, root, shell, state_based};
-use crate::case::Units;
+use super::{PlaneScene, clamped, gaps, held_corner, root};
+use crate::case::{Support, Units};
 use crate::diagnostic::{Faults, JsonPath, tidy};
+use crate::model::HeldRegion;
 
 /// Adds all warnings on a scene.
 pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
@@ -34,11 +35,11 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
             .hint("use a smaller spacing or a shorter horizon");
     }
     let uncorrected = scene.model.uncorrected();
-    if uncorrected > 0 && !scene.bonds().has("w") {
+    if uncorrected > 0 && scene.material().cylinder_radius().is_none() {
         let (s, verb) = if uncorrected == 1 { ("", "is") } else { ("s", "are") };
         faults
             .warning(
-                root("model").key(scene.bonds().name()).key("edges"),
+                root("model").key(scene.material().about().name).key("edges"),
                 format!(
                     "{uncorrected} point{s} {verb} too soft, and stresses there are too small: nothing completes the bonds that are missing"
                 ),
@@ -60,17 +61,20 @@ pub(super) fn collect(scene: &PlaneScene, faults: &mut Faults) {
     }
     clamped::warn(scene, faults);
     held_corner::warn(scene, faults);
-    match scene.bonds() {
-        PlaneBonds::Central(_) => {}
-        PlaneBonds::Beams(parameters) => orthotropic::warn(parameters, faults),
-        PlaneBonds::State(parameters) => state_based::warn(parameters, scene, faults),
-        PlaneBonds::Shell(parameters) => {
-            shell::warn(parameters, uncorrected, faults);
-            shell::warn_of_held_ends(scene, faults);
-        }
+    let held: Vec<HeldRegion> = scene.case.supports.iter().enumerate().map(held).collect();
+    scene.material().warn(&scene.resolved(&held), faults);
+    for (key, value) in scene.material().youngs_moduli() {
+        modulus(value, root("model").key(scene.material().about().name).key(key), scene.units, faults);
     }
-    for (key, value) in scene.bonds().youngs_moduli() {
-        modulus(value, root("model").key(scene.bonds().name()).key(key), scene.units, faults);
+}
+
+/// What a support holds.
+fn held((k, support): (usize, &Support)) -> HeldRegion {
+    let components = [("ux", support.ux), ("uy", support.uy), ("w", support.w), ("phi", support.phi)];
+    HeldRegion {
+        region: support.at.region.clone(),
+        path: root("supports").index(k),
+        components: components.iter().filter(|c| c.1.is_some()).map(|c| c.0).collect(),
     }
 }
 

@@ -13,15 +13,15 @@ pub(crate) use estimate::times;
 pub use state::extremes;
 pub(crate) use state::{place, position};
 
+pub use crate::model::Fact;
+pub use crate::units::number;
+
 use super::{Forces, Located, ModelSummary, StateSummary, Summary};
-use crate::case::Units;
 use crate::run::{CheckResult, ProbeResult};
+use crate::units::Units;
 
 /// Rows of a table of members or supports, at most.
 const MOST_ROWS: usize = 40;
-
-/// A name and what it is.
-pub type Fact = (String, String);
 
 /// A table of names and numbers; the first column holds names, the others mostly numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,26 +46,6 @@ impl Listing {
     /// A table of all rows.
     pub fn whole(header: &[&str], rows: Vec<Vec<String>>) -> Self {
         Self { header: header.iter().map(ToString::to_string).collect(), rows, more: None }
-    }
-}
-
-/// A number with six digits, the way engineers write it.
-pub fn number(value: f64) -> String {
-    match value.abs() {
-        // Such as the load at the first break of a body that does not break.
-        size if !size.is_finite() => "none".into(),
-        0.0 => "0".into(),
-        size if (1e-3..1e6).contains(&size) => {
-            let digits = (5 - size.log10().floor() as i32).max(0) as usize;
-            let text = format!("{value:.digits$}");
-            if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
-        }
-        _ => {
-            let text = format!("{value:.5e}");
-            let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-            let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
-            format!("{mantissa}e{exponent}")
-        }
     }
 }
 
@@ -153,15 +133,4 @@ pub fn checks(checks: &[CheckResult]) -> Listing {
     };
     let header = ["check", "expected", "found", "error", "tolerance", ""];
     Listing::whole(&header, checks.iter().map(row).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::number;
-
-    #[test]
-    fn numbers_have_six_digits() {
-        let text = [0.0, 1.0, -0.003_206_24, 123_456.7, 2e11, 5.208_333_333e-7, f64::NAN].map(number);
-        assert_eq!(text, ["0", "1", "-0.00320624", "123457", "2e11", "5.20833e-7", "none"]);
-    }
 }

@@ -2,8 +2,8 @@
 
 use super::super::profile;
 use super::{Resolved, SectionAlong, scaled};
-use crate::case::Stiffness;
 use crate::diagnostic::{Faults, JsonPath, positive, tidy};
+use crate::model::Stiffness;
 use peristat_assembly::material::{Profile, SectionStiffness};
 
 /// Sections of which the stiffness is given.

@@ -6,8 +6,8 @@ mod shape;
 mod taper;
 
 use super::numbers;
-use crate::case::Beam;
 use crate::diagnostic::{Faults, JsonPath, positive};
+use crate::model::Beam;
 use peristat_assembly::material::{Profile, SectionStiffness};
 
 /// What is known of the sections of a line, by the distance from its start.

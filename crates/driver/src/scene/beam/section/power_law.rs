@@ -1,8 +1,8 @@
 //! Rectangles whose modulus varies over their height.
 
 use super::{Resolved, SectionAlong, shear_modulus};
-use crate::case::{Beam, PowerLaw};
 use crate::diagnostic::{Faults, JsonPath, positive};
+use crate::model::{Beam, PowerLaw};
 use peristat_assembly::material::{Profile, SectionStiffness, ShearCorrection};
 
 /// Shear correction factor of a rectangle.

@@ -2,8 +2,8 @@
 
 use super::taper::{self, Taper};
 use super::{Resolved, SectionAlong, scaled, shear_modulus};
-use crate::case::Beam;
 use crate::diagnostic::{Faults, JsonPath, positive};
+use crate::model::Beam;
 use peristat_assembly::material::{Profile, Section, SectionError, SectionProperties, SectionStiffness};
 
 /// Sections of a shape, which may vary linearly to that at the end.

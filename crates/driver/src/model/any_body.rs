@@ -1,0 +1,39 @@
+//! A body in the plane, whatever its model: one arm per number of unknowns of a point.
+
+use peristat_assembly::model::plane::{PlaneModel, Solvable};
+use std::ops::Deref;
+
+/// A body in the plane.
+#[derive(Clone, Debug)]
+pub enum AnyBody {
+    /// Its points have two unknowns.
+    Two(Box<dyn Solvable<2>>),
+    /// They have three.
+    Three(Box<dyn Solvable<3>>),
+}
+
+/// Evaluates an expression with the body inside an [`AnyBody`].
+macro_rules! with_body {
+    ($any:expr, $body:ident => $value:expr) => {
+        match $any {
+            $crate::model::AnyBody::Two($body) => $value,
+            $crate::model::AnyBody::Three($body) => $value,
+        }
+    };
+}
+pub(crate) use with_body;
+
+impl Deref for AnyBody {
+    type Target = dyn PlaneModel;
+
+    fn deref(&self) -> &Self::Target {
+        with_body!(self, body => &**body)
+    }
+}
+
+impl AnyBody {
+    /// The body, to change it.
+    pub(crate) fn as_mut(&mut self) -> &mut dyn PlaneModel {
+        with_body!(self, body => &mut **body)
+    }
+}

@@ -1,0 +1,121 @@
+//! Beam bonds on bodies.
+
+use super::super::{
+    About, AnyBody, Critical, CriticalStretches, Fibres, Material, MaterialSummary, Model, OnGround,
+    OnLattice, Refusal, Resolved, Surface,
+};
+use super::{BeamBonds, NAME, Orthotropic, critical, refusal, resolve, words};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::units::Units;
+use peristat_assembly::body::Cell;
+use peristat_assembly::model::beam_bond_orthotropic::{BeamBondOrthotropic, OrthotropicError};
+use peristat_assembly::model::plane::Edges;
+use std::sync::Arc;
+
+impl BeamBonds {
+    fn refusal(&self) -> impl Fn(OrthotropicError) -> Refusal {
+        let calibration = self.parameters.calibration;
+        move |error| refusal(&error, calibration)
+    }
+}
+
+impl Material for BeamBonds {
+    fn about(&self) -> About {
+        let of = &self.parameters;
+        About {
+            name: NAME,
+            components: &["ux", "uy", "phi"],
+            surface: Surface::Flat,
+            thickness: of.material.thickness,
+            horizon_ratio: of.horizon_ratio,
+            calibration: of.calibration,
+            edges: Some(of.edges),
+            is_exact_at_edges: of.edges.is_exact(),
+            ends_where_cut: false,
+            has_families: false,
+            partial_neighbours: 0.0,
+        }
+    }
+
+    fn keys(&self) -> Model {
+        Model::BeamBondOrthotropic(Orthotropic {
+            start: resolve::start(&self.parameters),
+            ..self.keys.clone()
+        })
+    }
+
+    fn usual_horizon_ratio(&self) -> f64 {
+        resolve::horizon_ratio(&self.parameters)
+    }
+
+    fn boxed(&self) -> Box<dyn Material> {
+        Box::new(self.clone())
+    }
+
+    fn youngs_moduli(&self) -> Vec<(&'static str, f64)> {
+        let material = &self.parameters.material;
+        vec![("youngs_modulus_1", material.youngs_modulus_1), ("youngs_modulus_2", material.youngs_modulus_2)]
+    }
+
+    fn set_horizon_ratio(&mut self, horizon_ratio: f64) {
+        self.parameters.horizon_ratio = horizon_ratio;
+    }
+
+    fn set_lattice_angle(&mut self, angle: f64) {
+        self.parameters.lattice_angle = angle;
+    }
+
+    fn leave_border(&mut self, edges: Edges) {
+        if self.parameters.edges == Edges::Border {
+            self.parameters.edges = edges;
+        }
+    }
+
+    fn offsets(&self) -> Result<Vec<Cell>, Refusal> {
+        BeamBondOrthotropic::offsets(&self.parameters).map_err(self.refusal())
+    }
+
+    fn depth(&self) -> Result<i32, Refusal> {
+        BeamBondOrthotropic::depth(&self.parameters).map_err(self.refusal())
+    }
+
+    fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
+        let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
+        let cuts = (on.cuts)(&lattice, &self.offsets()?);
+        let body = BeamBondOrthotropic::on_lattice(lattice, on.mirrors, self.parameters, &cuts);
+        Ok(AnyBody::Three(Box::new(body.map_err(self.refusal())?)))
+    }
+
+    fn strain_row(&self, axis: usize) -> [f64; 3] {
+        let row = self.parameters.material.compliance_at(self.parameters.fibre_angle)[axis];
+        row.map(|c| c / row[axis])
+    }
+
+    fn fibres(&self) -> Option<Fibres> {
+        let of = &self.parameters.material;
+        Some(Fibres {
+            youngs_moduli: [of.youngs_modulus_1, of.youngs_modulus_2],
+            poisson_ratio: of.poisson_ratio_12,
+            shear_modulus: of.shear_modulus_12,
+            angle: self.parameters.fibre_angle,
+        })
+    }
+
+    fn critical(
+        &self,
+        given: &mut Critical,
+        on: &OnGround,
+        path: &JsonPath,
+        faults: &mut Faults,
+    ) -> Option<CriticalStretches> {
+        critical::stretches(given, &self.parameters, on, path, faults)
+    }
+
+    fn warn(&self, _: &Resolved, faults: &mut Faults) {
+        resolve::warn(&self.parameters, faults);
+    }
+
+    fn told(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
+        words::summary(&self.parameters, units)
+    }
+}

@@ -1,0 +1,63 @@
+//! At which stretches central bonds break.
+
+use super::super::{Critical, CriticalFormula, OnGround, Refusal, foreign, needed};
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::model::bond_plane::{
+    Influence, PlaneParameters, critical_stretch, published_critical_stretch,
+};
+
+/// The stretch at which every bond breaks.
+pub(super) fn stretch(
+    given: &mut Critical,
+    parameters: &PlaneParameters,
+    on: &OnGround,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<f64> {
+    foreign(
+        &[
+            ("fibre_stretch", given.fibre_stretch),
+            ("matrix_stretch", given.matrix_stretch),
+            ("fibre_energy_release_rate", given.fibre_energy_release_rate),
+            ("matrix_energy_release_rate", given.matrix_energy_release_rate),
+            ("curvature", given.curvature),
+            ("shear_strain", given.shear_strain),
+        ],
+        "central bonds break by `stretch`, or by `energy_release_rate`",
+        path,
+        faults,
+    );
+    if given.stretch.is_some() && given.energy_release_rate.is_some() {
+        faults
+            .error(path.key("energy_release_rate"), "`stretch` and `energy_release_rate` are both given")
+            .hint("the one follows from the other: remove one of them");
+        return None;
+    }
+    let Some(rate) = given.energy_release_rate else {
+        if given.formula.is_some() {
+            faults.error(path.key("formula"), "`formula` is for energy release rates");
+        }
+        return needed(given.stretch, "stretch", path, faults);
+    };
+    needed(Some(rate), "energy_release_rate", path, faults)?;
+    let default = if on.is_lattice { CriticalFormula::Energy } else { CriticalFormula::Published };
+    match given.formula.get_or_insert(default) {
+        CriticalFormula::Published if parameters.influence != Influence::Constant => {
+            faults
+                .error(path.key("formula"), "the published formula is that of the influence `constant`")
+                .hint("use the formula `energy`, which knows the bonds");
+            None
+        }
+        CriticalFormula::Published => Some(published_critical_stretch(rate, parameters, on.horizon)),
+        CriticalFormula::Energy if !on.is_lattice => {
+            faults
+                .error(path.key("formula"), "the formula `energy` needs the bonds of a lattice")
+                .hint("use `published`, or give `stretch`");
+            None
+        }
+        CriticalFormula::Energy => {
+            let found = critical_stretch(rate, parameters, on.spacing).map_err(Refusal::from);
+            found.map_err(|refusal| refusal.tell("bond_plane", on.horizon_key, faults)).ok()
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! The model `bond_plane` of a case.
+
+use super::super::PlaneState;
+use super::PlaneBondLaw;
+use peristat_assembly::model::bond_plane::{Influence, VolumeFactor};
+use peristat_assembly::model::plane::{Calibration, Edges};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A body in the plane of isotropic central bonds.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plane {
+    /// Young's modulus E, > 0.
+    pub youngs_modulus: f64,
+    /// Plane stress or plane strain.
+    pub state: PlaneState,
+    /// Thickness, > 0; 1 if not given.
+    #[serde(default = "one")]
+    pub thickness: f64,
+    /// Poisson's ratio ν: 1/3 in plane stress, 1/4 in plane strain. Central bonds have no other; it need not be given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub poisson_ratio: Option<f64>,
+    /// How the stiffness of bonds depends on their length; `constant` if not given.
+    #[serde(default)]
+    pub influence: Influence,
+    /// Where the stiffness of bonds comes from; `published` where bonds break or soften and edges are not completed, else
+    /// `matched`, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<Calibration>,
+    /// Volume of points at the edge of the horizon, with the calibration `published`; `ramp` if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume_factor: Option<VolumeFactor>,
+    /// What is done about the bonds that points near edges lack; `border` with the calibration `matched`, `none` with
+    /// `published`, if not given. Where there is no `border` it is `overlay`, and `none` where bonds soften.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edges: Option<Edges>,
+    /// What bonds do beyond their elastic range; they have none if not given. It needs `path`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bond_law: Option<PlaneBondLaw>,
+}
+
+fn one() -> f64 {
+    1.0
+}

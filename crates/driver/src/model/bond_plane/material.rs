@@ -1,0 +1,105 @@
+//! Central bonds on bodies.
+
+use super::super::material::isotropic_strain;
+use super::super::{
+    About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
+    Refusal, Resolved, SofteningBonds, Surface,
+};
+use super::{Central, Plane, critical, soften, words};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::units::Units;
+use peristat_assembly::body::Cell;
+use peristat_assembly::model::bond_plane::{BondPlane, VolumeFactor};
+use peristat_assembly::model::plane::{Calibration, Edges};
+use std::sync::Arc;
+
+impl Material for Central {
+    fn about(&self) -> About {
+        let of = &self.parameters;
+        let partial = of.calibration == Calibration::Published
+            && matches!(of.volume_factor, VolumeFactor::Ramp | VolumeFactor::Area);
+        About {
+            name: "bond_plane",
+            components: &["ux", "uy"],
+            surface: Surface::Flat,
+            thickness: of.material.thickness,
+            horizon_ratio: of.horizon_ratio,
+            calibration: of.calibration,
+            edges: Some(of.edges),
+            is_exact_at_edges: of.edges.is_exact(),
+            ends_where_cut: false,
+            has_families: false,
+            partial_neighbours: if partial { 0.5 } else { 0.0 },
+        }
+    }
+
+    fn keys(&self) -> Model {
+        Model::BondPlane(Plane { edges: Some(self.parameters.edges), ..self.keys.clone() })
+    }
+
+    fn boxed(&self) -> Box<dyn Material> {
+        Box::new(self.clone())
+    }
+
+    fn youngs_moduli(&self) -> Vec<(&'static str, f64)> {
+        vec![("youngs_modulus", self.parameters.material.youngs_modulus)]
+    }
+
+    fn set_horizon_ratio(&mut self, horizon_ratio: f64) {
+        self.parameters.horizon_ratio = horizon_ratio;
+    }
+
+    fn leave_border(&mut self, edges: Edges) {
+        if self.parameters.edges == Edges::Border {
+            self.parameters.edges = edges;
+        }
+    }
+
+    fn offsets(&self) -> Result<Vec<Cell>, Refusal> {
+        Ok(BondPlane::offsets(&self.parameters)?)
+    }
+
+    fn depth(&self) -> Result<i32, Refusal> {
+        Ok(BondPlane::depth(&self.parameters)?)
+    }
+
+    fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
+        let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
+        let cuts = (on.cuts)(&lattice, &self.offsets()?);
+        let body = BondPlane::on_lattice(lattice, on.mirrors, self.parameters, &cuts)?;
+        Ok(AnyBody::Two(Box::new(body)))
+    }
+
+    fn on_points(
+        &self,
+        (positions, areas): (Vec<[f64; 2]>, Vec<f64>),
+        horizon: f64,
+        cut: &dyn Fn([f64; 2], [f64; 2]) -> bool,
+    ) -> Result<AnyBody, Refusal> {
+        let body = BondPlane::on_cloud(positions, areas, horizon, self.parameters, cut)?;
+        Ok(AnyBody::Two(Box::new(body)))
+    }
+
+    fn strain_row(&self, axis: usize) -> [f64; 3] {
+        isotropic_strain(axis, 1.0 / 3.0)
+    }
+
+    fn critical(
+        &self,
+        given: &mut Critical,
+        on: &OnGround,
+        path: &JsonPath,
+        faults: &mut Faults,
+    ) -> Option<CriticalStretches> {
+        let stretch = critical::stretch(given, &self.parameters, on, path, faults)?;
+        Some(CriticalStretches::alike(stretch, self.offsets().ok().as_deref()))
+    }
+
+    fn soften(&self, on: &OnGround, faults: &mut Faults) -> Option<SofteningBonds> {
+        soften::bonds(self.keys.bond_law.as_ref()?, &self.parameters, on, faults)
+    }
+
+    fn told(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
+        words::summary(&self.parameters, units)
+    }
+}
