@@ -158,7 +158,7 @@ fn imbalance(asked: &Resultant, state: &StateResult) -> f64 {
                 add(force, held.moment.unwrap_or(0.0), [0.0; 2]);
             }
         }
-        StateResult::Plane(plane) => {
+        StateResult::Body(plane) => {
             for (k, r) in plane.reactions.iter().enumerate() {
                 let at = r.centre.or(asked.places.get(k).copied()).unwrap_or_default();
                 add([r.force_x, r.force_y], r.moment.unwrap_or(0.0), at);

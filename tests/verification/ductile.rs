@@ -6,7 +6,7 @@
 use crate::support::plane::scene;
 use peristat::run::fracture::Restart;
 use peristat::run::path::{PathPoint, PathReport};
-use peristat::run::{Advance, RunOptions, Sink, StateResult, plane};
+use peristat::run::{Advance, RunOptions, Sink, StateResult, body};
 use serde_json::{Value, json};
 use std::io;
 
@@ -57,7 +57,7 @@ struct Followed {
 
 fn follow(case: &Value) -> Followed {
     let (scene, mut told) = (scene(case).unwrap_or_else(|faults| panic!("{faults}")), Told::default());
-    let report = plane::run_softening(
+    let report = body::run_softening(
         &scene,
         &RunOptions { recover: false, max_memory: None, compare: false },
         &mut told,

@@ -4,7 +4,7 @@
 
 use crate::support::plane::{probe, refusal, scene};
 use peristat::run::fracture::{Event, FractureReport, Restart};
-use peristat::run::{Advance, RunOptions, Sink, StateResult, plane};
+use peristat::run::{Advance, RunOptions, Sink, StateResult, body};
 use serde_json::{Value, json};
 use std::io;
 
@@ -58,7 +58,7 @@ impl Sink for Told {
 fn run(case: &Value) -> (Vec<Event>, FractureReport) {
     let (scene, mut told) = (scene(case).unwrap_or_else(|faults| panic!("{faults}")), Told::default());
     let options = RunOptions { recover: false, max_memory: None, compare: false };
-    let report = plane::run_breaking(&scene, &options, None, &mut told);
+    let report = body::run_breaking(&scene, &options, None, &mut told);
     let report = report.unwrap_or_else(|error| panic!("{error}: {case}"));
     assert!(report.converged, "not converged");
     (told.0, report.fracture.expect("a body that breaks"))

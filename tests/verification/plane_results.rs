@@ -1,6 +1,6 @@
 //! What is told of bodies in the plane after the solve: reactions, forces of mirrors, stress intensities, what was spared.
 
-use peristat::run::plane::PlaneResult;
+use peristat::run::body::BodyResult;
 use peristat::run::{RunOptions, RunReport, StateResult, taking};
 use peristat::scene::Scene;
 use peristat::summary::Summary;
@@ -8,24 +8,24 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// Solves a case with all fields.
-fn solve(case: &Value) -> (Summary, PlaneResult) {
+fn solve(case: &Value) -> (Summary, BodyResult) {
     let solved = peristat::solve_text(&format!("{case:#}")).expect("a case that can be solved");
     assert!(solved.summary.states.iter().all(|s| s.certificate.converged));
     match solved.states.into_iter().next_back() {
-        Some(StateResult::Plane(result)) => (solved.summary, result),
+        Some(StateResult::Body(result)) => (solved.summary, result),
         _ => panic!("the case is one of a body in the plane"),
     }
 }
 
 /// Solves a case without fields that nobody asks for.
-fn report(case: &Value) -> (RunReport, Vec<PlaneResult>) {
+fn report(case: &Value) -> (RunReport, Vec<BodyResult>) {
     let text = format!("{case:#}");
     let source = peristat::case::from_text("case", text.clone(), &[]).expect("a case that can be solved");
     let scene =
         Scene::new(source.case, Path::new("."), "case", &text, None).expect("a case that can be solved");
     let mut results = Vec::new();
     let mut take = taking(|result| {
-        if let StateResult::Plane(result) = result {
+        if let StateResult::Body(result) = result {
             results.push(result);
         }
         Ok(())
@@ -67,7 +67,7 @@ fn reactions_balance_loads() {
     let (summary, result) = solve(&case);
     assert_eq!(result.reactions.len(), 3);
     let sum =
-        |of: fn(&peristat::run::plane::PlaneReaction) -> f64| result.reactions.iter().map(of).sum::<f64>();
+        |of: fn(&peristat::run::body::BodyReaction) -> f64| result.reactions.iter().map(of).sum::<f64>();
     // 5e-14 of the largest reaction is found.
     let size =
         result.reactions.iter().flat_map(|r| [r.force_x, r.force_y]).fold(0.0, |a: f64, f| a.max(f.abs()));

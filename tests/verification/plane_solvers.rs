@@ -28,7 +28,7 @@ fn solve(case: &Path, solver: &str) -> (Vec<Vec<f64>>, Summary) {
     let options = RunOptions { recover: false, max_memory: None, compare: false };
     let mut all = Vec::new();
     let mut take = taking(|state| {
-        if let StateResult::Plane(result) = state {
+        if let StateResult::Body(result) = state {
             all.push(result.record.u);
         }
         Ok(())
@@ -49,7 +49,7 @@ fn every_plate_passes_with_the_direct_solver_and_multigrid_agrees() {
             summary.checks.iter().filter(|c| !c.passed).map(|c| c.name.as_str()).collect();
         assert!(failed.is_empty(), "{name}: {failed:?}");
         let listed = Loaded::read(&case, &[], None).map(|l| match l.scene {
-            Scene::Plane(scene) => scene.outline().is_none(),
+            Scene::Body(scene) => scene.outline().is_none(),
             Scene::Beam(_) => panic!("{name} is a beam"),
         });
         let solver = if listed.unwrap_or_else(|e| panic!("{e}")) { "pcg" } else { "multigrid" };

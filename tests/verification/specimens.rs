@@ -5,8 +5,8 @@
 
 use crate::support::handbook;
 use crate::support::plane::{displacements, refusal, scene};
-use peristat::run::{RunOptions, plane};
-use peristat::scene::PlaneScene;
+use peristat::run::{RunOptions, body};
+use peristat::scene::BodyScene;
 use peristat::summary::Summary;
 use peristat_assembly::body::plus;
 use serde_json::{Value, json};
@@ -70,7 +70,7 @@ fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
 }
 
 /// All bonds of the lattice but those inside one rigid region, cut ones included.
-fn bonds_outside_pins(scene: &PlaneScene) -> usize {
+fn bonds_outside_pins(scene: &BodyScene) -> usize {
     let (lattice, _) = scene.model.lattice().expect("a lattice");
     let offsets = scene.material().offsets().expect("bonds");
     let pin =
@@ -96,7 +96,7 @@ fn a_compact_tension_specimen_has_the_points_bonds_and_unknowns_of_an_independen
         let scene = scene(&compact_tension(cells, 25.0, 60.0)).unwrap();
         let (lattice, _) = scene.model.lattice().unwrap();
         let cut = scene.cuts(lattice, &scene.material().offsets().unwrap()).len();
-        let sizes = plane::sizes(&scene, &RunOptions::default()).unwrap();
+        let sizes = body::sizes(&scene, &RunOptions::default()).unwrap();
         let found = [sizes.points, bonds_outside_pins(&scene), cut, sizes.unknowns];
         assert_eq!(found, expected, "{cells} cells per quarter of the width");
     }

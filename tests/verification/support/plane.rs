@@ -1,16 +1,16 @@
 //! Bodies in the plane: running a case, fields at all points, values of probes.
 
 use peristat::case::{FieldName, from_text};
-use peristat::run::plane::{self, PlaneResult};
+use peristat::run::body::{self, BodyResult};
 use peristat::run::{RunOptions, RunReport};
-use peristat::scene::{PlaneScene, Scene};
+use peristat::scene::{BodyScene, Scene};
 use serde_json::{Value, json};
 use std::path::Path;
 
 /// A scene in the plane with its results.
 pub(crate) struct PlaneRun {
-    pub(crate) scene: PlaneScene,
-    pub(crate) states: Vec<PlaneResult>,
+    pub(crate) scene: BodyScene,
+    pub(crate) states: Vec<BodyResult>,
     pub(crate) report: RunReport,
 }
 
@@ -28,7 +28,7 @@ fn solve_with(case: &Value, recover: bool) -> PlaneRun {
     let scene = scene(case).unwrap_or_else(|faults| panic!("{faults}"));
     let mut states = Vec::new();
     let report =
-        plane::run(&scene, &RunOptions { recover, max_memory: None, compare: false }, &mut |state| {
+        body::run(&scene, &RunOptions { recover, max_memory: None, compare: false }, &mut |state| {
             states.push(state);
             Ok(())
         });
@@ -38,10 +38,10 @@ fn solve_with(case: &Value, recover: bool) -> PlaneRun {
 }
 
 /// Resolves a case in the plane, or returns the report of its faults as text.
-pub(crate) fn scene(case: &Value) -> Result<PlaneScene, String> {
+pub(crate) fn scene(case: &Value) -> Result<BodyScene, String> {
     let source = from_text("case", format!("{case:#}"), &[]).map_err(|e| e.to_string())?;
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
-    Ok(scene.map_err(|e| e.to_string())?.into_plane().expect("a body in the plane"))
+    Ok(scene.map_err(|e| e.to_string())?.into_body().expect("a body in the plane"))
 }
 
 /// What is said about a case that cannot be solved.

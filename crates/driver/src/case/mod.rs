@@ -3,6 +3,7 @@
 mod body;
 mod condition;
 mod expectation;
+mod facts;
 mod field;
 mod foundation;
 mod fracture;
@@ -26,6 +27,7 @@ pub use condition::{
     Sine, Steps, Support,
 };
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Value};
+pub use facts::{FRACTURE_FACTS, PATH_FACTS};
 pub use field::{Field, FieldName, Origin, Unit};
 pub use foundation::Foundation;
 pub use fracture::{CrackDirection, Fracture, Strategy};

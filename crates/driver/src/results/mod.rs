@@ -3,6 +3,7 @@
 
 mod any_curve;
 mod beam;
+mod body;
 mod claim;
 mod curve;
 mod digest;
@@ -10,7 +11,6 @@ mod envelope;
 mod factor;
 mod inputs;
 mod path_curve;
-mod plane;
 mod report;
 mod restart;
 mod resume;
@@ -91,7 +91,7 @@ pub fn finite(result: &StateResult) -> bool {
     finite(&result.record().u)
         && match result {
             StateResult::Beam(result) => beam::fields(result).all(|(_, values)| finite(&values)),
-            StateResult::Plane(result) => plane::finite(result),
+            StateResult::Body(result) => body::finite(result),
         }
 }
 
@@ -181,11 +181,11 @@ impl Results {
                 let draw = || beam::draw(plots.as_deref(), scene, result, share);
                 (crate::run::beam::probes(scene, result), is_drawn.then(draw).transpose()?)
             }
-            (Scene::Plane(scene), StateResult::Plane(result)) => {
-                plane::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
+            (Scene::Body(scene), StateResult::Body(result)) => {
+                body::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
                 self.files.extend(scene.lines.iter().map(|line| format!("fields/{name}_{}.csv", line.name)));
-                let draw = || plane::draw(plots.as_deref(), scene, result);
-                (crate::run::plane::probes(scene, result), is_drawn.then(draw).transpose()?)
+                let draw = || body::draw(plots.as_deref(), scene, result);
+                (crate::run::body::probes(scene, result), is_drawn.then(draw).transpose()?)
             }
             _ => unreachable!("a scene has results of its own kind"),
         };

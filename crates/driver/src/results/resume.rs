@@ -160,7 +160,7 @@ mod tests {
         });
         loaded.run(&options, None, &mut keep).unwrap_or_else(|e| panic!("{e}"));
         drop(keep);
-        let Scene::Plane(scene) = &mut loaded.scene else { panic!("a plate is in the plane") };
+        let Scene::Body(scene) = &mut loaded.scene else { panic!("a plate is in the plane") };
         scene.case.fracture = Some(Fracture {
             critical: Critical { stretch: Some(0.1), ..Critical::default() },
             strategy: None,
@@ -331,7 +331,7 @@ mod tests {
         go_on(&mut results, &loaded.scene, &states, 0..2);
         drop(results);
         let change = |loaded: &mut Loaded, change: &dyn Fn(&mut Fracture)| {
-            let Scene::Plane(scene) = &mut loaded.scene else { panic!("a plate is in the plane") };
+            let Scene::Body(scene) = &mut loaded.scene else { panic!("a plate is in the plane") };
             scene.case.title = "another".into();
             change(scene.case.fracture.as_mut().unwrap());
         };

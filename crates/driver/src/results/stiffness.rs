@@ -2,9 +2,9 @@
 
 use crate::model::with_body;
 use crate::output::matrix_market;
+use crate::run::body::BodyProblem;
 use crate::run::{RunError, RunOptions, Sizes, beam, prepare};
 use crate::scene::Scene;
-use crate::scene::plane::PlaneProblem;
 use crate::{Error, Loaded};
 use peristat_assembly::model::Component;
 use peristat_assembly::system::System;
@@ -34,8 +34,8 @@ pub fn write(loaded: &Loaded, file: &Path) -> Result<(), Error> {
                 }
             }
         }
-        Scene::Plane(scene) => with_body!(&scene.model, body => {
-            let problem = PlaneProblem::new(scene, body.clone());
+        Scene::Body(scene) => with_body!(&scene.model, body => {
+            let problem = BodyProblem::new(scene, body.clone());
             let system = prepare(&problem, &RunOptions::default());
             write_stiffness(loaded, system, file, &in_plane(scene.model.components()))
         }),

@@ -1,6 +1,7 @@
 //! Running a scene: assemble, factor, solve every state, certify, recover.
 
 pub mod beam;
+pub mod body;
 mod certificate;
 mod drift;
 mod extent;
@@ -13,7 +14,6 @@ mod memory;
 mod method;
 mod multigrid;
 pub mod path;
-pub mod plane;
 mod problem;
 mod range;
 mod refine;
@@ -25,13 +25,13 @@ mod weigh;
 mod workspace;
 
 pub use beam::BeamResult;
+pub use body::BodyResult;
 pub(crate) use certificate::{ASKED, FEW_DIGITS};
 pub use certificate::{Balance, Certificate};
 pub use factor::{SolveFailure, SolverReport};
 pub use linear::LinearSolver;
 pub(crate) use method::TOO_MANY_POINTS;
 pub use multigrid::Coarser;
-pub use plane::PlaneResult;
 pub use problem::{Problem, Sizes, Spread, prepare};
 pub(crate) use range::Range;
 pub use resultants::{Resultants, Total};
@@ -185,7 +185,7 @@ pub enum StateResult {
     /// Of a beam or frame.
     Beam(BeamResult),
     /// Of a body in the plane.
-    Plane(PlaneResult),
+    Body(BodyResult),
 }
 
 impl StateResult {
@@ -193,7 +193,7 @@ impl StateResult {
     pub fn record(&self) -> &StateRecord {
         match self {
             Self::Beam(result) => &result.record,
-            Self::Plane(result) => &result.record,
+            Self::Body(result) => &result.record,
         }
     }
 }
@@ -203,7 +203,7 @@ impl StateResult {
     fn record_mut(&mut self) -> &mut StateRecord {
         match self {
             Self::Beam(result) => &mut result.record,
-            Self::Plane(result) => &mut result.record,
+            Self::Body(result) => &mut result.record,
         }
     }
 }
@@ -220,15 +220,13 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     match scene {
         Scene::Beam(scene) if scene.fracture.is_some() => beam::run_breaking(scene, options, resume, sink),
-        Scene::Plane(scene) if scene.fracture.is_some() => plane::run_breaking(scene, options, resume, sink),
-        Scene::Plane(scene) if scene.path.is_some() && resume.is_none() => {
-            plane::run_softening(scene, options, sink)
+        Scene::Body(scene) if scene.fracture.is_some() => body::run_breaking(scene, options, resume, sink),
+        Scene::Body(scene) if scene.path.is_some() && resume.is_none() => {
+            body::run_softening(scene, options, sink)
         }
         _ if resume.is_some() => Err(RunError::NotResumable),
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),
-        Scene::Plane(scene) => {
-            plane::run(scene, options, &mut |result| sink.take(StateResult::Plane(result)))
-        }
+        Scene::Body(scene) => body::run(scene, options, &mut |result| sink.take(StateResult::Body(result))),
     }
 }
 
@@ -239,7 +237,7 @@ pub fn run(
 pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
     match scene {
         Scene::Beam(scene) => beam::sizes(scene, options),
-        Scene::Plane(scene) => plane::sizes(scene, options),
+        Scene::Body(scene) => body::sizes(scene, options),
     }
 }
 

@@ -19,7 +19,7 @@ impl Scene {
         hasher.update(env!("CARGO_PKG_VERSION").as_bytes());
         hasher.update(self.essence()?.to_string().as_bytes());
         // A file may change while its name stays.
-        if let Self::Plane(scene) = self
+        if let Self::Body(scene) = self
             && let Some(content) = scene.file()
         {
             hasher.update(content.as_bytes());

@@ -3,6 +3,7 @@
 //! Every family of models has its own kind of scene; what they share is here.
 
 pub mod beam;
+pub mod body;
 mod expectation;
 mod files;
 mod fingerprint;
@@ -10,16 +11,15 @@ pub mod fracture;
 mod horizon;
 mod numbers;
 pub mod path;
-pub mod plane;
 mod probes;
 mod resultant;
 mod states;
 pub(crate) mod words;
 
 pub use beam::BeamScene;
+pub use body::BodyScene;
 pub use expectation::{Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
-pub use plane::PlaneScene;
 pub use resultant::Resultant;
 
 use crate::case::Case;
@@ -32,7 +32,7 @@ pub enum Scene {
     /// A beam, or a frame of beams.
     Beam(Box<BeamScene>),
     /// A body in the plane.
-    Plane(Box<PlaneScene>),
+    Body(Box<BodyScene>),
 }
 
 fn check_title(title: &str, faults: &mut Faults) {
@@ -60,7 +60,7 @@ impl Scene {
         check_title(&case.title, &mut faults);
         let resolved = match case.model.keys().map_err(Clone::clone) {
             Ok(_) => {
-                PlaneScene::new(case, folder, max_memory, faults).map(|scene| Self::Plane(Box::new(scene)))
+                BodyScene::new(case, folder, max_memory, faults).map(|scene| Self::Body(Box::new(scene)))
             }
             Err(beam) => BeamScene::new(case, beam, folder, max_memory, faults)
                 .map(|scene| Self::Beam(Box::new(scene))),
@@ -72,7 +72,7 @@ impl Scene {
     pub fn case(&self) -> &Case {
         match self {
             Self::Beam(scene) => &scene.case,
-            Self::Plane(scene) => &scene.case,
+            Self::Body(scene) => &scene.case,
         }
     }
 
@@ -80,7 +80,7 @@ impl Scene {
     pub fn files(&self) -> &[InputFile] {
         match self {
             Self::Beam(scene) => &scene.files,
-            Self::Plane(scene) => &scene.files,
+            Self::Body(scene) => &scene.files,
         }
     }
 
@@ -88,7 +88,7 @@ impl Scene {
     pub fn warnings(&self) -> &Faults {
         match self {
             Self::Beam(scene) => &scene.warnings,
-            Self::Plane(scene) => &scene.warnings,
+            Self::Body(scene) => &scene.warnings,
         }
     }
 
@@ -96,7 +96,7 @@ impl Scene {
     pub fn states(&self) -> usize {
         match self {
             Self::Beam(scene) => scene.states.len(),
-            Self::Plane(scene) => scene.states.len(),
+            Self::Body(scene) => scene.states.len(),
         }
     }
 
@@ -109,15 +109,15 @@ impl Scene {
     pub fn into_beam(self) -> Option<BeamScene> {
         match self {
             Self::Beam(scene) => Some(*scene),
-            Self::Plane(_) => None,
+            Self::Body(_) => None,
         }
     }
 
     /// The scene of a body in the plane.
-    pub fn into_plane(self) -> Option<PlaneScene> {
+    pub fn into_body(self) -> Option<BodyScene> {
         match self {
             Self::Beam(_) => None,
-            Self::Plane(scene) => Some(*scene),
+            Self::Body(scene) => Some(*scene),
         }
     }
 }

@@ -4,7 +4,6 @@ use super::root;
 use crate::case::{Case, Path, PathControl, Solver, Turn};
 use crate::diagnostic::{Faults, suggest};
 use crate::model::SofteningBonds;
-use crate::run::path::Goal;
 use peristat_assembly::law::Bilinear;
 use peristat_assembly::stiffness::Kinematics;
 
@@ -35,6 +34,15 @@ pub struct PathScene {
     pub max_steps: usize,
     /// Steps from one record of all fields to the next.
     pub record_every: usize,
+}
+
+/// Where the path turns next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Goal {
+    /// Where the load factor has this value.
+    LoadFactor(f64),
+    /// Where the load has this value, the load factor falling.
+    Load(f64),
 }
 
 /// `s_f/s_y` below which bodies are expected to snap back.

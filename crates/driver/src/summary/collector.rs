@@ -1,7 +1,7 @@
 //! What the summary needs of states, collected as they come.
 
 use super::doubts::Doubts;
-use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, plane};
+use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, body};
 use crate::case::{Case, Check};
 use crate::memory;
 use crate::run::{ASKED, CheckResult, FEW_DIGITS, ProbeResult, Range, RunReport, StateResult};
@@ -24,7 +24,7 @@ impl Collector {
     pub fn take(&mut self, scene: &Scene, result: &StateResult) {
         let (state, probes, checks) = match (scene, result) {
             (Scene::Beam(scene), StateResult::Beam(result)) => beam::state(scene, result),
-            (Scene::Plane(scene), StateResult::Plane(result)) => plane::state(scene, result),
+            (Scene::Body(scene), StateResult::Body(result)) => body::state(scene, result),
             _ => unreachable!("a scene has results of its own kind"),
         };
         self.doubts.take(scene, result, &state);
@@ -50,7 +50,7 @@ impl Collector {
     pub fn restore(scene: &Scene, saved: &str) -> serde_json::Result<Self> {
         match scene {
             Scene::Beam(_) => Self::read(saved, Forces::Beam),
-            Scene::Plane(_) => Self::read(saved, Forces::Plane),
+            Scene::Body(_) => Self::read(saved, Forces::Body),
         }
     }
 
@@ -93,7 +93,7 @@ impl Collector {
         };
         let model = match scene {
             Scene::Beam(scene) => ModelSummary::Beam(beam::model(scene)),
-            Scene::Plane(scene) => ModelSummary::Plane(plane::model(scene)),
+            Scene::Body(scene) => ModelSummary::Body(body::model(scene)),
         };
         let envelope = if scene.has_envelope() { envelope(&self.states) } else { BTreeMap::new() };
         Summary {
@@ -217,7 +217,7 @@ mod tests {
         let plate = scene(crate::model::start("bond_plane").unwrap(), &coarse);
         let all = assert_goes_on(&plate);
         assert_eq!((all.states.len(), all.probes.len()), (2, 6));
-        let Forces::Plane(forces) = &all.states[0].forces else { panic!("a plate is in the plane") };
+        let Forces::Body(forces) = &all.states[0].forces else { panic!("a plate is in the plane") };
         assert_eq!(forces.mirrors.len(), 2);
         assert!(Collector::restore(&plate, "{}").is_err());
     }

@@ -7,9 +7,9 @@ use super::{Located, StateSummary};
 use crate::case::{Model, Units};
 use crate::run::StateResult;
 use crate::run::beam::BeamResult;
-use crate::run::plane::{Steepest, steepest};
+use crate::run::body::{Steepest, steepest};
 use crate::scene::Scene;
-use crate::scene::plane::PlaneScene;
+use crate::scene::body::BodyScene;
 use peristat_assembly::stiffness::Kinematics;
 use serde::{Deserialize, Serialize};
 
@@ -54,7 +54,7 @@ impl Doubts {
             (Scene::Beam(beam), StateResult::Beam(result)) if beam.units != Units::Dimensionless => {
                 self.take_beam(scene, result, state);
             }
-            (Scene::Plane(plane), StateResult::Plane(result)) if plane.units != Units::Dimensionless => {
+            (Scene::Body(plane), StateResult::Body(result)) if plane.units != Units::Dimensionless => {
                 self.take_displacement(state, &["ux", "uy", "w"], || size_of_plane(plane));
                 if plane.path.as_ref().is_none_or(|path| path.kinematics == Kinematics::Linear) {
                     self.take_gradients(state, steepest(plane, result));
@@ -160,7 +160,7 @@ fn diagonal(points: impl Iterator<Item = [f64; 2]>) -> f64 {
     (high[0] - low[0]).hypot(high[1] - low[1])
 }
 
-fn size_of_plane(scene: &PlaneScene) -> f64 {
+fn size_of_plane(scene: &BodyScene) -> f64 {
     diagonal((0..scene.body().points()).map(|point| scene.body().position(point))) + scene.spacing()
 }
 

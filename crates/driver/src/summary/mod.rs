@@ -1,17 +1,17 @@
 //! The record of a run: what `summary.json` holds and `--json` prints.
 
 mod beam;
+mod body;
 mod collector;
 mod doubts;
 mod estimate;
-mod plane;
 pub mod words;
 
 pub use crate::model::MaterialSummary;
 pub use beam::{BeamForces, BeamSummary};
+pub use body::{BodyForces, BodySummary};
 pub use collector::Collector;
 pub use estimate::{Estimate, Estimates, Grids};
-pub use plane::{PlaneForces, PlaneSummary};
 
 use crate::case::Units;
 use crate::run::beam::ExactState;
@@ -81,7 +81,7 @@ pub enum Forces {
     /// Of a beam or frame.
     Beam(BeamForces),
     /// Of a body in the plane.
-    Plane(PlaneForces),
+    Body(BodyForces),
 }
 
 /// Model and its derived numbers.
@@ -91,7 +91,7 @@ pub enum ModelSummary {
     /// A beam or frame.
     Beam(BeamSummary),
     /// A body in the plane.
-    Plane(PlaneSummary),
+    Body(BodySummary),
 }
 
 impl ModelSummary {
@@ -99,7 +99,7 @@ impl ModelSummary {
     pub fn spacing(&self) -> f64 {
         match self {
             Self::Beam(beam) => beam.spacing[0],
-            Self::Plane(plane) => plane.spacing,
+            Self::Body(plane) => plane.spacing,
         }
     }
 
@@ -107,7 +107,7 @@ impl ModelSummary {
     pub fn horizon(&self) -> f64 {
         match self {
             Self::Beam(beam) => beam.spacing[0] * beam.horizon_ratio[0],
-            Self::Plane(plane) => plane.spacing * plane.horizon_ratio,
+            Self::Body(plane) => plane.spacing * plane.horizon_ratio,
         }
     }
 }

@@ -34,7 +34,7 @@ impl Report {
         let states = scene.states();
         // A point of a beam is one in each of its charts, as numbers and not as bytes.
         let cost = match scene {
-            Scene::Plane(scene) => scene.body().points(),
+            Scene::Body(scene) => scene.body().points(),
             Scene::Beam(scene) => {
                 15 * scene.beam.chains().iter().map(|c| c.points).sum::<usize>().min(MOST_DRAWN)
             }

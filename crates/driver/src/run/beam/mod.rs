@@ -7,6 +7,7 @@ mod fields;
 mod fracture;
 mod law;
 mod line_points;
+mod problem;
 mod reaction;
 mod skipped;
 mod strain;

@@ -2,9 +2,9 @@
 
 use super::BeamResult;
 use super::comparison::Compared;
+use crate::case::FRACTURE_FACTS;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
-use crate::run::fracture::FACTS;
 use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
 use crate::scene::Expectation;
 use crate::scene::beam::{BeamComparison, BeamScene, ProbePoint};
@@ -36,7 +36,7 @@ pub(crate) fn checks(scene: &BeamScene, result: &BeamResult) -> Vec<CheckResult>
     let probed = |probe: usize| {
         let found = match scene.probes.get(probe) {
             Some(p) => result.value(p.field, p.local.0, p.local.1),
-            None => FACTS.get(probe - scene.probes.len()).and_then(fact),
+            None => FRACTURE_FACTS.get(probe - scene.probes.len()).and_then(fact),
         };
         found.unwrap_or(f64::NAN)
     };

@@ -14,7 +14,7 @@ mod tests;
 mod unit;
 
 pub use event::{Event, Restart};
-pub use problem::{FACTS, Facts};
+pub use problem::Facts;
 pub use report::FractureReport;
 
 pub(super) use problem::BreakingBody;

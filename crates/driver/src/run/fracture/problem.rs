@@ -2,6 +2,7 @@
 
 use super::super::{Problem, SolvedState, StateResult};
 use super::Event;
+use crate::case::FRACTURE_FACTS;
 use crate::scene::fracture::FractureScene;
 use peristat_assembly::model::Breakable;
 
@@ -39,17 +40,6 @@ pub(in super::super) trait BreakingBody<const D: usize> {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Facts(pub Vec<(String, f64)>);
 
-/// Names of the facts that every body that breaks has, in their order.
-pub const FACTS: [&str; 7] = [
-    "first_break_load_factor",
-    "first_break_load",
-    "peak_load_factor",
-    "peak_load",
-    "load_factor",
-    "broken_bonds",
-    "island_points",
-];
-
 impl Facts {
     /// Those of the equilibria so far, the last of which is the one at hand.
     pub(super) fn of(events: &[Event], more: Vec<(String, f64)>) -> Self {
@@ -67,7 +57,8 @@ impl Facts {
             Some(last.island_points as f64),
         ];
         // Where nothing breaks there is no first break.
-        let named = FACTS.iter().zip(values).filter_map(|(name, value)| Some((name.to_string(), value?)));
+        let named =
+            FRACTURE_FACTS.iter().zip(values).filter_map(|(name, value)| Some((name.to_string(), value?)));
         Self(named.chain(more).collect())
     }
 

@@ -4,16 +4,17 @@ use super::islands::Islands;
 use super::unit::{Outcome, Unit};
 use crate::case::from_text;
 use crate::model::AnyBody;
+use crate::run::body::BodyProblem;
 use crate::run::{Problem, RunOptions, Timing, prepare};
 use crate::scene::Scene;
-use crate::scene::plane::{PlaneProblem, PlaneScene};
+use crate::scene::body::BodyScene;
 use peristat_assembly::model::plane::BreakingModel;
 use peristat_assembly::system::System;
 use serde_json::json;
 use std::path::Path;
 
 /// A plate of 28 × 16 points with fibres at 45 degrees, pulled by its ends.
-fn scene() -> PlaneScene {
+fn scene() -> BodyScene {
     let case = json!({
         "title": "plate", "units": "mm-N-MPa",
         "model": { "beam_bond_orthotropic": { "youngs_modulus_1": 105000, "youngs_modulus_2": 8400,
@@ -27,10 +28,10 @@ fn scene() -> PlaneScene {
     });
     let source = from_text("case", case.to_string(), &[]).unwrap_or_else(|report| panic!("{report}"));
     let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
-    scene.unwrap_or_else(|report| panic!("{report}")).into_plane().expect("a plate")
+    scene.unwrap_or_else(|report| panic!("{report}")).into_body().expect("a plate")
 }
 
-type Plate<'a> = PlaneProblem<'a, dyn BreakingModel<3>>;
+type Plate<'a> = BodyProblem<'a, dyn BreakingModel<3>>;
 
 /// Cuts all bonds from some cells to others, and finds what has come off.
 fn cut_out(
@@ -56,7 +57,7 @@ fn cut_out(
 fn a_point_and_a_block_come_off_and_the_old_factor_finds_the_rest() {
     let scene = scene();
     let AnyBody::Three(body) = &scene.model else { panic!("beam bonds") };
-    let mut plate = PlaneProblem::new(&scene, body.breaking().unwrap());
+    let mut plate = BodyProblem::new(&scene, body.breaking().unwrap());
     let (mut system, _) = prepare::<3>(&plate, &RunOptions::default()).unwrap();
     let mut timing = Timing::default();
     let loads = vec![0.0; system.size()];

@@ -4,15 +4,7 @@ use super::super::RunError;
 use super::body::State;
 use super::course::Course;
 use super::point::Cost;
-
-/// Where the path turns next.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Goal {
-    /// Where the load factor has this value.
-    LoadFactor(f64),
-    /// Where the load has this value, the load factor falling.
-    Load(f64),
-}
+pub(super) use crate::scene::path::Goal;
 
 /// What a step has come to.
 pub(super) enum Step<const D: usize> {

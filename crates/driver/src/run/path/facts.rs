@@ -2,27 +2,7 @@
 
 use super::super::fracture::Facts;
 use super::point::PathPoint;
-
-/// Names of the facts that every such body has, in their order.
-pub const PATH_FACTS: [&str; 17] = [
-    "first_yield_load_factor",
-    "first_yield_load",
-    "peak_load_factor",
-    "peak_load",
-    "load_factor",
-    "end_load",
-    "initial_stiffness",
-    "work",
-    "stored_energy",
-    "dissipated_energy",
-    "energy_balance",
-    "work_identity",
-    "steps",
-    "snap_back_steps",
-    "refused_steps",
-    "broken_bonds",
-    "island_points",
-];
+use crate::case::PATH_FACTS;
 
 /// The facts of a path so far.
 pub(super) fn facts(points: &[PathPoint]) -> Facts {

@@ -22,8 +22,6 @@ mod tangent;
 #[cfg(test)]
 mod tests;
 
-pub use control::Goal;
-pub use facts::PATH_FACTS;
 pub use point::PathPoint;
 pub use report::PathReport;
 

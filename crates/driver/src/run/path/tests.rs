@@ -8,9 +8,10 @@ use super::tangent::Tangent;
 use super::{PathPoint, PathReport};
 use crate::case::from_text;
 use crate::model::AnyBody;
+use crate::run::body::BodyProblem;
 use crate::run::{self, Advance, Problem, RunOptions, RunReport, Sink, StateResult, prepare};
 use crate::scene::Scene;
-use crate::scene::plane::{PlaneProblem, PlaneScene};
+use crate::scene::body::BodyScene;
 use peristat_assembly::law::{Bilinear, History};
 use peristat_assembly::stiffness::HistoryBonds;
 use serde_json::{Value, json};
@@ -379,7 +380,7 @@ fn what_comes_off_is_masked() {
 
 #[test]
 fn steps_go_on_without_what_has_come_off() {
-    let strip = scene(&controlled(&strip(), "displacement", 0.25)).into_plane().unwrap();
+    let strip = scene(&controlled(&strip(), "displacement", 0.25)).into_body().unwrap();
     let mut course = course(&strip);
     // Those along the columns beside a place can yield, too.
     let bonds = &course.body.bonds;
@@ -479,10 +480,10 @@ fn runs_repeat_themselves_bit_by_bit() {
 }
 
 /// A body on its path, at rest.
-fn course(scene: &PlaneScene) -> Course<2> {
+fn course(scene: &BodyScene) -> Course<2> {
     let AnyBody::Two(body) = &scene.model else { panic!("central bonds") };
     let model = body.softening().unwrap();
-    let problem = PlaneProblem::new(scene, body.clone());
+    let problem = BodyProblem::new(scene, body.clone());
     let (system, _) = prepare::<2>(&problem, &RunOptions::default()).unwrap();
     let path = scene.path.as_ref().unwrap();
     let law = |[i, j]: [usize; 2]| Some(usize::from(path.exempt[i] || path.exempt[j]));
@@ -520,7 +521,7 @@ fn climb(course: &mut Course<2>, increment: f64) -> (Vec<[f64; 3]>, usize) {
 fn nothing_is_committed_from_a_refused_step() {
     // More than the ligament bears: steps beyond find no equilibrium.
     let case = controlled(&forced(&notched(), 40000.0), "displacement", 1.0);
-    let plate = scene(&case).into_plane().unwrap();
+    let plate = scene(&case).into_body().unwrap();
     let (coarse, refused) = climb(&mut course(&plate), 1.0);
     let (fine, _) = climb(&mut course(&plate), 1.0 / 64.0);
     // Refused 8 times, in three steps to 0.546875; the small ones go on to 0.5532.
@@ -579,7 +580,7 @@ fn odd_cases_end() {
 fn plain_newton_stops_right_after_the_peak() {
     // The specimen of `cases/ductile/ct_2024.json`: nine steps of 0.05 to the peak at an opening of 0.45.
     let text = include_str!("../../../../../cases/ductile/ct_2024.json");
-    let plate = scene(&serde_json::from_str(text).unwrap()).into_plane().unwrap();
+    let plate = scene(&serde_json::from_str(text).unwrap()).into_body().unwrap();
     let (mut course, mut control) = (course(&plate), Displacement::<2>::new(1.0 / 60.0));
     let mut predictor = course.elastic.clone();
     for step in 1..=9 {

@@ -3,10 +3,10 @@
 use super::super::fracture::{self, FractureScene};
 use super::place::Layout;
 use super::{ProbePoint, SectionAlong, beam_path, root};
+use crate::case::FRACTURE_FACTS;
 use crate::case::{Case, Check, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::{foreign, needed};
-use crate::run::fracture::FACTS;
 use peristat_assembly::model::timoshenko_beam::{CriticalStrain, CriticalStrains, TimoshenkoBeam};
 
 /// What resolution looks at.
@@ -18,14 +18,14 @@ pub(super) struct Context<'a> {
 
 /// Names of all that checks can ask for, of a beam that breaks.
 pub(super) fn facts(fracture: Option<&FractureScene<CriticalStrains>>) -> &'static [&'static str] {
-    if fracture.is_some() { &FACTS } else { &[] }
+    if fracture.is_some() { &FRACTURE_FACTS } else { &[] }
 }
 
 /// Faults of what a beam that breaks cannot have.
 pub(super) fn check(case: &Case, layout: &Layout, faults: &mut Faults) {
     fracture::check(case, faults);
     let Some(fracture) = &case.fracture else { return };
-    fracture::check_probes(case, &FACTS, faults);
+    fracture::check_probes(case, &FRACTURE_FACTS, faults);
     let path = root("fracture");
     let joined = [
         (

@@ -21,7 +21,6 @@ mod motions;
 mod place;
 mod point_load;
 mod probes;
-mod problem;
 mod profile;
 mod section;
 mod size;

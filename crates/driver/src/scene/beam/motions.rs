@@ -7,25 +7,27 @@ use peristat_assembly::system::{FreeMotion, PartMotion};
 /// Names of members that a message lists, at most.
 const MOST_NAMES: usize = 6;
 
-/// What nothing holds, and how it would move.
-pub(super) fn describe(scene: &BeamScene, motion: &FreeMotion) -> String {
-    match &scene.frame {
-        None => format!("{}: no support or link prevents it", of_lines(scene, motion)),
-        Some(_) => format!("{}; no support or joint prevents it", of_members(scene, motion)),
+impl BeamScene {
+    /// What nothing holds, and how it would move.
+    pub(crate) fn describe_motion(&self, motion: &FreeMotion) -> String {
+        match &self.frame {
+            None => format!("{}: no support or link prevents it", of_lines(self, motion)),
+            Some(_) => format!("{}; no support or joint prevents it", of_members(self, motion)),
+        }
     }
-}
 
-/// What would hold it.
-pub(super) fn remedy(scene: &BeamScene) -> &'static str {
-    match (&scene.frame, scene.has_axial) {
-        (None, false) => {
-            "a beam needs at least a deflection and a rotation, or two deflections, held by supports or links"
-        }
-        (None, true) => {
-            "a beam with axial displacements needs `ux` on one support, beside what holds `w` and `phi`"
-        }
-        (Some(_), _) => {
-            "supports must hold `ux`, `uy` and the rotation of the frame, and hinges must not make a mechanism of it"
+    /// What would hold it.
+    pub(crate) fn remedy(&self) -> &'static str {
+        match (&self.frame, self.has_axial) {
+            (None, false) => {
+                "a beam needs at least a deflection and a rotation, or two deflections, held by supports or links"
+            }
+            (None, true) => {
+                "a beam with axial displacements needs `ux` on one support, beside what holds `w` and `phi`"
+            }
+            (Some(_), _) => {
+                "supports must hold `ux`, `uy` and the rotation of the frame, and hinges must not make a mechanism of it"
+            }
         }
     }
 }

@@ -22,7 +22,7 @@ pub(in crate::summary) fn fracture(report: &FractureReport) -> Vec<Fact> {
         ("ended", report.ending.to_string()),
         ("iterations", format!("{:.1} per equilibrium", report.mean_iterations)),
     ];
-    let general = crate::run::fracture::FACTS;
+    let general = crate::case::FRACTURE_FACTS;
     for (name, value) in report.facts.iter().filter(|f| !general.contains(&f.0.as_str())) {
         let unit = if name.ends_with("_direction") { "° from x" } else { "" };
         lines.push((name, format!("{}{unit}", number(value.as_f64().unwrap_or(f64::NAN)))));

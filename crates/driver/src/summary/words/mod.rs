@@ -1,10 +1,10 @@
 //! The record of a run in words: facts and tables, for the screen and for reports.
 
 mod beam;
+mod body;
 mod estimate;
 mod fracture;
 mod path;
-mod plane;
 mod resultants;
 mod state;
 
@@ -53,7 +53,7 @@ impl Listing {
 pub fn model(summary: &Summary) -> Vec<Fact> {
     let mut told = match &summary.model {
         ModelSummary::Beam(model) => beam::model(model, summary.units),
-        ModelSummary::Plane(model) => plane::model(model, summary.units),
+        ModelSummary::Body(model) => body::model(model, summary.units),
     };
     let sizes = &summary.sizes;
     let size = format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns);
@@ -81,7 +81,7 @@ pub fn course(summary: &Summary) -> Option<Vec<Fact>> {
 pub fn forces(state: &StateSummary, units: Units) -> Vec<Listing> {
     let mut tables = match &state.forces {
         Forces::Beam(forces) => beam::forces(forces),
-        Forces::Plane(forces) => plane::forces(forces, units),
+        Forces::Body(forces) => body::forces(forces, units),
     };
     tables.extend(state.certificate.resultants.as_ref().map(|found| resultants::table(found, state, units)));
     tables

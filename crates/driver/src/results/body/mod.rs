@@ -1,0 +1,161 @@
+//! The files of a body in the plane: its tables, grids, lines and maps.
+
+mod cells;
+mod lines;
+mod plots;
+mod raster;
+mod report;
+
+use super::Envelope;
+use super::report::chart;
+use crate::case::FieldName;
+use crate::output::csv;
+use crate::output::plot;
+use crate::output::report::Block;
+use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
+use crate::run::body::BodyResult;
+use crate::scene::body::BodyScene;
+use std::borrow::Cow;
+use std::io;
+use std::path::Path;
+
+/// A column of a table.
+type Column<'a> = (&'static str, Cow<'a, [f64]>);
+
+/// Fields whose smallest and largest values over all states are written.
+const ENVELOPE: [FieldName; 8] = [
+    FieldName::Ux,
+    FieldName::Uy,
+    FieldName::W,
+    FieldName::Phi,
+    FieldName::StressXx,
+    FieldName::StressYy,
+    FieldName::StressXy,
+    FieldName::VonMises,
+];
+
+/// Writes the fields of a state as a table and as a grid, and along lines, and widens the envelope by them.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn write(
+    folder: &Path,
+    name: &str,
+    scene: &BodyScene,
+    result: &BodyResult,
+    envelope: Option<&mut Envelope>,
+) -> io::Result<()> {
+    let file = |name: &str, extension: &str| folder.join("fields").join(format!("{name}.{extension}"));
+    let fields: Vec<Column> =
+        result.fields().filter_map(|f| Some((f.name(), result.values(scene, f)?))).collect();
+    let places = places(scene);
+    let columns: Vec<(&str, &[f64])> = places
+        .iter()
+        .map(|(name, values)| (*name, values.as_slice()))
+        .chain(fields.iter().map(|(name, values)| (*name, &values[..])))
+        .collect();
+    csv::write(&file(name, "csv"), &columns)?;
+    if let Some(envelope) = envelope {
+        for field in ENVELOPE {
+            if let Some((_, values)) = fields.iter().find(|f| f.0 == field.name()) {
+                envelope.widen(field.name(), values);
+            }
+        }
+        envelope.place(places);
+    } else {
+        drop(places);
+    }
+    write_grid(&file(name, "vtu"), scene, &fields)?;
+    lines::write(&|line: &str| file(&format!("{name}_{line}"), "csv"), scene, result)
+}
+
+/// The figures of a state for the report; those are also written as plots where a folder is given.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn draw(folder: Option<&Path>, scene: &BodyScene, result: &BodyResult) -> io::Result<Vec<Block>> {
+    if let Some(folder) = folder {
+        plots::write(folder, scene, result)?;
+    }
+    let mut blocks = vec![Block::Map(report::map(scene, result))];
+    if result.recovered.is_some() {
+        for (file, diagram) in lines::diagrams(scene, result, &plots::title(scene, result)) {
+            if let Some(folder) = folder {
+                plot::write(&folder.join(format!("{file}.svg")), &diagram)?;
+            }
+            blocks.push(Block::Chart(chart(&diagram.title.clone(), diagram)));
+        }
+    }
+    Ok(blocks)
+}
+
+/// Where the points are.
+fn places(scene: &BodyScene) -> Vec<super::Column> {
+    let body = scene.body();
+    let (mut x, mut y) = (Vec::with_capacity(body.points()), Vec::with_capacity(body.points()));
+    positions(scene, |[a, b]| {
+        x.push(a);
+        y.push(b);
+    });
+    vec![("x", x), ("y", y)]
+}
+
+/// Visits the positions of all points of the body in their order.
+fn positions(scene: &BodyScene, mut visit: impl FnMut([f64; 2])) {
+    use peristat_assembly::body::PlaneBody;
+    match scene.body() {
+        PlaneBody::Lattice(lattice) => {
+            for run in lattice.runs() {
+                run.columns.clone().for_each(|column| visit(lattice.place_of(run.cell(column))));
+            }
+        }
+        PlaneBody::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(*at)),
+    }
+}
+
+/// Writes the points, the cells between them and their fields as a grid; a shell as the cylinder that it is.
+fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<()> {
+    let radius = scene.material().cylinder_radius();
+    let (mut points, mut angles) = (Vec::with_capacity(scene.body().points()), Vec::new());
+    positions(scene, |[x, y]| match radius {
+        Some(r) => {
+            let (sin, cos) = (y / r).sin_cos();
+            points.push([x, r * sin, r * cos]);
+            angles.push([sin, cos]);
+        }
+        None => points.push([x, y, 0.0]),
+    });
+    let cells = cells::cells(scene);
+    // The displacement as a vector, so that viewers can warp the body by it.
+    const DISPLACEMENTS: [FieldName; 3] = [FieldName::Ux, FieldName::Uy, FieldName::W];
+    let mut displacement = vec![0.0; 3 * points.len()];
+    for (c, field) in DISPLACEMENTS.into_iter().enumerate() {
+        if let Some((_, values)) = fields.iter().find(|f| f.0 == field.name()) {
+            values.iter().enumerate().for_each(|(p, value)| displacement[3 * p + c] = *value);
+        }
+    }
+    for (vector, [sin, cos]) in displacement.chunks_exact_mut(3).zip(&angles) {
+        let (v, w) = (vector[1], vector[2]);
+        (vector[1], vector[2]) = (v * cos + w * sin, w * cos - v * sin);
+    }
+    let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
+    let is_plain = |c: &&Column| c.0 != FieldName::Ux.name() && c.0 != FieldName::Uy.name();
+    data.extend(fields.iter().filter(is_plain).map(|(name, values)| DataArray {
+        name,
+        components: 1,
+        values,
+    }));
+    let all = [
+        Cells { cell_type: CellType::Quad, connectivity: &cells.quads },
+        Cells { cell_type: CellType::Vertex, connectivity: &cells.vertices },
+    ];
+    vtu::write(file, &Grid { points: &points, cells: &all, point_data: &data, cell_data: &[] })
+}
+
+/// Whether every value of a state is a number.
+pub(super) fn finite(result: &BodyResult) -> bool {
+    let finite = |values: &[f64]| values.iter().all(|value| value.is_finite());
+    let recovered = result.recovered.as_ref();
+    recovered.is_none_or(|r| r.stress.iter().all(|s| finite(s)) && finite(&r.energy_density))
+        && finite(&result.intensities)
+}

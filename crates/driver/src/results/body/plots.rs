@@ -1,0 +1,94 @@
+//! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage.
+
+use super::positions;
+use super::raster::Raster;
+use crate::case::FieldName;
+use crate::output::plot::{self, Map, Patch, write_map};
+use crate::results::factor::magnification;
+use crate::run::body::BodyResult;
+use crate::run::scan;
+use crate::scene::body::BodyScene;
+use peristat_assembly::body::Crack;
+use std::io;
+use std::path::Path;
+
+/// Writes the maps of a state into a folder.
+///
+/// # Errors
+/// The folder cannot be written.
+pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io::Result<()> {
+    let title = title(scene, result);
+    let raster = Raster::new(scene);
+    write_map(&folder.join("displacement.svg"), &displacement(scene, result, &raster, &title))?;
+    let stress = scene.units.label("von Mises stress", scene.units.stress());
+    let deflection = scene.units.label("w, outwards", scene.units.length());
+    let fields = [
+        ("w", FieldName::W, deflection.as_str()),
+        ("von_mises", FieldName::VonMises, stress.as_str()),
+        ("damage", FieldName::Damage, "damage: cut share of the family"),
+    ];
+    for (file, field, label) in fields.into_iter().filter(|f| result.fields().any(|own| own == f.1)) {
+        let Some(values) = result.values(scene, field) else { continue };
+        let patches = raster.corners().zip(raster.means(&values));
+        let (range, note) = range(scene, &values);
+        let map = Map {
+            title: title.clone(),
+            note,
+            label: label.into(),
+            range,
+            patches: patches.map(|(corners, value)| Patch { corners, value }).collect(),
+            lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
+            ..Map::default()
+        };
+        write_map(&folder.join(format!("{file}.svg")), &map)?;
+    }
+    Ok(())
+}
+
+/// The title of a state: that of the case, and its name where there are several.
+pub(super) fn title(scene: &BodyScene, result: &BodyResult) -> String {
+    match scene.states.len() {
+        1 if !scene.case.is_traced() => scene.case.title.clone(),
+        _ => format!("{} - {}", scene.case.title, result.record.name),
+    }
+}
+
+/// Smallest and largest value, and a note that says where they are.
+fn range(scene: &BodyScene, values: &[f64]) -> ([f64; 2], String) {
+    let Some([low, high]) = scan::extremes(values) else { return ([0.0; 2], String::new()) };
+    let place = |point: usize| {
+        let [x, y] = scene.body().position(point);
+        format!("({}, {})", plot::short(x), plot::short(y))
+    };
+    let note = format!("smallest at {}, largest at {}", place(low), place(high));
+    ([values[low], values[high]], note)
+}
+
+/// Length of the diagonal around the points.
+pub(super) fn size_of(scene: &BodyScene) -> f64 {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    positions(scene, |at| {
+        (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
+    });
+    (high[0] - low[0]).hypot(high[1] - low[1])
+}
+
+/// The magnitude of the displacement on the deformed shape.
+fn displacement(scene: &BodyScene, result: &BodyResult, raster: &Raster, title: &str) -> Map {
+    let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
+    let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
+    let (range, note) = range(scene, &size);
+    let factor = magnification(size_of(scene), range[1]);
+    let cracks: Vec<Crack> = scene.cracks.iter().map(|c| c.crack.clone()).collect();
+    let corners = raster.deformed(&[raster.means(&ux), raster.means(&uy)], factor, &cracks);
+    let patches = corners.into_iter().zip(raster.means(&size));
+    Map {
+        title: title.into(),
+        note: format!("deformed shape, displacements times {factor}; {note}"),
+        label: scene.units.label("displacement", scene.units.length()),
+        range,
+        patches: patches.map(|(corners, value)| Patch { corners, value }).collect(),
+        ghost: raster.corners().collect(),
+        lines: Vec::new(),
+    }
+}

@@ -1,0 +1,140 @@
+//! The map of a body in the plane in its report: all fields of a state, on the deformed shape.
+
+use super::plots::size_of;
+use super::raster::{Grid, Limits, Raster};
+use crate::case::FieldName;
+use crate::output::plot::short;
+use crate::output::report::{Cells, Field, Map, Moves};
+use crate::results::factor::magnification;
+use crate::run::body::BodyResult;
+use crate::run::scan;
+use crate::scene::body::BodyScene;
+use peristat_assembly::body::{Crack, PlaneBody};
+
+/// Cells of a map: as many as fields of them fit into the report.
+const LIMITS: Limits = Limits { blocks: 120_000, along: 1500 };
+
+/// The map of a state.
+pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
+    let raster = Raster::within(scene, LIMITS);
+    let field = |name: &str, unit: &str, values: &[f64]| {
+        let range = scan::extremes(values).map_or([0.0; 2], |ends| ends.map(|point| values[point]));
+        Field { name: name.into(), unit: unit.into(), values: raster.means(values), range }
+    };
+    let named =
+        |f: FieldName| Some(field(f.name(), f.about().unit.label(scene.units), &result.values(scene, f)?));
+    let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
+    let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
+    let size = field("displacement", scene.units.length(), &size);
+    let factor = magnification(size_of(scene), size.range[1]);
+    let mut fields: Vec<Field> = ordered(scene, result).into_iter().filter_map(named).collect();
+    // What a reader sees first stays first.
+    fields.insert(usize::from(!fields.is_empty()), size);
+    let number = |f: FieldName| fields.iter().position(|own| own.name == f.name());
+    let moves = number(FieldName::Ux).zip(number(FieldName::Uy));
+    Map {
+        title: String::new(),
+        note: note(scene, &raster),
+        length: scene.units.length().into(),
+        cells: cells(scene, &raster),
+        moves: moves.map(|(x, y)| Moves { fields: [x, y], factor }),
+        fields,
+        lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
+    }
+}
+
+/// The fields of a state, first what tells most: damage where bonds break, the deflection of a shell, else von Mises stress.
+fn ordered(scene: &BodyScene, result: &BodyResult) -> Vec<FieldName> {
+    let rank = |f: &FieldName| match f {
+        FieldName::Damage if scene.case.is_traced() => 0,
+        FieldName::W => 1,
+        FieldName::VonMises => 2,
+        _ => 3,
+    };
+    let mut fields: Vec<FieldName> = result.fields().collect();
+    fields.sort_by_key(rank);
+    fields
+}
+
+/// What a reader must know of the cells.
+fn note(scene: &BodyScene, raster: &Raster) -> String {
+    let mut told = Vec::new();
+    if let Some(radius) = scene.material().cylinder_radius() {
+        let radius = short(radius);
+        told.push(format!(
+            "The surface, developed: x runs along the axis, y around it at the radius {radius}."
+        ));
+    }
+    let ends = "the colour bar ends at the extremes of all points.";
+    match (scene.body(), &raster.grid) {
+        (PlaneBody::Lattice(_), _) if raster.step > 1 => {
+            told.push(format!("Every cell is the mean of {0} × {0} points; {ends}", raster.step));
+        }
+        (PlaneBody::Cloud(_), Some(_)) => {
+            told.push(format!("Every cell is the mean of the points in it; {ends}"))
+        }
+        _ => {}
+    }
+    told.join(" ")
+}
+
+fn cells(scene: &BodyScene, raster: &Raster) -> Cells {
+    let Some(grid) = &raster.grid else {
+        let side = |c: &[[f64; 2]; 4]| c[1][0] - c[0][0];
+        return Cells::Squares {
+            centres: (0..raster.blocks.len()).map(|block| raster.middle(block)).collect(),
+            sides: raster.corners().map(|c| side(&c)).collect(),
+        };
+    };
+    let (origin, sides, last) = layout(scene, raster, grid);
+    let mut runs: Vec<[usize; 3]> = Vec::new();
+    for [column, row] in grid.cells.iter().map(|cell| cell.map(|k| k as usize)) {
+        match runs.last_mut() {
+            Some(run) if run[0] == row && run[1] + run[2] == column => run[2] += 1,
+            _ => runs.push([row, column, 1]),
+        }
+    }
+    let size = [grid.columns as usize, grid.rows as usize];
+    Cells::Grid { origin, sides, size, last, runs, torn: torn(scene, raster) }
+}
+
+/// Corner and sides of the first block, whether it is there or not, and the parts of the last ones.
+fn layout(scene: &BodyScene, raster: &Raster, grid: &Grid) -> ([f64; 2], [[f64; 2]; 2], [f64; 2]) {
+    match scene.body() {
+        PlaneBody::Lattice(lattice) => {
+            let (first, step) = ([lattice.columns().start, lattice.rows().start], raster.step);
+            let origin = lattice.node(first);
+            let side = |k: usize| {
+                let mut next = first;
+                next[k] += 1;
+                let next = lattice.node(next);
+                [0, 1].map(|c| step as f64 * (next[c] - origin[c]))
+            };
+            let last = [lattice.columns().len(), lattice.rows().len()];
+            let last = last.map(|count| ((count - 1) % step + 1) as f64 / step as f64);
+            (origin, [side(0), side(1)], last)
+        }
+        PlaneBody::Cloud(_) => {
+            let ([a, b, _, d], cell) = (raster.blocks[0], grid.cells[0].map(f64::from));
+            let sides = [b, d].map(|end| [0, 1].map(|c| end[c] - a[c]));
+            let origin = [0, 1].map(|c| a[c] - cell[0] * sides[0][c] - cell[1] * sides[1][c]);
+            (origin, sides, [1.0; 2])
+        }
+    }
+}
+
+/// Blocks that a crack parts from that on the right, 0, or above, 1.
+fn torn(scene: &BodyScene, raster: &Raster) -> Vec<[usize; 2]> {
+    let cracks: Vec<&Crack> = scene.cracks.iter().map(|c| &c.crack).collect();
+    if cracks.is_empty() {
+        return Vec::new();
+    }
+    let is_torn = |&[block, side]: &[usize; 2]| {
+        let beside = raster.beside(block, if side == 0 { [1, 0] } else { [0, 1] });
+        beside.is_some_and(|other| {
+            let (a, b) = (raster.middle(block), raster.middle(other));
+            cracks.iter().any(|crack| crack.cuts(a, b, 0.0))
+        })
+    };
+    (0..raster.blocks.len()).flat_map(|block| [[block, 0], [block, 1]]).filter(is_torn).collect()
+}

@@ -1,0 +1,280 @@
+//! Results of one state of a body in the plane.
+
+use super::reaction::{self, BodyReaction, MirrorReaction};
+use crate::case::{FieldName, Origin};
+use crate::run::{Resultants, SolvedState, StateRecord};
+use crate::scene::Resultant;
+use crate::scene::body::{BodyScene, Has, Weights, of_points};
+use peristat_assembly::model::plane::PlaneModel;
+use std::borrow::Cow;
+
+/// Fields that are recovered from the bonds, with the numbers that points have in the model; images have those of their
+/// points, the shear with its sign.
+#[derive(Clone, Debug)]
+pub struct Recovered {
+    /// `[σ_xx, σ_yy, σ_xy]`.
+    pub stress: [Vec<f64>; 3],
+    /// σ_zz, around the axis of a body of revolution; empty in others.
+    pub across: Vec<f64>,
+    /// Strain energy density.
+    pub energy_density: Vec<f64>,
+    /// Cut share of the family of every point; none without cracks.
+    pub damage: Option<Vec<f64>>,
+}
+
+impl Recovered {
+    /// Gives images the values of their points.
+    fn fill_images(&mut self, scene: &BodyScene) {
+        let Some((lattice, mirrors)) = scene.model.lattice() else { return };
+        for &ghost in scene.model.ghosts() {
+            let ghost = ghost as usize;
+            let (cell, [x, y, _]) = mirrors.image(lattice.cell(ghost));
+            let Some(real) = lattice.number(cell) else { continue };
+            for (values, sign) in self.stress.iter_mut().zip([1.0, 1.0, x * y]) {
+                values[ghost] = sign * values[real];
+            }
+            self.energy_density[ghost] = self.energy_density[real];
+            if !self.across.is_empty() {
+                self.across[ghost] = self.across[real];
+            }
+            if let Some(damage) = &mut self.damage {
+                damage[ghost] = damage[real];
+            }
+        }
+    }
+}
+
+/// The result of one state of a body in the plane.
+#[derive(Clone, Debug)]
+pub struct BodyResult {
+    /// State, unknowns (the planes of ux, uy and, where points turn, of multiples of phi, of shells of w) and certificate.
+    pub record: StateRecord,
+    /// Stresses and what follows from them, where they were asked for.
+    pub recovered: Option<Recovered>,
+    /// Forces of the supports and of rigid regions on the body, in the order of the case.
+    pub reactions: Vec<BodyReaction>,
+    /// Forces through lines of symmetry.
+    pub mirrors: Vec<MirrorReaction>,
+    /// Stress intensities, in the order of the case.
+    pub intensities: Vec<f64>,
+    /// Number of points of the model.
+    points: usize,
+    /// The fields that its points have, but for those that are zero everywhere by the nature of the body.
+    shown: Vec<FieldName>,
+    /// Forces that hold the equations of the scene, in their order.
+    pub(super) multipliers: Vec<f64>,
+}
+
+/// Collects the result of a state; `intensities` are those of all states, by stress intensity.
+pub(super) fn collect(
+    scene: &BodyScene,
+    solved: SolvedState,
+    intensities: &[Vec<f64>],
+    recover: bool,
+) -> BodyResult {
+    let SolvedState { state: index, solution, certificate, load, .. } = solved;
+    let state = &scene.states[index];
+    let record = StateRecord {
+        index,
+        name: state.name.clone(),
+        load_factor: state.load_factor,
+        u: solution.u,
+        certificate,
+        facts: None,
+    };
+    let intensities = intensities.iter().map(|k| k[index]).collect();
+    let forces = (solution.multipliers, load, scene.asked(state));
+    BodyResult::new((scene, &*scene.model), record, forces, intensities, recover)
+}
+
+/// Von Mises stress, with the stress across the plane.
+fn von_mises([x, y, shear]: [f64; 3], z: f64) -> f64 {
+    let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
+    (0.5 * squares + 3.0 * shear * shear).sqrt()
+}
+
+/// A field that follows from the stresses `[σ_xx, σ_yy, σ_xy]` of a point and the one across the plane; none of others.
+fn of_stress(origin: Origin, model: &dyn PlaneModel, stress: [f64; 3], across: f64) -> Option<f64> {
+    match origin {
+        Origin::Across => Some(across),
+        Origin::Strain(component, factor) => Some(factor * model.strain_with(stress, across)[component]),
+        Origin::VonMises => Some(von_mises(stress, across)),
+        Origin::Stress(component) => Some(stress[component]),
+        Origin::Unknown
+        | Origin::Beam
+        | Origin::Energy
+        | Origin::Damage
+        | Origin::Opening
+        | Origin::Reaction(_) => None,
+    }
+}
+
+impl BodyResult {
+    /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model, the
+    /// loads, and their resultant as it was asked for.
+    pub(super) fn new(
+        (scene, model): (&BodyScene, &dyn PlaneModel),
+        mut record: StateRecord,
+        (mut multipliers, load, asked): (Vec<f64>, &[f64], Resultant),
+        intensities: Vec<f64>,
+        recover: bool,
+    ) -> Self {
+        let recovered = recover.then(|| {
+            let fields = model.fields(&record.u);
+            let damage = scene.is_damaged().then(|| model.damage());
+            let mut found = Recovered {
+                stress: fields.stress,
+                across: fields.across,
+                energy_density: fields.energy_density,
+                damage,
+            };
+            found.fill_images(scene);
+            found
+        });
+        // Bodies that break or soften have one load case.
+        let (state, factor) = match scene.case.is_traced() {
+            true => (&scene.states[0], record.load_factor),
+            false => (&scene.states[record.index], 1.0),
+        };
+        let taken = scene.into_mirrors(state, factor);
+        let mirrors = reaction::of_mirrors(scene, &multipliers, load, &taken);
+        multipliers.truncate(scene.equations.len());
+        let reactions = reaction::of_supports(scene, &multipliers, &record.u);
+        let held = reaction::resultant(scene, &multipliers, &record.u, &mirrors);
+        let counted = (scene.statical(), scene.inside(state));
+        let mut applied = scene.resultant(load);
+        taken.iter().for_each(|&(_, force)| applied.add(force, [0.0; 2]));
+        let resultants = Resultants::new(&asked, &applied, &held, counted);
+        // Loads on parts that have come off act no more.
+        let whole = !scene.case.is_traced() || record.index == 0;
+        record.certificate.account(resultants, whole && scene.loads_are_exact(state));
+        Self {
+            record,
+            recovered,
+            reactions,
+            mirrors,
+            intensities,
+            points: scene.model.points(),
+            shown: FieldName::PLANE
+                .into_iter()
+                .filter(|&field| of_points(field, model, scene.is_damaged()) == Has::Values)
+                .collect(),
+            multipliers,
+        }
+    }
+
+    /// The fields that tables show, in their order: those that all points have, but for those that are zero everywhere by
+    /// the nature of the body.
+    pub fn fields(&self) -> impl Iterator<Item = FieldName> {
+        self.shown.iter().copied().filter(|f| self.recovered.is_some() || !f.is_recovered())
+    }
+
+    /// Values that are kept, with the numbers that points have in the model, and what they are divided by.
+    fn kept(&self, scene: &BodyScene, field: FieldName) -> Option<(&[f64], f64)> {
+        let (n, recovered) = (self.points, self.recovered.as_ref());
+        let values = match field.about().origin {
+            Origin::Unknown => {
+                let (k, component) = scene.model.component(field.name())?;
+                return Some((&self.record.u[k * n..(k + 1) * n], component.scale));
+            }
+            Origin::Stress(component) => &recovered?.stress[component],
+            Origin::Across => Some(&recovered?.across).filter(|across| !across.is_empty())?,
+            Origin::Energy => &recovered?.energy_density,
+            Origin::Damage => recovered?.damage.as_ref()?,
+            Origin::Strain(..) | Origin::VonMises | Origin::Beam | Origin::Opening | Origin::Reaction(_) => {
+                return None;
+            }
+        };
+        Some((values, 1.0))
+    }
+
+    /// Values of a field at the points of the body, images left out.
+    pub fn values(&self, scene: &BodyScene, field: FieldName) -> Option<Cow<'_, [f64]>> {
+        let whole = scene.model.ghosts().is_empty();
+        if let Some((kept, divisor)) = self.kept(scene, field) {
+            return Some(match whole && divisor == 1.0 {
+                true => kept.into(),
+                false => scene.real_points().map(|p| kept[p] / divisor).collect(),
+            });
+        }
+        let recovered = self.recovered.as_ref()?;
+        let origin = field.about().origin;
+        if origin == Origin::Damage {
+            return Some(vec![0.0; scene.body().points()].into());
+        }
+        let [x, y, shear] = &recovered.stress;
+        let at = |p: usize| {
+            let stress = [x[p], y[p], shear[p]];
+            let across = recovered.across.get(p).copied();
+            let across = across.unwrap_or_else(|| scene.model.stress_across(stress));
+            of_stress(origin, &*scene.model, stress, across)
+        };
+        match whole {
+            true => (0..x.len()).map(at).collect(),
+            false => scene.real_points().map(at).collect(),
+        }
+    }
+
+    /// Value of a field as a sum over points. What is no linear function of the stresses is that of the summed stresses.
+    pub fn value(&self, scene: &BodyScene, field: FieldName, weights: &Weights) -> Option<f64> {
+        let sum = |values: &[f64]| weights.iter().map(|&(p, w)| w * values[p as usize]).sum::<f64>();
+        if let Some((kept, divisor)) = self.kept(scene, field) {
+            return Some(sum(kept) / divisor);
+        }
+        let recovered = self.recovered.as_ref()?;
+        let origin = field.about().origin;
+        if origin == Origin::Damage {
+            return Some(0.0);
+        }
+        let stress = recovered.stress.each_ref().map(|values| sum(values));
+        let across = match recovered.across.is_empty() {
+            true => scene.model.stress_across(stress),
+            false => sum(&recovered.across),
+        };
+        of_stress(origin, &*scene.model, stress, across)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use peristat_assembly::body::SquareLattice;
+    use peristat_assembly::model::bond_plane::{
+        BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
+    };
+    use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
+    use std::sync::Arc;
+
+    fn model(youngs_modulus: f64, state: PlaneState) -> BondPlane {
+        let parameters = PlaneParameters {
+            material: PlaneMaterial { youngs_modulus, thickness: 1.0, state },
+            horizon_ratio: 2.0,
+            influence: Influence::Constant,
+            calibration: Calibration::Matched,
+            volume_factor: VolumeFactor::Full,
+            edges: Edges::None,
+        };
+        let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [3, 3]));
+        BondPlane::on_lattice(lattice, Mirrors::NONE, parameters, &[]).unwrap()
+    }
+
+    #[test]
+    fn von_mises_is_that_of_the_three_dimensional_stress() {
+        let stress = model(1.0, PlaneState::Stress);
+        let von_mises = |model: &BondPlane, s: [f64; 3]| von_mises(s, model.stress_across(s));
+        assert_eq!(von_mises(&stress, [-3.0, 0.0, 0.0]), 3.0);
+        assert!((von_mises(&stress, [0.0, 0.0, 2.0]) - 12.0_f64.sqrt()).abs() < 1e-15);
+        // Equal biaxial stress 1 with σ_zz = 1/2: the deviator is that of a uniaxial stress of 1/2.
+        assert_eq!(von_mises(&model(1.0, PlaneState::Strain), [1.0, 1.0, 0.0]), 0.5);
+    }
+
+    #[test]
+    fn strains_are_components_of_the_tensor() {
+        let model = model(3.0, PlaneState::Stress);
+        let at = |field: FieldName, stress| of_stress(field.about().origin, &model, stress, 0.0).unwrap();
+        assert!((at(FieldName::StrainXx, [3.0, 0.0, 0.0]) - 1.0).abs() < 1e-15);
+        assert!((at(FieldName::StrainYy, [3.0, 0.0, 0.0]) + 1.0 / 3.0).abs() < 1e-15);
+        // ε_xy = σ_xy/(2G), 2G = E/(1 + ν) = 9/4.
+        assert!((at(FieldName::StrainXy, [0.0, 0.0, 9.0]) - 4.0).abs() < 1e-14);
+    }
+}

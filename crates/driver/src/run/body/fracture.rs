@@ -1,0 +1,109 @@
+//! Bodies in the plane that break.
+
+use super::fields::BodyResult;
+use super::verdict;
+use crate::run::body::BodyProblem;
+use crate::run::fracture::{BreakingBody, Facts};
+use crate::run::{Problem, SolvedState, StateRecord, StateResult};
+use crate::scene::Resultant;
+use crate::scene::body::{BodyFracture, Quantity};
+use crate::scene::fracture::FractureScene;
+use peristat_assembly::model::plane::{BreakingModel, CriticalStretch};
+
+/// A body in the plane whose bonds break.
+pub(super) struct BreakingPlane<'a, const D: usize> {
+    pub(super) problem: BodyProblem<'a, dyn BreakingModel<D>>,
+    pub(super) fracture: &'a BodyFracture,
+    pub(super) recover: bool,
+}
+
+impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
+    type Model = dyn BreakingModel<D>;
+
+    fn model(&self) -> &Self::Model {
+        &*self.problem.model
+    }
+
+    fn problem(&self) -> &dyn Problem<D> {
+        &self.problem
+    }
+
+    fn fracture(&self) -> &FractureScene<CriticalStretch> {
+        &self.fracture.steps
+    }
+
+    fn model_mut(&mut self) -> &mut Self::Model {
+        &mut *self.problem.model
+    }
+
+    fn load(&self, u: &[f64], multipliers: &[f64]) -> f64 {
+        let scene = self.problem.scene;
+        let quantity = &scene.probes[self.fracture.steps.load].quantity;
+        verdict::mechanical(scene, quantity, u, multipliers).unwrap_or(0.0)
+    }
+
+    fn load_is_force(&self) -> bool {
+        let probe = &self.problem.scene.probes[self.fracture.steps.load];
+        matches!(probe.quantity, Quantity::Reaction { .. })
+    }
+
+    fn facts(&self, broken: &[u64]) -> Vec<(String, f64)> {
+        let (model, mut facts) = (&self.problem.model, Vec::new());
+        if !self.fracture.fibres.is_empty() {
+            let fibres = broken.iter().filter(|&&bond| self.fracture.fibres[model.offset(bond)]).count();
+            facts.push(("broken_fibre_bonds".into(), fibres as f64));
+        }
+        for part in &self.fracture.directions {
+            let middle = |&bond: &u64| {
+                let [a, b] = model.ends(bond).map(|p| model.place(p));
+                [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
+            };
+            let inside = |at: &[f64; 2]| (0..2).all(|k| part.from[k] < at[k] && at[k] < part.to[k]);
+            let middles: Vec<[f64; 2]> = broken.iter().map(middle).filter(inside).collect();
+            facts.extend(part.facts().into_iter().zip([direction(&middles), middles.len() as f64]));
+        }
+        facts
+    }
+
+    fn result(&mut self, solved: SolvedState, name: String, load_factor: f64, facts: Facts) -> StateResult {
+        let SolvedState { state: index, solution, certificate, load, .. } = solved;
+        let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
+        let (scene, model) = (self.problem.scene, &*self.problem.model);
+        let mut asked = Resultant::default();
+        asked.add_multiple(load_factor, &scene.asked(&scene.states[0]));
+        let result = BodyResult::new(
+            (scene, model),
+            record,
+            (solution.multipliers, load, asked),
+            Vec::new(),
+            self.recover,
+        );
+        StateResult::Body(result)
+    }
+}
+
+/// Direction in which points spread most, degrees from x, −45 to 135: not 0 nor 90 is at an end; of fewer than two it is 0.
+fn direction(points: &[[f64; 2]]) -> f64 {
+    let n = points.len().max(1) as f64;
+    let mean = [0, 1].map(|k| points.iter().map(|p| p[k]).sum::<f64>() / n);
+    let moment = |a: usize, b: usize| points.iter().map(|p| (p[a] - mean[a]) * (p[b] - mean[b])).sum::<f64>();
+    let angle = 0.5 * (2.0 * moment(0, 1)).atan2(moment(0, 0) - moment(1, 1));
+    (angle.to_degrees() + 45.0).rem_euclid(180.0) - 45.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::direction;
+
+    #[test]
+    fn directions_are_those_of_lines() {
+        for degrees in [-44.0, 0.0, 30.0, 90.0, 134.0_f64] {
+            let (s, c) = degrees.to_radians().sin_cos();
+            let points: Vec<[f64; 2]> = (0..9).map(f64::from).map(|t| [1.0 + t * c, t * s - 3.0]).collect();
+            let found = direction(&points);
+            assert!((found - degrees).abs() < 1e-9, "{found}");
+        }
+        assert_eq!(direction(&[]), 0.0);
+        assert!(direction(&[[0.0, 1e-16], [1.0, 0.0]]).abs() < 1e-12);
+    }
+}

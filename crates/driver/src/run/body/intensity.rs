@@ -1,0 +1,113 @@
+//! Stress intensities of cracks from the energy that their growth releases.
+//!
+//! `√(E' G)`, `G = −dΠ/dA` at constant loads and prescribed motions, `Π` the stored energy less the work of the loads.
+//! The derivative is a central difference of two more solves, the tips moved by one spacing back and forth along the last
+//! segments of the crack (`E' = E` in plane stress, `E/(1 − ν²)` in plane strain). Mode II, if there is any, is in G, too.
+
+use crate::case::Tips;
+use crate::diagnostic::Faults;
+use crate::model::with_body;
+use crate::run::body::BodyProblem;
+use crate::run::{Counters, RunError, RunOptions, SolvedState, prepare, solve_states};
+use crate::scene::body::{BodyScene, Intensity};
+use peristat_assembly::model::plane::Solvable;
+use peristat_assembly::sum::Sum;
+use std::time::Instant;
+
+/// Stress intensities of all states and what they have cost.
+pub(super) struct Found {
+    /// Values by stress intensity and state.
+    pub(super) values: Vec<Vec<f64>>,
+    pub(super) counters: Counters,
+    pub(super) converged: bool,
+    /// Wall time, s.
+    pub(super) seconds: f64,
+}
+
+/// All stress intensities that a case asks for.
+///
+/// # Errors
+/// As [`prepare`] for the body with a moved tip; a crack that cannot be made shorter is a fault of the case.
+pub(super) fn of_states(scene: &BodyScene, options: &RunOptions) -> Result<Found, RunError> {
+    let begin = Instant::now();
+    let mut found =
+        Found { values: Vec::new(), counters: Counters::default(), converged: true, seconds: 0.0 };
+    let options = &RunOptions { recover: false, ..*options };
+    for intensity in &scene.intensities {
+        let step = scene.spacing();
+        let longer = potentials(scene, intensity, step, options, &mut found)?;
+        let shorter = potentials(scene, intensity, -step, options, &mut found)?;
+        // E' of an isotropic material.
+        let stiffness = 1.0 / scene.model.strain_of([1.0, 0.0, 0.0])[0];
+        let tips = if intensity.tips == Tips::Both { 2.0 } else { 1.0 };
+        let area = 2.0 * step * tips * scene.model.thickness() / sides(scene, intensity);
+        let of = |(longer, shorter): (f64, f64)| {
+            let release = (shorter - longer) / area;
+            (stiffness * release.max(0.0)).sqrt()
+        };
+        found.values.push(longer.into_iter().zip(shorter).map(of).collect());
+    }
+    found.seconds = begin.elapsed().as_secs_f64();
+    Ok(found)
+}
+
+/// Sides of a crack that the body has: one if it lies on a line of symmetry, so that the body releases half the energy.
+fn sides(scene: &BodyScene, intensity: &Intensity) -> f64 {
+    let Some((lattice, mirrors)) = scene.model.lattice() else { return 1.0 };
+    let vertices = scene.cracks[intensity.crack].crack.vertices();
+    let lies_on = |axis: usize, line: i32| {
+        let at = lattice.corner()[axis] + f64::from(line) * lattice.spacing();
+        vertices.iter().all(|v| (v[axis] - at).abs() <= 1e-6 * lattice.spacing())
+    };
+    let mut all =
+        (0..2).flat_map(|axis| mirrors.lines[axis].into_iter().flatten().map(move |line| (axis, line)));
+    if all.any(|(axis, line)| lies_on(axis, line)) { 2.0 } else { 1.0 }
+}
+
+/// Potential energies of all states with the tips moved by some length.
+fn potentials(
+    scene: &BodyScene,
+    intensity: &Intensity,
+    by: f64,
+    options: &RunOptions,
+    found: &mut Found,
+) -> Result<Vec<f64>, RunError> {
+    let fault = |message: String| {
+        let mut faults = Faults::default();
+        let number = scene.intensities.iter().position(|i| i.name == intensity.name).unwrap_or(0);
+        let path = crate::diagnostic::JsonPath::default().key("stress_intensity").index(number);
+        faults
+            .error(path, message)
+            .hint("use a smaller spacing: the crack needs several spacings at each tip");
+        RunError::Case(faults)
+    };
+    let (model, cracks) = match scene.with_moved_tips(intensity, by) {
+        Ok(Some(moved)) => moved,
+        Ok(None) => {
+            return Err(fault("the crack is not longer than the spacing that its tips are moved by".into()));
+        }
+        Err(error) => return Err(fault(format!("with its tips moved by a spacing: {error}"))),
+    };
+    with_body!(model, body => of_problem(&BodyProblem::with_moved_tips(scene, body, cracks), options, found))
+}
+
+/// Potential energies of all states of a problem.
+fn of_problem<const D: usize>(
+    problem: &BodyProblem<dyn Solvable<D>>,
+    options: &RunOptions,
+    found: &mut Found,
+) -> Result<Vec<f64>, RunError> {
+    let (system, sizes) = prepare(problem, options)?;
+    let mut potentials = Vec::new();
+    let mut take = |solved: SolvedState| {
+        let mut potential = Sum::default();
+        potential.add(solved.certificate.energy);
+        solved.load.iter().zip(&solved.solution.u).for_each(|(f, u)| potential.add(-f * u));
+        potentials.push(potential.total());
+        Ok(())
+    };
+    let report = solve_states(problem, (&system, sizes), &mut take)?;
+    super::add(&mut found.counters, &report.counters);
+    found.converged &= report.converged;
+    Ok(potentials)
+}

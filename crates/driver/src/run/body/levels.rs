@@ -1,0 +1,84 @@
+//! The coarser levels of a body on a lattice: the same body, cracks and conditions at twice the spacing, again and again.
+
+use crate::run::{Coarser, Spread};
+use crate::scene::body::Conditions;
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
+use peristat_assembly::model::plane::{Mirrors, PlaneModel, Solvable};
+use peristat_assembly::stiffness::{Springs, Term};
+use peristat_assembly::system::{System, free_motions};
+
+/// Points that a direct factor takes in no time.
+const COARSEST: usize = 1500;
+/// Rows or columns that a coarsest lattice keeps: with fewer, all of its points are at an edge.
+const NARROW: usize = 12;
+
+/// How the points of a body lie.
+pub(super) fn spread(model: &dyn PlaneModel) -> Spread {
+    match model.lattice() {
+        Some((lattice, mirrors)) if !is_coarsest(lattice, mirrors) && !model.hardly_compresses() => {
+            Spread::Lattice
+        }
+        _ => Spread::Plane,
+    }
+}
+
+/// Whether a lattice has no coarser one, or none that would help.
+fn is_coarsest(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
+    let narrow = lattice.rows().len().min(lattice.columns().len()) < 2 * NARROW;
+    lattice.points() <= COARSEST || narrow || mirrors.coarser().is_none()
+}
+
+/// The coarser levels of a model; none of a cloud, or of a lattice that is coarse itself.
+pub(super) fn coarser<const D: usize>(
+    model: &dyn Solvable<D>,
+    cracks: &[Crack],
+    conditions: &Conditions,
+) -> Option<Coarser<D>> {
+    let cracks: Vec<Crack> = model.lattice().map_or(Vec::new(), |(lattice, _)| beside(cracks, lattice));
+    let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
+    // Coarser lattices do not know how a border cuts their blocks.
+    let is_unlike = model.follows_border();
+    let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new(), is_loose: false, is_unlike };
+    let (mut coarsest, mut conditions): (Option<Box<dyn Solvable<D>>>, _) = (None, conditions.clone());
+    loop {
+        let fine = coarsest.as_deref().unwrap_or(model);
+        let (lattice, mirrors) = fine.lattice()?;
+        if is_coarsest(lattice, mirrors) {
+            break;
+        }
+        let coarse = fine.coarser(&find)?;
+        let (coarse_lattice, _) = coarse.lattice()?;
+        let damage = if cracks.is_empty() { Vec::new() } else { fine.damage() };
+        let slack = CRACK_SLACK * lattice.spacing();
+        levels.transfers.push(Transfer::new(
+            lattice,
+            coarse_lattice,
+            &|point| damage.get(point).is_some_and(|damage| *damage > 0.0),
+            &|a, b| !cracks.iter().any(|crack| crack.cuts(a, b, slack)),
+        ));
+        conditions = conditions.coarser(lattice, coarse_lattice);
+        let mut springs: Vec<Box<dyn Term<D>>> = Vec::new();
+        if !conditions.springs.is_empty() {
+            springs.push(Box::new(Springs::new(coarse.points(), conditions.springs.clone())));
+        }
+        let equations = conditions.equations(&|point| coarse.place(point));
+        // Conditions at rest contradict each other nowhere; if they do, there are no coarser levels.
+        levels.systems.push(System::new(&*coarse, springs, equations).ok()?);
+        coarsest = Some(coarse);
+    }
+    let last = levels.systems.last()?;
+    levels.is_loose = !free_motions(&*coarsest?, last).is_empty();
+    Some(levels)
+}
+
+/// Cracks moved by a small part of the spacing. A crack between the points of a lattice may run right through those of
+/// a coarser one and cut all of their bonds; moved, it leaves them on one of its sides.
+fn beside(cracks: &[Crack], lattice: &SquareLattice) -> Vec<Crack> {
+    /// In spacings, in no direction that cracks are likely to have.
+    const SHIFT: [f64; 2] = [0.047, 0.029];
+    let moved = |crack: &Crack| {
+        let shift = |v: &[f64; 2]| [0, 1].map(|k| v[k] + SHIFT[k] * lattice.spacing());
+        Crack::new(crack.vertices().iter().map(shift).collect()).unwrap_or_else(|_| crack.clone())
+    };
+    cracks.iter().map(moved).collect()
+}

@@ -1,0 +1,111 @@
+//! A body in the plane as a problem to be solved.
+
+use super::levels;
+use crate::case::Solver;
+use crate::run::{Coarser, Problem, Spread, TOO_MANY_POINTS};
+use crate::scene::body::BodyScene;
+use peristat_assembly::body::Crack;
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::Model;
+use peristat_assembly::model::plane::Solvable;
+use peristat_assembly::stiffness::Spring;
+use peristat_assembly::system::FreeMotion;
+
+/// A scene with a model of its body: its own one, or one with other cracks. Points, conditions and loads are those of the
+/// scene.
+#[derive(Debug)]
+pub struct BodyProblem<'a, M: ?Sized> {
+    /// The scene.
+    pub scene: &'a BodyScene,
+    /// The model.
+    pub model: Box<M>,
+    /// Cracks of the model.
+    pub cracks: Vec<Crack>,
+    /// What the model has that the scene has not, for messages: `with the tip moved by a spacing `.
+    apart: &'static str,
+}
+
+impl<'a, M: ?Sized> BodyProblem<'a, M> {
+    /// The scene as it is, with its own model.
+    pub fn new(scene: &'a BodyScene, model: Box<M>) -> Self {
+        let cracks = scene.cracks.iter().map(|c| c.crack.clone()).collect();
+        Self { scene, model, cracks, apart: "" }
+    }
+}
+
+impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> {
+    fn model(&self) -> &dyn Model<D> {
+        self.model.as_solvable()
+    }
+
+    fn springs(&self) -> &[Spring] {
+        &self.scene.conditions.springs
+    }
+
+    fn equations(&self) -> &[Equation] {
+        &self.scene.equations
+    }
+
+    fn solver(&self) -> Solver {
+        self.scene.solver
+    }
+
+    fn states(&self) -> usize {
+        self.scene.states.len()
+    }
+
+    fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
+        let state = &self.scene.states[state];
+        for &(case, factor) in &state.terms {
+            self.scene.load_cases[case].add_to(self.model.as_solvable(), factor, force);
+        }
+        state.motion_factor
+    }
+
+    fn breaks(&self) -> bool {
+        self.scene.case.is_traced()
+    }
+
+    fn spread(&self) -> Spread {
+        // A cycle on a shell takes the more iterations the finer it is, 190 at 90 000 points: a factor is as fast, and safe.
+        let is_shell = self.model.component("w").is_some() && self.model.points() <= TOO_MANY_POINTS;
+        match self.scene.solver == Solver::Auto && is_shell {
+            true => Spread::Plane,
+            false => levels::spread(self.model.as_solvable()),
+        }
+    }
+
+    fn positions(&self) -> Option<Vec<[f64; 2]>> {
+        Some((0..self.model.points()).map(|point| self.model.place(point)).collect())
+    }
+
+    fn coarser(&self) -> Option<Coarser<D>> {
+        levels::coarser(self.model.as_solvable(), &self.cracks, &self.scene.conditions)
+    }
+
+    fn describe(&self, motion: &FreeMotion) -> String {
+        format!("{}{}", self.apart, self.scene.describe(self.model.as_solvable(), motion))
+    }
+
+    fn remedy(&self) -> &'static str {
+        match self.apart {
+            "" if self.scene.material().is_revolved() => {
+                "a body of revolution needs `uy` held on one place, in every part that cracks leave"
+            }
+            "" if self.model.component("w").is_some() => {
+                "a shell needs `ux` and `uy` held on one place, and `w` where it could move across its axis or tilt: at two places a quarter of the circumference apart, each at both ends"
+            }
+            "" => {
+                "a body in the plane needs `ux` and `uy` held on one place and one of them on another, in every part that cracks leave"
+            }
+            _ => "a stress intensity needs a ligament of several spacings before the tip",
+        }
+    }
+}
+
+impl<'a, M: ?Sized> BodyProblem<'a, M> {
+    /// The scene with a model that has the tips of a crack moved.
+    pub fn with_moved_tips(scene: &'a BodyScene, model: Box<M>, cracks: Vec<Crack>) -> Self {
+        Self { scene, model, cracks, apart: "with the tip moved by a spacing " }
+    }
+}

@@ -1,0 +1,144 @@
+//! What supports, rigid regions and lines of symmetry do to a body in the plane.
+
+use crate::scene::Resultant;
+use crate::scene::body::{BodyScene, BodySupport};
+use peristat_assembly::sum::Sum;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// Force of a support, or of what is prescribed of a rigid region, on the body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BodyReaction {
+    /// What is held, such as ``the region `left` ``.
+    pub place: String,
+    /// Force along x.
+    pub force_x: f64,
+    /// Force along y.
+    pub force_y: f64,
+    /// Moment, counter-clockwise: about the centre of a rigid region that cannot turn; or, of a support that holds
+    /// rotations, the sum of what it does to those of its points, without that of its forces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
+    /// Force across the plane, outwards on a shell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force_w: Option<f64>,
+    /// Centre of a rigid region.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre: Option<[f64; 2]>,
+}
+
+/// Force of the mirrored half on the body, across a line of symmetry.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MirrorReaction {
+    /// The side of the body: `left`, `right`, `bottom` or `top`.
+    pub side: Cow<'static, str>,
+    /// Force across the line, along x or y as that is.
+    pub force: f64,
+}
+
+/// Sides in the order of the lines of mirrors.
+const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
+
+/// Forces of supports from the multipliers of all equations and the unknowns.
+pub(super) fn of_supports(scene: &BodyScene, multipliers: &[f64], u: &[f64]) -> Vec<BodyReaction> {
+    let n = scene.model.points();
+    let deflects = scene.model.component("w").is_some();
+    let of = |support: &BodySupport| {
+        let mut force = [Sum::default(), Sum::default(), Sum::default()];
+        let mut turns = false;
+        for (equations, shares) in &support.equations {
+            turns |= shares[2] != 0.0;
+            for (sum, share) in force.iter_mut().zip(shares).filter(|(_, share)| **share != 0.0) {
+                multipliers[equations.clone()].iter().for_each(|m| sum.add(share * m));
+            }
+        }
+        for spring in &scene.conditions.springs[support.springs.clone()] {
+            spring.forces(n, u).into_iter().for_each(|(unknown, f)| force[unknown / n].add(-f));
+        }
+        let origin = support.path.to_string();
+        let rigid = scene.conditions.rigid.iter().find(|r| r.origin == origin);
+        BodyReaction {
+            place: support.name.clone(),
+            force_x: force[0].total(),
+            force_y: force[1].total(),
+            moment: (turns && !deflects).then(|| force[2].total()),
+            force_w: (turns && deflects).then(|| force[2].total()),
+            centre: rigid.map(|r| r.centre),
+        }
+    };
+    scene.supports.iter().map(of).collect()
+}
+
+/// Resultant of supports, springs and lines of symmetry.
+pub(super) fn resultant(
+    scene: &BodyScene,
+    multipliers: &[f64],
+    u: &[f64],
+    mirrors: &[MirrorReaction],
+) -> Resultant {
+    let n = scene.model.points();
+    let mut forces = vec![0.0; u.len()];
+    for (equation, multiplier) in scene.equations.iter().zip(multipliers) {
+        for (unknown, coefficient) in &equation.terms {
+            forces[unknown.component * n + unknown.point] += coefficient * multiplier;
+        }
+    }
+    for (unknown, force) in scene.conditions.springs.iter().flat_map(|spring| spring.forces(n, u)) {
+        forces[unknown] -= force;
+    }
+    let mut sum = scene.resultant(&forces);
+    for mirror in mirrors {
+        let across = |k: usize| if SIDES[2 * k..][..2].contains(&&*mirror.side) { mirror.force } else { 0.0 };
+        sum.add([0, 1].map(across), [0.0; 2]);
+    }
+    sum
+}
+
+/// Forces through lines of symmetry: the equation `u_ghost + u_real = 0` of the component across a line holds with the same
+/// force on both of its points. What a stress does to images is part of what goes through the line; what loads do to it at once,
+/// `taken` by images, is not.
+pub(super) fn of_mirrors(
+    scene: &BodyScene,
+    multipliers: &[f64],
+    load: &[f64],
+    taken: &[(u32, [f64; 2])],
+) -> Vec<MirrorReaction> {
+    let Some((lattice, mirrors)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
+        return Vec::new();
+    };
+    let [columns, rows, _] = mirrors.lines;
+    let lines = [columns, rows];
+    let mut sums = [const { None }; 4];
+    for (k, line) in lines.as_flattened().iter().enumerate() {
+        // Nothing goes through the axis of a body of revolution.
+        let is_axis = k == 0 && scene.model.is_revolved();
+        sums[k] = line.filter(|_| !mirrors.joined[k / 2] && !is_axis).map(|_| Sum::default());
+    }
+    let of_ghosts = &multipliers[scene.equations.len()..];
+    let mut at_once = BTreeMap::<u32, [f64; 2]>::new();
+    for (ghost, force) in taken {
+        let sum = at_once.entry(*ghost).or_default();
+        (0..2).for_each(|k| sum[k] += force[k]);
+    }
+    for (&ghost, held) in
+        scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components().len()))
+    {
+        let cell = lattice.cell(ghost as usize);
+        let (_, signs) = mirrors.image(cell);
+        let taken = at_once.get(&ghost).copied().unwrap_or_default();
+        for axis in 0..2 {
+            let beyond = match lines[axis] {
+                [Some(low), _] if cell[axis] < low => 0,
+                [_, Some(high)] if cell[axis] >= high => 1,
+                _ => continue,
+            };
+            if let Some(sum) = &mut sums[2 * axis + beyond] {
+                let loaded = load[axis * scene.model.points() + ghost as usize];
+                sum.add((1.0 - signs[axis]) * (held[axis] + loaded) - taken[axis]);
+            }
+        }
+    }
+    let named = SIDES.into_iter().zip(sums);
+    named.filter_map(|(side, sum)| Some(MirrorReaction { side: side.into(), force: sum?.total() })).collect()
+}

@@ -1,0 +1,113 @@
+//! Probes and checks on the result of a body in the plane.
+
+use super::BodyResult;
+use crate::case::Origin;
+use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
+use crate::scene::body::{BodyComparison, BodyProbe, BodyScene, Quantity};
+use crate::scene::{Expectation, ExpectationKind};
+use peristat_assembly::sum::Sum;
+
+/// Whether a check of all points needs stresses; those of probes are known from the probes.
+pub(super) fn is_recovered(expectation: &Expectation<BodyComparison>) -> bool {
+    matches!(&expectation.kind, ExpectationKind::Points(points) if points.field.is_recovered())
+}
+
+/// Values of all probes on one state.
+pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult> {
+    let probe = |p: &BodyProbe| {
+        Some(ProbeResult {
+            name: p.name.clone(),
+            state: result.record.name.clone(),
+            x: p.position.map(|at| at[0]),
+            y: p.position.map(|at| at[1]),
+            place: p.position.is_none().then(|| p.place.clone()),
+            field: p.field_name().into(),
+            value: value(scene, result, &p.quantity)?,
+        })
+    };
+    scene.probes.iter().filter_map(probe).collect()
+}
+
+/// What a probe finds.
+fn value(scene: &BodyScene, result: &BodyResult, quantity: &Quantity) -> Option<f64> {
+    match quantity {
+        Quantity::Field { field, weights } => result.value(scene, *field, weights),
+        Quantity::Reaction { .. } | Quantity::Opening { .. } => {
+            mechanical(scene, quantity, &result.record.u, &result.multipliers)
+        }
+        Quantity::Rotation(region) => rotation(scene, result, *region),
+        Quantity::StressIntensity(k) => result.intensities.get(*k).copied(),
+    }
+}
+
+/// A reaction, a displacement or an opening, from the unknowns and the forces that hold the equations alone.
+pub(super) fn mechanical(
+    scene: &BodyScene,
+    quantity: &Quantity,
+    u: &[f64],
+    multipliers: &[f64],
+) -> Option<f64> {
+    let n = scene.model.points();
+    match quantity {
+        Quantity::Reaction { equations, springs, .. } => {
+            let mut sum = Sum::default();
+            equations.iter().for_each(|&(k, share)| sum.add(share * multipliers[k]));
+            let springs = springs.iter().map(|&k| &scene.conditions.springs[k]);
+            springs.flat_map(|s| s.forces(n, u)).for_each(|(_, force)| sum.add(-force));
+            Some(sum.total())
+        }
+        Quantity::Field { field, weights } if field.about().origin == Origin::Unknown => {
+            let (k, component) = scene.model.component(field.name())?;
+            Some(weights.iter().map(|&(p, w)| w * u[k * n + p as usize]).sum::<f64>() / component.scale)
+        }
+        Quantity::Opening { component, weights } => {
+            Some(weights.iter().map(|&(p, w)| w * u[component * n + p as usize]).sum())
+        }
+        _ => None,
+    }
+}
+
+/// Rotation of a rigid region, from the two of its points that are farthest from each other along x or y.
+fn rotation(scene: &BodyScene, result: &BodyResult, region: usize) -> Option<f64> {
+    let points = &scene.conditions.rigid.get(region)?.points;
+    let at = |p: &u32| scene.model.place(*p as usize);
+    let ends = |axis: usize| {
+        let order = |a: &&u32, b: &&u32| at(a)[axis].total_cmp(&at(b)[axis]);
+        let (low, high) = (points.iter().min_by(order)?, points.iter().max_by(order)?);
+        Some((*low as usize, *high as usize, at(high)[axis] - at(low)[axis]))
+    };
+    let (along_x, along_y) = (ends(0)?, ends(1)?);
+    let (n, u) = (scene.model.points(), &result.record.u);
+    Some(match along_x.2 >= along_y.2 {
+        true => (u[n + along_x.1] - u[n + along_x.0]) / along_x.2,
+        false => -(u[along_y.1] - u[along_y.0]) / along_y.2,
+    })
+}
+
+/// Outcomes of the checks that are made on this state.
+pub(crate) fn checks(scene: &BodyScene, result: &BodyResult) -> Vec<CheckResult> {
+    // Which equilibrium of a body that breaks is the last is known only after it.
+    let breaks = scene.case.is_traced();
+    let mine = scene.expectations.iter().filter(|e| breaks || e.state == result.record.index);
+    let names = &scene.facts;
+    let fact = |name: &String| result.record.facts.as_ref()?.value(name);
+    let probed = |k: usize| {
+        let found = match scene.probes.get(k) {
+            Some(probe) => value(scene, result, &probe.quantity),
+            None => names.get(k - scene.probes.len()).and_then(fact),
+        };
+        found.unwrap_or(f64::NAN)
+    };
+    let check = |expectation: &Expectation<BodyComparison>| {
+        let points = |points: &BodyComparison| {
+            let found = result.values(scene, points.field).unwrap_or_default();
+            let worst = match found.len() == points.expected.len() {
+                true => Worst::of(&points.expected, &found),
+                false => Worst { difference: f64::NAN, scale: 1.0, ..Worst::NONE },
+            };
+            CheckResult::of(&expectation.name, points.kind, worst, points.tolerance, &*points.source)
+        };
+        verdict::check(expectation, probed, probed, points)
+    };
+    mine.map(check).collect()
+}

@@ -1,0 +1,59 @@
+//! Points that their bonds do not hold: with one bond, or bonds on one line, they can move without any force.
+
+use crate::diagnostic::{Faults, root, tidy};
+use crate::scene::body::hold::conditions::Conditions;
+use crate::scene::body::scene::BodyScene;
+use crate::scene::body::site::body;
+use peristat_assembly::model::Model;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Points that are told one by one, at most.
+const MOST: usize = 5;
+
+/// A block is singular if its determinant is this small beside the square of its trace.
+const SINGULAR: f64 = 1e-10;
+
+/// Adds a fault for every point whose own stiffness is singular and that conditions do not hold.
+pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, faults: &mut Faults) {
+    let mut blocks = vec![[[0.0; D]; D]; model.points()];
+    model.terms().iter().for_each(|term| term.add_diagonal(&mut blocks));
+    let held = held_points(&scene.conditions, D);
+    let is_loose = |point: &usize| {
+        let ([a, b], d) = ([blocks[*point][0][0], blocks[*point][0][1]], blocks[*point][1][1]);
+        let trace = a + d;
+        // A single bond that resists turning holds its point.
+        let is_held = D > 2 && trace > 0.0;
+        !is_held && a * d - b * b <= SINGULAR * trace * trace && !held.contains(&(*point as u32))
+    };
+    let loose: Vec<usize> = scene.real_points().filter(is_loose).collect();
+    let path = if scene.case.cracks.is_empty() { body::path(&scene.case) } else { root("cracks") };
+    for &point in loose.iter().take(MOST) {
+        let [x, y] = scene.model.place(point).map(tidy);
+        let (a, d) = (blocks[point][0][0], blocks[point][1][1]);
+        let why = if a + d > 0.0 { "has bonds on one line only" } else { "has no bonds" };
+        faults.error(path.clone(), format!("the point at ({x}, {y}) {why}, so nothing holds it")).hint(
+            match scene.case.cracks.is_empty() {
+                true => "use a smaller spacing or a longer horizon where the body is thin",
+                false if a + d == 0.0 => "a crack through a point cuts all of its bonds: move the crack by half a spacing",
+                false => {
+                    "cracks cut what else would hold it: move them away from the point, or use a smaller spacing"
+                }
+            },
+        );
+    }
+    if let Some(more @ 1..) = loose.len().checked_sub(MOST) {
+        let s = if more == 1 { "" } else { "s" };
+        faults.error(path, format!("{more} more point{s} of this kind"));
+    }
+}
+
+/// Points all of whose unknowns supports hold, or that belong to rigid regions.
+fn held_points(conditions: &Conditions, unknowns: usize) -> BTreeSet<u32> {
+    let mut held: BTreeSet<u32> = conditions.rigid.iter().flat_map(|r| r.points.iter().copied()).collect();
+    let mut times: BTreeMap<u32, usize> = BTreeMap::new();
+    for &point in conditions.holds.iter().flat_map(|hold| &hold.points) {
+        *times.entry(point).or_default() += 1;
+    }
+    held.extend(times.into_iter().filter(|(_, times)| *times >= unknowns).map(|(point, _)| point));
+    held
+}

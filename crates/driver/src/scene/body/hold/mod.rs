@@ -1,0 +1,12 @@
+//! What holds a body.
+
+pub(crate) mod bearing_keys;
+pub(crate) mod conditions;
+pub(crate) mod held_body;
+pub(crate) mod held_border;
+pub(crate) mod held_edge;
+pub(crate) mod rigid;
+pub(crate) mod rigid_mirror;
+pub(crate) mod support_keys;
+pub(crate) mod supported;
+pub(crate) mod supports;

@@ -1,0 +1,70 @@
+//! Keys of supports of a body in the plane.
+
+use crate::case::Support;
+use crate::diagnostic::{Faults, JsonPath, positive};
+use crate::model::Material;
+
+/// Adds a fault for every key of a support that does not fit a body in the plane, or another key.
+pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath, faults: &mut Faults) {
+    let (points_turn, deflects) = (material.has("phi"), material.has("w"));
+    let foreign = [
+        ("w", support.w.is_some() && !deflects, "a body in the plane is held by `ux` and `uy`"),
+        (
+            "phi",
+            support.phi.is_some() && !points_turn,
+            match deflects {
+                true => "a shell membrane is held by `ux`, `uy` and `w`",
+                false => "points do not turn: list the region under `rigid` and give its `phi`",
+            },
+        ),
+        ("w_spring", support.w_spring.is_some(), "use `ux_spring` and `uy_spring`"),
+        (
+            "phi_spring",
+            support.phi_spring.is_some(),
+            if points_turn {
+                "use `ux_spring` and `uy_spring`"
+            } else {
+                "points do not turn: use `ux_spring` and `uy_spring`"
+            },
+        ),
+    ];
+    for (key, _, hint) in foreign.iter().filter(|f| f.1) {
+        faults.error(path.key(*key), format!("`{key}` is for the supports of beams")).hint(*hint);
+    }
+    let pairs = [
+        ("ux", support.ux, "ux_spring", support.ux_spring),
+        ("uy", support.uy, "uy_spring", support.uy_spring),
+    ];
+    let holds = pairs.iter().any(|p| p.1.is_some() || p.3.is_some())
+        || support.inclined.is_some()
+        || support.phi.is_some()
+        || support.w.is_some();
+    if !holds && !foreign.iter().any(|f| f.1) {
+        faults.error(path.clone(), "this support holds nothing").hint(match (points_turn, deflects) {
+            (true, _) => {
+                "give `ux`, `uy`, `phi` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support"
+            }
+            (_, true) => {
+                "give `ux`, `uy`, `w` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support"
+            }
+            _ => "give `ux`, `uy` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support",
+        });
+    }
+    if let Some(inclined) = support.inclined.filter(|i| i.degrees.abs() > 360.0) {
+        faults
+            .error(
+                path.key("inclined").key("degrees"),
+                format!("`degrees` must be between -360 and 360, found {}", inclined.degrees),
+            )
+            .hint("it is the direction that is held, counter-clockwise from x");
+    }
+    for (key, value, spring, stiffness) in pairs {
+        let Some(stiffness) = stiffness else { continue };
+        positive(stiffness, spring, path.key(spring), faults);
+        if value.is_some() {
+            faults
+                .error(path.key(spring), format!("`{key}` is prescribed, so `{spring}` would do nothing"))
+                .hint("remove one of them");
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! Supports of a body in the plane.
+
+use super::conditions::HeldPoints;
+use super::held_border::{self, Piece};
+use super::held_edge::{EdgeShares, HeldEdge};
+use super::rigid::RigidPoints;
+use super::support_keys;
+use crate::case::{Rigid, Support};
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::model::Material;
+use crate::scene::body::site::boundary::{self, Stretch};
+use crate::scene::body::site::ground::{Ground, Spot};
+use crate::scene::body::site::recipe::Recipe;
+use crate::scene::body::site::symmetry::Symmetry;
+use peristat_assembly::body::PlaneBody;
+use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::stiffness::Spring;
+
+/// A support, resolved, with what it holds by numbers of the body.
+#[derive(Clone, Debug)]
+pub(crate) struct Held {
+    /// What the user calls the place.
+    pub(crate) name: String,
+    /// Where it stands in the case.
+    pub(crate) path: JsonPath,
+    /// Its points.
+    pub(crate) points: Vec<u32>,
+    /// How an edge is held on its line.
+    edge: Option<HeldEdge>,
+    /// With an edge, the points behind each point; none where the point itself is held.
+    chains: Vec<Vec<u32>>,
+    /// Stretches of the border that it holds, if it holds one.
+    border: Vec<Stretch>,
+    /// Directions, or the rotation or the displacement across the plane as the third component, with what is prescribed and
+    /// their keys.
+    pub(crate) motions: Vec<([f64; 3], f64, &'static str)>,
+    /// Components and total stiffnesses of springs.
+    pub(crate) springs: Vec<(usize, f64)>,
+}
+
+/// What holds a body of revolution.
+const REVOLVED_EXAMPLE: &str = r#"a body of revolution can move along its axis alone: { "at": { "region": "bottom" }, "uy": 0.0 } holds it"#;
+
+/// A support that gives no motion of a line or frame.
+const EXAMPLE: &str =
+    r#"a clamped edge is { "at": { "region": "left" }, "ux": 0.0, "uy": 0.0 }, a roller gives one of them"#;
+
+/// Supports of the case.
+pub(crate) fn held(
+    ground: &Ground,
+    symmetry: &Symmetry,
+    material: &dyn Material,
+    faults: &mut Faults,
+) -> Vec<Held> {
+    let case = ground.case;
+    if case.supports.is_empty() && case.rigid.is_empty() && case.symmetry.is_empty() {
+        let hint = if material.is_revolved() { REVOLVED_EXAMPLE } else { EXAMPLE };
+        faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(hint);
+    }
+    let each = case.supports.iter().enumerate();
+    let shares = EdgeShares::new(material);
+    each.filter_map(|(k, support)| {
+        let path = root("supports").index(k);
+        support_keys::check(support, material, &path, faults);
+        let at = path.key("at");
+        if support.at.inward.is_some() {
+            faults
+                .error(at.key("inward"), "`inward` is for probes")
+                .hint(crate::scene::body::site::ground::PLACE);
+        }
+        not_mirrored(support.at.region.as_deref(), &at.key("region"), symmetry, faults);
+        let spot = ground.spot(&support.at, &at, "the support", faults)?;
+        let mut held = resolve(support, spot, path);
+        held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
+        // Of a shell the outermost points are held: shares of one axial stress leave out what it does across the surface.
+        if let (PlaneBody::Lattice(lattice), Some(name), false) =
+            (ground.body, &support.at.region, material.cylinder_radius().is_some())
+        {
+            let edge = ground.outline.and_then(|outline| outline.edge(name));
+            held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, &shares));
+            held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
+        }
+        Some(held)
+    })
+    .collect()
+}
+
+/// Stretches of the edge or hole of a name; none of other regions.
+fn border(name: &str, ground: &Ground) -> Vec<Stretch> {
+    let Some(outline) = ground.outline else { return Vec::new() };
+    let hole = || outline.holes().iter().position(|hole| hole.name.as_deref() == Some(name));
+    match (outline.edge(name), hole()) {
+        (Some(edge), _) => boundary::of_edge(edge, ground),
+        (_, Some(hole)) => boundary::of_hole(hole, outline, ground.body.spacing()),
+        _ => Vec::new(),
+    }
+}
+
+/// A fault for an edge that a mirror replaces, or that is joined to another one.
+pub(crate) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Symmetry, faults: &mut Faults) {
+    if let Some(name) = region.filter(|name| symmetry.axis.iter().any(|e| e == name)) {
+        faults
+            .error(path.clone(), format!("the edge `{name}` is the axis, no edge of the body"))
+            .hint("points on the axis stay there, and nothing acts on it");
+    } else if let Some(name) = region.filter(|name| symmetry.replaces(name)) {
+        faults
+            .error(path.clone(), format!("the edge `{name}` is a mirror by `symmetry`, no edge of the body"))
+            .hint("the mirror holds the displacement across it already, and nothing acts on it: remove one of both");
+    }
+    if let Some(name) = region.filter(|name| symmetry.joins(name)) {
+        faults
+            .error(path.clone(), format!("the edge `{name}` is joined to the opposite one by `periodic`"))
+            .hint("no border is there: take another region, or remove `periodic`");
+    }
+}
+
+fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
+    let inclined = support.inclined.map(|inclined| {
+        let angle = inclined.degrees.to_radians();
+        // What rounding leaves of a right angle is no share.
+        let clean = |share: f64| if share.abs() < 1e-15 { 0.0 } else { share };
+        ([clean(angle.cos()), clean(angle.sin()), 0.0], inclined.displacement, "inclined")
+    });
+    let ux = support.ux.map(|value| ([1.0, 0.0, 0.0], value, "ux"));
+    let uy = support.uy.map(|value| ([0.0, 1.0, 0.0], value, "uy"));
+    let phi = support.phi.map(|value| ([0.0, 0.0, 1.0], value, "phi"));
+    let w = support.w.map(|value| ([0.0, 0.0, 1.0], value, "w"));
+    let springs = [(0, support.ux_spring), (1, support.uy_spring)];
+    Held {
+        name: spot.words,
+        path,
+        points: spot.points,
+        edge: None,
+        chains: Vec::new(),
+        border: Vec::new(),
+        motions: [ux, uy, inclined, phi, w].into_iter().flatten().collect(),
+        springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
+    }
+}
+
+impl Held {
+    /// Points that share what acts on the edge at a point, with their shares, where the edge is held along a component.
+    pub(crate) fn sharing(
+        &self,
+        point: u32,
+        component: usize,
+    ) -> Option<impl Iterator<Item = (u32, f64)> + '_> {
+        let direct = self.motions.iter().any(|m| m.0[component].abs() == 1.0);
+        let k = self.points.binary_search(&point).ok().filter(|_| direct)?;
+        let chain = self.chains.get(k).filter(|chain| !chain.is_empty())?;
+        let points = std::iter::once(point).chain(chain.iter().copied());
+        Some(points.zip(self.edge.as_ref()?.shares(component).iter().copied()))
+    }
+
+    /// What it prescribes, by numbers of the model.
+    pub(crate) fn holds(&self, recipe: &Recipe, model: &dyn PlaneModel) -> Vec<HeldPoints> {
+        let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
+        let number = |p: &u32| recipe.number(model, *p);
+        let chains: Vec<Vec<u32>> = self.chains.iter().map(|c| c.iter().map(number).collect()).collect();
+        let pieces = held_border::pieces(&self.border, &points, model);
+        let on_border: Vec<u32> = match &pieces {
+            Some(pieces) => (0..points.len()).filter(|&k| !pieces[k].is_empty()).map(|k| points[k]).collect(),
+            None => Vec::new(),
+        };
+        let pieces: Vec<Piece> = pieces.into_iter().flatten().filter(|piece| !piece.is_empty()).collect();
+        let hold = |&(direction, value, key): &([f64; 3], f64, &'static str)| {
+            // Rotations are those of the points, wherever the edge is.
+            let turns = direction[2] != 0.0;
+            let follows = !turns && !pieces.is_empty();
+            HeldPoints {
+                points: if follows { on_border.clone() } else { points.clone() },
+                edge: self.edge.clone().filter(|_| !turns && !follows),
+                chains: if turns || follows { Vec::new() } else { chains.clone() },
+                pieces: if follows { pieces.clone() } else { Vec::new() },
+                direction,
+                value: if turns { value * model.scale(2) } else { value },
+                origin: self.path.key(key).to_string(),
+            }
+        };
+        self.motions.iter().map(hold).collect()
+    }
+
+    /// Its springs, shared by volume.
+    pub(crate) fn spring_list(&self, recipe: &Recipe, model: &dyn PlaneModel) -> Vec<Spring> {
+        let points: Vec<usize> = self.points.iter().map(|&p| recipe.number(model, p) as usize).collect();
+        let volume: f64 = points.iter().map(|&p| model.volume(p)).sum();
+        let on = |component: usize, stiffness: f64| {
+            let share = move |&p: &usize| Spring::on(component, p, stiffness * model.volume(p) / volume);
+            points.iter().map(share).collect::<Vec<_>>()
+        };
+        self.springs.iter().flat_map(|&(component, stiffness)| on(component, stiffness)).collect()
+    }
+}
+
+/// Rigid regions of the case, by numbers of the body.
+pub(crate) fn rigid(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) -> Vec<RigidPoints> {
+    let mut rigid: Vec<RigidPoints> = Vec::new();
+    for (k, given) in ground.case.rigid.iter().enumerate() {
+        let path = root("rigid").index(k);
+        let place = path.key("region");
+        not_mirrored(Some(&given.region), &place, symmetry, faults);
+        let Some(points) = ground.region(&given.region, &place, faults) else { continue };
+        if points.len() < 2 {
+            faults
+                .error(
+                    place.clone(),
+                    format!("the region `{}` is one point, which is rigid by itself", given.region),
+                )
+                .hint("hold a point by `supports`, or make the region larger than the spacing");
+            continue;
+        }
+        let shared = |r: &&RigidPoints| points.iter().any(|p| r.points.binary_search(p).is_ok());
+        if let Some(other) = rigid.iter().find(shared) {
+            faults
+                .error(
+                    place,
+                    format!("the region `{}` shares points with that of `{}`", given.region, other.origin),
+                )
+                .hint("two rigid bodies that share points are one: take the union of both regions");
+            continue;
+        }
+        rigid.push(resolve_rigid(given, points, ground, &path));
+    }
+    rigid
+}
+
+fn resolve_rigid(given: &Rigid, points: Vec<u32>, ground: &Ground, path: &JsonPath) -> RigidPoints {
+    let centre = given.centre.unwrap_or_else(|| {
+        let area = |p: &u32| ground.body.area(*p as usize);
+        let whole: f64 = points.iter().map(area).sum();
+        let moment =
+            |k: usize| points.iter().map(|p| area(p) * ground.body.position(*p as usize)[k]).sum::<f64>();
+        [moment(0) / whole, moment(1) / whole]
+    });
+    RigidPoints { points, centre, prescribed: [given.ux, given.uy, given.phi], origin: path.to_string() }
+}

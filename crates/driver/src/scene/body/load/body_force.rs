@@ -1,0 +1,124 @@
+//! Forces on the volume of a body in the plane.
+
+use super::asked;
+use super::context::LoadContext;
+use super::sums::BodyLoads;
+use super::traction::lump;
+use crate::case::BodyForce;
+use crate::diagnostic::{Faults, JsonPath};
+use crate::model::hints;
+use crate::scene::body::site::resultants as statics;
+use peristat_assembly::body::PlaneBody;
+
+/// Forces per volume, or altogether, on a body or a region, or those of a spin.
+pub(crate) fn resolve(
+    load: &BodyForce,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    if let Some(value) = load.spin {
+        return spin(value, load, context, path, to, faults);
+    }
+    let (value, is_total) = match (load.density, load.total) {
+        (Some(density), None) => (density, false),
+        (None, Some(total)) => (total, true),
+        (None, None) => {
+            faults.error(path.clone(), "neither `density` nor `total` nor `spin` is given").hint(
+                "`density` is a force per volume, such as that of gravity; `total` the force on all points together",
+            );
+            return;
+        }
+        (Some(_), Some(_)) => {
+            faults
+                .error(path.key("total"), "`density` and `total` are both given")
+                .hint("remove one of them");
+            return;
+        }
+    };
+    if value == [0.0; 2] {
+        faults.error(path.clone(), "this load is zero");
+    }
+    let points = match &load.region {
+        Some(name) => match context.ground.region(name, &path.key("region"), faults) {
+            Some(points) => Some(points),
+            None => return,
+        },
+        None => None,
+    };
+    let Some(points) = points else { return on_body(value, is_total, context, to) };
+    let volume: f64 = points.iter().map(|&p| context.volume(p)).sum();
+    let density = if is_total { value.map(|f| f / volume) } else { value };
+    for p in points {
+        let force = density.map(|b| b * context.volume(p));
+        statics::add_force(context.material, &mut to.asked, force, context.ground.body.position(p as usize));
+        to.forces.push((p, force));
+    }
+}
+
+/// A force on the whole body, per volume or in all. Where cells do not fill the body their forces are those of what they have,
+/// with what they lack of force and moment shared by all.
+fn on_body(value: [f64; 2], is_total: bool, context: &LoadContext, to: &mut BodyLoads) {
+    let body = context.ground.body;
+    let unit = asked::of_body([1.0, 0.0], context).sizes()[0];
+    let density = if is_total { value.map(|f| f / unit) } else { value };
+    let asked = asked::of_body(density, context);
+    to.asked.add_multiple(1.0, &asked);
+    let force = |p: u32| (p, density.map(|b| b * context.volume(p)));
+    let mut forces: lump::Forces = (0..body.points() as u32).map(force).collect();
+    let mut missing = asked;
+    let at = |p: u32| body.position(p as usize);
+    forces
+        .iter()
+        .for_each(|&(p, f)| statics::add_force(context.material, &mut missing, f.map(|f| -f), at(p)));
+    let is_whole = matches!(body, PlaneBody::Lattice(lattice) if lattice.cut_cells().is_empty());
+    let lacks = missing.force().into_iter().chain([missing.moment() * asked.sizes()[0] / asked.sizes()[1]]);
+    if is_whole && lacks.fold(0.0, |a: f64, f| a.max(f.abs())) <= 1e-12 * asked.sizes()[0] {
+        (0..2).for_each(|k| to.density[k] += density[k]);
+        return;
+    }
+    if context.symmetry.mirrors.is_none() && !context.material.is_revolved() {
+        lump::add_resultant(&mut forces, &missing, context);
+    } else {
+        // A mirror takes moments, and rings have none.
+        let found: f64 = forces.iter().map(|&(p, _)| context.volume(p)).sum();
+        forces.iter_mut().for_each(|f| f.1 = f.1.map(|f| unit / found * f));
+    }
+    to.forces.extend(forces);
+}
+
+/// The inertia of a body that turns about its axis.
+fn spin(
+    value: f64,
+    load: &BodyForce,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    if !context.material.is_revolved() {
+        faults
+            .error(path.key("spin"), "`spin` is for bodies of revolution, which have an axis")
+            .hint(format!("use the model `{}`", hints::TURNING));
+        return;
+    }
+    if load.density.is_some() || load.total.is_some() {
+        faults
+            .error(path.key("spin"), "`spin` stands beside another body force")
+            .hint("give each a `body_force` of its own");
+        return;
+    }
+    if value == 0.0 {
+        faults.error(path.clone(), "this load is zero");
+    }
+    match &load.region {
+        None => to.spin += value,
+        Some(name) => {
+            let points = context.ground.region(name, &path.key("region"), faults).unwrap_or_default();
+            let radius = |p: u32| context.ground.body.position(p as usize)[0];
+            let force = |&p: &u32| (p, [value * radius(p) * context.volume(p), 0.0]);
+            to.forces.extend(points.iter().map(force));
+        }
+    }
+}

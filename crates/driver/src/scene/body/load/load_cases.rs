@@ -1,0 +1,56 @@
+//! The load cases of a case.
+
+use super::context::LoadContext;
+use super::sums::BodyLoads;
+use super::traction::{add, resolve};
+use super::{asked, body_force, point_load, pressure};
+use crate::case::Load;
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::scene::body::site::ground::Ground;
+use crate::scene::states;
+
+/// All load cases, by numbers of the body.
+pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<BodyLoads> {
+    let resolve = |loads: &[Load], path: &JsonPath, faults: &mut Faults| {
+        let mut resolved = BodyLoads::default();
+        let mut on_borders = Vec::new();
+        for (k, load) in loads.iter().enumerate() {
+            let path = path.index(k);
+            match load {
+                Load::Point(load) => {
+                    point_load::resolve(load, context, &path.key("point"), &mut resolved, faults)
+                }
+                Load::BodyForce(load) => {
+                    body_force::resolve(load, context, &path.key("body_force"), &mut resolved, faults)
+                }
+                Load::Traction(load) => {
+                    on_borders.extend(resolve::resolve(load, context, path.key("traction"), faults))
+                }
+                Load::Pressure(load) => {
+                    pressure::resolve(load, context, &path.key("pressure"), &mut resolved, faults)
+                }
+                Load::Distributed(_) => {
+                    faults
+                        .error(path.key("distributed"), "`distributed` loads are for beams")
+                        .hint("in the plane a force per area on an edge is a `traction`, one per volume a `body_force`");
+                }
+            }
+        }
+        on_borders.iter().for_each(|t| resolved.asked.add_multiple(1.0, &asked::of_traction(t, context)));
+        add::add(&on_borders, context, &mut resolved, faults);
+        resolved
+    };
+    states::load_cases(context.ground.case, resolve, faults)
+}
+
+/// Sums of load cases that are solved, with no load among them that is missing.
+pub(crate) fn check_loaded(ground: &Ground, cases: &[BodyLoads], moves: bool, faults: &mut Faults) {
+    let case = ground.case;
+    let stretched = case.periodic.iter().any(|p| p.force.is_some());
+    if cases.iter().all(BodyLoads::is_zero) && !moves && !stretched && !faults.has_errors() {
+        let key = if case.load_cases.is_empty() { "loads" } else { "load_cases" };
+        faults
+            .warning(root(key), "nothing acts on the body: all results will be zero")
+            .hint("give `loads`, or a support with a displacement that is not zero");
+    }
+}

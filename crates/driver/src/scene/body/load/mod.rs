@@ -1,0 +1,12 @@
+//! What loads a body.
+
+pub(crate) mod asked;
+pub(crate) mod body_force;
+pub(crate) mod context;
+pub(crate) mod joined_sides;
+pub(crate) mod load_cases;
+pub(crate) mod point_load;
+pub(crate) mod pressure;
+pub(crate) mod stress_field;
+pub(crate) mod sums;
+pub(crate) mod traction;

@@ -1,0 +1,113 @@
+//! Forces and moments at places of a body in the plane.
+
+use super::context::{LoadContext, is_held};
+use super::sums::BodyLoads;
+use crate::case::PointLoad;
+use crate::diagnostic::{Faults, JsonPath, tidy};
+use crate::scene::body::site::ground::{PLACE, Spot};
+use crate::scene::body::site::interpolate::{Interpolation, Weights};
+use crate::scene::body::site::resultants as statics;
+use peristat_assembly::body::Crack;
+
+/// A force, or a moment, at a place.
+pub(crate) fn resolve(
+    load: &PointLoad,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    let (points_turn, deflects) = (context.material.has("phi"), context.material.has("w"));
+    let foreign = [
+        ("force", load.force != 0.0 && !deflects, "use `force_x` and `force_y`"),
+        ("axial", load.axial != 0.0, "use `force_x` and `force_y`"),
+        (
+            "moment",
+            load.moment != 0.0 && !points_turn,
+            "points do not turn: use two forces, or a `linear` traction on an edge",
+        ),
+        ("spread", load.spread, "give a region as the place to spread a force"),
+    ];
+    for (key, _, hint) in foreign.iter().filter(|f| f.1) {
+        faults.error(path.key(*key), format!("`{key}` is for beams")).hint(*hint);
+    }
+    let force = [load.force_x, load.force_y];
+    let across = if deflects { load.force } else { load.moment };
+    if force == [0.0; 2] && across == 0.0 && !foreign.iter().any(|f| f.1) {
+        let keys = match (points_turn, deflects) {
+            (true, _) => "give `force_x`, `force_y` or `moment`",
+            (_, true) => "give `force_x`, `force_y` or `force`",
+            _ => "give `force_x` or `force_y`",
+        };
+        faults.error(path.clone(), "this load is zero").hint(keys);
+    }
+    let at = path.key("at");
+    if load.at.inward.is_some() {
+        faults.error(at.key("inward"), "`inward` is for probes").hint(PLACE);
+    }
+    crate::scene::body::hold::supports::not_mirrored(
+        load.at.region.as_deref(),
+        &at.key("region"),
+        context.symmetry,
+        faults,
+    );
+    let Some(spot) = context.ground.spot(&load.at, &at, "the load", faults) else { return };
+    let acts = force != [0.0; 2];
+    let is_fixed = |c: usize| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held));
+    let is_fixed = acts && (0..2).all(is_fixed);
+    let shares = shares(load, &spot, is_fixed, context);
+    let at_place = place(load, &shares, context, &at, faults);
+    statics::add_force(context.material, &mut to.asked, force, at_place);
+    if points_turn {
+        to.asked.add_moment(load.moment);
+    }
+    if is_fixed {
+        faults
+            .warning(at, format!("supports hold {} against this force: it deforms nothing", spot.words))
+            .hint("it only adds to the reaction of the support");
+    }
+    if acts {
+        to.forces.extend(shares.iter().map(|&(p, share)| (p, force.map(|f| share * f))));
+    }
+    if across != 0.0 {
+        to.across.extend(shares.iter().map(|&(p, share)| (p, share * across)));
+    }
+}
+
+/// Where a force acts: at the position that is given, or in the middle of a region. A doubt where no points around the position
+/// can share it.
+fn place(
+    load: &PointLoad,
+    shares: &Weights,
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> [f64; 2] {
+    let body = context.ground.body;
+    let middle = [0, 1].map(|k| shares.iter().map(|&(p, s)| s * body.position(p as usize)[k]).sum::<f64>());
+    let (Some(x), Some(y)) = (load.at.x, load.at.y) else { return middle };
+    let moved = (x - middle[0]).hypot(y - middle[1]);
+    if moved < 1e-9 * body.spacing() {
+        return [x, y];
+    }
+    if moved > 1e-3 * body.spacing() {
+        let [a, b] = middle.map(tidy);
+        faults
+            .warning(path.clone(), format!("the load acts on the point at ({a}, {b})"))
+            .hint("give the position of that point, or a region");
+    }
+    middle
+}
+
+/// Points and their shares of a force at a place: those of a region alike; at a position those with which values are
+/// interpolated there, so that the force has its moment. A point that is held takes it alone.
+fn shares(load: &PointLoad, spot: &Spot, is_fixed: bool, context: &LoadContext) -> Weights {
+    match (load.at.x, load.at.y, &spot.points[..]) {
+        (Some(x), Some(y), &[nearest]) if !is_fixed => {
+            let cracks: Vec<Crack> = context.cracks.iter().map(|c| c.crack.clone()).collect();
+            let interpolation = Interpolation { body: context.ground.body, cracks: &cracks, reach: 1 };
+            interpolation.at([x, y], nearest)
+        }
+        (.., points) => points.iter().map(|&p| (p, 1.0 / points.len() as f64)).collect(),
+    }
+}

@@ -1,0 +1,41 @@
+//! Pressures on whole cylinders.
+
+use super::context::LoadContext;
+use super::stress_field::StressField;
+use super::sums::BodyLoads;
+use crate::case::Pressure;
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::body::PlaneBody;
+
+/// Adds a pressure.
+pub(crate) fn resolve(
+    load: &Pressure,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    let PlaneBody::Lattice(lattice) = context.ground.body else { return };
+    let mirrors = &context.symmetry.mirrors;
+    let Some(pressure) = context.material.pressure(load, lattice, mirrors, path, faults) else { return };
+    let points = 0..context.ground.body.points() as u32;
+    let arc = |p: u32| context.ground.body.position(p as usize)[1];
+    let k = pressure.wave_number;
+    let Some(hoop) = pressure.hoop_stress else {
+        let force = |p: u32| {
+            let area = context.ground.body.area(p as usize);
+            (p, pressure.value * area * (k * arc(p)).cos())
+        };
+        to.across.extend(points.map(force));
+        return;
+    };
+    to.stresses.push(StressField::hoop(hoop, k));
+    // What a stress that varies does along the circumference is taken back: its divergence.
+    let force = |p: u32| {
+        let divergence = -hoop * k * (k * arc(p)).sin();
+        (p, [0.0, context.volume(p) * divergence])
+    };
+    if k > 0.0 {
+        to.forces.extend(points.map(force));
+    }
+}

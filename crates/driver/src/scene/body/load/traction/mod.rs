@@ -1,0 +1,11 @@
+//! Tractions on borders.
+
+pub(crate) mod add;
+pub(crate) mod fading;
+pub(crate) mod lump;
+pub(crate) mod on_border;
+pub(crate) mod profile;
+pub(crate) mod resolve;
+pub(crate) mod round;
+pub(crate) mod through_border;
+pub(crate) mod uniform_stress;

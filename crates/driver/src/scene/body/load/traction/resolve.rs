@@ -1,0 +1,178 @@
+//! Tractions as cases give them.
+
+use super::on_border::OnBorder;
+use super::profile::Profile;
+use crate::case::{Hertz, LoadSharing, Traction};
+use crate::diagnostic::{Faults, JsonPath, positive, tidy};
+use crate::scene::body::load::context::LoadContext;
+use crate::scene::body::site::boundary::{self, Border, is_aligned};
+use peristat_assembly::model::plane::Calibration;
+
+/// The border and the profile of a traction.
+pub(crate) fn resolve(
+    load: &Traction,
+    context: &LoadContext,
+    path: JsonPath,
+    faults: &mut Faults,
+) -> Option<OnBorder> {
+    let place = path.key("edge");
+    crate::scene::body::hold::supports::not_mirrored(Some(&load.edge), &place, context.symmetry, faults);
+    let border = boundary::find(&load.edge, context.ground, context.curves, &place, faults);
+    let given = [
+        ("uniform", load.uniform.is_some()),
+        ("linear", load.linear.is_some()),
+        ("parabolic", load.parabolic.is_some()),
+        ("pressure", load.pressure.is_some()),
+        ("total", load.total.is_some()),
+        ("hertz", load.hertz.is_some()),
+    ];
+    let keys: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
+    match keys[..] {
+        [_] => {}
+        [] => {
+            faults
+                .error(path, "the value of this traction is missing")
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
+            return None;
+        }
+        [first, second, ..] => {
+            faults
+                .error(path.key(second), format!("`{first}` and `{second}` are both given"))
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
+            return None;
+        }
+    }
+    if let Some(depth) = load.depth {
+        positive(depth, "depth", path.key("depth"), faults);
+    }
+    let border = border.filter(|_| !context.symmetry.axis.contains(&load.edge))?;
+    let on = OnBorder {
+        name: load.edge.clone(),
+        border,
+        profile: Profile::Pressure(0.0),
+        sharing: load.sharing,
+        depth: load.depth,
+        path: path.clone(),
+    };
+    let stretches = on.stretches(context.ground);
+    let area = context.area(&stretches);
+    if !positive(area, "area of the border", place.clone(), faults) {
+        return None;
+    }
+    let profile = match load {
+        Traction { uniform: Some(t), .. } => Profile::Linear([*t; 2]),
+        Traction { linear: Some(ends), .. } => Profile::Linear(*ends),
+        Traction { parabolic: Some(t), .. } => Profile::Parabolic(*t),
+        Traction { total: Some(force), .. } => Profile::Linear([force.map(|f| f / area); 2]),
+        Traction { hertz: Some(hertz), .. } => {
+            on_edge(hertz, &on.border, context.ground.body.spacing(), &path.key("hertz"), faults)?
+        }
+        _ => Profile::Pressure(load.pressure.unwrap_or(0.0)),
+    };
+    let within = match profile {
+        Profile::Hertz { centre, .. } => centre,
+        _ => 0.5,
+    };
+    if [0.0, within, 1.0].iter().all(|&q| profile.at(q, [1.0, 0.0]) == [0.0; 2]) {
+        faults.error(path.clone(), "this traction is zero");
+    }
+    let varies = match profile {
+        Profile::Linear([a, b]) => (a != b).then_some("linear"),
+        Profile::Parabolic(_) => Some("parabolic"),
+        _ => None,
+    };
+    if let (Border::Curved { hole: Some(_), .. }, Some(key)) = (&on.border, varies) {
+        faults
+            .error(path.key(key), "a hole has neither start nor end")
+            .hint("use `uniform`, `pressure` or `total` on holes");
+    }
+    check_sharing(load, &on, context, &path, faults);
+    Some(OnBorder { profile, ..on })
+}
+
+/// A contact pressure by places along its edge.
+fn on_edge(
+    load: &Hertz,
+    border: &Border,
+    spacing: f64,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Profile> {
+    let Border::Edge(edge) = border else {
+        faults
+            .error(path.clone(), "a contact pressure needs a straight edge")
+            .hint("use `pressure` on holes");
+        return None;
+    };
+    if !positive(load.radius, "radius", path.key("radius"), faults) {
+        return None;
+    }
+    // Along the axis in which the edge runs.
+    let along = usize::from((edge.to[1] - edge.from[1]).abs() > (edge.to[0] - edge.from[0]).abs());
+    let extent = edge.to[along] - edge.from[along];
+    let length = (edge.to[0] - edge.from[0]).hypot(edge.to[1] - edge.from[1]);
+    let reach = load.radius * extent.abs() / length;
+    let [low, high] = [edge.from[along].min(edge.to[along]), edge.from[along].max(edge.to[along])];
+    if load.centre + reach <= low || high <= load.centre - reach {
+        let (at, name) = (path.key("centre"), ["x", "y"][along]);
+        faults
+            .error(
+                at,
+                format!("the contact is beside the edge, which reaches from {} to {}", tidy(low), tidy(high)),
+            )
+            .hint(format!("`centre` is the {name} of its middle"));
+        return None;
+    }
+    if load.radius < spacing {
+        faults
+            .error(path.key("radius"), "the contact is narrower than two spacings: points hardly feel it")
+            .hint("use a smaller spacing, ten over the radius, or a `point` load");
+        return None;
+    }
+    if load.radius < 4.0 * spacing {
+        faults
+            .warning(
+                path.key("radius"),
+                format!("the contact is {} spacings wide at most", tidy(2.0 * load.radius / spacing)),
+            )
+            .hint("stresses near it need ten spacings or more over its radius");
+    }
+    let place = (load.centre - edge.from[along]) / extent;
+    Some(Profile::Hertz { centre: place, radius: load.radius / length, peak: load.peak })
+}
+
+/// A fault where consistent sharing is asked for and cannot be.
+fn check_sharing(
+    load: &Traction,
+    on: &OnBorder,
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) {
+    if load.sharing != Some(LoadSharing::Consistent) {
+        return;
+    }
+    if let Border::Curved { hole: None, .. } = &on.border {
+        faults
+            .error(path.key("sharing"), "`consistent` tractions need an edge or a hole of an outline")
+            .hint("leave `sharing` out: on meshes tractions are `lumped`");
+        return;
+    }
+    if let Border::Edge(edge) = &on.border
+        && !is_aligned(edge, context.ground.body)
+    {
+        faults.error(path.key("sharing"), "`consistent` tractions need an edge along the lattice").hint(
+            "leave `sharing` out: on slanted edges tractions are `lumped` unless one stress has all of them",
+        );
+    }
+    if context.material.about().calibration == Calibration::Published {
+        faults
+            .warning(
+                path.key("sharing"),
+                "`consistent` tractions hide the wrong moduli of the calibration `published`",
+            )
+            .hint(
+                "the rows of its bonds are wrong in stiffness and load alike: use `lumped` to see the error",
+            );
+    }
+}

@@ -1,0 +1,33 @@
+//! Scenes of bodies in the plane, in rooms: a room uses those before it.
+
+pub(crate) mod site;
+
+pub(crate) mod hold;
+
+pub(crate) mod load;
+
+pub(crate) mod read;
+
+pub(crate) mod fail;
+
+mod doubts;
+mod motions;
+mod resolve;
+mod scene;
+mod statics;
+#[cfg(test)]
+mod tests;
+
+pub use fail::fracture::BodyFracture;
+pub use hold::conditions::{Conditions, HeldPoints};
+pub use hold::held_edge::HeldEdge;
+pub use hold::rigid::{RIGID_KEYS, RigidPoints};
+pub use hold::supported::BodySupport;
+pub use load::sums::BodyLoads;
+pub use read::checks::BodyComparison;
+pub(crate) use read::fields::{Has, of_points};
+pub use read::outputs::{Intensity, LinePoint, OutputLine};
+pub use read::probes::{BodyProbe, Quantity};
+pub use scene::{BodyScene, BodyState};
+pub use site::cracks::NamedCrack;
+pub use site::interpolate::Weights;

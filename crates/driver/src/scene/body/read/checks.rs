@@ -1,0 +1,142 @@
+//! Checks of a body in the plane.
+
+use super::{fields, formula};
+use crate::case::{Baseline, Case, FieldName, Formula};
+use crate::diagnostic::{Faults, JsonPath, tidy};
+use crate::input::Folder;
+use crate::scene::expectation::{self, Expectation, PointsCheck};
+use crate::scene::files::{BASELINE, text};
+use crate::scene::words;
+use peristat_assembly::body::PlaneBody;
+use peristat_assembly::model::plane::PlaneModel;
+
+/// What is compared at all points of a body in the plane.
+#[derive(Clone, Debug)]
+pub struct BodyComparison {
+    /// The field.
+    pub field: FieldName,
+    /// Expected values at the points of the body, images left out.
+    pub expected: Vec<f64>,
+    /// `baseline` or `formula`.
+    pub kind: &'static str,
+    /// Where the values come from.
+    pub source: String,
+    /// Largest difference relative to the largest expected value.
+    pub tolerance: f64,
+}
+
+/// Checks of the case on a body with its model; states and probes by their names.
+pub(crate) fn expectations(
+    case: &Case,
+    (body, model): (&PlaneBody, &dyn PlaneModel),
+    states: &[&str],
+    probes: &[&str],
+    (folder, max_memory): (&Folder, Option<u64>),
+    faults: &mut Faults,
+) -> Vec<Expectation<BodyComparison>> {
+    let is_field = |field: FieldName, path: &JsonPath, faults: &mut Faults| {
+        let there_are: Vec<FieldName> = fields::answered(model).collect();
+        let is_there = there_are.contains(&field);
+        if !is_there {
+            let (name, model) = (field.name(), case.model.name());
+            faults
+                .error(path.key("field"), format!("`{name}` is no field of all points of `{model}`"))
+                .hint(words::there_are(&there_are));
+        }
+        is_there
+    };
+    let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| match check {
+        PointsCheck::ClosedForm(_) => {
+            faults
+                .error(path.clone(), "closed forms are for beams")
+                .hint("compare all points with a `formula` or a `baseline`, or a probe with a number by a `value` check");
+            None
+        }
+        PointsCheck::Baseline(check) => is_field(check.field, path, faults)
+            .then(|| baseline(check, body, (folder, max_memory), path, faults))?,
+        PointsCheck::Formula(check) => {
+            is_field(check.field, path, faults).then(|| of_formula(check, body, path, faults))?
+        }
+    };
+    expectation::expectations(case, states, probes, compare, faults)
+}
+
+fn of_formula(
+    check: &Formula,
+    body: &PlaneBody,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<BodyComparison> {
+    match formula::values(&check.is, body) {
+        Ok(expected) => Some(BodyComparison {
+            field: check.field,
+            expected,
+            kind: "formula",
+            source: check.source.clone(),
+            tolerance: check.tolerance,
+        }),
+        Err(reason) => {
+            faults.error(path.key("is"), reason).hint("for example `1e-3*x - 2*y^2`, in x and y");
+            None
+        }
+    }
+}
+
+fn baseline(
+    check: &Baseline,
+    body: &PlaneBody,
+    (folder, max_memory): (&Folder, Option<u64>),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<BodyComparison> {
+    let text = text(folder, &check.file, max_memory, path, faults)?;
+    match columns(&text, check.field.name()).and_then(|rows| fitting(&rows, body)) {
+        Ok(expected) => Some(BodyComparison {
+            field: check.field,
+            expected,
+            kind: "baseline",
+            source: "stored baseline".into(),
+            tolerance: check.tolerance,
+        }),
+        Err(reason) => {
+            faults.error(path.key("file"), format!("the baseline {} {reason}", check.file)).hint(BASELINE);
+            None
+        }
+    }
+}
+
+/// Values, if their rows are the points of the body.
+fn fitting(rows: &[[f64; 3]], body: &PlaneBody) -> Result<Vec<f64>, String> {
+    if rows.len() != body.points() {
+        return Err(format!("has {} rows, and the body has {} points", rows.len(), body.points()));
+    }
+    let slack = 1e-6 * body.spacing();
+    for (k, row) in rows.iter().enumerate() {
+        let [x, y] = body.position(k);
+        if (row[0] - x).abs() > slack || (row[1] - y).abs() > slack {
+            let [a, b, x, y] = [row[0], row[1], x, y].map(tidy);
+            return Err(format!("has a row at ({a}, {b}), where the body has its point at ({x}, {y})"));
+        }
+    }
+    Ok(rows.iter().map(|r| r[2]).collect())
+}
+
+/// The columns `x`, `y` and `field` of a CSV text.
+fn columns(text: &str, field: &str) -> Result<Vec<[f64; 3]>, String> {
+    let mut lines = text.lines();
+    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
+    let column =
+        |name: &str| header.iter().position(|h| *h == name).ok_or_else(|| format!("has no column `{name}`"));
+    let wanted = [column("x")?, column("y")?, column(field)?];
+    let mut rows = Vec::new();
+    for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let cells: Vec<&str> = line.split(',').collect();
+        let number =
+            |c: usize| cells.get(c).and_then(|t| t.trim().parse::<f64>().ok()).filter(|v| v.is_finite());
+        match wanted.map(number) {
+            [Some(x), Some(y), Some(value)] => rows.push([x, y, value]),
+            _ => return Err(format!("has no number where one belongs in line {}", k + 2)),
+        }
+    }
+    if rows.is_empty() { Err("has no rows".into()) } else { Ok(rows) }
+}

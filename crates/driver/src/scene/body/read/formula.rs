@@ -1,0 +1,179 @@
+//! Expressions in the coordinates of the points of a body.
+
+use exmex::{BinOp, Express, FlatEx, FloatOpsFactory, MakeOperators, MatchLiteral, Operator};
+use peristat_assembly::body::PlaneBody;
+
+/// Longest expression, in characters.
+const LONGEST: usize = 4000;
+
+exmex::literal_matcher_from_pattern!(Number, r"^(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?");
+
+/// The operators of the parser without a minus in front of a factor: it would bind tighter than a power, and `-x^2` be (−x)².
+#[derive(Clone, Debug)]
+struct Operators;
+
+impl MakeOperators<f64> for Operators {
+    fn make<'a>() -> Vec<Operator<'a, f64>> {
+        let minus = || Operator::make_bin("-", BinOp { apply: |a, b| a - b, prio: 1, is_commutative: false });
+        let with_two = |operator: Operator<'a, f64>| if operator.repr() == "-" { minus() } else { operator };
+        FloatOpsFactory::<f64>::make().into_iter().map(with_two).collect()
+    }
+}
+
+/// Names that are no functions.
+const NAMES: [&str; 5] = ["x", "y", "pi", "e", "π"];
+
+/// Refuses names that neither are known nor have parentheses behind them: `sin x^2` could mean two things.
+fn check_names(text: &str) -> Result<(), String> {
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_alphanumeric()) {
+        let word = &rest[start..];
+        let end = word.find(|c: char| !c.is_alphanumeric() && c != '_' && c != '.').unwrap_or(word.len());
+        let (word, behind) = word.split_at(end);
+        let is_number = word.starts_with(|c: char| c.is_ascii_digit());
+        if !is_number && !NAMES.contains(&word) && !behind.trim_start().starts_with('(') {
+            return Err(format!("there is no `{word}` in formulas, or it lacks its parentheses"));
+        }
+        rest = behind;
+    }
+    if text.contains(['{', '}', '[', ']']) { Err("brackets of formulas are round".into()) } else { Ok(()) }
+}
+
+/// The expression with a zero before every minus that begins it or a part of it in parentheses, and no sign twice.
+fn with_zeros(text: &str) -> Result<String, String> {
+    let (mut out, mut before, mut powers) = (String::with_capacity(text.len() + 8), '(', vec![0]);
+    for c in text.chars() {
+        match c {
+            '-' | '+' if before == '(' || before == ',' => out.push('0'),
+            '-' | '+' if "*/^+-".contains(before) => {
+                return Err(format!("a sign behind `{before}` needs parentheses"));
+            }
+            '(' => powers.push(0),
+            ')' => drop(powers.pop()),
+            _ => {}
+        }
+        if let Some(powers) = powers.last_mut() {
+            *powers = if c == '^' {
+                *powers + 1
+            } else if "*/+-,".contains(c) {
+                0
+            } else {
+                *powers
+            };
+            if *powers > 1 {
+                return Err("a power of a power needs parentheses".into());
+            }
+        }
+        if !c.is_whitespace() {
+            before = c;
+        }
+        out.push(c);
+    }
+    Ok(out)
+}
+
+/// Values of an expression in x and y at the points of a body, images left out.
+///
+/// # Errors
+/// What is wrong with the expression, or where it has no value.
+pub(crate) fn values(text: &str, body: &PlaneBody) -> Result<Vec<f64>, String> {
+    let formula = Formula::new(text)?;
+    (0..body.points()).map(|k| formula.at(body.position(k))).collect()
+}
+
+/// A parsed expression.
+struct Formula {
+    parsed: FlatEx<f64, Operators, Number>,
+    /// For each of its variables whether it is x or y.
+    axes: Vec<usize>,
+}
+
+impl Formula {
+    fn new(text: &str) -> Result<Self, String> {
+        if text.chars().count() > LONGEST {
+            return Err(format!("a formula has at most {LONGEST} characters"));
+        }
+        let text = text.replace(char::is_whitespace, " ");
+        check_names(&text)?;
+        // After the check no other name holds these letters.
+        let parsed = FlatEx::<f64, Operators, Number>::parse(&with_zeros(&text.replace("pi", "PI"))?)
+            .map_err(|error| format!("this is no formula: {error}"))?;
+        let axis = |name: &String| match name.as_str() {
+            "x" => Ok(0),
+            "y" => Ok(1),
+            other => Err(format!("there is no `{other}` in formulas")),
+        };
+        let axes = parsed.var_names().iter().map(axis).collect::<Result<_, _>>()?;
+        Ok(Self { parsed, axes })
+    }
+
+    fn at(&self, place: [f64; 2]) -> Result<f64, String> {
+        let mut variables = [0.0; 2];
+        variables.iter_mut().zip(&self.axes).for_each(|(v, axis)| *v = place[*axis]);
+        let value = self.parsed.eval(&variables[..self.axes.len()]).map_err(|error| error.to_string())?;
+        match value.is_finite() {
+            true => Ok(value),
+            false => Err(format!("the formula is {value} at the point ({}, {})", place[0], place[1])),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(text: &str, x: f64, y: f64) -> Result<f64, String> {
+        Formula::new(text)?.at([x, y])
+    }
+
+    #[test]
+    fn expressions_mean_what_mathematics_says() {
+        // By hand, at x = 2, y = 3.
+        for (text, value) in [
+            ("1e-3*x - 2*y^2", -17.998),
+            ("-x^2", -4.0),
+            ("y*(-x^2)", -12.0),
+            ("+x - -0", f64::NAN),
+            ("2^(-1)", 0.5),
+            ("x-1-1", 0.0),
+            ("12/3/2*x", 4.0),
+            ("1.5E-3*y", 4.5e-3),
+            ("sqrt(x^2 + y^2)", 13f64.sqrt()),
+            ("atan2(y, -x)", 3f64.atan2(-2.0)),
+            ("2*x^2/4*y", 6.0),
+            ("(x^2)^2", 16.0),
+            ("cos(pi*x) + log(e)", 2.0),
+            ("sin (pi/x)\t+ min(x, y)", 3.0),
+            ("7", 7.0),
+        ] {
+            match at(text, 2.0, 3.0) {
+                Ok(found) => assert!((found - value).abs() <= 1e-15 * value.abs(), "{text}: {found}"),
+                Err(reason) => assert!(value.is_nan() && reason.contains("parentheses"), "{text}: {reason}"),
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused() {
+        for (text, reason) in [
+            ("", "no formula"),
+            ("x y", "no formula"),
+            ("(x", "no formula"),
+            ("2*z", "no `z`"),
+            ("2*-x", "parentheses"),
+            ("x^y^2", "parentheses"),
+            ("1/(x - 2)", "inf at the point (2, 3)"),
+            ("sqrt(-x)", "NaN"),
+            ("sin x^2", "parentheses"),
+            ("x atan2 y", "parentheses"),
+            ("pix", "no `pix`"),
+            ("{x}", "round"),
+            ("x; y", "formula"),
+        ] {
+            let found = at(text, 2.0, 3.0).unwrap_err();
+            assert!(found.contains(reason), "{text}: {found}");
+        }
+        assert!(at(&"(".repeat(3000), 2.0, 3.0).is_err());
+        assert!(at(&"x+".repeat(3000), 2.0, 3.0).unwrap_err().contains("4000"));
+    }
+}

@@ -1,0 +1,8 @@
+//! What is read of results.
+
+pub(crate) mod checks;
+pub(crate) mod fields;
+pub(crate) mod formula;
+pub(crate) mod opening;
+pub(crate) mod outputs;
+pub(crate) mod probes;

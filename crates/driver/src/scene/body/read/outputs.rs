@@ -1,0 +1,186 @@
+//! Lines through a body in the plane and stress intensities of its cracks.
+
+use crate::case::{Case, Tips};
+use crate::diagnostic::{Faults, root, suggest, tidy};
+use crate::memory;
+use crate::scene::body::site::cracks::NamedCrack;
+use crate::scene::body::site::ground::Ground;
+use crate::scene::body::site::interpolate::{Interpolation, Weights};
+use crate::scene::body::site::tips;
+use peristat_assembly::body::Crack;
+use std::collections::HashSet;
+
+/// A line along which all fields are written.
+#[derive(Clone, Debug)]
+pub struct OutputLine {
+    /// Name.
+    pub name: String,
+    /// Positions from end to end.
+    pub points: Vec<LinePoint>,
+}
+
+/// A position on a line.
+#[derive(Clone, Debug)]
+pub struct LinePoint {
+    /// Distance from the start, m.
+    pub s: f64,
+    /// Where it is, m.
+    pub position: [f64; 2],
+    /// Points of the model and their shares; none outside of the body.
+    pub weights: Option<Weights>,
+}
+
+/// A stress intensity that is asked for.
+#[derive(Clone, Debug)]
+pub struct Intensity {
+    /// Name.
+    pub name: String,
+    /// Index of the crack.
+    pub crack: usize,
+    /// Which tips move.
+    pub tips: Tips,
+}
+
+/// Memory of a position with the shares of the points around it, bytes.
+const PER_POSITION: f64 = (size_of::<LinePoint>() + 8 * size_of::<(u32, f64)>()) as f64;
+
+/// Most positions of a line.
+const MOST: usize = 100_000;
+
+/// Longest name of a line, bytes: file systems allow 255, of which some are for the number of the step.
+const LONGEST: usize = 200;
+
+/// Lines of the case; `number` makes the number in the model of that in the body.
+pub(crate) fn lines(
+    ground: &Ground,
+    interpolation: &Interpolation,
+    number: &dyn Fn(u32) -> u32,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Vec<OutputLine> {
+    let all: f64 = ground.case.lines.iter().map(|line| line.points.min(MOST) as f64).sum();
+    let what = format!("{all:e} positions on lines");
+    if !memory::fits(all * PER_POSITION, (&what, "ask for fewer points"), max_memory, root("lines"), faults) {
+        return Vec::new();
+    }
+    let mut names = HashSet::new();
+    let mut lines = Vec::new();
+    for (k, line) in ground.case.lines.iter().enumerate() {
+        let path = root("lines").index(k);
+        if !names.insert(&line.name) {
+            faults.error(path.key("name"), format!("there are two lines `{}`", line.name));
+        }
+        if line.name.len() > LONGEST {
+            faults
+                .error(
+                    path.key("name"),
+                    format!("a name of {} bytes is too long for a file", line.name.len()),
+                )
+                .hint(format!("use at most {LONGEST} letters without accents"));
+            continue;
+        }
+        let fits = |c: char| c.is_alphanumeric() || " _-+.".contains(c);
+        if line.name.is_empty() || !line.name.chars().all(fits) {
+            faults
+                .error(path.key("name"), format!("`{}` cannot be part of the name of a file", line.name))
+                .hint("use letters, digits, blanks and - _ + .");
+        }
+        if !(2..=MOST).contains(&line.points) {
+            faults.error(
+                path.key("points"),
+                format!("`points` must be from 2 to {MOST}, found {}", line.points),
+            );
+            continue;
+        }
+        let length = (line.to[0] - line.from[0]).hypot(line.to[1] - line.from[1]);
+        if length == 0.0 {
+            faults.error(path.key("to"), "this line has no length: `from` and `to` are the same");
+            continue;
+        }
+        let point = |k: usize| {
+            let q = k as f64 / (line.points - 1) as f64;
+            let position = [0, 1].map(|c| line.from[c] + q * (line.to[c] - line.from[c]));
+            let nearest = ground.point_at(position, &path, "", &mut Faults::default());
+            let inside = ground.outline.is_none_or(|o| o.contains(position));
+            let weights = nearest.filter(|_| inside).map(|p| interpolation.at(position, number(p)));
+            LinePoint { s: q * length, position, weights }
+        };
+        let points: Vec<LinePoint> = (0..line.points).map(point).collect();
+        if points.iter().all(|p| p.weights.is_none()) {
+            let [from, to] = [line.from, line.to].map(|p| format!("({}, {})", tidy(p[0]), tidy(p[1])));
+            faults.error(path, format!("the line from {from} to {to} does not meet the body"));
+            continue;
+        }
+        lines.push(OutputLine { name: line.name.clone(), points });
+    }
+    lines
+}
+
+/// Stress intensities of the case.
+pub(crate) fn intensities(
+    case: &Case,
+    cracks: &[NamedCrack],
+    contains: &dyn Fn([f64; 2]) -> bool,
+    around: &tips::Around,
+    faults: &mut Faults,
+) -> Vec<Intensity> {
+    let mut found = Vec::new();
+    let mut names: HashSet<&str> = case.probes.iter().map(|p| p.name.as_str()).collect();
+    for (k, given) in case.stress_intensity.iter().enumerate() {
+        let path = root("stress_intensity").index(k);
+        if !names.insert(&given.name) {
+            faults
+                .error(path.key("name"), format!("the name `{}` is taken", given.name))
+                .hint("probes and stress intensities must differ in their names");
+        }
+        let Some(crack) = cracks.iter().position(|c| c.name == given.crack.0) else {
+            faults
+                .error(path.key("crack"), format!("there is no crack `{}`", given.crack.0))
+                .hint(suggest(&given.crack.0, cracks.iter().map(|c| c.name.as_str())));
+            continue;
+        };
+        let vertices = cracks[crack].crack.vertices();
+        let ends = [("start", vertices[0], Tips::End), ("end", vertices[vertices.len() - 1], Tips::Start)];
+        for (end, tip, other) in ends {
+            if given.tips != other && !contains(tip) {
+                let at = format!("({}, {})", tidy(tip[0]), tidy(tip[1]));
+                faults
+                    .error(path.key("tips"), format!("the {end} of the crack at {at} is not in the body"))
+                    .hint(
+                        "name the tips that are: `start` is the first position of the path, `end` the last",
+                    );
+            }
+        }
+        for (end, tip, _) in ends.into_iter().filter(|e| given.tips != e.2) {
+            let before = if end == "start" { vertices[1] } else { vertices[vertices.len() - 2] };
+            if let Some(met) = tips::met(tip, before, crack, cracks, around) {
+                let at = format!("({}, {})", tidy(tip[0]), tidy(tip[1]));
+                faults
+                    .error(path.key("tips"), format!("the {end} of the crack at {at} {met}, so it is no tip"))
+                    .hint("a tip needs a spacing of whole body before it, and no other crack along the last spacing");
+            }
+        }
+        found.push(Intensity { name: given.name.clone(), crack, tips: given.tips });
+    }
+    found
+}
+
+/// A crack with some of its tips moved along it, outwards if `by` (m) is positive.
+pub(crate) fn moved(crack: &Crack, tips: Tips, by: f64) -> Option<Crack> {
+    let mut vertices = crack.vertices().to_vec();
+    let last = vertices.len() - 1;
+    let mut shift = |tip: usize, before: usize| {
+        let d = [0, 1].map(|k| vertices[tip][k] - vertices[before][k]);
+        let length = d[0].hypot(d[1]);
+        (0..2).for_each(|k| vertices[tip][k] += by / length * d[k]);
+        length + by > 0.0
+    };
+    let mut fine = true;
+    if tips != Tips::End {
+        fine &= shift(0, 1);
+    }
+    if tips != Tips::Start {
+        fine &= shift(last, last - 1);
+    }
+    if fine { Crack::new(vertices).ok() } else { None }
+}

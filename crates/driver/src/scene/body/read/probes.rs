@@ -1,0 +1,245 @@
+//! Probes of a body in the plane.
+
+use super::{fields, opening};
+use crate::case::{FieldName, Probe};
+use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
+use crate::scene::body::hold::held_body::HeldBody;
+use crate::scene::body::site::ground::PLACE;
+use crate::scene::body::site::interpolate::Weights;
+
+/// A value to report.
+#[derive(Clone, Debug)]
+pub struct BodyProbe {
+    /// Name.
+    pub name: String,
+    /// What it is.
+    pub quantity: Quantity,
+    /// What the user calls the place.
+    pub place: String,
+    /// Where it is, unless the place is a region or a crack.
+    pub position: Option<[f64; 2]>,
+}
+
+/// What a probe reports.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Quantity {
+    /// A sum of the values of a field at points of the model. `von_mises` is that of the summed stresses.
+    Field {
+        /// The field.
+        field: FieldName,
+        /// Points and shares.
+        weights: Weights,
+    },
+    /// What supports do to the body.
+    Reaction {
+        /// Which of its forces, or its moment.
+        field: FieldName,
+        /// Indices of equations of the scene and how much of the force that holds each counts.
+        equations: Vec<(usize, f64)>,
+        /// Indices of springs of the scene along this component.
+        springs: Vec<usize>,
+    },
+    /// Opening of a crack: a sum of displacements of points of the model.
+    Opening {
+        /// Along x, 0, or along y, 1.
+        component: usize,
+        /// Points and shares, which sum to zero.
+        weights: Weights,
+    },
+    /// Rotation of a rigid region, by its index, rad.
+    Rotation(usize),
+    /// A stress intensity, by its index in the scene.
+    StressIntensity(usize),
+}
+
+impl BodyProbe {
+    /// Name of the field in case files, or `stress_intensity`.
+    pub fn field_name(&self) -> &'static str {
+        match &self.quantity {
+            Quantity::Field { field, .. } => field.name(),
+            Quantity::Reaction { field, .. } => field.name(),
+            Quantity::Opening { .. } => FieldName::Opening.name(),
+            Quantity::Rotation(_) => FieldName::Phi.name(),
+            Quantity::StressIntensity(_) => "stress_intensity",
+        }
+    }
+
+    /// Whether it needs stresses.
+    pub fn is_recovered(&self) -> bool {
+        matches!(&self.quantity, Quantity::Field { field, .. } if field.is_recovered())
+    }
+}
+
+/// Probes of the case.
+pub(crate) fn probes(site: &HeldBody, faults: &mut Faults) -> Vec<BodyProbe> {
+    let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| {
+        let (quantity, place) = resolve(probe, site, path, faults)?;
+        let position = probe.at.x.zip(probe.at.y).map(|(x, y)| [x, y]);
+        Some(BodyProbe { name: probe.name.clone(), quantity, place, position })
+    };
+    crate::scene::probes::probes(site.ground.case, resolve, faults)
+}
+
+fn resolve(
+    probe: &Probe,
+    site: &HeldBody,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(Quantity, String)> {
+    let (at, field) = (path.key("at"), probe.field);
+    let (ground, case) = (site.ground, site.ground.case);
+    let there_are = fields::probed(site.model, case);
+    if !there_are.contains(&field) {
+        fields::refuse(field, &there_are, case, path.key("field"), faults);
+        return None;
+    }
+    if field == FieldName::Opening {
+        return opening::resolve(probe, site, &at, faults);
+    }
+    let is_rigid = |name: &String| case.rigid.iter().any(|r| r.region == *name);
+    let points_turn = site.model.component("phi").is_some();
+    if field == FieldName::Phi && (!points_turn || probe.at.region.as_ref().is_some_and(is_rigid)) {
+        return rotation(probe, site, path, faults);
+    }
+    if field.is_reaction() {
+        let spot = ground.spot(&probe.at, &at, "the probe", faults)?;
+        let quantity = reaction(field, &spot.points, &spot.words, site, &at, faults)?;
+        return Some((quantity, spot.words));
+    }
+    let number = |p: u32| site.recipe.number(site.model, p);
+    let field = |weights| Quantity::Field { field, weights };
+    if let Some(name) = ground.region_name(&probe.at, &at, faults)? {
+        let points = ground.region(name, &at.key("region"), faults)?;
+        let whole: f64 = points.iter().map(|&p| ground.body.area(p as usize)).sum();
+        let mean = points.iter().map(|&p| (number(p), ground.body.area(p as usize) / whole)).collect();
+        return Some((field(mean), format!("the region `{name}`")));
+    }
+    let position = ground.position(&probe.at, &at, faults)?;
+    let words = format!("({}, {})", tidy(position[0]), tidy(position[1]));
+    let nearest = ground.point_at(position, &at, "the probe", faults)?;
+    let weights = match probe.at.inward {
+        None => site.interpolation.at(position, number(nearest)),
+        Some(inward) => match of_border(position, inward, probe.field, site) {
+            Some(weights) => weights,
+            None => from_inside(position, inward, site, &at.key("inward"), faults)?,
+        },
+    };
+    Some((field(weights), words))
+}
+
+/// Points that move a place on the border, where bonds end on it, and their shares.
+fn of_border(position: [f64; 2], inward: [i8; 2], field: FieldName, site: &HeldBody) -> Option<Weights> {
+    let is_along_axis = i32::from(inward[0]).abs() + i32::from(inward[1]).abs() == 1;
+    if field.is_recovered() || !is_along_axis {
+        return None;
+    }
+    let shares = site.model.border_shares()?(position, inward.map(|k| -f64::from(k)))?;
+    Some(shares.into_iter().map(|(point, share)| (point as u32, share)).collect())
+}
+
+fn from_inside(
+    position: [f64; 2],
+    inward: [i8; 2],
+    site: &HeldBody,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Weights> {
+    if i32::from(inward[0]).abs() + i32::from(inward[1]).abs() != 1 {
+        faults
+            .error(path.clone(), format!("`inward` must be along x or y, found {inward:?}"))
+            .hint("it is the direction into the body: [1, 0], [-1, 0], [0, 1] or [0, -1]");
+        return None;
+    }
+    let found = site.interpolation.inward(position, inward);
+    if found.is_none() {
+        let hint = match site.ground.body {
+            peristat_assembly::body::PlaneBody::Lattice(lattice) if lattice.is_turned() => {
+                "the rows of the lattice run along neither x nor y: leave `inward` out"
+            }
+            peristat_assembly::body::PlaneBody::Lattice(_) => {
+                "it needs three points in a row that begin at the place; is this the direction into the body?"
+            }
+            peristat_assembly::body::PlaneBody::Cloud(_) => "listed points have no rows: leave `inward` out",
+        };
+        faults.error(path.clone(), "there are no three points in a row in this direction").hint(hint);
+    }
+    found
+}
+
+fn rotation(
+    probe: &Probe,
+    site: &HeldBody,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(Quantity, String)> {
+    let rigid = &site.ground.case.rigid;
+    let at = path.key("at");
+    let name = site.ground.region_name(&probe.at, &at, faults)?;
+    let found = name.and_then(|name| rigid.iter().position(|r| r.region == name));
+    let Some(k) = found else {
+        let regions = || rigid.iter().map(|r| r.region.as_str());
+        let hint = match name {
+            Some(name) => suggest(name, regions()),
+            None => format!("write {{ \"region\": \"{}\" }}", regions().next().unwrap_or_default()),
+        };
+        faults.error(at, "`phi` is the rotation of a rigid region, and this is none").hint(hint);
+        return None;
+    };
+    Some((Quantity::Rotation(k), format!("the region `{}`", rigid[k].region)))
+}
+
+/// Everything that holds one of the points along the component of the field.
+fn reaction(
+    field: FieldName,
+    points: &[u32],
+    words: &str,
+    site: &HeldBody,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Quantity> {
+    let (component, of) = fields::held(field, site.model)?;
+    let unit = of.scale;
+    let mut numbers: Vec<u32> = points.iter().map(|&p| site.recipe.number(site.model, p)).collect();
+    numbers.sort_unstable();
+    let here = |p: u32| numbers.binary_search(&p).is_ok();
+    let (mut equations, mut next) = (Vec::new(), 0);
+    for hold in &site.conditions.holds {
+        let share = unit * hold.direction[component];
+        let own = hold.points.iter().enumerate().filter(|(_, p)| share != 0.0 && here(**p));
+        equations.extend(own.map(|(k, _)| (next + k, share)));
+        next += hold.points.len();
+    }
+    for rigid in &site.conditions.rigid {
+        let whole = rigid.points.iter().all(|&p| here(p));
+        for (k, _) in rigid.prescribed.iter().enumerate().filter(|p| p.1.is_some()) {
+            if whole && k == component {
+                equations.push((next, 1.0));
+            }
+            next += 1;
+        }
+    }
+    let along = |s: &peristat_assembly::stiffness::Spring| s.shares[0].0 == component && here(s.point as u32);
+    let springs: Vec<usize> =
+        (0..site.conditions.springs.len()).filter(|&k| along(&site.conditions.springs[k])).collect();
+    if equations.is_empty() && springs.is_empty() {
+        let places: Vec<&str> = site.held.iter().map(|h| h.name.as_str()).collect();
+        let hint = match places.is_empty() {
+            true if !site.recipe.symmetry.edges.is_empty() => {
+                "forces through mirrors are listed with the results, and are no probes".to_string()
+            }
+            true => PLACE.to_string(),
+            false => format!("supports are at {}", places.join(", ")),
+        };
+        let how = match of.name {
+            "ux" => "along x",
+            "uy" => "along y",
+            "phi" => "against turning",
+            _ => "across the plane",
+        };
+        faults
+            .error(path.clone(), format!("nothing holds {words} {how}, so there is no reaction"))
+            .hint(hint);
+        return None;
+    }
+    Some(Quantity::Reaction { field, equations, springs })
+}

@@ -1,0 +1,279 @@
+//! From a case of a body in the plane to its scene.
+
+use super::doubts::{loose, warnings};
+use super::fail::elastic::Elastic;
+use super::fail::fracture::{self, BodyFracture};
+use super::fail::path;
+use super::hold::held_body::HeldBody;
+use super::hold::{bearing_keys, rigid_mirror, supported, supports};
+use super::load::context::LoadContext;
+use super::load::{joined_sides, load_cases};
+use super::read::checks;
+use super::read::outputs::{self, Intensity, OutputLine};
+use super::read::probes::{self, BodyProbe, Quantity};
+use super::scene::{BodyScene, BodyState};
+use super::site::ground::Ground;
+use super::site::interpolate::Interpolation;
+use super::site::of_case::{self, horizon_key};
+use super::site::recipe::Recipe;
+use super::site::{counts, cracks, foreign, parts, specimen, tips};
+use crate::case::{Case, Fracture, PATH_FACTS, Path as CasePath};
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::input::Folder;
+use crate::model::with_body;
+use crate::scene::files;
+use crate::scene::path::PathScene;
+use crate::scene::states::{self, Sum};
+use peristat_assembly::body::{Crack, PlaneBody};
+use peristat_assembly::model::plane::PlaneModel;
+
+impl BodyScene {
+    /// Resolves a case of a body in the plane. `folder` is where files that the case names are looked for, `faults` are
+    /// those found so far; `max_memory` is in bytes.
+    ///
+    /// # Errors
+    /// All faults of the case.
+    pub(crate) fn new(
+        mut case: Case,
+        folder: &Folder,
+        max_memory: Option<u64>,
+        mut faults: Faults,
+    ) -> Result<Self, Faults> {
+        let usual = case.model.keys().ok();
+        let usual = usual.and_then(|keys| keys.resolve(&of_case::asked(&case), &mut Faults::default()));
+        let usual = usual.map_or(3.0, |material| material.usual_horizon_ratio());
+        let Some(expanded) = specimen::expand(&mut case, usual, &mut faults) else { return Err(faults) };
+        let mut traced = (case.fracture.clone(), case.path.clone());
+        let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, folder, max_memory)));
+        let scene = Self::checked(&expanded.case, &mut traced, folder, max_memory, &mut faults);
+        expanded.relocate(&mut faults);
+        let Some(mut scene) = scene.filter(|_| !faults.has_errors()) else { return Err(faults) };
+        case.model = scene.material().keys();
+        if case.horizon.is_none() {
+            case.horizon_ratio = Some(scene.material().about().horizon_ratio);
+        }
+        (case.fracture, case.path) = traced;
+        scene.elastic = elastic.filter(|elastic| elastic.differs_from(scene.material()));
+        scene.files = files::keep(&mut case, folder, max_memory);
+        (scene.case, scene.warnings) = (case, faults);
+        Ok(scene)
+    }
+
+    /// The scene of a case without specimens, and its doubts; `None` where there are faults that leave no scene.
+    fn checked(
+        case: &Case,
+        traced: &mut (Option<Fracture>, Option<CasePath>),
+        folder: &Folder,
+        max_memory: Option<u64>,
+        faults: &mut Faults,
+    ) -> Option<Self> {
+        let resolved = Self::resolve(case, traced, folder, max_memory, faults);
+        let scene = resolved.filter(|_| !faults.has_errors())?;
+        if scene.outline.is_none() || scene.can_have_loose_points() {
+            with_body!(&scene.model, body => loose::check(&scene, &**body, faults));
+        }
+        check_bearable(&scene, faults);
+        warnings::collect(&scene, faults);
+        Some(scene)
+    }
+
+    /// The scene without the faults; `None` if they leave nothing to build on. Fills in the defaults of the model and of its
+    /// fracture.
+    fn resolve(
+        case: &Case,
+        traced: &mut (Option<Fracture>, Option<CasePath>),
+        folder: &Folder,
+        max_memory: Option<u64>,
+        faults: &mut Faults,
+    ) -> Option<Self> {
+        let keys = case.model.keys().ok()?;
+        foreign::check(case, faults);
+        of_case::check_refused(case, keys, faults);
+        let parts::Parts { mut recipe, outline, curves, cracks } =
+            parts::parts(case, keys, folder, max_memory, faults)?;
+        let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
+        if !counts::fit(&ground, max_memory, faults) {
+            return None;
+        }
+        let held = supports::held(&ground, &recipe.symmetry, &*recipe.material, faults);
+        let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
+        rigid_mirror::check(&rigid, &recipe, faults);
+        recipe.bearings = bearing_keys::bearings(case, &rigid, faults);
+        let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
+        let built = recipe.make(&paths);
+        let built = built.map_err(|refusal| refusal.tell(case.model.name(), horizon_key(case), faults)).ok();
+        let context = LoadContext {
+            ground: &ground,
+            symmetry: &recipe.symmetry,
+            curves: &curves,
+            material: &*recipe.material,
+            horizon: recipe.horizon,
+            held: &held,
+            cracks: &cracks,
+            recipe: &recipe,
+            model: built.as_deref(),
+        };
+        let load_cases = load_cases::load_cases(&context, faults);
+        let moves = held.iter().flat_map(|h| &h.motions).any(|m| m.1 != 0.0)
+            || rigid.iter().flat_map(|r| r.prescribed).flatten().any(|v| v != 0.0);
+        load_cases::check_loaded(&ground, &load_cases, moves, faults);
+        let states = states(case, faults);
+        cracks::check(
+            &cracks,
+            &recipe.body,
+            outline.as_ref(),
+            &|crack| built.is_none() || recipe.is_cut_by(crack),
+            faults,
+        );
+        let built = built?;
+        let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &*built);
+        let reach = reach(&*built, &recipe);
+        let images = recipe.symmetry.with_images(&paths);
+        let extended = built.lattice().filter(|_| !built.ghosts().is_empty());
+        let extended = extended.map(|(lattice, _)| PlaneBody::Lattice(lattice.as_ref().clone()));
+        let body = extended.as_ref().unwrap_or(&recipe.body);
+        let site = HeldBody {
+            ground: &ground,
+            outline: outline.as_ref(),
+            recipe: &recipe,
+            model: &*built,
+            cracks: &cracks,
+            interpolation: &Interpolation { body, cracks: &images, reach },
+            held: &held,
+            conditions: &conditions,
+        };
+        let Readings { probes, lines, intensities } = Readings::new(&site, max_memory, faults);
+        let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
+        let Failure { fracture, path, facts } = Failure::new(&site, traced, &names, faults);
+        let names: Vec<&str> = names.into_iter().chain(facts.iter().map(String::as_str)).collect();
+        let number = |p: u32| recipe.number(&*built, p);
+        let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
+        let expectations = checks::expectations(
+            case,
+            (&recipe.body, &*built),
+            &state_names,
+            &names,
+            (folder, max_memory),
+            faults,
+        );
+        Some(Self {
+            case: case.clone(),
+            files: Vec::new(),
+            units: case.units,
+            equations: conditions.equations(&|p| built.place(p)),
+            load_cases: load_cases
+                .into_iter()
+                .map(|l| l.numbered(&number).with_ends(&joined_sides::forces(case, &*built)))
+                .collect(),
+            conditions,
+            supports,
+            states,
+            solver: case.solver,
+            cracks,
+            probes,
+            lines,
+            intensities,
+            fracture,
+            path,
+            facts,
+            expectations,
+            warnings: Faults::default(),
+            model: built,
+            recipe: Box::new(recipe),
+            outline: outline.map(Box::new),
+            elastic: None,
+        })
+    }
+}
+
+/// Adds a fault for every load case that the body cannot bear.
+fn check_bearable(scene: &BodyScene, faults: &mut Faults) {
+    let held = scene.conditions.holds.iter().map(|held| (&held.points[..], held.direction));
+    let loads = scene.load_cases.iter().enumerate().map(|(k, loads)| {
+        let path = match scene.case.load_cases.is_empty() {
+            true => root("loads"),
+            false => root("load_cases").index(k),
+        };
+        let mut force = vec![0.0; scene.model.components().len() * scene.model.points()];
+        loads.add_to(&*scene.model, 1.0, &mut force);
+        (path, force)
+    });
+    let (mut held, mut loads) = (held, loads);
+    scene.material().check_bearable(&scene.resolved(&[]), &mut held, &mut loads, faults);
+}
+
+/// How many rows and columns beside a point values are interpolated from: points beside a border that is followed do not see the
+/// steps of the lattice.
+fn reach(model: &dyn PlaneModel, recipe: &Recipe) -> i32 {
+    if model.follows_border() { 1 } else { (recipe.material.about().horizon_ratio + 1e-9).floor() as i32 }
+}
+
+/// What is read of the results.
+struct Readings {
+    probes: Vec<BodyProbe>,
+    lines: Vec<OutputLine>,
+    intensities: Vec<Intensity>,
+}
+
+impl Readings {
+    fn new(site: &HeldBody, max_memory: Option<u64>, faults: &mut Faults) -> Self {
+        let mut probes = probes::probes(site, faults);
+        let number = |p: u32| site.recipe.number(site.model, p);
+        let lines = outputs::lines(site.ground, site.interpolation, &number, max_memory, faults);
+        let contains = |tip: [f64; 2]| {
+            let at = JsonPath::default();
+            let is_near = || site.ground.point_at(tip, &at, "", &mut Faults::default()).is_some();
+            site.outline.map_or_else(is_near, |outline| outline.contains(tip))
+        };
+        let around = tips::Around { symmetry: &site.recipe.symmetry, spacing: site.recipe.body.spacing() };
+        let intensities = outputs::intensities(site.ground.case, site.cracks, &contains, &around, faults);
+        probes.extend(intensities.iter().enumerate().map(|(k, intensity)| BodyProbe {
+            name: intensity.name.clone(),
+            quantity: Quantity::StressIntensity(k),
+            place: format!("crack `{}`", site.cracks[intensity.crack].name),
+            position: None,
+        }));
+        Self { probes, lines, intensities }
+    }
+}
+
+/// How a body breaks or softens, and what checks can ask of that.
+struct Failure {
+    fracture: Option<BodyFracture>,
+    path: Option<PathScene>,
+    facts: Vec<String>,
+}
+
+impl Failure {
+    fn new(
+        site: &HeldBody,
+        (fracture, path): &mut (Option<Fracture>, Option<CasePath>),
+        probes: &[&str],
+        faults: &mut Faults,
+    ) -> Self {
+        let case = site.ground.case;
+        let fracture = fracture.as_mut().and_then(|f| fracture::resolve(f, site, probes, faults));
+        let path = path.as_mut().and_then(|p| path::resolve(p, site, probes, faults));
+        if case.path.is_none() && case.model.softens() {
+            faults
+                .error(root("path"), "bonds that soften need `path`: how the loads and motions grow")
+                .hint("for example \"path\": { \"load\": \"name of a reaction probe\" }");
+        }
+        let mut facts = fracture.as_ref().map_or(Vec::new(), BodyFracture::facts);
+        if path.is_some() {
+            facts.extend(PATH_FACTS.map(Into::into));
+        }
+        Self { fracture, path, facts }
+    }
+}
+
+/// The right-hand sides.
+fn states(case: &Case, faults: &mut Faults) -> Vec<BodyState> {
+    let state = |Sum { name, load_factor, terms }: Sum| BodyState {
+        name,
+        load_factor,
+        motion_factor: if case.steps.is_some() { load_factor } else { 1.0 },
+        terms,
+    };
+    states::sums(case, faults).into_iter().map(state).collect()
+}

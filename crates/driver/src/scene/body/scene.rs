@@ -1,0 +1,195 @@
+//! A body in the plane, resolved.
+
+use super::fail::elastic::Elastic;
+use super::fail::fracture::BodyFracture;
+use super::hold::conditions::Conditions;
+use super::hold::supported::BodySupport;
+use super::load::sums::BodyLoads;
+use super::motions;
+use super::read::checks::BodyComparison;
+use super::read::outputs::{self, Intensity, OutputLine};
+use super::read::probes::BodyProbe;
+use super::site::cracks::NamedCrack;
+use super::site::recipe::Recipe;
+use crate::case::{Case, Solver, Units};
+use crate::diagnostic::Faults;
+use crate::model::{AnyBody, HeldRegion, Material, Refusal, Resolved};
+use crate::scene::expectation::Expectation;
+use crate::scene::files::InputFile;
+use crate::scene::path::PathScene;
+use peristat_assembly::body::{Cell, Crack, Outline, PlaneBody, SquareLattice};
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::Model;
+use peristat_assembly::system::FreeMotion;
+
+/// A body in the plane, resolved. Points have the numbers of the model, images in mirrors among them, wherever nothing
+/// else is said.
+#[derive(Debug)]
+pub struct BodyScene {
+    /// The case with its defaults filled in.
+    pub case: Case,
+    /// Files that it names.
+    pub files: Vec<InputFile>,
+    /// Units of all numbers.
+    pub units: Units,
+    /// The discretised body.
+    pub model: AnyBody,
+    /// Cracks.
+    pub cracks: Vec<NamedCrack>,
+    /// What holds the body, by points.
+    pub conditions: Conditions,
+    /// Supports, as they were written, with their equations and springs.
+    pub supports: Vec<BodySupport>,
+    /// The same as equations: those of supports, then those of rigid regions.
+    pub equations: Vec<Equation>,
+    /// Loads of every load case at a factor of one.
+    pub load_cases: Vec<BodyLoads>,
+    /// What is solved, in this order.
+    pub states: Vec<BodyState>,
+    /// How to solve.
+    pub solver: Solver,
+    /// Values to report: probes, then stress intensities.
+    pub probes: Vec<BodyProbe>,
+    /// Lines along which all fields are written.
+    pub lines: Vec<OutputLine>,
+    /// Stress intensities that are asked for.
+    pub intensities: Vec<Intensity>,
+    /// How it breaks.
+    pub fracture: Option<BodyFracture>,
+    /// How its bonds soften and how it is followed.
+    pub path: Option<PathScene>,
+    /// What the results must be.
+    pub expectations: Vec<Expectation<BodyComparison>>,
+    /// Faults that do not keep the case from running.
+    pub warnings: Faults,
+    /// Names of what checks know beside probes.
+    pub facts: Vec<String>,
+    pub(super) recipe: Box<Recipe>,
+    pub(super) outline: Option<Box<Outline>>,
+    pub(super) elastic: Option<Box<Elastic>>,
+}
+
+/// One right-hand side: a load step, a load case or a combination.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyState {
+    /// Name in results.
+    pub name: String,
+    /// Factor on the loads as written; 1 for load cases and combinations.
+    pub load_factor: f64,
+    /// Factor on prescribed motions.
+    pub motion_factor: f64,
+    /// Load cases by number, and their factors.
+    pub terms: Vec<(usize, f64)>,
+}
+
+impl BodyScene {
+    /// Whether bonds can miss at points other than those of a plain edge.
+    pub(super) fn can_have_loose_points(&self) -> bool {
+        let turned = matches!(self.body(), PlaneBody::Lattice(lattice) if lattice.is_turned());
+        let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty() && !turned;
+        let whole = self.cracks.is_empty() && self.recipe.bearings.is_empty();
+        !(whole && self.outline().is_some_and(plain))
+    }
+
+    /// The elastic body beside one that breaks or softens, where its bonds or edges would be others by default.
+    pub(crate) fn elastic(&self) -> Option<Self> {
+        let Elastic { case, folder, max_memory } = &**self.elastic.as_ref()?;
+        Self::new(case.clone(), folder, *max_memory, Faults::default()).ok()
+    }
+
+    /// Whether bonds are cut or can fail.
+    pub(crate) fn is_damaged(&self) -> bool {
+        !self.cracks.is_empty() || self.case.is_traced()
+    }
+
+    /// The points without images, in the order of the body.
+    pub fn real_points(&self) -> impl Iterator<Item = usize> + '_ {
+        let ghosts = self.model.ghosts();
+        (0..self.model.points()).filter(move |&p| ghosts.binary_search(&(p as u32)).is_err())
+    }
+
+    /// The points that are images in lines of symmetry.
+    pub fn images(&self) -> impl Iterator<Item = usize> + '_ {
+        let ghosts = self.model.ghosts().iter().map(|&ghost| ghost as usize);
+        let lattice = self.model.lattice();
+        ghosts.filter(move |&p| lattice.is_some_and(|(lattice, mirrors)| !mirrors.is_real(lattice.cell(p))))
+    }
+
+    /// The points without images, with numbers of their own.
+    pub fn body(&self) -> &PlaneBody {
+        &self.recipe.body
+    }
+
+    /// Hash of the file that lists the points, if there is one: it tells more of them than where they are.
+    pub(in crate::scene) fn file(&self) -> Option<blake3::Hash> {
+        self.recipe.file
+    }
+
+    /// The outline; listed points have none.
+    pub fn outline(&self) -> Option<&Outline> {
+        self.outline.as_deref()
+    }
+
+    /// Number in the model of a point of the body.
+    pub fn number(&self, point: usize) -> usize {
+        self.recipe.number(&*self.model, point as u32) as usize
+    }
+
+    /// A free motion of a model of the body in words.
+    pub(crate) fn describe<const D: usize>(&self, model: &dyn Model<D>, motion: &FreeMotion) -> String {
+        motions::describe(self, model, motion)
+    }
+
+    /// Horizon, m.
+    pub fn horizon(&self) -> f64 {
+        self.recipe.horizon
+    }
+
+    /// Side of a cell, or root of the mean area of listed points, m.
+    pub fn spacing(&self) -> f64 {
+        self.recipe.body.spacing()
+    }
+
+    /// Cut bonds of a lattice, for [`Solvable::coarser`](peristat_assembly::model::plane::Solvable::coarser).
+    pub fn cuts(&self, lattice: &SquareLattice, offsets: &[Cell]) -> Vec<(usize, usize)> {
+        self.recipe.cuts(&self.cracks, lattice, offsets)
+    }
+
+    /// The model and the cracks with the tips of the crack of a stress intensity moved along it by some length, m, outwards
+    /// if positive; `None` where that leaves no crack.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub fn with_moved_tips(
+        &self,
+        intensity: &Intensity,
+        by: f64,
+    ) -> Result<Option<(AnyBody, Vec<Crack>)>, Refusal> {
+        let mut cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
+        match outputs::moved(&cracks[intensity.crack], intensity.tips, by) {
+            Some(crack) => cracks[intensity.crack] = crack,
+            None => return Ok(None),
+        }
+        Ok(Some((self.recipe.make(&cracks)?, cracks)))
+    }
+
+    /// The body as its model is given it; `held` are the regions that supports hold.
+    pub(crate) fn resolved<'a>(&'a self, held: &'a [HeldRegion]) -> Resolved<'a> {
+        Resolved {
+            model: &*self.model,
+            lattice: match self.body() {
+                PlaneBody::Lattice(lattice) => Some(lattice),
+                PlaneBody::Cloud(_) => None,
+            },
+            outline: self.outline(),
+            mirrors: &self.recipe.symmetry.mirrors,
+            spacing: self.spacing(),
+            held,
+        }
+    }
+
+    /// Material and bonds.
+    pub fn material(&self) -> &dyn Material {
+        &*self.recipe.material
+    }
+}

@@ -1,0 +1,244 @@
+//! The points of a body in the plane and its outline.
+
+use super::snap::Snap;
+use super::{boundary, files};
+use crate::case::{Body, Case, Hole};
+use crate::diagnostic::{Faults, JsonPath, root, tidy};
+use crate::input::Folder;
+use crate::input::gmsh::Curve;
+use crate::memory;
+use crate::model::{Keys, hints};
+use peristat_assembly::body::{self, FillError, HoleError, Outline, OutlineError, PlaneBody, Polygon, Shape};
+
+/// Memory per point of what a scene keeps of a lattice and its model, bytes.
+const PER_POINT: f64 = 150.0;
+
+/// Path of the body in a case, with the key of its kind.
+pub(crate) fn path(case: &Case) -> JsonPath {
+    let body = root("body");
+    match &case.body {
+        Body::Rectangle(_) => body.key("rectangle"),
+        Body::Outline(_) => body.key("outline"),
+        Body::Points(_) => body.key("points"),
+        Body::Mesh(_) => body.key("mesh"),
+        _ => body,
+    }
+}
+
+/// A body, its outline if it has one, and the named curves of a mesh.
+pub(crate) struct Built {
+    pub(crate) body: PlaneBody,
+    pub(crate) outline: Option<Outline>,
+    pub(crate) curves: Vec<Curve>,
+    /// Hash of the file that lists the points.
+    pub(crate) file: Option<blake3::Hash>,
+}
+
+/// The body of the case; the keys of its model give its thickness and along what the rows of a lattice run.
+pub(crate) fn build(
+    case: &Case,
+    keys: &dyn Keys,
+    folder: &Folder,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Built> {
+    let path = path(case);
+    let (outline, spacing) = match &case.body {
+        Body::Rectangle(b) => {
+            let made = Outline::rectangle(b.from, b.size);
+            let snap = Snap::new(&[b.from, [0, 1].map(|k| b.from[k] + b.size[k])], &[], &b.holes);
+            (cut(made, (&b.holes, &snap), &path, faults)?, b.spacing)
+        }
+        Body::Outline(b) => {
+            let snap = Snap::new(&[], &b.vertices, &b.holes);
+            let made = Outline::polygon(snap.positions(&b.vertices));
+            (cut(made, (&b.holes, &snap), &path, faults)?, b.spacing)
+        }
+        Body::Points(b) => {
+            let (body, file) = files::points(folder, &b.file, keys.thickness(), max_memory, &path, faults)?;
+            if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
+                return None;
+            }
+            return Some(Built { body, outline: None, curves: Vec::new(), file: Some(file) });
+        }
+        Body::Mesh(b) => {
+            let (body, curves, file) = files::mesh(folder, &b.file, max_memory, &path, faults)?;
+            if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
+                return None;
+            }
+            return Some(Built { body, outline: None, curves, file: Some(file) });
+        }
+        _ => {
+            let message = format!("the model `{}` needs a body in the plane", case.model.name());
+            faults.error(root("body"), message).hint({
+                let bodies = match keys.takes_points() {
+                    true => "`rectangle`, `outline`, `points` or `mesh`",
+                    false => "`rectangle` or `outline`",
+                };
+                format!("take {bodies}; lines and frames are for `{}`", hints::LINES)
+            });
+            return None;
+        }
+    };
+    let key = if outline.is_rectangle() { "from" } else { "vertices" };
+    if !resolves(outline.bounds(), spacing, &path.key(key), faults) {
+        return None;
+    }
+    let filled = outline.cells(spacing, keys.lattice_angle()).and_then(|cells| {
+        let box_points = f64::from(cells[0]) * f64::from(cells[1]);
+        let fits = fits(&outline, box_points, max_memory, &path, faults)
+            && boundary::fits(&outline, spacing, max_memory, &path, faults);
+        Ok(if fits { Some(outline.fill_turned(spacing, keys.lattice_angle())?) } else { None })
+    });
+    match filled {
+        Ok(lattice) => {
+            let body = PlaneBody::Lattice(lattice?);
+            Some(Built { body, outline: Some(outline), curves: Vec::new(), file: None })
+        }
+        Err(error) => {
+            unfilled(&error, case, &path, faults);
+            None
+        }
+    }
+}
+
+/// Rounding of coordinates must be below this, in spacings.
+const ROUNDING: f64 = 1e-6;
+
+/// Whether doubles tell positions in a box much finer than the spacing.
+fn resolves(bounds: [[f64; 2]; 2], spacing: f64, path: &JsonPath, faults: &mut Faults) -> bool {
+    let largest = bounds.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    // Spacings that are none have a fault of their own.
+    if !(largest * f64::EPSILON > ROUNDING * spacing && spacing > 0.0) {
+        return true;
+    }
+    let [largest, spacing] = [largest, spacing].map(tidy);
+    faults
+        .error(
+            path.clone(),
+            format!("beside coordinates up to {largest} a spacing of {spacing} is lost in rounding"),
+        )
+        .hint("put the origin near the body");
+    false
+}
+
+/// The box around the points of a body.
+fn bounds(body: &PlaneBody) -> [[f64; 2]; 2] {
+    let points = (0..body.points()).map(|p| body.position(p));
+    points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
+        [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
+    })
+}
+
+/// The outline with its holes, without the noise of their coordinates.
+fn cut(
+    made: Result<Outline, OutlineError>,
+    (holes, snap): (&[Hole], &Snap),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Outline> {
+    let mut outline = match made {
+        Ok(outline) => Some(outline),
+        Err(error) => {
+            let place = match &error {
+                OutlineError::Size { axis, .. } => path.key("size").index(*axis),
+                OutlineError::Corner => path.key("from"),
+                OutlineError::Polygon(_) => path.key("vertices"),
+            };
+            faults.error(place, error.to_string());
+            None
+        }
+    };
+    for (k, hole) in holes.iter().enumerate() {
+        let path = path.key("holes").index(k);
+        let (key, shape) = match snap.hole(hole) {
+            Hole::Circle(c) => ("circle", Ok(Shape::Circle { centre: c.centre, radius: c.radius })),
+            Hole::Slot(s) => ("slot", Ok(Shape::Slot { from: s.from, to: s.to, radius: s.radius })),
+            Hole::Polygon(p) => ("polygon", Polygon::new(p.vertices).map(Shape::Polygon)),
+        };
+        let path = path.key(key);
+        let shape = match shape {
+            Ok(shape) => shape,
+            Err(error) => {
+                faults.error(path.key("vertices"), error.to_string());
+                continue;
+            }
+        };
+        let hole = body::Hole { name: hole.name().map(Into::into), shape };
+        if let Some(Err(error)) = outline.as_mut().map(|outline| outline.cut(hole)) {
+            let place = match &error {
+                HoleError::Radius { .. } => path.key("radius"),
+                HoleError::SameName { .. } => path.key("name"),
+                HoleError::NotFinite | HoleError::Outside => path,
+            };
+            faults.error(place, error.to_string());
+        }
+    }
+    outline
+}
+
+/// Whether the points of an outline fit into memory; `box_points` are those of the box around it.
+fn fits(
+    outline: &Outline,
+    box_points: f64,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> bool {
+    let [low, high] = outline.bounds();
+    let share = outline.border().area() / ((high[0] - low[0]) * (high[1] - low[1]));
+    let points = (box_points * share).round();
+    let what = format!("{points:e} points");
+    memory::fits(points * PER_POINT, (&what, "use a larger spacing"), max_memory, path.key("spacing"), faults)
+}
+
+/// A fault for an outline that cells do not fill.
+fn unfilled(error: &FillError, case: &Case, path: &JsonPath, faults: &mut Faults) {
+    match error {
+        FillError::Spacing { found } => {
+            faults.error(path.key("spacing"), format!("`spacing` must be greater than zero, found {found}"));
+        }
+        FillError::NotWhole { cells, fitting } => {
+            let [a, b] = cells.map(tidy);
+            let fault = faults.error(
+                path.key("size"),
+                format!("the rectangle is {a} × {b} cells, which are not whole numbers"),
+            );
+            let numbers: Vec<String> = fitting.iter().map(|s| tidy(*s)).collect();
+            match numbers.is_empty() {
+                true => fault.hint("both sides must be whole multiples of the spacing"),
+                false if numbers.len() == 1 => {
+                    fault.hint(format!("the nearest spacing that fits is {}", numbers[0]))
+                }
+                false => fault.hint(format!("the nearest spacings that fit are {}", numbers.join(" and "))),
+            };
+        }
+        FillError::TooManyCells { cells } => {
+            faults
+                .error(path.key("spacing"), format!("{cells:e} cells are too many to number"))
+                .hint(format!("at most {} fit into the box around the body", u32::MAX));
+        }
+        FillError::NoPoints => {
+            faults
+                .error(path.key("spacing"), "no cell has its centre in the body: the spacing is too large")
+                .hint("use a smaller spacing");
+        }
+        FillError::NoCellInHole { hole } => {
+            let holes = match &case.body {
+                Body::Rectangle(b) => &b.holes[..],
+                Body::Outline(b) => &b.holes,
+                _ => &[],
+            };
+            let called = match holes.get(*hole).and_then(Hole::name) {
+                Some(name) => format!("the hole `{name}`"),
+                None => "this hole".into(),
+            };
+            faults
+                .error(
+                    path.key("holes").index(*hole),
+                    format!("no cell has its centre in {called}: it would do nothing"),
+                )
+                .hint("use a smaller spacing; a hole needs several cells to be one");
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Bodies that a file lists.
+
+use crate::diagnostic::{Faults, JsonPath};
+use crate::input::gmsh::{self, Curve};
+use crate::input::{Folder, ReadError, Refusal, points};
+use peristat_assembly::body::PlaneBody;
+
+/// The body of a list of points, of this thickness, and the hash of the file.
+pub(crate) fn points(
+    folder: &Folder,
+    file: &str,
+    thickness: f64,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(PlaneBody, blake3::Hash)> {
+    let bytes = bytes(folder, file, "points", max_memory, path, faults)?;
+    let cloud = points::read(&bytes).and_then(|points| points.cloud(thickness));
+    let cloud = cloud.map_err(|error| refuse(file, "points", &error, path, faults)).ok()?;
+    Some((PlaneBody::Cloud(cloud), blake3::hash(&bytes)))
+}
+
+/// The body of a mesh, its named curves, and the hash of the file.
+pub(crate) fn mesh(
+    folder: &Folder,
+    file: &str,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(PlaneBody, Vec<Curve>, blake3::Hash)> {
+    let bytes = bytes(folder, file, "mesh", max_memory, path, faults)?;
+    let mesh = gmsh::read(&bytes).map_err(|error| refuse(file, "mesh", &error, path, faults)).ok()?;
+    Some((PlaneBody::Cloud(mesh.cloud), mesh.curves, blake3::hash(&bytes)))
+}
+
+fn bytes(
+    folder: &Folder,
+    file: &str,
+    what: &str,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Vec<u8>> {
+    let refuse = |refusal: Refusal| {
+        let fault = faults.error(path.key("file"), format!("the {what} {file} {}", refusal.reason));
+        fault.hint(refusal.hint.unwrap_or("the path is relative to the case"));
+    };
+    folder.read(file, max_memory).map_err(refuse).ok()
+}
+
+fn refuse(file: &str, what: &str, error: &ReadError, path: &JsonPath, faults: &mut Faults) {
+    let message = match error.line {
+        Some(line) => format!("the {what} {file}, line {line}: {}", error.message),
+        None => format!("the {what} {file} {}", error.message),
+    };
+    let fault = faults.error(path.key("file"), message);
+    if let Some(hint) = error.hint {
+        fault.hint(hint);
+    }
+}

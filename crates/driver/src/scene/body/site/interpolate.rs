@@ -1,0 +1,213 @@
+//! Values at any position as sums over points.
+
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, Region, Regions, SquareLattice};
+use std::collections::BTreeMap;
+
+/// Points and their shares; the shares sum to one.
+pub type Weights = Vec<(u32, f64)>;
+
+/// Points of a cloud among which a triangle is looked for.
+const NEAREST: usize = 16;
+
+/// What values are interpolated on.
+pub(crate) struct Interpolation<'a> {
+    /// The points; images in mirrors are among them.
+    pub(crate) body: &'a PlaneBody,
+    /// Cracks and their images.
+    pub(crate) cracks: &'a [Crack],
+    /// How far apart points are whose values are continued to an edge, spacings: the horizon, where points see the steps of the edge.
+    pub(crate) reach: i32,
+}
+
+impl Interpolation<'_> {
+    /// Weights at a position in the body: bilinear between the four points of a lattice around it, or next to it near an
+    /// edge; linear in a triangle of listed points; else those of the nearest point. No crack runs in between.
+    pub(crate) fn at(&self, position: [f64; 2], nearest: u32) -> Weights {
+        let found = match self.body {
+            PlaneBody::Lattice(lattice) => self.bilinear(lattice, position),
+            PlaneBody::Cloud(cloud) => {
+                let slack = 4.0 * self.body.spacing();
+                let regions = Regions { body: self.body, outline: None, named: &BTreeMap::new() };
+                let near = regions.select(&Region::Disc { centre: position, radius: slack });
+                self.in_triangle(cloud.positions(), near.unwrap_or_default(), position)
+            }
+        };
+        found.unwrap_or_else(|| vec![(nearest, 1.0)])
+    }
+
+    fn sees(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+        let slack = CRACK_SLACK * self.body.spacing();
+        !self.cracks.iter().any(|c| c.cuts(a, b, slack))
+    }
+
+    fn bilinear(&self, lattice: &SquareLattice, position: [f64; 2]) -> Option<Weights> {
+        let at = lattice.in_cells(position).map(|x| x - 0.5);
+        let low = at.map(f64::floor);
+        // Beyond the outermost points lies half a cell at most; where an edge runs obliquely to the rows, more.
+        let (steps, most): (&[f64], f64) = match lattice.is_turned() {
+            false => (&[0.0, -1.0, 1.0], 1.0),
+            true => (&[0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0], 3.0),
+        };
+        let mut blocks: Vec<[f64; 2]> =
+            steps.iter().flat_map(|a| steps.iter().map(move |b| [low[0] + a, low[1] + b])).collect();
+        blocks.retain(|b| (0..2).all(|k| (at[k] - b[k] - 0.5).abs() <= most + 1e-6));
+        let far = |b: &[f64; 2]| (at[0] - b[0] - 0.5).hypot(at[1] - b[1] - 0.5);
+        blocks.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        blocks.into_iter().find_map(|block| {
+            let share = [0, 1].map(|k| at[k] - block[k]);
+            let corner = |[i, j]: [usize; 2]| {
+                let cell: Cell = [block[0] as i32 + i as i32, block[1] as i32 + j as i32, 0];
+                let point = lattice.number(cell)?;
+                let seen = self.sees(position, lattice.place_of(cell));
+                let along = |k: usize, side: usize| if side == 1 { share[k] } else { 1.0 - share[k] };
+                seen.then_some((point as u32, along(0, i) * along(1, j)))
+            };
+            let corners: Option<Weights> = [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().map(corner).collect();
+            corners.map(|all| all.into_iter().filter(|w| w.1 != 0.0).collect())
+        })
+    }
+
+    fn in_triangle(&self, positions: &[[f64; 2]], mut near: Vec<u32>, position: [f64; 2]) -> Option<Weights> {
+        let at = |p: u32| positions[p as usize];
+        let distance = |p: u32| (at(p)[0] - position[0]).hypot(at(p)[1] - position[1]);
+        near.retain(|&p| self.sees(position, at(p)));
+        near.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+        near.truncate(NEAREST);
+        let cross = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        };
+        let mut best: Option<(f64, Weights)> = None;
+        for (i, &a) in near.iter().enumerate() {
+            for (j, &b) in near.iter().enumerate().skip(i + 1) {
+                for &c in &near[j + 1..] {
+                    let area = cross(at(a), at(b), at(c));
+                    if area.abs() < 1e-3 * self.body.spacing().powi(2) {
+                        continue;
+                    }
+                    let shares = [
+                        cross(position, at(b), at(c)) / area,
+                        cross(at(a), position, at(c)) / area,
+                        cross(at(a), at(b), position) / area,
+                    ];
+                    let size = distance(a) + distance(b) + distance(c);
+                    let inside = shares.iter().all(|s| *s >= -1e-9);
+                    if inside && best.as_ref().is_none_or(|(least, _)| size < *least) {
+                        best = Some((size, vec![(a, shares[0]), (b, shares[1]), (c, shares[2])]));
+                    }
+                }
+            }
+        }
+        best.map(|b| b.1)
+    }
+
+    /// Weights at a position on an edge: a parabola through three points on each of the two lattice lines beside it that go
+    /// inward, one, two and three times `reach` behind the first. On narrow bodies
+    /// the three are closer together; `None` where no line has three points behind the first, and on a turned lattice,
+    /// whose lines do not go inward.
+    pub(crate) fn inward(&self, position: [f64; 2], inward: [i8; 2]) -> Option<Weights> {
+        let PlaneBody::Lattice(lattice) = self.body else { return None };
+        if lattice.is_turned() {
+            return None;
+        }
+        let axis = usize::from(inward[0] == 0);
+        let sign = i32::from(inward[axis]);
+        let at = lattice.in_cells(position).map(|x| x - 0.5);
+        let across = at[1 - axis];
+        let low = across.floor();
+        let line = |column: f64| {
+            let cell = |k: i32| {
+                let mut cell = [column as i32, column as i32, 0];
+                cell[axis] = k;
+                cell
+            };
+            let start = if sign > 0 { (at[axis] - 1e-6).ceil() } else { (at[axis] + 1e-6).floor() } as i32;
+            let first = (0..3).map(|k| start + sign * k).find(|&k| lattice.number(cell(k)).is_some())?;
+            let distance = |k: i32| f64::from(sign) * (f64::from(k) - at[axis]);
+            let exists = |k: i32| lattice.number(cell(k)).is_some();
+            let step =
+                (1..=self.reach).rev().find(|step| (1..=3).all(|k| exists(first + sign * k * step)))?;
+            let cells = [1, 2, 3].map(|k| first + sign * k * step);
+            let weight = |k: usize| {
+                let others = (0..3).filter(|j| *j != k);
+                others
+                    .map(|j| distance(cells[j]) / (distance(cells[j]) - distance(cells[k])))
+                    .product::<f64>()
+            };
+            let points: Option<Weights> =
+                (0..3).map(|k| Some((lattice.number(cell(cells[k]))? as u32, weight(k)))).collect();
+            points
+        };
+        // The two lines around the position, or beside it next to another edge, or the one that there is.
+        let pair = |first: f64| {
+            let share = across - first;
+            let both = [(first, 1.0 - share), (first + 1.0, share)];
+            both.into_iter()
+                .filter(|l| l.1.abs() > 1e-9)
+                .map(|(at, share)| Some((line(at)?, share)))
+                .collect()
+        };
+        let pairs = [low, low + 1.0, low - 1.0];
+        let alone = || [low, low + 1.0].into_iter().find_map(|at| Some(vec![(line(at)?, 1.0)]));
+        let found: Vec<(Weights, f64)> = pairs.into_iter().find_map(pair).or_else(alone)?;
+        Some(
+            found
+                .iter()
+                .flat_map(|(weights, share)| weights.iter().map(move |w| (w.0, w.1 * share)))
+                .collect(),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(body: &PlaneBody, weights: &Weights, field: impl Fn([f64; 2]) -> f64) -> f64 {
+        weights.iter().map(|w| w.1 * field(body.position(w.0 as usize))).sum()
+    }
+
+    #[test]
+    fn linear_fields_are_exact_everywhere_and_parabolas_inwards_from_edges() {
+        let body = PlaneBody::Lattice(SquareLattice::rectangle(0.1, [1.0, 2.0], [10, 6]));
+        let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
+        let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5 * x * y;
+        for position in [[1.0, 2.0], [1.33, 2.21], [2.0, 2.3], [1.55, 2.55], [1.5, 2.6]] {
+            let found = value(&body, &interpolation.at(position, 0), field);
+            assert!((found - field(position)).abs() < 1e-13, "{position:?}");
+        }
+        let field = |[x, y]: [f64; 2]| x * x - 3.0 * x + 2.0 * y + 1.0;
+        for (position, inward) in [([1.0, 2.3], [1, 0]), ([2.0, 2.33], [-1, 0]), ([2.0, 2.0], [-1, 0])] {
+            let found = value(&body, &interpolation.inward(position, inward).unwrap(), field);
+            assert!((found - field(position)).abs() < 1e-12, "{position:?} {found}");
+        }
+        assert_eq!(interpolation.inward([3.0, 2.3], [1, 0]), None);
+    }
+
+    #[test]
+    fn linear_fields_are_exact_between_turned_rows() {
+        let outline = peristat_assembly::body::Outline::rectangle([1.0, 2.0], [1.03, 0.61]).unwrap();
+        let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5;
+        for angle in [0.1, 0.4, std::f64::consts::FRAC_PI_4, 1.2] {
+            let body = PlaneBody::Lattice(outline.fill_turned(0.05, angle).unwrap());
+            let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
+            // Inside, on edges and in all corners.
+            for k in 0..441 {
+                let along = |k: i32, length: f64| f64::from(k) / 20.0 * length;
+                let position = [1.0 + along(k % 21, 1.03), 2.0 + along(k / 21, 0.61)];
+                let found = value(&body, &interpolation.at(position, 0), field);
+                assert!((found - field(position)).abs() < 1e-13, "{angle} {position:?}");
+            }
+            assert_eq!(interpolation.inward([1.0, 2.3], [1, 0]), None);
+        }
+    }
+
+    #[test]
+    fn nothing_is_taken_from_behind_a_crack() {
+        let body = PlaneBody::Lattice(SquareLattice::rectangle(1.0, [0.0; 2], [4, 4]));
+        let crack = peristat_assembly::body::Crack::new(vec![[-1.0, 2.0], [5.0, 2.0]]).unwrap();
+        let interpolation = Interpolation { body: &body, cracks: &[crack], reach: 3 };
+        let weights = interpolation.at([1.7, 1.9], 0);
+        assert!(weights.iter().all(|w| body.position(w.0 as usize)[1] < 2.0));
+        assert!((value(&body, &weights, |p| p[1]) - 1.9).abs() < 1e-14);
+    }
+}

@@ -1,0 +1,22 @@
+//! What a body is, before anything holds or loads it: its points, names, mirrors, cracks and material.
+
+pub(crate) mod bearing;
+pub(crate) mod body;
+pub(crate) mod boundary;
+pub(crate) mod counts;
+pub(crate) mod cracks;
+pub(crate) mod files;
+pub(crate) mod foreign;
+pub(crate) mod ground;
+pub(crate) mod held_angle;
+pub(crate) mod interpolate;
+pub(crate) mod of_case;
+pub(crate) mod parts;
+pub(crate) mod periodic;
+pub(crate) mod recipe;
+pub(crate) mod resultants;
+pub(crate) mod size;
+pub(crate) mod snap;
+pub(crate) mod specimen;
+pub(crate) mod symmetry;
+pub(crate) mod tips;

@@ -1,0 +1,173 @@
+//! The body of a case in the plane, its material, mirrors and cracks.
+
+use super::cracks::{self, NamedCrack};
+use super::recipe::Recipe;
+use super::{body, held_angle, of_case, periodic, size, symmetry};
+use crate::case::Case;
+use crate::diagnostic::{Faults, tidy};
+use crate::input::Folder;
+use crate::input::gmsh::Curve;
+use crate::model::{About, Keys, Material};
+use crate::scene::{horizon, root};
+use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
+use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
+
+/// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
+const MOST_RATIO: f64 = 100.0;
+
+/// What a case says of its body, before it has points in a model.
+pub(crate) struct Parts {
+    pub(crate) recipe: Recipe,
+    pub(crate) outline: Option<Outline>,
+    pub(crate) curves: Vec<Curve>,
+    pub(crate) cracks: Vec<NamedCrack>,
+}
+
+/// The body of the case, its material and its cracks.
+pub(crate) fn parts(
+    case: &Case,
+    keys: &dyn Keys,
+    folder: &Folder,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Parts> {
+    let asked = of_case::asked(case);
+    let mut material = keys.resolve(&asked, faults);
+    let cracks = cracks::cracks(case, faults);
+    let built = body::build(case, keys, folder, max_memory, faults);
+    let spacing = built.as_ref().map(|b| b.body.spacing());
+    let lattice = match built.as_ref().map(|b| &b.body) {
+        Some(PlaneBody::Lattice(lattice)) => Some(lattice),
+        _ => None,
+    };
+    // Squares turned by right angles are the same.
+    let angle = if lattice.is_some_and(SquareLattice::is_turned) { keys.lattice_angle() } else { 0.0 };
+    material.iter_mut().for_each(|material| material.set_lattice_angle(angle));
+    let usual = material.as_ref().map_or(3.0, |material| material.usual_horizon_ratio());
+    let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
+    let body::Built { mut body, outline, curves, file } = built?;
+    if let (PlaneBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
+        && material.as_ref().is_some_and(|material| material.is_revolved())
+    {
+        *lattice = outline.with_centres(lattice.clone());
+    }
+    let lattice = match &body {
+        PlaneBody::Lattice(lattice) => Some(lattice),
+        PlaneBody::Cloud(_) => None,
+    };
+    let touches_axis = match &material {
+        Some(material) => material.touches_axis(&asked, (outline.as_ref(), lattice), faults)?,
+        None => false,
+    };
+    let mut symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
+    if let (true, Some(outline), Some(lattice)) = (touches_axis, &outline, lattice) {
+        symmetry.add_axis(outline, lattice);
+    }
+    periodic::join(case, outline.as_ref(), lattice, &mut symmetry, faults);
+    let (mut material, ratio) = (material?, ratio?);
+    if ratio > MOST_RATIO {
+        faults
+            .error(
+                root(of_case::horizon_key(case)),
+                format!("a horizon of {} spacings has too many bonds per point", tidy(ratio)),
+            )
+            .hint(format!(
+                "the largest horizon ratio of bodies in the plane is {MOST_RATIO}; more than 12 never pays"
+            ));
+        return None;
+    }
+    material.set_horizon_ratio(ratio);
+    complete(case, &mut *material, (lattice, outline.as_ref()), &symmetry.mirrors, faults);
+    let cracks = cracks?;
+    if !size::fits(
+        case,
+        &*material,
+        (&body, outline.as_ref()),
+        (&cracks, &symmetry.mirrors),
+        max_memory,
+        faults,
+    ) {
+        return None;
+    }
+    let horizon = ratio * body.spacing();
+    // The other treatments of edges know whole cells only, and loads have the volumes of the model.
+    let body = match body {
+        PlaneBody::Lattice(lattice) if !material.about().is_exact_at_edges => {
+            PlaneBody::Lattice(lattice.with_whole_cells())
+        }
+        body => body,
+    };
+    let breaks = case.fracture.is_some() || case.path.is_some();
+    let recipe = Recipe { body, file, symmetry, bearings: Vec::new(), material, horizon, breaks };
+    Some(Parts { recipe, outline, curves, cracks })
+}
+
+/// A doubt about the axial forces of a body of revolution whose border completes its families: weights that are linear in the radius
+/// leave some at corners. Measured 1.5 % in the elongation of a solid bar of ten points.
+fn warn_of_corners(model: &str, faults: &mut Faults) {
+    faults
+        .warning(
+            root("model").key(model).key("edges"),
+            "beside corners of whole cells forces along the axis are off, by one or two per cent of the largest",
+        )
+        .hint("use `ghosts`, the default, for bodies whose borders run along the lattice; `border` is for spheres and cones");
+}
+
+/// Gives a material the edges that a body can have: where its border cannot be completed, triangles complete its points.
+fn complete(
+    case: &Case,
+    material: &mut (dyn Material + 'static),
+    (lattice, outline): (Option<&SquareLattice>, Option<&Outline>),
+    mirrors: &Mirrors,
+    faults: &mut Faults,
+) {
+    let about = material.about();
+    let ends_on_border = about.edges == Some(Edges::Border);
+    let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
+    // Families do not break beside a border that completes them.
+    let breaks = case.is_traced() || !case.cracks.is_empty();
+    let may_break = breaks && about.has_families;
+    // On whole cells ghosts are as good, at less cost.
+    if about.ends_where_cut && !is_cut {
+        return material.leave_border(Edges::Overlay);
+    }
+    let can_end = !may_break && lattice.is_some_and(|lattice| material.has_border(lattice, mirrors));
+    if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
+        if material.is_revolved() && ends_on_border {
+            warn_of_corners(about.name, faults);
+        }
+        return;
+    }
+    if may_break && ends_on_border {
+        faults
+            .warning(
+                root("model").key(about.name).key("edges"),
+                "families do not break beside a border that completes them: the edges are `ghosts`",
+            )
+            .hint("give the edges `ghosts`, the default");
+    } else if is_cut && !can_end && ends_on_border {
+        warn_of_staircase(&about, mirrors, faults);
+    }
+    // Triangles complete the edges, but do not soften.
+    material.leave_border(if case.path.is_some() { Edges::None } else { Edges::Overlay });
+}
+
+/// A doubt about a border that cuts cells and cannot be followed.
+fn warn_of_staircase(about: &About, mirrors: &Mirrors, faults: &mut Faults) {
+    let (why, hint) = match mirrors.joined {
+        _ if about.horizon_ratio >= f64::from(FARTHEST + 1) => {
+            ("the horizon is too long to follow it", "use a horizon of ten spacings at most")
+        }
+        [false, false, _] => {
+            ("single rows and thin tips do not tell how it moves", "round off tips, or use a smaller spacing")
+        }
+        _ => ("sides are joined", "model the whole body, or half of it beside a line of symmetry"),
+    };
+    let others = if about.has_families { "ghosts" } else { "overlay" };
+    faults
+        .warning(
+            root("body"),
+            format!("the border cuts cells, and {why}: stresses beside slanted and round edges can be off by half, as with the edges `{others}`"),
+        )
+        .hint(hint);
+}

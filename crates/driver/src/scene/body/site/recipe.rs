@@ -1,0 +1,123 @@
+//! The model of a body in the plane: points of its lattice with images, or its listed points.
+
+use super::bearing::{self, Bearing};
+use super::cracks::NamedCrack;
+use super::of_case::horizon_key;
+use super::symmetry::Symmetry;
+use crate::case::Case;
+use crate::model::{AnyBody, Material, OnGround, OnLattice, Refusal};
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
+use peristat_assembly::model::plane::PlaneModel;
+use std::cell::RefCell;
+
+/// What a model is made of, to make it again with other cracks.
+#[derive(Clone, Debug)]
+pub(crate) struct Recipe {
+    /// The points of the body, without images.
+    pub(crate) body: PlaneBody,
+    /// Hash of the file that lists them.
+    pub(crate) file: Option<blake3::Hash>,
+    /// Its mirrors.
+    pub(crate) symmetry: Symmetry,
+    /// Rigid regions that bear on the rest in some directions only. Coarser lattices, which only precondition, know none.
+    pub(crate) bearings: Vec<Bearing>,
+    /// Material and bonds.
+    pub(crate) material: Box<dyn Material>,
+    /// Horizon, m.
+    pub(crate) horizon: f64,
+    /// Whether its bonds break or soften.
+    pub(crate) breaks: bool,
+}
+
+impl Recipe {
+    /// The model with some cracks.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub(crate) fn make(&self, cracks: &[Crack]) -> Result<AnyBody, Refusal> {
+        let cracks = self.symmetry.with_images(cracks);
+        match &self.body {
+            PlaneBody::Lattice(lattice) => {
+                let (mirrors, apart) = (self.symmetry.mirrors, RefCell::new(Vec::new()));
+                let cuts = |extended: &SquareLattice, offsets: &[Cell]| {
+                    let mut cuts = cut_bonds(extended, offsets, &cracks);
+                    let found = bearing::on_lattice(&self.bearings, (extended, lattice), &mirrors, offsets);
+                    cuts.extend(&found);
+                    *apart.borrow_mut() = found;
+                    cuts
+                };
+                let slack = CRACK_SLACK * lattice.spacing();
+                let separated = |a: Cell, b: Cell| {
+                    let ends = [lattice.place_of(a), lattice.place_of(b)];
+                    cracks.iter().any(|crack| crack.cuts(ends[0], ends[1], slack))
+                };
+                let on = OnLattice { real: lattice, mirrors, cuts: &cuts, separated: &separated };
+                let mut body = self.material.on_lattice(&on)?;
+                body.as_mut().never_joined(&apart.into_inner());
+                if self.breaks {
+                    body.as_mut().prepare_to_break();
+                }
+                Ok(body)
+            }
+            PlaneBody::Cloud(cloud) => {
+                let slack = CRACK_SLACK * cloud.spacing();
+                let apart = bearing::between(&self.bearings, &self.body);
+                let cut =
+                    |a: [f64; 2], b: [f64; 2]| cracks.iter().any(|c| c.cuts(a, b, slack)) || apart(a, b);
+                let points = (cloud.positions().to_vec(), cloud.areas().to_vec());
+                self.material.on_points(points, self.horizon, &cut)
+            }
+        }
+    }
+
+    /// Cut bonds of a lattice, for the coarser ones of this model.
+    pub(crate) fn cuts(
+        &self,
+        cracks: &[NamedCrack],
+        lattice: &SquareLattice,
+        offsets: &[Cell],
+    ) -> Vec<(usize, usize)> {
+        let cracks: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
+        cut_bonds(lattice, offsets, &self.symmetry.with_images(&cracks))
+    }
+
+    /// Whether a crack cuts any bond.
+    pub(crate) fn is_cut_by(&self, crack: &Crack) -> bool {
+        match &self.body {
+            PlaneBody::Lattice(lattice) => {
+                let depth = self.material.depth().unwrap_or(0);
+                let offsets = self.material.offsets().unwrap_or_default();
+                // A crack along a mirror cuts bonds to images only.
+                let lattice = self.symmetry.mirrors.extended(lattice, depth);
+                !cut_bonds(&lattice, &offsets, std::slice::from_ref(crack)).is_empty()
+            }
+            PlaneBody::Cloud(cloud) => {
+                let slack = CRACK_SLACK * cloud.spacing();
+                let neighbours = cloud.neighbours(self.horizon * (1.0 + 1e-9));
+                let at = |p: u32| cloud.positions()[p as usize];
+                neighbours.pairs().any(|[i, j]| crack.cuts(at(i), at(j), slack))
+            }
+        }
+    }
+
+    /// What the strength of bonds depends on.
+    pub(crate) fn on_ground(&self, case: &Case) -> OnGround {
+        OnGround {
+            is_lattice: matches!(self.body, PlaneBody::Lattice(_)),
+            spacing: self.body.spacing(),
+            horizon: self.horizon,
+            horizon_key: horizon_key(case),
+        }
+    }
+
+    /// Numbers in the model of points of the body.
+    pub(crate) fn number(&self, model: &dyn PlaneModel, point: u32) -> u32 {
+        match (&self.body, model.lattice()) {
+            (PlaneBody::Lattice(lattice), Some((extended, _))) if !model.ghosts().is_empty() => {
+                let number = extended.number(lattice.cell(point as usize));
+                number.map_or(point, |n| n as u32)
+            }
+            _ => point,
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! Edges of a body in the plane that are mirrors, and beyond which it has images therefore.
+
+use crate::diagnostic::{Faults, JsonPath, root, suggest};
+use peristat_assembly::body::{Crack, Edge, Outline, SquareLattice};
+use peristat_assembly::model::plane::Mirrors;
+
+/// The sides that can be mirrors, with the direction in which they look.
+pub(crate) const SIDES: [(&str, [f64; 2]); 4] =
+    [("left", [-1.0, 0.0]), ("right", [1.0, 0.0]), ("bottom", [0.0, -1.0]), ("top", [0.0, 1.0])];
+
+/// Mirrors of a body: their lines, their positions and the edges they replace; and its joined edges.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Symmetry {
+    /// Lines on the lattice.
+    pub(crate) mirrors: Mirrors,
+    /// Positions of the lines: left, right, bottom, top.
+    pub(crate) at: [Option<f64>; 4],
+    /// Names of the edges on them.
+    pub(crate) edges: Vec<String>,
+    /// Names of those on the axis of a body of revolution.
+    pub(crate) axis: Vec<String>,
+    /// Names of the edges that are joined to the opposite ones.
+    pub(crate) joined: Vec<String>,
+}
+
+/// Mirrors of the case.
+pub(crate) fn symmetry(
+    names: &[String],
+    outline: Option<&Outline>,
+    lattice: Option<&SquareLattice>,
+    faults: &mut Faults,
+) -> Symmetry {
+    let mut symmetry = Symmetry::default();
+    for (k, name) in names.iter().enumerate() {
+        let path = root("symmetry").index(k);
+        let Some(side) = SIDES.iter().position(|s| s.0 == name) else {
+            faults
+                .error(path, format!("there is no side `{name}` to be a mirror"))
+                .hint(suggest(name, SIDES.iter().map(|s| s.0)));
+            continue;
+        };
+        let (Some(outline), Some(lattice)) = (outline, lattice) else {
+            faults
+                .error(path, "mirrors need a body that fills a lattice: `rectangle` or `outline`")
+                .hint("hold the displacement across the line of symmetry by a support instead");
+            continue;
+        };
+        if lattice.is_turned() {
+            faults
+                .error(
+                    path,
+                    "mirrors need a lattice whose rows run along x, and those of this one are turned",
+                )
+                .hint("model the whole body");
+            continue;
+        }
+        let Some((edge, at)) = edge_on(outline, side) else {
+            faults
+                .error(path, format!("the body has no straight edge all along its {name} side"))
+                .hint("a mirror is a whole side of the box around the body");
+            continue;
+        };
+        if symmetry.at[side].replace(at).is_some() {
+            faults.error(path, format!("`{name}` stands twice"));
+            continue;
+        }
+        symmetry.edges.push(edge);
+        let path = root("symmetry").index(k);
+        symmetry.mirrors.set_line(side, line_on(lattice, side, at, &path, faults));
+    }
+    symmetry
+}
+
+/// The line between cells on a side of the body at this position; a fault if it is not on a border of cells.
+pub(crate) fn line_on(
+    lattice: &SquareLattice,
+    side: usize,
+    at: f64,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> i32 {
+    let range = if side < 2 { lattice.columns() } else { lattice.rows() };
+    let line = if side.is_multiple_of(2) { range.start } else { range.end };
+    let whole = lattice.corner()[side / 2] + f64::from(line) * lattice.spacing();
+    if (whole - at).abs() > 1e-6 * lattice.spacing() {
+        faults
+            .error(path.clone(), format!("the {} side is not on a border of cells", SIDES[side].0))
+            .hint("make the size of the body a whole multiple of the spacing");
+    }
+    line
+}
+
+/// The edge that is a whole side of the box around a body, and the position of the side.
+pub(crate) fn edge_on(outline: &Outline, side: usize) -> Option<(String, f64)> {
+    let [low, high] = outline.bounds();
+    let axis = side / 2;
+    let at = if side.is_multiple_of(2) { low[axis] } else { high[axis] };
+    let along = 1 - axis;
+    let whole = |e: &&Edge| {
+        let ends = [e.from[along].min(e.to[along]), e.from[along].max(e.to[along])];
+        e.from[axis] == at && e.to[axis] == at && ends == [low[along], high[along]]
+    };
+    outline.edges().iter().find(whole).map(|e| (e.name.clone(), at))
+}
+
+impl Symmetry {
+    /// Cracks with their images, by one reflection along each axis.
+    pub(crate) fn with_images(&self, cracks: &[Crack]) -> Vec<Crack> {
+        let [left, right, below, above] = self.at;
+        let along = |low: Option<f64>, high: Option<f64>| {
+            [None].into_iter().chain([low, high].into_iter().flatten().map(Some)).collect::<Vec<_>>()
+        };
+        let mut all = Vec::new();
+        for crack in cracks {
+            for x in along(left, right) {
+                for y in along(below, above) {
+                    let reflect = |at: Option<f64>, v: f64| at.map_or(v, |at| 2.0 * at - v);
+                    let image = crack.vertices().iter().map(|v| [reflect(x, v[0]), reflect(y, v[1])]);
+                    all.extend(Crack::new(image.collect()).ok());
+                }
+            }
+        }
+        all
+    }
+
+    /// Makes the axis of a body of revolution, which begins there, a mirror. The body may touch it in parts.
+    pub(crate) fn add_axis(&mut self, outline: &Outline, lattice: &SquareLattice) {
+        let at = outline.bounds()[0][0];
+        let on_axis = outline.edges().iter().filter(|e| e.from[0] == at && e.to[0] == at);
+        self.axis = on_axis.map(|e| e.name.clone()).collect();
+        self.edges.extend(self.axis.iter().cloned());
+        self.at[0] = Some(at);
+        self.mirrors.set_line(0, lattice.columns().start);
+    }
+
+    /// Whether an edge lies on a mirror.
+    pub(crate) fn replaces(&self, edge: &str) -> bool {
+        self.edges.iter().any(|e| e == edge)
+    }
+
+    /// Whether an edge is joined to the opposite one.
+    pub(crate) fn joins(&self, edge: &str) -> bool {
+        self.joined.iter().any(|e| e == edge)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turned_rows_have_no_mirrors() {
+        let outline = Outline::rectangle([0.0; 2], [20.0, 10.0]).unwrap();
+        for (angle, fine) in [(0.0, true), (0.3, false)] {
+            let lattice = outline.fill_turned(1.0, angle).unwrap();
+            let mut faults = Faults::default();
+            let found = symmetry(&["left".into()], Some(&outline), Some(&lattice), &mut faults);
+            assert_eq!((faults.has_errors(), found.mirrors.is_none()), (!fine, !fine));
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Resultants of what acts on a body in the plane.
+
+use super::scene::{BodyScene, BodyState};
+use crate::scene::Resultant;
+use peristat_assembly::model::plane::PlaneModel;
+
+impl BodyScene {
+    /// Resultant of the loads of a state, as the case asks for them.
+    pub fn asked(&self, state: &BodyState) -> Resultant {
+        let mut sum = Resultant::default();
+        state.terms.iter().for_each(|&(case, factor)| sum.add_multiple(factor, &self.load_cases[case].asked));
+        sum
+    }
+
+    /// Which parts of resultants mean anything: forces along x and y, and the moment.
+    pub fn statical(&self) -> [bool; 3] {
+        statical(&*self.model)
+    }
+
+    /// Whether discrete loads have exactly the resultant that is asked for. One stress in all of a body of revolution is exact for
+    /// the energies of its points, which beside the axis, and in bodies thinner than the horizon, have other volumes than these.
+    pub fn loads_are_exact(&self, state: &BodyState) -> bool {
+        let has_one_stress = |&(case, _): &(usize, f64)| self.load_cases[case].carry_ends;
+        !(self.model.is_revolved() && state.terms.iter().any(has_one_stress))
+    }
+
+    /// Along which axes the loads of a state do more through a line of symmetry than they are asked for: inside the body.
+    pub fn inside(&self, state: &BodyState) -> [bool; 2] {
+        [0, 1].map(|axis| state.terms.iter().any(|&(case, _)| self.load_cases[case].inside[axis]))
+    }
+
+    /// What the loads of a state on images do to lines of symmetry at once, by images: a border moves with points on both sides of
+    /// a line that it meets, and across the line what acts on one is taken by the line together with as much of its point.
+    pub fn into_mirrors(&self, state: &BodyState, factor: f64) -> Vec<(u32, [f64; 2])> {
+        let Some((lattice, mirrors)) = self.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
+            return Vec::new();
+        };
+        let turned = |&(point, force): &(u32, [f64; 2])| {
+            let (_, signs) = mirrors.image(lattice.cell(point as usize));
+            let taken = [0, 1].map(|k| (1.0 - signs[k]) * force[k]);
+            (taken != [0.0; 2]).then_some((point, taken))
+        };
+        let of_case = |&(case, part): &(usize, f64)| {
+            let forces = self.load_cases[case].forces.iter().filter_map(turned);
+            forces.map(move |(point, force)| (point, force.map(|f| part * factor * f)))
+        };
+        state.terms.iter().flat_map(of_case).collect()
+    }
+
+    /// Resultant of forces on the unknowns, component by component.
+    pub fn resultant(&self, forces: &[f64]) -> Resultant {
+        super::site::resultants::resultant(&*self.model, self.material(), forces)
+    }
+}
+
+/// Which parts of resultants mean anything: forces along x and y, and the moment. Rings have forces along their axis only, and
+/// a line of symmetry takes moments.
+pub(crate) fn statical(model: &dyn PlaneModel) -> [bool; 3] {
+    if model.is_revolved() {
+        return [false, true, false];
+    }
+    let mirrors = model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
+    match model.component("w").is_some() {
+        true => [true, false, mirrors.joined[1] || mirrors.lines[1] == [None; 2]],
+        false => [true, true, mirrors.is_none()],
+    }
+}

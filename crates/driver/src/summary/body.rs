@@ -1,0 +1,133 @@
+//! What the record of a run says of bodies in the plane.
+
+use super::{Extremes, Forces, Located, StateSummary};
+use crate::model::MaterialSummary;
+use crate::run::body::{BodyReaction, BodyResult, MirrorReaction, checks, probes};
+use crate::run::{CheckResult, ProbeResult, scan};
+use crate::scene::body::BodyScene;
+use peristat_assembly::body::PlaneBody;
+use peristat_assembly::model::plane::{Calibration, Edges};
+use serde::{Deserialize, Serialize};
+
+/// Forces of what holds a body in the plane.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BodyForces {
+    /// Forces of supports and rigid regions on the body, in the order of the case.
+    pub reactions: Vec<BodyReaction>,
+    /// Forces across lines of symmetry.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub mirrors: Vec<MirrorReaction>,
+}
+
+/// The body that was solved.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BodySummary {
+    /// Name of the model.
+    pub name: &'static str,
+    /// What it is made of.
+    #[serde(flatten)]
+    pub material: MaterialSummary,
+    /// Thickness.
+    pub thickness: f64,
+    /// Where the stiffness of bonds comes from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub calibration: Option<Calibration>,
+    /// What is done about the bonds that points near edges lack.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edges: Option<Edges>,
+    /// Horizon over spacing.
+    pub horizon_ratio: f64,
+    /// Side of a cell, or root of the mean area of listed points.
+    pub spacing: f64,
+    /// Whether the points fill a lattice.
+    pub lattice: bool,
+    /// Points that are images behind lines of symmetry and joined sides.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub images: usize,
+    /// Cracks.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub cracks: usize,
+    /// Bonds of a lattice that cracks cut.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cut_bonds: Option<usize>,
+    /// Overlay triangles near edges.
+    pub triangles: usize,
+    /// Triangles that have the parts of blocks that a border leaves, where it is completed as it runs.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub cut_triangles: usize,
+    /// Springs that have them in a body that breaks or softens.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub cut_springs: usize,
+    /// Points that lack bonds for which there is no triangle.
+    pub uncorrected_points: usize,
+}
+
+fn is_zero(number: &usize) -> bool {
+    *number == 0
+}
+
+/// What the summary needs of a state.
+pub(super) fn state(
+    scene: &BodyScene,
+    result: &BodyResult,
+) -> (StateSummary, Vec<ProbeResult>, Vec<CheckResult>) {
+    let extremes = result.fields().filter_map(|field| {
+        let values = result.values(scene, field)?;
+        let located = scan::extremes(&values)?.map(|point| {
+            let [x, y] = scene.body().position(point);
+            Located { value: values[point], x, y: Some(y), member: None }
+        });
+        let [smallest, largest] = located;
+        Some((field.name().into(), Extremes { smallest, largest }))
+    });
+    let state = StateSummary {
+        name: result.record.name.clone(),
+        load_factor: result.record.load_factor,
+        extremes: extremes.collect(),
+        forces: Forces::Body(BodyForces {
+            reactions: result.reactions.clone(),
+            mirrors: result.mirrors.clone(),
+        }),
+        certificate: result.record.certificate.clone(),
+    };
+    (state, probes(scene, result), checks(scene, result))
+}
+
+/// The model of a body and its derived numbers.
+pub(super) fn model(scene: &BodyScene) -> BodySummary {
+    let material = scene.material();
+    let about = material.about();
+    let breaks = scene.fracture.is_some() || scene.path.is_some();
+    let on_border = if scene.model.follows_border() { scene.model.completing() } else { 0 };
+    let ghosts = scene.model.ghosts().len() - scene.images().count();
+    BodySummary {
+        name: about.name,
+        material: material.told(&scene.resolved(&[]), ghosts, scene.units),
+        thickness: about.thickness,
+        calibration: (!about.has_families).then_some(about.calibration),
+        edges: scene.model.edges(),
+        horizon_ratio: scene.horizon() / scene.spacing(),
+        spacing: scene.spacing(),
+        lattice: scene.model.lattice().is_some(),
+        images: scene.images().count(),
+        cracks: scene.cracks.len(),
+        cut_bonds: cut_bonds(scene),
+        triangles: scene.model.triangles(),
+        cut_triangles: if breaks { 0 } else { on_border },
+        cut_springs: if breaks { on_border } else { 0 },
+        uncorrected_points: scene.model.uncorrected(),
+    }
+}
+
+/// Number of bonds that cracks cut on a lattice, those of images left out.
+fn cut_bonds(scene: &BodyScene) -> Option<usize> {
+    let PlaneBody::Lattice(lattice) = scene.body() else { return None };
+    if scene.cracks.is_empty() {
+        return None;
+    }
+    let about = scene.material().about();
+    let reach = about.horizon_ratio + about.partial_neighbours + 1e-9;
+    let mut offsets = scene.material().offsets().ok()?;
+    offsets.retain(|[i, j, _]| f64::from(*i).hypot(f64::from(*j)) <= reach);
+    Some(scene.cuts(lattice, &offsets).len())
+}

@@ -1,0 +1,84 @@
+//! Bodies in the plane in words: the model and the forces of what holds it.
+
+use super::{Fact, Listing, MOST_ROWS, number};
+use crate::case::Units;
+use crate::run::body::BodyReaction;
+use crate::summary::{BodyForces, BodySummary};
+use peristat_assembly::model::plane::Edges;
+
+/// Model, material, horizon and edges.
+pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
+    let mut told = m.material.facts.clone();
+    let mut line = |key: &str, text: String| told.push((key.to_string(), text));
+    let length = |value: f64| units.quantity(&number(value), units.length());
+    let influence = m.material.influence;
+    let (ratio, horizon) = (number(m.horizon_ratio), length(m.horizon_ratio * m.spacing));
+    let kind = if m.lattice { "" } else { " of listed points" };
+    line("horizon", format!("{ratio} spacings{kind} = {horizon}{influence}"));
+    let edges = match m.edges {
+        Some(Edges::Border) if m.cut_triangles > 0 => {
+            format!("{} triangles have what bonds leave along the true border", m.cut_triangles)
+        }
+        Some(Edges::Border) if m.cut_springs > 0 => {
+            format!("{} springs have what bonds leave along the true border", m.cut_springs)
+        }
+        Some(Edges::Border) => "bonds end on the border, which moves with the points beside it".into(),
+        Some(Edges::Overlay) => format!("{} triangles replace missing bonds", m.triangles),
+        Some(Edges::Volume) => "bonds are stiffened by the missing volume".into(),
+        Some(Edges::Energy) => "bonds are stiffened by the missing energy".into(),
+        Some(Edges::None) | None => {
+            m.material.edges.clone().unwrap_or_else(|| "missing bonds are not replaced".into())
+        }
+    };
+    let bare = match m.uncorrected_points {
+        0 => String::new(),
+        1 => ", 1 point has none".into(),
+        points => format!(", {points} points have none"),
+    };
+    line("edges", edges + &bare);
+    if m.images > 0 {
+        line("images", format!("{} points are images", m.images));
+    }
+    if m.cracks > 0 {
+        let s = if m.cracks == 1 { "" } else { "s" };
+        let cut = m.cut_bonds.map_or(String::new(), |cut| format!(", {cut} bonds cut"));
+        line("cracks", format!("{} crack{s}{cut}", m.cracks));
+    }
+    told
+}
+
+/// Forces of supports, rigid regions and lines of symmetry.
+pub(super) fn forces(forces: &BodyForces, units: Units) -> Vec<Listing> {
+    let of_supports = forces.reactions.iter().flat_map(|r| [r.force_x, r.force_y, r.force_w.unwrap_or(0.0)]);
+    let size =
+        of_supports.chain(forces.mirrors.iter().map(|m| m.force)).fold(0.0, |a: f64, f| a.max(f.abs()));
+    // What is rounding beside the largest force reads as zero.
+    let force = |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
+    let turns = forces.reactions.iter().any(|r| r.moment.is_some());
+    let deflects = forces.reactions.iter().any(|r| r.force_w.is_some());
+    let row = |r: &BodyReaction| {
+        let place = match r.centre {
+            Some([x, y]) => format!("{} about ({}, {})", r.place, number(x), number(y)),
+            None => r.place.clone(),
+        };
+        let mut cells = vec![place, force(r.force_x), force(r.force_y)];
+        cells.extend(turns.then(|| r.moment.map_or(String::new(), number)));
+        cells.extend(deflects.then(|| r.force_w.map_or(String::new(), force)));
+        cells
+    };
+    let mut rows: Vec<Vec<String>> = forces.reactions.iter().take(MOST_ROWS).map(row).collect();
+    for mirror in &forces.mirrors {
+        let across = force(mirror.force);
+        let is_x = matches!(&*mirror.side, "left" | "right");
+        let (x, y) = if is_x { (across, String::new()) } else { (String::new(), across) };
+        let mut cells = vec![format!("symmetry `{}`", mirror.side), x, y];
+        cells.extend((turns || deflects).then(String::new));
+        rows.push(cells);
+    }
+    let third = if deflects { units.label("force w", "N") } else { units.label("moment", units.moment()) };
+    let [x, y] = ["force x", "force y"].map(|name| units.label(name, "N"));
+    let header = ["support", x.as_str(), y.as_str(), third.as_str()];
+    let header = &header[..if turns || deflects { 4 } else { 3 }];
+    let count = forces.reactions.len() + forces.mirrors.len();
+    Listing::new(header, rows, count, "supports").into_iter().collect()
+}
