@@ -84,7 +84,7 @@ impl Points for AxialBar {
     }
 
     fn components(&self) -> &[Component] {
-        const { &[Component::displacement("u")] }
+        const { &[Component::displacement("u", 0)] }
     }
 }
 

@@ -34,7 +34,7 @@ impl Points for Damaged {
     }
 
     fn components(&self) -> &[Component] {
-        const { &[Component::displacement("w"), Component::rotation("phi", 1.0)] }
+        const { &[Component::displacement("w", 1), Component::rotation("phi", 1.0)] }
     }
 }
 

@@ -77,7 +77,7 @@ impl Points for Body {
     }
 
     fn components(&self) -> &[Component] {
-        const { &[Component::displacement("w"), Component::rotation("phi", 1.0)] }
+        const { &[Component::displacement("w", 1), Component::rotation("phi", 1.0)] }
     }
 }
 

@@ -27,11 +27,10 @@ pub(crate) fn displacements(case: &Value) -> PlaneRun {
 fn solve_with(case: &Value, recover: bool) -> PlaneRun {
     let scene = scene(case).unwrap_or_else(|faults| panic!("{faults}"));
     let mut states = Vec::new();
-    let report =
-        body::run(&scene, &RunOptions { recover, max_memory: None, compare: false }, &mut |state| {
-            states.push(state);
-            Ok(())
-        });
+    let report = body::run(&scene, &RunOptions { recover, max_memory: None, compare: false }, &mut |state| {
+        states.push(state);
+        Ok(())
+    });
     let report = report.unwrap_or_else(|error| panic!("{error}: {case}"));
     assert!(report.converged, "not converged: {case}");
     PlaneRun { scene, states, report }

@@ -7,6 +7,8 @@ use crate::bonds::Point;
 pub struct Component {
     /// Its name, such as `ux`.
     pub name: &'static str,
+    /// The axis along which it is, or about which it turns: 0 for x, 1 for y, 2 for z or outwards.
+    pub axis: usize,
     /// Whether it is a rotation, not a displacement.
     pub is_rotation: bool,
     /// What multiplies the displacement, m, or the rotation, rad, to make the unknown.
@@ -14,14 +16,14 @@ pub struct Component {
 }
 
 impl Component {
-    /// A displacement, m.
-    pub const fn displacement(name: &'static str) -> Self {
-        Self { name, is_rotation: false, scale: 1.0 }
+    /// A displacement along an axis, m.
+    pub const fn displacement(name: &'static str, axis: usize) -> Self {
+        Self { name, axis, is_rotation: false, scale: 1.0 }
     }
 
-    /// A rotation, rad, times a scale.
+    /// A rotation about z, rad, times a scale.
     pub const fn rotation(name: &'static str, scale: f64) -> Self {
-        Self { name, is_rotation: true, scale }
+        Self { name, axis: 2, is_rotation: true, scale }
     }
 }
 
@@ -63,6 +65,17 @@ pub trait Points {
     /// Index and properties of an unknown.
     fn component(&self, name: &str) -> Option<(usize, Component)> {
         self.components().iter().copied().enumerate().find(|(_, component)| component.name == name)
+    }
+
+    /// Index of the displacement along an axis.
+    fn along(&self, axis: usize) -> Option<usize> {
+        self.components().iter().position(|component| !component.is_rotation && component.axis == axis)
+    }
+
+    /// Index and scale of the rotation.
+    fn turning(&self) -> Option<(usize, f64)> {
+        let rotation = self.components().iter().enumerate().find(|(_, component)| component.is_rotation);
+        rotation.map(|(k, component)| (k, component.scale))
     }
 
     /// What multiplies the displacement or rotation of a component to make the unknown; 1 where there is no such component.

@@ -43,6 +43,12 @@ pub enum FieldName {
     /// Shear strain ε_xy, half the change of the right angle, in the plane.
     #[serde(rename = "strain_xy")]
     StrainXy,
+    /// Shear strain ε_xz, half the change of the right angle, where points move across the plane.
+    #[serde(rename = "strain_xz")]
+    StrainXz,
+    /// Shear strain ε_yz, half the change of the right angle, where points move across the plane.
+    #[serde(rename = "strain_yz")]
+    StrainYz,
     /// Normal stress along x, in the plane.
     #[serde(rename = "stress_xx")]
     StressXx,
@@ -52,10 +58,16 @@ pub enum FieldName {
     /// Shear stress, in the plane.
     #[serde(rename = "stress_xy")]
     StressXy,
+    /// Shear stress σ_xz, where points move across the plane.
+    #[serde(rename = "stress_xz")]
+    StressXz,
+    /// Shear stress σ_yz, where points move across the plane.
+    #[serde(rename = "stress_yz")]
+    StressYz,
     /// Normal stress across the plane: around the axis of a body of revolution; zero in plane stress and in shells.
     #[serde(rename = "stress_zz")]
     StressZz,
-    /// Von Mises stress, in the plane.
+    /// Von Mises stress.
     #[serde(rename = "von_mises")]
     VonMises,
     /// Opening of a crack at a position on it, in the plane: the displacement of its upper face less that of the lower one,
@@ -132,10 +144,10 @@ pub enum Origin {
     Unknown,
     /// The bonds of a beam.
     Beam,
-    /// A component of the strains `[ε_xx, ε_yy, γ_xy]`, and what multiplies it.
-    Strain(usize, f64),
-    /// A component of the stresses `[σ_xx, σ_yy, σ_xy]`.
-    Stress(usize),
+    /// The component of the strains of this name, such as `xy`, and what multiplies it.
+    Strain(&'static str, f64),
+    /// The component of the stresses of this name.
+    Stress(&'static str),
     /// The stress across the plane.
     Across,
     /// The stresses: von Mises.
@@ -183,8 +195,8 @@ impl FieldName {
         Self::EnergyDensity,
     ];
 
-    /// The fields that points of bodies in the plane have, in the order of tables; `phi` where they turn, `w` in shells.
-    pub const PLANE: [Self; 14] = [
+    /// The fields that points of bodies in the plane have, in the order of tables; `phi` where they turn, `w` where they move across the plane.
+    pub const PLANE: [Self; 18] = [
         Self::Ux,
         Self::Uy,
         Self::W,
@@ -192,9 +204,13 @@ impl FieldName {
         Self::StrainXx,
         Self::StrainYy,
         Self::StrainXy,
+        Self::StrainXz,
+        Self::StrainYz,
         Self::StressXx,
         Self::StressYy,
         Self::StressXy,
+        Self::StressXz,
+        Self::StressYz,
         Self::StressZz,
         Self::VonMises,
         Self::EnergyDensity,
@@ -224,13 +240,17 @@ impl FieldName {
             Self::N => ("N", Force, Beam),
             Self::StressTop => ("stress_top", Unit::Stress, Beam),
             Self::StressBottom => ("stress_bottom", Unit::Stress, Beam),
-            Self::StrainXx => ("strain_xx", One, Strain(0, 1.0)),
-            Self::StrainYy => ("strain_yy", One, Strain(1, 1.0)),
+            Self::StrainXx => ("strain_xx", One, Strain("xx", 1.0)),
+            Self::StrainYy => ("strain_yy", One, Strain("yy", 1.0)),
             // ε_xy is half of γ_xy.
-            Self::StrainXy => ("strain_xy", One, Strain(2, 0.5)),
-            Self::StressXx => ("stress_xx", Unit::Stress, Origin::Stress(0)),
-            Self::StressYy => ("stress_yy", Unit::Stress, Origin::Stress(1)),
-            Self::StressXy => ("stress_xy", Unit::Stress, Origin::Stress(2)),
+            Self::StrainXy => ("strain_xy", One, Strain("xy", 0.5)),
+            Self::StrainXz => ("strain_xz", One, Strain("xz", 0.5)),
+            Self::StrainYz => ("strain_yz", One, Strain("yz", 0.5)),
+            Self::StressXx => ("stress_xx", Unit::Stress, Origin::Stress("xx")),
+            Self::StressYy => ("stress_yy", Unit::Stress, Origin::Stress("yy")),
+            Self::StressXy => ("stress_xy", Unit::Stress, Origin::Stress("xy")),
+            Self::StressXz => ("stress_xz", Unit::Stress, Origin::Stress("xz")),
+            Self::StressYz => ("stress_yz", Unit::Stress, Origin::Stress("yz")),
             Self::StressZz => ("stress_zz", Unit::Stress, Across),
             Self::VonMises => ("von_mises", Unit::Stress, VonMises),
             Self::Opening => ("opening", Length, Opening),

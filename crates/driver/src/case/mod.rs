@@ -18,6 +18,7 @@ mod read;
 mod refine;
 mod region;
 mod specimen;
+mod vector;
 
 pub use crate::model::{Critical, LoadSharing, Model, Pressure};
 pub use crate::units::Units;
@@ -45,6 +46,7 @@ pub use read::{Source, from_text, read, read_text};
 pub use refine::Overrides;
 pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
+pub use vector::Vector;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,6 @@
 //! Loads on bodies in the plane.
 
-use super::LoadSharing;
+use super::{LoadSharing, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,21 +11,21 @@ use serde::{Deserialize, Serialize};
 pub struct Traction {
     /// Name of a straight edge or of a hole.
     pub edge: String,
-    /// Force per area along x and y, the same everywhere.
+    /// Force per area along x and y, and z where points move along it, the same everywhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub uniform: Option<[f64; 2]>,
+    pub uniform: Option<Vector>,
     /// Straight from the first value at the start of the edge to the second at its end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub linear: Option<[[f64; 2]; 2]>,
+    pub linear: Option<[Vector; 2]>,
     /// This value in the middle of the edge, zero at both ends, a parabola between.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub parabolic: Option<[f64; 2]>,
+    pub parabolic: Option<Vector>,
     /// Force per area against the edge, into the body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure: Option<f64>,
-    /// Force along x and y, spread evenly over the edge.
+    /// Force along x and y, and z where points move along it, spread evenly over the edge.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub total: Option<[f64; 2]>,
+    pub total: Option<Vector>,
     /// The pressure of a smooth round body on a straight edge.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub hertz: Option<Hertz>,
@@ -60,12 +60,12 @@ pub struct BodyForce {
     /// Name of the region; the whole body if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
-    /// Force per volume along x and y.
+    /// Force per volume along x and y, and z where points move along it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub density: Option<[f64; 2]>,
-    /// Force along x and y, shared by volume.
+    pub density: Option<Vector>,
+    /// Force along x and y, and z where points move along it, shared by volume.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub total: Option<[f64; 2]>,
+    pub total: Option<Vector>,
     /// Of a body of revolution that turns about its axis: force per volume outwards per distance from the axis, `ρ ω²`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub spin: Option<f64>,

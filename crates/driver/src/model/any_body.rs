@@ -6,7 +6,9 @@ use std::ops::Deref;
 /// A body in the plane.
 #[derive(Clone, Debug)]
 pub enum AnyBody {
-    /// Its points have two unknowns.
+    /// Its points have one unknown.
+    One(Box<dyn Solvable<1>>),
+    /// They have two.
     Two(Box<dyn Solvable<2>>),
     /// They have three.
     Three(Box<dyn Solvable<3>>),
@@ -16,6 +18,7 @@ pub enum AnyBody {
 macro_rules! with_body {
     ($any:expr, $body:ident => $value:expr) => {
         match $any {
+            $crate::model::AnyBody::One($body) => $value,
             $crate::model::AnyBody::Two($body) => $value,
             $crate::model::AnyBody::Three($body) => $value,
         }

@@ -20,7 +20,7 @@ pub use beam::BeamScene;
 pub use body::BodyScene;
 pub use expectation::{Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
-pub use resultant::Resultant;
+pub use resultant::{Counted, Resultant};
 
 use crate::case::Case;
 use crate::diagnostic::{Faults, Report, root};

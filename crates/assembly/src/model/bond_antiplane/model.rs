@@ -9,10 +9,10 @@ use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 use std::sync::Arc;
 
-const COMPONENTS: [Component; 1] = [Component::displacement("w")];
+const COMPONENTS: [Component; 1] = [Component::displacement("w", 2)];
 
 const RIGID_MOTIONS: [RigidMotion; 1] =
-    [RigidMotion::translation("translation along z", "move along {direction}")];
+    [RigidMotion::translation("translation along z", "move across the plane")];
 
 impl Points for BondAntiplane {
     fn points(&self) -> usize {

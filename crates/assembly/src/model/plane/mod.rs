@@ -50,7 +50,8 @@ pub const UX: usize = 0;
 pub const UY: usize = 1;
 
 /// The unknowns of a point that moves in the plane.
-pub(super) const COMPONENTS: [Component; 2] = [Component::displacement("ux"), Component::displacement("uy")];
+pub(super) const COMPONENTS: [Component; 2] =
+    [Component::displacement("ux", 0), Component::displacement("uy", 1)];
 
 /// The rigid motions of a body in the plane.
 pub(super) const RIGID_MOTIONS: [RigidMotion; 3] = [

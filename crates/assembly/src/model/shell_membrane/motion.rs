@@ -60,7 +60,7 @@ impl PlaneModel for ShellMembrane {
 
 /// The unknowns of a point: along the axis, along the circumference, and outwards.
 const COMPONENTS: [Component; 3] =
-    [Component::displacement("ux"), Component::displacement("uy"), Component::displacement("w")];
+    [Component::displacement("ux", 0), Component::displacement("uy", 1), Component::displacement("w", 2)];
 
 /// Motions of a body in space.
 const RIGID_MOTIONS: [RigidMotion; 6] = [

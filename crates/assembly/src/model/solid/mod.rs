@@ -46,7 +46,7 @@ pub const TENSOR_COMPONENTS: [&str; TENSOR] = ["xx", "yy", "zz", "yz", "xz", "xy
 
 /// The unknowns of a point of a solid.
 const COMPONENTS: [Component; 3] =
-    [Component::displacement("ux"), Component::displacement("uy"), Component::displacement("uz")];
+    [Component::displacement("ux", 0), Component::displacement("uy", 1), Component::displacement("uz", 2)];
 
 /// The rigid motions of a solid.
 const RIGID_MOTIONS: [RigidMotion; 6] = [

@@ -27,7 +27,7 @@ impl TimoshenkoBeam {
 
 /// The unknowns of a point; those of a beam that does not stretch are the first two.
 const COMPONENTS: [Component; 3] =
-    [Component::displacement("w"), Component::rotation("phi", 1.0), Component::displacement("u")];
+    [Component::displacement("w", 1), Component::rotation("phi", 1.0), Component::displacement("u", 0)];
 
 const ON_A_LINE: [RigidMotion; 2] = [
     RigidMotion::translation("translation along w", "move along w"),

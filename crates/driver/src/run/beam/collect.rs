@@ -73,7 +73,7 @@ fn resultants(
     let n = beam.points();
     let springs = scene.springs.iter().flat_map(|spring| spring.forces(n, u)).map(|(k, f)| (k, -f));
     let reactions = resultant_of(beam, held.iter().copied().chain(springs));
-    Resultants::new(&scene.asked(state), &resultant(beam, load), &reactions, (scene.statical(), [false; 2]))
+    Resultants::new(&scene.asked(state), &resultant(beam, load), &reactions, (scene.statical(), [false; 3]))
 }
 
 /// Loads and the forces of supports, links and springs, by unknown.

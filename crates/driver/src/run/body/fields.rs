@@ -9,10 +9,10 @@ use peristat_assembly::model::plane::PlaneModel;
 use std::borrow::Cow;
 
 /// Fields that are recovered from the bonds, with the numbers that points have in the model; images have those of their
-/// points, the shear with its sign.
+/// points, shears with their signs.
 #[derive(Clone, Debug)]
 pub struct Recovered {
-    /// `[σ_xx, σ_yy, σ_xy]`.
+    /// The components that the model names, `[σ_xx, σ_yy, σ_xy]` in the plane.
     pub stress: [Vec<f64>; 3],
     /// σ_zz, around the axis of a body of revolution; empty in others.
     pub across: Vec<f64>,
@@ -28,9 +28,10 @@ impl Recovered {
         let Some((lattice, mirrors)) = scene.model.lattice() else { return };
         for &ghost in scene.model.ghosts() {
             let ghost = ghost as usize;
-            let (cell, [x, y, _]) = mirrors.image(lattice.cell(ghost));
+            let (cell, signs) = mirrors.image(lattice.cell(ghost));
             let Some(real) = lattice.number(cell) else { continue };
-            for (values, sign) in self.stress.iter_mut().zip([1.0, 1.0, x * y]) {
+            for (values, name) in self.stress.iter_mut().zip(scene.model.tensor_components()) {
+                let sign: f64 = name.bytes().map(|axis| signs[usize::from(axis - b'x')]).product();
                 values[ghost] = sign * values[real];
             }
             self.energy_density[ghost] = self.energy_density[real];
@@ -87,19 +88,30 @@ pub(super) fn collect(
     BodyResult::new((scene, &*scene.model), record, forces, intensities, recover)
 }
 
-/// Von Mises stress, with the stress across the plane.
-fn von_mises([x, y, shear]: [f64; 3], z: f64) -> f64 {
-    let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
-    (0.5 * squares + 3.0 * shear * shear).sqrt()
+/// Index of a component of strains and stresses among those of a model.
+fn component(model: &dyn PlaneModel, name: &str) -> Option<usize> {
+    model.tensor_components().iter().position(|component| *component == name)
 }
 
-/// A field that follows from the stresses `[σ_xx, σ_yy, σ_xy]` of a point and the one across the plane; none of others.
+/// Von Mises stress of the components that a model has, with the stress across the plane.
+fn von_mises(model: &dyn PlaneModel, stress: [f64; 3], z: f64) -> f64 {
+    let of = |name: &str| component(model, name).map_or(0.0, |k| stress[k]);
+    let [x, y] = [of("xx"), of("yy")];
+    let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
+    let shear: f64 = [of("xy"), of("xz"), of("yz")].iter().map(|s| s * s).sum();
+    (0.5 * squares + 3.0 * shear).sqrt()
+}
+
+/// A field that follows from the stresses of a point and the one across the plane; none of others.
 fn of_stress(origin: Origin, model: &dyn PlaneModel, stress: [f64; 3], across: f64) -> Option<f64> {
     match origin {
         Origin::Across => Some(across),
-        Origin::Strain(component, factor) => Some(factor * model.strain_with(stress, across)[component]),
-        Origin::VonMises => Some(von_mises(stress, across)),
-        Origin::Stress(component) => Some(stress[component]),
+        Origin::Strain(name, factor) => {
+            let component = component(model, name)?;
+            Some(factor * model.strain_with(stress, across)[component])
+        }
+        Origin::VonMises => Some(von_mises(model, stress, across)),
+        Origin::Stress(name) => Some(stress[component(model, name)?]),
         Origin::Unknown
         | Origin::Beam
         | Origin::Energy
@@ -143,7 +155,7 @@ impl BodyResult {
         let held = reaction::resultant(scene, &multipliers, &record.u, &mirrors);
         let counted = (scene.statical(), scene.inside(state));
         let mut applied = scene.resultant(load);
-        taken.iter().for_each(|&(_, force)| applied.add(force, [0.0; 2]));
+        taken.iter().for_each(|&(_, force)| applied.add(force, [0.0; 3]));
         let resultants = Resultants::new(&asked, &applied, &held, counted);
         // Loads on parts that have come off act no more.
         let whole = !scene.case.is_traced() || record.index == 0;
@@ -177,7 +189,7 @@ impl BodyResult {
                 let (k, component) = scene.model.component(field.name())?;
                 return Some((&self.record.u[k * n..(k + 1) * n], component.scale));
             }
-            Origin::Stress(component) => &recovered?.stress[component],
+            Origin::Stress(name) => &recovered?.stress[component(&*scene.model, name)?],
             Origin::Across => Some(&recovered?.across).filter(|across| !across.is_empty())?,
             Origin::Energy => &recovered?.energy_density,
             Origin::Damage => recovered?.damage.as_ref()?,
@@ -261,7 +273,7 @@ mod tests {
     #[test]
     fn von_mises_is_that_of_the_three_dimensional_stress() {
         let stress = model(1.0, PlaneState::Stress);
-        let von_mises = |model: &BondPlane, s: [f64; 3]| von_mises(s, model.stress_across(s));
+        let von_mises = |model: &BondPlane, s: [f64; 3]| von_mises(model, s, model.stress_across(s));
         assert_eq!(von_mises(&stress, [-3.0, 0.0, 0.0]), 3.0);
         assert!((von_mises(&stress, [0.0, 0.0, 2.0]) - 12.0_f64.sqrt()).abs() < 1e-15);
         // Equal biaxial stress 1 with σ_zz = 1/2: the deviator is that of a uniaxial stress of 1/2.

@@ -2,7 +2,8 @@
 //!
 //! `√(E' G)`, `G = −dΠ/dA` at constant loads and prescribed motions, `Π` the stored energy less the work of the loads.
 //! The derivative is a central difference of two more solves, the tips moved by one spacing back and forth along the last
-//! segments of the crack (`E' = E` in plane stress, `E/(1 − ν²)` in plane strain). Mode II, if there is any, is in G, too.
+//! segments of the crack (`E' = E` in plane stress, `E/(1 − ν²)` in plane strain). Mode II, if there is any, is in G, too; in antiplane
+//! shear it is K_III, with twice the shear modulus in place of E'.
 
 use crate::case::Tips;
 use crate::diagnostic::Faults;
@@ -37,8 +38,9 @@ pub(super) fn of_states(scene: &BodyScene, options: &RunOptions) -> Result<Found
         let step = scene.spacing();
         let longer = potentials(scene, intensity, step, options, &mut found)?;
         let shorter = potentials(scene, intensity, -step, options, &mut found)?;
-        // E' of an isotropic material.
-        let stiffness = 1.0 / scene.model.strain_of([1.0, 0.0, 0.0])[0];
+        // E' of an isotropic material, and 2 G of one in antiplane shear.
+        let modulus = 1.0 / scene.model.strain_of([1.0, 0.0, 0.0])[0];
+        let stiffness = if scene.model.along(0).is_some() { modulus } else { 2.0 * modulus };
         let tips = if intensity.tips == Tips::Both { 2.0 } else { 1.0 };
         let area = 2.0 * step * tips * scene.model.thickness() / sides(scene, intensity);
         let of = |(longer, shorter): (f64, f64)| {

@@ -68,7 +68,8 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
 
     fn spread(&self) -> Spread {
         // A cycle on a shell takes the more iterations the finer it is, 190 at 90 000 points: a factor is as fast, and safe.
-        let is_shell = self.model.component("w").is_some() && self.model.points() <= TOO_MANY_POINTS;
+        let is_cylinder = self.scene.material().cylinder_radius().is_some();
+        let is_shell = is_cylinder && self.model.points() <= TOO_MANY_POINTS;
         match self.scene.solver == Solver::Auto && is_shell {
             true => Spread::Plane,
             false => levels::spread(self.model.as_solvable()),
@@ -92,7 +93,10 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
             "" if self.scene.material().is_revolved() => {
                 "a body of revolution needs `uy` held on one place, in every part that cracks leave"
             }
-            "" if self.model.component("w").is_some() => {
+            "" if self.model.along(0).is_none() => {
+                "a plate in antiplane shear needs `w` held on one place, in every part that cracks leave"
+            }
+            "" if self.model.along(2).is_some() => {
                 "a shell needs `ux` and `uy` held on one place, and `w` where it could move across its axis or tilt: at two places a quarter of the circumference apart, each at both ends"
             }
             "" => {

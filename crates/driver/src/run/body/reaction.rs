@@ -43,12 +43,12 @@ const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
 /// Forces of supports from the multipliers of all equations and the unknowns.
 pub(super) fn of_supports(scene: &BodyScene, multipliers: &[f64], u: &[f64]) -> Vec<BodyReaction> {
     let n = scene.model.points();
-    let deflects = scene.model.component("w").is_some();
+    let deflects = scene.model.along(2);
     let of = |support: &BodySupport| {
         let mut force = [Sum::default(), Sum::default(), Sum::default()];
         let mut turns = false;
         for (equations, shares) in &support.equations {
-            turns |= shares[2] != 0.0;
+            turns |= shares[deflects.unwrap_or(2)] != 0.0;
             for (sum, share) in force.iter_mut().zip(shares).filter(|(_, share)| **share != 0.0) {
                 multipliers[equations.clone()].iter().for_each(|m| sum.add(share * m));
             }
@@ -58,12 +58,14 @@ pub(super) fn of_supports(scene: &BodyScene, multipliers: &[f64], u: &[f64]) -> 
         }
         let origin = support.path.to_string();
         let rigid = scene.conditions.rigid.iter().find(|r| r.origin == origin);
+        let along = |axis: usize| scene.model.along(axis).map(|component| force[component].total());
+        let turning = scene.model.turning().map(|(component, _)| force[component].total());
         BodyReaction {
             place: support.name.clone(),
-            force_x: force[0].total(),
-            force_y: force[1].total(),
-            moment: (turns && !deflects).then(|| force[2].total()),
-            force_w: (turns && deflects).then(|| force[2].total()),
+            force_x: along(0).unwrap_or(0.0),
+            force_y: along(1).unwrap_or(0.0),
+            moment: turning.or((deflects.is_none()).then(|| force[2].total())).filter(|_| turns),
+            force_w: deflects.map(|component| force[component].total()).filter(|_| turns),
             centre: rigid.map(|r| r.centre),
         }
     };
@@ -90,7 +92,7 @@ pub(super) fn resultant(
     let mut sum = scene.resultant(&forces);
     for mirror in mirrors {
         let across = |k: usize| if SIDES[2 * k..][..2].contains(&&*mirror.side) { mirror.force } else { 0.0 };
-        sum.add([0, 1].map(across), [0.0; 2]);
+        sum.add([across(0), across(1), 0.0], [0.0; 3]);
     }
     sum
 }
@@ -102,7 +104,7 @@ pub(super) fn of_mirrors(
     scene: &BodyScene,
     multipliers: &[f64],
     load: &[f64],
-    taken: &[(u32, [f64; 2])],
+    taken: &[(u32, [f64; 3])],
 ) -> Vec<MirrorReaction> {
     let Some((lattice, mirrors)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
         return Vec::new();
@@ -116,10 +118,10 @@ pub(super) fn of_mirrors(
         sums[k] = line.filter(|_| !mirrors.joined[k / 2] && !is_axis).map(|_| Sum::default());
     }
     let of_ghosts = &multipliers[scene.equations.len()..];
-    let mut at_once = BTreeMap::<u32, [f64; 2]>::new();
+    let mut at_once = BTreeMap::<u32, [f64; 3]>::new();
     for (ghost, force) in taken {
         let sum = at_once.entry(*ghost).or_default();
-        (0..2).for_each(|k| sum[k] += force[k]);
+        (0..3).for_each(|k| sum[k] += force[k]);
     }
     for (&ghost, held) in
         scene.model.ghosts().iter().zip(of_ghosts.chunks_exact(scene.model.components().len()))
@@ -134,8 +136,9 @@ pub(super) fn of_mirrors(
                 _ => continue,
             };
             if let Some(sum) = &mut sums[2 * axis + beyond] {
-                let loaded = load[axis * scene.model.points() + ghost as usize];
-                sum.add((1.0 - signs[axis]) * (held[axis] + loaded) - taken[axis]);
+                let Some(component) = scene.model.along(axis) else { continue };
+                let loaded = load[component * scene.model.points() + ghost as usize];
+                sum.add((1.0 - signs[axis]) * (held[component] + loaded) - taken[axis]);
             }
         }
     }

@@ -30,7 +30,9 @@ impl Tips {
     /// Finds the points next to the tips, images in mirrors among them.
     pub(super) fn of(scene: &BodyScene) -> Self {
         let mut all = Vec::new();
-        for (k, intensity) in scene.intensities.iter().enumerate() {
+        // Faces that move across the plane slide alone.
+        let moves = [0, 1].iter().all(|&axis| scene.model.along(axis).is_some());
+        for (k, intensity) in scene.intensities.iter().enumerate().filter(|_| moves) {
             let vertices = scene.cracks[intensity.crack].crack.vertices();
             let last = vertices.len() - 1;
             if intensity.tips != case::Tips::End {

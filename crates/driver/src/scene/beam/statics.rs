@@ -1,6 +1,6 @@
 //! Resultants of what acts on a beam or frame.
 
-use super::super::Resultant;
+use super::super::{Counted, Resultant};
 use super::{BeamScene, State};
 use peristat_assembly::model::timoshenko_beam::{
     Along, BeamLoads, Distributed, Intensity, Line, PHI, TimoshenkoBeam, U, W,
@@ -35,8 +35,8 @@ impl BeamScene {
     }
 
     /// Which parts of resultants mean anything: forces along x and y, that of w on a line, and the moment.
-    pub fn statical(&self) -> [bool; 3] {
-        [self.has_axial, true, true]
+    pub fn statical(&self) -> Counted {
+        Counted { force: [self.has_axial, true, false], moment: [false, false, true] }
     }
 }
 
@@ -68,11 +68,12 @@ pub(crate) fn resultant_of(beam: &TimoshenkoBeam, forces: impl Iterator<Item = (
 
 /// Adds a force or a moment on an unknown of a line at a position along it.
 fn act(sum: &mut Resultant, line: &Line, x: f64, (component, value): (usize, f64)) {
-    let ([c, s], at) = (line.direction, [0, 1].map(|k| line.origin[k] + x * line.direction[k]));
+    let [c, s] = line.direction;
+    let at = [line.origin[0] + x * c, line.origin[1] + x * s, 0.0];
     match component {
         _ if value == 0.0 => {}
-        W => sum.add([-s * value, c * value], at),
-        U => sum.add([c * value, s * value], at),
+        W => sum.add([-s * value, c * value, 0.0], at),
+        U => sum.add([c * value, s * value, 0.0], at),
         _ => sum.add_moment(value),
     }
 }

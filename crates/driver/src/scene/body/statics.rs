@@ -1,7 +1,9 @@
 //! Resultants of what acts on a body in the plane.
 
 use super::scene::{BodyScene, BodyState};
-use crate::scene::Resultant;
+use crate::model::Material;
+use crate::scene::body::load::sums::Forces;
+use crate::scene::{Counted, Resultant};
 use peristat_assembly::model::plane::PlaneModel;
 
 impl BodyScene {
@@ -12,9 +14,9 @@ impl BodyScene {
         sum
     }
 
-    /// Which parts of resultants mean anything: forces along x and y, and the moment.
-    pub fn statical(&self) -> [bool; 3] {
-        statical(&*self.model)
+    /// Which parts of resultants mean anything.
+    pub fn statical(&self) -> Counted {
+        statical(&*self.model, self.material())
     }
 
     /// Whether discrete loads have exactly the resultant that is asked for. One stress in all of a body of revolution is exact for
@@ -25,20 +27,20 @@ impl BodyScene {
     }
 
     /// Along which axes the loads of a state do more through a line of symmetry than they are asked for: inside the body.
-    pub fn inside(&self, state: &BodyState) -> [bool; 2] {
-        [0, 1].map(|axis| state.terms.iter().any(|&(case, _)| self.load_cases[case].inside[axis]))
+    pub fn inside(&self, state: &BodyState) -> [bool; 3] {
+        [0, 1, 2].map(|axis| state.terms.iter().any(|&(case, _)| self.load_cases[case].inside[axis]))
     }
 
     /// What the loads of a state on images do to lines of symmetry at once, by images: a border moves with points on both sides of
     /// a line that it meets, and across the line what acts on one is taken by the line together with as much of its point.
-    pub fn into_mirrors(&self, state: &BodyState, factor: f64) -> Vec<(u32, [f64; 2])> {
+    pub fn into_mirrors(&self, state: &BodyState, factor: f64) -> Forces {
         let Some((lattice, mirrors)) = self.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
             return Vec::new();
         };
-        let turned = |&(point, force): &(u32, [f64; 2])| {
+        let turned = |&(point, force): &(u32, [f64; 3])| {
             let (_, signs) = mirrors.image(lattice.cell(point as usize));
-            let taken = [0, 1].map(|k| (1.0 - signs[k]) * force[k]);
-            (taken != [0.0; 2]).then_some((point, taken))
+            let taken = [0, 1, 2].map(|k| (1.0 - signs[k]) * force[k]);
+            (taken != [0.0; 3]).then_some((point, taken))
         };
         let of_case = |&(case, part): &(usize, f64)| {
             let forces = self.load_cases[case].forces.iter().filter_map(turned);
@@ -53,15 +55,18 @@ impl BodyScene {
     }
 }
 
-/// Which parts of resultants mean anything: forces along x and y, and the moment. Rings have forces along their axis only, and
-/// a line of symmetry takes moments.
-pub(crate) fn statical(model: &dyn PlaneModel) -> [bool; 3] {
+/// Which parts of resultants mean anything. Rings have forces along their axis only, a line of symmetry takes moments, and bonds in
+/// antiplane shear resist no rotation.
+fn statical(model: &dyn PlaneModel, material: &dyn Material) -> Counted {
+    let only_along = |axis: usize| [0, 1, 2].map(|k| k == axis);
     if model.is_revolved() {
-        return [false, true, false];
+        return Counted { force: only_along(1), moment: [false; 3] };
     }
     let mirrors = model.lattice().map(|(_, mirrors)| *mirrors).unwrap_or_default();
-    match model.component("w").is_some() {
-        true => [true, false, mirrors.joined[1] || mirrors.lines[1] == [None; 2]],
-        false => [true, true, mirrors.is_none()],
+    if material.cylinder_radius().is_some() {
+        let turns = mirrors.joined[1] || mirrors.lines[1] == [None; 2];
+        return Counted { force: only_along(0), moment: [false, false, turns] };
     }
+    let force = [0, 1, 2].map(|axis| model.along(axis).is_some());
+    Counted { force, moment: [false, false, force[0] && mirrors.is_none()] }
 }

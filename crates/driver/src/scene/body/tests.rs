@@ -1,9 +1,9 @@
 //! Scenes of bodies in the plane as cases make them.
 
-use crate::run::body::BodyProblem;
 use super::scene::BodyScene;
 use crate::case;
 use crate::model::AnyBody;
+use crate::run::body::BodyProblem;
 use crate::run::{RunOptions, prepare};
 use crate::scene::Scene;
 use serde_json::{Value, json};

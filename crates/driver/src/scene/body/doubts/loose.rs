@@ -19,7 +19,7 @@ pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, fau
     model.terms().iter().for_each(|term| term.add_diagonal(&mut blocks));
     let held = held_points(&scene.conditions, D);
     let is_loose = |point: &usize| {
-        let ([a, b], d) = ([blocks[*point][0][0], blocks[*point][0][1]], blocks[*point][1][1]);
+        let (a, b, d) = in_plane(&blocks[*point]);
         let trace = a + d;
         // A single bond that resists turning holds its point.
         let is_held = D > 2 && trace > 0.0;
@@ -29,7 +29,7 @@ pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, fau
     let path = if scene.case.cracks.is_empty() { body::path(&scene.case) } else { root("cracks") };
     for &point in loose.iter().take(MOST) {
         let [x, y] = scene.model.place(point).map(tidy);
-        let (a, d) = (blocks[point][0][0], blocks[point][1][1]);
+        let (a, _, d) = in_plane(&blocks[point]);
         let why = if a + d > 0.0 { "has bonds on one line only" } else { "has no bonds" };
         faults.error(path.clone(), format!("the point at ({x}, {y}) {why}, so nothing holds it")).hint(
             match scene.case.cracks.is_empty() {
@@ -44,6 +44,15 @@ pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, fau
     if let Some(more @ 1..) = loose.len().checked_sub(MOST) {
         let s = if more == 1 { "" } else { "s" };
         faults.error(path, format!("{more} more point{s} of this kind"));
+    }
+}
+
+/// The stiffness of a point along two axes; where it has one unknown, every bond resists all of its motion.
+fn in_plane<const D: usize>(block: &[[f64; D]; D]) -> (f64, f64, f64) {
+    match block.as_slice() {
+        [only] => (only[0], 0.0, only[0]),
+        [first, second, ..] => (first[0], first[1], second[1]),
+        [] => (0.0, 0.0, 0.0),
     }
 }
 

@@ -60,9 +60,10 @@ impl HeldEdge {
         points.iter().map(chain).collect()
     }
 
-    /// Shares of the displacement along a component, the outermost point first.
+    /// Shares of the displacement along a component, the outermost point first; where points move across the plane alone both are
+    /// the same.
     pub(crate) fn shares(&self, component: usize) -> &[f64] {
-        &self.shares[component]
+        &self.shares[component.min(1)]
     }
 }
 
@@ -110,6 +111,11 @@ fn shares(material: &dyn Material) -> Option<[Vec<f64>; 2]> {
         let last = forces.iter().rposition(|f| f.abs() > ROUNDING * total.abs())?;
         (forces[0] != 0.0).then(|| forces[..=last].iter().map(|f| f / total).collect())
     };
+    if body.along(0).is_none() {
+        // The shear that goes across the plane, through the edge.
+        let across: Vec<f64> = of([1.0, 0.0, 0.0], 0)?;
+        return Some([across.clone(), across]);
+    }
     Some([of([1.0, 0.0, 0.0], 0)?, of([0.0, 0.0, 1.0], 1)?])
 }
 

@@ -7,6 +7,9 @@ use crate::model::Material;
 /// Adds a fault for every key of a support that does not fit a body in the plane, or another key.
 pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath, faults: &mut Faults) {
     let (points_turn, deflects) = (material.has("phi"), material.has("w"));
+    if !material.has("ux") {
+        return check_across(support, path, faults);
+    }
     let foreign = [
         ("w", support.w.is_some() && !deflects, "a body in the plane is held by `ux` and `uy`"),
         (
@@ -66,5 +69,30 @@ pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath,
                 .error(path.key(spring), format!("`{key}` is prescribed, so `{spring}` would do nothing"))
                 .hint("remove one of them");
         }
+    }
+}
+
+/// The same where points move across the plane alone.
+fn check_across(support: &Support, path: &JsonPath, faults: &mut Faults) {
+    let foreign = [
+        ("ux", support.ux.is_some()),
+        ("uy", support.uy.is_some()),
+        ("phi", support.phi.is_some()),
+        ("inclined", support.inclined.is_some()),
+        ("ux_spring", support.ux_spring.is_some()),
+        ("uy_spring", support.uy_spring.is_some()),
+        ("w_spring", support.w_spring.is_some()),
+        ("phi_spring", support.phi_spring.is_some()),
+    ];
+    for (key, _) in foreign.iter().filter(|key| key.1) {
+        faults
+            .error(
+                path.key(*key),
+                format!("points move across the plane alone, and `{key}` does not hold that"),
+            )
+            .hint("give `w`");
+    }
+    if support.w.is_none() && !foreign.iter().any(|key| key.1) {
+        faults.error(path.clone(), "this support holds nothing").hint("give `w`");
     }
 }

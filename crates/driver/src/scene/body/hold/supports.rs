@@ -34,7 +34,7 @@ pub(crate) struct Held {
     /// Directions, or the rotation or the displacement across the plane as the third component, with what is prescribed and
     /// their keys.
     pub(crate) motions: Vec<([f64; 3], f64, &'static str)>,
-    /// Components and total stiffnesses of springs.
+    /// Axes and total stiffnesses of springs.
     pub(crate) springs: Vec<(usize, f64)>,
 }
 
@@ -145,7 +145,7 @@ impl Held {
         point: u32,
         component: usize,
     ) -> Option<impl Iterator<Item = (u32, f64)> + '_> {
-        let direct = self.motions.iter().any(|m| m.0[component].abs() == 1.0);
+        let direct = self.motions.iter().any(|m| m.2 != "phi" && m.0[component].abs() == 1.0);
         let k = self.points.binary_search(&point).ok().filter(|_| direct)?;
         let chain = self.chains.get(k).filter(|chain| !chain.is_empty())?;
         let points = std::iter::once(point).chain(chain.iter().copied());
@@ -165,14 +165,14 @@ impl Held {
         let pieces: Vec<Piece> = pieces.into_iter().flatten().filter(|piece| !piece.is_empty()).collect();
         let hold = |&(direction, value, key): &([f64; 3], f64, &'static str)| {
             // Rotations are those of the points, wherever the edge is.
-            let turns = direction[2] != 0.0;
+            let turns = key == "phi";
             let follows = !turns && !pieces.is_empty();
             HeldPoints {
                 points: if follows { on_border.clone() } else { points.clone() },
                 edge: self.edge.clone().filter(|_| !turns && !follows),
                 chains: if turns || follows { Vec::new() } else { chains.clone() },
                 pieces: if follows { pieces.clone() } else { Vec::new() },
-                direction,
+                direction: by_component(direction, turns, model),
                 value: if turns { value * model.scale(2) } else { value },
                 origin: self.path.key(key).to_string(),
             }
@@ -188,8 +188,21 @@ impl Held {
             let share = move |&p: &usize| Spring::on(component, p, stiffness * model.volume(p) / volume);
             points.iter().map(share).collect::<Vec<_>>()
         };
-        self.springs.iter().flat_map(|&(component, stiffness)| on(component, stiffness)).collect()
+        let along = |&(axis, stiffness): &(usize, f64)| Some(on(model.along(axis)?, stiffness));
+        self.springs.iter().filter_map(along).flatten().collect()
     }
+}
+
+/// A direction along x, y and z, or a rotation, by the unknowns of a model.
+fn by_component(direction: [f64; 3], turns: bool, model: &dyn PlaneModel) -> [f64; 3] {
+    let mut shares = [0.0; 3];
+    for axis in (0..3).filter(|&axis| direction[axis] != 0.0) {
+        let component = if turns { model.turning().map(|(k, _)| k) } else { model.along(axis) };
+        if let Some(component) = component {
+            shares[component] = direction[axis];
+        }
+    }
+    shares
 }
 
 /// Rigid regions of the case, by numbers of the body.

@@ -64,7 +64,8 @@ fn of_contact(edge: &Edge, (centre, radius, peak): (f64, f64, f64), context: &Lo
             true => TAU * (middle[0] * whole + a * tangent[0] * first),
             false => across * whole,
         };
-        statics::add_force(context.material, &mut sum, edge.normal.map(|n| -peak * a * width * n), middle);
+        let [x, y] = edge.normal.map(|n| -peak * a * width * n);
+        statics::add_force(context.material, &mut sum, [x, y, 0.0], middle);
         let turn = tangent[0] * edge.normal[1] - tangent[1] * edge.normal[0];
         sum.add_moment(-peak * a * a * across * first * turn);
     }
@@ -72,7 +73,7 @@ fn of_contact(edge: &Edge, (centre, radius, peak): (f64, f64, f64), context: &Lo
 }
 
 /// Resultant of a force per volume, N/m³, on the whole body.
-pub(crate) fn of_body(density: [f64; 2], context: &LoadContext) -> Resultant {
+pub(crate) fn of_body(density: [f64; 3], context: &LoadContext) -> Resultant {
     let mut sum = Resultant::default();
     match context.ground.outline {
         Some(outline) => {

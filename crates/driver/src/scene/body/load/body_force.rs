@@ -2,7 +2,7 @@
 
 use super::asked;
 use super::context::LoadContext;
-use super::sums::BodyLoads;
+use super::sums::{BodyLoads, Forces};
 use super::traction::lump;
 use crate::case::BodyForce;
 use crate::diagnostic::{Faults, JsonPath};
@@ -22,8 +22,8 @@ pub(crate) fn resolve(
         return spin(value, load, context, path, to, faults);
     }
     let (value, is_total) = match (load.density, load.total) {
-        (Some(density), None) => (density, false),
-        (None, Some(total)) => (total, true),
+        (Some(density), None) => (context.force(density, "density", &path.key("density"), faults), false),
+        (None, Some(total)) => (context.force(total, "total", &path.key("total"), faults), true),
         (None, None) => {
             faults.error(path.clone(), "neither `density` nor `total` nor `spin` is given").hint(
                 "`density` is a force per volume, such as that of gravity; `total` the force on all points together",
@@ -37,7 +37,8 @@ pub(crate) fn resolve(
             return;
         }
     };
-    if value == [0.0; 2] {
+    let Some(value) = value else { return };
+    if value == [0.0; 3] {
         faults.error(path.clone(), "this load is zero");
     }
     let points = match &load.region {
@@ -59,23 +60,25 @@ pub(crate) fn resolve(
 
 /// A force on the whole body, per volume or in all. Where cells do not fill the body their forces are those of what they have,
 /// with what they lack of force and moment shared by all.
-fn on_body(value: [f64; 2], is_total: bool, context: &LoadContext, to: &mut BodyLoads) {
+fn on_body(value: [f64; 3], is_total: bool, context: &LoadContext, to: &mut BodyLoads) {
     let body = context.ground.body;
-    let unit = asked::of_body([1.0, 0.0], context).sizes()[0];
+    let unit = if context.material.has("ux") { [1.0, 0.0, 0.0] } else { [0.0, 0.0, 1.0] };
+    let unit = asked::of_body(unit, context).sizes()[0];
     let density = if is_total { value.map(|f| f / unit) } else { value };
     let asked = asked::of_body(density, context);
     to.asked.add_multiple(1.0, &asked);
     let force = |p: u32| (p, density.map(|b| b * context.volume(p)));
-    let mut forces: lump::Forces = (0..body.points() as u32).map(force).collect();
+    let mut forces: Forces = (0..body.points() as u32).map(force).collect();
     let mut missing = asked;
     let at = |p: u32| body.position(p as usize);
     forces
         .iter()
         .for_each(|&(p, f)| statics::add_force(context.material, &mut missing, f.map(|f| -f), at(p)));
     let is_whole = matches!(body, PlaneBody::Lattice(lattice) if lattice.cut_cells().is_empty());
-    let lacks = missing.force().into_iter().chain([missing.moment() * asked.sizes()[0] / asked.sizes()[1]]);
+    let lacks =
+        missing.force().into_iter().chain([missing.moment()[2] * asked.sizes()[0] / asked.sizes()[1]]);
     if is_whole && lacks.fold(0.0, |a: f64, f| a.max(f.abs())) <= 1e-12 * asked.sizes()[0] {
-        (0..2).for_each(|k| to.density[k] += density[k]);
+        (0..3).for_each(|k| to.density[k] += density[k]);
         return;
     }
     if context.symmetry.mirrors.is_none() && !context.material.is_revolved() {
@@ -117,7 +120,7 @@ fn spin(
         Some(name) => {
             let points = context.ground.region(name, &path.key("region"), faults).unwrap_or_default();
             let radius = |p: u32| context.ground.body.position(p as usize)[0];
-            let force = |&p: &u32| (p, [value * radius(p) * context.volume(p), 0.0]);
+            let force = |&p: &u32| (p, [value * radius(p) * context.volume(p), 0.0, 0.0]);
             to.forces.extend(points.iter().map(force));
         }
     }

@@ -1,5 +1,7 @@
 //! What loads are resolved on.
 
+use crate::case::Vector;
+use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
 use crate::model::Material;
 use crate::scene::body::hold::supports::Held;
@@ -32,6 +34,40 @@ impl LoadContext<'_> {
         body.area(point as usize) * self.material.across(body.position(point as usize))
     }
 
+    /// The numbers of a force by `key`, along x, y and z; none where their count is not that of the axes along which points move, or
+    /// where they act along others.
+    pub(crate) fn force(
+        &self,
+        given: Vector,
+        key: &str,
+        path: &JsonPath,
+        faults: &mut Faults,
+    ) -> Option<[f64; 3]> {
+        let (force, count) = given.parts();
+        let moves = ["ux", "uy", "uz"].map(|name| self.material.has(name));
+        let moves = [moves[0], moves[1], moves[2] || self.material.has("w")];
+        // What acts on a shell across its surface may be left out.
+        let needed = if moves[2] { 3 } else { 2 };
+        if count != needed && !(moves == [true; 3] && count == 2) {
+            let on = match moves {
+                [_, _, false] => "forces in the plane have 2, along x and y",
+                [true, ..] => "forces on this body have 3, along x, y and z",
+                _ => "forces across the plane have 3, along x, y and z",
+            };
+            let s = if count == 1 { "" } else { "s" };
+            faults.error(path.clone(), format!("`{key}` has {count} number{s}, and {on}"));
+            return None;
+        }
+        let Some(beside) = (0..3).find(|&axis| force[axis] != 0.0 && !moves[axis]) else {
+            return Some(force);
+        };
+        let name = ["x", "y", "z"][beside];
+        faults
+            .error(path.index(beside), format!("points of this body do not move along {name}"))
+            .hint("give a zero there");
+        None
+    }
+
     /// Area of stretches of a border, m².
     pub(crate) fn area(&self, stretches: &[Stretch]) -> f64 {
         stretches.iter().flat_map(Stretch::samples).map(|s| s.length * self.material.across(s.at)).sum()
@@ -46,7 +82,7 @@ impl LoadContext<'_> {
 /// Whether supports prescribe a component of a point of the body.
 pub(crate) fn is_held(point: u32, component: usize, held: &[Held]) -> bool {
     held.iter().any(|h| {
-        let direct = h.motions.iter().any(|m| m.0[component].abs() == 1.0);
+        let direct = h.motions.iter().any(|m| m.2 != "phi" && m.0[component].abs() == 1.0);
         direct && h.points.binary_search(&point).is_ok()
     })
 }

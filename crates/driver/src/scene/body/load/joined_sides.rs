@@ -1,6 +1,7 @@
 //! Forces through joined sides.
 
 use super::context::LoadContext;
+use super::sums::Forces;
 use crate::case::{Axis, Case, Periodic};
 use crate::scene::body::site::boundary;
 use crate::scene::body::site::symmetry::edge_on;
@@ -8,12 +9,12 @@ use peristat_assembly::model::plane::PlaneModel;
 use std::array::from_fn;
 
 /// Forces of the case on the unknowns by which a body stretches, by numbers of the model.
-pub(crate) fn forces(case: &Case, model: &dyn PlaneModel) -> Vec<(u32, [f64; 2])> {
+pub(crate) fn forces(case: &Case, model: &dyn PlaneModel) -> Forces {
     let Some((lattice, mirrors)) = model.lattice() else { return Vec::new() };
     let of = |given: &Periodic| {
         let (force, axis) = (given.force?, usize::from(given.along == Axis::Y));
         let [first, copy] = mirrors.stretch_points(lattice, axis)?;
-        let along = |f: f64| from_fn(|k| if k == axis { f } else { 0.0 });
+        let along = |f: f64| from_fn::<f64, 3, _>(|k| if k == axis { f } else { 0.0 });
         Some([(copy as u32, along(force)), (first as u32, along(-force))])
     };
     case.periodic.iter().filter_map(of).flatten().collect()

@@ -18,8 +18,11 @@ pub(crate) fn resolve(
     faults: &mut Faults,
 ) {
     let (points_turn, deflects) = (context.material.has("phi"), context.material.has("w"));
+    let is_flat = context.material.has("ux");
     let foreign = [
         ("force", load.force != 0.0 && !deflects, "use `force_x` and `force_y`"),
+        ("force_x", load.force_x != 0.0 && !is_flat, "points move across the plane: use `force`"),
+        ("force_y", load.force_y != 0.0 && !is_flat, "points move across the plane: use `force`"),
         ("axial", load.axial != 0.0, "use `force_x` and `force_y`"),
         (
             "moment",
@@ -31,12 +34,12 @@ pub(crate) fn resolve(
     for (key, _, hint) in foreign.iter().filter(|f| f.1) {
         faults.error(path.key(*key), format!("`{key}` is for beams")).hint(*hint);
     }
-    let force = [load.force_x, load.force_y];
-    let across = if deflects { load.force } else { load.moment };
-    if force == [0.0; 2] && across == 0.0 && !foreign.iter().any(|f| f.1) {
+    let force = [load.force_x, load.force_y, load.force];
+    if force == [0.0; 3] && load.moment == 0.0 && !foreign.iter().any(|f| f.1) {
         let keys = match (points_turn, deflects) {
             (true, _) => "give `force_x`, `force_y` or `moment`",
-            (_, true) => "give `force_x`, `force_y` or `force`",
+            (_, true) if is_flat => "give `force_x`, `force_y` or `force`",
+            (_, true) => "give `force`",
             _ => "give `force_x` or `force_y`",
         };
         faults.error(path.clone(), "this load is zero").hint(keys);
@@ -52,9 +55,9 @@ pub(crate) fn resolve(
         faults,
     );
     let Some(spot) = context.ground.spot(&load.at, &at, "the load", faults) else { return };
-    let acts = force != [0.0; 2];
+    let acts = force != [0.0; 3];
     let is_fixed = |c: usize| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held));
-    let is_fixed = acts && (0..2).all(is_fixed);
+    let is_fixed = acts && (0..3).all(is_fixed);
     let shares = shares(load, &spot, is_fixed, context);
     let at_place = place(load, &shares, context, &at, faults);
     statics::add_force(context.material, &mut to.asked, force, at_place);
@@ -69,8 +72,8 @@ pub(crate) fn resolve(
     if acts {
         to.forces.extend(shares.iter().map(|&(p, share)| (p, force.map(|f| share * f))));
     }
-    if across != 0.0 {
-        to.across.extend(shares.iter().map(|&(p, share)| (p, share * across)));
+    if load.moment != 0.0 {
+        to.moments.extend(shares.iter().map(|&(p, share)| (p, share * load.moment)));
     }
 }
 

@@ -24,16 +24,16 @@ pub(crate) fn resolve(
     let Some(hoop) = pressure.hoop_stress else {
         let force = |p: u32| {
             let area = context.ground.body.area(p as usize);
-            (p, pressure.value * area * (k * arc(p)).cos())
+            (p, [0.0, 0.0, pressure.value * area * (k * arc(p)).cos()])
         };
-        to.across.extend(points.map(force));
+        to.forces.extend(points.map(force));
         return;
     };
     to.stresses.push(StressField::hoop(hoop, k));
     // What a stress that varies does along the circumference is taken back: its divergence.
     let force = |p: u32| {
         let divergence = -hoop * k * (k * arc(p)).sin();
-        (p, [0.0, context.volume(p) * divergence])
+        (p, [0.0, context.volume(p) * divergence, 0.0])
     };
     if k > 0.0 {
         to.forces.extend(points.map(force));

@@ -4,17 +4,20 @@ use super::stress_field::StressField;
 use crate::scene::Resultant;
 use peristat_assembly::model::plane::PlaneModel;
 
+/// Forces along x, y and z, N, on points.
+pub(crate) type Forces = Vec<(u32, [f64; 3])>;
+
 /// The loads of one load case.
 #[derive(Clone, Debug, Default)]
 pub struct BodyLoads {
     /// Forces on points of the model, N.
-    pub(crate) forces: Vec<(u32, [f64; 2])>,
+    pub(crate) forces: Forces,
     /// The same of tractions that act through the border, by numbers of the model from the start.
-    pub(crate) through_border: Vec<(u32, [f64; 2])>,
-    /// Moments on points of the model, N m; where points move across the plane, forces along that, N.
-    pub(crate) across: Vec<(u32, f64)>,
+    pub(crate) through_border: Forces,
+    /// Moments about z on points of the model, N m.
+    pub(crate) moments: Vec<(u32, f64)>,
     /// Force on every point per volume, N/m³.
-    pub(crate) density: [f64; 2],
+    pub(crate) density: [f64; 3],
     /// Force on every point along x per volume and per x, N/m⁴.
     pub(crate) spin: f64,
     /// Stresses that act by the rows of the bonds.
@@ -24,7 +27,7 @@ pub struct BodyLoads {
     /// Resultant as the case asks for it.
     pub(crate) asked: Resultant,
     /// Along which axes stresses that are asked for nothing there go through a mirror.
-    pub(crate) inside: [bool; 2],
+    pub(crate) inside: [bool; 3],
 }
 
 impl BodyLoads {
@@ -32,13 +35,13 @@ impl BodyLoads {
     pub(crate) fn numbered(mut self, number: &dyn Fn(u32) -> u32) -> Self {
         self.forces.iter_mut().for_each(|f| f.0 = number(f.0));
         self.forces.append(&mut self.through_border);
-        self.across.iter_mut().for_each(|m| m.0 = number(m.0));
+        self.moments.iter_mut().for_each(|m| m.0 = number(m.0));
         self.stresses.iter_mut().for_each(|field| *field = field.numbered(number));
         self
     }
 
     /// The same with the forces through joined sides, on points of the model.
-    pub(crate) fn with_ends(mut self, forces: &[(u32, [f64; 2])]) -> Self {
+    pub(crate) fn with_ends(mut self, forces: &[(u32, [f64; 3])]) -> Self {
         if !self.carry_ends {
             self.forces.extend(forces);
         }
@@ -49,28 +52,31 @@ impl BodyLoads {
     pub fn is_zero(&self) -> bool {
         self.forces.is_empty()
             && self.through_border.is_empty()
-            && self.across.is_empty()
-            && self.density == [0.0; 2]
+            && self.moments.is_empty()
+            && self.density == [0.0; 3]
             && self.spin == 0.0
             && self.stresses.is_empty()
     }
 
-    /// Adds the loads times a factor to `force`, N, the plane of x first, then that of y and, where points turn, that of
-    /// moments per length by which rotations are multiplied, or that across the plane.
+    /// Adds the loads times a factor to `force`, N, one plane per unknown; moments per length by which rotations are
+    /// multiplied. What acts along an axis in which points do not move is left out.
     pub fn add_to(&self, model: &dyn PlaneModel, factor: f64, force: &mut [f64]) {
         let n = model.points();
+        let planes = (0..3).filter_map(|axis| Some((axis, model.along(axis)? * n)));
+        let planes: Vec<(usize, usize)> = planes.collect();
         for &(point, f) in &self.forces {
-            (0..2).for_each(|c| force[c * n + point as usize] += factor * f[c]);
+            planes.iter().for_each(|&(axis, plane)| force[plane + point as usize] += factor * f[axis]);
         }
         // A moment does its work on the rotation, the unknown is a multiple of that.
-        let turning = model.scale(2);
-        for &(point, value) in &self.across {
-            force[2 * n + point as usize] += factor * value / turning;
+        if let Some((component, turning)) = model.turning() {
+            for &(point, value) in &self.moments {
+                force[component * n + point as usize] += factor * value / turning;
+            }
         }
-        if self.density != [0.0; 2] || self.spin != 0.0 {
+        if self.density != [0.0; 3] || self.spin != 0.0 {
             for point in 0..n {
                 let volume = factor * model.volume(point);
-                (0..2).for_each(|c| force[c * n + point] += volume * self.density[c]);
+                planes.iter().for_each(|&(axis, plane)| force[plane + point] += volume * self.density[axis]);
                 if self.spin != 0.0 {
                     force[point] += volume * self.spin * model.place(point)[0];
                 }

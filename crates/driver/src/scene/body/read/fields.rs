@@ -24,7 +24,10 @@ pub(crate) fn of_points(field: FieldName, model: &dyn PlaneModel, is_damaged: bo
         Origin::Unknown => or(model.component(field.name()).is_some(), Has::No),
         Origin::Across => or(model.is_revolved() || model.stress_across([1.0, 1.0, 0.0]) != 0.0, Has::Zero),
         Origin::Damage => or(is_damaged, Has::Zero),
-        Origin::Strain(..) | Origin::Stress(_) | Origin::VonMises | Origin::Energy => Has::Values,
+        Origin::Strain(name, _) | Origin::Stress(name) => {
+            or(model.tensor_components().contains(&name), Has::No)
+        }
+        Origin::VonMises | Origin::Energy => Has::Values,
         Origin::Beam | Origin::Opening | Origin::Reaction(_) => Has::No,
     }
 }
@@ -47,8 +50,8 @@ pub(crate) fn held(reaction: FieldName, model: &dyn PlaneModel) -> Option<(usize
 /// The fields that probes can ask for: those of points, reactions, rotations of rigid regions and openings of cracks.
 pub(crate) fn probed(model: &dyn PlaneModel, case: &Case) -> Vec<FieldName> {
     let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model).is_some());
-    let turns = (model.component("phi").is_none() && !case.rigid.is_empty()).then_some(FieldName::Phi);
-    let opens = (!case.cracks.is_empty()).then_some(FieldName::Opening);
+    let turns = (model.turning().is_none() && !case.rigid.is_empty()).then_some(FieldName::Phi);
+    let opens = (!case.cracks.is_empty() && model.along(0).is_some()).then_some(FieldName::Opening);
     answered(model).chain(turns).chain(reactions).chain(opens).collect()
 }
 

@@ -4,14 +4,15 @@ use crate::model::Material;
 use crate::scene::Resultant;
 use peristat_assembly::model::plane::PlaneModel;
 
-/// Adds a force, N, at a position to a resultant: what a shell has along its circumference turns it about its axis.
-pub(crate) fn add_force(material: &dyn Material, to: &mut Resultant, force: [f64; 2], at: [f64; 2]) {
+/// Adds a force, N, at a position to a resultant: what a shell has along its circumference turns it about its axis, and what it
+/// has outwards is not counted.
+pub(crate) fn add_force(material: &dyn Material, to: &mut Resultant, force: [f64; 3], at: [f64; 2]) {
     match material.cylinder_radius() {
         Some(radius) => {
-            to.add([force[0], 0.0], [0.0; 2]);
+            to.add([force[0], 0.0, 0.0], [0.0; 3]);
             to.add_moment(radius * force[1]);
         }
-        None => to.add(force, at),
+        None => to.add(force, [at[0], at[1], 0.0]),
     }
 }
 
@@ -19,19 +20,19 @@ pub(crate) fn add_force(material: &dyn Material, to: &mut Resultant, force: [f64
 /// mirror.
 pub(crate) fn resultant(model: &dyn PlaneModel, material: &dyn Material, forces: &[f64]) -> Resultant {
     let n = model.points();
-    let turning = model.component("phi").map(|(_, phi)| phi.scale);
+    let (components, turning) = ([0, 1, 2].map(|axis| model.along(axis)), model.turning());
     let lattice = model.lattice().filter(|(_, mirrors)| !mirrors.is_none());
     let mut sum = Resultant::default();
     for point in 0..n {
-        let mut force = [forces[point], forces[n + point]];
-        let turn = turning.map_or(0.0, |length| length * forces[2 * n + point]);
-        if force == [0.0; 2] && turn == 0.0 {
+        let mut force = components.map(|component| component.map_or(0.0, |c| forces[c * n + point]));
+        let turn = turning.map_or(0.0, |(component, length)| length * forces[component * n + point]);
+        if force == [0.0; 3] && turn == 0.0 {
             continue;
         }
         let mut at = model.place(point);
         if let Some((lattice, mirrors)) = lattice {
             let (cell, signs) = mirrors.image(lattice.cell(point));
-            (0..2).for_each(|k| force[k] *= signs[k]);
+            (0..3).for_each(|k| force[k] *= signs[k]);
             at = lattice.place_of(cell);
         }
         add_force(material, &mut sum, force, at);

@@ -23,10 +23,12 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
     if tractions.is_empty() && !(pulled && matched) {
         return;
     }
+    // Stresses that go with a traction are those in the plane.
+    let acts_across = tractions.iter().any(|t| t.profile.acts_across());
     // Chords of round borders are known to one stress to rounding; what it does to images is not what goes into a mirror.
     let knows_chords =
         context.symmetry.mirrors.is_none() && context.model.is_some_and(|model| model.follows_border());
-    if (context.material.has("phi") || knows_chords) && add_uniform(tractions, context, to) {
+    if (context.material.has("phi") || knows_chords) && !acts_across && add_uniform(tractions, context, to) {
         // Beside the border rotations of one stress are in balance by its own loads only.
         return;
     }
@@ -39,11 +41,12 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
         to.through_border.extend(forces.into_iter().flatten());
         return;
     }
-    if add_uniform(tractions, context, to) {
+    if !acts_across && add_uniform(tractions, context, to) {
         return;
     }
     for traction in tractions {
         let faded = match (&traction.border, traction.depth, traction.sharing) {
+            _ if traction.profile.acts_across() => Err("it acts across the plane"),
             (Border::Edge(_), ..) => fading::fade(traction, context),
             (Border::Curved { .. }, Some(_), _)
             | (Border::Curved { .. }, _, Some(LoadSharing::Consistent)) => round::fade(traction, context),
@@ -52,7 +55,7 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
         match faded {
             Ok((field, forces)) => {
                 let inside = fading::inside(traction, context);
-                (0..2).for_each(|k| to.inside[k] |= inside[k]);
+                (0..3).for_each(|k| to.inside[k] |= inside[k]);
                 to.stresses.push(field);
                 to.forces.extend(forces);
             }

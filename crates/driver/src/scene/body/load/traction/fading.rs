@@ -1,12 +1,13 @@
 //! A stress that has the traction of an edge and fades inwards.
 
-use super::lump::{self, Forces};
+use super::lump;
 use super::on_border::{OnBorder, may_be_consistent};
 use super::profile::Profile;
 use crate::diagnostic::Faults;
 use crate::scene::Resultant;
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::stress_field::{Stress, StressField, traction_of};
+use crate::scene::body::load::sums::Forces;
 use crate::scene::body::site::boundary::{self, Border, is_aligned};
 use crate::scene::body::site::resultants as statics;
 use peristat_assembly::body::{Edge, Outline, Region, Regions};
@@ -56,7 +57,7 @@ impl Stress for Fading {
     fn at(&self, position: [f64; 2]) -> [f64; 3] {
         let Some((depth, place)) = self.place(position) else { return [0.0; 3] };
         let (w, [x, y]) = (self.weight(depth), self.normal);
-        let [a, b] = self.profile.at(place, self.normal);
+        let [a, b, _] = self.profile.at(place, self.normal);
         let along = a * x + b * y;
         [
             w * (2.0 * a * x - along * x * x),
@@ -132,13 +133,14 @@ pub(crate) fn fade(
     }
     let regions = Regions { body: context.ground.body, outline: None, named: &BTreeMap::new() };
     let points = regions.select(&Region::Box { from: edge.from, to: inner }).unwrap_or_default();
-    let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
+    let mut forces: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
     for &p in &points {
         let position = context.ground.body.position(p as usize);
         let mut divergence = fading.divergence(position);
         divergence[1] += context.around_axis(fading.at(position), position);
         if divergence != [0.0; 2] {
-            forces.insert(p, divergence.map(|b| b * context.volume(p)));
+            let [x, y] = divergence.map(|b| b * context.volume(p));
+            forces.insert(p, [x, y, 0.0]);
         }
     }
     add_rest(&mut forces, &|position| fading.at(position), Own::Edge(edge), context);
@@ -175,14 +177,14 @@ fn in_box(vertices: &[[f64; 2]], a: [f64; 2], b: [f64; 2]) -> bool {
 
 /// Adds what a stress does on other borders, taken back there.
 pub(crate) fn add_rest(
-    forces: &mut BTreeMap<u32, [f64; 2]>,
+    forces: &mut BTreeMap<u32, [f64; 3]>,
     stress: &dyn Fn([f64; 2]) -> [f64; 3],
     own: Own,
     context: &LoadContext,
 ) {
     for (point, force) in elsewhere(stress, own, context) {
         let sum = forces.entry(point).or_default();
-        (0..2).for_each(|k| sum[k] += force[k]);
+        (0..3).for_each(|k| sum[k] += force[k]);
     }
 }
 
@@ -204,9 +206,9 @@ fn elsewhere(stress: &dyn Fn([f64; 2]) -> [f64; 3], own: Own, context: &LoadCont
             let [x, y] = stretch.normal;
             // A mirror takes what is normal to it.
             let along = if is_mirror { t[0] * x + t[1] * y } else { 0.0 };
-            [t[0] - along * x, t[1] - along * y]
+            [t[0] - along * x, t[1] - along * y, 0.0]
         };
-        let met: Vec<boundary::Stretch> = stretches.into_iter().filter(|s| back(s) != [0.0; 2]).collect();
+        let met: Vec<boundary::Stretch> = stretches.into_iter().filter(|s| back(s) != [0.0; 3]).collect();
         if !met.is_empty() {
             let points = points.as_deref().unwrap_or(&[]);
             forces.extend(lump::on_points(&met, &|s| lump::constant(back(s), s), points, context));
@@ -226,9 +228,9 @@ pub(crate) fn missing(
     let lumped = lump::forces(traction, context);
     lumped.iter().for_each(|&(p, f)| statics::add_force(context.material, &mut rest, f, at(p)));
     forces.iter().for_each(|&(p, f)| statics::add_force(context.material, &mut rest, f.map(|f| -f), at(p)));
-    let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 2])).collect();
+    let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 3])).collect();
     let Some(model) = context.model else { return small };
-    let is_flat = !model.is_revolved() && model.component("w").is_none();
+    let is_flat = !model.is_revolved() && context.material.cylinder_radius().is_none();
     if context.symmetry.mirrors.is_none() && is_flat {
         // A stress that goes through no mirror has no resultant.
         lump::add_resultant(&mut small, &rest, context);
@@ -238,13 +240,13 @@ pub(crate) fn missing(
     stress.numbered(&|p| context.recipe.number(model, p)).add_to(model, 1.0, &mut through);
     rest.add_multiple(-1.0, &statics::resultant(model, context.material, &through));
     let mut rest = match context.material.cylinder_radius() {
-        Some(radius) => [rest.force()[0], rest.moment() / radius],
+        Some(radius) => [rest.force()[0], rest.moment()[2] / radius, 0.0],
         None => rest.force(),
     };
     let (sum, size) = sums(&lumped);
     let inside = inside(traction, context);
     // Rings have no force along x.
-    (0..2).filter(|&k| inside[k] || (k == 0 && model.is_revolved())).for_each(|k| rest[k] = 0.0);
+    (0..3).filter(|&k| inside[k] || (k == 0 && model.is_revolved())).for_each(|k| rest[k] = 0.0);
     if matches!(traction.border, Border::Edge(_)) {
         return lumped.iter().map(|f| (f.0, rest.map(|r| r / lumped.len() as f64))).collect();
     }
@@ -258,12 +260,12 @@ pub(crate) fn missing(
 
 /// Axes with a mirror across them along which a traction asks for nothing: what its stress does through the mirror is inside
 /// the body, and stays.
-pub(crate) fn inside(traction: &OnBorder, context: &LoadContext) -> [bool; 2] {
+pub(crate) fn inside(traction: &OnBorder, context: &LoadContext) -> [bool; 3] {
     let mirrors = context.symmetry.mirrors;
     let (sum, size) = sums(&lump::forces(traction, context));
-    [0, 1].map(|axis| {
+    [0, 1, 2].map(|axis| {
         let is_mirrored = mirrors.lines[axis] != [None; 2] && !mirrors.joined[axis];
-        is_mirrored && sum[axis].abs() <= 1e-10 * size[0].max(size[1])
+        is_mirrored && sum[axis].abs() <= 1e-10 * size[0].max(size[1]).max(size[2])
     })
 }
 
@@ -271,17 +273,17 @@ pub(crate) fn inside(traction: &OnBorder, context: &LoadContext) -> [bool; 2] {
 const ONE_WAY: f64 = 0.1;
 
 /// Sums of forces along x and y, and of their magnitudes.
-fn sums(forces: &Forces) -> ([f64; 2], [f64; 2]) {
-    let sum = [0, 1].map(|k| forces.iter().map(|f| f.1[k]).sum());
-    (sum, [0, 1].map(|k| forces.iter().map(|f| f.1[k].abs()).sum()))
+fn sums(forces: &Forces) -> ([f64; 3], [f64; 3]) {
+    let sum = [0, 1, 2].map(|k| forces.iter().map(|f| f.1[k]).sum());
+    (sum, [0, 1, 2].map(|k| forces.iter().map(|f| f.1[k].abs()).sum()))
 }
 
 /// A force shared as others are, along each axis; alike where those have next to no sum.
-fn shared(force: [f64; 2], like: &Forces) -> Forces {
+fn shared(force: [f64; 3], like: &Forces) -> Forces {
     let (sum, size) = sums(like);
     let share = |k: usize, f: f64| match sum[k].abs() > ONE_WAY * size[k] {
         true => force[k] * f / sum[k],
         false => force[k] / like.len() as f64,
     };
-    like.iter().map(|&(p, f)| (p, [share(0, f[0]), share(1, f[1])])).collect()
+    like.iter().map(|&(p, f)| (p, [share(0, f[0]), share(1, f[1]), share(2, f[2])])).collect()
 }

@@ -3,15 +3,13 @@
 use super::on_border::OnBorder;
 use crate::scene::Resultant;
 use crate::scene::body::load::context::LoadContext;
+use crate::scene::body::load::sums::Forces;
 use crate::scene::body::site::boundary::{Border, Stretch};
 use peristat_assembly::body::{PlaneBody, Region, Regions};
 use std::collections::BTreeMap;
 
-/// Forces on points of the body, N.
-pub(crate) type Forces = Vec<(u32, [f64; 2])>;
-
 /// Positions on a stretch, m, and tractions there times the lengths that they stand for, N/m.
-type OnStretch = Vec<([f64; 2], [f64; 2])>;
+type OnStretch = Vec<([f64; 2], [f64; 3])>;
 
 /// Forces of a traction on points of the body, each stretch of its border on the nearest point, with the exact force and
 /// moment.
@@ -31,7 +29,7 @@ fn candidates(traction: &OnBorder, context: &LoadContext) -> Vec<u32> {
 }
 
 /// Positions on a stretch with a traction that is the same all along it, Pa.
-pub(crate) fn constant(traction: [f64; 2], stretch: &Stretch) -> OnStretch {
+pub(crate) fn constant(traction: [f64; 3], stretch: &Stretch) -> OnStretch {
     stretch.samples().map(|s| (s.at, traction.map(|t| s.length * t))).collect()
 }
 
@@ -43,21 +41,21 @@ pub(crate) fn on_points(
     candidates: &[u32],
     context: &LoadContext,
 ) -> Forces {
-    let mut forces: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
+    let mut forces: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
     let mut wanted = Resultant::default();
     for stretch in stretches {
         let points = nearest(stretch, candidates, context);
-        let mut force = [0.0; 2];
+        let mut force = [0.0; 3];
         for (at, along) in traction(stretch) {
             let share = along.map(|t| context.material.across(at) * t);
-            (0..2).for_each(|k| force[k] += share[k]);
+            (0..3).for_each(|k| force[k] += share[k]);
             if !points.is_empty() {
-                wanted.add(share, at);
+                wanted.add(share, [at[0], at[1], 0.0]);
             }
         }
         for &point in &points {
             let sum = forces.entry(point).or_default();
-            (0..2).for_each(|k| sum[k] += force[k] / points.len() as f64);
+            (0..3).for_each(|k| sum[k] += force[k] / points.len() as f64);
         }
     }
     let mut forces = on_held_lines(forces, context);
@@ -67,8 +65,8 @@ pub(crate) fn on_points(
 
 /// Forces where an edge is held on its line, shared by the points whose displacements make that of the edge: the support
 /// takes them whole.
-fn on_held_lines(forces: BTreeMap<u32, [f64; 2]>, context: &LoadContext) -> Forces {
-    let mut shared: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
+fn on_held_lines(forces: BTreeMap<u32, [f64; 3]>, context: &LoadContext) -> Forces {
+    let mut shared: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
     for (point, force) in forces {
         for (component, f) in force.into_iter().enumerate() {
             let mut add = |point: u32, share: f64| shared.entry(point).or_default()[component] += share * f;
@@ -133,7 +131,10 @@ fn is_halved(stretches: &[Stretch], context: &LoadContext) -> bool {
 /// Adds small forces to those of some points so that force and moment are the wanted ones; none where a mirror
 /// halves the border: forces are exact without, and the image has the opposite moment.
 fn settle(forces: &mut Forces, mut wanted: Resultant, is_halved: bool, context: &LoadContext) {
-    let at = |p: u32| context.ground.body.position(p as usize);
+    let at = |p: u32| {
+        let [x, y] = context.ground.body.position(p as usize);
+        [x, y, 0.0]
+    };
     let mut found = Resultant::default();
     forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
     // A ring has no force along its radius and no moment as a whole.
@@ -153,17 +154,18 @@ pub(crate) fn add_resultant(forces: &mut Forces, missing: &Resultant, context: &
         let regions = Regions { body, outline: None, named: &BTreeMap::new() };
         let near = Region::Disc { centre: at(only), radius: 1.5 * body.spacing() };
         let near = regions.select(&near).unwrap_or_default();
-        forces.extend(near.into_iter().filter(|&p| p != only).map(|p| (p, [0.0; 2])));
+        forces.extend(near.into_iter().filter(|&p| p != only).map(|p| (p, [0.0; 3])));
     }
     let (force, count) = (missing.force(), forces.len() as f64);
     let middle = [0, 1].map(|k| forces.iter().map(|f| at(f.0)[k] / count).sum::<f64>());
     let arm = |p: u32| [0, 1].map(|k| at(p)[k] - middle[k]);
     let inertia: f64 = forces.iter().map(|f| arm(f.0)[0].powi(2) + arm(f.0)[1].powi(2)).sum();
-    let about_middle = missing.moment() - (middle[0] * force[1] - middle[1] * force[0]);
+    let about_middle = missing.moment()[2] - (middle[0] * force[1] - middle[1] * force[0]);
     let turn = if inertia > 0.0 { about_middle / inertia } else { 0.0 };
     for (point, own) in forces.iter_mut() {
         let [x, y] = arm(*point);
         own[0] += force[0] / count - turn * y;
         own[1] += force[1] / count + turn * x;
+        own[2] += force[2] / count;
     }
 }

@@ -2,7 +2,7 @@
 
 use super::on_border::OnBorder;
 use super::profile::Profile;
-use crate::case::{Hertz, LoadSharing, Traction};
+use crate::case::{Hertz, LoadSharing, Traction, Vector};
 use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::site::boundary::{self, Border, is_aligned};
@@ -59,11 +59,14 @@ pub(crate) fn resolve(
     if !positive(area, "area of the border", place.clone(), faults) {
         return None;
     }
+    let mut force = |given: &Vector, key: &str| context.force(*given, key, &path.key(key), faults);
     let profile = match load {
-        Traction { uniform: Some(t), .. } => Profile::Linear([*t; 2]),
-        Traction { linear: Some(ends), .. } => Profile::Linear(*ends),
-        Traction { parabolic: Some(t), .. } => Profile::Parabolic(*t),
-        Traction { total: Some(force), .. } => Profile::Linear([force.map(|f| f / area); 2]),
+        Traction { uniform: Some(t), .. } => Profile::Linear([force(t, "uniform")?; 2]),
+        Traction { linear: Some([from, to]), .. } => {
+            Profile::Linear([force(from, "linear")?, force(to, "linear")?])
+        }
+        Traction { parabolic: Some(t), .. } => Profile::Parabolic(force(t, "parabolic")?),
+        Traction { total: Some(total), .. } => Profile::Linear([force(total, "total")?.map(|f| f / area); 2]),
         Traction { hertz: Some(hertz), .. } => {
             on_edge(hertz, &on.border, context.ground.body.spacing(), &path.key("hertz"), faults)?
         }
@@ -73,7 +76,7 @@ pub(crate) fn resolve(
         Profile::Hertz { centre, .. } => centre,
         _ => 0.5,
     };
-    if [0.0, within, 1.0].iter().all(|&q| profile.at(q, [1.0, 0.0]) == [0.0; 2]) {
+    if [0.0, within, 1.0].iter().all(|&q| profile.at(q, [1.0, 0.0]) == [0.0; 3]) {
         faults.error(path.clone(), "this traction is zero");
     }
     let varies = match profile {

@@ -1,11 +1,11 @@
 //! A pressure on a round hole or a slot as a stress that fades into the body.
 
 use super::fading;
-use super::lump::Forces;
 use super::on_border::{OnBorder, may_be_consistent};
 use super::profile::Profile;
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::stress_field::{Stress, StressField};
+use crate::scene::body::load::sums::Forces;
 use crate::scene::body::site::boundary::Border;
 use peristat_assembly::body::{Crack, Shape};
 use std::collections::BTreeMap;
@@ -93,9 +93,12 @@ pub(crate) fn fade(
     if context.cracks.iter().any(|c| is_near(&c.crack)) {
         return Err("a crack is near the hole");
     }
-    let force = |p: &u32| (*p, round.divergence(body.position(*p as usize)).map(|b| b * context.volume(*p)));
-    let mut forces: BTreeMap<u32, [f64; 2]> =
-        points.iter().map(force).filter(|(_, f)| *f != [0.0; 2]).collect();
+    let force = |p: &u32| {
+        let [x, y] = round.divergence(body.position(*p as usize)).map(|b| b * context.volume(*p));
+        (*p, [x, y, 0.0])
+    };
+    let mut forces: BTreeMap<u32, [f64; 3]> =
+        points.iter().map(force).filter(|(_, f)| *f != [0.0; 3]).collect();
     let own = fading::Own::Hole(*hole);
     fading::add_rest(&mut forces, &|position| round.at(position), own, context);
     let mut forces: Forces = forces.into_iter().collect();

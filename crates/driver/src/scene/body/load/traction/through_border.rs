@@ -1,9 +1,9 @@
 //! Tractions that act through the border: where bonds end on it, every place of it moves with known points, so that a
 //! traction does its own work, with the force and the moment that it has.
 
-use super::lump::Forces;
 use super::on_border::{OnBorder, may_be_consistent};
 use crate::scene::body::load::context::LoadContext;
+use crate::scene::body::load::sums::Forces;
 use crate::scene::body::site::boundary::Border;
 
 /// Forces of a traction on points of the model, images among them: what acts there by a sign that is turned goes into the line
@@ -15,16 +15,16 @@ pub(crate) fn forces(traction: &OnBorder, context: &LoadContext) -> Option<Force
         return None;
     }
     let (shares, (lattice, _)) = (model.border_shares()?, model.lattice()?);
-    let mut forces = vec![[0.0; 2]; model.points()];
+    let mut forces = vec![[0.0; 3]; model.points()];
     let stretches = traction.stretches(context.ground);
     for stretch in stretches.iter().flat_map(|stretch| stretch.between_lines(lattice)) {
         for (at, along) in traction.profile.on(&stretch) {
             let force = along.map(|t| context.material.across(at) * t);
             for (point, share) in shares(at, stretch.normal)? {
-                (0..2).for_each(|k| forces[point][k] += share * force[k]);
+                (0..3).for_each(|k| forces[point][k] += share * force[k]);
             }
         }
     }
-    let acting = (0..).zip(forces).filter(|(_, force)| *force != [0.0; 2]);
+    let acting = (0..).zip(forces).filter(|(_, force)| *force != [0.0; 3]);
     Some(acting.collect())
 }

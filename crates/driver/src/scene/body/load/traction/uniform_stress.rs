@@ -1,13 +1,14 @@
 //! One stress that has the tractions of all borders of a body, as one least-squares fit: of hundreds of edges neighbours are
 //! all but parallel, and conditions met one after the other hand the rounding of each on to the next.
 
-use super::lump::{self, Forces};
+use super::lump;
 use super::on_border::{OnBorder, may_be_consistent};
 use super::profile::Profile;
 use crate::diagnostic::Faults;
 use crate::scene::body::load::context::{LoadContext, is_held};
 use crate::scene::body::load::joined_sides;
 use crate::scene::body::load::stress_field::traction_of;
+use crate::scene::body::load::sums::Forces;
 use crate::scene::body::site::boundary::{self, Border};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 use peristat_assembly::body::Edge;
@@ -157,7 +158,7 @@ fn divergence(stress: [f64; 3], context: &LoadContext) -> Forces {
     }
     let force = |p: u32| {
         let position = context.ground.body.position(p as usize);
-        (p, [0.0, context.volume(p) * context.around_axis(stress, position)])
+        (p, [0.0, context.volume(p) * context.around_axis(stress, position), 0.0])
     };
     (0..context.ground.body.points() as u32).map(force).collect()
 }
@@ -170,7 +171,7 @@ fn along_joined_sides(conditions: &mut Conditions, context: &LoadContext) {
         let along = [f64::from(u8::from(axis == 0)), f64::from(u8::from(axis == 1)), 0.0];
         if mirrors.stretches[axis] {
             conditions.need(along, joined_sides::stress(axis, context).unwrap_or(0.0));
-        } else if axis == 1 && context.material.has("w") {
+        } else if axis == 1 && context.material.cylinder_radius().is_some() {
             // A tube grows wider as it likes.
             conditions.settle(along, 0.0);
         } else if mirrors.joined[axis] || mirrors.lines[axis].iter().all(Option::is_some) {
@@ -196,8 +197,8 @@ fn beyond(t: [f64; 2], stress: [f64; 3], normal: [f64; 2]) -> [f64; 2] {
 }
 
 /// Forces of a uniform traction on the points of an edge.
-fn on_edge_points(edge: &Edge, traction: [f64; 2], context: &LoadContext) -> Forces {
+fn on_edge_points(edge: &Edge, [x, y]: [f64; 2], context: &LoadContext) -> Forces {
     let points = context.ground.region(&edge.name, &Default::default(), &mut Faults::default());
     let stretches = boundary::of_edge(edge, context.ground);
-    lump::on_points(&stretches, &|s| lump::constant(traction, s), &points.unwrap_or_default(), context)
+    lump::on_points(&stretches, &|s| lump::constant([x, y, 0.0], s), &points.unwrap_or_default(), context)
 }
