@@ -3,7 +3,7 @@
 use crate::consistency::check;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::plane::{Calibration, Mirrors};
-use peristat_assembly::model::shell_membrane::{ShellKinematics, ShellMembrane, ShellParameters};
+use peristat_assembly::model::shell_membrane::{ShellEnds, ShellKinematics, ShellMembrane, ShellParameters};
 use proptest::prelude::*;
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ proptest! {
 
     #[test]
     fn a_shell_is_consistent_in_any_form(
-        columns in 2_i32..30, rows in 1_i32..10, choice in 0_usize..8, m in 2.0_f64..4.0,
+        columns in 1_i32..30, rows in 1_i32..10, choice in 0_usize..16, m in 2.0_f64..4.0,
         sides in prop::array::uniform2(0_usize..5), seed in any::<u64>()
     ) {
         let parameters = ShellParameters {
@@ -22,7 +22,8 @@ proptest! {
             horizon_ratio: m,
             kinematics: [ShellKinematics::Chord, ShellKinematics::Published][choice % 2],
             calibration: [Calibration::Matched, Calibration::Published][choice / 2 % 2],
-            bending: choice / 4 == 1,
+            ends: [ShellEnds::Border, ShellEnds::Weights][choice / 8],
+            bending: choice / 4 % 2 == 1,
         };
         let size = [columns, rows];
         let mut mirrors = Mirrors::NONE;

@@ -147,6 +147,11 @@ pub trait Material: Debug + Send + Sync {
         Err(Refusal::needs_lattice(self.about().name))
     }
 
+    /// Whether a developed cylinder on a lattice of real cells ends on the border of both of its ends, not at its points.
+    fn ends_on_border(&self, _real: &SquareLattice) -> bool {
+        false
+    }
+
     /// The strain along x, 0, or y, 1, by the stresses `[σ_xx, σ_yy, σ_xy]`, times some modulus; in a body of revolution with
     /// a hoop stress of σ_xx.
     fn strain_row(&self, axis: usize) -> [f64; 3];

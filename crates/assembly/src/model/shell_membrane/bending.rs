@@ -55,10 +55,11 @@ impl Curvature {
         }
         let mut special = BTreeMap::new();
         for point in near_points(lattice, families.reach()) {
-            if families.special.contains_key(&(point as u32)) {
-                let present = |offset: &ShellOffset, up: bool| {
-                    lattice.number(at(lattice.cell(point), offset.step, up)).is_some()
-                };
+            let cell = lattice.cell(point);
+            let present =
+                |offset: &ShellOffset, up: bool| lattice.number(at(cell, offset.step, up)).is_some();
+            let is_full = offsets.iter().all(|o| present(o, true) && present(o, false));
+            if mirrors.is_real(cell) && !is_full {
                 special.insert(point as u32, completed(&offsets, &present, target, [radius, horizon]));
             }
         }

@@ -1,8 +1,9 @@
 //! Bodies of shell membranes.
 
-use super::super::plane::{Mirrors, at, halved, near_points};
+use super::super::plane::{Calibration, Mirrors, at, halved, near_points};
+use super::ends::Ends;
 use super::family::{ShellFamilies, offsets, steps};
-use super::{Curvature, ShellBond, ShellError, ShellParameters};
+use super::{Curvature, ShellBond, ShellEnds, ShellError, ShellParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::stiffness::{Exception, GridBonds, Offset};
 use std::sync::Arc;
@@ -18,6 +19,8 @@ pub struct ShellMembrane {
     pub(super) families: Arc<ShellFamilies>,
     /// Bonds as their energy counts: half across a line of symmetry or a joined side, not beyond it.
     pub(super) bonds: Arc<GridBonds<3, 1, ShellBond>>,
+    /// Bonds that end on the border.
+    pub(super) ends: Option<Ends>,
     pub(super) curvature: Option<Arc<Curvature>>,
 }
 
@@ -104,13 +107,28 @@ impl ShellMembrane {
         let modulus = 6.0 * youngs_modulus * thickness * spacing * spacing;
         let bond = ShellBond { radius, kinematics, modulus };
         let offsets = offsets(&parameters, &bond, spacing)?;
-        let families = ShellFamilies::new(&lattice, &mirrors, parameters.calibration, &bond, offsets);
+        let has_border = Self::has_border(&parameters, &mirrors.real(&lattice));
+        let families =
+            ShellFamilies::new((&lattice, &mirrors), (parameters.calibration, has_border), &bond, offsets);
         let ghosts = mirrors.ghosts(&lattice);
         let bonds = grid(&lattice, &mirrors, &ghosts, &families, &bond);
         let curvature =
             parameters.bending.then(|| Arc::new(Curvature::new(&lattice, &mirrors, &parameters, &families)));
+        let ends = has_border.then(|| Ends::new((&lattice, &mirrors), &families, &bond));
         let (families, bonds) = (Arc::new(families), Arc::new(bonds));
-        Ok(Self { parameters, lattice, mirrors, ghosts, families, bonds, curvature })
+        Ok(Self { parameters, lattice, mirrors, ghosts, families, bonds, ends, curvature })
+    }
+
+    /// Whether bonds end on the border of a lattice of real cells: two columns tell how it moves.
+    pub fn has_border(parameters: &ShellParameters, real: &SquareLattice) -> bool {
+        parameters.ends == ShellEnds::Border
+            && parameters.calibration == Calibration::Matched
+            && real.columns().len() >= 2
+    }
+
+    /// Whether the sides along the axis are free.
+    pub(super) fn has_free_sides(&self) -> bool {
+        !self.mirrors.joined[1] && self.mirrors.lines[1].contains(&None)
     }
 
     /// The parameters, with the radius that closes.

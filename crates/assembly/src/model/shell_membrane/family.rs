@@ -25,6 +25,9 @@ pub(super) struct ShellOffset {
     pub(super) start: f64,
 }
 
+/// A lattice with its images.
+type Body<'a> = (&'a SquareLattice, &'a Mirrors);
+
 /// The weights of all points, 1/m².
 #[derive(Clone, Debug)]
 pub(super) struct ShellFamilies {
@@ -95,11 +98,11 @@ impl ShellOffset {
 }
 
 impl ShellFamilies {
-    /// The weights of a lattice whose points have the offsets `offsets`.
+    /// The weights of a lattice whose points have the offsets `offsets`. Bonds that end on the border, if there are any, are
+    /// not missing.
     pub(super) fn new(
-        lattice: &SquareLattice,
-        mirrors: &Mirrors,
-        calibration: Calibration,
+        (lattice, mirrors): (&SquareLattice, &Mirrors),
+        (calibration, has_border): (Calibration, bool),
         bond: &ShellBond,
         offsets: Vec<ShellOffset>,
     ) -> Self {
@@ -109,7 +112,11 @@ impl ShellFamilies {
         for point in near.into_iter().filter(|&p| mirrors.is_real(lattice.cell(p))) {
             let cell = lattice.cell(point);
             let sides = families.offsets.iter().flat_map(|o| [true, false].map(|up| at(cell, o.step, up)));
-            let present: Vec<bool> = sides.map(|other| lattice.number(other).is_some()).collect();
+            let is_present = |other: Cell| {
+                let beside = [cell[0], other[1], 0];
+                lattice.number(if has_border { beside } else { other }).is_some()
+            };
+            let present: Vec<bool> = sides.map(is_present).collect();
             if present.iter().all(|p| *p) {
                 continue;
             }
@@ -143,6 +150,29 @@ impl ShellFamilies {
         let half = if is_up(step) { step } else { step.map(|k| -k) };
         let index = self.offsets.iter().position(|o| o.step == half);
         index.map_or(0.0, |index| weights[index][usize::from(!is_up(step))])
+    }
+
+    /// All directions of bonds: offsets and whether they go upwards.
+    pub(super) fn directions(&self) -> impl Iterator<Item = (usize, bool)> + use<> {
+        (0..self.offsets.len()).flat_map(|k| [(k, true), (k, false)])
+    }
+
+    /// Columns and rows that a direction goes on by.
+    pub(super) fn step(&self, offset: usize, up: bool) -> [i32; 2] {
+        let [dx, ds, _] = self.offsets[offset].step;
+        if up { [dx, ds] } else { [-dx, -ds] }
+    }
+
+    /// Weight of the bonds of a cell in a direction, whether they end on the border or not.
+    pub(super) fn weight(&self, (lattice, mirrors): Body, cell: Cell, offset: usize, up: bool) -> f64 {
+        let (real, signs) = mirrors.image(cell);
+        let special = lattice.number(real).and_then(|p| self.special.get(&(p as u32)));
+        special.map_or(self.offsets[offset].weight, |weights| self.seen(weights, offset, up, signs))
+    }
+
+    /// Weight of a bond that leaves the first of two cells and arrives from that direction at the second one: the mean of both.
+    pub(super) fn shared_weight(&self, body: Body, cells: [Cell; 2], offset: usize, up: bool) -> f64 {
+        0.5 * (self.weight(body, cells[0], offset, up) + self.weight(body, cells[1], offset, !up))
     }
 
     /// Rows or columns that bonds reach.

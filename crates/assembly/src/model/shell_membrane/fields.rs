@@ -5,6 +5,7 @@
 
 use super::super::plane::PlaneFields;
 use super::ShellMembrane;
+use super::family::ShellOffset;
 use rayon::prelude::*;
 
 impl ShellMembrane {
@@ -14,14 +15,24 @@ impl ShellMembrane {
         let modulus = 3.0 * self.parameters.youngs_modulus;
         let at = |point: usize| {
             let mut sums = [0.0; 4];
-            self.families.for_each_bond(&self.lattice, point, |offset, other, sign, weight| {
-                let [a, t, k] = offset.row;
-                let [du, dv] = [0, 1].map(|c| sign * (u[c * n + other] - u[c * n + point]));
-                let e = a * du + t * dv + k * (u[2 * n + point] + u[2 * n + other]);
+            let mut add = |offset: &ShellOffset, weight: f64, e: f64| {
                 let action = modulus * weight * e;
                 (0..3).for_each(|q| sums[q] += offset.product[q] * action);
                 sums[3] += 0.5 * e * action;
+            };
+            self.families.for_each_bond(&self.lattice, point, |offset, other, sign, weight| {
+                let [a, t, k] = offset.row;
+                let [du, dv] = [0, 1].map(|c| sign * (u[c * n + other] - u[c * n + point]));
+                add(offset, weight, a * du + t * dv + k * (u[2 * n + point] + u[2 * n + other]));
             });
+            if let Some(ends) = &self.ends {
+                let (body, cell) = ((&*self.lattice, &self.mirrors), self.lattice.cell(point));
+                for (bond, part) in ends.of(point) {
+                    let weight = self.families.weight(body, cell, part.offset, part.up);
+                    let e = ends.bonds.measures(bond, u)[0] / part.share;
+                    add(&self.families.offsets[part.offset], weight, e);
+                }
+            }
             if let Some(curvature) = &self.curvature {
                 sums[3] += curvature.energy(point, u) / (self.cell_area() * self.parameters.thickness);
             }
@@ -57,6 +68,10 @@ impl ShellMembrane {
         match points {
             Some(points) => points.iter().filter(|p| !self.is_ghost(**p)).for_each(|&p| add(p)),
             None => self.real_points().for_each(add),
+        }
+        if let Some(ends) = &self.ends {
+            let whole = 2.0 * modulus;
+            ends.add_work((&self.lattice, &self.mirrors), &self.families, (t, whole), force);
         }
     }
 

@@ -11,6 +11,7 @@
 mod bending;
 mod body;
 mod bond;
+mod ends;
 mod error;
 mod family;
 mod fields;
@@ -26,4 +27,4 @@ pub use body::ShellMembrane;
 pub use bond::ShellBond;
 pub use error::ShellError;
 pub use inextensional::{EndConditions, Inextensional};
-pub use parameters::{ShellKinematics, ShellParameters};
+pub use parameters::{ShellEnds, ShellKinematics, ShellParameters};

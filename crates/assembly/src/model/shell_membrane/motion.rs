@@ -1,7 +1,7 @@
 //! What every model says of a shell membrane: terms, relations, rigid motions, stresses, coarser bodies.
 
-use super::super::plane::{CALIBRATION, FindCuts, Mirrors, PlaneFields, PlaneModel, Solvable};
-use super::{ShellKinematics, ShellMembrane};
+use super::super::plane::{BorderShares, CALIBRATION, FindCuts, Mirrors, PlaneFields, PlaneModel, Solvable};
+use super::{ShellKinematics, ShellMembrane, ends};
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
@@ -22,8 +22,17 @@ impl PlaneModel for ShellMembrane {
         &self.ghosts
     }
 
+    /// Of a membrane without free sides, whose uniform stress acts on its ends alone.
+    fn border_shares(&self) -> Option<BorderShares<'_>> {
+        (self.ends.is_some() && !self.has_free_sides()).then(|| ends::shares(&self.lattice))
+    }
+
     fn triangles(&self) -> usize {
         0
+    }
+
+    fn completing(&self) -> usize {
+        self.ends.as_ref().map_or(0, |ends| ends.bonds.count())
     }
 
     fn uncorrected(&self) -> usize {
@@ -98,6 +107,9 @@ impl Model<3> for ShellMembrane {
 
     fn terms(&self) -> Vec<Box<dyn Term<3>>> {
         let mut terms: Vec<Box<dyn Term<3>>> = vec![Box::new(self.bonds.clone())];
+        if let Some(ends) = &self.ends {
+            terms.push(Box::new(ends.bonds.clone()));
+        }
         if let Some(curvature) = &self.curvature {
             terms.push(Box::new(curvature.clone()));
         }
@@ -110,6 +122,10 @@ impl Model<3> for ShellMembrane {
             elements: self.bonds.elements(),
             entries: 9 * self.bonds.elements(),
             bytes: size_of::<f64>() * self.bonds.stored_factors(),
+        };
+        let bonds = match &self.ends {
+            Some(ends) => bonds.join(ModelSizes::of(&ends.bonds, ends.bonds.pairs())),
+            None => bonds,
         };
         let Some(curvature) = &self.curvature else { return bonds };
         // A disc of twice the radius has four times the neighbours.

@@ -15,6 +15,18 @@ pub enum ShellKinematics {
     Published,
 }
 
+/// What is done about the bonds that leave a membrane at its ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+pub enum ShellEnds {
+    /// They end on the border, which moves with the points beside it: free, held and loaded ends are exact in a uniform stress.
+    #[default]
+    Border,
+    /// They are missing, and the points have other weights. Such ends are held at their outermost points.
+    Weights,
+}
+
 /// Material, radius and bonds of a shell membrane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShellParameters {
@@ -30,6 +42,8 @@ pub struct ShellParameters {
     pub kinematics: ShellKinematics,
     /// Where the stiffness comes from.
     pub calibration: Calibration,
+    /// Ends; of the published calibration bonds are missing there whatever this is.
+    pub ends: ShellEnds,
     /// Whether rows of bending resist changes of curvature.
     pub bending: bool,
 }

@@ -1,7 +1,7 @@
 //! The model `shell_membrane` of a case.
 
 use peristat_assembly::model::plane::Calibration;
-use peristat_assembly::model::shell_membrane::ShellKinematics;
+use peristat_assembly::model::shell_membrane::{ShellEnds, ShellKinematics};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +25,9 @@ pub struct Shell {
     /// Where the stiffness of bonds comes from; `matched` if not given.
     #[serde(default)]
     pub calibration: Calibration,
+    /// What is done about the bonds that leave the shell at its ends; `border` if not given.
+    #[serde(default)]
+    pub ends: ShellEnds,
     /// Whether bending resists changes of the curvature of the circumference, as ovalling needs.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub bending: bool,

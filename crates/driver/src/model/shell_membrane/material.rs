@@ -25,7 +25,7 @@ impl Material for ShellBonds {
             calibration: of.calibration,
             // Every point has weights of its own.
             edges: None,
-            // Their ends are where their points are.
+            // Their ends are exact as cylinders have them: see `ends_on_border`.
             is_exact_at_edges: false,
             ends_where_cut: false,
             has_families: false,
@@ -63,6 +63,10 @@ impl Material for ShellBonds {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let body = ShellMembrane::on_lattice(lattice, on.mirrors, self.parameters)?;
         Ok(AnyBody::Three(Box::new(body)))
+    }
+
+    fn ends_on_border(&self, real: &SquareLattice) -> bool {
+        ShellMembrane::has_border(&self.parameters, real)
     }
 
     fn strain_row(&self, axis: usize) -> [f64; 3] {

@@ -39,9 +39,11 @@ impl From<ShellError> for Refusal {
 }
 
 /// What can be chosen.
-const OPTIONS: [(&str, &str); 3] = [
+const OPTIONS: [(&str, &str); 5] = [
     ("kinematics chord", "elongations of straight lines in space: rigid motions are free (default)"),
     ("kinematics published", "elongations in the developed plane"),
+    ("ends border", "bonds end on the border, which is held and loaded: exact in one stress (default)"),
+    ("ends weights", "points beside ends have weights of their own, and the outermost are held"),
     ("bending", "rows that resist changes of the curvature of the circumference, for ovalling"),
 ];
 

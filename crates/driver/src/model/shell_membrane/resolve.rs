@@ -74,6 +74,7 @@ fn parameters(given: &Shell, asked: &Asked, faults: &mut Faults) -> Option<Shell
         horizon_ratio: 0.0,
         kinematics: given.kinematics,
         calibration: given.calibration,
+        ends: given.ends,
         bending: given.bending,
     })
 }

@@ -5,7 +5,7 @@ use super::super::told::{Words, fact, of_calibration};
 use super::NAME;
 use crate::units::Units;
 use peristat_assembly::model::plane::Calibration;
-use peristat_assembly::model::shell_membrane::{ShellKinematics, ShellParameters};
+use peristat_assembly::model::shell_membrane::{ShellEnds, ShellKinematics, ShellParameters};
 use serde_json::json;
 
 /// An isotropic material of a cylindrical shell.
@@ -16,6 +16,7 @@ pub(super) fn summary(of: &ShellParameters, units: Units) -> MaterialSummary {
         ("poisson_ratio", json!(1.0 / 3.0)),
         ("radius", json!(of.radius)),
         ("kinematics", json!(of.kinematics)),
+        ("ends", json!(of.ends)),
         ("bending", json!(of.bending)),
     ];
     let kinematics = match of.kinematics {
@@ -30,7 +31,11 @@ pub(super) fn summary(of: &ShellParameters, units: Units) -> MaterialSummary {
         fact("model", format!("{}, {calibration}, {kinematics}{bending}", words.name)),
         fact("material", format!("E = {e}, ν = 1/3, {thickness}, radius {r}")),
     ];
-    let edges = (of.calibration == Calibration::Matched)
-        .then(|| "every point has weights that make uniform strains exact".into());
+    let edges = (of.calibration == Calibration::Matched).then(|| match of.ends {
+        ShellEnds::Border => {
+            "at its ends bonds end on the border, which moves with the points beside it".into()
+        }
+        ShellEnds::Weights => "every point has weights that make uniform strains exact".into(),
+    });
     MaterialSummary { entries, facts, influence: "", edges }
 }

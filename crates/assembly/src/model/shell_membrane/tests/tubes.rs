@@ -22,6 +22,7 @@ pub(super) fn parameters(kinematics: ShellKinematics, calibration: Calibration) 
         horizon_ratio: 3.0,
         kinematics,
         calibration,
+        ends: ShellEnds::Weights,
         bending: false,
     }
 }

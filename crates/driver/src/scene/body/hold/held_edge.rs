@@ -16,8 +16,8 @@ use std::cell::OnceCell;
 pub struct HeldEdge {
     /// From its points to those behind them, cells.
     inward: Cell,
-    /// Shares of the points behind each other in the displacement of the edge along x and along y, the outermost first.
-    shares: [Vec<f64>; 2],
+    /// Shares of the points behind each other in the displacement of the edge along x, along y and across, the outermost first.
+    shares: [Vec<f64>; 3],
 }
 
 impl HeldEdge {
@@ -43,8 +43,15 @@ impl HeldEdge {
             // The other treatments are not exact at edges: a line through two points is good enough.
             false => [vec![1.5, -0.5], vec![1.5, -0.5]],
         };
-        let shares = if axis == 0 { [normal, tangential] } else { [tangential, normal] };
-        Some(Self { inward, shares })
+        let [x, y] = if axis == 0 { [normal, tangential] } else { [tangential, normal] };
+        Some(Self { inward, shares: [x, y, Vec::new()] })
+    }
+
+    /// An end of a developed cylinder, whose border moves with the two outermost points behind each other; none of its sides.
+    pub(super) fn of_cylinder(edge: &Edge) -> Option<Self> {
+        let is_end = edge.normal[0].abs() > 1.0 - 1e-12;
+        let inward = [if edge.normal[0] > 0.0 { -1 } else { 1 }, 0, 0];
+        is_end.then(|| Self { inward, shares: [(); 3].map(|()| vec![1.5, -0.5]) })
     }
 
     /// The points behind each of some ascending points of the edge; none where there are too few, or where they are points
@@ -169,7 +176,7 @@ mod tests {
                 let held =
                     HeldEdge::new(outline.edge(name).unwrap(), &lattice, &EdgeShares::new(&*bonds)).unwrap();
                 assert_eq!(held.inward, inward);
-                for shares in &held.shares {
+                for shares in &held.shares[..2] {
                     assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-14);
                     // Centres are half a spacing, and more, behind the edge: the moment about it is zero.
                     let moment: f64 = shares.iter().enumerate().map(|(k, s)| s * (k as f64 + 0.5)).sum();

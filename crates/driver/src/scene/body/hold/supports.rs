@@ -72,12 +72,13 @@ pub(crate) fn held(
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
         let mut held = resolve(support, spot, path);
         held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
-        // Of a shell the outermost points are held: shares of one axial stress leave out what it does across the surface.
-        if let (PlaneBody::Lattice(lattice), Some(name), false) =
-            (ground.body, &support.at.region, material.cylinder_radius().is_some())
-        {
+        if let (PlaneBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
-            held.edge = edge.and_then(|edge| HeldEdge::new(edge, lattice, &shares));
+            let is_cylinder = material.cylinder_radius().is_some();
+            held.edge = edge.and_then(|edge| match is_cylinder {
+                true => HeldEdge::of_cylinder(edge).filter(|_| material.ends_on_border(lattice)),
+                false => HeldEdge::new(edge, lattice, &shares),
+            });
             held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
         }
         Some(held)

@@ -5,7 +5,7 @@ use super::cracks::NamedCrack;
 use crate::case::Case;
 use crate::diagnostic::{Faults, root, tidy};
 use crate::memory;
-use crate::model::Material;
+use crate::model::{Material, Surface};
 use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 use std::f64::consts::PI;
@@ -76,6 +76,10 @@ pub(crate) fn fits(
         }
         PlaneBody::Lattice(_) if about.edges == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
             ENDED * border * 2.0 / 3.0 * m.powi(3)
+        }
+        // Points beside the sides of shells have bonds of their own, those at the ends bonds that end there.
+        PlaneBody::Lattice(_) if matches!(about.surface, Surface::Cylinder(_)) => {
+            OWN * 0.5 * family * near + ENDED * border * 2.0 / 3.0 * m.powi(3)
         }
         _ if about.edges.is_some_and(Edges::is_exact) => 0.0,
         _ => OWN * 0.5 * family * near,
