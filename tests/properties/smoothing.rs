@@ -37,6 +37,8 @@ pub(crate) fn steps_are_what_they_say<const D: usize, M: Model<D>>(
     level.smooth(1.0, &r, &mut step);
     inverts_the_blocks(&system, &r, &step);
 
+    a_part_is_that_of_the_whole(&system, &r);
+
     let (keep, size) = (0.3 * noise.next(), 0.7);
     let expected: Vec<f64> =
         (0..D * n).map(|k| x[k] + keep * (x[k] - previous[k]) + size * step[k]).collect();
@@ -65,4 +67,27 @@ fn inverts_the_blocks<const D: usize>(system: &System<D>, r: &[f64], step: &[f64
             assert!(left.amax() <= 1e-9 * of(r).amax(), "point {point}: {left}");
         }
     }
+}
+
+/// The stiffness among some points is that part of the whole, and a level that is laid bare there takes steps of one length.
+fn a_part_is_that_of_the_whole<const D: usize>(system: &System<D>, r: &[f64]) {
+    let n = system.points();
+    let points: Vec<usize> = (0..n).filter(|p| p % 3 != 1).collect();
+    let (unknowns, part) = system.assemble_among(&points);
+    let is_free = |k: &usize| system.constraints().rows().iter().all(|row| row.unknown != *k);
+    assert_eq!(unknowns, (0..D * n).filter(|k| k % n % 3 != 1).filter(is_free).collect::<Vec<_>>());
+    let whole = system.assemble_sparse();
+    let scale = whole.data().iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    for (row, &a) in unknowns.iter().enumerate() {
+        for (column, &b) in unknowns[..=row].iter().enumerate() {
+            let [found, expected] =
+                [part.get(row, column), whole.get(a, b)].map(|value| value.copied().unwrap_or(0.0));
+            assert!((found - expected).abs() <= 1e-13 * scale, "({a}, {b}): {found} {expected}");
+        }
+    }
+    let mut level = Level::coarse(system);
+    level.lay_bare(&unknowns, 0.25);
+    let mut step = vec![0.0; D * n];
+    level.smooth(1.0, r, &mut step);
+    unknowns.iter().for_each(|&k| assert_eq!(step[k], 0.25 * r[k]));
 }

@@ -14,6 +14,8 @@ pub struct BlockMatrix<const D: usize> {
     points: usize,
     layout: Layout,
     values: Vec<f64>,
+    /// Whether blocks outside of the pattern are forgotten.
+    is_part: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -30,15 +32,21 @@ impl<const D: usize> BlockMatrix<D> {
     pub fn band(points: usize, reach: usize) -> Self {
         // Columns come into being as they are added to: memory that is written first is faulted in once, not twice.
         let values = Vec::with_capacity(D * points * D * (reach + 1));
-        Self { points, layout: Layout::Band { reach }, values }
+        Self { points, layout: Layout::Band { reach }, values, is_part: false }
     }
 
     /// A zero matrix with the pattern of `terms`.
     pub fn sparse(points: usize, terms: &[Box<dyn Term<D>>]) -> Self {
-        let mut count = vec![1_usize; points + 1];
-        count[0] = 0;
+        Self { is_part: false, ..Self::among(points, terms, &|_| true) }
+    }
+
+    /// The same of the points that are `kept`: blocks of others that are added are forgotten.
+    pub fn among(points: usize, terms: &[Box<dyn Term<D>>], kept: &dyn Fn(usize) -> bool) -> Self {
+        let both = |i: usize, j: usize| kept(i) && kept(j);
+        let mut count = vec![0_usize; points + 1];
+        (0..points).for_each(|p| count[p + 1] = usize::from(kept(p)));
         for term in terms {
-            term.couplings(&mut |i, j| count[i.min(j) + 1] += 1);
+            term.couplings(&mut |i, j| count[i.min(j) + 1] += usize::from(both(i, j)));
         }
         for p in 0..points {
             count[p + 1] += count[p];
@@ -49,9 +57,13 @@ impl<const D: usize> BlockMatrix<D> {
             raw[next[i]] = j as u32;
             next[i] += 1;
         };
-        (0..points).for_each(|p| push(p, p));
+        (0..points).filter(|&p| kept(p)).for_each(|p| push(p, p));
         for term in terms {
-            term.couplings(&mut |i, j| push(i.min(j), i.max(j)));
+            term.couplings(&mut |i, j| {
+                if both(i, j) {
+                    push(i.min(j), i.max(j));
+                }
+            });
         }
         let (mut start, mut column) = (vec![0], Vec::with_capacity(raw.len()));
         for p in 0..points {
@@ -65,13 +77,13 @@ impl<const D: usize> BlockMatrix<D> {
             start.push(column.len());
         }
         let values = vec![0.0; column.len() * D * D];
-        Self { points, layout: Layout::Rows { start, column }, values }
+        Self { points, layout: Layout::Rows { start, column }, values, is_part: true }
     }
 
     /// Adds a block at points `i <= j`.
     ///
     /// # Panics
-    /// The pair is not in the pattern.
+    /// The pair is not in the pattern, and this is no part of a matrix.
     pub fn add(&mut self, i: usize, j: usize, block: &Mat<D, D>) {
         match &self.layout {
             Layout::Band { reach } => {
@@ -91,7 +103,9 @@ impl<const D: usize> BlockMatrix<D> {
             }
             Layout::Rows { start, column } => {
                 let row = &column[start[i]..start[i + 1]];
-                let k = row.binary_search(&(j as u32)).expect("the pair is in the pattern");
+                let found = row.binary_search(&(j as u32));
+                assert!(self.is_part || found.is_ok(), "the pair ({i}, {j}) is in the pattern");
+                let Ok(k) = found else { return };
                 let slot = (start[i] + k) * D * D;
                 for r in 0..D {
                     for c in 0..D {

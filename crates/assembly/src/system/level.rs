@@ -51,6 +51,19 @@ impl<'a, const D: usize> Level<'a, D> {
         (Self { system, others, inverse }, loose)
     }
 
+    /// Makes the stand-in of some unknowns that are free one number, `1/unit`: what a step adds there tells their residual.
+    pub fn lay_bare(&mut self, unknowns: &[usize], unit: f64) {
+        let n = self.system.points;
+        for unknown in unknowns {
+            let (point, c) = (unknown % n, unknown / n);
+            for other in 0..D {
+                self.inverse[(other * D + c) * n + point] = 0.0;
+                self.inverse[(c * D + other) * n + point] = 0.0;
+            }
+            self.inverse[(c * D + c) * n + point] = unit;
+        }
+    }
+
     /// The system.
     pub fn system(&self) -> &System<D> {
         self.system

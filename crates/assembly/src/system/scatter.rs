@@ -128,4 +128,41 @@ impl<const D: usize> System<D> {
         let direct = CsMat::new((size, size), pointers, indices, values);
         if folded.nnz() == 0 { direct } else { &direct + &folded.to_csr() }
     }
+
+    /// The same among the unknowns of some points that are not constrained: these, in order, and the lower triangle by their
+    /// places among them. All other unknowns rest.
+    pub fn assemble_among(&self, points: &[usize]) -> (Vec<usize>, CsMat<f64>) {
+        let (n, size) = (self.points, self.size());
+        let mut kept = vec![false; n];
+        points.iter().for_each(|&p| kept[p] = true);
+        let mut place: Vec<Option<usize>> = (0..size).map(|k| kept[k % n].then_some(0)).collect();
+        self.constraints.rows().iter().for_each(|row| place[row.unknown] = None);
+        let unknowns: Vec<usize> = (0..size).filter(|&k| place[k].is_some()).collect();
+        unknowns.iter().enumerate().for_each(|(k, &unknown)| place[unknown] = Some(k));
+        let mut moved = TriMat::new((size, unknowns.len()));
+        unknowns.iter().enumerate().for_each(|(k, &unknown)| moved.add_triplet(unknown, k, 1.0));
+        for row in self.constraints.rows() {
+            for &(master, share) in &row.masters {
+                if let Some(k) = place[master] {
+                    kept[row.unknown % n] = true;
+                    moved.add_triplet(row.unknown, k, share);
+                }
+            }
+        }
+        let mut stiffness = BlockMatrix::among(n, &self.terms, &|p| kept[p]);
+        self.terms.iter().for_each(|t| t.add_tangent(&mut stiffness));
+        let moved: CsMat<f64> = moved.to_csr();
+        let forces = &stiffness.to_csr(|point, c| c * n + point) * &moved;
+        let all = &moved.transpose_view().to_csr() * &forces;
+        let mut lower = TriMat::new((unknowns.len(), unknowns.len()));
+        for (row, entries) in all.outer_iterator().enumerate() {
+            let own = entries.iter().filter(|(column, value)| *column <= row && **value != 0.0);
+            own.for_each(|(column, value)| lower.add_triplet(row, column, *value));
+            // An unknown that nothing reads has no stiffness.
+            if entries.get(row).is_none_or(|own| *own == 0.0) {
+                lower.add_triplet(row, row, 1.0);
+            }
+        }
+        (unknowns, lower.to_csr())
+    }
 }

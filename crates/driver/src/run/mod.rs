@@ -2,6 +2,7 @@
 
 pub mod beam;
 pub mod body;
+mod border_block;
 mod certificate;
 mod drift;
 mod extent;

@@ -1,6 +1,7 @@
 //! A multigrid cycle over the levels of a lattice: where the algebra of the cycle meets the mechanics of its levels.
 
 use super::Counters;
+use super::border_block::BorderBlock;
 use super::factor::{SolveFailure, lifted};
 use peristat_assembly::body::Transfer;
 use peristat_assembly::system::{Level, System};
@@ -16,12 +17,16 @@ pub struct Coarser<const D: usize> {
     pub is_loose: bool,
     /// Whether the finest level of all has other elements than these, so that its eigenvalues are its own.
     pub is_unlike: bool,
+    /// Points of the finest level of all, beside a border that cuts cells, that are smoothed together.
+    pub beside_border: Vec<usize>,
 }
 
 /// All levels of a problem.
 pub(super) struct Levels<'a, const D: usize> {
     levels: Vec<Level<'a, D>>,
     transfers: &'a [Transfer],
+    /// What smooths beside a border that cuts cells.
+    block: Option<BorderBlock>,
 }
 
 /// Relative lifts of the diagonal of the coarsest level, all but the first where supports that fall together, or points
@@ -37,7 +42,11 @@ pub(super) fn cycle<'a, const D: usize>(
     coarser: &'a Coarser<D>,
     counters: &mut Counters,
 ) -> Result<(Multigrid<Levels<'a, D>>, usize), SolveFailure> {
-    let mut levels = vec![Level::new(system).map_err(|point| SolveFailure::Loose { point })?];
+    let mut finest = Level::new(system).map_err(|point| SolveFailure::Loose { point })?;
+    let beside = &coarser.beside_border;
+    let block = (!beside.is_empty()).then(|| BorderBlock::new(system, beside)).transpose()?;
+    block.iter().for_each(|block| block.lay_bare(&mut finest));
+    let mut levels = vec![finest];
     levels.extend(coarser.systems.iter().map(Level::coarse));
     let mut coarsest = levels.last().expect("there is a finest level").system().assemble_sparse();
     let mut factor =
@@ -49,8 +58,8 @@ pub(super) fn cycle<'a, const D: usize>(
         factor.refactor(&coarsest)
     })
     .map_err(SolveFailure::Factor)?;
-    let entries = factor.fill();
-    let levels = Levels { levels, transfers: &coarser.transfers };
+    let entries = factor.fill() + block.as_ref().map_or(0, BorderBlock::entries);
+    let levels = Levels { levels, transfers: &coarser.transfers, block };
     let mut options = MultigridOptions::STANDARD;
     if coarser.is_unlike {
         options.measured_size = usize::MAX;
@@ -72,7 +81,13 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
     }
 
     fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]) {
-        self.levels[level].smooth(scale, r, x);
+        match &self.block {
+            Some(block) if level == 0 => {
+                block.take(&|_, x| x, x, |x| self.levels[0].smooth(scale, r, x));
+                self.levels[0].expand(x);
+            }
+            _ => self.levels[level].smooth(scale, r, x),
+        }
     }
 
     fn residual(&self, level: usize, b: &[f64], x: &[f64], r: &mut [f64]) {
@@ -88,7 +103,17 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
         previous: &mut [f64],
         scratch: &mut [f64],
     ) {
-        self.levels[level].relax([step.keep, step.scale], b, x, previous, scratch);
+        let mut take = |previous: &mut [f64]| {
+            self.levels[level].relax([step.keep, step.scale], b, x, previous, scratch);
+        };
+        match &self.block {
+            Some(block) if level == 0 => {
+                let moved = |k: usize, previous: f64| x[k] + step.keep * (x[k] - previous);
+                block.take(&moved, previous, take);
+                self.levels[0].expand(previous);
+            }
+            _ => take(previous),
+        }
     }
 
     fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {

@@ -12,6 +12,12 @@ const COARSEST: usize = 1500;
 /// Rows or columns that a coarsest lattice keeps: with fewer, all of its points are at an edge.
 const NARROW: usize = 12;
 
+/// Rows and columns around a block that a border cuts whose points are smoothed together: with none cycles are up to two fifths
+/// more, and with two the factor has half as many entries again for a cycle less.
+const STRIP: i32 = 1;
+/// Points that are smoothed together in any body; in a larger one a tenth of all.
+const MOST_BESIDE: usize = 20_000;
+
 /// How the points of a body lie.
 pub(super) fn spread(model: &dyn PlaneModel) -> Spread {
     match model.lattice() {
@@ -38,7 +44,9 @@ pub(super) fn coarser<const D: usize>(
     let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
     // Coarser lattices do not know how a border cuts their blocks.
     let is_unlike = model.follows_border();
-    let mut levels = Coarser { systems: Vec::new(), transfers: Vec::new(), is_loose: false, is_unlike };
+    let beside_border = if is_unlike { beside_border(model) } else { Vec::new() };
+    let mut levels =
+        Coarser { systems: Vec::new(), transfers: Vec::new(), is_loose: false, is_unlike, beside_border };
     let (mut coarsest, mut conditions): (Option<Box<dyn Solvable<D>>>, _) = (None, conditions.clone());
     loop {
         let fine = coarsest.as_deref().unwrap_or(model);
@@ -69,6 +77,24 @@ pub(super) fn coarser<const D: usize>(
     let last = levels.systems.last()?;
     levels.is_loose = !free_motions(&*coarsest?, last).is_empty();
     Some(levels)
+}
+
+/// Points of the blocks that a border cuts and around them, in order; none where they are so many that their factor would be
+/// large.
+fn beside_border(model: &dyn PlaneModel) -> Vec<usize> {
+    let Some((lattice, _)) = model.lattice() else { return Vec::new() };
+    let around = |&(block, ..): &(Cell, _)| {
+        let along = |k: usize| block[k] - STRIP..=block[k] + 1 + STRIP;
+        let cells: Vec<Cell> = along(1).flat_map(|j| along(0).map(move |i| [i, j, 0])).collect();
+        cells.into_iter().filter_map(|cell| lattice.number(cell))
+    };
+    let mut points: Vec<usize> = lattice.blocks().iter().flat_map(around).collect();
+    points.sort_unstable();
+    points.dedup();
+    if points.len() > MOST_BESIDE.max(lattice.points() / 10) {
+        points.clear();
+    }
+    points
 }
 
 /// Cracks moved by a small part of the spacing. A crack between the points of a lattice may run right through those of
