@@ -28,6 +28,7 @@ mod fracture_plane;
 mod frames;
 mod grading;
 mod held_borders;
+mod hole_stress;
 mod literature;
 mod orthotropic_elastic;
 mod orthotropic_fracture;

@@ -8,10 +8,10 @@
 //! Models: plates of central bonds ([`model::bond_plane`]), plates in antiplane shear ([`model::bond_antiplane`]),
 //! orthotropic plates of beam bonds whose points turn ([`model::beam_bond_orthotropic`]), Timoshenko beams
 //! ([`model::timoshenko_beam`]), solids of central bonds and state-based ones ([`model::solid`]). Bonds of beams, and of plates
-//! that move in their plane, can break ([`model::Breakable`]).
+//! that move in their plane, can break ([`model::Breakable`]). What displacements tell beside holes is [`recovery`].
 //!
 //! Modules use only what stands to their left:
-//! `sum → quadrature → law → material → bonds → body → condition → stiffness → model → system`.
+//! `sum → quadrature → recovery → law → material → bonds → body → condition → stiffness → model → system`.
 #![cfg_attr(test, allow(clippy::float_cmp))]
 
 pub mod body;
@@ -21,6 +21,7 @@ pub mod law;
 pub mod material;
 pub mod model;
 pub mod quadrature;
+pub mod recovery;
 mod register;
 pub mod stiffness;
 pub mod sum;

@@ -25,6 +25,9 @@ pub struct ProbeResult {
     pub field: Cow<'static, str>,
     /// Value.
     pub value: f64,
+    /// On a hole, what of the displacements around it the fields miss that give the value, as a share.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub misfit: Option<f64>,
 }
 
 /// The outcome of one check.

@@ -20,6 +20,7 @@ pub(crate) fn probes(scene: &BeamScene, result: &BeamResult) -> Vec<ProbeResult>
             place: p.place.clone(),
             field: p.field.name().into(),
             value: result.value(p.field, p.local.0, p.local.1)?,
+            misfit: None,
         })
     };
     scene.probes.iter().filter_map(probe).collect()

@@ -4,8 +4,9 @@ use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
-use crate::scene::body::{BodyScene, Has, Weights, of_points};
+use crate::scene::body::{BodyScene, Has, HoleRing, Weights, of_points};
 use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::recovery::hole::HoleFit;
 use std::borrow::Cow;
 
 /// Fields that are recovered from the bonds, with the numbers that points have in the model; images have those of their
@@ -58,6 +59,8 @@ pub struct BodyResult {
     pub mirrors: Vec<MirrorReaction>,
     /// Stress intensities, in the order of the case.
     pub intensities: Vec<f64>,
+    /// Fields around the holes on which probes ask for stresses.
+    pub(super) hole_fits: Vec<HoleFit>,
     /// Number of points of the model.
     points: usize,
     /// The fields that its points have, but for those that are zero everywhere by the nature of the body.
@@ -66,11 +69,11 @@ pub struct BodyResult {
     pub(super) multipliers: Vec<f64>,
 }
 
-/// Collects the result of a state; `intensities` are those of all states, by stress intensity.
+/// Collects the result of a state; `intensities` are those of all states, by stress intensity, `rings` are around holes.
 pub(super) fn collect(
     scene: &BodyScene,
     solved: SolvedState,
-    intensities: &[Vec<f64>],
+    (intensities, rings): (&[Vec<f64>], &[HoleRing]),
     recover: bool,
 ) -> BodyResult {
     let SolvedState { state: index, solution, certificate, load, .. } = solved;
@@ -85,7 +88,11 @@ pub(super) fn collect(
     };
     let intensities = intensities.iter().map(|k| k[index]).collect();
     let forces = (solution.multipliers, load, scene.asked(state));
-    BodyResult::new((scene, &*scene.model), record, forces, intensities, recover)
+    let hole_fits = rings.iter().filter_map(|ring| ring.fit(scene, state, &record.u)).collect();
+    BodyResult {
+        hole_fits,
+        ..BodyResult::new((scene, &*scene.model), record, forces, intensities, recover)
+    }
 }
 
 /// Index of a component of strains and stresses among those of a model.
@@ -103,7 +110,12 @@ fn von_mises(model: &dyn PlaneModel, stress: [f64; 3], z: f64) -> f64 {
 }
 
 /// A field that follows from the stresses of a point and the one across the plane; none of others.
-fn of_stress(origin: Origin, model: &dyn PlaneModel, stress: [f64; 3], across: f64) -> Option<f64> {
+pub(super) fn of_stress(
+    origin: Origin,
+    model: &dyn PlaneModel,
+    stress: [f64; 3],
+    across: f64,
+) -> Option<f64> {
     match origin {
         Origin::Across => Some(across),
         Origin::Strain(name, factor) => {
@@ -166,6 +178,7 @@ impl BodyResult {
             reactions,
             mirrors,
             intensities,
+            hole_fits: Vec::new(),
             points: scene.model.points(),
             shown: FieldName::PLANE
                 .into_iter()

@@ -98,7 +98,7 @@ fn tell(scene: &BodyScene, layer: &Layer, warnings: &mut Faults) {
         .warning(
             JsonPath::default().key("body"),
             format!(
-                "under a pull along {} the stress at {hole} falls within {thickness} of its border, and the horizon is {horizon}: its concentration comes out far too low",
+                "under a pull along {} the stress at {hole} falls within {thickness} of its border, and the horizon is {horizon}: at points its concentration comes out far too low",
                 ["the fibres", "the direction across the fibres"][layer.axis]
             ),
         )

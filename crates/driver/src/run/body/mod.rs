@@ -6,6 +6,7 @@ mod fields;
 mod fracture;
 mod gradient;
 mod grips;
+mod hole_fits;
 mod intensity;
 mod layers;
 mod levels;
@@ -26,7 +27,7 @@ use super::fracture::Restart;
 use super::{Counters, RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, prepare, solve_states};
 use crate::diagnostic::Faults;
 use crate::model::{AnyBody, with_body};
-use crate::scene::body::BodyScene;
+use crate::scene::body::{BodyScene, HoleRing};
 use fracture::BreakingPlane;
 use path::SofteningPlane;
 use peristat_assembly::model::plane::{BreakingModel, Solvable};
@@ -56,11 +57,14 @@ fn run_body<const D: usize>(
     let found = intensity::of_states(scene, options)?;
     let tips = tips::Tips::of(scene);
     let mut layers = layers::Layers::of(scene);
+    let rings = HoleRing::of(scene);
     let mut warnings = Faults::default();
     let mut take = |solved: SolvedState| {
         tips.check(scene, solved.state, &solved.solution.u, &mut warnings);
         layers.check(scene, &solved.solution.u, &mut warnings);
-        sink(fields::collect(scene, solved, &found.values, recover))
+        let result = fields::collect(scene, solved, (&found.values, &rings), recover);
+        hole_fits::check(&result, &mut warnings);
+        sink(result)
     };
     let mut report = solve_states(problem, (&system, sizes), &mut take)?;
     // What is stored per bond: triangles and springs are no bonds.

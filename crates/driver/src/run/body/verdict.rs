@@ -1,6 +1,6 @@
 //! Probes and checks on the result of a body in the plane.
 
-use super::BodyResult;
+use super::{BodyResult, hole_fits};
 use crate::case::Origin;
 use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
 use crate::scene::body::{BodyComparison, BodyProbe, BodyScene, Quantity};
@@ -15,6 +15,7 @@ pub(super) fn is_recovered(expectation: &Expectation<BodyComparison>) -> bool {
 /// Values of all probes on one state.
 pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult> {
     let probe = |p: &BodyProbe| {
+        let (value, misfit) = read(scene, result, p)?;
         Some(ProbeResult {
             name: p.name.clone(),
             state: result.record.name.clone(),
@@ -22,13 +23,22 @@ pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult>
             y: p.position.map(|at| at[1]),
             place: p.position.is_none().then(|| p.place.clone()),
             field: p.field_name().into(),
-            value: value(scene, result, &p.quantity)?,
+            value,
+            misfit,
         })
     };
     scene.probes.iter().filter_map(probe).collect()
 }
 
-/// What a probe finds.
+/// What a probe finds, on a hole with the misfit of the fields around it.
+fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) -> Option<(f64, Option<f64>)> {
+    match hole_fits::read(scene, result, probe) {
+        Some((value, misfit)) => Some((value, Some(misfit))),
+        None => Some((value(scene, result, &probe.quantity)?, None)),
+    }
+}
+
+/// What is found away from holes.
 fn value(scene: &BodyScene, result: &BodyResult, quantity: &Quantity) -> Option<f64> {
     match quantity {
         Quantity::Field { field, weights } => result.value(scene, *field, weights),
@@ -93,7 +103,7 @@ pub(crate) fn checks(scene: &BodyScene, result: &BodyResult) -> Vec<CheckResult>
     let fact = |name: &String| result.record.facts.as_ref()?.value(name);
     let probed = |k: usize| {
         let found = match scene.probes.get(k) {
-            Some(probe) => value(scene, result, &probe.quantity),
+            Some(probe) => read(scene, result, probe).map(|found| found.0),
             None => names.get(k - scene.probes.len()).and_then(fact),
         };
         found.unwrap_or(f64::NAN)

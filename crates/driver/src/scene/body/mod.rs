@@ -11,6 +11,7 @@ pub(crate) mod read;
 pub(crate) mod fail;
 
 mod doubts;
+mod hole_ring;
 mod motions;
 mod resolve;
 mod scene;
@@ -23,6 +24,8 @@ pub use hold::conditions::{Conditions, HeldPoints};
 pub use hold::held_edge::HeldEdge;
 pub use hold::rigid::{RIGID_KEYS, RigidPoints};
 pub use hold::supported::BodySupport;
+pub use hole_ring::HoleRing;
+pub(crate) use hole_ring::is_on;
 pub use load::sums::BodyLoads;
 pub use read::checks::BodyComparison;
 pub(crate) use read::fields::{Has, of_points};

@@ -106,13 +106,17 @@ pub fn probes<'a>(
     probes: impl Iterator<Item = &'a ProbeResult> + Clone,
     value: &dyn Fn(f64) -> String,
 ) -> Listing {
+    let fitted = probes.clone().any(|p| p.misfit.is_some());
     let row = |p: &ProbeResult| {
         let place = p.place.clone().or_else(|| Some(position(p.x?, p.y))).unwrap_or_default();
-        vec![p.name.clone(), p.state.clone(), p.field.to_string(), place, value(p.value)]
+        let mut cells = vec![p.name.clone(), p.state.clone(), p.field.to_string(), place, value(p.value)];
+        cells.extend(fitted.then(|| p.misfit.map_or(String::new(), |misfit| format!("{misfit:.1e}"))));
+        cells
     };
     let on_lines = probes.clone().all(|p| p.place.is_none() && p.y.is_none());
     let at = if on_lines { "x" } else { "at" };
-    Listing::whole(&["probe", "state", "field", at, "value"], probes.map(row).collect())
+    let header = ["probe", "state", "field", at, "value", "misfit"];
+    Listing::whole(&header[..5 + usize::from(fitted)], probes.map(row).collect())
 }
 
 /// The checks of a case; the last column says whether they passed.

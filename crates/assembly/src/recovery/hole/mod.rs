@@ -1,0 +1,152 @@
+//! Stresses at round and elliptic holes, from displacements of points around them.
+//!
+//! Close to a hole fields vary within a fraction of its size, and points see little of that. All elastic fields without
+//! tractions on the hole are known, though: complex potentials of Kolosov (1909) in isotropic materials, of Lekhnitskii (1968) in
+//! others, mapped to the outside of the unit circle. A few of them, fitted to the displacements of a ring of points, give
+//! the stress anywhere in the ring and on the hole, and the misfit tells whether the fields there are such.
+
+mod fit;
+mod kolosov;
+mod lekhnitskii;
+#[cfg(test)]
+mod tests;
+
+pub use fit::HoleFit;
+
+use kolosov::Kolosov;
+use lekhnitskii::Lekhnitskii;
+use nalgebra::{Complex, Matrix3};
+
+/// A complex number.
+type C = Complex<f64>;
+
+/// A material is isotropic whose compliances differ by no more from one that is.
+const ISOTROPIC: f64 = 1e-9;
+
+/// An ellipse with its axes along x and y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipse {
+    /// Its middle, m.
+    pub centre: [f64; 2],
+    /// Half its axes along x and y, m, > 0.
+    pub half_axes: [f64; 2],
+}
+
+impl Ellipse {
+    /// How many times larger the ellipse through a position is: one on its border.
+    pub fn level(&self, at: [f64; 2]) -> f64 {
+        let [x, y] = [0, 1].map(|k| (at[k] - self.centre[k]) / self.half_axes[k]);
+        x.hypot(y)
+    }
+
+    /// A position as a complex number from the middle.
+    fn from_centre(&self, at: [f64; 2]) -> C {
+        C::new(at[0] - self.centre[0], at[1] - self.centre[1])
+    }
+
+    /// Places on the border, all around it, equal steps of the parametric angle apart.
+    #[cfg(test)]
+    fn places(&self, count: usize) -> Vec<[f64; 2]> {
+        let [a, b] = self.half_axes;
+        let place = |k: usize| {
+            let (s, c) = (std::f64::consts::TAU * k as f64 / count as f64).sin_cos();
+            [self.centre[0] + a * c, self.centre[1] + b * s]
+        };
+        (0..count).map(place).collect()
+    }
+
+    /// Unit normal of the ellipse through a position, away from its middle.
+    pub fn normal(&self, at: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [0, 1].map(|k| (at[k] - self.centre[k]) / self.half_axes[k].powi(2));
+        let length = x.hypot(y);
+        [x / length, y / length]
+    }
+}
+
+/// Displacement `[u_x, u_y]`, m, and stress `[σ_xx, σ_yy, σ_xy]`, Pa, at a position.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Field {
+    /// Displacement.
+    pub displacement: [f64; 2],
+    /// Stress.
+    pub stress: [f64; 3],
+}
+
+/// Elastic fields outside an ellipse whose border is free of tractions: potentials of the powers ζ^±1 to ζ^±N, and the two
+/// translations.
+#[derive(Clone, Debug)]
+pub struct HoleFields {
+    ellipse: Ellipse,
+    order: usize,
+    compliance: [[f64; 3]; 3],
+    potentials: Potentials,
+}
+
+#[derive(Clone, Debug)]
+enum Potentials {
+    Isotropic(Kolosov),
+    Anisotropic(Lekhnitskii),
+}
+
+impl HoleFields {
+    /// Fields of the powers up to `order` in a material of this stiffness, Pa, from strains `[ε_xx, ε_yy, γ_xy]` to
+    /// stresses. None if it is not positive definite.
+    pub fn new(stiffness: &[[f64; 3]; 3], ellipse: Ellipse, order: usize) -> Option<Self> {
+        let matrix = Matrix3::from_fn(|r, c| 0.5 * (stiffness[r][c] + stiffness[c][r]));
+        let inverse = matrix.cholesky()?.inverse();
+        let s = std::array::from_fn(|r| std::array::from_fn(|c| inverse[(r, c)]));
+        let potentials = match is_isotropic(&s) {
+            true => Potentials::Isotropic(Kolosov::new(&s, ellipse)),
+            false => Potentials::Anisotropic(Lekhnitskii::new(&s, ellipse)?),
+        };
+        Some(Self { ellipse, order, compliance: s, potentials })
+    }
+
+    /// The hole.
+    pub fn ellipse(&self) -> &Ellipse {
+        &self.ellipse
+    }
+
+    /// How many fields there are.
+    pub fn count(&self) -> usize {
+        4 * self.order + 2
+    }
+
+    /// All fields at a position outside of the hole or on its border.
+    pub fn at(&self, position: [f64; 2]) -> Vec<Field> {
+        let mut fields = Vec::with_capacity(self.count());
+        match &self.potentials {
+            Potentials::Isotropic(kolosov) => kolosov.add(position, self.order, &mut fields),
+            Potentials::Anisotropic(lekhnitskii) => lekhnitskii.add(position, self.order, &mut fields),
+        }
+        fields.extend([[1.0, 0.0], [0.0, 1.0]].map(|u| Field { displacement: u, stress: [0.0; 3] }));
+        fields
+    }
+
+    /// A pressure on the border, Pa, which it is everywhere: σ = −p I.
+    fn pressed(&self, pressure: f64, position: [f64; 2]) -> Field {
+        let stress = [-pressure, -pressure, 0.0];
+        let strain: [f64; 3] =
+            std::array::from_fn(|r| (0..3).map(|c| self.compliance[r][c] * stress[c]).sum());
+        let [x, y] = [0, 1].map(|k| position[k] - self.ellipse.centre[k]);
+        let shear = 0.5 * strain[2];
+        Field { displacement: [strain[0] * x + shear * y, shear * x + strain[1] * y], stress }
+    }
+}
+
+/// Whether compliances are those of an isotropic material.
+fn is_isotropic(s: &[[f64; 3]; 3]) -> bool {
+    let off = [s[0][0] - s[1][1], s[2][2] - 2.0 * (s[0][0] - s[0][1]), s[0][2], s[1][2]];
+    off.iter().all(|x| x.abs() <= ISOTROPIC * s[0][0])
+}
+
+/// Image ζ, outside of the unit circle, of `z = ½ ((a − i μ b) ζ + (a + i μ b)/ζ)`, which takes that circle to an ellipse
+/// `a cos θ + μ b sin θ`; and dζ/dz.
+fn outside(z: C, [a, b]: [f64; 2], mu: C) -> [C; 2] {
+    let i = C::i();
+    let (outer, inner) = (a - i * mu * b, a + i * mu * b);
+    let root = (z * z - outer * inner).sqrt();
+    let both = [root, -root].map(|root| ((z + root) / outer, root));
+    let (zeta, root) = if both[0].0.norm_sqr() >= both[1].0.norm_sqr() { both[0] } else { both[1] };
+    [zeta, zeta / root]
+}

@@ -1,0 +1,192 @@
+//! Rings of points around round holes, whose displacements tell the stress on the hole.
+
+use super::scene::{BodyScene, BodyState};
+use crate::case::Load;
+use peristat_assembly::body::{BorderPart, Outline, Shape};
+use peristat_assembly::model::plane::Calibration;
+use peristat_assembly::recovery::hole::{Ellipse, HoleFields, HoleFit};
+
+/// Outer over inner radius of a ring.
+const WIDEST: f64 = 2.0;
+/// The same, at least: narrower rings do not tell the fields apart.
+const NARROWEST: f64 = 1.3;
+/// Highest powers of the fields: the first for which there are enough points.
+const ORDERS: [usize; 3] = [6, 4, 3];
+/// More points than this add nothing.
+const MOST_POINTS: usize = 4000;
+/// A probe is on a hole whose distance from it is no larger a part of the radius.
+const ON_BORDER: f64 = 1e-6;
+/// Places of a border at which its distance is measured.
+const PLACES: usize = 64;
+/// Horizons around a hole whose points its own pressure loads.
+const OWN: f64 = 3.0;
+/// Forces are none below this share of the largest.
+const NO_FORCE: f64 = 1e-12;
+
+/// Points around a round hole that nothing but a pressure on it acts on.
+#[derive(Clone, Debug)]
+pub struct HoleRing {
+    ellipse: Ellipse,
+    /// Numbers of its points in the model.
+    points: Vec<u32>,
+    /// Whether lines of symmetry across x and across y run through its middle.
+    mirrors: [bool; 2],
+    /// Pressure on the hole at a factor of one, by load case, Pa.
+    pressures: Vec<f64>,
+}
+
+impl HoleRing {
+    /// Rings of the holes on which probes ask for stresses. Bodies that break, that are revolved or curved, or whose moduli are not
+    /// those of the material, have none.
+    pub(crate) fn of(scene: &BodyScene) -> Vec<Self> {
+        let is_curved = scene.model.component("w").is_some() || scene.model.is_revolved();
+        let is_exact = scene.material().about().calibration == Calibration::Matched;
+        let (Some(outline), true) = (scene.outline(), is_exact && !is_curved && !scene.case.is_traced())
+        else {
+            return Vec::new();
+        };
+        let asked = |ellipse: &Ellipse| {
+            let mut places = scene.probes.iter().filter(|p| p.is_recovered()).filter_map(|p| p.position);
+            places.any(|at| is_on(ellipse, at))
+        };
+        let ring = |k: usize| {
+            let Shape::Circle { centre, radius } = outline.holes()[k].shape else { return None };
+            let ellipse = Ellipse { centre, half_axes: [radius; 2] };
+            asked(&ellipse).then(|| Self::new(scene, outline, k, ellipse)).flatten()
+        };
+        (0..outline.holes().len()).filter_map(ring).collect()
+    }
+
+    fn new(scene: &BodyScene, outline: &Outline, hole: usize, ellipse: Ellipse) -> Option<Self> {
+        let radius = ellipse.half_axes[0];
+        let pressures = pressures(scene, outline.holes()[hole].name.as_deref())?;
+        let mirrors = mirrors(scene, &ellipse);
+        let free = to_other_borders(scene, outline, hole, &ellipse) - scene.horizon() / radius;
+        let mut inside = WIDEST.min(free);
+        let own = match pressures.iter().any(|p| *p != 0.0) {
+            true => 1.0 + OWN * scene.horizon() / radius,
+            false => 1.0,
+        };
+        let level = |p: usize| ellipse.level(scene.model.place(p));
+        for p in loaded(scene)?.into_iter().filter(|p| level(*p) > own).chain(held(scene)) {
+            inside = inside.min(level(p));
+        }
+        if inside < NARROWEST {
+            return None;
+        }
+        let points: Vec<usize> = scene.real_points().filter(|p| (1.0..inside).contains(&level(*p))).collect();
+        let step = points.len().div_ceil(MOST_POINTS).max(1);
+        let points = points.into_iter().step_by(step).map(|p| p as u32).collect();
+        Some(Self { ellipse, points, mirrors, pressures })
+    }
+
+    /// The fields nearest to the displacements of a state.
+    pub(crate) fn fit(&self, scene: &BodyScene, state: &BodyState, u: &[f64]) -> Option<HoleFit> {
+        let n = scene.model.points();
+        let pressure = state.terms.iter().map(|&(k, factor)| factor * self.pressures[k]).sum();
+        let signs = |mirrored: bool| if mirrored { &[1.0, -1.0][..] } else { &[1.0] };
+        let images: Vec<[f64; 2]> = signs(self.mirrors[0])
+            .iter()
+            .flat_map(|x| signs(self.mirrors[1]).iter().map(move |y| [*x, *y]))
+            .collect();
+        let centre = self.ellipse.centre;
+        let moved = |&p: &u32| {
+            let (at, u) = (scene.model.place(p as usize), [u[p as usize], u[n + p as usize]]);
+            let image = move |sign: &[f64; 2]| {
+                let place = [0, 1].map(|k| centre[k] + sign[k] * (at[k] - centre[k]));
+                (place, [0, 1].map(|k| sign[k] * u[k]))
+            };
+            images.iter().map(image)
+        };
+        ORDERS.into_iter().find_map(|order| {
+            let fields = HoleFields::new(&scene.model.stiffness(), self.ellipse, order)?;
+            HoleFit::new(fields, pressure, self.points.iter().flat_map(moved))
+        })
+    }
+}
+
+/// Whether a place is on the border of a hole.
+pub(crate) fn is_on(ellipse: &Ellipse, at: [f64; 2]) -> bool {
+    (ellipse.level(at) - 1.0).abs() <= ON_BORDER
+}
+
+/// Pressures on a hole by load case; none if another traction acts on it.
+fn pressures(scene: &BodyScene, name: Option<&str>) -> Option<Vec<f64>> {
+    let case = &scene.case;
+    let of_loads = |loads: &[Load]| {
+        let mine = loads.iter().filter_map(|load| match load {
+            Load::Traction(traction) if Some(&*traction.edge) == name => Some(traction.pressure),
+            _ => None,
+        });
+        mine.sum::<Option<f64>>()
+    };
+    match case.load_cases.is_empty() {
+        true => Some(vec![of_loads(&case.loads)?]),
+        false => case.load_cases.iter().map(|c| of_loads(&c.loads)).collect(),
+    }
+}
+
+/// Whether lines of symmetry run through the middle of a hole.
+fn mirrors(scene: &BodyScene, ellipse: &Ellipse) -> [bool; 2] {
+    [0, 1].map(|k| {
+        let at = &scene.recipe.symmetry.at[2 * k..2 * k + 2];
+        at.iter().flatten().any(|at| (at - ellipse.centre[k]).abs() <= ON_BORDER * ellipse.half_axes[k])
+    })
+}
+
+/// Level of the nearest other border or crack. Lines of symmetry through the middle are none.
+fn to_other_borders(scene: &BodyScene, outline: &Outline, hole: usize, ellipse: &Ellipse) -> f64 {
+    let level = |at: [f64; 2]| ellipse.level(at);
+    let nearest = |part: BorderPart| {
+        let foot = match part {
+            BorderPart::Straight { from, to, .. } => foot(ellipse.centre, from, to),
+            BorderPart::Round { .. } => 0.0,
+        };
+        let places = (0..=PLACES).map(|k| k as f64 / PLACES as f64).chain([foot]);
+        places.map(|share| level(part.at(share))).fold(f64::INFINITY, f64::min)
+    };
+    let through = |from: [f64; 2], to: [f64; 2]| {
+        let near = |k: usize| {
+            [from, to].iter().all(|p| (p[k] - ellipse.centre[k]).abs() <= ON_BORDER * ellipse.half_axes[k])
+        };
+        (0..2).any(near)
+    };
+    let symmetry = &scene.recipe.symmetry;
+    let others = outline.edges().iter().filter(|e| !(symmetry.replaces(&e.name) && through(e.from, e.to)));
+    let parts = others.flat_map(|edge| outline.edge_parts(edge));
+    let holes = (0..outline.holes().len()).filter(|k| *k != hole).flat_map(|k| outline.hole_parts(k));
+    let cracks = scene.cracks.iter().flat_map(|crack| {
+        let pieces = crack.crack.vertices().windows(2);
+        pieces.map(|ends| BorderPart::Straight { from: ends[0], to: ends[1], normal: [0.0; 2] })
+    });
+    parts.chain(holes).chain(cracks).map(nearest).fold(f64::INFINITY, f64::min)
+}
+
+/// Share of a segment at which it is nearest to a place.
+fn foot(place: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let along = [0, 1].map(|k| to[k] - from[k]);
+    let up = along[0] * (place[0] - from[0]) + along[1] * (place[1] - from[1]);
+    (up / (along[0] * along[0] + along[1] * along[1])).clamp(0.0, 1.0)
+}
+
+/// Points that loads act on; none if all of them may be such.
+fn loaded(scene: &BodyScene) -> Option<Vec<usize>> {
+    let n = scene.model.points();
+    let mut found = Vec::new();
+    for loads in &scene.load_cases {
+        if loads.density != [0.0; 2] || loads.spin != 0.0 {
+            return None;
+        }
+        let mut force = vec![0.0; scene.model.components().len() * n];
+        loads.add_to(&*scene.model, 1.0, &mut force);
+        let most = force[..2 * n].iter().fold(0.0_f64, |most, f| most.max(f.abs()));
+        let acts = |p: &usize| force[*p].abs().max(force[n + p].abs()) > NO_FORCE * most;
+        found.extend((0..n).filter(acts));
+    }
+    Some(found)
+}
+
+/// Points that supports, rigid regions or springs hold.
+fn held(scene: &BodyScene) -> impl Iterator<Item = usize> + '_ {
+    scene.conditions.held_points().chain(scene.conditions.springs.iter().map(|s| s.point))
+}
