@@ -16,7 +16,24 @@ from pareto_problems import Plate  # noqa: E402
 
 COMMAND = sys.argv[1] if len(sys.argv) > 1 else str(Path(__file__).parent.parent / "target/release/peristat")
 FORMS = ["none", "overlay", "border"]
+STATE_FORMS = ["none", "ghosts", "border"]
 E = 70000.0
+# Poisson's ratio of the models that do not fix it.
+NU = 0.3
+ELASTIC = {
+    "bond_plane": {"youngs_modulus": E, "state": "plane_stress", "calibration": "matched"},
+    "beam_bond_orthotropic": {
+        "youngs_modulus_1": E,
+        "youngs_modulus_2": E,
+        "poisson_ratio_12": NU,
+        "shear_modulus_12": E / (2 + 2 * NU),
+        "fibre_angle": 0,
+        "calibration": "matched",
+    },
+    "state_plane": {"youngs_modulus": E, "poisson_ratio": NU, "state": "plane_stress"},
+}
+RING = "displacements / hoop stress at points / on the bore"
+HOLE = [{"circle": {"centre": [128, 128], "radius": 51.2}}]
 
 
 def solve(case):
@@ -43,9 +60,9 @@ def values(case):
     return [probe["value"] for probe in solve(case)["probes"]]
 
 
-def plate(form, body, ratio=3, **more):
-    model = {"youngs_modulus": E, "state": "plane_stress", "edges": form, "calibration": "matched"}
-    case = {"title": "edges", "units": "mm-N-MPa", "model": {"bond_plane": model}, "body": body, "horizon_ratio": ratio}
+def plate(form, body, ratio=3, kind="bond_plane", **more):
+    model = {kind: ELASTIC[kind] | {"edges": form}}
+    case = {"title": "edges", "units": "mm-N-MPa", "model": model, "body": body, "horizon_ratio": ratio}
     return case | more
 
 
@@ -69,8 +86,8 @@ def pulled(form, ratio, **more):
     return plate(form, rectangle([40, 20]), ratio, supports=supports, probes=probes, **more)
 
 
-def held(form, ratio):
-    force, corner, free = values(pulled(form, ratio))
+def held(form, ratio, **more):
+    force, corner, free = values(pulled(form, ratio, **more))
     return [force / 14000 - 1, corner / 700 - 1, free / 700 - 1]
 
 
@@ -135,29 +152,35 @@ def first_break(form):
     return 2 * solve(case)["fracture"]["facts"]["first_break_load_factor"]
 
 
-def ring(form, ratio, count):
+def ring(form, ratio, count, kind="bond_plane"):
     """A quarter of a ring, 10 to 25, under a pressure of 100 inside (Lamé), `count` points per inner radius: the mean error of
-    displacements and the largest of the hoop stress, per the largest."""
+    displacements, and the largest of the hoop stress at points and on the bore, per the largest."""
     a, b, p = 10.0, 25.0, 100.0
     arc = [[round(b * math.cos(math.pi * k / 360), 12), round(b * math.sin(math.pi * k / 360), 12)] for k in range(181)]
     bore = {"circle": {"name": "bore", "centre": [0, 0], "radius": a}}
     body = {"outline": {"vertices": [[0, 0], *arc], "spacing": a / count, "holes": [bore]}}
     load = {"traction": {"edge": "bore", "pressure": p}}
-    _, points = solve_with_fields(plate(form, body, ratio, symmetry=["left", "bottom"], loads=[load]))
+    # Stress along x over the middle and along y beside it: both are the hoop stress there.
+    probes = [probe(0, a, "stress_xx", inward=[0, 1]), probe(a, 0, "stress_yy", inward=[1, 0])]
+    case = plate(form, body, ratio, kind, symmetry=["left", "bottom"], loads=[load], probes=probes)
+    summary, points = solve_with_fields(case)
     size = p * a**2 / (b**2 - a**2)
+    nu = 1 / 3 if kind == "bond_plane" else NU
+    most = size * (1 + b**2 / a**2)
+    bore = max(abs(found["value"] / most - 1) for found in summary["probes"])
     off = whole = hoop = 0.0
     for q in points:
         r = math.hypot(q["x"], q["y"])
         c, s = q["x"] / r, q["y"] / r
-        radial = size / E * (2 / 3 * r + 4 / 3 * b**2 / r)
+        radial = size / E * ((1 - nu) * r + (1 + nu) * b**2 / r)
         off += (q["ux"] - radial * c) ** 2 + (q["uy"] - radial * s) ** 2
         whole += radial**2
         found = q["stress_xx"] * s**2 + q["stress_yy"] * c**2 - 2 * q["stress_xy"] * s * c
-        hoop = max(hoop, abs(found - size * (1 + b**2 / r**2)) / (size * (1 + b**2 / a**2)))
-    return math.sqrt(off / whole), hoop
+        hoop = max(hoop, abs(found - size * (1 + b**2 / r**2)) / most)
+    return math.sqrt(off / whole), hoop, bore
 
 
-def slanted(form, ratio, rows):
+def slanted(form, ratio, rows, kind="bond_plane"):
     """A strip 40 x 16 in pure bending, turned by 0.3 to the rows: the largest error of a normal stress, per the largest."""
     c, s = math.cos(0.3), math.sin(0.3)
     vertices = [[c * x - s * y, s * x + c * y] for x, y in [[-20, -8], [20, -8], [20, 8], [-20, 8]]]
@@ -166,6 +189,7 @@ def slanted(form, ratio, rows):
         form,
         {"outline": {"vertices": vertices, "spacing": 16 / rows}},
         ratio,
+        kind,
         supports=[{"at": {"x": 0, "y": 0}, "ux": 0, "uy": 0}, {"at": {"x": 12 * c, "y": 12 * s}, "uy": 0}],
         loads=[{"traction": {"edge": edge, "linear": profile}} for edge in ("edge_2", "edge_4")],
     )
@@ -178,11 +202,12 @@ def slanted(form, ratio, rows):
     return worst
 
 
-def iterations(form, solver, size, **more):
+def iterations(form, solver, size, kind="bond_plane", **more):
     """Conjugate gradients of a clamped square under shear."""
     case = plate(
         form,
         rectangle([size, size], **more),
+        kind=kind,
         supports=[{"at": {"region": "left"}, "ux": 0, "uy": 0}],
         loads=[{"traction": {"edge": "right", "uniform": [0, -1]}}],
         solver=solver,
@@ -196,11 +221,30 @@ def row(name, found):
     print(f"| {name} | " + " | ".join(found) + " |", flush=True)
 
 
+def head(forms):
+    print("| | " + " | ".join(f"`{form}`" for form in forms) + " |\n|---|" + "---|" * len(forms))
+
+
+def percent(found):
+    return " / ".join(f"{100 * v:.2g} %" for v in found)
+
+
+def others(kind, forms):
+    """Rows of a model other than central bonds."""
+    head(forms)
+    row("strip between held edges, m = 3: force / corner stress / stress at the free edge", [percent(held(form, 3, kind=kind)) for form in forms])
+    for count in (10, 20):
+        row(f"ring under pressure, m = 3, {count} points per radius: {RING}", [percent(ring(form, 3, count, kind)) for form in forms])
+    for rows in (16, 32):
+        row(f"slanted strip in bending, m = 3, {rows} rows: stress", [percent([slanted(form, 3, rows, kind)]) for form in forms])
+    row("multigrid iterations, 256 x 256", [str(iterations(form, "multigrid", 256, kind)[0]) for form in forms])
+    row("multigrid iterations, 256 x 256 with a hole", [str(iterations(form, "multigrid", 256, kind, holes=HOLE)[0]) for form in forms])
+
+
 def main():
-    print("| | " + " | ".join(f"`{form}`" for form in FORMS) + " |\n|---|" + "---|" * len(FORMS))
+    head(FORMS)
     for ratio in (2, 3, 4):
-        cells = [" / ".join(f"{100 * v:.2g} %" for v in held(form, ratio)) for form in FORMS]
-        row(f"strip between held edges, m = {ratio}: force / corner stress / stress at the free edge", cells)
+        row(f"strip between held edges, m = {ratio}: force / corner stress / stress at the free edge", [percent(held(form, ratio)) for form in FORMS])
     for ratio in (2, 3, 4):
         row(f"angle under one stress with shear, m = {ratio}: stress at the re-entrant corner", [f"{angle(form, ratio):.1e}" for form in FORMS])
     for ratio in (2, 3):
@@ -211,19 +255,21 @@ def main():
             row(f"free plate under smooth tractions, m = {ratio}, {rows} rows", [f"{smooth(form, ratio, rows):.2e}" for form in FORMS])
     for ratio in (2, 3):
         for count in (5, 10, 20, 40):
-            cells = [" / ".join(f"{100 * v:.2g} %" for v in ring(form, ratio, count)) for form in FORMS]
-            row(f"ring under pressure, m = {ratio}, {count} points per radius: displacements / hoop stress", cells)
+            row(f"ring under pressure, m = {ratio}, {count} points per radius: {RING}", [percent(ring(form, ratio, count)) for form in FORMS])
     for ratio in (2, 3):
         for rows in (8, 16, 32):
             row(f"slanted strip in bending, m = {ratio}, {rows} rows: stress", [f"{100 * slanted(form, ratio, rows):.2g} %" for form in FORMS])
     row("first break over the nominal strain", [f"{first_break(form):.4f}" for form in FORMS])
     for size in (64, 256):
         row(f"multigrid iterations, {size} x {size}", [str(iterations(form, "multigrid", size)[0]) for form in FORMS])
-    hole = [{"circle": {"centre": [128, 128], "radius": 51.2}}]
-    row("multigrid iterations, 256 x 256 with a hole", [str(iterations(form, "multigrid", 256, holes=hole)[0]) for form in FORMS])
+    row("multigrid iterations, 256 x 256 with a hole", [str(iterations(form, "multigrid", 256, holes=HOLE)[0]) for form in FORMS])
     row("Jacobi iterations, 64 x 64", [str(iterations(form, "pcg", 64)[0]) for form in FORMS])
     cost = [min(iterations(form, "multigrid", 500)[1] for _ in range(3)) for form in FORMS]
     row("assembly and solution, 500 x 500, per point", [f"{1e6 * seconds:.1f} µs" for seconds in cost])
+    print("\nBeam bonds, isotropic, Poisson's ratio 0.3:\n")
+    others("beam_bond_orthotropic", FORMS)
+    print("\nState-based families, Poisson's ratio 0.3:\n")
+    others("state_plane", STATE_FORMS)
 
 
 main()
