@@ -2,6 +2,7 @@
 
 use super::scene::{BodyScene, BodyState};
 use crate::case::Load;
+use crate::model::Surface;
 use peristat_assembly::body::{BorderPart, Outline, Shape};
 use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::recovery::hole::{Ellipse, HoleFields, HoleFit};
@@ -39,7 +40,8 @@ impl HoleRing {
     /// Rings of the holes on which probes ask for stresses. Bodies that break, that are revolved or curved, or whose moduli are not
     /// those of the material, have none.
     pub(crate) fn of(scene: &BodyScene) -> Vec<Self> {
-        let is_curved = scene.model.component("w").is_some() || scene.model.is_revolved();
+        // The fields are those of bodies that move in their plane.
+        let is_curved = scene.material().about().surface != Surface::Flat || scene.model.along(0).is_none();
         let is_exact = scene.material().about().calibration == Calibration::Matched;
         let (Some(outline), true) = (scene.outline(), is_exact && !is_curved && !scene.case.is_traced())
         else {
@@ -174,7 +176,7 @@ fn loaded(scene: &BodyScene) -> Option<Vec<usize>> {
     let n = scene.model.points();
     let mut found = Vec::new();
     for loads in &scene.load_cases {
-        if loads.density != [0.0; 2] || loads.spin != 0.0 {
+        if loads.density != [0.0; 3] || loads.spin != 0.0 {
             return None;
         }
         let mut force = vec![0.0; scene.model.components().len() * n];
