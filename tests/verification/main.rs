@@ -50,6 +50,7 @@ mod reactions;
 mod ring_tractions;
 mod section_forces;
 mod sections;
+mod served;
 mod shell;
 mod short_beams;
 mod skipping;

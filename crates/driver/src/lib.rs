@@ -20,7 +20,14 @@
 //! // F L³/(3 EI) + F L/(κGA) for this section.
 //! assert!((tip - 0.00320624).abs() < 1e-13 * 0.00320624);
 //! assert!(solved.summary.states[0].certificate.converged);
-//! # Ok::<(), peristat::Error>(())
+//!
+//! // Fields by name, one value per point: `points` says where these are, `volumes` how large.
+//! let (points, deflection) = (solved.points(), solved.field(0, "w")?);
+//! assert_eq!((points.len(), points[96]), (97, [1.0, 0.0, 0.0]));
+//! assert_eq!(deflection[96], tip);
+//! let missing = solved.field(0, "ux").unwrap_err();
+//! assert!(missing.to_string().starts_with("there is no field `ux`; there are w, phi, M, V"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 pub mod case;
@@ -33,9 +40,12 @@ pub mod reference;
 pub mod results;
 pub mod run;
 pub mod scene;
+mod solved;
 pub mod study;
 pub mod summary;
 pub mod units;
+
+pub use solved::{FieldError, Solved};
 
 use diagnostic::{Diagnostic, Faults, Report, Severity};
 use input::{Folder, Reach};
@@ -82,15 +92,6 @@ impl From<Report> for Error {
     }
 }
 
-/// A solved scene.
-#[derive(Debug)]
-pub struct Solved {
-    /// The record of the run.
-    pub summary: Summary,
-    /// Unknowns and fields of every state.
-    pub states: Vec<StateResult>,
-}
-
 /// Reads a case from a text and solves it, with all fields recovered.
 ///
 /// # Errors
@@ -98,15 +99,7 @@ pub struct Solved {
 pub fn solve_text(text: &str) -> Result<Solved, Error> {
     let source = case::from_text("case", text.into(), &[]).map_err(Error::Case)?;
     let loaded = Loaded::from_source(source, Path::new(".").into(), None)?;
-    let mut states = Vec::new();
-    let options = RunOptions { recover: true, max_memory: None, compare: true };
-    let mut push = taking(|result| {
-        states.push(result);
-        Ok(())
-    });
-    let summary = loaded.run(&options, None, &mut push)?;
-    drop(push);
-    Ok(Solved { summary, states })
+    loaded.solve(&RunOptions { recover: true, max_memory: None, compare: true })
 }
 
 /// A scene with the text it came from.
@@ -154,6 +147,21 @@ impl Loaded {
     pub fn warnings(&self) -> Option<Report> {
         let report = self.scene.warnings().clone().into_report(&self.file, &self.text);
         (!report.diagnostics.is_empty()).then_some(report)
+    }
+
+    /// Solves every state and keeps all results, with their fields where `options` ask for these.
+    ///
+    /// # Errors
+    /// As [`Loaded::run`].
+    pub fn solve(self, options: &RunOptions) -> Result<Solved, Error> {
+        let mut states = Vec::new();
+        let mut push = taking(|result| {
+            states.push(result);
+            Ok(())
+        });
+        let summary = self.run(options, None, &mut push)?;
+        drop(push);
+        Ok(Solved { scene: self.scene, summary, states })
     }
 
     /// Solves every state; `sink` gets each result as it comes. A body that breaks goes on from `resume`.

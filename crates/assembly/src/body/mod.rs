@@ -65,6 +65,18 @@ impl PlaneBody {
         }
     }
 
+    /// Visits the positions of all points, m, in their order: in a lattice by rows, which spares the search for each cell.
+    pub fn visit(&self, mut visit: impl FnMut([f64; 2])) {
+        match self {
+            Self::Lattice(lattice) => {
+                for run in lattice.runs() {
+                    run.columns.clone().for_each(|column| visit(lattice.place_of(run.cell(column))));
+                }
+            }
+            Self::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(*at)),
+        }
+    }
+
     /// Area of a point, m².
     pub fn area(&self, point: usize) -> f64 {
         match self {

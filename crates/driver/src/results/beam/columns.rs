@@ -9,12 +9,6 @@ use crate::scene::beam::BeamScene;
 const LEFT: [(FieldName, &str); 3] =
     [(FieldName::N, "N_left"), (FieldName::V, "V_left"), (FieldName::M, "M_left")];
 
-/// Values of a field at all real points, line by line.
-pub(super) fn all(result: &BeamResult, field: FieldName) -> Option<Vec<f64>> {
-    let lines: Option<Vec<_>> = (0..result.lines.len()).map(|l| result.values(field, l)).collect();
-    Some(lines?.concat())
-}
-
 /// Values of a field to the left of all real points, where it may jump.
 pub(super) fn all_left(result: &BeamResult, field: FieldName) -> Option<Vec<f64>> {
     let lines: Option<Vec<_>> = (0..result.lines.len()).map(|l| result.left_values(field, l)).collect();
@@ -44,7 +38,7 @@ pub(super) fn places(scene: &BeamScene, result: &BeamResult) -> Vec<Column> {
 
 /// The fields that a state has.
 pub(in crate::results) fn fields(result: &BeamResult) -> impl Iterator<Item = Column> {
-    result.fields().iter().filter_map(|&f| Some((f.name(), all(result, f)?)))
+    result.fields().iter().filter_map(|&f| Some((f.name(), result.all_values(f)?.into_owned())))
 }
 
 /// Section forces to the left of the points; those of lines in the order in which readers know them.

@@ -83,7 +83,7 @@ pub(super) fn draw(
 /// Takes both sides of every point into account.
 fn widen(envelope: &mut Envelope, result: &BeamResult) {
     for field in ENVELOPE.into_iter().filter(|f| result.fields().contains(f)) {
-        let sides = [columns::all(result, field), columns::all_left(result, field)];
+        let sides = [result.all_values(field), columns::all_left(result, field).map(Into::into)];
         sides.iter().flatten().for_each(|values| envelope.widen(field.name(), values));
     }
 }

@@ -93,31 +93,18 @@ pub(super) fn draw(folder: Option<&Path>, scene: &BodyScene, result: &BodyResult
 fn places(scene: &BodyScene) -> Vec<super::Column> {
     let body = scene.body();
     let (mut x, mut y) = (Vec::with_capacity(body.points()), Vec::with_capacity(body.points()));
-    positions(scene, |[a, b]| {
+    body.visit(|[a, b]| {
         x.push(a);
         y.push(b);
     });
     vec![("x", x), ("y", y)]
 }
 
-/// Visits the positions of all points of the body in their order.
-fn positions(scene: &BodyScene, mut visit: impl FnMut([f64; 2])) {
-    use peristat_assembly::body::PlaneBody;
-    match scene.body() {
-        PlaneBody::Lattice(lattice) => {
-            for run in lattice.runs() {
-                run.columns.clone().for_each(|column| visit(lattice.place_of(run.cell(column))));
-            }
-        }
-        PlaneBody::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(*at)),
-    }
-}
-
 /// Writes the points, the cells between them and their fields as a grid; a shell as the cylinder that it is.
 fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<()> {
     let radius = scene.material().cylinder_radius();
     let (mut points, mut angles) = (Vec::with_capacity(scene.body().points()), Vec::new());
-    positions(scene, |[x, y]| match radius {
+    scene.body().visit(|[x, y]| match radius {
         Some(r) => {
             let (sin, cos) = (y / r).sin_cos();
             points.push([x, r * sin, r * cos]);

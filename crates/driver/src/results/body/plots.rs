@@ -1,6 +1,5 @@
 //! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage.
 
-use super::positions;
 use super::raster::Raster;
 use crate::case::FieldName;
 use crate::output::plot::{self, Map, Patch, write_map};
@@ -67,7 +66,7 @@ fn range(scene: &BodyScene, values: &[f64]) -> ([f64; 2], String) {
 /// Length of the diagonal around the points.
 pub(super) fn size_of(scene: &BodyScene) -> f64 {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    positions(scene, |at| {
+    scene.body().visit(|at| {
         (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
     });
     (high[0] - low[0]).hypot(high[1] - low[1])

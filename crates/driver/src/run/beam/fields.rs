@@ -143,6 +143,15 @@ impl BeamResult {
         }
     }
 
+    /// Values of a field at all real points, line by line.
+    pub fn all_values(&self, field: FieldName) -> Option<Cow<'_, [f64]>> {
+        if self.lines.len() == 1 {
+            return self.values(field, 0);
+        }
+        let lines: Option<Vec<_>> = (0..self.lines.len()).map(|line| self.values(field, line)).collect();
+        Some(lines?.concat().into())
+    }
+
     /// Displacements of all real points in the plane, line by line.
     pub fn displacements(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         self.lines.iter().flat_map(|line| self.displacements_on(line))

@@ -1,8 +1,15 @@
 //! Which part of a line belongs to which point.
 
-use super::{Chain, Grid};
+use super::{Chain, Grid, Line};
 
 impl Chain {
+    /// Positions of the real points in the plane, m.
+    pub fn places(&self) -> impl Iterator<Item = [f64; 2]> {
+        let Line { origin, direction, .. } = &self.line;
+        let along = (0..self.points).map(|k| self.position(self.ghosts[0] + k));
+        along.map(|x| [0, 1].map(|k| origin[k] + x * direction[k]))
+    }
+
     /// The real point nearest to a coordinate.
     pub fn nearest(&self, x: f64) -> usize {
         let last = self.points - 1;
