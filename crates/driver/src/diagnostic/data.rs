@@ -4,7 +4,6 @@ use super::Diagnostic;
 use super::excerpt::{clip, quote};
 use super::locate::{Place, locate};
 use super::path::JsonPath;
-use super::syntax::offset;
 
 /// How alike two names must be (Jaro-Winkler) for the one to be offered for the other.
 const ALIKE: f64 = 0.75;
@@ -13,11 +12,8 @@ const FOUND: usize = 40;
 const ONE_KEY: &str = "an object with one key";
 const NO_VALUES: &str = "no values";
 
-/// The diagnostic of an error that `serde_json` calls data, at `path`.
-pub(super) fn diagnose(text: &str, path: JsonPath, error: &serde_json::Error) -> Diagnostic {
-    let full = error.to_string();
-    let end = full.rfind(" at line ").filter(|_| error.line() > 0);
-    let raw = &full[..end.unwrap_or(full.len())];
+/// The diagnostic of what `serde` says of a value that does not fit, at `path`; up to the byte `at` the text was read.
+pub(super) fn diagnose(text: &str, path: JsonPath, raw: &str, at: usize) -> Diagnostic {
     let named = |start: &str| raw.strip_prefix(start)?.strip_suffix('`');
     if let Some(rest) = raw.strip_prefix("unknown field `") {
         let (name, allowed) = unknown(rest);
@@ -36,10 +32,10 @@ pub(super) fn diagnose(text: &str, path: JsonPath, error: &serde_json::Error) ->
     }
     if let Some(name) = named("duplicate field `") {
         let mut diagnostic = Diagnostic::error(path.key(name), format!("`{name}` stands twice"));
-        // The path leads to the first of the two; the parser stopped at the closing quote of the second.
-        let quote = offset(text, error.line(), error.column());
+        // The path leads to the first of the two; the text was read up to the end of the second.
+        let quote = at.saturating_sub(1);
         let start = text.get(..quote).and_then(|before| before.rfind('"'));
-        diagnostic.span = start.map(|start| start..quote + 1).filter(|span| text.get(span.clone()).is_some());
+        diagnostic.span = start.map(|start| start..at).filter(|span| text.get(span.clone()).is_some());
         return diagnostic;
     }
     misfit(text, path, raw)

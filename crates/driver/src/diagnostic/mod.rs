@@ -9,6 +9,7 @@
 mod check;
 mod data;
 mod excerpt;
+mod json;
 pub mod locate;
 mod parse;
 mod path;

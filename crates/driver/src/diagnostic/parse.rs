@@ -1,10 +1,10 @@
-//! Bytes to text to a typed case, with every fault of `serde_json` as a [`Report`].
+//! Bytes to text to a typed case, with every fault as a [`Report`].
 
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde_json::Value;
-use serde_json::error::Category;
 
-use super::path::{JsonPath, Segment};
+use super::json::{self, Fault};
+use super::path::JsonPath;
 use super::{Diagnostic, Report, data, syntax};
 
 /// The text of a file: UTF-8, without a byte order mark.
@@ -32,54 +32,26 @@ pub fn decode(file: &str, mut bytes: Vec<u8>) -> Result<String, Report> {
 /// # Errors
 /// The first fault of syntax, or else the first value that does not fit the type.
 pub fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T, Report> {
-    let mut source = serde_json::Deserializer::from_str(text);
-    let error = match serde_path_to_error::deserialize(&mut source) {
-        Ok(case) => match source.end() {
-            Ok(()) => return Ok(case),
-            Err(error) => return Err(Report::of(file, text, syntax::diagnose(text, &error))),
-        },
-        Err(error) => error,
-    };
-    let path = to_path(error.path());
-    Err(Report::of(file, text, diagnose::<T>(text, path, error.inner())))
+    json::read(text).map_err(|fault| Report::of(file, text, diagnose(text, &fault)))
 }
 
-/// A fault of syntax comes first, wherever it stands. Between well-formed text and the type, the streaming
-/// parser calls some misfits a fault of syntax as well (a number where an enum is expected, a list that is
-/// too long): those are read once more from a tree, which names them rightly. Only the error path pays for
-/// that.
-fn diagnose<T: DeserializeOwned>(text: &str, path: JsonPath, error: &serde_json::Error) -> Diagnostic {
+/// A fault of syntax comes first, wherever it stands; `serde_json` has the words for it.
+fn diagnose(text: &str, fault: &Fault) -> Diagnostic {
+    let misfit = fault.misfit();
     let mut syntax_error = serde_json::from_str::<IgnoredAny>(text).err();
-    let mut tree = None;
-    if syntax_error.is_none() && error.classify() != Category::Data {
-        match serde_json::from_str::<Value>(text) {
-            Ok(value) => tree = Some(value),
-            // What a tree cannot hold: 1e999, a lone surrogate, nesting beyond the limit.
-            Err(error) => syntax_error = Some(error),
+    if syntax_error.is_none() && (misfit.is_none() || json::read::<IgnoredAny>(text).is_err()) {
+        // What is only found in values that are kept: 1e999, a lone surrogate, nesting beyond the limit.
+        syntax_error = serde_json::from_str::<Value>(text).err();
+    }
+    match syntax_error {
+        Some(error) => {
+            let diagnostic = syntax::diagnose(text, &error);
+            // A string without an end may have begun anywhere before.
+            let is_placed = misfit.is_none() && !diagnostic.message.contains("inside a string");
+            if is_placed { Diagnostic { path: fault.path(), ..diagnostic } } else { diagnostic }
         }
+        None => data::diagnose(text, fault.path(), misfit.unwrap_or_default(), fault.at()),
     }
-    if let Some(found) = syntax_error {
-        let mut diagnostic = syntax::diagnose(text, &found);
-        if (found.line(), found.column()) == (error.line(), error.column()) {
-            diagnostic.path = path;
-        }
-        return diagnostic;
-    }
-    match tree.map(serde_path_to_error::deserialize::<_, T>) {
-        Some(Err(error)) => data::diagnose(text, to_path(error.path()), error.inner()),
-        _ => data::diagnose(text, path, error),
-    }
-}
-
-fn to_path(path: &serde_path_to_error::Path) -> JsonPath {
-    use serde_path_to_error::Segment as Step;
-    let segments = path.iter().map_while(|step| match step {
-        Step::Seq { index } => Some(Segment::Index(*index)),
-        Step::Map { key } => Some(Segment::Key(key.clone())),
-        Step::Enum { variant } => Some(Segment::Key(variant.clone())),
-        Step::Unknown => None,
-    });
-    JsonPath(segments.collect())
 }
 
 #[cfg(test)]
