@@ -9,7 +9,7 @@
 //!
 //! Blocks `console` show commands that need more than peristat, such as `cargo`, `mdbook` or `sbatch`, and are not run.
 
-use crate::support::{files, root};
+use super::support::{files, root};
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! The scripts of `docs/examples` that run a study on many machines, on this one. `PERISTAT_PYTHON` names a Python that has
 //! dask.
 
-use crate::support::{python_with, root, run};
+use super::support::{python_with, root, run};
 use std::env;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;

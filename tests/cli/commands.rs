@@ -1,6 +1,6 @@
 //! `run`, `check`, `new`, `list` and `completions`.
 
-use crate::support::{Outcome, gallery, json, names, root, run};
+use super::support::{Outcome, gallery, json, names, root, run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

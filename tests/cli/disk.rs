@@ -1,8 +1,8 @@
 //! Disks that are full or read-only.
 
-use crate::faults::is_finished;
-use crate::fracture::{assert_same, case as breaking, solve};
-use crate::support::{gallery, names, notice, root};
+use super::faults::is_finished;
+use super::fracture::{assert_same, case as breaking, solve};
+use super::support::{gallery, names, notice, root};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::ExitStatusExt;

@@ -1,8 +1,8 @@
 //! Signals at any moment of a run, and users who take its folder apart: what has a summary is whole, and what has none goes
 //! on or is run again.
 
-use crate::fracture::{assert_same, case as breaking, solve, spawn, wait_for_rows};
-use crate::support::{files, gallery, json, root};
+use super::fracture::{assert_same, case as breaking, solve, spawn, wait_for_rows};
+use super::support::{files, gallery, json, root};
 use serde_json::{Value, json};
 use std::fs;
 use std::os::unix::process::ExitStatusExt;
@@ -168,7 +168,7 @@ fn a_run_that_loses_files_as_it_goes_on_does_not_look_finished() {
 #[test]
 fn an_interrupted_run_goes_on_from_what_it_knows_and_not_from_edited_tables() {
     let folder = tempfile::tempdir().unwrap();
-    let told = crate::fracture::interrupted(folder.path(), &breaking(), 15);
+    let told = super::fracture::interrupted(folder.path(), &breaking(), 15);
     assert!(told.contains("--resume"), "{told}");
     let out = folder.path().join("out");
     let history = fs::read_to_string(out.join("history.csv")).unwrap();

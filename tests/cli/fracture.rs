@@ -1,6 +1,6 @@
 //! Runs of bodies that break, as a user stops, kills and resumes them.
 
-use crate::support::{Outcome, json, names, report_without_times, run};
+use super::support::{Outcome, json, names, report_without_times, run};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Inputs that could bring a program down.
 
-use crate::support::{gallery, root, run};
+use super::support::{gallery, root, run};
 use std::fs;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};

@@ -1,6 +1,6 @@
 //! What has no end, or far more points than letters, is refused before it is collected.
 
-use crate::support::{gallery, json, peristat, root, run};
+use super::support::{gallery, json, peristat, root, run};
 use serde_json::{Value, json};
 use std::fs;
 use std::process::{Command, Output, Stdio};
@@ -120,7 +120,7 @@ fn files_without_an_end_are_not_read() {
     let path = |name: &str| folder.path().join(name);
     assert!(Command::new("mkfifo").arg(path("pipe.json")).status().unwrap().success());
     symlink("/dev/zero", path("zero.json")).unwrap();
-    fs::write(path("breaking.json"), crate::fracture::case().to_string()).unwrap();
+    fs::write(path("breaking.json"), super::fracture::case().to_string()).unwrap();
     fs::copy(gallery("cantilever.json"), path("beam.json")).unwrap();
     let study = json!({ "title": "t", "case": "beam.json", "vary": [{ "body.line.cells": [8] }] });
     fs::write(path("t.study.json"), study.to_string()).unwrap();

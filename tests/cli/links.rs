@@ -1,6 +1,6 @@
 //! Links of the documents: every file, picture and heading that one of them names is there.
 
-use crate::support::{files, root};
+use super::support::{files, root};
 use std::fs;
 use std::path::{Path, PathBuf};
 

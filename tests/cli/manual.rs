@@ -1,6 +1,6 @@
 //! What the command prints of itself: the manual, and the reference of cases in the book.
 
-use crate::support::{names, root, run};
+use super::support::{names, root, run};
 use std::env;
 use std::fs;
 

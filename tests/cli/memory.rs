@@ -1,6 +1,6 @@
 //! The memory of a run: told before it is taken.
 
-use crate::support::{json, run};
+use super::support::{json, run};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;

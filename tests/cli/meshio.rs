@@ -1,6 +1,6 @@
 //! Another program reads the fields. `PERISTAT_PYTHON` names a Python that has meshio.
 
-use crate::support::{gallery, python_with, run};
+use super::support::{gallery, python_with, run};
 use std::process::Command;
 
 /// Prints the sizes of a mesh and some of its values, a number per line.

@@ -1,6 +1,6 @@
 //! The message of every bad input, to the letter. `UPDATE_EXPECTED=1` writes the messages anew.
 
-use crate::support::{files, peristat, root, run};
+use super::support::{files, peristat, root, run};
 use std::env;
 use std::fs;
 
@@ -86,7 +86,7 @@ fn a_message_is_coloured_only_where_that_is_asked_for() {
 #[test]
 fn a_horizon_longer_than_the_beam_is_a_warning() {
     let folder = tempfile::tempdir().unwrap();
-    let case = crate::support::gallery("cantilever_end_moment.json");
+    let case = super::support::gallery("cantilever_end_moment.json");
     let outcome = run(folder.path(), &["run", &case, "--set", "body.line.cells=2", "--set", "checks=[]"]);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     assert!(

@@ -1,6 +1,6 @@
 //! Numbers in result files.
 
-use crate::support::{Outcome, files, gallery, json, names, report_without_times, root, run};
+use super::support::{Outcome, files, gallery, json, names, report_without_times, root, run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

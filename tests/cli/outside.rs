@@ -1,6 +1,6 @@
 //! What lies outside: files that a case names, and places that links in a results folder lead to.
 
-use crate::support::{files, json, names, root, run};
+use super::support::{files, json, names, root, run};
 use std::fs;
 use std::path::{Path, PathBuf};
 

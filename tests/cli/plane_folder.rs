@@ -1,6 +1,6 @@
 //! A body in the plane from its case to its folder.
 
-use crate::support::{Outcome, json, names, run};
+use super::support::{Outcome, json, names, run};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! What README.md shows of its two commands.
 
-use crate::support::{root, run};
+use super::support::{root, run};
 use std::fs;
 
 /// The case that the README breaks.

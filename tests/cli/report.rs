@@ -1,7 +1,7 @@
 //! `report.html` of a run, as a browser shows it.
 
-use crate::browser::Browser;
-use crate::support::{json, root, run};
+use super::browser::Browser;
+use super::support::{json, root, run};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};

@@ -1,10 +1,10 @@
 //! The folder of a run.
 
-use crate::support::{files, gallery, json, names, run};
+use super::support::{files, gallery, json, names, run};
 use std::fs;
 use std::path::Path;
 
-fn solve(folder: &Path, case: &str, more: &[&str]) -> crate::support::Outcome {
+fn solve(folder: &Path, case: &str, more: &[&str]) -> super::support::Outcome {
     let case = gallery(case);
     let mut arguments = vec!["run", &case, "-o", "out"];
     arguments.extend(more);
@@ -48,7 +48,7 @@ fn a_run_leaves_its_case_fields_history_plots_and_summary() {
 #[test]
 fn a_frame_leaves_its_members_places_in_the_plane_and_pictures() {
     let folder = tempfile::tempdir().unwrap();
-    let case = crate::support::root().join("cases/frame/haunch.json").display().to_string();
+    let case = super::support::root().join("cases/frame/haunch.json").display().to_string();
     let outcome = run(folder.path(), &["run", &case, "-o", "out"]);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     for line in ["| column | ", "| joint `foot` |", "| tip ", "joint `tip`"] {
@@ -78,7 +78,7 @@ fn a_frame_leaves_its_members_places_in_the_plane_and_pictures() {
 #[test]
 fn a_frame_is_a_baseline_of_itself() {
     let folder = tempfile::tempdir().unwrap();
-    let case = crate::support::root().join("cases/frame/portal.json");
+    let case = super::support::root().join("cases/frame/portal.json");
     let first = run(folder.path(), &["run", &case.display().to_string(), "-o", "out"]);
     assert_eq!(first.code, 0, "{}", first.stderr);
     let mut case = json(&case);

@@ -1,6 +1,6 @@
 //! The JSON Schema of cases, by a checker of the keywords that it uses.
 
-use crate::support::{files, json, root, run};
+use super::support::{files, json, root, run};
 use serde_json::{Map, Value};
 
 fn schema() -> Value {

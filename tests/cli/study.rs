@@ -1,6 +1,6 @@
 //! Studies, as a user plans, stops, kills, spreads and collects them.
 
-use crate::support::{files, gallery, json, names, peristat, run};
+use super::support::{files, gallery, json, names, peristat, run};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;

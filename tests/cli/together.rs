@@ -1,7 +1,7 @@
 //! Two processes at one folder.
 
-use crate::fracture::{assert_same, case as breaking, solve, spawn, wait_for_rows};
-use crate::support::{gallery, names, run};
+use super::fracture::{assert_same, case as breaking, solve, spawn, wait_for_rows};
+use super::support::{gallery, names, run};
 use serde_json::json;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};

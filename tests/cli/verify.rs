@@ -1,6 +1,6 @@
 //! `verify`: the checks of many cases.
 
-use crate::support::{gallery, names, run};
+use super::support::{gallery, names, run};
 use std::fs;
 use std::path::Path;
 

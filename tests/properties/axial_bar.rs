@@ -4,7 +4,7 @@
 //! and gets operator, assembly, constraints, reactions and free motions from the program; the end correction and the
 //! weights are those of any chain.
 
-use crate::consistency::{Noise, check};
+use super::consistency::{Noise, check};
 use peristat_assembly::bonds::{BondGeometry, BondModel, Point, Rows};
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::material::SectionStiffness;
@@ -161,7 +161,7 @@ fn a_loose_bar_is_reported_with_its_motion() {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(60))]
+    #![proptest_config(super::cases(60))]
 
     #[test]
     fn a_bar_is_consistent_intact_and_damaged(

@@ -1,6 +1,6 @@
 //! The beam passes the checks of every model: all laws, end treatments and grids, intact and with random factors.
 
-use crate::consistency::{Noise, check};
+use super::consistency::{Noise, check};
 use peristat_assembly::bonds::{BondGeometry, Point};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::material::SectionStiffness;
@@ -75,7 +75,7 @@ fn damaged(law: usize, first: usize, count: usize, weights: &[f64], factors: &[O
 }
 
 proptest! {
-    #![proptest_config(crate::cases(100))]
+    #![proptest_config(super::cases(100))]
 
     #[test]
     fn a_beam_is_consistent_for_every_law_and_treatment(

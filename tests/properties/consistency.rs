@@ -3,8 +3,8 @@
 //! Energy, force and tangent belong together, the tangent is symmetric and not negative, rigid motions cost nothing,
 //! and both layouts of the assembled matrix hold the same numbers, with constraints and without.
 
-use crate::loose::free_motions_are_free;
-use crate::smoothing::steps_are_what_they_say;
+use super::loose::free_motions_are_free;
+use super::smoothing::steps_are_what_they_say;
 use nalgebra::DMatrix;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::Model;

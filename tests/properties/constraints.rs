@@ -1,6 +1,6 @@
 //! Constraints `u = T q + g` for random sets of equations.
 
-use crate::consistency::{Noise, dot};
+use super::consistency::{Noise, dot};
 use peristat_assembly::condition::{Constraints, Equation, Unknown};
 use proptest::prelude::*;
 
@@ -49,7 +49,7 @@ fn equations(set: &[(Left, f64)]) -> Vec<Equation> {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(512))]
+    #![proptest_config(super::cases(512))]
 
     #[test]
     fn every_equation_holds_after_expansion(number in 1_usize..10, factor in -2.0..2.0_f64, seed in any::<u64>()) {

@@ -1,6 +1,6 @@
 //! The inputs that the fuzzer keeps, once more: none brings the readers or the resolution of cases down.
 
-use crate::entry::{reads, resolves};
+use super::entry::{reads, resolves};
 use std::fs;
 use std::path::{Path, PathBuf};
 

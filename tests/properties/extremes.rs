@@ -1,9 +1,9 @@
 //! The numbers of small cases of the gallery, of every list the first two, so small and so large that squares of them fit no
 //! double: the case becomes a scene or is refused, and that soon.
 
-use crate::entry::resolves;
-use crate::hostile::GALLERY;
-use crate::mutate::Random;
+use super::entry::resolves;
+use super::hostile::GALLERY;
+use super::mutate::Random;
 use serde_json::{Value, json};
 use std::sync::mpsc;
 use std::thread;

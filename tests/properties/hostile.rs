@@ -1,7 +1,7 @@
 //! Whatever a case says, it is solved with finite numbers or refused with a message, within bounds of time and memory.
 
-use crate::mutate::{Random, mutate};
-use crate::small_cases::{MODELS, small_case};
+use super::mutate::{Random, mutate};
+use super::small_cases::{MODELS, small_case};
 use peristat::Loaded;
 use peristat::case::{self, Case};
 use peristat::diagnostic::decode;
@@ -238,7 +238,7 @@ fn nowhere() -> &'static Path {
 }
 
 proptest! {
-    #![proptest_config(crate::given_cases(400))]
+    #![proptest_config(super::given_cases(400))]
 
     #[test]
     fn bytes_are_refused(bytes in proptest::collection::vec(any::<u8>(), 0..300)) {

@@ -1,6 +1,6 @@
 //! Motions that nothing holds cost no energy and keep all equations.
 
-use crate::consistency::{Noise, constrained, largest};
+use super::consistency::{Noise, constrained, largest};
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::{NumberedParts, Parts, Term};
 use peristat_assembly::system::{FreeMotion, System, free_motions};

@@ -1,7 +1,7 @@
 //! Members that vary: graded grids, varying and coupled sections, any direction, with and without axial unknowns.
 
-use crate::consistency::{Noise, check};
-use crate::loose::costs_nothing;
+use super::consistency::{Noise, check};
+use super::loose::costs_nothing;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::material::{Profile, SectionStiffness};
 use peristat_assembly::model::Model;
@@ -47,7 +47,7 @@ fn member(cells: usize, angle: f64, taper: f64, coupling: f64, graded: bool, noi
 }
 
 proptest! {
-    #![proptest_config(crate::cases(60))]
+    #![proptest_config(super::cases(60))]
 
     #[test]
     fn members_are_consistent_with_two_and_three_unknowns(

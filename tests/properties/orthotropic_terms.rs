@@ -1,7 +1,7 @@
 //! Plates of beam bonds pass the checks of every model: fibres at several angles, all calibrations and edges, lines of
 //! symmetry, turned lattices, random cuts, and after random bonds have broken.
 
-use crate::consistency::{Noise, check};
+use super::consistency::{Noise, check};
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicMaterial, OrthotropicParameters,
@@ -63,7 +63,7 @@ fn check_broken(plate: &mut BeamBondOrthotropic, noise: &mut Noise, seed: u64) {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(40))]
+    #![proptest_config(super::cases(40))]
 
     #[test]
     fn a_lattice_of_beam_bonds_is_consistent_in_any_treatment_intact_and_broken(

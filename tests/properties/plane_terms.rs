@@ -1,7 +1,7 @@
 //! Plates of central bonds pass the checks of every model: all calibrations and edges, on lattices and clouds, with lines
 //! of symmetry and random cuts.
 
-use crate::consistency::{Noise, check};
+use super::consistency::{Noise, check};
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
@@ -32,7 +32,7 @@ fn parameters(ratio: f64, choice: usize) -> PlaneParameters {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(60))]
+    #![proptest_config(super::cases(60))]
 
     #[test]
     fn a_lattice_is_consistent_in_any_treatment(

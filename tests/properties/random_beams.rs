@@ -1,7 +1,7 @@
 //! Random beams: certified, in equilibrium, and indifferent to units, to the side they are seen from and to the way
 //! their loads are put together.
 
-use crate::random_beam::{METRES, MILLIMETRES, beam, run};
+use super::random_beam::{METRES, MILLIMETRES, beam, run};
 use proptest::prelude::*;
 
 fn largest(v: impl IntoIterator<Item = f64>) -> f64 {
@@ -19,7 +19,7 @@ fn difference(a: &[f64], b: &[f64], length: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(crate::cases(300))]
+    #![proptest_config(super::cases(300))]
 
     #[test]
     fn a_random_beam_is_certified_and_in_equilibrium(beam in beam()) {

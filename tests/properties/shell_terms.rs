@@ -1,6 +1,6 @@
 //! Shell membranes pass the checks of every model: kinematics, calibrations, bending, lines of symmetry and joined sides.
 
-use crate::consistency::check;
+use super::consistency::check;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::plane::{Calibration, Mirrors};
 use peristat_assembly::model::shell_membrane::{ShellEnds, ShellKinematics, ShellMembrane, ShellParameters};
@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use std::sync::Arc;
 
 proptest! {
-    #![proptest_config(crate::cases(12))]
+    #![proptest_config(super::cases(12))]
 
     #[test]
     fn a_shell_is_consistent_in_any_form(

@@ -1,6 +1,6 @@
 //! Small cases of every model that a user could have meant: most of them have a result.
 
-use crate::mutate::Random;
+use super::mutate::Random;
 use serde_json::{Value, json};
 
 /// A random case of one of the models, by number.

@@ -1,7 +1,7 @@
 //! A system as a level of multigrid: residuals, inverse blocks and relaxed steps are what their definitions say, whether
 //! they are made while forces are at hand or one after the other.
 
-use crate::consistency::{Noise, assert_close, constrained, largest};
+use super::consistency::{Noise, assert_close, constrained, largest};
 use nalgebra::{DMatrix, DVector};
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Term;

@@ -1,7 +1,7 @@
 //! State-based bodies pass the checks of every model: all treatments of edges and axis, with lines of symmetry, joined sides
 //! and random cuts; what breaking takes is what is missing afterwards.
 
-use crate::consistency::{Noise, check};
+use super::consistency::{Noise, check};
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Mirrors, PlaneModel};
@@ -64,7 +64,7 @@ fn is_consistent(
 }
 
 proptest! {
-    #![proptest_config(crate::cases(40))]
+    #![proptest_config(super::cases(40))]
 
     #[test]
     fn families_are_consistent_in_any_treatment(

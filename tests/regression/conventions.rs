@@ -1,6 +1,6 @@
 //! Rules of the repository that no compiler checks.
 
-use crate::support::{files, root, short};
+use super::support::{files, root, short};
 use std::fs;
 use std::path::Path;
 

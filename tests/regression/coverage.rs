@@ -1,6 +1,6 @@
 //! Everything that a case can say is said by some case of the gallery.
 
-use crate::support::{files, gallery, load, root};
+use super::support::{files, gallery, load, root};
 use peristat::case::{Case, Check};
 use peristat::reference;
 use peristat_assembly::model::timoshenko_beam::{bond_law, end_treatment};

@@ -1,6 +1,6 @@
 //! The same case gives the same bytes, on any number of threads.
 
-use crate::support::{files, load, root, short, solve};
+use super::support::{files, load, root, short, solve};
 use peristat::summary::Summary;
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! Every case of the gallery passes its own checks.
 
-use crate::support::{files, gallery, load, root, short, try_solve};
+use super::support::{files, gallery, load, root, short, try_solve};
 use peristat::case::read;
 use peristat::input::Reach;
 use peristat::study::{Findings, Plan, Record};

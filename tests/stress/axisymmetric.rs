@@ -1,6 +1,6 @@
 //! Bodies of revolution under stresses that are the same everywhere.
 
-use crate::row::{Kind, Row};
+use crate::stress::row::{Kind, Row};
 use serde_json::json;
 
 /// A ring under the same pressure on all sides, or a bar that is pulled.

@@ -1,6 +1,6 @@
 //! Bodies that can break or soften, before the first bond does: their answer is the elastic one.
 
-use crate::row::{Kind, Row, Wish};
+use crate::stress::row::{Kind, Row, Wish};
 use serde_json::{Value, json};
 
 /// A model with a way to break, and what it takes for its usual treatment of edges.

@@ -1,7 +1,7 @@
 //! Every field of every model, as a probe of a point and of a region, as a check of all points and along lines: a number, or a
 //! refusal by message where the model has no such field.
 
-use crate::row::{Row, Wish};
+use crate::stress::row::{Row, Wish};
 use serde_json::{Value, json};
 
 /// All fields that a case can name.

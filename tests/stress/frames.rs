@@ -1,6 +1,6 @@
 //! Frames that statics determine, against the principle of virtual forces.
 
-use crate::row::{Kind, Row, decades};
+use crate::stress::row::{Kind, Row, decades};
 use serde_json::{Value, json};
 
 const MODEL: &str = "plane frame";

@@ -1,6 +1,6 @@
 //! Edges that are held and moved, against the exact uniform state.
 
-use crate::row::{Kind, Row, Wish};
+use crate::stress::row::{Kind, Row, Wish};
 use serde_json::{Value, json};
 
 /// Modulus along x, contraction along y per stretch along x, and shear modulus, in the plane.

@@ -1,6 +1,6 @@
 //! Orthotropic plates under a uniform stress, for fibres at any angle.
 
-use crate::row::{Kind, Row};
+use crate::stress::row::{Kind, Row};
 use serde_json::json;
 
 /// A rectangle of beam bonds.

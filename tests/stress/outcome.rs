@@ -1,6 +1,6 @@
 //! Solving a row and weighing what it says of itself.
 
-use crate::row::{Kind, Resultant, Row, Wish};
+use crate::stress::row::{Kind, Resultant, Row, Wish};
 use peristat::results::{Claim, Results, finite};
 use peristat::run::{RunOptions, StateResult, taking};
 use peristat::summary::{Status, Summary};

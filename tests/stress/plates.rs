@@ -1,6 +1,6 @@
 //! Plates under a uniform stress, free to turn: exact at every point for every horizon.
 
-use crate::row::{Kind, Row, decades};
+use crate::stress::row::{Kind, Row, decades};
 use serde_json::{Value, json};
 
 /// A rectangle of cells under stresses, with E = 1.

@@ -1,6 +1,6 @@
 //! Tubes of shell membranes under pressure and tension.
 
-use crate::row::{Kind, Row};
+use crate::stress::row::{Kind, Row};
 use serde_json::json;
 
 /// A tube of one row of cells, open or with closed ends.

@@ -1,7 +1,7 @@
 //! The table of the suite.
 
-use crate::outcome::Outcome;
-use crate::row::Row;
+use crate::stress::outcome::Outcome;
+use crate::stress::row::Row;
 use std::fmt::Write;
 
 /// What one sweep of a model came to.
@@ -27,7 +27,7 @@ pub(crate) fn page(solved: &[(Row, Outcome)]) -> String {
         [|l: &Line| l.refused, |l: &Line| l.doubted].map(|of| models.iter().map(of).sum::<usize>());
     let lies = solved.iter().filter(|(row, outcome)| outcome.lie(row.wish).is_some()).count();
     let mut text = format!(
-        "<!-- Written by the stress suite: UPDATE_EXPECTED=1 cargo test --release --test stress -- --ignored -->\n\n\
+        "<!-- Written by the stress suite: UPDATE_EXPECTED=1 cargo test --release --test verification -- --ignored stress:: -->\n\n\
          {} rows: {} answers, {refused} refused before they are solved, {doubted} refused by their certificate (exit code 1), \
          {lies} wrong by more than they say.\n\n",
         solved.len(),

@@ -1,8 +1,10 @@
-//! The acceptance tests of the beam: closed forms, observed orders, the discrete equations of the literature.
+//! The acceptance tests: closed forms, observed orders, the discrete equations of the literature.
 //!
 //! A tolerance stands beside the measured value. Numbers that no formula gives carry their source.
 #![allow(clippy::float_cmp)]
 
+#[path = "../stress/mod.rs"]
+mod stress;
 mod support;
 
 mod axial;

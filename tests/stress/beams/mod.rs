@@ -2,7 +2,7 @@
 
 mod supports;
 
-use crate::row::{Kind, Row, decades};
+use crate::stress::row::{Kind, Row, decades};
 use serde_json::{Value, json};
 
 const MODEL: &str = "timoshenko_beam";

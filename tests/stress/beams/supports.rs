@@ -1,7 +1,7 @@
 //! Beams that are all but mechanisms: on springs and foundations next to nothing, or next to rigid.
 
 use super::{Beam, MODEL, STANDARDS};
-use crate::row::{Row, decades};
+use crate::stress::row::{Row, decades};
 use serde_json::{Value, json};
 
 pub(super) fn rows() -> Vec<Row> {

@@ -4,7 +4,7 @@
 mod dense;
 mod reference;
 
-use crate::row::{Kind, Row};
+use crate::stress::row::{Kind, Row};
 use serde_json::json;
 
 /// How a body is led to where it is compared.

@@ -3,7 +3,7 @@
 use super::bodies;
 use super::medium::Medium;
 use super::{Across, Asked, Loaded, holds, origin};
-use crate::row::Row;
+use crate::stress::row::Row;
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 

@@ -2,7 +2,7 @@
 
 use super::bodies::Body;
 use super::medium::Medium;
-use crate::row::Wish;
+use crate::stress::row::Wish;
 use serde_json::{Value, json};
 
 /// Supports and rigid regions.

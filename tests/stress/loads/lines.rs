@@ -1,7 +1,7 @@
 //! Beams and frames: every load in every law, end treatment, grid and support against its force and moment.
 
 use super::asked::Asked;
-use crate::row::{BALANCED, Resultant, Row, Wish};
+use crate::stress::row::{BALANCED, Resultant, Row, Wish};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 

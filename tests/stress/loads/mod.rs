@@ -11,7 +11,7 @@ mod repeated;
 mod shells;
 mod traction;
 
-use crate::row::{BALANCED, Resultant, Row, Wish};
+use crate::stress::row::{BALANCED, Resultant, Row, Wish};
 use asked::{Across, Asked, Edge};
 use bodies::Body;
 use hold::{Hold, holds};

@@ -4,7 +4,7 @@ use super::asked::Asked;
 use super::bodies;
 use super::medium::Medium;
 use super::{Loaded, SHARINGS, Sharing, TRACTIONS, holds, origin, traction};
-use crate::row::Row;
+use crate::stress::row::Row;
 use serde_json::{Value, json};
 
 const SWEEP: &str = "asked and applied: tractions beside notches";

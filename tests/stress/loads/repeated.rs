@@ -5,7 +5,7 @@ use super::bodies;
 use super::hold::Hold;
 use super::medium::Medium;
 use super::{Course, Loaded, Sharing, TRACTIONS, is_axis, origin, traction};
-use crate::row::Row;
+use crate::stress::row::Row;
 use serde_json::{Value, json};
 
 /// Sides that are mirrors or joined, and what is held beside them.

@@ -3,7 +3,7 @@
 use super::asked::Across;
 use super::bodies;
 use super::{Course, SHARINGS, Sharing, TRACTIONS, traction};
-use crate::row::{BALANCED, Kind, Resultant, Row, Wish};
+use crate::stress::row::{BALANCED, Kind, Resultant, Row, Wish};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 

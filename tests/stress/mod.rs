@@ -1,7 +1,7 @@
 //! The stress suite: every model at its extremes, against closed forms and double-double references. An answer that is
 //! wrong by more than its certificate says is a failure; a refusal with its reason is not.
 //!
-//! `cargo test --release --test stress -- --ignored --nocapture` solves all rows and prints the table; with
+//! `cargo test --release --test verification -- --ignored --nocapture stress::` solves all rows and prints the table; with
 //! `UPDATE_EXPECTED=1` it is written to `docs/stability.md`. `STRESS_ROWS=foundation` takes the rows whose names contain that.
 //! A part of the rows runs with all other tests.
 #![allow(clippy::float_cmp, clippy::print_stdout)]
