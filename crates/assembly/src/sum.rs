@@ -17,6 +17,18 @@ impl Sum {
         Self { high: x, low: 0.0 }
     }
 
+    /// A sum of a double and what rounding took from it, as [`Sum::unrounded`] gives them.
+    #[inline(always)]
+    pub(crate) fn of_parts(high: f64, low: f64) -> Self {
+        Self { high, low }
+    }
+
+    /// Both parts as they are.
+    #[inline(always)]
+    pub(crate) fn unrounded(self) -> [f64; 2] {
+        [self.high, self.low]
+    }
+
     /// Adds a term.
     #[inline(always)]
     pub fn add(&mut self, x: f64) {
@@ -27,6 +39,7 @@ impl Sum {
     }
 
     /// Adds a product, exactly.
+    #[inline(always)]
     pub fn add_product(&mut self, a: f64, b: f64) {
         let product = a * b;
         self.add(product);
@@ -34,18 +47,21 @@ impl Sum {
     }
 
     /// Adds a multiple of another sum.
+    #[inline(always)]
     pub fn add_multiple(&mut self, factor: f64, other: Self) {
         self.add_product(factor, other.high);
         self.low += factor * other.low;
     }
 
     /// The sum as a double and what rounding takes from it.
+    #[inline(always)]
     pub fn parts(self) -> [f64; 2] {
         let high = self.high + self.low;
         [high, self.low - (high - self.high)]
     }
 
     /// Adds another sum.
+    #[inline(always)]
     pub fn join(&mut self, other: Self) {
         self.add(other.high);
         self.add(other.low);
@@ -67,6 +83,7 @@ impl Sum {
 impl Neg for Sum {
     type Output = Self;
 
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { high: -self.high, low: -self.low }
     }

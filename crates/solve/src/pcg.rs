@@ -42,9 +42,14 @@ impl Pcg {
 
     /// `M^-1 r` in a vector of the iteration, valid until the next call: the correction that the preconditioner alone
     /// would make.
-    pub fn precondition(&mut self, m: &mut dyn Preconditioner, r: &[f64]) -> &[f64] {
+    pub fn precondition(&mut self, m: &mut dyn Preconditioner, r: &[f64]) -> &mut [f64] {
         m.apply(r, &mut self.image);
-        &self.image
+        &mut self.image
+    }
+
+    /// The vectors of the iteration, to be written over between two solutions.
+    pub fn scratch(&mut self) -> [&mut [f64]; 2] {
+        [&mut self.direction, &mut self.image]
     }
 
     /// Adds to `x` the solution `d` of `A d = residual` and leaves the residual of the sum in `residual`.

@@ -94,6 +94,13 @@ pub trait Model<const D: usize>: Points {
     /// [`rigid_motions`](Self::rigid_motions); rotations are about `centre`.
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; D];
 
+    /// The same of consecutive points, of which `first` is the first.
+    fn rigid_motions_from(&self, kind: usize, first: usize, centre: Point, out: &mut [[f64; D]]) {
+        out.iter_mut()
+            .enumerate()
+            .for_each(|(k, motion)| *motion = self.rigid_motion(kind, first + k, centre));
+    }
+
     /// Relative error of the numbers that the model is made of, such as weights that were found by solving; what no residual
     /// shows.
     fn calibration_error(&self) -> f64 {

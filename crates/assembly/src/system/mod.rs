@@ -166,6 +166,15 @@ impl<const D: usize> System<D> {
         self.terms.iter().map(|t| t.survey(u)).fold(Survey::EMPTY, Survey::join)
     }
 
+    /// The same twice: of what strains, as [`System::survey_body`] has it, and of all.
+    pub fn surveys(&self, u: &[f64]) -> [Survey<D>; 2] {
+        self.count();
+        self.terms.iter().fold([Survey::EMPTY; 2], |[body, all], term| {
+            let own = term.survey(u);
+            [if term.is_grounded() { body } else { body.join(own) }, all.join(own)]
+        })
+    }
+
     /// The same of what strains: all but what is held to the ground.
     pub fn survey_body(&self, u: &[f64]) -> Survey<D> {
         self.count();

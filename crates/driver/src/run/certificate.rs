@@ -73,6 +73,9 @@ impl Certificate {
 /// What is seen of an error is a sample of it: bound over sample. The stress suite finds errors of up to 20 samples.
 const SAFETY: f64 = 30.0;
 
+/// Points whose rigid motions are found together.
+pub(super) const BLOCK: usize = 256;
+
 /// Fewer digits than this deserve a warning, and do not do for a solve that ended before it was done.
 pub(crate) const FEW_DIGITS: u32 = 6;
 
@@ -90,8 +93,14 @@ pub(super) fn certify<const D: usize>(
     scales: &[f64; D],
 ) -> Certificate {
     let (model, u) = (problem.model(), &solution.u);
-    let Survey { energy, largest_action } = system.survey(u);
-    let residual = ratio(work(&solution.residual, scales), work(&largest_action, scales));
+    let (energy, action) = match &solution.stored {
+        Some((energy, largest_action)) => (*energy, work(largest_action, scales)),
+        None => {
+            let Survey { energy, largest_action } = system.survey(u);
+            (energy, work(&largest_action, scales))
+        }
+    };
+    let residual = ratio(work(&solution.residual, scales), action);
     let mut works = Sum::default();
     u.iter().zip(load).for_each(|(u, f)| works.add(0.5 * u * f));
     solution.held.iter().for_each(|&(k, r)| works.add(0.5 * u[k] * r));
@@ -242,23 +251,27 @@ pub(super) fn balance<const D: usize>(
     load: &[f64],
     reactions: impl Iterator<Item = (usize, f64)>,
 ) -> Vec<Balance> {
-    let n = model.points();
     // Rotations about the first point: a far origin would hide an imbalance behind large arms.
-    let origin = model.position(0);
+    let (n, origin) = (model.points(), model.position(0));
     let mut sums = vec![(Sum::default(), 0.0_f64); model.rigid_motions().len()];
-    let mut add = |component: usize, point: usize, force: f64| {
-        if force != 0.0 {
+    let add = |(sum, size): &mut (Sum, f64), work: f64| {
+        sum.add(work);
+        *size += work.abs();
+    };
+    let mut motions = [[0.0; D]; BLOCK];
+    for (component, plane) in load.chunks_exact(n).enumerate() {
+        for (block, forces) in plane.chunks(BLOCK).enumerate().filter(|(_, f)| f.iter().any(|f| *f != 0.0)) {
             for (kind, sum) in sums.iter_mut().enumerate() {
-                let work = model.rigid_motion(kind, point, origin)[component] * force;
-                sum.0.add(work);
-                sum.1 += work.abs();
+                model.rigid_motions_from(kind, block * BLOCK, origin, &mut motions[..forces.len()]);
+                forces.iter().zip(&motions).for_each(|(force, motion)| add(sum, motion[component] * force));
             }
         }
-    };
-    for (component, plane) in load.chunks_exact(n).enumerate() {
-        plane.iter().enumerate().for_each(|(point, &f)| add(component, point, f));
     }
-    reactions.for_each(|(k, f)| add(k / n, k % n, f));
+    for (unknown, force) in reactions.filter(|reaction| reaction.1 != 0.0) {
+        for (kind, sum) in sums.iter_mut().enumerate() {
+            add(sum, model.rigid_motion(kind, unknown % n, origin)[unknown / n] * force);
+        }
+    }
     let sizes: Vec<f64> = (0..sums.len()).map(|kind| extent::displacement(model, kind, origin)).collect();
     let least = sums.iter().zip(&sizes).map(|(sum, size)| sum.1 / size).fold(0.0, f64::max);
     let balance = |((motion, (sum, scale)), size): ((&RigidMotion, (Sum, f64)), &f64)| Balance {

@@ -97,7 +97,9 @@ pub(super) fn factor<const D: usize>(
                 };
             let factor = lifted(&LIFTS, counters, |lift| {
                 let mut matrix = matrix();
-                matrix.lift_diagonal(lift);
+                if lift > 0.0 {
+                    matrix.lift_diagonal(lift);
+                }
                 BandCholesky::factor(matrix, D)
             });
             let factor = factor.map_err(|e| failure(system, e))?;

@@ -86,7 +86,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
     /// Every pass solves for the correction of the true, element-wise residual. Without prescribed motions the first
     /// pass is nearly always the last; with them the first residual is that of a sudden jump and carries its rounding,
     /// so a second pass starts from the smooth solution.
-    pub(super) fn solve(&mut self, system: &System<D>, load: &Load, motion_factor: f64) -> StateSolution {
+    pub(super) fn solve(&mut self, system: &System<D>, load: &Load<D>, motion_factor: f64) -> StateSolution {
         let mut solution = StateSolution::of(vec![0.0; system.size()]);
         solution.by_factor = self.finish.is_exact;
         let moves = system.constraints().moves();

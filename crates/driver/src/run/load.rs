@@ -1,18 +1,13 @@
 //! Loads of a state, and how far they may be from what was meant.
 
+use super::certificate::BLOCK;
 use peristat_assembly::model::Model;
+use std::array::from_fn;
 
 /// Forces on the unknowns, and what their rounding may be.
-pub(super) struct Load<'a> {
+pub(super) struct Load<'a, const D: usize> {
     pub(super) forces: &'a [f64],
-    /// An error that their rounding may be.
-    pub(super) rounding: Vec<f64>,
-}
-
-impl<'a> Load<'a> {
-    pub(super) fn new<const D: usize>(model: &dyn Model<D>, forces: &'a [f64]) -> Self {
-        Self { forces, rounding: rounding(model, forces) }
-    }
+    model: &'a dyn Model<D>,
 }
 
 /// Part of its rounding by which a double is off, other for every one: no two of them cancel.
@@ -21,24 +16,36 @@ fn part(k: usize) -> f64 {
     f64::EPSILON * (hash as f64 / f64::from(1_u32 << 31) - 1.0)
 }
 
-/// The rounding of every force on an unknown, and of the components along the axes that loads are given in: a slanted member has
-/// mixed them.
-fn rounding<const D: usize>(model: &dyn Model<D>, forces: &[f64]) -> Vec<f64> {
-    let (n, origin) = (model.points(), model.position(0));
-    let mut rounding: Vec<f64> = forces.iter().enumerate().map(|(k, f)| part(k) * f).collect();
-    let motions = model.rigid_motions();
-    let translations = (0..motions.len()).filter(|&kind| !motions[kind].is_rotation);
-    let is_displacement: [bool; D] = std::array::from_fn(|c| !model.components()[c].is_rotation);
-    let is_pushed = |&point: &usize| (0..D).any(|c| is_displacement[c] && forces[c * n + point] != 0.0);
-    let pushed: Vec<usize> = (0..n).filter(is_pushed).collect();
-    for (axis, kind) in translations.enumerate() {
-        for &point in &pushed {
-            let along = model.rigid_motion(kind, point, origin);
-            let force: f64 = (0..D).map(|c| along[c] * forces[c * n + point]).sum();
-            for c in (0..D).filter(|&c| !model.is_idle(c, point)) {
-                rounding[c * n + point] += part(axis * n + point) * along[c] * force;
+impl<'a, const D: usize> Load<'a, D> {
+    pub(super) fn new(model: &'a dyn Model<D>, forces: &'a [f64]) -> Self {
+        Self { forces, model }
+    }
+
+    /// Adds an error that the rounding of the forces may be: that of every force on an unknown, and of the components along
+    /// the axes that loads are given in: a slanted member has mixed them.
+    pub(super) fn add_rounding(&self, errors: &mut [f64]) {
+        let (model, n) = (self.model, self.model.points());
+        errors.iter_mut().zip(self.forces).enumerate().for_each(|(k, (error, f))| *error += part(k) * f);
+        let motions = model.rigid_motions();
+        let translations = (0..motions.len()).filter(|&kind| !motions[kind].is_rotation);
+        let is_displacement: [bool; D] = from_fn(|c| !model.components()[c].is_rotation);
+        let mut along = [[0.0; D]; BLOCK];
+        for (axis, kind) in translations.enumerate() {
+            for first in (0..n).step_by(BLOCK) {
+                let points = first..n.min(first + BLOCK);
+                let planes: [&[f64]; D] = from_fn(|c| &self.forces[c * n..][points.clone()]);
+                let is_pushed = |k: usize| (0..D).any(|c| is_displacement[c] && planes[c][k] != 0.0);
+                if !(0..points.len()).any(is_pushed) {
+                    continue;
+                }
+                model.rigid_motions_from(kind, first, model.position(0), &mut along[..points.len()]);
+                for (k, point) in points.enumerate().filter(|(k, _)| is_pushed(*k)) {
+                    let force: f64 = (0..D).map(|c| along[k][c] * planes[c][k]).sum();
+                    for c in (0..D).filter(|&c| along[k][c] != 0.0 && !model.is_idle(c, point)) {
+                        errors[c * n + point] += part(axis * n + point) * along[k][c] * force;
+                    }
+                }
             }
         }
     }
-    rounding
 }

@@ -20,6 +20,15 @@ pub(super) const DOUBTFUL_FORCES: f64 = 1e-11;
 const SETTLED: f64 = 1e-28;
 /// Corrections at most.
 const PASSES: usize = 12;
+/// Error of a correction, in energy norm and squared, that the next one takes out again: a smaller one, below the rounding of
+/// products, would have to be waited for.
+const PASS: f64 = 1e-20;
+/// Error of a correction of which only the size is wanted.
+const SIZE: f64 = 1e-6;
+
+fn correction_to(energy_drop: f64) -> PcgOptions {
+    PcgOptions { energy_drop, ..PcgOptions::default() }
+}
 
 impl<const D: usize> Workspace<D> {
     /// Improves a solution with its load and factor on prescribed motions until no digit changes. `false`, and nothing is
@@ -28,7 +37,7 @@ impl<const D: usize> Workspace<D> {
         &mut self,
         system: &System<D>,
         preconditioner: &mut dyn Preconditioner,
-        (load, motion_factor): (&Load, f64),
+        (load, motion_factor): (&Load<D>, f64),
         solution: &mut StateSolution,
     ) -> bool {
         let n = solution.u.len();
@@ -42,9 +51,13 @@ impl<const D: usize> Workspace<D> {
             }
             self.take_residual(system, load.forces, &mut force, solution);
             step.fill(0.0);
-            let options = PcgOptions::default();
-            let report =
-                self.pcg.solve(&Elementwise(system), preconditioner, &mut self.residual, &mut step, &options);
+            let report = self.pcg.solve(
+                &Elementwise(system),
+                preconditioner,
+                &mut self.residual,
+                &mut step,
+                &correction_to(PASS),
+            );
             solution.iterations += report.iterations;
             // A correction that could not be found says nothing: the last one was as large as the error may be.
             let correction = match report.status {
@@ -96,13 +109,14 @@ impl<const D: usize> Workspace<D> {
         &mut self,
         system: &System<D>,
         preconditioner: &mut dyn Preconditioner,
-        load: &Load,
+        load: &Load<D>,
         step: &mut [f64],
     ) -> f64 {
-        self.residual.copy_from_slice(&load.rounding);
+        self.residual.fill(0.0);
+        load.add_rounding(&mut self.residual);
         system.constraints().restrict(&mut self.residual);
         step.fill(0.0);
-        let options = PcgOptions::default();
+        let options = correction_to(SIZE);
         let report = self.pcg.solve(&Elementwise(system), preconditioner, &mut self.residual, step, &options);
         match report.status {
             PcgStatus::Converged | PcgStatus::Stagnated => size(step, &self.scales),

@@ -29,7 +29,8 @@ impl<const D: usize> Workspace<D> {
     ) {
         let constraints = system.constraints();
         constraints.expand(motion_factor, &mut solution.u);
-        self.refresh_residual(system, load, &solution.u);
+        system.force(&solution.u, &mut self.force);
+        self.residual.iter_mut().zip(load).zip(&self.force).for_each(|((r, load), f)| *r = load - f);
         self.find_constraint_forces(system, solution);
         constraints.restrict(&mut self.residual);
         solution.next_correction = self.correction(preconditioner, solution);
@@ -59,7 +60,8 @@ impl<const D: usize> Workspace<D> {
         solution.least_eigenvalue = 1.0;
         self.refresh_residual(system, load, &solution.u);
         system.constraints().restrict(&mut self.residual);
-        self.correct_strains(system, preconditioner, &mut vec![0.0; load.len()], solution);
+        let errors = vec![0.0; system.constraints().rows().len()];
+        self.correct_strains(system, preconditioner, &errors, solution);
     }
 
     /// What one more solve would correct of the unknowns if the residual at hand were theirs, relative to them. The
@@ -69,25 +71,31 @@ impl<const D: usize> Workspace<D> {
         relative(correction, solution, &self.scales)
     }
 
-    /// The same, and what is kept with the solution: the energy and the largest action of that correction, and the error of what
-    /// holds the body, which bears the correction and the `errors` of the forces on it.
+    /// The same, and what is kept with the solution: its energy and actions, the energy and the largest action of that
+    /// correction, and the error of what holds the body, which bears the correction and the `errors` of the forces on each
+    /// constrained unknown.
     fn correct_strains(
         &mut self,
         system: &System<D>,
         preconditioner: &mut dyn Preconditioner,
-        errors: &mut [f64],
+        errors: &[f64],
         solution: &mut StateSolution,
     ) -> f64 {
-        let mut correction = self.pcg.precondition(preconditioner, &self.residual).to_vec();
-        let next_correction = relative(&correction, solution, &self.scales);
+        let correction = self.pcg.precondition(preconditioner, &self.residual);
+        let next_correction = relative(correction, solution, &self.scales);
         let energy: f64 = correction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
-        system.constraints().expand(0.0, &mut correction);
-        let action = |u: &[f64]| work(&system.survey_body(u).largest_action, &self.scales);
-        solution.action = action(&solution.u);
-        solution.correction_action = action(&correction);
-        system.force(&correction, &mut self.residual);
-        errors.iter_mut().zip(&self.residual).for_each(|(e, f)| *e += f);
-        solution.held_error = self.largest_held(system, errors);
+        system.constraints().expand(0.0, correction);
+        let [body, all] = system.surveys(&solution.u);
+        solution.action = work(&body.largest_action, &self.scales);
+        solution.stored = Some((all.energy, all.largest_action.to_vec()));
+        solution.correction_action = match self.counts_actions {
+            true => work(&system.survey_body(correction).largest_action, &self.scales),
+            false => 0.0,
+        };
+        system.force(correction, &mut self.residual);
+        let rows = system.constraints().rows();
+        rows.iter().zip(errors).for_each(|(row, error)| self.residual[row.unknown] += error);
+        solution.held_error = self.largest_held(system, &self.residual);
         solution.correction_energy = energy.abs();
         for seen in
             [&mut solution.correction_energy, &mut solution.correction_action, &mut solution.held_error]
@@ -104,25 +112,25 @@ impl<const D: usize> Workspace<D> {
     }
 
     /// Adds what the rounding of forces and loads does to a solution that was weighed: the residual that it was found with is
-    /// as small as that rounding makes it seem, and where nothing rounds the loads are doubles all the same. The residual at
-    /// hand is that of the solution.
+    /// as small as that rounding makes it seem, and where nothing rounds the loads are doubles all the same. The residual and
+    /// the force at hand are those of the solution.
     pub(super) fn doubt(
         &mut self,
         system: &System<D>,
         preconditioner: &mut dyn Preconditioner,
-        load: &Load,
+        load: &Load<D>,
         solution: &mut StateSolution,
     ) {
-        let mut other: Vec<f64> = solution.u.iter().map(|u| OTHER * u).collect();
-        let mut force = vec![0.0; other.len()];
-        system.force(&other, &mut force);
-        system.force(&solution.u, &mut other);
-        for (k, f) in force.iter_mut().enumerate() {
-            *f = *f / OTHER - other[k] + load.rounding[k];
-        }
-        self.residual.iter_mut().zip(&force).for_each(|(r, f)| *r += f);
-        system.constraints().restrict(&mut self.residual);
-        let next_correction = self.correct_strains(system, preconditioner, &mut force, solution);
+        let [other, force] = self.pcg.scratch();
+        other.iter_mut().zip(&solution.u).for_each(|(other, u)| *other = OTHER * u);
+        system.force(other, force);
+        force.iter_mut().zip(&self.force).for_each(|(f, own)| *f = *f / OTHER - own);
+        load.add_rounding(force);
+        self.residual.iter_mut().zip(&*force).for_each(|(r, f)| *r += f);
+        let constraints = system.constraints();
+        let errors: Vec<f64> = constraints.rows().iter().map(|row| force[row.unknown]).collect();
+        constraints.restrict(&mut self.residual);
+        let next_correction = self.correct_strains(system, preconditioner, &errors, solution);
         solution.next_correction = worst([solution.next_correction, next_correction]);
     }
 

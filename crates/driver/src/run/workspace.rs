@@ -1,7 +1,7 @@
 //! The vectors that solutions are found and weighed with.
 
 use super::scan::largest;
-use super::{Problem, extent};
+use super::{Problem, Spread, extent};
 use peristat_assembly::condition::Row;
 use peristat_assembly::system::System;
 use peristat_solve::{LinearOperator, Pcg, PcgOptions, PcgReport, PcgStatus, Preconditioner};
@@ -42,6 +42,8 @@ pub(super) struct StateSolution {
     pub(super) held_error: f64,
     /// The largest end action of the body, as a work.
     pub(super) action: f64,
+    /// Stored energy and largest end action of each component, where they are known.
+    pub(super) stored: Option<(f64, Vec<f64>)>,
     /// Whether it was found with a factor, which knows soft motions as well as stiff ones.
     pub(super) by_factor: bool,
     /// Least eigenvalue of the preconditioned stiffness that was seen, at most 1: the preconditioner alone corrects a part
@@ -69,6 +71,7 @@ impl StateSolution {
             correction_action: 0.0,
             held_error: 0.0,
             action: 0.0,
+            stored: None,
             by_factor: true,
             least_eigenvalue: 1.0,
             first_correction: 0.0,
@@ -85,8 +88,12 @@ const YIELDING: f64 = 1e-3;
 pub(super) struct Workspace<const D: usize> {
     pub(super) pcg: Pcg,
     pub(super) residual: Vec<f64>,
+    /// Internal force of the solution that was weighed last.
+    pub(super) force: Vec<f64>,
     /// Displacements of each component that count as equally large.
     pub(super) scales: [f64; D],
+    /// Whether strains are judged by the actions of bonds, not by their energy.
+    pub(super) counts_actions: bool,
 }
 
 impl<const D: usize> Workspace<D> {
@@ -94,7 +101,9 @@ impl<const D: usize> Workspace<D> {
         Self {
             pcg: Pcg::new(system.size()),
             residual: vec![0.0; system.size()],
+            force: vec![0.0; system.size()],
             scales: extent::scales(problem.model()),
+            counts_actions: problem.spread() != Spread::Chain,
         }
     }
 
@@ -173,10 +182,10 @@ impl<const D: usize> Workspace<D> {
         self.refresh_residual(system, load, u);
         system.constraints().restrict(&mut self.residual);
         let mut preconditioner = Inert { inner: preconditioner, rows: system.constraints().rows() };
-        let mut direction = self.pcg.precondition(&mut preconditioner, &self.residual).to_vec();
+        let direction = self.pcg.precondition(&mut preconditioner, &self.residual);
         let work: f64 = direction.iter().zip(&self.residual).map(|(z, r)| z * r).sum();
-        system.constraints().expand(0.0, &mut direction);
-        2.0 * system.survey(&direction).energy < YIELDING * work
+        system.constraints().expand(0.0, direction);
+        2.0 * system.survey(direction).energy < YIELDING * work
     }
 
     /// Forces that hold the equations, and twice the work of prescribed motions with them.

@@ -30,9 +30,9 @@ impl Resultant {
             self.moment[k].add_product(at[next], force[last]);
             self.moment[k].add_product(-at[last], force[next]);
         }
-        let length = |[x, y, z]: [f64; 3]| x.hypot(y).hypot(z);
-        self.sizes[0] += length(force);
-        self.sizes[1] += length(force) * length(at);
+        let size = length(force);
+        self.sizes[0] += size;
+        self.sizes[1] += size * length(at);
     }
 
     /// Adds a couple about z, N m.
@@ -62,6 +62,12 @@ impl Resultant {
     pub fn sizes(&self) -> [f64; 2] {
         self.sizes
     }
+}
+
+/// Length of a vector. Most lie along an axis, and a root takes longer than all the rest of a sum.
+fn length([x, y, z]: [f64; 3]) -> f64 {
+    let hypot = |a: f64, b: f64| if a == 0.0 || b == 0.0 { (a + b).abs() } else { a.hypot(b) };
+    hypot(hypot(x, y), z)
 }
 
 #[cfg(test)]

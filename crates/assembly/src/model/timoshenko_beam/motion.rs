@@ -14,14 +14,33 @@ impl TimoshenkoBeam {
 
     /// (w, φ, u) of a point under a unit translation along x (0), along y (1), or a rotation about a centre (2).
     fn plane_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
-        let [c, s] = self.chains[self.chain_of(point)].line().direction;
-        let [x, y, _] = self.position(point);
-        let (motion, turn) = match kind {
-            0 => ([1.0, 0.0], 0.0),
-            1 => ([0.0, 1.0], 0.0),
-            _ => ([centre[1] - y, x - centre[0]], 1.0),
-        };
-        [c * motion[1] - s * motion[0], turn, c * motion[0] + s * motion[1]]
+        let mut motion = [[0.0; 3]];
+        self.plane_motions(kind, point, centre, &mut motion);
+        motion[0]
+    }
+
+    /// The same of consecutive points, line by line; of as many unknowns as are asked for.
+    fn plane_motions<const D: usize>(&self, kind: usize, first: usize, centre: Point, out: &mut [[f64; D]]) {
+        let mut point = first;
+        let mut rest = out;
+        while !rest.is_empty() {
+            let number = self.chain_of(point);
+            let (chain, from) = (&self.chains[number], point - self.first[number]);
+            let (own, others) = rest.split_at_mut(rest.len().min(chain.extended() - from));
+            let (line, [c, s]) = (chain.line(), chain.line().direction);
+            chain.positions(from, own.len(), |k, along| {
+                let [x, y] = [0, 1].map(|axis| line.origin[axis] + along * line.direction[axis]);
+                let (motion, turn) = match kind {
+                    0 => ([1.0, 0.0], 0.0),
+                    1 => ([0.0, 1.0], 0.0),
+                    _ => ([centre[1] - y, x - centre[0]], 1.0),
+                };
+                let all = [c * motion[1] - s * motion[0], turn, c * motion[0] + s * motion[1]];
+                own[k] = std::array::from_fn(|component| all[component]);
+            });
+            point += own.len();
+            rest = others;
+        }
     }
 }
 
@@ -77,6 +96,10 @@ impl Model<2> for TimoshenkoBeam {
         let [w, phi, _] = self.plane_motion(kind + 1, point, centre);
         [w, phi]
     }
+
+    fn rigid_motions_from(&self, kind: usize, first: usize, centre: Point, out: &mut [[f64; 2]]) {
+        self.plane_motions(kind + 1, first, centre, out);
+    }
 }
 
 impl Model<3> for TimoshenkoBeam {
@@ -103,14 +126,18 @@ impl Model<3> for TimoshenkoBeam {
     }
 
     fn is_idle(&self, component: usize, point: usize) -> bool {
+        let line = self.chain_of(point);
+        let (chain, first) = (&self.chains[line], self.first[line]);
         component == U
-            && self.chains.iter().zip(&self.first).any(|(chain, first)| {
-                chain.stretches_as_bar()
-                    && (first + 1..(first + chain.points).saturating_sub(1)).contains(&point)
-            })
+            && chain.stretches_as_bar()
+            && (first + 1..first + chain.points.saturating_sub(1)).contains(&point)
     }
 
     fn rigid_motion(&self, kind: usize, point: usize, centre: Point) -> [f64; 3] {
         self.plane_motion(kind, point, centre)
+    }
+
+    fn rigid_motions_from(&self, kind: usize, first: usize, centre: Point, out: &mut [[f64; 3]]) {
+        self.plane_motions(kind, first, centre, out);
     }
 }

@@ -2,12 +2,13 @@
 
 mod assemble;
 mod sweep;
+mod twofold;
 mod weights;
 
 use weights::CHUNK;
 pub use weights::{Override, Weights};
 
-use super::{BlockMatrix, Parts, Survey, Term, Twofold, twofold};
+use super::{BlockMatrix, Parts, Survey, Term, Twofold};
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 use crate::sum::Sum;
 use std::marker::PhantomData;
@@ -109,16 +110,10 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
     }
 
     fn add_force_twofold(&self, u: Twofold<'_>, force: &mut [Sum]) -> bool {
-        for (index, class) in self.classes.iter().enumerate() {
-            let rows = [&class.rows.difference, &class.rows.half_mean()];
-            for lower in 0..self.lattice.count.saturating_sub(class.step) {
-                // The modulus holds the weight of the class, which may be zero.
-                let factor = self.weights.factor(index, lower);
-                let (moduli, i) = (class.modulus.map(|c| factor * c), self.lattice.first + lower);
-                let ends = [i, i + class.step];
-                twofold::add_bond((rows, &moduli), self.lattice.points, ends, u, force);
-            }
-        }
+        pulp::Arch::new().dispatch(
+            #[inline(always)]
+            || self.add_twofold(u, force),
+        );
         true
     }
 

@@ -42,7 +42,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> LatticeBonds<D, M, B> {
 
     /// Measures turned into conjugate forces `σ = α factor C s`.
     #[inline(always)]
-    fn stress(class: &BondClass<D, M>, factors: Option<&[f64]>, s: &mut [[f64; CHUNK]; M]) {
+    pub(super) fn stress(class: &BondClass<D, M>, factors: Option<&[f64]>, s: &mut [[f64; CHUNK]; M]) {
         for m in 0..M {
             s[m].iter_mut().for_each(|v| *v *= class.modulus[m]);
             if let Some(factors) = factors {

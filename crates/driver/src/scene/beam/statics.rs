@@ -44,12 +44,12 @@ impl BeamScene {
 pub(crate) fn resultant(beam: &TimoshenkoBeam, forces: &[f64]) -> Resultant {
     let (n, mut sum) = (beam.points(), Resultant::default());
     for (c, chain) in beam.chains().iter().enumerate() {
-        for k in 0..chain.extended() {
+        chain.positions(0, chain.extended(), |k, x| {
             let point = beam.first(c) + k;
             for (component, plane) in forces.chunks_exact(n).enumerate().filter(|p| p.1[point] != 0.0) {
-                act(&mut sum, chain.line(), chain.position(k), (component, plane[point]));
+                act(&mut sum, chain.line(), x, (component, plane[point]));
             }
-        }
+        });
     }
     sum
 }

@@ -206,6 +206,23 @@ impl Chain {
         position(&self.line, self.ghosts[0], point)
     }
 
+    /// Visits the coordinates of `count` extended points from `first` on, with their places among these.
+    #[inline(always)]
+    pub fn positions(&self, first: usize, count: usize, mut visit: impl FnMut(usize, f64)) {
+        match &self.line.stations {
+            Some(stations) => {
+                let stations = stations[first..][..count].iter().enumerate();
+                stations.for_each(|(k, x)| visit(k, self.line.from + x));
+            }
+            None => {
+                let (origin, spacing) = (self.line.origin(), self.line.spacing());
+                (0..count).for_each(|k| {
+                    visit(k, origin + ((first + k) as f64 - self.ghosts[0] as f64) * spacing);
+                });
+            }
+        }
+    }
+
     /// Whether the line, in a body with axial unknowns, has them only on its ends.
     pub fn stretches_as_bar(&self) -> bool {
         self.line.axial == Axial::Ends && self.is_uniform() && self.ghosts == [0; 2]

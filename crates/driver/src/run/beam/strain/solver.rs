@@ -200,6 +200,7 @@ impl<'a> StrainSolver<'a> {
             correction_action: 0.0,
             held_error: 0.0,
             action: 0.0,
+            stored: None,
             by_factor: true,
             least_eigenvalue: 1.0,
             first_correction: evidence.first_correction,
