@@ -24,10 +24,10 @@ pub(super) struct Arguments {
 /// Options of all commands.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Global {
-    /// Say more: what was skipped, counters, times.
+    /// Print more: what was skipped, counters, times.
     #[arg(short, long, global = true)]
     pub(super) verbose: bool,
-    /// Say nothing but errors.
+    /// Print errors only.
     #[arg(short, long, global = true, conflicts_with = "verbose")]
     pub(super) quiet: bool,
     /// Print JSON for machines instead of text.
@@ -36,10 +36,10 @@ pub(super) struct Global {
     /// When to colour messages.
     #[arg(long, global = true, value_enum, default_value = "auto")]
     pub(super) color: Color,
-    /// Threads that solve a plate, and cases that `verify` and `study` solve side by side; all cores if not given.
+    /// Threads for a plate, or cases that `verify` and `study` solve at the same time; default: all cores.
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) threads: Option<u16>,
-    /// Memory that a case may need, such as `2GB`; it is estimated before anything is allocated.
+    /// Largest memory that a case may need, such as `2GB`; peristat estimates it before it allocates.
     #[arg(long, global = true, value_name = "SIZE", value_parser = size)]
     pub(super) max_memory: Option<u64>,
     /// Read files that cases and studies name even where they lie outside their folders.
@@ -85,7 +85,7 @@ pub(super) enum Command {
         /// Case files and folders of them; `cases` if none is given.
         #[arg(value_name = "PATH")]
         paths: Vec<PathBuf>,
-        /// Also the cases that are marked slow and those of `bench` folders.
+        /// Include cases marked slow and those in `bench` folders.
         #[arg(long)]
         all: bool,
         /// Write a JUnit report.
@@ -100,7 +100,7 @@ pub(super) enum Command {
     },
     /// Solve a case on many discretisations: orders of convergence and extrapolated values.
     Study(Study),
-    /// Print a case to begin with.
+    /// Print a starting case.
     New {
         /// The model, or the kind of body.
         #[arg(value_parser = starts())]
@@ -108,16 +108,16 @@ pub(super) enum Command {
     },
     /// List models, loads, references and solvers.
     List {
-        /// One kind only.
+        /// List this kind only.
         #[arg(value_enum)]
         kind: Option<Kind>,
     },
     /// Print the JSON Schema of case files, for editors.
     Schema {
-        /// Of study files.
+        /// Print the schema of study files instead.
         #[arg(long)]
         study: bool,
-        /// As a page for people.
+        /// Print a Markdown page instead of JSON.
         #[arg(long)]
         markdown: bool,
     },
@@ -148,13 +148,13 @@ pub(super) struct Run {
     /// Replace an earlier run in the results folder; other files there stay.
     #[arg(long)]
     pub(super) force: bool,
-    /// Go on with the interrupted run of a body that breaks in the results folder.
+    /// Continue the interrupted fracture run in the results folder.
     #[arg(long, conflicts_with = "force")]
     pub(super) resume: bool,
-    /// Estimate the discretisation error of every probe from a finer grid, too, which costs more than the run.
+    /// Estimate the discretisation error of every probe from a finer grid as well; this costs more than the run itself.
     #[arg(long)]
     pub(super) estimate: bool,
-    /// Leave the estimate out that runs make from coarser grids.
+    /// Skip the error estimate from coarser grids.
     #[arg(long, conflicts_with = "estimate")]
     pub(super) no_estimate: bool,
     /// Write the assembled stiffness, before supports, as a Matrix Market file.
@@ -196,7 +196,7 @@ pub(super) enum Kind {
     Loads,
     /// How bodies break: strategies and critical strains.
     Fracture,
-    /// How bodies soften and how they are followed.
+    /// Bond laws that soften, and controls of paths.
     Path,
     /// Closed forms of beams for checks.
     References,

@@ -51,14 +51,14 @@ const LOADS: [(&str, &str); 15] = [
 const FRACTURE: [(&str, &str); 9] = [
     (
         "strategy batch",
-        "bonds break together that are strained at least batch_threshold times as much as the worst (default)",
+        "all bonds strained at least batch_threshold times as much as the worst break together (default)",
     ),
     (
         "strategy worst",
-        "the worst bond breaks, with its equals by symmetry, wherever the load has to be for it: the load may snap back",
+        "the worst bond breaks, with its equals by symmetry, at whatever load that takes: the load may snap back",
     ),
-    ("strategy all", "all bonds break together that are strained beyond their critical strain"),
-    ("stretch", "critical elongation over length of central bonds"),
+    ("strategy all", "all bonds strained beyond their critical strain break together"),
+    ("stretch", "critical stretch of central bonds: elongation over length"),
     ("fibre_stretch, matrix_stretch", "the same of beam bonds along the fibres, and of all others"),
     (
         "energy_release_rate",

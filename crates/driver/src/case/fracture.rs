@@ -4,22 +4,22 @@ use crate::model::Critical;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Brittle fracture: the loads and prescribed motions grow from zero, and a bond that is strained to
-/// its critical strain is gone for good. Every equilibrium is found anew with the bonds that are left.
+/// Brittle fracture: loads and prescribed motions grow from zero, and a bond that reaches its critical strain breaks
+/// for good. Each equilibrium is solved with the bonds that remain.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Fracture {
-    /// At what strain bonds break.
+    /// The strains at which bonds break.
     pub critical: Critical,
-    /// Which of the bonds that are strained beyond their critical strain break before the next equilibrium is found;
-    /// `batch` if not given.
+    /// Which of the bonds strained beyond their critical strain break before the next equilibrium is solved; default:
+    /// `batch`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strategy: Option<Strategy>,
-    /// With `batch`, the ratio of strain to critical strain over the largest such ratio from which a bond breaks together
-    /// with the worst, between 0 and 1; 0.9 if not given.
+    /// With `batch`: a bond breaks together with the worst if its ratio of strain to critical strain is at least this
+    /// fraction of the largest ratio; between 0 and 1, default: 0.9.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub batch_threshold: Option<f64>,
-    /// Growth of the load factor from step to step, > 0; 0.02 if not given. The first step is the load factor at which the
+    /// Increment of the load factor per step, > 0; default: 0.02. The first step is the load factor at which the
     /// first bond breaks, and the last is 1, the loads and motions as written. Not with `worst`, which goes from break to
     /// break.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -30,16 +30,16 @@ pub struct Fracture {
     pub no_fail: Vec<String>,
     /// Name of the probe that stands for the load in `curve.csv`, such as a reaction.
     pub load: String,
-    /// The run ends where the load falls below this part of its largest value so far, between 0 and 1; 0.1 if not given.
+    /// The run ends when the load falls below this fraction of its peak so far, between 0 and 1; default: 0.1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stop_below: Option<f64>,
-    /// The run ends after so many equilibria, >= 1; 5000 if not given.
+    /// Largest number of equilibria, >= 1; the run ends there. Default: 5000.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_solves: Option<usize>,
     /// Parts of the body in which the direction of the crack is found; in the plane.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub directions: Vec<CrackDirection>,
-    /// All fields are written at every equilibrium of this number, and at the last one, >= 1; 10 if not given.
+    /// Writes all fields at every n-th equilibrium and at the last one; n >= 1, default: 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub record_every: Option<usize>,
 }
@@ -68,11 +68,11 @@ impl CrackDirection {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Strategy {
-    /// Those strained nearly as much as the worst.
+    /// The worst bond and those strained nearly as much.
     #[default]
     Batch,
-    /// The worst, with those that equal it by symmetry.
+    /// The worst bond and those that equal it by symmetry.
     Worst,
-    /// All that are strained beyond their critical strain.
+    /// All bonds strained beyond their critical strain.
     All,
 }

@@ -3,18 +3,18 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a body of bonds that soften is followed: `loads` and prescribed motions grow in proportion to a load factor, from
-/// zero to one place after the other.
+/// How to follow a body whose bonds soften: `loads` and prescribed motions are proportional to a load factor, which goes
+/// from zero to one turn after the other.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Path {
-    /// What drives it; `auto` if not given.
+    /// What controls the path; default: `auto`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub control: Option<PathControl>,
-    /// Largest growth of the load factor in a step, between 0 and 1; 0.02 if not given.
+    /// Largest increment of the load factor in a step, between 0 and 1; default: 0.02.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub increment: Option<f64>,
-    /// Where the path turns, in this order; to the load factor 1 if not given.
+    /// Where the path turns, in this order; default: one path to the load factor 1.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub turns: Vec<Turn>,
     /// Regions in which no bond yields, such as those around pins: bonds with an end there stay elastic. So do those of edges that supports hold.
@@ -22,24 +22,24 @@ pub struct Path {
     pub no_damage: Vec<String>,
     /// Name of the probe that stands for the load, such as a reaction.
     pub load: String,
-    /// Name of the probe that the load is drawn over; the load factor if not given.
+    /// Name of the probe on the horizontal axis of the load curve; the load factor if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub opening: Option<String>,
-    /// The run ends where the load falls below this part of its largest value, between 0 and 1; it does not if not given.
+    /// The run ends when the load falls below this fraction of its peak, between 0 and 1; no limit if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stop_below: Option<f64>,
-    /// Largest energy that a step of `dissipation` takes, in energies of a crack as long as the spacing; 0.25 if not given.
+    /// Largest energy dissipated in a step of `dissipation`, over that of a crack one spacing long; default: 0.25.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub energy_increment: Option<f64>,
-    /// The run ends after so many steps, >= 1; 10000 if not given.
+    /// Largest number of steps, >= 1; the run ends there. Default: 10000.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_steps: Option<usize>,
-    /// All fields are written at every step of this number, where the path turns and at its end, >= 1; 50 if not given.
+    /// Writes all fields at every n-th step, where the path turns and at its end; n >= 1, default: 50.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub record_every: Option<usize>,
 }
 
-/// What drives a body along its path.
+/// What controls a path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum PathControl {
@@ -59,8 +59,8 @@ pub enum PathControl {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Turn {
-    /// At this load factor.
+    /// The path turns at this load factor.
     LoadFactor(f64),
-    /// Where the load has this value while the load factor falls: 0 to unload.
+    /// The load factor falls until the load has this value, where the path turns: 0 to unload.
     Load(f64),
 }

@@ -15,27 +15,28 @@ pub struct Plane {
     pub youngs_modulus: f64,
     /// Plane stress or plane strain.
     pub state: PlaneState,
-    /// Thickness, > 0; 1 if not given.
+    /// Thickness, > 0; default: 1.
     #[serde(default = "one")]
     pub thickness: f64,
-    /// Poisson's ratio ν: 1/3 in plane stress, 1/4 in plane strain. Central bonds have no other; it need not be given.
+    /// Poisson's ratio ν, which central bonds fix: 1/3 in plane stress, 1/4 in plane strain. Optional; any other value is an
+    /// error.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub poisson_ratio: Option<f64>,
-    /// How the stiffness of bonds depends on their length; `constant` if not given.
+    /// How the stiffness of bonds depends on their length; default: `constant`.
     #[serde(default)]
     pub influence: Influence,
-    /// Where the stiffness of bonds comes from; `published` where bonds break or soften and edges are not completed, else
-    /// `matched`, if not given.
+    /// Where the stiffness of bonds comes from; default: `published` where bonds break or soften and edges are not
+    /// completed, else `matched`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration: Option<Calibration>,
-    /// Volume of points at the edge of the horizon, with the calibration `published`; `ramp` if not given.
+    /// Volume of points at the edge of the horizon, with the calibration `published`; default: `ramp`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_factor: Option<VolumeFactor>,
-    /// What is done about the bonds that points near edges lack; `border` with the calibration `matched`, `none` with
-    /// `published`, if not given. Where there is no `border` it is `overlay`, and `none` where bonds soften.
+    /// What makes up for the bonds that points near edges lack; default: `border` with the calibration `matched`, `none`
+    /// with `published`. Where `border` does not exist the default is `overlay`, and `none` where bonds soften.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edges: Option<Edges>,
-    /// What bonds do beyond their elastic range; they have none if not given. It needs `path`.
+    /// How bonds behave beyond their elastic range; they stay elastic if not given. It needs `path`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bond_law: Option<PlaneBondLaw>,
 }

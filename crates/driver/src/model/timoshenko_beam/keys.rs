@@ -7,7 +7,7 @@ use peristat_assembly::model::timoshenko_beam::{VolumeFactor, bond_law, end_trea
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
-/// A Timoshenko beam. What its sections are is said by `section`, `stiffness` or `power_law`, one of them.
+/// A Timoshenko beam. Give its sections by one of `section`, `stiffness` and `power_law`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Beam {
@@ -26,28 +26,28 @@ pub struct Beam {
     /// Cross-section at the end of every line, of the same shape; dimensions vary linearly from those of `section`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub end_section: Option<Section>,
-    /// Stiffness of the sections by numbers, instead of moduli and `section`.
+    /// Stiffness of the sections as numbers, instead of moduli and `section`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Stiffness>,
     /// A functionally graded section, instead of `youngs_modulus` and `section`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub power_law: Option<PowerLaw>,
-    /// Where the shear correction factor κ comes from; `classical` if not given.
+    /// Where the shear correction factor κ comes from; default: `classical`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_correction: Option<ShearCorrection>,
-    /// Shear stiffness of a bond, by name; `exact` if not given.
+    /// Name of the law for the shear stiffness of a bond; default: `exact`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "bond_laws")]
     pub bond_law: Option<String>,
     /// Volume of points at the edge of the horizon.
     #[serde(default)]
     pub volume_factor: VolumeFactor,
-    /// What happens to the bonds that an end cuts off, by name; `cover` on nodes, `ghost` on cells if not given.
+    /// Name of the treatment of bonds that an end cuts off; default: `cover` on nodes, `ghost` on cells.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(schema_with = "end_treatments")]
     pub end_treatment: Option<String>,
-    /// How distributed loads reach the points; `lumped` with a foundation or without the end treatment `cover`, else
-    /// `consistent`.
+    /// How distributed loads reach the points; default: `lumped` with a foundation or without the end treatment
+    /// `cover`, else `consistent`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub distributed_loads: Option<LoadSharing>,
 }
