@@ -5,6 +5,7 @@ mod axial_bar;
 mod consistency;
 mod corpus;
 mod entry;
+mod every_model;
 mod extremes;
 mod hostile;
 mod loose;

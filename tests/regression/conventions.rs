@@ -5,8 +5,19 @@ use std::fs;
 use std::path::Path;
 
 /// Modules of `peristat-assembly`: each uses only what stands before it.
-const LAYERS: [&str; 11] =
-    ["sum", "quadrature", "recovery", "law", "material", "bonds", "body", "condition", "stiffness", "model", "system"];
+const LAYERS: [&str; 11] = [
+    "sum",
+    "quadrature",
+    "recovery",
+    "law",
+    "material",
+    "bonds",
+    "body",
+    "condition",
+    "stiffness",
+    "model",
+    "system",
+];
 
 /// Lines of code of a file up to its tests.
 fn code(file: &Path) -> Vec<String> {

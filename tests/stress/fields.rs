@@ -5,7 +5,7 @@ use crate::stress::row::{Row, Wish};
 use serde_json::{Value, json};
 
 /// All fields that a case can name.
-const FIELDS: [&str; 25] = [
+const FIELDS: [&str; 29] = [
     "w",
     "u",
     "ux",
@@ -19,9 +19,13 @@ const FIELDS: [&str; 25] = [
     "strain_xx",
     "strain_yy",
     "strain_xy",
+    "strain_xz",
+    "strain_yz",
     "stress_xx",
     "stress_yy",
     "stress_xy",
+    "stress_xz",
+    "stress_yz",
     "stress_zz",
     "von_mises",
     "opening",

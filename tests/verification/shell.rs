@@ -79,7 +79,7 @@ fn consistent_pressure_is_exact_at_every_point_of_a_closed_tube() {
         if whole {
             // Points opposite each other and a quarter on: the lateral motions, and tilts.
             let places = [[near, near], [near, 0.25 + near], [end, near], [end, 0.25 + near]];
-            let supports = case["supports"].as_array_mut().unwrap();
+            let supports = case["supports"].as_array_mut().expect("supports");
             let w = 1e6 * radius * radius / 2e9 * (1.0 - 1.0 / 6.0);
             supports.extend(places.map(|[x, y]| json!({ "at": { "x": x, "y": y }, "w": w })));
         }
@@ -114,10 +114,10 @@ fn between_held_ends([columns, rows]: [u32; 2], horizon_ratio: u32, ends: &[Valu
     case["supports"] = json!([end("left", &ends[0]), end("right", &ends[1])]);
     if ends[0].get("w").is_none() {
         let places = [at(near, near), at(near, 0.25 + near), at(far, near), at(far, 0.25 + near)];
-        case["supports"].as_array_mut().unwrap().extend(places);
+        case["supports"].as_array_mut().expect("supports").extend(places);
     }
     if ends[0].get("uy").is_none() {
-        case["supports"].as_array_mut().unwrap().push(json!({ "at": { "x": near, "y": near }, "uy": 0 }));
+        case["supports"].as_array_mut().expect("supports").push(json!({ "at": { "x": near, "y": near }, "uy": 0 }));
     }
     case["probes"] = json!([{ "name": "pull", "at": { "region": "right" }, "field": "reaction_x" }]);
     case

@@ -9,7 +9,7 @@ use peristat_assembly::model::ModelSizes;
 use peristat_solve::{Method, Profile, choose};
 
 /// Memory of the program itself, bytes.
-const PROGRAM: usize = 16_000_000;
+const PROGRAM: usize = 17_500_000;
 /// Memory of threads and of what they keep, bytes, where points spread in a plane.
 const THREADS: usize = 3_000_000;
 /// Memory of the fields of a point and of what is written of them, bytes: along lines, and in a plane.

@@ -60,8 +60,10 @@ impl Doubts {
                     self.take_gradients(state, steepest(plane, result));
                 }
                 let moduli = plane.material().youngs_moduli().into_iter().map(|(_, modulus)| modulus);
-                let most = moduli.fold(0.0, f64::max) / STIFF;
-                self.take_extreme(Kind::Stress, most, 1.0, state, &["von_mises"]);
+                // Materials that are given by other moduli have strains to go by.
+                if let Some(most) = moduli.reduce(f64::max) {
+                    self.take_extreme(Kind::Stress, most / STIFF, 1.0, state, &["von_mises"]);
+                }
             }
             _ => {}
         }
@@ -88,7 +90,7 @@ impl Doubts {
         match found.strain {
             Some(strain) => self.keep(Kind::Strain, SMALL_STRAIN, 1.0, state, &located(strain)),
             None => {
-                let components = ["strain_xx", "strain_yy", "strain_xy"];
+                let components = ["strain_xx", "strain_yy", "strain_xy", "strain_xz", "strain_yz"];
                 self.take_extreme(Kind::Strain, SMALL_STRAIN, 1.0, state, &components);
             }
         }

@@ -47,7 +47,7 @@ impl Kolosov {
     }
 
     fn place(&self, position: [f64; 2]) -> Place {
-        let z = self.ellipse.from_centre(position);
+        let z = self.ellipse.place_of(position);
         let [zeta, _] = outside(z, self.ellipse.half_axes, C::i());
         let (r, m) = (self.radius, self.flatness);
         let square = zeta * zeta;

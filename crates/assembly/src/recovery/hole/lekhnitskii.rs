@@ -39,7 +39,7 @@ impl Lekhnitskii {
 
     /// Adds four fields for every power up to `order`: those of ζ₁ⁿ and ζ₂ⁿ, times 1 and i, with what they need of ζ⁻ⁿ.
     pub(super) fn add(&self, position: [f64; 2], order: usize, fields: &mut Vec<Field>) {
-        let at = self.ellipse.from_centre(position);
+        let at = self.ellipse.place_of(position);
         let mapped = self.roots.map(|mu| outside(at.re + mu * at.im, self.ellipse.half_axes, mu));
         let [first, second] = self.roots.map(|mu| mu.conj());
         for n in 1..=order as i32 {

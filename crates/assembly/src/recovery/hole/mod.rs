@@ -40,7 +40,7 @@ impl Ellipse {
     }
 
     /// A position as a complex number from the middle.
-    fn from_centre(&self, at: [f64; 2]) -> C {
+    fn place_of(&self, at: [f64; 2]) -> C {
         C::new(at[0] - self.centre[0], at[1] - self.centre[1])
     }
 

@@ -89,10 +89,7 @@ pub(super) fn collect(
     let intensities = intensities.iter().map(|k| k[index]).collect();
     let forces = (solution.multipliers, load, scene.asked(state));
     let hole_fits = rings.iter().filter_map(|ring| ring.fit(scene, state, &record.u)).collect();
-    BodyResult {
-        hole_fits,
-        ..BodyResult::new((scene, &*scene.model), record, forces, intensities, recover)
-    }
+    BodyResult { hole_fits, ..BodyResult::new((scene, &*scene.model), record, forces, intensities, recover) }
 }
 
 /// Index of a component of strains and stresses among those of a model.
