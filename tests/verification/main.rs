@@ -7,6 +7,7 @@
 mod stress;
 mod support;
 
+mod antiplane;
 mod axial;
 mod balance;
 mod beam_fracture;

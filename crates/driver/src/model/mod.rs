@@ -10,6 +10,7 @@ mod any_body;
 mod asked;
 mod axisymmetric;
 mod beam_bond_orthotropic;
+mod bond_antiplane;
 mod bond_plane;
 mod critical;
 mod entry;
@@ -29,6 +30,7 @@ pub(crate) use any_body::with_body;
 pub use asked::{Asked, BodyKind, JoinedSides, Refused};
 pub use axisymmetric::Axisymmetric;
 pub use beam_bond_orthotropic::{LatticeRows, Orthotropic};
+pub use bond_antiplane::Antiplane;
 pub use bond_plane::{BilinearLaw, Plane, PlaneBondLaw};
 pub use critical::{Critical, CriticalFormula};
 pub(crate) use critical::{foreign, needed};
@@ -139,6 +141,8 @@ models! {
     Axisymmetric(Axisymmetric) = axisymmetric,
     /// Membrane of a cylindrical shell of central bonds: displacements along the axis, along the circumference and outwards.
     ShellMembrane(Shell) = shell_membrane,
+    /// Isotropic plate of bonds in antiplane shear: displacements across the plane.
+    BondAntiplane(Antiplane) = bond_antiplane,
 }
 
 impl Model {

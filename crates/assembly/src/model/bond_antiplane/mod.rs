@@ -18,7 +18,7 @@ mod tests;
 pub use bond::ShearBond;
 pub use parameters::{AntiplaneError, AntiplaneParameters};
 
-use super::plane::{Edges, Kind, LatticeBody, Mirrors};
+use super::plane::{Kind, LatticeBody, Mirrors};
 use crate::body::{Cell, SquareLattice};
 use std::sync::Arc;
 
@@ -51,8 +51,7 @@ impl BondAntiplane {
     }
 
     /// A lattice of points, images in `mirrors` among them ([`Mirrors::extended`] by [`depth`](Self::depth)). A cut is an
-    /// index into [`offsets`](Self::offsets) and the lower point of a bond; images of cuts are cuts. Edges `border` are
-    /// `overlay` where the border cuts cells.
+    /// index into [`offsets`](Self::offsets) and the lower point of a bond; images of cuts are cuts.
     ///
     /// # Errors
     /// [`AntiplaneError`].
@@ -68,11 +67,7 @@ impl BondAntiplane {
         let hood = parameters.neighbourhood()?;
         let kind = Kind {
             bond: ShearBond { volume: lattice.spacing().powi(2) * parameters.thickness },
-            edges: if lattice.blocks().is_empty() || !parameters.edges.is_exact() {
-                parameters.edges
-            } else {
-                Edges::Overlay
-            },
+            edges: parameters.edges,
             thickness: parameters.thickness,
             stretch_moduli: [parameters.shear_modulus; 2],
         };

@@ -29,9 +29,12 @@ fn check(name: &str, plate: &BondAntiplane, strain: [f64; 2]) {
     let mut load = vec![0.0; n];
     plate.add_stress_load(None, &|_| [stress[0], stress[1], 0.0], &mut load);
     let internal = force(plate, &w);
-    assert!(difference(&load, &internal) < 1e-12 * largest(&internal), "{name}");
+    let off = difference(&load, &internal) / largest(&internal);
+    assert!(off < 1e-12, "{name}: {off:e}");
     let volume: f64 = (0..n).map(|p| plate.volume(p)).sum();
-    assert!((energy(plate, &w) / (density * volume) - 1.0).abs() < 1e-12, "{name}");
+    let off = (energy(plate, &w) / (density * volume) - 1.0).abs();
+    // Where corners of two borders meet in one cell, parts are sampled, as with central bonds.
+    assert!(off < if plate.follows_border() { 2e-4 } else { 1e-12 }, "{name}: {off:e}");
 }
 
 #[test]

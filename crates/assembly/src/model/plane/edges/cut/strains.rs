@@ -66,24 +66,27 @@ impl Strains {
         self.points.iter().map(|&point| point as usize)
     }
 
-    /// Calls `visit` with every point and its strain `[ε_xx, ε_yy, γ_xy]`; `u` are components of all points.
+    /// Calls `visit` with every point and its strain `[ε_xx, ε_yy, γ_xy]`; `u` are components of all points. Where points have one
+    /// component, across the plane, it is `[γ_xz, γ_yz, 0]`.
     pub(in super::super::super::super) fn for_each(
         &self,
         (points, u): (usize, &[f64]),
         visit: &mut dyn FnMut(usize, [f64; 3]),
     ) {
+        let components = 2.min(u.len() / points.max(1));
         let mut from = 0;
         for (&point, &end) in self.points.iter().zip(&self.ends) {
-            // Relative to the point: a translation costs no digits.
-            let own = [0, 1].map(|c| u[c * points + point as usize]);
             let mut slope = [[0.0; 2]; 2];
             for &(other, rows) in &self.rows[from..end as usize] {
-                for c in 0..2 {
-                    let moved = u[c * points + other as usize] - own[c];
-                    (0..2).for_each(|k| slope[c][k] += rows[k] * moved);
+                for (c, slope) in slope.iter_mut().enumerate().take(components) {
+                    // Relative to the point: a translation costs no digits.
+                    let moved = u[c * points + other as usize] - u[c * points + point as usize];
+                    (0..2).for_each(|k| slope[k] += rows[k] * moved);
                 }
             }
-            visit(point as usize, [slope[0][0], slope[1][1], slope[0][1] + slope[1][0]]);
+            let [x, y] = slope;
+            let strain = if components == 1 { [x[0], x[1], 0.0] } else { [x[0], y[1], x[1] + y[0]] };
+            visit(point as usize, strain);
             from = end as usize;
         }
     }
