@@ -117,7 +117,10 @@ fn between_held_ends([columns, rows]: [u32; 2], horizon_ratio: u32, ends: &[Valu
         case["supports"].as_array_mut().expect("supports").extend(places);
     }
     if ends[0].get("uy").is_none() {
-        case["supports"].as_array_mut().expect("supports").push(json!({ "at": { "x": near, "y": near }, "uy": 0 }));
+        case["supports"]
+            .as_array_mut()
+            .expect("supports")
+            .push(json!({ "at": { "x": near, "y": near }, "uy": 0 }));
     }
     case["probes"] = json!([{ "name": "pull", "at": { "region": "right" }, "field": "reaction_x" }]);
     case

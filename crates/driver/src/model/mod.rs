@@ -1,7 +1,7 @@
 //! The models: what cases write of each, what it becomes, and what its results say of it.
 //!
 //! A model is a folder, its `keys` (what a case writes), `resolve` (the [`Material`] that they become, and why not) and `words`
-//! (what the record of a run says of it), and one line of [`models!`]. From that line follow the key in cases and the schema,
+//! (what the record of a run says of it), and one line of `models!`. From that line follow the key in cases and the schema,
 //! the lists and starting cases of the command, and the tests that ask something of every model. Nothing else names a model.
 //!
 //! Models know nothing of cases and scenes: what they need of a case is in [`Asked`].

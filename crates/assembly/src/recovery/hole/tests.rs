@@ -122,7 +122,8 @@ fn wide_plates_concentrate_stress_as_in_closed_forms() {
     near(top(isotropic(70.0, 0.3), [1.0, 2.0]), [5.0, -1.0], "Inglis");
     near(top(isotropic(70.0, 0.3), [3.0, 1.0]), [1.0 + 2.0 / 3.0, -1.0], "Inglis");
     // Lekhnitskii (1968): 1 + √(2 (√(E1/E2) − ν12) + E1/G) across the fibres, −√(E2/E1) at their ends.
-    for [e1, e2, nu, g] in [[140.0_f64, 10.0, 0.3, 5.0], [140.0, 10.0, 0.25, 2.93], [140.0, 10.0, 0.25, 40.0]] {
+    for [e1, e2, nu, g] in [[140.0_f64, 10.0, 0.3, 5.0], [140.0, 10.0, 0.25, 2.93], [140.0, 10.0, 0.25, 40.0]]
+    {
         let roots = (2.0 * ((e1 / e2).sqrt() - nu) + e1 / g).sqrt();
         near(top(orthotropic(e1, e2, nu, g), [2.0, 2.0]), [1.0 + roots, -(e2 / e1).sqrt()], "Lekhnitskii");
         near(top(orthotropic(e1, e2, nu, g), [1.0, 2.0]), [1.0 + 2.0 * roots, -(e2 / e1).sqrt()], "ellipse");

@@ -53,7 +53,7 @@ impl Conditions {
     }
 
     /// All equations: of every hold one per point, in their order, then of every rigid region one per prescribed motion,
-    /// in the order of [`RIGID_KEYS`](super::RIGID_KEYS), then those that make them rigid.
+    /// in the order of [`RIGID_KEYS`](super::rigid::RIGID_KEYS), then those that make them rigid.
     pub fn equations(&self, position: &dyn Fn(usize) -> [f64; 2]) -> Vec<Equation> {
         let mut equations: Vec<Equation> = self.holds.iter().flat_map(HeldPoints::equations).collect();
         let bodies: Vec<Basis> = self.rigid.iter().map(|r| Basis::new(r, self.turning, position)).collect();
