@@ -6,3 +6,4 @@ mod coverage;
 mod determinism;
 mod gallery;
 mod support;
+mod tables;
