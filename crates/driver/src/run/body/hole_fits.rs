@@ -6,7 +6,7 @@ use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::scene::body::{BodyProbe, BodyScene, Quantity, is_on};
 use peristat_assembly::recovery::hole::HoleFit;
 
-/// A fit that misses a larger share of the displacements is told: one that misses 0.8 % is 4 % off in the stress, one that misses
+/// A fit that misses a larger share of the displacements gives a warning: one that misses 0.8 % is 4 % off in the stress, one that misses
 /// 0.3 % is 1 % off.
 const LARGE: f64 = 5e-3;
 

@@ -5,7 +5,7 @@ use super::traction::on_border::OnBorder;
 use super::traction::profile::Profile;
 use crate::scene::Resultant;
 use crate::scene::body::site::boundary::{self, Border};
-use crate::scene::body::site::resultants as statics;
+use crate::scene::body::site::resultants;
 use peristat_assembly::body::{BorderPart, Edge, Outline};
 use peristat_assembly::quadrature::GAUSS;
 use std::f64::consts::TAU;
@@ -23,7 +23,7 @@ pub(crate) fn of_traction(on: &OnBorder, context: &LoadContext) -> Resultant {
         integrate(&part, |share, at, length| {
             let t = on.profile.at(start + share * (end - start), part.normal(share));
             let force = t.map(|t| length * context.material.across(at) * t);
-            statics::add_force(context.material, &mut sum, force, at);
+            resultants::add_force(context.material, &mut sum, force, at);
         });
     }
     sum
@@ -65,7 +65,7 @@ fn of_contact(edge: &Edge, (centre, radius, peak): (f64, f64, f64), context: &Lo
             false => across * whole,
         };
         let [x, y] = edge.normal.map(|n| -peak * a * width * n);
-        statics::add_force(context.material, &mut sum, [x, y, 0.0], middle);
+        resultants::add_force(context.material, &mut sum, [x, y, 0.0], middle);
         let turn = tangent[0] * edge.normal[1] - tangent[1] * edge.normal[0];
         sum.add_moment(-peak * a * a * across * first * turn);
     }
@@ -78,13 +78,13 @@ pub(crate) fn of_body(density: [f64; 3], context: &LoadContext) -> Resultant {
     match context.ground.outline {
         Some(outline) => {
             let (volume, centroid) = volume(outline, context);
-            statics::add_force(context.material, &mut sum, density.map(|b| b * volume), centroid);
+            resultants::add_force(context.material, &mut sum, density.map(|b| b * volume), centroid);
         }
         // Listed points are the body.
         None => {
             for p in 0..context.ground.body.points() as u32 {
                 let force = density.map(|b| b * context.volume(p));
-                statics::add_force(
+                resultants::add_force(
                     context.material,
                     &mut sum,
                     force,

@@ -7,7 +7,7 @@ use super::traction::lump;
 use crate::case::BodyForce;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::hints;
-use crate::scene::body::site::resultants as statics;
+use crate::scene::body::site::resultants;
 use peristat_assembly::body::PlaneBody;
 
 /// Forces per volume, or altogether, on a body or a region, or those of a spin.
@@ -53,7 +53,12 @@ pub(crate) fn resolve(
     let density = if is_total { value.map(|f| f / volume) } else { value };
     for p in points {
         let force = density.map(|b| b * context.volume(p));
-        statics::add_force(context.material, &mut to.asked, force, context.ground.body.position(p as usize));
+        resultants::add_force(
+            context.material,
+            &mut to.asked,
+            force,
+            context.ground.body.position(p as usize),
+        );
         to.forces.push((p, force));
     }
 }
@@ -73,7 +78,7 @@ fn on_body(value: [f64; 3], is_total: bool, context: &LoadContext, to: &mut Body
     let at = |p: u32| body.position(p as usize);
     forces
         .iter()
-        .for_each(|&(p, f)| statics::add_force(context.material, &mut missing, f.map(|f| -f), at(p)));
+        .for_each(|&(p, f)| resultants::add_force(context.material, &mut missing, f.map(|f| -f), at(p)));
     let is_whole = matches!(body, PlaneBody::Lattice(lattice) if lattice.cut_cells().is_empty());
     let lacks =
         missing.force().into_iter().chain([missing.moment()[2] * asked.sizes()[0] / asked.sizes()[1]]);

@@ -6,7 +6,7 @@ use crate::case::PointLoad;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::scene::body::site::ground::{PLACE, Spot};
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
-use crate::scene::body::site::resultants as statics;
+use crate::scene::body::site::resultants;
 use peristat_assembly::body::Crack;
 
 /// A force, or a moment, at a place.
@@ -60,7 +60,7 @@ pub(crate) fn resolve(
     let is_fixed = acts && (0..3).all(is_fixed);
     let shares = shares(load, &spot, is_fixed, context);
     let at_place = place(load, &shares, context, &at, faults);
-    statics::add_force(context.material, &mut to.asked, force, at_place);
+    resultants::add_force(context.material, &mut to.asked, force, at_place);
     if points_turn {
         to.asked.add_moment(load.moment);
     }

@@ -9,7 +9,7 @@ use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::stress_field::{Stress, StressField, traction_of};
 use crate::scene::body::load::sums::Forces;
 use crate::scene::body::site::boundary::{self, Border, is_aligned};
-use crate::scene::body::site::resultants as statics;
+use crate::scene::body::site::resultants;
 use peristat_assembly::body::{Edge, Outline, Region, Regions};
 use std::collections::BTreeMap;
 
@@ -226,8 +226,10 @@ pub(crate) fn missing(
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut rest = Resultant::default();
     let lumped = lump::forces(traction, context);
-    lumped.iter().for_each(|&(p, f)| statics::add_force(context.material, &mut rest, f, at(p)));
-    forces.iter().for_each(|&(p, f)| statics::add_force(context.material, &mut rest, f.map(|f| -f), at(p)));
+    lumped.iter().for_each(|&(p, f)| resultants::add_force(context.material, &mut rest, f, at(p)));
+    forces
+        .iter()
+        .for_each(|&(p, f)| resultants::add_force(context.material, &mut rest, f.map(|f| -f), at(p)));
     let mut small: Forces = lumped.iter().map(|f| (f.0, [0.0; 3])).collect();
     let Some(model) = context.model else { return small };
     let is_flat = !model.is_revolved() && context.material.cylinder_radius().is_none();
@@ -238,7 +240,7 @@ pub(crate) fn missing(
     }
     let mut through = vec![0.0; model.components().len() * model.points()];
     stress.numbered(&|p| context.recipe.number(model, p)).add_to(model, 1.0, &mut through);
-    rest.add_multiple(-1.0, &statics::resultant(model, context.material, &through));
+    rest.add_multiple(-1.0, &resultants::resultant(model, context.material, &through));
     let mut rest = match context.material.cylinder_radius() {
         Some(radius) => [rest.force()[0], rest.moment()[2] / radius, 0.0],
         None => rest.force(),
