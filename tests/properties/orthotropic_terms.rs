@@ -3,10 +3,11 @@
 
 use super::consistency::{Noise, check};
 use peristat_assembly::body::SquareLattice;
+use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicMaterial, OrthotropicParameters,
 };
-use peristat_assembly::model::plane::{Calibration, CriticalStretch, Edges, Mirrors, PlaneModel};
+use peristat_assembly::model::plane::{Calibration, CriticalStretch, Edges, Mirrors};
 use peristat_assembly::model::{Breakable, Model, Points};
 use peristat_assembly::stiffness::Term;
 use proptest::prelude::*;

@@ -3,11 +3,12 @@
 
 use super::consistency::{Noise, check};
 use peristat_assembly::body::SquareLattice;
+use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
+use peristat_assembly::model::plane::Mirrors;
 use peristat_assembly::model::plane::{Calibration, Edges};
-use peristat_assembly::model::plane::{Mirrors, PlaneModel};
 use proptest::prelude::*;
 use std::sync::Arc;
 

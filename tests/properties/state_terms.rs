@@ -3,8 +3,9 @@
 
 use super::consistency::{Noise, check};
 use peristat_assembly::body::SquareLattice;
+use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::bond_plane::Influence;
-use peristat_assembly::model::plane::{Mirrors, PlaneModel};
+use peristat_assembly::model::plane::Mirrors;
 use peristat_assembly::model::state_based::{
     Axis, Dilatation, Geometry, Measure, StateBased, StateEdges, StateParameters,
 };

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout)]
 
 use peristat_assembly::body::SquareLattice;
+use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };

@@ -4,14 +4,15 @@
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::{Influence, VolumeFactor};
 use peristat_assembly::model::bond_solid::{BondSolid, BondSolidParameters};
+use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::model::plane::{Calibration, Mirrors};
-use peristat_assembly::model::solid::{SolidEdges, SolvableSolid};
+use peristat_assembly::model::solid::SolidEdges;
 use peristat_assembly::model::state_solid::{StateSolid, StateSolidParameters};
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
 
-fn report(name: &str, side: i32, make: &dyn Fn(Arc<SquareLattice>) -> Box<dyn SolvableSolid>) {
+fn report(name: &str, side: i32, make: &dyn Fn(Arc<SquareLattice>) -> Box<dyn Solvable<3>>) {
     let begin = Instant::now();
     let solid = make(Arc::new(SquareLattice::cuboid(1.0, [0.0; 3], [side; 3])));
     let built = begin.elapsed().as_secs_f64();
@@ -45,7 +46,7 @@ fn main() {
                     volume_factor: VolumeFactor::Ramp,
                     edges,
                 };
-                let make = |lattice: Arc<SquareLattice>| -> Box<dyn SolvableSolid> {
+                let make = |lattice: Arc<SquareLattice>| -> Box<dyn Solvable<3>> {
                     Box::new(BondSolid::on_lattice(lattice, Mirrors::NONE, parameters, &[]).expect("a solid"))
                 };
                 report(&format!("bonds {horizon_ratio} {name}"), side, &make);

@@ -2,11 +2,12 @@
 
 use nalgebra::{DMatrix, DVector};
 use peristat_assembly::body::SquareLattice;
+use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::Points;
 use peristat_assembly::model::beam_bond_orthotropic::{
     BeamBondOrthotropic, OrthotropicMaterial, OrthotropicParameters,
 };
-use peristat_assembly::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
+use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
 use peristat_assembly::system::System;
 use std::sync::Arc;
 

@@ -5,6 +5,11 @@ use robust::{Coord, orient2d};
 /// A position, m (or cells where a function says so).
 pub(super) type Point = [f64; 2];
 
+/// A position or a direction in the plane as one in space.
+pub fn in_space([x, y]: [f64; 2]) -> [f64; 3] {
+    [x, y, 0.0]
+}
+
 pub(super) fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
 }

@@ -29,6 +29,7 @@ pub(crate) use centres::middle;
 pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
 pub use fill::FillError;
+pub use geometry::in_space;
 pub use lattice::{Cell, Centres, Parts, Run, SquareLattice, minus, plus};
 pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};

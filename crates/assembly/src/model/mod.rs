@@ -1,6 +1,7 @@
 //! Models with their bodies: terms of the energy, relations and rigid motions.
 
 pub mod beam_bond_orthotropic;
+mod body;
 pub mod bond_antiplane;
 pub mod bond_plane;
 pub mod bond_solid;
@@ -13,6 +14,7 @@ pub mod state_based;
 pub mod state_solid;
 pub mod timoshenko_beam;
 
+pub use body::{BodyFields, BodyModel};
 pub use breaking::Breakable;
 pub use points::{Component, Points, RigidMotion};
 

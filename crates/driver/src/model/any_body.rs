@@ -1,6 +1,7 @@
 //! A body in the plane, whatever its model: one arm per number of unknowns of a point.
 
-use peristat_assembly::model::plane::{PlaneModel, Solvable};
+use peristat_assembly::model::BodyModel;
+use peristat_assembly::model::plane::Solvable;
 use std::ops::Deref;
 
 /// A body in the plane.
@@ -27,7 +28,7 @@ macro_rules! with_body {
 pub(crate) use with_body;
 
 impl Deref for AnyBody {
-    type Target = dyn PlaneModel;
+    type Target = dyn BodyModel;
 
     fn deref(&self) -> &Self::Target {
         with_body!(self, body => &**body)
@@ -36,7 +37,7 @@ impl Deref for AnyBody {
 
 impl AnyBody {
     /// The body, to change it.
-    pub(crate) fn as_mut(&mut self) -> &mut dyn PlaneModel {
+    pub(crate) fn as_mut(&mut self) -> &mut dyn BodyModel {
         with_body!(self, body => &mut **body)
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::diagnostic::JsonPath;
 use peristat_assembly::body::{Cell, Outline, SquareLattice};
-use peristat_assembly::model::plane::{FindCuts, Mirrors, PlaneModel};
+use peristat_assembly::model::BodyModel;
+use peristat_assembly::model::plane::{FindCuts, Mirrors};
 
 /// A lattice to fill with bonds.
 pub struct OnLattice<'a> {
@@ -32,7 +33,7 @@ pub struct OnGround {
 /// A body that is made.
 pub struct Resolved<'a> {
     /// The body.
-    pub model: &'a dyn PlaneModel,
+    pub model: &'a dyn BodyModel,
     /// Its cells without images; none of listed points.
     pub lattice: Option<&'a SquareLattice>,
     /// Its outline; none of listed points.

@@ -2,13 +2,14 @@
 
 use super::super::plane::{
     BorderShares, BreakingModel, COMPONENTS, CriticalStretch, Edges, FindCuts, Kind, LatticeBody, Mirrors,
-    PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
+    PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error, in_plane, rigid_motion,
 };
 use super::{BeamBond, BeamNeighbourhood, OrthotropicError, OrthotropicParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
-use crate::model::{Breakable, Component, Model, ModelSizes, Points, RigidMotion};
+use crate::model::solid::TENSOR;
+use crate::model::{BodyFields, BodyModel, Breakable, Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 use std::sync::Arc;
 
@@ -79,7 +80,7 @@ impl BeamBondOrthotropic {
     }
 }
 
-impl PlaneModel for BeamBondOrthotropic {
+impl BodyModel for BeamBondOrthotropic {
     fn volume(&self, point: usize) -> f64 {
         self.body.volume(point)
     }
@@ -116,6 +117,32 @@ impl PlaneModel for BeamBondOrthotropic {
         self.body.damage()
     }
 
+    fn never_joined(&mut self, bonds: &[(usize, usize)]) {
+        self.body.never_joined(bonds);
+    }
+
+    fn prepare_to_break(&mut self) {
+        self.body.prepare_to_break();
+    }
+
+    fn strains_of(&self, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        in_plane(self, stress, across)
+    }
+
+    fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
+        self.stress_across([x, y, shear])
+    }
+
+    fn recover(&self, u: &[f64]) -> BodyFields {
+        self.fields(u).into()
+    }
+
+    fn as_plane(&self) -> Option<&dyn PlaneModel> {
+        Some(self)
+    }
+}
+
+impl PlaneModel for BeamBondOrthotropic {
     fn thickness(&self) -> f64 {
         self.parameters.material.thickness
     }
@@ -126,14 +153,6 @@ impl PlaneModel for BeamBondOrthotropic {
 
     fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
         self.compliance.map(|row| row.iter().zip(&stress).map(|(c, s)| c * s).sum())
-    }
-
-    fn never_joined(&mut self, bonds: &[(usize, usize)]) {
-        self.body.never_joined(bonds);
-    }
-
-    fn prepare_to_break(&mut self) {
-        self.body.prepare_to_break();
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {

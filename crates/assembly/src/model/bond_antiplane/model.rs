@@ -1,11 +1,14 @@
 //! A plate in antiplane shear as a model with one unknown per point.
 
-use super::super::plane::{BorderShares, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, Solvable};
+use super::super::plane::{
+    BorderShares, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, Solvable, in_plane,
+};
 use super::BondAntiplane;
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
-use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
+use crate::model::solid::TENSOR;
+use crate::model::{BodyFields, BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 use std::sync::Arc;
 
@@ -51,7 +54,7 @@ impl Model<1> for BondAntiplane {
     }
 }
 
-impl PlaneModel for BondAntiplane {
+impl BodyModel for BondAntiplane {
     fn volume(&self, point: usize) -> f64 {
         self.body.volume(point)
     }
@@ -92,6 +95,28 @@ impl PlaneModel for BondAntiplane {
         self.body.damage()
     }
 
+    fn never_joined(&mut self, bonds: &[(usize, usize)]) {
+        self.body.never_joined(bonds);
+    }
+
+    fn strains_of(&self, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        in_plane(self, stress, across)
+    }
+
+    fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
+        self.stress_across([x, y, shear])
+    }
+
+    fn recover(&self, u: &[f64]) -> BodyFields {
+        self.fields(u).into()
+    }
+
+    fn as_plane(&self) -> Option<&dyn PlaneModel> {
+        Some(self)
+    }
+}
+
+impl PlaneModel for BondAntiplane {
     fn thickness(&self) -> f64 {
         self.parameters.thickness
     }
@@ -103,10 +128,6 @@ impl PlaneModel for BondAntiplane {
 
     fn strain_of(&self, [xz, yz, _]: [f64; 3]) -> [f64; 3] {
         [xz, yz, 0.0].map(|stress| stress / self.parameters.shear_modulus)
-    }
-
-    fn never_joined(&mut self, bonds: &[(usize, usize)]) {
-        self.body.never_joined(bonds);
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {

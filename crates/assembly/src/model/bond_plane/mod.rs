@@ -35,10 +35,12 @@ pub(super) use calibration::overlap::cell_in_disc;
 pub(super) use calibration::published::radial_part;
 
 use super::plane::{
-    BorderShares, Edges, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles,
+    BorderShares, Edges, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles, in_plane,
 };
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
+use crate::model::solid::TENSOR;
+use crate::model::{BodyFields, BodyModel};
 use crate::stiffness::Families;
 use cloud::CloudBody;
 use neighbourhood::neighbourhood;
@@ -130,7 +132,7 @@ impl BondPlane {
     }
 }
 
-impl PlaneModel for BondPlane {
+impl BodyModel for BondPlane {
     fn volume(&self, point: usize) -> f64 {
         match &self.body {
             Body::Lattice(body) => body.volume(point),
@@ -192,6 +194,36 @@ impl PlaneModel for BondPlane {
         }
     }
 
+    fn never_joined(&mut self, bonds: &[(usize, usize)]) {
+        if let Body::Lattice(body) = &mut self.body {
+            body.never_joined(bonds);
+        }
+    }
+
+    fn prepare_to_break(&mut self) {
+        if let Body::Lattice(body) = &mut self.body {
+            body.prepare_to_break();
+        }
+    }
+
+    fn strains_of(&self, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        in_plane(self, stress, across)
+    }
+
+    fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
+        self.stress_across([x, y, shear])
+    }
+
+    fn recover(&self, u: &[f64]) -> BodyFields {
+        self.fields(u).into()
+    }
+
+    fn as_plane(&self) -> Option<&dyn PlaneModel> {
+        Some(self)
+    }
+}
+
+impl PlaneModel for BondPlane {
     fn thickness(&self) -> f64 {
         self.parameters.material.thickness
     }
@@ -208,18 +240,6 @@ impl PlaneModel for BondPlane {
         match self.parameters.material.state {
             PlaneState::Stress => 0.0,
             PlaneState::Strain => PlaneState::Strain.poisson_ratio() * (x + y),
-        }
-    }
-
-    fn never_joined(&mut self, bonds: &[(usize, usize)]) {
-        if let Body::Lattice(body) = &mut self.body {
-            body.never_joined(bonds);
-        }
-    }
-
-    fn prepare_to_break(&mut self) {
-        if let Body::Lattice(body) = &mut self.body {
-            body.prepare_to_break();
         }
     }
 

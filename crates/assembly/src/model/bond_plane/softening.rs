@@ -1,9 +1,10 @@
 //! Central bonds that yield, soften and fail: their stretches, and the list of them.
 
-use super::super::plane::{PlaneModel, SofteningModel};
+use super::super::plane::SofteningModel;
 use super::{Body, BondPlane, PlaneMaterial};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Rows;
+use crate::model::BodyModel;
 use crate::stiffness::{EndedBond, HistoryBond};
 
 /// Stretch `s_y = σ_y/(C11 + C12)` at which all bonds that cross a plane bear the normal stress σ_y, Pa: `5σ_y/(8E)` in
@@ -51,7 +52,7 @@ impl SofteningModel<2> for BondPlane {
     fn stress_volume(&self, point: usize) -> f64 {
         match &self.body {
             Body::Lattice(body) => body.stress_volume(point),
-            Body::Cloud(_) => PlaneModel::volume(self, point),
+            Body::Cloud(_) => BodyModel::volume(self, point),
         }
     }
 

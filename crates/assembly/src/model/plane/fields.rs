@@ -5,6 +5,7 @@ use super::bond::PlaneBond;
 use super::edges::{By, modulus};
 use super::geometry;
 use crate::bonds::{Mat, add};
+use crate::model::BodyFields;
 use crate::stiffness::{Families, WideFamilies};
 use rayon::prelude::*;
 use std::array::from_fn;
@@ -20,6 +21,12 @@ pub struct PlaneFields {
     /// Stress across the section, Pa, of every point; empty where it follows from the others
     /// ([`stress_across`](super::PlaneModel::stress_across)).
     pub across: Vec<f64>,
+}
+
+impl From<PlaneFields> for BodyFields {
+    fn from(PlaneFields { stress, energy_density, across }: PlaneFields) -> Self {
+        Self { stress: stress.into(), energy_density, across }
+    }
 }
 
 impl PlaneFields {

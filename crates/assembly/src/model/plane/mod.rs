@@ -29,8 +29,8 @@ pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 pub(super) use body::{Kind, LatticeBody, grid, halved};
 pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{
-    By, Cells, End, Nodes, Run, around, can_end, energy_factor, for_each_part, is_cut, strain_rows,
-    volume_factor,
+    By, Cells, End, Nodes, Run, around, border_shares, can_end, energy_factor, for_each_part, is_cut,
+    strain_rows, volume_factor,
 };
 pub(super) use fields::add_work_of_triangles;
 pub(super) use near::{at, near_points};
@@ -39,10 +39,9 @@ pub(super) use projection::project;
 
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, Mat, Point};
-use crate::model::{Component, Points, RigidMotion};
+use crate::model::solid::TENSOR;
+use crate::model::{BodyModel, Component, RigidMotion};
 use rayon::prelude::*;
-use std::fmt::Debug;
-use std::sync::Arc;
 
 /// Component of the displacement along x.
 pub const UX: usize = 0;
@@ -85,6 +84,16 @@ pub(super) fn calibration_error(model: &dyn PlaneModel) -> f64 {
     if short > 0.0 { CALIBRATION * long / short } else { CALIBRATION }
 }
 
+/// Strains of stresses of a body in the plane, the first three of six.
+pub(super) fn in_plane(
+    model: &dyn PlaneModel,
+    [x, y, shear, ..]: [f64; TENSOR],
+    across: f64,
+) -> [f64; TENSOR] {
+    let [x, y, shear] = model.strain_with([x, y, shear], across);
+    [x, y, shear, 0.0, 0.0, 0.0]
+}
+
 /// Finds the cuts on a lattice: indices into the offsets, and lower points.
 pub type FindCuts<'a> = dyn Fn(&SquareLattice, &[Cell]) -> Vec<(usize, usize)> + 'a;
 
@@ -93,60 +102,9 @@ fn geometry(lattice: &SquareLattice, step: Cell) -> BondGeometry {
     BondGeometry { xi: lattice.vector(step) }
 }
 
-/// A body in the plane with its bonds, whatever they are.
-pub trait PlaneModel: Points + Debug + Send + Sync {
-    /// Position of a point in the plane, m.
-    fn place(&self, point: usize) -> [f64; 2] {
-        let [x, y, _] = self.position(point);
-        [x, y]
-    }
-
-    /// Volume of a point, m³; an image has none.
-    fn volume(&self, point: usize) -> f64;
-
-    /// The lattice, images included, and its lines of symmetry; none of a cloud.
-    fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)>;
-
-    /// Numbers of the points that are images, in order.
-    fn ghosts(&self) -> &[u32];
-
-    /// Which components of strain and stress the numbers of its fields are, as far as there are any: `[xx, yy, xy]` in all
-    /// that is said here, but for points that move across the plane.
-    fn tensor_components(&self) -> &'static [&'static str] {
-        &["xx", "yy", "xy"]
-    }
-
-    /// What is done about the bonds that points near edges lack; families have another treatment.
-    fn edges(&self) -> Option<Edges> {
-        None
-    }
-
-    /// Whether a border that cuts cells is completed as it runs, by the triangles that it cuts.
-    fn follows_border(&self) -> bool {
-        let is_cut = self.lattice().is_some_and(|(lattice, _)| !lattice.blocks().is_empty());
-        is_cut && self.edges() == Some(Edges::Border)
-    }
-
-    /// How places on the border move, where bonds end on it.
-    fn border_shares(&self) -> Option<BorderShares<'_>> {
-        None
-    }
-
-    /// Number of overlay triangles.
-    fn triangles(&self) -> usize;
-
-    /// Number of elements that complete edges: triangles, or bonds that end on the border.
-    fn completing(&self) -> usize {
-        self.triangles()
-    }
-
-    /// Number of points that lack bonds for which the overlay found no triangle: they are too soft. Points by themselves
-    /// or in a single straight row are such, and points whose triangles all are crossed by cracks.
-    fn uncorrected(&self) -> usize;
-
-    /// Cut share of the family volume of every point, 0 to 1.
-    fn damage(&self) -> Vec<f64>;
-
+/// A body in the plane with its bonds, whatever they are. Its strains and stresses are `[xx, yy, xy]` in all that is said here,
+/// but for points that move across the plane.
+pub trait PlaneModel: BodyModel {
     /// Thickness, m.
     fn thickness(&self) -> f64;
 
@@ -161,27 +119,10 @@ pub trait PlaneModel: Points + Debug + Send + Sync {
         self.strain_of(stress)
     }
 
-    /// Whether the plane is a section of a body of revolution: x is the radius, and volumes and forces are those of whole
-    /// rings.
-    fn is_revolved(&self) -> bool {
-        false
-    }
-
-    /// Whether a change of volume is so much dearer than one of shape that coarser lattices are no good preconditioners.
-    fn hardly_compresses(&self) -> bool {
-        false
-    }
-
     /// Stress across the plane that belongs to stresses in it.
     fn stress_across(&self, _stress: [f64; 3]) -> f64 {
         0.0
     }
-
-    /// Makes cut bonds of a lattice, by index of the offset and lower point, ones that never were: they are no damage.
-    fn never_joined(&mut self, _bonds: &[(usize, usize)]) {}
-
-    /// Prepares for bonds that break: what a border leaves to the cells that it cuts is taken apart by the directions of bonds.
-    fn prepare_to_break(&mut self) {}
 
     /// Stresses and energy densities of a state.
     fn fields(&self, u: &[f64]) -> PlaneFields;
@@ -199,9 +140,6 @@ pub trait PlaneModel: Points + Debug + Send + Sync {
         points.for_each(|((x, y), s)| [*x, *y, *s] = self.strain_of([*x, *y, *s]));
         strain
     }
-
-    /// Hands forces on points that follow others to these, images aside.
-    fn fold(&self, _force: &mut [f64]) {}
 
     /// Adds the forces `Σ_k V_k S_k : E_k` of a stress `[S_xx, S_yy, S_xy]`, Pa, with E the strain of a point: with one
     /// stress for all points and the tractions that it has at the edges, the linear displacement that belongs to it is the

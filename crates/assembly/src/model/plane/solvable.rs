@@ -1,13 +1,14 @@
-//! Bodies in the plane that are solved with a number of unknowns per point.
+//! Bodies that are solved with a number of unknowns per point.
 
-use super::{CriticalStretch, FindCuts, PlaneModel};
-use crate::model::{Breakable, Model};
+use super::{CriticalStretch, FindCuts};
+use crate::model::{BodyModel, Breakable, Model};
 use crate::stiffness::{EndedBond, HistoryBond};
 
-/// A body in the plane with `D` unknowns per point.
-pub trait Solvable<const D: usize>: Model<D> + PlaneModel + AsSolvable<D> {
+/// A body with `D` unknowns per point.
+pub trait Solvable<const D: usize>: Model<D> + BodyModel + AsSolvable<D> {
     /// The same body on a lattice of twice the spacing with the same horizon ratio; none of a cloud. `cuts` finds the cuts
-    /// on a lattice, given the offsets. A line of symmetry through coarse cells moves outwards.
+    /// on a lattice, given the offsets. None either where joined sides or
+    /// a single layer leave no lattice for it. A mirror through coarse cells moves outwards.
     fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<D>>>;
 
     /// A copy whose bonds can break; none where the model has no such bonds.
@@ -46,12 +47,12 @@ impl<const D: usize> Clone for Box<dyn Solvable<D>> {
     }
 }
 
-/// A body in the plane whose bonds break at critical stretches.
+/// A body whose bonds break at critical stretches.
 pub trait BreakingModel<const D: usize>: Solvable<D> + Breakable<D, Critical = CriticalStretch> {}
 
 impl<const D: usize, T: Solvable<D> + Breakable<D, Critical = CriticalStretch>> BreakingModel<D> for T {}
 
-/// A body in the plane of bonds that can have a memory.
+/// A body of bonds that can have a memory.
 pub trait SofteningModel<const D: usize>: Solvable<D> {
     /// All bonds between points as ones with memory; `law` chooses that of a bond between two points, none leaves the bond out.
     fn history_bonds(&self, law: &dyn Fn([usize; 2]) -> Option<usize>) -> Vec<HistoryBond<D>>;

@@ -1,6 +1,7 @@
 //! For tests: tractions of uniform stresses on straight borders.
 
 use super::PlaneModel;
+use crate::body::in_space;
 use crate::quadrature::GAUSS;
 use std::f64::consts::TAU;
 
@@ -25,7 +26,7 @@ pub(in super::super) fn through_border(
                 let along = ends[0] + share * (ends[1] - ends[0]);
                 let at = [0, 1].map(|k| from[k] + along * (to[k] - from[k]));
                 let length = weight * (ends[1] - ends[0]) * length * across(at[0]);
-                for (p, share) in shares(at, normal).expect("a place on the border") {
+                for (p, share) in shares(in_space(at), in_space(normal)).expect("a place on the border") {
                     (0..2).for_each(|k| force[k * n + p] += share * length * traction[k]);
                 }
             }

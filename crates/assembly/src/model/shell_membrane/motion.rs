@@ -1,15 +1,18 @@
 //! What every model says of a shell membrane: terms, relations, rigid motions, stresses, coarser bodies.
 
-use super::super::plane::{BorderShares, CALIBRATION, FindCuts, Mirrors, PlaneFields, PlaneModel, Solvable};
+use super::super::plane::{
+    BorderShares, CALIBRATION, FindCuts, Mirrors, PlaneFields, PlaneModel, Solvable, in_plane,
+};
 use super::{ShellKinematics, ShellMembrane, ends};
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
-use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
+use crate::model::solid::TENSOR;
+use crate::model::{BodyFields, BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 use std::sync::Arc;
 
-impl PlaneModel for ShellMembrane {
+impl BodyModel for ShellMembrane {
     fn volume(&self, point: usize) -> f64 {
         if self.is_ghost(point) { 0.0 } else { self.cell_area() * self.parameters.thickness }
     }
@@ -43,6 +46,24 @@ impl PlaneModel for ShellMembrane {
         vec![0.0; self.lattice.points()]
     }
 
+    fn strains_of(&self, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        in_plane(self, stress, across)
+    }
+
+    fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
+        self.stress_across([x, y, shear])
+    }
+
+    fn recover(&self, u: &[f64]) -> BodyFields {
+        self.fields(u).into()
+    }
+
+    fn as_plane(&self) -> Option<&dyn PlaneModel> {
+        Some(self)
+    }
+}
+
+impl PlaneModel for ShellMembrane {
     fn thickness(&self) -> f64 {
         self.parameters.thickness
     }

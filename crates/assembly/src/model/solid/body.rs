@@ -3,7 +3,9 @@
 //! A point of a cell that a face cuts has the part `a_k` of a cell for its volume, and so has all of its energy: a bond has the
 //! mean of the parts of its two ends.
 
-use super::super::plane::{FARTHEST, Mirrors, Neighbourhood, at, can_end, grid, halved, near_points};
+use super::super::plane::{
+    FARTHEST, FindCuts, Mirrors, Neighbourhood, at, can_end, grid, halved, near_points,
+};
 use super::bond::SolidBond;
 use super::border::Border;
 use super::corners::Overlay;
@@ -153,7 +155,7 @@ impl SolidBody {
     }
 
     /// The body at twice the spacing; none where joined sides or a single layer leave no lattice for it.
-    pub(super) fn coarser(&self, cuts: &super::FindCuts) -> Option<Self> {
+    pub(super) fn coarser(&self, cuts: &FindCuts) -> Option<Self> {
         let mirrors = self.mirrors.coarser()?;
         let coarse = match self.mirrors.is_none() {
             true => self.lattice.coarser(),

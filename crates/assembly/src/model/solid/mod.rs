@@ -31,12 +31,8 @@ pub use model::Solid;
 pub(super) use bond::direction_product;
 pub(super) use law::{Dilatation, part, reach_of};
 
-use super::plane::{FindCuts, Mirrors};
-use super::{Component, Model, Points, RigidMotion};
-use crate::body::SquareLattice;
+use super::{BodyFields, BodyModel, Component, RigidMotion};
 use crate::bonds::{Mat, Point};
-use std::fmt::Debug;
-use std::sync::Arc;
 
 /// Number of components of strain and stress.
 pub const TENSOR: usize = 6;
@@ -67,29 +63,16 @@ pub struct SolidFields {
     pub energy_density: Vec<f64>,
 }
 
+impl From<SolidFields> for BodyFields {
+    fn from(SolidFields { stress, energy_density }: SolidFields) -> Self {
+        Self { stress: stress.into(), energy_density, across: Vec::new() }
+    }
+}
+
 /// A solid with its bonds, whatever they are.
-pub trait SolidModel: Points + Debug + Send + Sync {
-    /// Volume of a point, m³; an image has none.
-    fn volume(&self, point: usize) -> f64;
-
-    /// The lattice, images included, and its planes of symmetry.
-    fn lattice(&self) -> (&Arc<SquareLattice>, &Mirrors);
-
-    /// Numbers of the points that are images, in order.
-    fn ghosts(&self) -> &[u32];
-
-    /// What is done about the bonds that points near faces lack.
-    fn edges(&self) -> SolidEdges;
-
-    /// Number of elements that complete faces: points whose missing bonds tetrahedra replace, or bonds that end on the border.
-    fn completing(&self) -> usize;
-
-    /// Number of points that lack bonds and have no tetrahedron, or of bonds on the border that are left out: the body is too
-    /// soft there.
-    fn uncorrected(&self) -> usize;
-
-    /// Cut share of the family volume of every point, 0 to 1.
-    fn damage(&self) -> Vec<f64>;
+pub trait SolidModel: BodyModel {
+    /// What is done about what points near faces lack.
+    fn faces(&self) -> SolidEdges;
 
     /// Stiffness of the material, Pa, from strains to stresses.
     fn stiffness(&self) -> Mat<TENSOR, TENSOR>;
@@ -115,21 +98,5 @@ pub trait SolidModel: Points + Debug + Send + Sync {
             (0..TENSOR).for_each(|q| t[q * n + point] = strain[q]);
         }
         self.add_strain_work(&mut t, force);
-    }
-}
-
-/// A solid that is solved.
-pub trait SolvableSolid: Model<3> + SolidModel {
-    /// The same body on a lattice of twice the spacing with the same horizon ratio. `cuts` finds the cuts on a lattice, given the
-    /// offsets. None where joined sides or a single layer of points leave no lattice for it.
-    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn SolvableSolid>>;
-
-    /// A copy of it.
-    fn boxed(&self) -> Box<dyn SolvableSolid>;
-}
-
-impl Clone for Box<dyn SolvableSolid> {
-    fn clone(&self) -> Self {
-        self.boxed()
     }
 }

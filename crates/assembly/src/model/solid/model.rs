@@ -1,15 +1,15 @@
 //! Solids as models: three unknowns per point, its displacements.
 
-use super::super::plane::{CALIBRATION, FindCuts, Mirrors};
+use super::super::plane::{BorderShares, CALIBRATION, Edges, FindCuts, Mirrors, Solvable, border_shares};
 use super::body::SolidBody;
 use super::{
-    COMPONENTS, RIGID_MOTIONS, SolidEdges, SolidError, SolidFields, SolidMaterial, SolidModel, SolvableSolid,
-    TENSOR,
+    COMPONENTS, RIGID_MOTIONS, SolidEdges, SolidError, SolidFields, SolidMaterial, SolidModel, TENSOR,
+    TENSOR_COMPONENTS,
 };
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
-use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
+use crate::model::{BodyFields, BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::{NumberedParts, Parts, Term};
 use std::sync::Arc;
 
@@ -139,21 +139,39 @@ impl<P> Model<3> for Solid<P> {
     }
 }
 
-impl<P: SolidMaterial> SolidModel for Solid<P> {
+impl<P: SolidMaterial> BodyModel for Solid<P> {
     fn volume(&self, point: usize) -> f64 {
         self.body.volume(point)
     }
 
-    fn lattice(&self) -> (&Arc<SquareLattice>, &Mirrors) {
-        (&self.body.lattice, &self.body.mirrors)
+    fn lattice(&self) -> Option<(&Arc<SquareLattice>, &Mirrors)> {
+        Some((&self.body.lattice, &self.body.mirrors))
     }
 
     fn ghosts(&self) -> &[u32] {
         &self.body.ghosts
     }
 
-    fn edges(&self) -> SolidEdges {
-        self.body.law.edges
+    fn tensor_components(&self) -> &'static [&'static str] {
+        &TENSOR_COMPONENTS
+    }
+
+    fn edges(&self) -> Option<Edges> {
+        Some(match self.body.law.edges {
+            SolidEdges::Border => Edges::Border,
+            SolidEdges::Overlay => Edges::Overlay,
+            SolidEdges::None => Edges::None,
+        })
+    }
+
+    fn border_shares(&self) -> Option<BorderShares<'_>> {
+        let (body, cuts) = (&self.body, self.body.cuts.iter().copied().collect());
+        let shares = || border_shares(&body.lattice, &body.mirrors, &body.law.hood, cuts);
+        body.border.is_some().then(shares)
+    }
+
+    fn triangles(&self) -> usize {
+        self.body.overlay.families.count()
     }
 
     fn completing(&self) -> usize {
@@ -169,6 +187,24 @@ impl<P: SolidMaterial> SolidModel for Solid<P> {
 
     fn damage(&self) -> Vec<f64> {
         self.body.damage()
+    }
+
+    fn strains_of(&self, stress: [f64; TENSOR], _across: f64) -> [f64; TENSOR] {
+        self.strain_of(stress)
+    }
+
+    fn recover(&self, u: &[f64]) -> BodyFields {
+        self.fields(u).into()
+    }
+
+    fn as_solid(&self) -> Option<&dyn SolidModel> {
+        Some(self)
+    }
+}
+
+impl<P: SolidMaterial> SolidModel for Solid<P> {
+    fn faces(&self) -> SolidEdges {
+        self.body.law.edges
     }
 
     fn stiffness(&self) -> Mat<TENSOR, TENSOR> {
@@ -188,12 +224,8 @@ impl<P: SolidMaterial> SolidModel for Solid<P> {
     }
 }
 
-impl<P: SolidMaterial> SolvableSolid for Solid<P> {
-    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn SolvableSolid>> {
+impl<P: SolidMaterial> Solvable<3> for Solid<P> {
+    fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<3>>> {
         Some(Box::new(Self { parameters: self.parameters, body: self.body.coarser(cuts)? }))
-    }
-
-    fn boxed(&self) -> Box<dyn SolvableSolid> {
-        Box::new(self.clone())
     }
 }

@@ -1,8 +1,7 @@
 //! State-based bodies as models: two unknowns per point, the displacements along x and y.
 
 use super::super::plane::{
-    BreakingModel, COMPONENTS, FindCuts, Mirrors, PlaneModel, RIGID_MOTIONS, Solvable, calibration_error,
-    rigid_motion,
+    BreakingModel, COMPONENTS, FindCuts, Mirrors, RIGID_MOTIONS, Solvable, calibration_error, rigid_motion,
 };
 use super::body::{StateBody, cell_volume};
 use super::ghosts::Separated;
@@ -11,7 +10,7 @@ use super::{StateEdges, StateError, StateParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Point;
 use crate::condition::{Equation, Unknown};
-use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
+use crate::model::{BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 use std::sync::Arc;
 

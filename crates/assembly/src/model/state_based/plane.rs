@@ -1,14 +1,15 @@
 //! State-based bodies as bodies in the plane: stresses, loads, coarser lattices.
 
-use super::super::plane::{Mirrors, PlaneFields, PlaneModel};
+use super::super::plane::{Mirrors, PlaneFields, PlaneModel, in_plane};
 use super::body::cell_volume;
 use super::{Geometry, StateBased};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
-use crate::model::Points;
+use crate::model::solid::TENSOR;
+use crate::model::{BodyFields, BodyModel, Points};
 use std::sync::Arc;
 
-impl PlaneModel for StateBased {
+impl BodyModel for StateBased {
     fn volume(&self, point: usize) -> f64 {
         self.true_volume(point)
     }
@@ -48,6 +49,36 @@ impl PlaneModel for StateBased {
         gone
     }
 
+    fn is_revolved(&self) -> bool {
+        self.parameters.is_axisymmetric()
+    }
+
+    fn hardly_compresses(&self) -> bool {
+        self.parameters.hardly_compresses()
+    }
+
+    fn fold(&self, force: &mut [f64]) {
+        self.body.fold(force);
+    }
+
+    fn strains_of(&self, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        in_plane(self, stress, across)
+    }
+
+    fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
+        self.stress_across([x, y, shear])
+    }
+
+    fn recover(&self, u: &[f64]) -> BodyFields {
+        self.fields(u).into()
+    }
+
+    fn as_plane(&self) -> Option<&dyn PlaneModel> {
+        Some(self)
+    }
+}
+
+impl PlaneModel for StateBased {
     fn thickness(&self) -> f64 {
         match self.parameters.geometry {
             Geometry::PlaneStress(thickness) | Geometry::PlaneStrain(thickness) => thickness,
@@ -69,18 +100,6 @@ impl PlaneModel for StateBased {
 
     fn stress_across(&self, stress: [f64; 3]) -> f64 {
         self.parameters.stress_across(stress)
-    }
-
-    fn is_revolved(&self) -> bool {
-        self.parameters.is_axisymmetric()
-    }
-
-    fn hardly_compresses(&self) -> bool {
-        self.parameters.hardly_compresses()
-    }
-
-    fn fold(&self, force: &mut [f64]) {
-        self.body.fold(force);
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {

@@ -2,11 +2,12 @@ use super::*;
 use crate::body::SquareLattice;
 use crate::condition::{Equation, Unknown};
 use crate::law::Bilinear;
+use crate::model::BodyModel;
 use crate::model::Points;
 use crate::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
-use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, SofteningModel};
+use crate::model::plane::{Calibration, Edges, Mirrors, SofteningModel};
 use crate::stiffness::{HistoryBond, HistoryBonds, Kinematics};
 use crate::system::System;
 use std::sync::Arc;

@@ -5,7 +5,8 @@ use crate::case::{FieldName, Origin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
 use crate::scene::body::{BodyScene, Has, HoleRing, Weights, of_points};
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
+use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::recovery::hole::HoleFit;
 use std::borrow::Cow;
 
@@ -14,7 +15,7 @@ use std::borrow::Cow;
 #[derive(Clone, Debug)]
 pub struct Recovered {
     /// The components that the model names, `[σ_xx, σ_yy, σ_xy]` in the plane.
-    pub stress: [Vec<f64>; 3],
+    pub stress: Vec<Vec<f64>>,
     /// σ_zz, around the axis of a body of revolution; empty in others.
     pub across: Vec<f64>,
     /// Strain energy density.
@@ -24,6 +25,11 @@ pub struct Recovered {
 }
 
 impl Recovered {
+    /// One number of every component of the stress; zeros behind the last.
+    fn at(&self, of: impl Fn(&[f64]) -> f64) -> [f64; TENSOR] {
+        std::array::from_fn(|k| self.stress.get(k).map_or(0.0, |values| of(values)))
+    }
+
     /// Gives images the values of their points.
     fn fill_images(&mut self, scene: &BodyScene) {
         let Some((lattice, mirrors)) = scene.model.lattice() else { return };
@@ -93,12 +99,12 @@ pub(super) fn collect(
 }
 
 /// Index of a component of strains and stresses among those of a model.
-fn component(model: &dyn PlaneModel, name: &str) -> Option<usize> {
+fn component(model: &dyn BodyModel, name: &str) -> Option<usize> {
     model.tensor_components().iter().position(|component| *component == name)
 }
 
 /// Von Mises stress of the components that a model has, with the stress across the plane.
-fn von_mises(model: &dyn PlaneModel, stress: [f64; 3], z: f64) -> f64 {
+fn von_mises(model: &dyn BodyModel, stress: [f64; TENSOR], z: f64) -> f64 {
     let of = |name: &str| component(model, name).map_or(0.0, |k| stress[k]);
     let [x, y] = [of("xx"), of("yy")];
     let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
@@ -109,15 +115,15 @@ fn von_mises(model: &dyn PlaneModel, stress: [f64; 3], z: f64) -> f64 {
 /// A field that follows from the stresses of a point and the one across the plane; none of others.
 pub(super) fn of_stress(
     origin: Origin,
-    model: &dyn PlaneModel,
-    stress: [f64; 3],
+    model: &dyn BodyModel,
+    stress: [f64; TENSOR],
     across: f64,
 ) -> Option<f64> {
     match origin {
         Origin::Across => Some(across),
         Origin::Strain(name, factor) => {
             let component = component(model, name)?;
-            Some(factor * model.strain_with(stress, across)[component])
+            Some(factor * model.strains_of(stress, across)[component])
         }
         Origin::VonMises => Some(von_mises(model, stress, across)),
         Origin::Stress(name) => Some(stress[component(model, name)?]),
@@ -134,14 +140,14 @@ impl BodyResult {
     /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model, the
     /// loads, and their resultant as it was asked for.
     pub(super) fn new(
-        (scene, model): (&BodyScene, &dyn PlaneModel),
+        (scene, model): (&BodyScene, &dyn BodyModel),
         mut record: StateRecord,
         (mut multipliers, load, asked): (Vec<f64>, &[f64], Resultant),
         intensities: Vec<f64>,
         recover: bool,
     ) -> Self {
         let recovered = recover.then(|| {
-            let fields = model.fields(&record.u);
+            let fields = model.recover(&record.u);
             let damage = scene.is_damaged().then(|| model.damage());
             let mut found = Recovered {
                 stress: fields.stress,
@@ -224,15 +230,14 @@ impl BodyResult {
         if origin == Origin::Damage {
             return Some(vec![0.0; scene.body().points()].into());
         }
-        let [x, y, shear] = &recovered.stress;
         let at = |p: usize| {
-            let stress = [x[p], y[p], shear[p]];
+            let stress = recovered.at(|values| values[p]);
             let across = recovered.across.get(p).copied();
-            let across = across.unwrap_or_else(|| scene.model.stress_across(stress));
+            let across = across.unwrap_or_else(|| scene.model.across_of(stress));
             of_stress(origin, &*scene.model, stress, across)
         };
         match whole {
-            true => (0..x.len()).map(at).collect(),
+            true => (0..self.points).map(at).collect(),
             false => scene.real_points().map(at).collect(),
         }
     }
@@ -248,9 +253,9 @@ impl BodyResult {
         if origin == Origin::Damage {
             return Some(0.0);
         }
-        let stress = recovered.stress.each_ref().map(|values| sum(values));
+        let stress = recovered.at(sum);
         let across = match recovered.across.is_empty() {
-            true => scene.model.stress_across(stress),
+            true => scene.model.across_of(stress),
             false => sum(&recovered.across),
         };
         of_stress(origin, &*scene.model, stress, across)
@@ -283,7 +288,10 @@ mod tests {
     #[test]
     fn von_mises_is_that_of_the_three_dimensional_stress() {
         let stress = model(1.0, PlaneState::Stress);
-        let von_mises = |model: &BondPlane, s: [f64; 3]| von_mises(model, s, model.stress_across(s));
+        let von_mises = |model: &BondPlane, [x, y, xy]: [f64; 3]| {
+            let stress = [x, y, xy, 0.0, 0.0, 0.0];
+            von_mises(model, stress, model.across_of(stress))
+        };
         assert_eq!(von_mises(&stress, [-3.0, 0.0, 0.0]), 3.0);
         assert!((von_mises(&stress, [0.0, 0.0, 2.0]) - 12.0_f64.sqrt()).abs() < 1e-15);
         // Equal biaxial stress 1 with σ_zz = 1/2: the deviator is that of a uniaxial stress of 1/2.
@@ -293,7 +301,9 @@ mod tests {
     #[test]
     fn strains_are_components_of_the_tensor() {
         let model = model(3.0, PlaneState::Stress);
-        let at = |field: FieldName, stress| of_stress(field.about().origin, &model, stress, 0.0).unwrap();
+        let at = |field: FieldName, [x, y, xy]: [f64; 3]| {
+            of_stress(field.about().origin, &model, [x, y, xy, 0.0, 0.0, 0.0], 0.0).unwrap()
+        };
         assert!((at(FieldName::StrainXx, [3.0, 0.0, 0.0]) - 1.0).abs() < 1e-15);
         assert!((at(FieldName::StrainYy, [3.0, 0.0, 0.0]) + 1.0 / 3.0).abs() < 1e-15);
         // ε_xy = σ_xy/(2G), 2G = E/(1 + ν) = 9/4.

@@ -19,8 +19,9 @@ fn at(result: &BodyResult, place: [f64; 2]) -> Option<&HoleFit> {
 pub(super) fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) -> Option<(f64, f64)> {
     let (Quantity::Field { field, .. }, place) = (&probe.quantity, probe.position?) else { return None };
     let fit = at(result, place)?;
-    let stress = fit.at(place).stress;
-    let across = scene.model.stress_across(stress);
+    let [x, y, shear] = fit.at(place).stress;
+    let stress = [x, y, shear, 0.0, 0.0, 0.0];
+    let across = scene.model.across_of(stress);
     Some((of_stress(field.about().origin, &*scene.model, stress, across)?, fit.residual()))
 }
 

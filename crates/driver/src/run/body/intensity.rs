@@ -25,6 +25,9 @@ pub(super) struct Found {
     pub(super) seconds: f64,
 }
 
+/// A stress along x alone.
+pub(super) const ALONG_X: [f64; 6] = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+
 /// All stress intensities that a case asks for.
 ///
 /// # Errors
@@ -39,10 +42,10 @@ pub(super) fn of_states(scene: &BodyScene, options: &RunOptions) -> Result<Found
         let longer = potentials(scene, intensity, step, options, &mut found)?;
         let shorter = potentials(scene, intensity, -step, options, &mut found)?;
         // E' of an isotropic material, and 2 G of one in antiplane shear.
-        let modulus = 1.0 / scene.model.strain_of([1.0, 0.0, 0.0])[0];
+        let modulus = 1.0 / scene.model.strains_of(ALONG_X, 0.0)[0];
         let stiffness = if scene.model.along(0).is_some() { modulus } else { 2.0 * modulus };
         let tips = if intensity.tips == Tips::Both { 2.0 } else { 1.0 };
-        let area = 2.0 * step * tips * scene.model.thickness() / sides(scene, intensity);
+        let area = 2.0 * step * tips * scene.material().about().thickness / sides(scene, intensity);
         let of = |(longer, shorter): (f64, f64)| {
             let release = (shorter - longer) / area;
             (stiffness * release.max(0.0)).sqrt()

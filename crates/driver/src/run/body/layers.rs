@@ -74,7 +74,8 @@ fn squared_roots(fibres: &Fibres) -> [f64; 2] {
 
 /// Integrals of the magnitudes of the normal stresses along the two axes of the material.
 fn pull(scene: &BodyScene, fibres: &Fibres, u: &[f64]) -> [f64; 2] {
-    let [xx, yy, xy] = scene.model.fields(u).stress;
+    let stress = scene.model.recover(u).stress;
+    let [xx, yy, xy] = &stress[..] else { return [0.0; 2] };
     let (s, c) = fibres.angle.sin_cos();
     let mut pull = [0.0; 2];
     for p in scene.real_points() {

@@ -3,7 +3,8 @@
 use crate::run::{Coarser, Spread};
 use crate::scene::body::Conditions;
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
-use peristat_assembly::model::plane::{Mirrors, PlaneModel, Solvable};
+use peristat_assembly::model::BodyModel;
+use peristat_assembly::model::plane::{Mirrors, Solvable};
 use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 
@@ -19,7 +20,7 @@ const STRIP: i32 = 1;
 const MOST_BESIDE: usize = 20_000;
 
 /// How the points of a body lie.
-pub(super) fn spread(model: &dyn PlaneModel) -> Spread {
+pub(super) fn spread(model: &dyn BodyModel) -> Spread {
     match model.lattice() {
         Some((lattice, mirrors)) if !is_coarsest(lattice, mirrors) && !model.hardly_compresses() => {
             Spread::Lattice
@@ -81,7 +82,7 @@ pub(super) fn coarser<const D: usize>(
 
 /// Points of the blocks that a border cuts and around them, in order; none where they are so many that their factor would be
 /// large.
-fn beside_border(model: &dyn PlaneModel) -> Vec<usize> {
+fn beside_border(model: &dyn BodyModel) -> Vec<usize> {
     let Some((lattice, _)) = model.lattice() else { return Vec::new() };
     let around = |&(block, ..): &(Cell, _)| {
         let along = |k: usize| block[k] - STRIP..=block[k] + 1 + STRIP;

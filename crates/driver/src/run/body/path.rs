@@ -1,6 +1,7 @@
 //! Bodies in the plane whose bonds soften.
 
 use super::fields::{BodyResult, Recovered};
+use super::intensity::ALONG_X;
 use super::{crack_front, grips, verdict};
 use crate::run::body::BodyProblem;
 use crate::run::fracture::Facts;
@@ -85,7 +86,7 @@ impl SofteningBody<2> for SofteningPlane<'_> {
             let model = &self.problem.model;
             point.stress_intensity = Some(intensity * point.load / load);
             // J = W (dC/da)/(C t), with the compliance C of the elastic body: K²/E' as long as it is one.
-            let stiffness = 1.0 / model.strain_of([1.0, 0.0, 0.0])[0];
+            let stiffness = 1.0 / model.strains_of(ALONG_X, 0.0)[0];
             point.j_integral = Some(intensity * intensity / stiffness * point.work / work);
         }
     }
@@ -147,5 +148,5 @@ fn recovered(
     // What cracks have cut from the start is no bond any more.
     let cut = model.damage();
     let damage = bonds.damage().into_iter().zip(cut).map(|(d, cut)| cut + (1.0 - cut) * d).collect();
-    Recovered { stress, across: Vec::new(), energy_density, damage: Some(damage) }
+    Recovered { stress: stress.into(), across: Vec::new(), energy_density, damage: Some(damage) }
 }

@@ -101,7 +101,7 @@ impl HoleRing {
             images.iter().map(image)
         };
         ORDERS.into_iter().find_map(|order| {
-            let fields = HoleFields::new(&scene.model.stiffness(), self.ellipse, order)?;
+            let fields = HoleFields::new(&scene.model.as_plane()?.stiffness(), self.ellipse, order)?;
             HoleFit::new(fields, pressure, self.points.iter().flat_map(moved))
         })
     }

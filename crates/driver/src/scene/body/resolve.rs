@@ -25,7 +25,7 @@ use crate::scene::files;
 use crate::scene::path::PathScene;
 use crate::scene::states::{self, Sum};
 use peristat_assembly::body::{Crack, PlaneBody};
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 
 impl BodyScene {
     /// Resolves a case of a body in the plane. `folder` is where files that the case names are looked for, `faults` are
@@ -204,7 +204,7 @@ fn check_bearable(scene: &BodyScene, faults: &mut Faults) {
 
 /// How many rows and columns beside a point values are interpolated from: points beside a border that is followed do not see the
 /// steps of the lattice.
-fn reach(model: &dyn PlaneModel, recipe: &Recipe) -> i32 {
+fn reach(model: &dyn BodyModel, recipe: &Recipe) -> i32 {
     if model.follows_border() { 1 } else { (recipe.material.about().horizon_ratio + 1e-9).floor() as i32 }
 }
 

@@ -4,7 +4,7 @@ use super::scene::{BodyScene, BodyState};
 use crate::model::Material;
 use crate::scene::body::load::sums::Forces;
 use crate::scene::{Counted, Resultant};
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 
 impl BodyScene {
     /// Resultant of the loads of a state, as the case asks for them.
@@ -57,7 +57,7 @@ impl BodyScene {
 
 /// Which parts of resultants mean anything. Rings have forces along their axis only, a line of symmetry takes moments, and bonds in
 /// antiplane shear resist no rotation.
-fn statical(model: &dyn PlaneModel, material: &dyn Material) -> Counted {
+fn statical(model: &dyn BodyModel, material: &dyn Material) -> Counted {
     let only_along = |axis: usize| [0, 1, 2].map(|k| k == axis);
     if model.is_revolved() {
         return Counted { force: only_along(1), moment: [false; 3] };

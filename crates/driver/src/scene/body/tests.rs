@@ -112,7 +112,7 @@ fn tractions_around_holes_have_exact_totals() {
 
 /// A linear displacement of a stress, with some displacement at the origin and some rotation.
 fn linear(scene: &BodyScene, stress: [f64; 3], shift: [f64; 2], turn: f64) -> Vec<f64> {
-    let [xx, yy, xy] = scene.model.strain_of(stress);
+    let [xx, yy, xy] = scene.model.as_plane().unwrap().strain_of(stress);
     let n = scene.model.points();
     let at = |p: usize| scene.model.place(p);
     let x = (0..n).map(|p| shift[0] + xx * at(p)[0] + (0.5 * xy - turn) * at(p)[1]);
@@ -154,7 +154,7 @@ fn tractions_of_one_stress_have_its_linear_displacement() {
     // They act through the border.
     assert!(scene.load_cases[0].stresses.is_empty() && !scene.load_cases[0].forces.is_empty());
     // No motion at the lower left corner, no rotation of the line to the right one.
-    let [xx, yy, xy] = scene.model.strain_of(stress);
+    let [xx, yy, xy] = scene.model.as_plane().unwrap().strain_of(stress);
     let turn = -0.5 * xy;
     let shift = [-xx * corner[0] - xy * corner[1], -yy * corner[1]];
     check_equilibrium(&scene, &linear(&scene, stress, shift, turn));
@@ -168,7 +168,7 @@ fn pulls_against_rollers_and_mirrors_are_exact() {
         { "at": { "x": 1.0, "y": -0.5 }, "uy": 0.0 }
     ]);
     let held = scene(&plate(json!({ "loads": pull, "supports": rollers })));
-    let [xx, yy, _] = held.model.strain_of([2e6, 0.0, 0.0]);
+    let [xx, yy, _] = held.model.as_plane().unwrap().strain_of([2e6, 0.0, 0.0]);
     // The edge is held, not its points: nothing moves along x at x = 1.
     check_equilibrium(&held, &linear(&held, [2e6, 0.0, 0.0], [-xx, 0.45 * yy], 0.0));
     // What the stress does to the held edge is taken back there: the resultant is that of the traction.
@@ -188,7 +188,7 @@ fn pressure_on_everything_is_exact_around_holes_too() {
     let edges = ["left", "right", "top", "bottom", "hole"];
     let all: Vec<Value> = edges.iter().map(|edge| traction(edge, "pressure", json!(1e6))).collect();
     let scene = scene(&plate(json!({ "body": body, "loads": all })));
-    let [xx, yy, _] = scene.model.strain_of([-1e6, -1e6, 0.0]);
+    let [xx, yy, _] = scene.model.as_plane().unwrap().strain_of([-1e6, -1e6, 0.0]);
     check_equilibrium(&scene, &linear(&scene, [-1e6, -1e6, 0.0], [-1.05 * xx, 0.45 * yy], 0.0));
 }
 

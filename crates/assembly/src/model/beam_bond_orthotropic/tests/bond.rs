@@ -3,7 +3,8 @@
 use super::*;
 use crate::body::SquareLattice;
 use crate::bonds::{BondGeometry, BondModel, block};
-use crate::model::plane::{Mirrors, PlaneModel, Solvable};
+use crate::model::BodyModel;
+use crate::model::plane::{Mirrors, Solvable};
 use std::sync::Arc;
 
 /// Beam of length ξ along the angle φ with the stiffness densities c and d and the shear flexibility β, unknowns

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::body::{Hole, Outline, Shape};
+use crate::model::BodyModel;
 use crate::model::plane::through_border::through_border;
 use crate::model::plane::{Mirrors, PlaneModel};
 use crate::model::{Model, Points};
@@ -17,7 +18,7 @@ fn plate(outline: &Outline, turned: f64, material: OrthotropicMaterial, m: f64) 
         OrthotropicParameters { lattice_angle, edges: Edges::Border, ..parameters(material, turned, m) };
     let lattice = Arc::new(outline.fill_turned(H, lattice_angle).unwrap());
     let plate = BeamBondOrthotropic::on_lattice(lattice, Mirrors::NONE, parameters, &[]).unwrap();
-    assert_eq!((plate.uncorrected(), PlaneModel::edges(&plate)), (0, Some(Edges::Border)));
+    assert_eq!((plate.uncorrected(), BodyModel::edges(&plate)), (0, Some(Edges::Border)));
     plate
 }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::body::{Crack, Hole, Outline, Shape, cut_bonds};
+use crate::model::BodyModel;
 use crate::model::Points;
 
 /// Points within a horizon of the sides of a square about the origin.

@@ -7,6 +7,7 @@ use super::super::bond_plane::Influence;
 use super::super::plane::{Edges, Mirrors, PlaneModel};
 use super::{AntiplaneParameters, BondAntiplane};
 use crate::body::SquareLattice;
+use crate::model::BodyModel;
 use crate::model::Model;
 use std::sync::Arc;
 

@@ -2,6 +2,7 @@
 
 use super::super::super::bond_plane::tests::bodies::{bodies, difference, largest, random, turned_bodies};
 use super::*;
+use crate::model::BodyModel;
 use crate::model::Points;
 use crate::model::plane::{PlaneModel, Solvable};
 

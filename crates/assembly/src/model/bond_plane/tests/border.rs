@@ -3,6 +3,7 @@
 use super::super::*;
 use super::bodies::*;
 use super::patch::{STRAINS, check_fields, check_rigid};
+use crate::body::in_space;
 use crate::body::plus;
 use crate::model::Points;
 use crate::model::plane::{Edges, PlaneModel};
@@ -31,7 +32,7 @@ fn uniform_strains_are_exact_on_staircases() {
     for m in [2.0, 2.5, 3.0, 4.0, 5.0] {
         for (name, lattice) in staircases() {
             let plane = plane(&lattice, bordered(m));
-            assert_eq!((plane.uncorrected(), PlaneModel::edges(&plane)), (0, Some(Edges::Border)), "{name}");
+            assert_eq!((plane.uncorrected(), BodyModel::edges(&plane)), (0, Some(Edges::Border)), "{name}");
             check_rigid(name, &plane);
             STRAINS.iter().for_each(|&g| check_fields(&format!("{name} {m}"), &plane, g));
         }
@@ -52,7 +53,7 @@ fn through_border(plane: &BondPlane, lattice: &SquareLattice, [xx, yy, xy]: [f64
             let normal = [f64::from(a), f64::from(b)];
             let middle = [0, 1].map(|k| at[k] + 0.5 * h * normal[k]);
             let traction = [xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]];
-            for (p, share) in shares(middle, normal).unwrap() {
+            for (p, share) in shares(in_space(middle), in_space(normal)).unwrap() {
                 (0..2).for_each(|k| force[k * n + p] += share * h * t * traction[k]);
             }
         }
@@ -97,7 +98,7 @@ fn the_stiffness_is_that_of_another_implementation() {
 #[test]
 fn thin_and_cut_bodies_have_the_overlay() {
     let row = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [7, 1]));
-    assert_eq!(PlaneModel::edges(&plane(&row, bordered(3.0))), Some(Edges::Overlay));
+    assert_eq!(BodyModel::edges(&plane(&row, bordered(3.0))), Some(Edges::Overlay));
     let cut = SquareLattice::rectangle(1.0, [0.0; 2], [7, 5]).with_areas(&[([3, 4, 0], 0.7)]);
-    assert_eq!(PlaneModel::edges(&plane(&Arc::new(cut), bordered(3.0))), Some(Edges::Overlay));
+    assert_eq!(BodyModel::edges(&plane(&Arc::new(cut), bordered(3.0))), Some(Edges::Overlay));
 }

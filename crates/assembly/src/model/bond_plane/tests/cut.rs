@@ -61,7 +61,7 @@ fn every_uniform_strain_has_the_energy_of_the_true_area() {
             for lattice in filled(&outline) {
                 let plane = plane(&lattice, bordered(m));
                 assert_eq!(
-                    (plane.uncorrected(), PlaneModel::edges(&plane)),
+                    (plane.uncorrected(), BodyModel::edges(&plane)),
                     (0, Some(Edges::Border)),
                     "{name}"
                 );
@@ -129,7 +129,7 @@ fn a_quarter_is_the_whole_body() {
         let real = body([-11.0, -9.0], [11.0, 9.0]);
         let part = mirrors.extended(&real, BondPlane::depth(&parameters).unwrap());
         let part = BondPlane::on_lattice(Arc::new(part), mirrors, parameters, &[]).unwrap();
-        assert_eq!(PlaneModel::edges(&part), Some(Edges::Border));
+        assert_eq!(BodyModel::edges(&part), Some(Edges::Border));
         compare(&full, &part, mirrors);
     }
 }

@@ -4,7 +4,7 @@ use super::super::*;
 use super::bodies::*;
 use crate::model::Points;
 use crate::model::bond_plane::neighbourhood::neighbourhood;
-use crate::model::plane::{Calibration, Edges, PlaneModel};
+use crate::model::plane::{Calibration, Edges};
 
 /// The rectangle of 18 × 13 cells with a hole, in some treatment, under the displacement `random`.
 fn energy_of(calibration: Calibration, volume_factor: VolumeFactor, edges: Edges) -> (f64, BondPlane) {

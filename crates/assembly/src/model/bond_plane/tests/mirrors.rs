@@ -3,7 +3,7 @@
 use super::super::*;
 use super::bodies::*;
 use crate::condition::Constraints;
-use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel, Solvable};
+use crate::model::plane::{Calibration, Edges, Mirrors, Solvable};
 use std::ops::Range;
 
 /// Fills in the images of a displacement.
@@ -113,12 +113,12 @@ pub(super) fn compare(full: &dyn Solvable<2>, part: &dyn Solvable<2>, mirrors: M
     let energies = [energy(full, &u[0]), copies * energy(part, &u[1])];
     assert!((energies[0] / energies[1] - 1.0).abs() < 1e-13, "{energies:?}");
     let forces = [force(full, &u[0]), restricted(part, force(part, &u[1]))];
-    let fields = [full.fields(&u[0]), part.fields(&u[1])];
+    let fields = [full.as_plane().unwrap().fields(&u[0]), part.as_plane().unwrap().fields(&u[1])];
     let damage = [full.damage(), part.damage()];
     let mut loads = [vec![0.0; 2 * n], vec![0.0; 2 * np]];
     let stress = |at: [f64; 2]| [1.0 + at[0].powi(2), 2.0 - at[1].powi(2), 0.3 * at[0] * at[1]];
-    full.add_stress_load(None, &stress, &mut loads[0]);
-    part.add_stress_load(None, &stress, &mut loads[1]);
+    full.as_plane().unwrap().add_stress_load(None, &stress, &mut loads[0]);
+    part.as_plane().unwrap().add_stress_load(None, &stress, &mut loads[1]);
     let loads = [loads[0].clone(), restricted(part, loads[1].clone())];
     let (f, l, s) = (largest(&forces[0]), largest(&loads[0]), largest(&fields[0].stress[0]));
     for q in (0..np).filter(|&q| mirrors.is_real(lattice.cell(q))) {

@@ -2,7 +2,7 @@
 
 use super::super::*;
 use super::bodies::*;
-use crate::model::plane::{Calibration, Edges, Mirrors, PlaneModel};
+use crate::model::plane::{Calibration, Edges, Mirrors};
 use crate::model::{Model, Points};
 
 /// Plates of all kinds, some with a crack that ends inside.

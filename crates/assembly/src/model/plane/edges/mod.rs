@@ -7,7 +7,7 @@ mod factors;
 mod overlay;
 mod triangle;
 
-pub(super) use border::border_shares;
+pub(in crate::model) use border::border_shares;
 pub(in super::super) use border::{BorderBonds, Cells, End, Nodes, Run, around, can_end, for_each_part};
 pub use border::{BorderShares, FARTHEST};
 pub(in super::super) use cut::{Section, Strains};

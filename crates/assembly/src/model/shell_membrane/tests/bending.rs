@@ -2,6 +2,7 @@
 
 use super::super::*;
 use super::tubes::*;
+use crate::model::BodyModel;
 use crate::model::Points;
 use crate::model::plane::{Mirrors, PlaneModel};
 use crate::stiffness::Term;

@@ -3,6 +3,7 @@
 use super::super::*;
 use super::tubes::*;
 use crate::body::SquareLattice;
+use crate::model::BodyModel;
 use crate::model::plane::{Calibration, Mirrors, PlaneModel};
 use crate::model::{Model, Points};
 use std::f64::consts::TAU;
@@ -68,7 +69,7 @@ fn pulled(tube: &ShellMembrane, traction: [f64; 2]) -> Vec<f64> {
     for (sign, column) in [(-1.0, real.columns().start), (1.0, real.columns().end)] {
         for row in real.rows() {
             let [x, s] = real.place_of([column, row, 0]);
-            let Some(places) = shares([x - 0.5 * spacing, s], [sign, 0.0]) else { continue };
+            let Some(places) = shares([x - 0.5 * spacing, s, 0.0], [sign, 0.0, 0.0]) else { continue };
             for (p, share) in places {
                 (0..2).for_each(|k| force[k * n + p] += sign * share * spacing * traction[k]);
             }

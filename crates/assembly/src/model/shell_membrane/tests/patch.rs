@@ -2,6 +2,7 @@
 
 use super::super::*;
 use super::tubes::*;
+use crate::model::BodyModel;
 use crate::model::plane::{Calibration, PlaneModel};
 use crate::model::{Model, Points};
 use std::f64::consts::{PI, TAU};

@@ -4,8 +4,9 @@
 
 use super::super::*;
 use super::tubes::*;
+use crate::model::BodyModel;
 use crate::model::Points;
-use crate::model::plane::{Calibration, PlaneModel};
+use crate::model::plane::Calibration;
 
 struct Golden {
     kinematics: ShellKinematics,

@@ -2,8 +2,9 @@
 
 use super::super::*;
 use super::tubes::*;
+use crate::model::BodyModel;
 use crate::model::Points;
-use crate::model::plane::{Mirrors, PlaneModel};
+use crate::model::plane::Mirrors;
 use std::sync::Arc;
 
 /// Forces of a pressure p(s) outwards.

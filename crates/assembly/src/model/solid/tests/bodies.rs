@@ -35,12 +35,12 @@ pub(in crate::model) fn bodies(h: f64) -> Vec<(&'static str, Arc<SquareLattice>)
 }
 
 /// Displacement `g x` of all points.
-pub(in crate::model) fn linear(solid: &dyn SolvableSolid, g: [[f64; 3]; 3]) -> Vec<f64> {
+pub(in crate::model) fn linear(solid: &dyn Solvable<3>, g: [[f64; 3]; 3]) -> Vec<f64> {
     planes(solid, |at| g.map(|row| (0..3).map(|k| row[k] * at[k]).sum()))
 }
 
 /// A displacement of every point.
-pub(in crate::model) fn planes(solid: &dyn SolvableSolid, of: impl Fn(Point) -> [f64; 3]) -> Vec<f64> {
+pub(in crate::model) fn planes(solid: &dyn Solvable<3>, of: impl Fn(Point) -> [f64; 3]) -> Vec<f64> {
     let n = solid.points();
     let mut u = vec![0.0; 3 * n];
     for p in 0..n {
@@ -55,18 +55,18 @@ pub(in crate::model) fn gradient([xx, yy, zz, yz, xz, xy]: [f64; 6]) -> [[f64; 3
     [[xx, 0.5 * xy, 0.5 * xz], [0.5 * xy, yy, 0.5 * yz], [0.5 * xz, 0.5 * yz, zz]]
 }
 
-pub(in crate::model) fn force(solid: &dyn SolvableSolid, u: &[f64]) -> Vec<f64> {
+pub(in crate::model) fn force(solid: &dyn Solvable<3>, u: &[f64]) -> Vec<f64> {
     let mut force = vec![0.0; u.len()];
     solid.terms().iter().for_each(|term| term.add_force(u, &mut force));
     force
 }
 
-pub(in crate::model) fn energy(solid: &dyn SolvableSolid, u: &[f64]) -> f64 {
+pub(in crate::model) fn energy(solid: &dyn Solvable<3>, u: &[f64]) -> f64 {
     solid.terms().iter().map(|term| term.survey(u).energy).sum()
 }
 
 /// The stiffness, unknowns in planes.
-pub(in crate::model) fn matrix(solid: &dyn SolvableSolid) -> DMatrix<f64> {
+pub(in crate::model) fn matrix(solid: &dyn Solvable<3>) -> DMatrix<f64> {
     let n = solid.points();
     let terms = solid.terms();
     let mut k = BlockMatrix::sparse(n, &terms);
@@ -81,7 +81,7 @@ pub(in crate::model) fn matrix(solid: &dyn SolvableSolid) -> DMatrix<f64> {
 
 /// Conjugate gradients from a displacement that stays where unknowns are held.
 pub(in crate::model) fn solve(
-    solid: &dyn SolvableSolid,
+    solid: &dyn Solvable<3>,
     u: Vec<f64>,
     load: &[f64],
     held: impl Fn(usize) -> bool,

@@ -5,7 +5,7 @@ use super::*;
 fn bordered(lattice: SquareLattice, horizon_ratio: f64) -> BondSolid {
     let parameters = BondSolidParameters { horizon_ratio, edges: SolidEdges::Border, ..BONDS };
     let solid = BondSolid::on_lattice(Arc::new(lattice), Mirrors::NONE, parameters, &[]).unwrap();
-    assert_eq!(solid.edges(), SolidEdges::Border);
+    assert_eq!(solid.faces(), SolidEdges::Border);
     solid
 }
 
@@ -25,12 +25,12 @@ fn free_faces_are_in_balance() {
             let u = linear(&solid, gradient(solid.strain_of([0.0, 0.0, 1.0, 0.0, 0.0, 0.0])));
             let internal = force(&solid, &u);
             // Two layers hold each end.
-            let is_end = |p: usize| [0, 1, 10, 11].contains(&solid.lattice().0.cell(p)[2]);
+            let is_end = |p: usize| [0, 1, 10, 11].contains(&solid.lattice().unwrap().0.cell(p)[2]);
             let free = (0..3 * n).filter(|k| !is_end(k % n)).map(|k| internal[k].abs()).fold(0.0, f64::max);
             // 3e-15 measured; the overlay has 0.02 to 0.05.
             assert!(free < 1e-12, "{name} {horizon_ratio}: {free:e}");
             let end: f64 = (0..n).filter(|&p| solid.position(p)[2] > 6.0).map(|p| internal[2 * n + p]).sum();
-            let area = (0..n).filter(|&p| solid.lattice().0.cell(p)[2] == 0).count() as f64;
+            let area = (0..n).filter(|&p| solid.lattice().unwrap().0.cell(p)[2] == 0).count() as f64;
             assert!((end / area - 1.0).abs() < 1e-12, "{name} {horizon_ratio}: {end}");
         }
     }
@@ -54,10 +54,10 @@ fn shear_leaves_known_forces_at_corners() {
 
 /// Deflection at three quarters of a beam of length 4 and depth 1, `E = F = 1`, whose end is clamped by `u_0 = u_1/3` and loaded
 /// with the shares (3/2, −1/2).
-fn deflection(cells: i32, make: &dyn Fn(Arc<SquareLattice>) -> Box<dyn SolvableSolid>) -> f64 {
+fn deflection(cells: i32, make: &dyn Fn(Arc<SquareLattice>) -> Box<dyn Solvable<3>>) -> f64 {
     let h = 1.0 / f64::from(cells);
     let solid = make(Arc::new(SquareLattice::cuboid(h, [0.0, -0.5, -0.5], [4 * cells, cells, cells])));
-    let (n, (lattice, _)) = (solid.points(), solid.lattice());
+    let (n, (lattice, _)) = (solid.points(), solid.lattice().unwrap());
     let second = |unknown: usize| {
         let [column, row, layer] = lattice.cell(unknown % n);
         (column == 0).then(|| unknown / n * n + lattice.number([1, row, layer]).unwrap())
@@ -112,7 +112,7 @@ fn a_state_based_beam_bends_as_elements_do() {
         let parameters = StateSolidParameters { edges: SolidEdges::Border, ..STATE };
         let found = deflection(cells, &|lattice| {
             let solid = StateSolid::on_lattice(lattice, Mirrors::NONE, parameters, &[]).unwrap();
-            assert_eq!(solid.edges(), SolidEdges::Border);
+            assert_eq!(solid.faces(), SolidEdges::Border);
             Box::new(solid)
         });
         assert!((found / 168.05 - expected).abs() < 1e-3, "{cells} {}", found / 168.05);

@@ -23,10 +23,10 @@ fn a_crack_through_the_body_parts_it() {
     let bonds = BondSolid::on_lattice(lattice.clone(), Mirrors::NONE, BONDS, &cuts).unwrap();
     let parameters = BondSolidParameters { edges: SolidEdges::Border, ..BONDS };
     let border = BondSolid::on_lattice(lattice.clone(), Mirrors::NONE, parameters, &cuts).unwrap();
-    assert_eq!((border.edges(), border.uncorrected()), (SolidEdges::Border, 0));
+    assert_eq!((border.faces(), border.uncorrected()), (SolidEdges::Border, 0));
     let cuts = across(&lattice, &StateSolid::offsets(&STATE).unwrap(), 4, 6);
     let state = StateSolid::on_lattice(lattice.clone(), Mirrors::NONE, STATE, &cuts).unwrap();
-    for solid in [&bonds as &dyn SolvableSolid, &border, &state] {
+    for solid in [&bonds as &dyn Solvable<3>, &border, &state] {
         assert_eq!(solid.connected().spans().len(), 2);
         let apart =
             planes(solid, |[x, y, z]| if z > 4.0 { [1.0, 2.0, 3.0] } else { [-0.1 * y, 0.1 * x, 0.0] });

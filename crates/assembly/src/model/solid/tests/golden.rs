@@ -4,8 +4,8 @@ use super::*;
 
 /// Of the block, spacing and Young's modulus one: the corner along x, `(0, 3, 2)` along x and z, `(3, 3, 2)` along x, the trace,
 /// the least elastic and the largest eigenvalue.
-fn check(name: &str, solid: &dyn SolvableSolid, expected: [f64; 7]) {
-    let (lattice, _) = solid.lattice();
+fn check(name: &str, solid: &dyn Solvable<3>, expected: [f64; 7]) {
+    let (lattice, _) = solid.lattice().unwrap();
     let (n, k) = (solid.points(), matrix(solid));
     let at = |cell: [i32; 3], c: usize| {
         let row = c * n + lattice.number(cell).unwrap();

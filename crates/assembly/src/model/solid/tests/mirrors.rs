@@ -14,17 +14,17 @@ fn whole(part: f64) -> SquareLattice {
     all.with_areas(&areas)
 }
 
-fn check(full: &dyn SolvableSolid, part: &dyn SolvableSolid) {
+fn check(full: &dyn Solvable<3>, part: &dyn Solvable<3>) {
     let odd = |[x, y, z]: Point| {
         [x * (1.0 + 0.1 * y * y - 0.02 * z * z), 0.3 * y * x.abs(), z * (0.2 * x * x + y.abs()) - 0.1 * z]
     };
     let (u, own) = (planes(full, odd), planes(part, odd));
     assert!((energy(full, &u) / (8.0 * energy(part, &own)) - 1.0).abs() < 1e-13);
-    let (all, fields) = (full.fields(&u), part.fields(&own));
+    let (all, fields) = (full.as_solid().unwrap().fields(&u), part.as_solid().unwrap().fields(&own));
     let (mut load, mut folded) = (vec![0.0; u.len()], vec![0.0; own.len()]);
     let stress = |[x, y, _]: Point| [1.0 + x * x, 0.4, y.abs(), 0.0, 0.0, 0.0];
-    full.add_stress_load(&stress, &mut load);
-    part.add_stress_load(&stress, &mut folded);
+    full.as_solid().unwrap().add_stress_load(&stress, &mut load);
+    part.as_solid().unwrap().add_stress_load(&stress, &mut folded);
     let constraints = Constraints::new(part.points(), &part.relations()).unwrap();
     let mut internal = force(part, &own);
     for forces in [&mut folded, &mut internal] {
@@ -35,7 +35,7 @@ fn check(full: &dyn SolvableSolid, part: &dyn SolvableSolid) {
     }
     let whole_force = force(full, &u);
     for p in (0..part.points()).filter(|&p| part.volume(p) > 0.0) {
-        let same = full.lattice().0.number(part.lattice().0.cell(p)).unwrap();
+        let same = full.lattice().unwrap().0.number(part.lattice().unwrap().0.cell(p)).unwrap();
         let here = |v: &[f64]| [0, 1, 2].map(|c| v[c * part.points() + p]);
         let there = |v: &[f64]| [0, 1, 2].map(|c| v[c * full.points() + same]);
         assert!(difference(&here(&folded), &there(&load)) < 1e-12 * largest(&load));
@@ -60,12 +60,12 @@ fn an_eighth_is_the_whole_body() {
         for horizon_ratio in [2.0, 3.0] {
             let bonds = BondSolidParameters { horizon_ratio, edges, ..BONDS };
             let body = BondSolid::on_lattice(full.clone(), Mirrors::NONE, bonds, &[]).unwrap();
-            assert_eq!(body.edges(), edges);
+            assert_eq!(body.faces(), edges);
             let part = eighth(&full, BondSolid::depth(&bonds).unwrap());
             check(&body, &BondSolid::on_lattice(part, MIRRORS, bonds, &[]).unwrap());
             let state = StateSolidParameters { horizon_ratio, edges, ..STATE };
             let body = StateSolid::on_lattice(full.clone(), Mirrors::NONE, state, &[]).unwrap();
-            assert_eq!(body.edges(), edges);
+            assert_eq!(body.faces(), edges);
             let part = eighth(&full, StateSolid::depth(&state).unwrap());
             check(&body, &StateSolid::on_lattice(part, MIRRORS, state, &[]).unwrap());
         }
@@ -86,7 +86,7 @@ fn joined_sides_have_no_faces() {
         let parameters = BondSolidParameters { edges, ..BONDS };
         let cells = mirrors.extended(&real, BondSolid::depth(&parameters).unwrap());
         let solid = BondSolid::on_lattice(Arc::new(cells), mirrors, parameters, &[]).unwrap();
-        assert_eq!((solid.edges(), solid.uncorrected()), (edges, 0));
+        assert_eq!((solid.faces(), solid.uncorrected()), (edges, 0));
         let u = linear(&solid, gradient(strain));
         let c = solid.stiffness();
         let stress = c.map(|row| (0..6).map(|q| row[q] * strain[q]).sum::<f64>());

@@ -10,10 +10,13 @@ mod patch;
 pub(in crate::model) use bodies::*;
 
 use super::*;
+use crate::body::SquareLattice;
+use crate::model::Points;
 use crate::model::bond_plane::{Influence, VolumeFactor};
 use crate::model::bond_solid::{BondSolid, BondSolidParameters};
-use crate::model::plane::{Calibration, Mirrors};
+use crate::model::plane::{Calibration, Mirrors, Solvable};
 use crate::model::state_solid::{StateSolid, StateSolidParameters};
+use std::sync::Arc;
 
 pub(in crate::model) const BONDS: BondSolidParameters = BondSolidParameters {
     youngs_modulus: 1.0,
@@ -35,8 +38,8 @@ pub(in crate::model) const STATE: StateSolidParameters = StateSolidParameters {
 };
 
 /// One solid of either kind and of every influence and horizon that is worth a test.
-fn solids(lattice: &Arc<SquareLattice>) -> Vec<(String, Box<dyn SolvableSolid>)> {
-    let mut all: Vec<(String, Box<dyn SolvableSolid>)> = Vec::new();
+fn solids(lattice: &Arc<SquareLattice>) -> Vec<(String, Box<dyn Solvable<3>>)> {
+    let mut all: Vec<(String, Box<dyn Solvable<3>>)> = Vec::new();
     for (horizon_ratio, influence) in [
         (2.0, Influence::Constant),
         (3.0, Influence::Linear),

@@ -5,14 +5,14 @@ use crate::model::bond_plane::tests::bodies::{difference, largest, random};
 
 const STRESS: [f64; 6] = [1.0, 0.3, -0.5, 0.2, -0.4, 0.7];
 
-fn check_fields(name: &str, solid: &dyn SolvableSolid) {
+fn check_fields(name: &str, solid: &dyn Solvable<3>) {
     let n = solid.points();
-    let strain = solid.strain_of(STRESS);
-    let stiffness = solid.stiffness();
+    let strain = solid.as_solid().unwrap().strain_of(STRESS);
+    let stiffness = solid.as_solid().unwrap().stiffness();
     let back = stiffness.map(|row| (0..6).map(|q| row[q] * strain[q]).sum::<f64>());
     assert!(difference(&back, &STRESS) < 1e-14, "{name} {back:?}");
     let u = linear(solid, gradient(strain));
-    let fields = solid.fields(&u);
+    let fields = solid.as_solid().unwrap().fields(&u);
     let density = 0.5 * (0..6).map(|q| STRESS[q] * strain[q]).sum::<f64>();
     for p in (0..n).filter(|&p| solid.volume(p) > 0.0) {
         for q in 0..6 {
@@ -23,14 +23,14 @@ fn check_fields(name: &str, solid: &dyn SolvableSolid) {
         assert!((fields.energy_density[p] / density - 1.0).abs() < 1e-12, "{name} {p}");
     }
     let mut load = vec![0.0; 3 * n];
-    solid.add_stress_load(&|_| STRESS, &mut load);
+    solid.as_solid().unwrap().add_stress_load(&|_| STRESS, &mut load);
     let internal = force(solid, &u);
     assert!(difference(&load, &internal) < 1e-12 * largest(&internal), "{name}");
     let volume: f64 = (0..n).map(|p| solid.volume(p)).sum();
     assert!((energy(solid, &u) / (density * volume) - 1.0).abs() < 1e-12, "{name}");
 }
 
-fn check_rigid(name: &str, solid: &dyn SolvableSolid) {
+fn check_rigid(name: &str, solid: &dyn Solvable<3>) {
     let scale = energy(solid, &linear(solid, gradient([1.0, 0.0, 0.0, 0.0, 0.0, 0.0])));
     for kind in 0..6 {
         let n = solid.points();
@@ -73,9 +73,9 @@ fn loads_of_a_uniform_stress_are_solved_by_the_linear_displacement() {
     for (body, lattice) in bodies(1.0) {
         for (name, solid) in solids(&lattice).into_iter().step_by(3) {
             let n = solid.points();
-            let exact = linear(&*solid, gradient(solid.strain_of(STRESS)));
+            let exact = linear(&*solid, gradient(solid.as_solid().unwrap().strain_of(STRESS)));
             let mut load = vec![0.0; 3 * n];
-            solid.add_stress_load(&|_| STRESS, &mut load);
+            solid.as_solid().unwrap().add_stress_load(&|_| STRESS, &mut load);
             // Three points that are not in a line.
             let far = |along: Point| {
                 let at = |p: usize| (0..3).map(|k| along[k] * solid.position(p)[k]).sum::<f64>();

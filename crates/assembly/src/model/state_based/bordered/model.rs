@@ -2,14 +2,15 @@
 
 use super::super::super::plane::{
     BorderShares, COMPONENTS, Edges, FindCuts, Mirrors, PlaneFields, PlaneModel, RIGID_MOTIONS, Solvable,
-    calibration_error, rigid_motion,
+    calibration_error, in_plane, rigid_motion,
 };
 use super::BorderedState;
 use super::rings::weight;
 use crate::body::SquareLattice;
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
-use crate::model::{Component, Model, ModelSizes, Points, RigidMotion};
+use crate::model::solid::TENSOR;
+use crate::model::{BodyFields, BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
 use crate::stiffness::Term;
 use std::sync::Arc;
 
@@ -80,7 +81,7 @@ impl Solvable<2> for BorderedState {
     }
 }
 
-impl PlaneModel for BorderedState {
+impl BodyModel for BorderedState {
     fn volume(&self, point: usize) -> f64 {
         weight(&self.plate, point) * self.plate.volume(point)
     }
@@ -117,6 +118,32 @@ impl PlaneModel for BorderedState {
         self.plate.damage()
     }
 
+    fn is_revolved(&self) -> bool {
+        self.parameters.is_axisymmetric()
+    }
+
+    fn hardly_compresses(&self) -> bool {
+        self.parameters.hardly_compresses()
+    }
+
+    fn strains_of(&self, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        in_plane(self, stress, across)
+    }
+
+    fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
+        self.stress_across([x, y, shear])
+    }
+
+    fn recover(&self, u: &[f64]) -> BodyFields {
+        self.fields(u).into()
+    }
+
+    fn as_plane(&self) -> Option<&dyn PlaneModel> {
+        Some(self)
+    }
+}
+
+impl PlaneModel for BorderedState {
     fn thickness(&self) -> f64 {
         if self.is_revolved() { 1.0 } else { self.plate.kind.thickness }
     }
@@ -135,14 +162,6 @@ impl PlaneModel for BorderedState {
 
     fn strain_with(&self, stress: [f64; 3], across: f64) -> [f64; 3] {
         self.parameters.strain_with(stress, across)
-    }
-
-    fn is_revolved(&self) -> bool {
-        self.parameters.is_axisymmetric()
-    }
-
-    fn hardly_compresses(&self) -> bool {
-        self.parameters.hardly_compresses()
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {

@@ -1,7 +1,7 @@
 //! Bodies that touch the axis.
 
-use super::super::super::plane::PlaneModel;
 use super::*;
+use crate::model::BodyModel;
 use crate::model::Points;
 
 /// `u_r = r` prescribed on a collar of two horizons around a solid cylinder of radius 1 in plane strain: u_r/r at the first

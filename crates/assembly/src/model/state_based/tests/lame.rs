@@ -3,6 +3,7 @@
 
 use super::super::super::plane::PlaneModel;
 use super::*;
+use crate::model::BodyModel;
 use crate::model::Points;
 use std::f64::consts::TAU;
 

@@ -2,6 +2,7 @@
 
 use super::super::super::plane::PlaneModel;
 use super::*;
+use crate::model::BodyModel;
 use crate::model::Points;
 
 /// Unknowns of a body under the stresses of a linear displacement, held as little as it takes: the largest error, relative

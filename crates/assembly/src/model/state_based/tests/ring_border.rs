@@ -2,7 +2,9 @@
 
 use super::super::BorderedState;
 use super::*;
+use crate::body::in_space;
 use crate::body::{Hole, Outline, Shape};
+use crate::model::BodyModel;
 use crate::model::Points;
 use crate::model::plane::through_border::{Side, through_border};
 use std::f64::consts::{PI, TAU};
@@ -209,7 +211,7 @@ fn spheres_widen_as_they_should() {
                 let normal = [-angle.cos(), -angle.sin()];
                 let at = normal.map(|x| -10.0 * x);
                 let area = TAU * at[0] * 5.0 * PI / f64::from(steps);
-                for (p, share) in shares(at, normal).expect("a place on the border") {
+                for (p, share) in shares(in_space(at), in_space(normal)).expect("a place on the border") {
                     (0..2).for_each(|c| force[c * n + p] -= share * area * normal[c]);
                 }
             }

@@ -7,7 +7,7 @@ use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::interpolate::Interpolation;
 use crate::scene::body::site::recipe::Recipe;
 use peristat_assembly::body::Outline;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 
 /// What readings and failure of a body are resolved on.
 pub(crate) struct HeldBody<'a> {
@@ -18,7 +18,7 @@ pub(crate) struct HeldBody<'a> {
     /// What numbers the points of the body in the model.
     pub(crate) recipe: &'a Recipe,
     /// The discretised body.
-    pub(crate) model: &'a dyn PlaneModel,
+    pub(crate) model: &'a dyn BodyModel,
     /// Cracks, images left out.
     pub(crate) cracks: &'a [NamedCrack],
     /// How values between points follow from those of points.

@@ -5,8 +5,8 @@
 //! uniform stress goes into the support undisturbed.
 
 use crate::scene::body::site::boundary::{Sample, Stretch};
-use peristat_assembly::body::{SquareLattice, plus};
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::body::{SquareLattice, in_space, plus};
+use peristat_assembly::model::BodyModel;
 use std::collections::BTreeMap;
 
 /// Points and their shares in the displacement of a piece of a border; they sum to one.
@@ -20,13 +20,13 @@ const BEHIND: i32 = 2;
 
 /// The piece of a border by each of some points of a model, none for points that have nothing of it; none at all where the
 /// points beside the border, in rows along it, tell how it moves, or nothing does.
-pub(crate) fn pieces(stretches: &[Stretch], points: &[u32], model: &dyn PlaneModel) -> Option<Vec<Piece>> {
+pub(crate) fn pieces(stretches: &[Stretch], points: &[u32], model: &dyn BodyModel) -> Option<Vec<Piece>> {
     let (lattice, _) = model.lattice().filter(|_| model.follows_border())?;
     let shares = model.border_shares()?;
     let parts = stretches.iter().flat_map(|stretch| stretch.between_lines(lattice));
     let samples: Vec<Sample> = parts.flat_map(|part| part.samples().collect::<Vec<_>>()).collect();
     let moved: Vec<Vec<(usize, f64)>> =
-        samples.iter().map(|s| shares(s.at, s.normal)).collect::<Option<_>>()?;
+        samples.iter().map(|s| shares(in_space(s.at), in_space(s.normal))).collect::<Option<_>>()?;
     // Beside rows that run along it a place moves with two points of either of two rows.
     if moved.iter().all(|shares| shares.len() <= 4) {
         return None;

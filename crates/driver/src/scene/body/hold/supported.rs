@@ -5,7 +5,7 @@ use super::rigid::RigidPoints;
 use super::supports::Held;
 use crate::diagnostic::{JsonPath, root};
 use crate::scene::body::site::recipe::Recipe;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 use std::ops::Range;
 
 /// A support, or what is prescribed of a rigid region.
@@ -27,7 +27,7 @@ pub(crate) fn conditions(
     held: &[Held],
     rigid: Vec<RigidPoints>,
     recipe: &Recipe,
-    model: &dyn PlaneModel,
+    model: &dyn BodyModel,
 ) -> (Conditions, Vec<BodySupport>) {
     let mut conditions =
         Conditions { turning: model.component("phi").map(|(_, phi)| phi.scale), ..Conditions::default() };

@@ -13,7 +13,7 @@ use crate::scene::body::site::ground::{Ground, Spot};
 use crate::scene::body::site::recipe::Recipe;
 use crate::scene::body::site::symmetry::Symmetry;
 use peristat_assembly::body::PlaneBody;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 use peristat_assembly::stiffness::Spring;
 
 /// A support, resolved, with what it holds by numbers of the body.
@@ -154,7 +154,7 @@ impl Held {
     }
 
     /// What it prescribes, by numbers of the model.
-    pub(crate) fn holds(&self, recipe: &Recipe, model: &dyn PlaneModel) -> Vec<HeldPoints> {
+    pub(crate) fn holds(&self, recipe: &Recipe, model: &dyn BodyModel) -> Vec<HeldPoints> {
         let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
         let number = |p: &u32| recipe.number(model, *p);
         let chains: Vec<Vec<u32>> = self.chains.iter().map(|c| c.iter().map(number).collect()).collect();
@@ -182,7 +182,7 @@ impl Held {
     }
 
     /// Its springs, shared by volume.
-    pub(crate) fn spring_list(&self, recipe: &Recipe, model: &dyn PlaneModel) -> Vec<Spring> {
+    pub(crate) fn spring_list(&self, recipe: &Recipe, model: &dyn BodyModel) -> Vec<Spring> {
         let points: Vec<usize> = self.points.iter().map(|&p| recipe.number(model, p) as usize).collect();
         let volume: f64 = points.iter().map(|&p| model.volume(p)).sum();
         let on = |component: usize, stiffness: f64| {
@@ -195,7 +195,7 @@ impl Held {
 }
 
 /// A direction along x, y and z, or a rotation, by the unknowns of a model.
-fn by_component(direction: [f64; 3], turns: bool, model: &dyn PlaneModel) -> [f64; 3] {
+fn by_component(direction: [f64; 3], turns: bool, model: &dyn BodyModel) -> [f64; 3] {
     let mut shares = [0.0; 3];
     for axis in (0..3).filter(|&axis| direction[axis] != 0.0) {
         let component = if turns { model.turning().map(|(k, _)| k) } else { model.along(axis) };

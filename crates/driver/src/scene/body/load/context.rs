@@ -9,7 +9,7 @@ use crate::scene::body::site::boundary::Stretch;
 use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::recipe::Recipe;
 use crate::scene::body::site::symmetry::Symmetry;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 
 /// What the resolution of loads looks at.
 pub(crate) struct LoadContext<'a> {
@@ -24,7 +24,7 @@ pub(crate) struct LoadContext<'a> {
     /// What numbers the points of the body in the model.
     pub(crate) recipe: &'a Recipe,
     /// The discretised body, if it can be made.
-    pub(crate) model: Option<&'a dyn PlaneModel>,
+    pub(crate) model: Option<&'a dyn BodyModel>,
 }
 
 impl LoadContext<'_> {

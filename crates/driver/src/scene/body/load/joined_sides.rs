@@ -5,11 +5,11 @@ use super::sums::Forces;
 use crate::case::{Axis, Case, Periodic};
 use crate::scene::body::site::boundary;
 use crate::scene::body::site::symmetry::edge_on;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 use std::array::from_fn;
 
 /// Forces of the case on the unknowns by which a body stretches, by numbers of the model.
-pub(crate) fn forces(case: &Case, model: &dyn PlaneModel) -> Forces {
+pub(crate) fn forces(case: &Case, model: &dyn BodyModel) -> Forces {
     let Some((lattice, mirrors)) = model.lattice() else { return Vec::new() };
     let of = |given: &Periodic| {
         let (force, axis) = (given.force?, usize::from(given.along == Axis::Y));

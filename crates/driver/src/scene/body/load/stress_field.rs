@@ -1,6 +1,6 @@
 //! Stresses that act by the rows of the bonds.
 
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -64,9 +64,11 @@ impl StressField {
     }
 
     /// Adds what it does times a factor to forces on the unknowns of a model.
-    pub(crate) fn add_to(&self, model: &dyn PlaneModel, factor: f64, force: &mut [f64]) {
+    pub(crate) fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
         let at = |position: [f64; 2]| self.stress.at(position).map(|s| factor * s);
-        model.add_stress_load(self.points.as_deref(), &at, force);
+        if let Some(plane) = model.as_plane() {
+            plane.add_stress_load(self.points.as_deref(), &at, force);
+        }
     }
 }
 

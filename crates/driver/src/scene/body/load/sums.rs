@@ -2,7 +2,7 @@
 
 use super::stress_field::StressField;
 use crate::scene::Resultant;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 
 /// Forces along x, y and z, N, on points.
 pub(crate) type Forces = Vec<(u32, [f64; 3])>;
@@ -60,7 +60,7 @@ impl BodyLoads {
 
     /// Adds the loads times a factor to `force`, N, one plane per unknown; moments per length by which rotations are
     /// multiplied. What acts along an axis in which points do not move is left out.
-    pub fn add_to(&self, model: &dyn PlaneModel, factor: f64, force: &mut [f64]) {
+    pub fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
         let n = model.points();
         let planes = (0..3).filter_map(|axis| Some((axis, model.along(axis)? * n)));
         let planes: Vec<(usize, usize)> = planes.collect();

@@ -8,7 +8,7 @@ use crate::scene::expectation::{self, Expectation, PointsCheck};
 use crate::scene::files::{BASELINE, text};
 use crate::scene::words;
 use peristat_assembly::body::PlaneBody;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 
 /// What is compared at all points of a body in the plane.
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub struct BodyComparison {
 /// Checks of the case on a body with its model; states and probes by their names.
 pub(crate) fn expectations(
     case: &Case,
-    (body, model): (&PlaneBody, &dyn PlaneModel),
+    (body, model): (&PlaneBody, &dyn BodyModel),
     states: &[&str],
     probes: &[&str],
     (folder, max_memory): (&Folder, Option<u64>),

@@ -3,8 +3,8 @@
 use crate::case::{Case, FieldName, Origin};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::words;
+use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::Component;
-use peristat_assembly::model::plane::PlaneModel;
 
 /// How the points of a body have a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,11 +18,13 @@ pub(crate) enum Has {
 }
 
 /// How the points of a body have a field; of a damaged one bonds are cut, or can fail.
-pub(crate) fn of_points(field: FieldName, model: &dyn PlaneModel, is_damaged: bool) -> Has {
+pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: bool) -> Has {
     let or = |is_there: bool, otherwise: Has| if is_there { Has::Values } else { otherwise };
     match field.about().origin {
         Origin::Unknown => or(model.component(field.name()).is_some(), Has::No),
-        Origin::Across => or(model.is_revolved() || model.stress_across([1.0, 1.0, 0.0]) != 0.0, Has::Zero),
+        Origin::Across => {
+            or(model.is_revolved() || model.across_of([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) != 0.0, Has::Zero)
+        }
         Origin::Damage => or(is_damaged, Has::Zero),
         Origin::Strain(name, _) | Origin::Stress(name) => {
             or(model.tensor_components().contains(&name), Has::No)
@@ -33,7 +35,7 @@ pub(crate) fn of_points(field: FieldName, model: &dyn PlaneModel, is_damaged: bo
 }
 
 /// The fields that points have, whether zero or not, in the order of tables.
-pub(crate) fn answered(model: &dyn PlaneModel) -> impl Iterator<Item = FieldName> {
+pub(crate) fn answered(model: &dyn BodyModel) -> impl Iterator<Item = FieldName> {
     FieldName::PLANE.into_iter().filter(move |&field| of_points(field, model, false) != Has::No)
 }
 
@@ -42,13 +44,13 @@ const REACTIONS: [FieldName; 4] =
     [FieldName::ReactionX, FieldName::ReactionY, FieldName::ReactionMoment, FieldName::ReactionForce];
 
 /// The unknown that a reaction holds: its index and what is known of it.
-pub(crate) fn held(reaction: FieldName, model: &dyn PlaneModel) -> Option<(usize, Component)> {
+pub(crate) fn held(reaction: FieldName, model: &dyn BodyModel) -> Option<(usize, Component)> {
     let Origin::Reaction(component) = reaction.about().origin else { return None };
     model.component(component)
 }
 
 /// The fields that probes can ask for: those of points, reactions, rotations of rigid regions and openings of cracks.
-pub(crate) fn probed(model: &dyn PlaneModel, case: &Case) -> Vec<FieldName> {
+pub(crate) fn probed(model: &dyn BodyModel, case: &Case) -> Vec<FieldName> {
     let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model).is_some());
     let turns = (model.turning().is_none() && !case.rigid.is_empty()).then_some(FieldName::Phi);
     let opens = (!case.cracks.is_empty() && model.along(0).is_some()).then_some(FieldName::Opening);

@@ -6,6 +6,7 @@ use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::site::ground::PLACE;
 use crate::scene::body::site::interpolate::Weights;
+use peristat_assembly::body::in_space;
 
 /// A value to report.
 #[derive(Clone, Debug)]
@@ -133,7 +134,7 @@ fn of_border(position: [f64; 2], inward: [i8; 2], field: FieldName, site: &HeldB
     if field.is_recovered() || !is_along_axis {
         return None;
     }
-    let shares = site.model.border_shares()?(position, inward.map(|k| -f64::from(k)))?;
+    let shares = site.model.border_shares()?(in_space(position), in_space(inward.map(|k| -f64::from(k))))?;
     Some(shares.into_iter().map(|(point, share)| (point as u32, share)).collect())
 }
 

@@ -7,7 +7,7 @@ use super::symmetry::Symmetry;
 use crate::case::Case;
 use crate::model::{AnyBody, Material, OnGround, OnLattice, Refusal};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 use std::cell::RefCell;
 
 /// What a model is made of, to make it again with other cracks.
@@ -111,7 +111,7 @@ impl Recipe {
     }
 
     /// Numbers in the model of points of the body.
-    pub(crate) fn number(&self, model: &dyn PlaneModel, point: u32) -> u32 {
+    pub(crate) fn number(&self, model: &dyn BodyModel, point: u32) -> u32 {
         match (&self.body, model.lattice()) {
             (PlaneBody::Lattice(lattice), Some((extended, _))) if !model.ghosts().is_empty() => {
                 let number = extended.number(lattice.cell(point as usize));

@@ -2,7 +2,7 @@
 
 use crate::model::Material;
 use crate::scene::Resultant;
-use peristat_assembly::model::plane::PlaneModel;
+use peristat_assembly::model::BodyModel;
 
 /// Adds a force, N, at a position to a resultant: what a shell has along its circumference turns it about its axis, and what it
 /// has outwards is not counted.
@@ -18,7 +18,7 @@ pub(crate) fn add_force(material: &dyn Material, to: &mut Resultant, force: [f64
 
 /// Resultant of forces on the unknowns of a model, component by component. What acts on an image acts on its point, in its
 /// mirror.
-pub(crate) fn resultant(model: &dyn PlaneModel, material: &dyn Material, forces: &[f64]) -> Resultant {
+pub(crate) fn resultant(model: &dyn BodyModel, material: &dyn Material, forces: &[f64]) -> Resultant {
     let n = model.points();
     let (components, turning) = ([0, 1, 2].map(|axis| model.along(axis)), model.turning());
     let lattice = model.lattice().filter(|(_, mirrors)| !mirrors.is_none());

@@ -13,7 +13,7 @@ mod run;
 mod shares;
 
 pub use shares::BorderShares;
-pub(in super::super) use shares::border_shares;
+pub(in crate::model) use shares::border_shares;
 
 use super::super::bond::LatticeBond;
 use super::super::near::at;

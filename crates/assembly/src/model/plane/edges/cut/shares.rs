@@ -20,8 +20,8 @@ pub(in super::super::super) fn cut_shares<'a, const M: usize>(
     cuts: HashSet<(usize, usize)>,
 ) -> BorderShares<'a> {
     let corners = beside_cracks(lattice, mirrors, hood, Cow::Owned(cuts));
-    Box::new(move |at, _| {
-        let at = lattice.in_cells(at).map(|x| x - 0.5);
+    Box::new(move |[x, y, _], _| {
+        let at = lattice.in_cells([x, y]).map(|x| x - 0.5);
         let mut sum: Vec<(usize, f64)> = Vec::new();
         for (cell, share) in [true, false].into_iter().flat_map(|rises| linear(at, rises)) {
             let from = if corners.blocks.has(cell) { cell } else { next_point(&corners, cell)? };

@@ -5,6 +5,7 @@ use super::on_border::{OnBorder, may_be_consistent};
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::sums::Forces;
 use crate::scene::body::site::boundary::Border;
+use peristat_assembly::body::in_space;
 
 /// Forces of a traction on points of the model, images among them: what acts there by a sign that is turned goes into the line
 /// of symmetry ([`BodyScene::into_mirrors`](super::BodyScene::into_mirrors)). None where it acts otherwise.
@@ -20,7 +21,7 @@ pub(crate) fn forces(traction: &OnBorder, context: &LoadContext) -> Option<Force
     for stretch in stretches.iter().flat_map(|stretch| stretch.between_lines(lattice)) {
         for (at, along) in traction.profile.on(&stretch) {
             let force = along.map(|t| context.material.across(at) * t);
-            for (point, share) in shares(at, stretch.normal)? {
+            for (point, share) in shares(in_space(at), in_space(stretch.normal))? {
                 (0..3).for_each(|k| forces[point][k] += share * force[k]);
             }
         }
