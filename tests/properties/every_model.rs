@@ -99,6 +99,7 @@ fn keys_without_a_meaning_are_refused_with_a_hint() {
         "cracks" => json!([{ "path": [[1.0, 1.0], [2.0, 1.0]] }]),
         "fracture" => json!({ "critical": { "stretch": 0.1 }, "load": "nothing" }),
         "path" => json!({ "load": "nothing" }),
+        "periodic" => json!([{ "along": "x" }]),
         "rigid" => json!([{ "region": "left" }]),
         "rigid.bearing" => {
             json!([{ "region": "left", "bearing": { "direction": [0.0, 1.0], "half_angle": 60.0 } }])

@@ -10,7 +10,7 @@ fn names() -> Vec<String> {
     let schema = serde_json::to_value(schemars::schema_for!(FieldName)).expect("a schema");
     let values = schema["oneOf"].as_array().expect("a list of names");
     let names: Vec<String> = values.iter().map(|v| v["const"].as_str().expect("a name").into()).collect();
-    assert_eq!(names.len(), 29);
+    assert_eq!(names.len(), 32);
     names
 }
 
@@ -88,8 +88,27 @@ fn models() -> Vec<Model> {
         shell,
         rigid,
     ];
+    all.extend(["bond_solid", "state_solid"].map(solid));
     all.extend(beams());
     all
+}
+
+fn solid(name: &str) -> Model {
+    let mut model = json!({ "youngs_modulus": 7e4 });
+    if name == "state_solid" {
+        model["poisson_ratio"] = json!(0.3);
+    }
+    let case = json!({
+        "title": name, "units": "mm-N-MPa", "model": { name: model },
+        "body": { "block": { "size": [6, 4, 4], "spacing": 1 } },
+        "supports": [ { "at": { "region": "left" }, "ux": 0, "uy": 0, "uz": 0 } ],
+        "loads": [ { "traction": { "face": "right", "uniform": [10, 0, 0] } } ]
+    });
+    let places = vec![json!({ "x": 0.5, "y": 2.5, "z": 1.5 }), json!({ "region": "left" })];
+    let others = ["ux", "uy", "uz", "damage", "reaction_x", "reaction_y", "reaction_z"];
+    let across = ["strain_zz", "strain_xz", "strain_yz", "stress_xz", "stress_yz"];
+    let answered = STRESSES.iter().chain(&others).chain(&across).copied().collect();
+    Model { case, places, answered, hidden: vec!["damage"] }
 }
 
 fn beams() -> [Model; 3] {
@@ -183,7 +202,12 @@ fn every_field_that_tables_show_is_a_number_along_lines() {
     for model in models().into_iter().filter(|m| m.case["model"].get("timoshenko_beam").is_none()) {
         let mut case = model.case.clone();
         let from = if model.case["title"] == "axisymmetric" { 4.1 } else { 0.1 };
-        case["lines"] = json!([ { "name": "l", "from": [from, 2.2], "to": [9.9, 2.2], "points": 7 } ]);
+        let is_solid = model.case["body"].get("block").is_some();
+        let [from, to] = match is_solid {
+            true => [json!([0.1, 2.2, 1.3]), json!([5.9, 2.2, 1.3])],
+            false => [json!([from, 2.2]), json!([9.9, 2.2])],
+        };
+        case["lines"] = json!([ { "name": "l", "from": from, "to": to, "points": 7 } ]);
         let run = plane::solve(&case);
         let (scene, state) = (&run.scene, &run.states[0]);
         let shown: Vec<FieldName> = state.fields().collect();

@@ -58,6 +58,7 @@ mod shell;
 mod short_beams;
 mod skipping;
 mod softening_edges;
+mod solids;
 mod specimens;
 mod state_based;
 mod state_bodies;

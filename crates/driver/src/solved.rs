@@ -63,7 +63,7 @@ impl Solved {
         Ok(self.names(self.state(state)?))
     }
 
-    /// Positions `[x, y, z]` of all points, in the unit of length of the case; z is zero. A shell is unrolled: y runs
+    /// Positions `[x, y, z]` of all points, in the unit of length of the case; z is zero but in solids. A shell is unrolled: y runs
     /// around it.
     pub fn points(&self) -> Vec<[f64; 3]> {
         match &self.scene {
@@ -73,7 +73,7 @@ impl Solved {
             }
             Scene::Body(scene) => {
                 let mut points = Vec::with_capacity(scene.body().points());
-                scene.body().visit(|[x, y]| points.push([x, y, 0.0]));
+                scene.body().visit(|at| points.push(at));
                 points
             }
         }
@@ -108,7 +108,7 @@ impl Solved {
                 result.all_values(result.fields().iter().copied().find(named)?)
             }
             (Scene::Body(scene), StateResult::Body(result)) => {
-                result.values(scene, FieldName::PLANE.into_iter().find(named)?)
+                result.values(scene, FieldName::BODY.into_iter().find(named)?)
             }
             _ => unreachable!("a scene has results of its own kind"),
         }

@@ -59,7 +59,7 @@ pub(crate) fn probe(case: &Value, name: &str) -> f64 {
 impl PlaneRun {
     /// Positions of the points.
     pub(crate) fn positions(&self) -> Vec<[f64; 2]> {
-        (0..self.scene.body().points()).map(|p| self.scene.body().position(p)).collect()
+        (0..self.scene.body().points()).map(|p| self.scene.body().place(p)).collect()
     }
 
     /// A field at all points.

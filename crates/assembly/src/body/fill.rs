@@ -94,7 +94,7 @@ impl Outline {
         let whole = [0, 1].map(|k| is_whole(cells[k], rounding[k]));
         countable(cells, spacing)?;
         if self.is_rectangle() && whole != [true; 2] {
-            return Err(FillError::NotWhole { cells, fitting: fitting(size, spacing) });
+            return Err(FillError::NotWhole { cells, fitting: fitting(&size, spacing) });
         }
         let size = [0, 1].map(|k| if whole[k] { cells[k].round() as i32 } else { cells[k].ceil() as i32 });
         Ok(Grid { corner: low, size })
@@ -178,7 +178,7 @@ impl Outline {
 }
 
 /// Whether a number of cells is a whole one.
-fn is_whole(cells: f64, rounding: f64) -> bool {
+pub(super) fn is_whole(cells: f64, rounding: f64) -> bool {
     let nearest = cells.round();
     nearest >= 1.0 && (cells - nearest).abs() <= WHOLE * nearest + rounding
 }
@@ -196,13 +196,14 @@ fn countable(cells: [f64; 2], spacing: f64) -> Result<(), FillError> {
     Ok(())
 }
 
-/// The nearest spacings below and above one of which both sides are whole multiples.
-fn fitting(size: [f64; 2], spacing: f64) -> Vec<f64> {
-    let short = size[0].min(size[1]);
-    let long = size[0].max(size[1]);
+/// The nearest spacings below and above one of which all sides are whole multiples.
+pub(super) fn fitting(size: &[f64], spacing: f64) -> Vec<f64> {
+    let short = size.iter().copied().fold(f64::INFINITY, f64::min);
     let fits = |n: &f64| {
-        let cells = long / (short / n);
-        (cells - cells.round()).abs() <= WHOLE * cells
+        size.iter().all(|side| {
+            let cells = side / (short / n);
+            (cells - cells.round()).abs() <= WHOLE * cells
+        })
     };
     let number = short / spacing;
     let finer = (0..1000).map(|k| number.ceil().max(1.0) + f64::from(k)).find(fits);

@@ -21,6 +21,7 @@ mod polygon;
 mod region;
 mod rows;
 mod select;
+mod solid;
 mod transfer;
 mod turn;
 
@@ -35,53 +36,83 @@ pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};
 pub use region::{Region, RegionError, Regions};
+pub use solid::{Cut, CutError, Face, SIDES, ShapeError, SolidRegion, SolidShape};
 pub use transfer::Transfer;
 
 /// Positions this close to a border lie on it, in spacings.
 pub const BORDER: f64 = 1e-9;
 
-/// The points of a body in the plane.
+/// The points of a body.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlaneBody {
-    /// Cells of a square lattice.
+    /// Squares of a plane.
     Lattice(SquareLattice),
+    /// Cubes of a solid.
+    Solid(SquareLattice),
     /// Listed points.
     Cloud(Cloud),
 }
 
 impl PlaneBody {
+    /// Number of coordinates of a position: two in the plane, three in space.
+    pub fn axes(&self) -> usize {
+        if matches!(self, Self::Solid(_)) { 3 } else { 2 }
+    }
+
     /// Number of points.
     pub fn points(&self) -> usize {
         match self {
-            Self::Lattice(lattice) => lattice.points(),
+            Self::Lattice(lattice) | Self::Solid(lattice) => lattice.points(),
             Self::Cloud(cloud) => cloud.points(),
         }
     }
 
-    /// Position of a point, m.
-    pub fn position(&self, point: usize) -> [f64; 2] {
+    /// Position of a point, m; z = 0 in the plane.
+    pub fn position(&self, point: usize) -> [f64; 3] {
         match self {
-            Self::Lattice(lattice) => lattice.place(point),
+            Self::Solid(lattice) => lattice.position(point),
+            _ => in_space(self.place(point)),
+        }
+    }
+
+    /// Position of a point along x and y, m: all of it in the plane.
+    pub fn place(&self, point: usize) -> [f64; 2] {
+        match self {
+            Self::Lattice(lattice) | Self::Solid(lattice) => lattice.place(point),
             Self::Cloud(cloud) => cloud.positions()[point],
         }
     }
 
-    /// Visits the positions of all points, m, in their order: in a lattice by rows, which spares the search for each cell.
-    pub fn visit(&self, mut visit: impl FnMut([f64; 2])) {
+    /// The cells; listed points are none.
+    pub fn cells(&self) -> Option<&SquareLattice> {
         match self {
-            Self::Lattice(lattice) => {
-                for run in lattice.runs() {
-                    run.columns.clone().for_each(|column| visit(lattice.place_of(run.cell(column))));
-                }
-            }
-            Self::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(*at)),
+            Self::Lattice(lattice) | Self::Solid(lattice) => Some(lattice),
+            Self::Cloud(_) => None,
         }
     }
 
-    /// Area of a point, m².
+    /// Visits the positions of all points, m, in their order: in a lattice by rows, which spares the search for each cell.
+    pub fn visit(&self, mut visit: impl FnMut([f64; 3])) {
+        match self {
+            Self::Lattice(lattice) => {
+                for run in lattice.runs() {
+                    let at = |column: i32| in_space(lattice.place_of(run.cell(column)));
+                    run.columns.clone().for_each(|column| visit(at(column)));
+                }
+            }
+            Self::Solid(lattice) => {
+                for run in lattice.runs() {
+                    run.columns.clone().for_each(|column| visit(lattice.centre(run.cell(column))));
+                }
+            }
+            Self::Cloud(cloud) => cloud.positions().iter().for_each(|at| visit(in_space(*at))),
+        }
+    }
+
+    /// Area of a point, m²; of a solid that of a side of its cell.
     pub fn area(&self, point: usize) -> f64 {
         match self {
-            Self::Lattice(lattice) => lattice.area(point),
+            Self::Lattice(lattice) | Self::Solid(lattice) => lattice.area(point),
             Self::Cloud(cloud) => cloud.areas()[point],
         }
     }
@@ -89,7 +120,7 @@ impl PlaneBody {
     /// Side of a cell, or of the mean area of listed points, m.
     pub fn spacing(&self) -> f64 {
         match self {
-            Self::Lattice(lattice) => lattice.spacing(),
+            Self::Lattice(lattice) | Self::Solid(lattice) => lattice.spacing(),
             Self::Cloud(cloud) => cloud.spacing(),
         }
     }

@@ -4,6 +4,7 @@ use super::convex::Convex;
 use super::geometry::{dot, left_normal, moved};
 use super::outline::{Outline, Shape};
 use super::select::{nearest, points_in};
+use super::solid::{self, Face, SolidRegion};
 use super::{BORDER, PlaneBody};
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
@@ -56,6 +57,8 @@ pub enum Region {
         /// How far from its edge; one spacing if not given.
         depth: Option<f64>,
     },
+    /// Points of a solid.
+    Solid(SolidRegion),
     /// Points of any of some named regions.
     Union {
         /// Their names.
@@ -124,6 +127,8 @@ pub struct Regions<'a> {
     pub body: &'a PlaneBody,
     /// The outline with its edges and holes; listed points have none.
     pub outline: Option<&'a Outline>,
+    /// The faces of a solid.
+    pub faces: &'a [Face],
     /// Regions that unions name.
     pub named: &'a BTreeMap<String, Region>,
 }
@@ -143,6 +148,10 @@ impl Regions<'_> {
         let parts = match region {
             Region::Union { of } => return self.union(of, unions),
             Region::Group { name } => return self.group(name),
+            Region::Solid(region) => {
+                let PlaneBody::Solid(lattice) = self.body else { return Ok(Vec::new()) };
+                return solid::select(lattice, self.faces, region);
+            }
             Region::Corner { at } => return Ok(nearest(self.body, finite("at", *at)?)),
             Region::Edge { name, depth } => vec![self.edge(name, *depth)?],
             Region::Hole { name, depth } => self.hole(name, *depth)?,
@@ -201,8 +210,8 @@ impl Regions<'_> {
 
     fn group(&self, name: &str) -> Result<Vec<u32>, RegionError> {
         let groups = match self.body {
-            PlaneBody::Lattice(_) => &[],
             PlaneBody::Cloud(cloud) => cloud.groups(),
+            _ => &[],
         };
         let found = groups.iter().find(|g| g.name == name);
         let missing = || unknown("group", name, groups.iter().map(|g| g.name.as_str()));

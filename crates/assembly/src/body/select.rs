@@ -10,6 +10,8 @@ use super::{BORDER, PlaneBody};
 pub(super) fn points_in(body: &PlaneBody, part: &Convex) -> Vec<u32> {
     match body {
         PlaneBody::Lattice(lattice) => on_lattice(lattice, part),
+        // Parts of the plane are none of solids.
+        PlaneBody::Solid(_) => Vec::new(),
         PlaneBody::Cloud(cloud) => {
             let inside = |(k, p): (usize, &Point)| part.contains(*p).then_some(k as u32);
             cloud.positions().iter().enumerate().filter_map(inside).collect()
@@ -44,7 +46,7 @@ fn on_lattice(lattice: &SquareLattice, part: &Convex) -> Vec<u32> {
 /// The points nearest to a position: more than one if they are equally far, within [`BORDER`].
 pub(super) fn nearest(body: &PlaneBody, to: Point) -> Vec<u32> {
     let least = match body {
-        PlaneBody::Lattice(lattice) => nearest_cell(lattice, to),
+        PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => nearest_cell(lattice, to),
         PlaneBody::Cloud(cloud) => nearest_listed(cloud, to),
     };
     let radius = least + BORDER * body.spacing();

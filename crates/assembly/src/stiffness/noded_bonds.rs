@@ -290,6 +290,11 @@ impl<const D: usize, const M: usize> Term<D> for NodedBonds<D, M> {
         self.count()
     }
 
+    fn joins_many(&self) -> bool {
+        // A place on a face has four corners.
+        self.kinds.iter().any(|kind| kind.shares.iter().any(|shares| shares.len() > 2))
+    }
+
     fn stored_factors(&self) -> usize {
         let hung: usize = self.hung.iter().map(Vec::len).sum();
         let nodes: usize = self.nodes.iter().map(|place| 2 * place.len() + 3).sum();

@@ -205,6 +205,10 @@ impl<const D: usize> Term<D> for SharedFamilies<D> {
         self.entries.len()
     }
 
+    fn joins_many(&self) -> bool {
+        true
+    }
+
     fn stored_factors(&self) -> usize {
         let roots: usize = self.kinds.iter().map(|kind| kind.root.len()).sum();
         roots + 3 * self.entries.len() + self.others.len().div_ceil(2)

@@ -99,6 +99,11 @@ pub trait Term<const D: usize>: Send + Sync {
     /// Number of elements (bonds, families, springs).
     fn elements(&self) -> usize;
 
+    /// Whether elements join so many points each that their blocks, assembled, are far more than they are.
+    fn joins_many(&self) -> bool {
+        false
+    }
+
     /// Numbers stored per element: zero where a lattice shares them all.
     fn stored_factors(&self) -> usize {
         0
@@ -149,6 +154,10 @@ impl<const D: usize, T: Term<D> + ?Sized> Term<D> for Arc<T> {
 
     fn elements(&self) -> usize {
         (**self).elements()
+    }
+
+    fn joins_many(&self) -> bool {
+        (**self).joins_many()
     }
 
     fn stored_factors(&self) -> usize {

@@ -4,8 +4,8 @@
 use super::System;
 use crate::bonds::Mat;
 use crate::condition::Row;
-use crate::stiffness::BlockRows;
 use crate::stiffness::planes::for_each_stretch;
+use crate::stiffness::{BlockRows, TakeForces};
 use std::array::from_fn;
 
 /// Points that are taken together, the most that a term hands over at once.
@@ -16,11 +16,13 @@ const STRETCH: usize = 64;
 /// Its vectors hold, at unknowns that depend on others, what these make of them; only right-hand sides and residuals are
 /// zero there.
 ///
-/// Only the first term of the system, the bonds of a lattice, is evaluated element by element; the few elements of all
-/// others (overlays, springs) are assembled: that is good enough for a preconditioner.
+/// Where the elements of all terms but the first, the bonds of a lattice, are few (overlays, springs), these are assembled: that is
+/// good enough for a preconditioner. Those of solids, whose elements join dozens of points each, are evaluated one by one.
 pub struct Level<'a, const D: usize> {
     system: &'a System<D>,
     others: BlockRows<D>,
+    /// Whether these are too many to be assembled.
+    is_wide: bool,
     /// Inverse blocks in planes `[row · D + column][point]`, zero where a component is held, one where it depends on others.
     inverse: Vec<f64>,
 }
@@ -42,13 +44,15 @@ impl<'a, const D: usize> Level<'a, D> {
 
     /// The level and the first point whose block is singular.
     fn with_loose(system: &'a System<D>) -> (Self, Option<usize>) {
-        let others = BlockRows::new(system.points(), &system.terms()[1..]);
+        let others = &system.terms()[1..];
+        let is_wide = others.iter().any(|term| term.joins_many());
+        let others = BlockRows::new(system.points(), if is_wide { &[] } else { others });
         let (mut inverse, loose) = system.inverse_blocks();
         for row in system.constraints.rows().iter().filter(|row| !row.masters.is_empty()) {
             let (point, c) = (row.unknown % system.points, row.unknown / system.points);
             inverse[(c * D + c) * system.points + point] = 1.0;
         }
-        (Self { system, others, inverse }, loose)
+        (Self { system, others, is_wide, inverse }, loose)
     }
 
     /// Makes the stand-in of some unknowns that are free one number, `1/unit`: what a step adds there tells their residual.
@@ -90,7 +94,7 @@ impl<'a, const D: usize> Level<'a, D> {
 
     /// Writes `b − A x` over `r`.
     pub fn residual(&self, b: &[f64], x: &[f64], r: &mut [f64]) {
-        let fused = self.system.terms[0].sweep(x, r, &|first, forces, own| {
+        let fused = self.sweep(x, r, &|first, forces, own| {
             let at = self.residual_at(first, b, x, forces);
             own.into_iter().zip(&at).for_each(|(own, r)| own.copy_from_slice(&r[..own.len()]));
         });
@@ -122,7 +126,7 @@ impl<'a, const D: usize> Level<'a, D> {
         let slaves: Vec<&Row> = self.slaves().collect();
         let moved: Vec<f64> =
             slaves.iter().map(|s| x[s.unknown] + keep * (x[s.unknown] - previous[s.unknown])).collect();
-        let fused = self.system.terms[0].sweep(x, previous, &|first, forces, own| {
+        let fused = self.sweep(x, previous, &|first, forces, own| {
             pulp::Arch::new().dispatch(
                 #[inline(always)]
                 || finish(first, &self.residual_at(first, b, x, forces), own),
@@ -150,6 +154,11 @@ impl<'a, const D: usize> Level<'a, D> {
             });
         }
         self.expand(previous);
+    }
+
+    /// Hands the forces of the first term to `take`, where those of all others are at hand.
+    fn sweep(&self, x: &[f64], out: &mut [f64], take: TakeForces<'_, D>) -> bool {
+        !self.is_wide && self.system.terms[0].sweep(x, out, take)
     }
 
     /// Rows of unknowns that depend on others.

@@ -1,8 +1,8 @@
 //! The body of a case.
 
 use super::{
-    CentreCrackedPanel, CompactTension, Frame, Grading, MeshBody, OutlineBody, PointsBody, RectangleBody,
-    SingleEdgeBend,
+    BlockBody, CentreCrackedPanel, CompactTension, Frame, Grading, MeshBody, OutlineBody, PointsBody,
+    RectangleBody, SingleEdgeBend,
 };
 use peristat_assembly::model::timoshenko_beam::Grid;
 use schemars::JsonSchema;
@@ -26,6 +26,8 @@ pub enum Body {
     Points(PointsBody),
     /// A mesh in the plane.
     Mesh(MeshBody),
+    /// A block in space.
+    Block(BlockBody),
     /// A compact tension specimen with its pins and its crack.
     CompactTension(CompactTension),
     /// A bend specimen with its rollers and its edge crack.
@@ -54,7 +56,7 @@ pub struct Line {
 }
 
 impl Body {
-    /// The lines; frames and bodies in the plane have none.
+    /// The lines; frames, bodies in the plane and solids have none.
     pub fn lines(&self) -> &[Line] {
         match self {
             Self::Line(line) => std::slice::from_ref(line),

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A place: `{ "x": … }` on a line, `{ "joint": … }` or `{ "member": …, "x": … }` on a frame, `{ "x": …, "y": … }` or
-/// `{ "region": … }` in the plane.
+/// `{ "region": … }` in the plane, with a `z` in a solid.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct At {
@@ -16,7 +16,10 @@ pub struct At {
     /// Position in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub y: Option<f64>,
-    /// Name of a region, an edge, a hole or a group of a mesh, in the plane.
+    /// Position in a solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z: Option<f64>,
+    /// Name of a region, of an edge, a hole or a group of a mesh in the plane, or of a face of a solid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
     /// For a probe on an edge in the plane: direction into the body, [±1, 0] or [0, ±1], along which the field is
@@ -48,6 +51,9 @@ pub struct Support {
     /// Prescribed displacement along y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uy: Option<f64>,
+    /// Prescribed displacement along z, of a solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uz: Option<f64>,
     /// Prescribed rotation, rad; in the plane where points turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi: Option<f64>,
@@ -63,6 +69,9 @@ pub struct Support {
     /// Stiffness of a spring against displacement along y, on a frame or in the plane, force per length, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uy_spring: Option<f64>,
+    /// Stiffness of a spring against displacement along z, of a solid, force per length, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uz_spring: Option<f64>,
     /// Stiffness of a spring against rotation, moment per radian, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi_spring: Option<f64>,
@@ -131,6 +140,9 @@ pub struct PointLoad {
     /// Force along y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force_y: f64,
+    /// Force along z, in a solid.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub force_z: f64,
     /// Moment along phi; in the plane where points turn, and the points of a region share it.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub moment: f64,

@@ -19,6 +19,9 @@ pub enum FieldName {
     /// Displacement along y, on a frame or in the plane.
     #[serde(rename = "uy")]
     Uy,
+    /// Displacement along z, of a solid.
+    #[serde(rename = "uz")]
+    Uz,
     /// Rotation, rad; in the plane that of a rigid region, or of a point where points turn.
     #[serde(rename = "phi")]
     Phi,
@@ -34,37 +37,40 @@ pub enum FieldName {
     /// Normal stress at the extreme fibre on the side of −w.
     #[serde(rename = "stress_bottom")]
     StressBottom,
-    /// Normal strain along x, in the plane.
+    /// Normal strain along x.
     #[serde(rename = "strain_xx")]
     StrainXx,
-    /// Normal strain along y, in the plane.
+    /// Normal strain along y.
     #[serde(rename = "strain_yy")]
     StrainYy,
-    /// Shear strain ε_xy, half the change of the right angle, in the plane.
+    /// Normal strain along z, of a solid.
+    #[serde(rename = "strain_zz")]
+    StrainZz,
+    /// Shear strain ε_xy, half the change of the right angle.
     #[serde(rename = "strain_xy")]
     StrainXy,
-    /// Shear strain ε_xz, half the change of the right angle, where points move across the plane.
+    /// Shear strain ε_xz, half the change of the right angle, of solids and where points move across the plane.
     #[serde(rename = "strain_xz")]
     StrainXz,
-    /// Shear strain ε_yz, half the change of the right angle, where points move across the plane.
+    /// Shear strain ε_yz, half the change of the right angle, of solids and where points move across the plane.
     #[serde(rename = "strain_yz")]
     StrainYz,
-    /// Normal stress along x, in the plane.
+    /// Normal stress along x.
     #[serde(rename = "stress_xx")]
     StressXx,
-    /// Normal stress along y, in the plane.
+    /// Normal stress along y.
     #[serde(rename = "stress_yy")]
     StressYy,
-    /// Shear stress, in the plane.
+    /// Shear stress σ_xy.
     #[serde(rename = "stress_xy")]
     StressXy,
-    /// Shear stress σ_xz, where points move across the plane.
+    /// Shear stress σ_xz, of solids and where points move across the plane.
     #[serde(rename = "stress_xz")]
     StressXz,
-    /// Shear stress σ_yz, where points move across the plane.
+    /// Shear stress σ_yz, of solids and where points move across the plane.
     #[serde(rename = "stress_yz")]
     StressYz,
-    /// Normal stress across the plane: around the axis of a body of revolution; zero in plane stress and in shells.
+    /// Normal stress along z, across the plane: around the axis of a body of revolution; zero in plane stress and in shells.
     #[serde(rename = "stress_zz")]
     StressZz,
     /// Von Mises stress.
@@ -89,6 +95,9 @@ pub enum FieldName {
     /// Force of the support at the point, or of those in the region, on the body, along y.
     #[serde(rename = "reaction_y")]
     ReactionY,
+    /// Force of the supports in the region on a solid, along z.
+    #[serde(rename = "reaction_z")]
+    ReactionZ,
     /// Moment of the support at the point on the beam, along phi; in the plane, where points turn, of all that holds the
     /// rotations of the points of the region.
     #[serde(rename = "reaction_moment")]
@@ -146,10 +155,8 @@ pub enum Origin {
     Beam,
     /// The component of the strains of this name, such as `xy`, and what multiplies it.
     Strain(&'static str, f64),
-    /// The component of the stresses of this name.
+    /// The component of the stresses of this name; `zz` of bodies in the plane is that across it.
     Stress(&'static str),
-    /// The stress across the plane.
-    Across,
     /// The stresses: von Mises.
     VonMises,
     /// The energies of the bonds.
@@ -195,14 +202,16 @@ impl FieldName {
         Self::EnergyDensity,
     ];
 
-    /// The fields that points of bodies in the plane have, in the order of tables; `phi` where they turn, `w` where they move across the plane.
-    pub const PLANE: [Self; 18] = [
+    /// The fields that points of bodies have, in the order of tables; `phi` where they turn, `w` where they move across the plane.
+    pub const BODY: [Self; 20] = [
         Self::Ux,
         Self::Uy,
+        Self::Uz,
         Self::W,
         Self::Phi,
         Self::StrainXx,
         Self::StrainYy,
+        Self::StrainZz,
         Self::StrainXy,
         Self::StrainXz,
         Self::StrainYz,
@@ -234,6 +243,7 @@ impl FieldName {
             Self::U => ("u", Length, Unknown),
             Self::Ux => ("ux", Length, Unknown),
             Self::Uy => ("uy", Length, Unknown),
+            Self::Uz => ("uz", Length, Unknown),
             Self::Phi => ("phi", Angle, Unknown),
             Self::M => ("M", Moment, Beam),
             Self::V => ("V", Force, Beam),
@@ -242,6 +252,7 @@ impl FieldName {
             Self::StressBottom => ("stress_bottom", Unit::Stress, Beam),
             Self::StrainXx => ("strain_xx", One, Strain("xx", 1.0)),
             Self::StrainYy => ("strain_yy", One, Strain("yy", 1.0)),
+            Self::StrainZz => ("strain_zz", One, Strain("zz", 1.0)),
             // ε_xy is half of γ_xy.
             Self::StrainXy => ("strain_xy", One, Strain("xy", 0.5)),
             Self::StrainXz => ("strain_xz", One, Strain("xz", 0.5)),
@@ -251,7 +262,7 @@ impl FieldName {
             Self::StressXy => ("stress_xy", Unit::Stress, Origin::Stress("xy")),
             Self::StressXz => ("stress_xz", Unit::Stress, Origin::Stress("xz")),
             Self::StressYz => ("stress_yz", Unit::Stress, Origin::Stress("yz")),
-            Self::StressZz => ("stress_zz", Unit::Stress, Across),
+            Self::StressZz => ("stress_zz", Unit::Stress, Origin::Stress("zz")),
             Self::VonMises => ("von_mises", Unit::Stress, VonMises),
             Self::Opening => ("opening", Length, Opening),
             Self::Damage => ("damage", One, Damage),
@@ -259,6 +270,7 @@ impl FieldName {
             Self::ReactionForce => ("reaction_force", Force, Reaction("w")),
             Self::ReactionX => ("reaction_x", Force, Reaction("ux")),
             Self::ReactionY => ("reaction_y", Force, Reaction("uy")),
+            Self::ReactionZ => ("reaction_z", Force, Reaction("uz")),
             Self::ReactionMoment => ("reaction_moment", Moment, Reaction("phi")),
         };
         Field { name, unit, origin }
@@ -286,7 +298,7 @@ mod tests {
 
     #[test]
     fn names_are_those_of_case_files() {
-        for field in FieldName::FRAME.into_iter().chain(FieldName::PLANE) {
+        for field in FieldName::FRAME.into_iter().chain(FieldName::BODY) {
             assert_eq!(serde_json::to_value(field).unwrap(), field.name());
         }
     }

@@ -17,6 +17,7 @@ mod plane_output;
 mod read;
 mod refine;
 mod region;
+mod solid_body;
 mod specimen;
 mod vector;
 
@@ -44,7 +45,11 @@ pub use plane_load::{BodyForce, Hertz, Traction};
 pub use plane_output::{LineOutput, StressIntensity, Tips};
 pub use read::{Source, from_text, read, read_text};
 pub use refine::Overrides;
-pub use region::{Bearing, BoxRegion, DiscRegion, EdgeRegion, HalfPlaneRegion, HoleRegion, Region, Rigid};
+pub use region::{
+    BallRegion, Bearing, BoxRegion, DiscRegion, EdgeRegion, FaceRegion, HalfPlaneRegion, HalfSpaceRegion,
+    HoleRegion, Region, Rigid,
+};
+pub use solid_body::{BallCut, BlockBody, BlockCut, BoreCut, SolidCut, SpaceAxis};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
 pub use vector::Vector;
 

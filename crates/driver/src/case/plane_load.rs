@@ -1,16 +1,20 @@
-//! Loads on bodies in the plane.
+//! Loads on bodies in the plane and on solids.
 
 use super::{LoadSharing, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Forces per area on an edge. How they vary is said by `uniform`, `linear`, `parabolic`, `pressure`, `total`
+/// Forces per area on an edge, or on a face of a solid. How they vary is said by `uniform`, `linear`, `parabolic`, `pressure`, `total`
 /// or `hertz`, one of them. An edge of a rectangle starts at its left or lower end, one of a polygon at the vertex that has its number.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Traction {
     /// Name of a straight edge or of a hole.
-    pub edge: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edge: Option<String>,
+    /// Name of a face of a solid, which has `uniform`, `pressure` or `total`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub face: Option<String>,
     /// Force per area along x and y, and z where points move along it, the same everywhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uniform: Option<Vector>,
@@ -38,6 +42,14 @@ pub struct Traction {
     /// holes with a `depth`, else `lumped`, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sharing: Option<LoadSharing>,
+}
+
+impl Traction {
+    /// The key that names what it acts on, and that name.
+    pub fn border(&self) -> Option<(&'static str, &str)> {
+        let edge = self.edge.as_deref().map(|name| ("edge", name));
+        edge.or(self.face.as_deref().map(|name| ("face", name)))
+    }
 }
 
 /// The contact pressure `p₀ √(1 − (s − s₀)²/a²)` of Hertz over the positions s within a of its middle s₀ along an edge.

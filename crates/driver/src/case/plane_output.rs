@@ -1,6 +1,6 @@
 //! What is reported of bodies in the plane, beside probes.
 
-use super::CrackName;
+use super::{CrackName, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,9 +11,9 @@ pub struct LineOutput {
     /// Name, unique; part of the name of its file.
     pub name: String,
     /// First end.
-    pub from: [f64; 2],
+    pub from: Vector,
     /// Second end.
-    pub to: [f64; 2],
+    pub to: Vector,
     /// Number of positions, ends included, >= 2.
     pub points: usize,
 }

@@ -48,6 +48,7 @@ impl Case {
             }
             Body::Rectangle(rectangle) => spacing("rectangle", rectangle.spacing),
             Body::Outline(outline) => spacing("outline", outline.spacing),
+            Body::Block(block) => spacing("block", block.spacing),
             Body::CompactTension(s) => specimen("compact_tension", s.cells),
             Body::SingleEdgeBend(s) => specimen("single_edge_bend", s.cells),
             Body::CentreCrackedPanel(s) => specimen("centre_cracked_panel", s.cells),
@@ -63,6 +64,7 @@ impl Case {
             Body::Line(line) if line.grading.is_none() => Some(line.length / line.cells as f64),
             Body::Rectangle(rectangle) => Some(rectangle.spacing),
             Body::Outline(outline) => Some(outline.spacing),
+            Body::Block(block) => Some(block.spacing),
             _ => None,
         }
     }

@@ -1,5 +1,6 @@
-//! Named regions of bodies in the plane, and what moves as a rigid body.
+//! Named regions of bodies, and what moves as a rigid body.
 
+use super::Vector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -9,14 +10,20 @@ use serde::{Deserialize, Serialize};
 pub enum Region {
     /// Points beside a straight edge.
     Edge(EdgeRegion),
+    /// Points beside a face of a solid.
+    Face(FaceRegion),
     /// The point nearest to a position; several where they are equally near.
-    Corner([f64; 2]),
+    Corner(Vector),
     /// Points in a box.
     Box(BoxRegion),
     /// Points in a disc.
     Disc(DiscRegion),
+    /// Points in a ball, of a solid.
+    Ball(BallRegion),
     /// Points on one side of a line.
     HalfPlane(HalfPlaneRegion),
+    /// Points of a solid on one side of a plane.
+    HalfSpace(HalfSpaceRegion),
     /// Points around a hole.
     Hole(HoleRegion),
     /// Points of a group of the mesh.
@@ -36,14 +43,45 @@ pub struct EdgeRegion {
     pub depth: Option<f64>,
 }
 
+/// Points beside a face of a solid.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FaceRegion {
+    /// Name of the face.
+    pub name: String,
+    /// How far inwards; one spacing, the outermost points, if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth: Option<f64>,
+}
+
+/// Points in a ball.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BallRegion {
+    /// Its middle.
+    pub centre: [f64; 3],
+    /// Its radius, > 0.
+    pub radius: f64,
+}
+
+/// Points of a solid on one side of a plane.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HalfSpaceRegion {
+    /// A position on the plane.
+    pub point: [f64; 3],
+    /// Direction from the plane into the region, of any length.
+    pub normal: [f64; 3],
+}
+
 /// Points in a box.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoxRegion {
     /// One corner.
-    pub from: [f64; 2],
+    pub from: Vector,
     /// The opposite corner.
-    pub to: [f64; 2],
+    pub to: Vector,
 }
 
 /// Points in a disc.

@@ -26,6 +26,12 @@ impl From<[f64; 2]> for Vector {
     }
 }
 
+impl From<[f64; 3]> for Vector {
+    fn from(values: [f64; 3]) -> Self {
+        Self { values, count: 3 }
+    }
+}
+
 impl Serialize for Vector {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.values[..self.count.min(3)].serialize(serializer)

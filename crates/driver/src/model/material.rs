@@ -13,7 +13,7 @@ use peristat_assembly::stiffness::Kinematics;
 use std::f64::consts::TAU;
 use std::fmt::Debug;
 
-/// What the plane of a body stands for.
+/// What the plane of a body stands for, if it is in one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
     /// A plate or a slice.
@@ -22,6 +22,8 @@ pub enum Surface {
     Section,
     /// The developed surface of a cylinder of this radius, m: x is the axis, y the arc.
     Cylinder(f64),
+    /// Nothing: the body is a solid.
+    Solid,
 }
 
 /// What is known of a material and its bonds.
@@ -238,7 +240,7 @@ impl dyn Material + '_ {
     pub fn cylinder_radius(&self) -> Option<f64> {
         match self.about().surface {
             Surface::Cylinder(radius) => Some(radius),
-            Surface::Flat | Surface::Section => None,
+            Surface::Flat | Surface::Section | Surface::Solid => None,
         }
     }
 

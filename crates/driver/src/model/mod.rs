@@ -12,6 +12,7 @@ mod axisymmetric;
 mod beam_bond_orthotropic;
 mod bond_antiplane;
 mod bond_plane;
+mod bond_solid;
 mod critical;
 mod entry;
 mod material;
@@ -20,8 +21,10 @@ mod plane_state;
 mod refusal;
 mod sharing;
 mod shell_membrane;
+mod solid;
 mod state_based;
 mod state_plane;
+mod state_solid;
 mod timoshenko_beam;
 mod told;
 
@@ -32,6 +35,7 @@ pub use axisymmetric::Axisymmetric;
 pub use beam_bond_orthotropic::{LatticeRows, Orthotropic};
 pub use bond_antiplane::Antiplane;
 pub use bond_plane::{BilinearLaw, Plane, PlaneBondLaw};
+pub use bond_solid::BondSolidKeys;
 pub use critical::{Critical, CriticalFormula};
 pub(crate) use critical::{foreign, needed};
 pub use entry::{Entry, Growth, Start};
@@ -42,6 +46,7 @@ pub use refusal::{Place, Refusal};
 pub use sharing::LoadSharing;
 pub use shell_membrane::{HoopPressure, Pressure, Shell};
 pub use state_plane::StatePlane;
+pub use state_solid::StateSolidKeys;
 pub use timoshenko_beam::{Beam, PowerLaw, Stiffness};
 pub use told::{Fact, MaterialSummary};
 
@@ -57,6 +62,11 @@ pub trait Keys: Debug + Send + Sync {
 
     /// Thickness.
     fn thickness(&self) -> f64;
+
+    /// Whether bodies are solids.
+    fn is_solid(&self) -> bool {
+        false
+    }
 
     /// Angle of the rows of the lattice from x, rad.
     fn lattice_angle(&self) -> f64 {
@@ -143,6 +153,10 @@ models! {
     ShellMembrane(Shell) = shell_membrane,
     /// Isotropic plate of bonds in antiplane shear: displacements across the plane.
     BondAntiplane(Antiplane) = bond_antiplane,
+    /// Isotropic solid of central bonds: displacements along x, y and z.
+    BondSolid(BondSolidKeys) = bond_solid,
+    /// Isotropic solid of state-based families, any Poisson's ratio: displacements along x, y and z.
+    StateSolid(StateSolidKeys) = state_solid,
 }
 
 impl Model {
@@ -175,6 +189,8 @@ pub(crate) mod hints {
     pub(crate) const SOFTENING: &str = "bond_plane";
     /// For bodies that turn about an axis.
     pub(crate) const TURNING: &str = "axisymmetric";
+    /// For bodies in space.
+    pub(crate) const SOLIDS: [&str; 2] = ["bond_solid", "state_solid"];
     /// For lines and frames.
     pub(crate) const LINES: &str = "timoshenko_beam";
 }

@@ -36,6 +36,12 @@ impl Finish {
         Self { options: PcgOptions::default(), settled: 1e-13, is_exact: true }
     }
 
+    /// With a poor inverse, whose last residual tells little of the error: until rounding.
+    fn of_blocks(max_iterations: usize) -> Self {
+        let of = Self::of_iteration(max_iterations);
+        Self { options: PcgOptions { residual_drop: 1e-13, ..of.options }, ..of }
+    }
+
     /// With an approximate inverse: every digit costs iterations, and ten are more than a discretisation has.
     fn of_iteration(max_iterations: usize) -> Self {
         let options = PcgOptions {
@@ -71,6 +77,7 @@ pub(super) fn plan<const D: usize>(problem: &dyn Problem<D>) -> Plan {
         (Solver::Multigrid, Spread::Lattice) => Plan::Cycle,
         (Solver::Auto, Spread::Lattice) if few_sides => Plan::Cycle,
         (Solver::Auto, Spread::Plane) if points > TOO_MANY_POINTS => Plan::Blocks,
+        (Solver::Auto, Spread::Solid) if points > problem.most_factored() => Plan::Blocks,
         _ => Plan::Factor,
     }
 }
@@ -97,7 +104,11 @@ pub(super) fn method<'a, const D: usize>(
                 .or_else(|_| of_factor(problem, system, timing, counters))
         }
         (Plan::Blocks, _) => {
-            let reason = format!("{points} points, not of a lattice: a factor would take too much memory");
+            let why = match problem.spread() {
+                Spread::Solid => "of a solid that is too thin for coarser lattices",
+                _ => "not of a lattice",
+            };
+            let reason = format!("{points} points, {why}: a factor would take too much memory");
             of_blocks(system, because(reason), timing)
         }
         _ => of_factor(problem, system, timing, counters),
@@ -129,11 +140,16 @@ pub(super) fn of_factor<'a, const D: usize>(
     Ok(Method { preconditioner, report, finish: Finish::of_factor() })
 }
 
+/// Points of a solid whose factor is worth its memory where nothing else converges.
+const FALL_BACK_OF_SOLID: usize = 30_000;
+
 /// Whether a problem whose cycle did not converge is worth a factor: the case leaves the choice, and there is room.
 pub(super) fn can_fall_back<const D: usize>(problem: &dyn Problem<D>) -> bool {
-    plan(problem) == Plan::Cycle
-        && problem.solver() == Solver::Auto
-        && problem.model().points() <= TOO_MANY_POINTS
+    let most = match problem.spread() {
+        Spread::Solid => FALL_BACK_OF_SOLID,
+        _ => TOO_MANY_POINTS,
+    };
+    plan(problem) != Plan::Factor && problem.solver() == Solver::Auto && problem.model().points() <= most
 }
 
 fn of_cycle<'a, const D: usize>(
@@ -164,7 +180,7 @@ fn of_blocks<'a, const D: usize>(
         SolverReport { method: "block_jacobi".into(), reason, factor_entries: 0, ..SolverReport::default() };
     // About 1300 iterations at 1e5 points in the plane, growing with the number of points along a side.
     let limit = 1000 + 20 * (system.points() as f64).sqrt() as usize;
-    Ok(Method { preconditioner: Box::new(Blocks(level)), report, finish: Finish::of_iteration(limit) })
+    Ok(Method { preconditioner: Box::new(Blocks(level)), report, finish: Finish::of_blocks(limit) })
 }
 
 /// The inverse of the diagonal blocks.

@@ -1,5 +1,6 @@
 //! What a run needs of a scene, whatever its model, and the system it becomes.
 
+use super::method::TOO_MANY_POINTS;
 use super::multigrid::Coarser;
 use super::{RunError, RunOptions, memory};
 use crate::case::Solver;
@@ -43,6 +44,16 @@ pub trait Problem<const D: usize> {
         Spread::Chain
     }
 
+    /// Points beyond which a factor takes more than it gives.
+    fn most_factored(&self) -> usize {
+        TOO_MANY_POINTS
+    }
+
+    /// Memory that a solid takes which is solved by iterations, bytes; none of other bodies.
+    fn solid_bytes(&self) -> Option<usize> {
+        None
+    }
+
     /// Positions of the points, where they spread in a plane: their factor is ordered by them.
     fn positions(&self) -> Option<Vec<[f64; 2]>> {
         None
@@ -67,7 +78,9 @@ pub enum Spread {
     Chain,
     /// In a plane.
     Plane,
-    /// In a plane, on a lattice that has coarser ones.
+    /// In space.
+    Solid,
+    /// In a plane or in space, on a lattice that has coarser ones.
     Lattice,
 }
 

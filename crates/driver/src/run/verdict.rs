@@ -12,12 +12,15 @@ pub struct ProbeResult {
     pub name: String,
     /// Name of the state.
     pub state: String,
-    /// Position of the point that answered on its line, or the place in the plane.
+    /// Position of the point that answered on its line, or the first coordinate of a place on a body.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub x: Option<f64>,
-    /// The second coordinate of a place in the plane.
+    /// The second coordinate of a place on a body.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub y: Option<f64>,
+    /// The third coordinate of a place in a solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z: Option<f64>,
     /// Joint, or member and position, on a frame; region or crack in the plane.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<String>,

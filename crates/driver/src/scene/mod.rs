@@ -13,6 +13,7 @@ mod numbers;
 pub mod path;
 mod probes;
 mod resultant;
+mod solids_only;
 mod states;
 pub(crate) mod words;
 

@@ -1,9 +1,22 @@
-//! Words of messages on fields.
+//! Words of messages on fields and places.
 
 use crate::case::FieldName;
+use crate::diagnostic::tidy;
+use peristat_assembly::body::PlaneBody;
 
 /// The fields that there are where another one was asked for, for a hint.
 pub(super) fn there_are(fields: &[FieldName]) -> String {
     let names: Vec<&str> = fields.iter().map(|f| f.name()).collect();
     format!("there are {}", names.join(", "))
+}
+
+/// A position on a body, `(1, 2)` in the plane and `(1, 2, 3)` in space.
+pub(crate) fn place(at: [f64; 3], body: &PlaneBody) -> String {
+    placed(at, body, tidy)
+}
+
+/// The same with numbers as `number` writes them.
+pub(crate) fn placed(at: [f64; 3], body: &PlaneBody, number: impl Fn(f64) -> String) -> String {
+    let numbers: Vec<String> = at[..body.axes()].iter().map(|x| number(*x)).collect();
+    format!("({})", numbers.join(", "))
 }

@@ -64,7 +64,8 @@ pub(super) fn state(
     result: &BeamResult,
 ) -> (StateSummary, Vec<ProbeResult>, Vec<CheckResult>) {
     let name = |line: usize| scene.frame.as_ref().map(|f| f.members[line].name.clone());
-    let located = |(value, line, x): (f64, usize, f64)| Located { value, x, y: None, member: name(line) };
+    let located =
+        |(value, line, x): (f64, usize, f64)| Located { value, x, y: None, z: None, member: name(line) };
     let extremes = result.fields().iter().filter_map(|&field| {
         let [smallest, largest] = result.located_extremes(field)?;
         Some((field.name().into(), Extremes { smallest: located(smallest), largest: located(largest) }))

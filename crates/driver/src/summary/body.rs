@@ -1,7 +1,7 @@
-//! What the record of a run says of bodies in the plane.
+//! What the record of a run says of bodies.
 
 use super::{Extremes, Forces, Located, StateSummary};
-use crate::model::MaterialSummary;
+use crate::model::{MaterialSummary, Surface};
 use crate::run::body::{BodyReaction, BodyResult, MirrorReaction, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
 use crate::scene::body::BodyScene;
@@ -27,8 +27,12 @@ pub struct BodySummary {
     /// What it is made of.
     #[serde(flatten)]
     pub material: MaterialSummary,
-    /// Thickness.
-    pub thickness: f64,
+    /// Thickness; solids have none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thickness: Option<f64>,
+    /// Whether it is a solid.
+    #[serde(skip)]
+    pub is_solid: bool,
     /// Where the stiffness of bonds comes from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub calibration: Option<Calibration>,
@@ -50,7 +54,7 @@ pub struct BodySummary {
     /// Bonds of a lattice that cracks cut.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cut_bonds: Option<usize>,
-    /// Overlay triangles near edges.
+    /// Triangles near edges, or points near faces with tetrahedra, of the overlay.
     pub triangles: usize,
     /// Triangles that have the parts of blocks that a border leaves, where it is completed as it runs.
     #[serde(skip_serializing_if = "is_zero")]
@@ -74,8 +78,9 @@ pub(super) fn state(
     let extremes = result.fields().filter_map(|field| {
         let values = result.values(scene, field)?;
         let located = scan::extremes(&values)?.map(|point| {
-            let [x, y] = scene.body().position(point);
-            Located { value: values[point], x, y: Some(y), member: None }
+            let [x, y, z] = scene.body().position(point);
+            let z = matches!(scene.body(), PlaneBody::Solid(_)).then_some(z);
+            Located { value: values[point], x, y: Some(y), z, member: None }
         });
         let [smallest, largest] = located;
         Some((field.name().into(), Extremes { smallest, largest }))
@@ -103,7 +108,8 @@ pub(super) fn model(scene: &BodyScene) -> BodySummary {
     BodySummary {
         name: about.name,
         material: material.told(&scene.resolved(&[]), ghosts, scene.units),
-        thickness: about.thickness,
+        thickness: (about.surface != Surface::Solid).then_some(about.thickness),
+        is_solid: about.surface == Surface::Solid,
         calibration: (!about.has_families).then_some(about.calibration),
         edges: scene.model.edges(),
         horizon_ratio: scene.horizon() / scene.spacing(),

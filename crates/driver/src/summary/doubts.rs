@@ -10,6 +10,7 @@ use crate::run::beam::BeamResult;
 use crate::run::body::{Steepest, steepest};
 use crate::scene::Scene;
 use crate::scene::body::BodyScene;
+use peristat_assembly::body::in_space;
 use peristat_assembly::stiffness::Kinematics;
 use serde::{Deserialize, Serialize};
 
@@ -86,7 +87,8 @@ impl Doubts {
 
     /// Strain and rotation between points of a lattice, else the components of the strain, if they are known.
     fn take_gradients(&mut self, state: &StateSummary, found: Steepest) {
-        let located = |(value, [x, y]): (f64, [f64; 2])| Located { value, x, y: Some(y), member: None };
+        let located =
+            |(value, [x, y]): (f64, [f64; 2])| Located { value, x, y: Some(y), z: None, member: None };
         match found.strain {
             Some(strain) => self.keep(Kind::Strain, SMALL_STRAIN, 1.0, state, &located(strain)),
             None => {
@@ -154,12 +156,12 @@ impl Worst {
 }
 
 /// Length of the diagonal of the box around points.
-fn diagonal(points: impl Iterator<Item = [f64; 2]>) -> f64 {
-    let start = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+fn diagonal(points: impl Iterator<Item = [f64; 3]>) -> f64 {
+    let start = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
     let [low, high] = points.fold(start, |[low, high], point| {
-        [[0, 1].map(|k| low[k].min(point[k])), [0, 1].map(|k| high[k].max(point[k]))]
+        [[0, 1, 2].map(|k| low[k].min(point[k])), [0, 1, 2].map(|k| high[k].max(point[k]))]
     });
-    (high[0] - low[0]).hypot(high[1] - low[1])
+    (high[0] - low[0]).hypot(high[1] - low[1]).hypot(high[2] - low[2])
 }
 
 fn size_of_plane(scene: &BodyScene) -> f64 {
@@ -167,5 +169,7 @@ fn size_of_plane(scene: &BodyScene) -> f64 {
 }
 
 fn size_of_beam(result: &BeamResult) -> f64 {
-    diagonal(result.lines.iter().flat_map(|line| [0, line.x.len() - 1].map(|end| line.position(end))))
+    diagonal(
+        result.lines.iter().flat_map(|line| [0, line.x.len() - 1].map(|end| in_space(line.position(end)))),
+    )
 }

@@ -39,11 +39,14 @@ pub enum Status {
 pub struct Located {
     /// Value.
     pub value: f64,
-    /// Position on its line, or in the plane.
+    /// Position on its line, or the first coordinate.
     pub x: f64,
-    /// The second coordinate of a point in the plane.
+    /// The second coordinate of a point of a body.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub y: Option<f64>,
+    /// The third coordinate of a point of a solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z: Option<f64>,
     /// Member of a frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub member: Option<String>,

@@ -102,6 +102,13 @@ impl SquareLattice {
         [column, row, 0]
     }
 
+    /// Cell of a solid that holds a position, whether or not it belongs to the body.
+    pub fn cell_around(&self, at: [f64; 3]) -> Cell {
+        let layer = ((at[2] - self.corner[2]) / self.spacing).floor() as i32;
+        let [column, row, _] = self.cell_at([at[0], at[1]]);
+        [column, row, layer]
+    }
+
     /// Lower left corner of cell `[0, 0, 0]` in the plane, in the axes of the lattice, m.
     pub(in super::super) fn inner_corner(&self) -> Point {
         let [x, y, _] = self.corner;

@@ -18,7 +18,7 @@ fn plate() -> (Outline, PlaneBody) {
 
 fn as_cloud(body: &PlaneBody) -> PlaneBody {
     let all = 0..body.points();
-    let positions = all.clone().map(|p| body.position(p)).collect();
+    let positions = all.clone().map(|p| body.place(p)).collect();
     let group = Group { name: "some".into(), points: vec![7, 3, 3] };
     PlaneBody::Cloud(Cloud::new(positions, all.map(|p| body.area(p)).collect(), vec![group]).unwrap())
 }
@@ -36,7 +36,7 @@ fn select(region: &Region) -> Result<Vec<u32>, RegionError> {
         let next = if k == 199 { "a".into() } else { format!("u{}", k + 1) };
         (format!("u{k}"), Region::Union { of: vec![next.clone(), next] })
     }));
-    let regions = Regions { body: &body, outline: Some(&outline), named: &named };
+    let regions = Regions { body: &body, outline: Some(&outline), faces: &[], named: &named };
     let found = regions.select(region);
     // Listed points give the same answer, though another code finds it.
     let cloud = as_cloud(&body);
@@ -118,7 +118,7 @@ proptest! {
         let body = PlaneBody::Lattice(outline.fill_turned(0.07, angle).unwrap());
         let cloud = as_cloud(&body);
         let named = BTreeMap::new();
-        let on = |body| Regions { body, outline: Some(&outline), named: &named };
+        let on = |body| Regions { body, outline: Some(&outline), faces: &[], named: &named };
         let normal = [to[0] - at[0], to[1] - at[1]];
         let own = |name: &str| Region::Hole { name: name.into(), depth: Some(size) };
         let regions = [
@@ -151,11 +151,11 @@ proptest! {
         }
         let outline = Outline::polygon(vertices).unwrap();
         let body = PlaneBody::Lattice(outline.fill(0.31).unwrap());
-        let regions = Regions { body: &body, outline: Some(&outline), named: &BTreeMap::new() };
+        let regions = Regions { body: &body, outline: Some(&outline), faces: &[], named: &BTreeMap::new() };
         let found = regions.select(&edge(&format!("edge_{}", which + 1), Some(depth))).unwrap();
         let e = &outline.edges()[which];
         for p in 0..body.points() {
-            let at = body.position(p);
+            let at = body.place(p);
             let along = crate::body::geometry::dot(
                 crate::body::geometry::minus(at, e.from), crate::body::geometry::minus(e.to, e.from),
             ) / distance(e.from, e.to);

@@ -273,6 +273,10 @@ impl<const D: usize> Term<D> for GridFamilies<D> {
         self.stretches.iter().map(|s| s.columns.len()).sum()
     }
 
+    fn joins_many(&self) -> bool {
+        true
+    }
+
     fn stored_factors(&self) -> usize {
         let rows: usize = self.family.sets.iter().map(|set| D * set.len()).sum();
         rows + self.family.volume.len() + self.family.own.len() + self.family.set_of.len()

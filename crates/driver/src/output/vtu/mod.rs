@@ -31,6 +31,8 @@ pub enum CellType {
     Triangle = 5,
     /// Four points, around.
     Quad = 9,
+    /// Eight points: four around, then those above them.
+    Hexahedron = 12,
 }
 
 impl CellType {
@@ -41,6 +43,7 @@ impl CellType {
             CellType::Line => 2,
             CellType::Triangle => 3,
             CellType::Quad => 4,
+            CellType::Hexahedron => 8,
         }
     }
 }

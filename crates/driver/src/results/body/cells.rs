@@ -1,4 +1,5 @@
-//! Cells of a grid of points: quads where four points of a lattice are next to each other and no crack runs between them.
+//! Cells of a grid of points: quads where four points of a lattice are next to each other and no crack runs between them, and
+//! hexahedra between eight points of a solid.
 
 use crate::scene::body::BodyScene;
 use peristat_assembly::body::{Cell, Crack, PlaneBody, SquareLattice, cut_bonds, plus};
@@ -9,7 +10,9 @@ use std::collections::BTreeSet;
 pub(super) struct GridCells {
     /// Four points each, around.
     pub(super) quads: Vec<u32>,
-    /// Points that are in no quad.
+    /// Eight points each: four around, then those above them.
+    pub(super) hexahedra: Vec<u32>,
+    /// Points that are in none.
     pub(super) vertices: Vec<u32>,
 }
 
@@ -23,8 +26,9 @@ pub(super) fn cells(scene: &BodyScene) -> GridCells {
             let cracks: Vec<Crack> = scene.cracks.iter().map(|c| c.crack.clone()).collect();
             on_lattice(lattice, &cracks)
         }
+        PlaneBody::Solid(lattice) => in_solid(lattice),
         PlaneBody::Cloud(cloud) => {
-            GridCells { quads: Vec::new(), vertices: (0..cloud.points() as u32).collect() }
+            GridCells { vertices: (0..cloud.points() as u32).collect(), ..GridCells::default() }
         }
     }
 }
@@ -49,6 +53,27 @@ fn on_lattice(lattice: &SquareLattice, cracks: &[Crack]) -> GridCells {
         });
     }
     cells.vertices = (0..lattice.points()).filter(|&p| !in_quad[p]).map(|p| p as u32).collect();
+    cells
+}
+
+/// Corners of a hexahedron from the first, in the order of its points.
+const CORNERS: [Cell; 8] =
+    [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]];
+
+fn in_solid(lattice: &SquareLattice) -> GridCells {
+    let mut cells = GridCells::default();
+    let mut is_in = vec![false; lattice.points()];
+    for point in 0..lattice.points() {
+        let first = lattice.cell(point);
+        let corner = |step: Cell| lattice.number(plus(first, step));
+        // Most have none or all: those along x and above tell soon.
+        let corners: Option<Vec<usize>> = CORNERS.into_iter().rev().map(corner).collect();
+        let Some(mut corners) = corners else { continue };
+        corners.reverse();
+        corners.iter().for_each(|&p| is_in[p] = true);
+        cells.hexahedra.extend(corners.into_iter().map(|p| p as u32));
+    }
+    cells.vertices = (0..lattice.points()).filter(|&p| !is_in[p]).map(|p| p as u32).collect();
     cells
 }
 

@@ -1,4 +1,4 @@
-//! Fields along lines through a body in the plane: a table and two diagrams each.
+//! Fields along lines through a body: a table and two diagrams each.
 
 use crate::case::FieldName;
 use crate::output::csv;
@@ -19,11 +19,9 @@ pub(super) fn write(
 ) -> io::Result<()> {
     for line in &scene.lines {
         let inside = || line.points.iter().filter(|p| p.weights.is_some());
-        let mut columns: Vec<(&str, Vec<f64>)> = vec![
-            ("s", inside().map(|p| p.s).collect()),
-            ("x", inside().map(|p| p.position[0]).collect()),
-            ("y", inside().map(|p| p.position[1]).collect()),
-        ];
+        let mut columns: Vec<(&str, Vec<f64>)> = vec![("s", inside().map(|p| p.s).collect())];
+        let axes = ["x", "y", "z"].into_iter().take(scene.body().axes()).enumerate();
+        columns.extend(axes.map(|(k, axis)| (axis, inside().map(|p| p.position[k]).collect())));
         columns.extend(result.fields().map(|f| (f.name(), along(line, scene, result, f))));
         let columns: Vec<(&str, &[f64])> = columns.iter().map(|(n, v)| (*n, v.as_slice())).collect();
         csv::write(&file(&line.name), &columns)?;
@@ -42,7 +40,11 @@ pub(super) fn diagrams(scene: &BodyScene, result: &BodyResult, title: &str) -> V
     let units = scene.units;
     let (length, stress) = (units.length(), units.stress());
     let kinds = [
-        ("displacement", units.label("displacement", length), &[FieldName::Ux, FieldName::Uy][..]),
+        (
+            "displacement",
+            units.label("displacement", length),
+            &[FieldName::Ux, FieldName::Uy, FieldName::Uz][..],
+        ),
         (
             "stress",
             units.label("stress", stress),
@@ -53,6 +55,7 @@ pub(super) fn diagrams(scene: &BodyScene, result: &BodyResult, title: &str) -> V
     for line in &scene.lines {
         let s: Vec<f64> = line.points.iter().filter(|p| p.weights.is_some()).map(|p| p.s).collect();
         for (kind, label, fields) in &kinds {
+            let there_are = |field: &&FieldName| result.fields().any(|own| own == **field);
             let series = |field: &FieldName| Series {
                 label: field.name().into(),
                 style: Style::Line,
@@ -62,7 +65,7 @@ pub(super) fn diagrams(scene: &BodyScene, result: &BodyResult, title: &str) -> V
                 title: format!("{title} - {}", line.name),
                 x_label: units.label("distance along the line", length),
                 y_label: label.clone(),
-                series: fields.iter().map(series).collect(),
+                series: fields.iter().filter(there_are).map(series).collect(),
             };
             all.push((format!("line_{}_{kind}", line.name), diagram));
         }

@@ -5,6 +5,7 @@ mod lines;
 mod plots;
 mod raster;
 mod report;
+mod surface;
 
 use super::Envelope;
 use super::report::chart;
@@ -15,6 +16,7 @@ use crate::output::report::Block;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
 use crate::run::body::BodyResult;
 use crate::scene::body::BodyScene;
+use peristat_assembly::body::PlaneBody;
 use std::borrow::Cow;
 use std::io;
 use std::path::Path;
@@ -23,14 +25,18 @@ use std::path::Path;
 type Column<'a> = (&'static str, Cow<'a, [f64]>);
 
 /// Fields whose smallest and largest values over all states are written.
-const ENVELOPE: [FieldName; 8] = [
+const ENVELOPE: [FieldName; 12] = [
     FieldName::Ux,
     FieldName::Uy,
+    FieldName::Uz,
     FieldName::W,
     FieldName::Phi,
     FieldName::StressXx,
     FieldName::StressYy,
     FieldName::StressXy,
+    FieldName::StressZz,
+    FieldName::StressYz,
+    FieldName::StressXz,
     FieldName::VonMises,
 ];
 
@@ -92,31 +98,30 @@ pub(super) fn draw(folder: Option<&Path>, scene: &BodyScene, result: &BodyResult
 /// Where the points are.
 fn places(scene: &BodyScene) -> Vec<super::Column> {
     let body = scene.body();
-    let (mut x, mut y) = (Vec::with_capacity(body.points()), Vec::with_capacity(body.points()));
-    body.visit(|[a, b]| {
-        x.push(a);
-        y.push(b);
-    });
-    vec![("x", x), ("y", y)]
+    let mut columns = [(); 3].map(|()| Vec::with_capacity(body.points()));
+    body.visit(|at| columns.iter_mut().zip(at).for_each(|(column, x)| column.push(x)));
+    let named = ["x", "y", "z"].into_iter().zip(columns);
+    named.take(if matches!(body, PlaneBody::Solid(_)) { 3 } else { 2 }).collect()
 }
 
 /// Writes the points, the cells between them and their fields as a grid; a shell as the cylinder that it is.
 fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<()> {
     let radius = scene.material().cylinder_radius();
     let (mut points, mut angles) = (Vec::with_capacity(scene.body().points()), Vec::new());
-    scene.body().visit(|[x, y]| match radius {
+    scene.body().visit(|[x, y, z]| match radius {
         Some(r) => {
             let (sin, cos) = (y / r).sin_cos();
             points.push([x, r * sin, r * cos]);
             angles.push([sin, cos]);
         }
-        None => points.push([x, y, 0.0]),
+        None => points.push([x, y, z]),
     });
     let cells = cells::cells(scene);
     // The displacement as a vector, so that viewers can warp the body by it.
-    const DISPLACEMENTS: [FieldName; 3] = [FieldName::Ux, FieldName::Uy, FieldName::W];
+    const DISPLACEMENTS: [(usize, FieldName); 4] =
+        [(0, FieldName::Ux), (1, FieldName::Uy), (2, FieldName::Uz), (2, FieldName::W)];
     let mut displacement = vec![0.0; 3 * points.len()];
-    for (c, field) in DISPLACEMENTS.into_iter().enumerate() {
+    for (c, field) in DISPLACEMENTS {
         if let Some((_, values)) = fields.iter().find(|f| f.0 == field.name()) {
             values.iter().enumerate().for_each(|(p, value)| displacement[3 * p + c] = *value);
         }
@@ -126,7 +131,8 @@ fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<(
         (vector[1], vector[2]) = (v * cos + w * sin, w * cos - v * sin);
     }
     let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
-    let is_plain = |c: &&Column| c.0 != FieldName::Ux.name() && c.0 != FieldName::Uy.name();
+    let in_vector = [FieldName::Ux, FieldName::Uy, FieldName::Uz].map(FieldName::name);
+    let is_plain = |c: &&Column| !in_vector.contains(&c.0);
     data.extend(fields.iter().filter(is_plain).map(|(name, values)| DataArray {
         name,
         components: 1,
@@ -134,6 +140,7 @@ fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<(
     }));
     let all = [
         Cells { cell_type: CellType::Quad, connectivity: &cells.quads },
+        Cells { cell_type: CellType::Hexahedron, connectivity: &cells.hexahedra },
         Cells { cell_type: CellType::Vertex, connectivity: &cells.vertices },
     ];
     vtu::write(file, &Grid { points: &points, cells: &all, point_data: &data, cell_data: &[] })

@@ -1,13 +1,15 @@
 //! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage.
 
 use super::raster::Raster;
+use super::surface;
 use crate::case::FieldName;
 use crate::output::plot::{self, Map, Patch, write_map};
 use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::Crack;
+use crate::scene::words;
+use peristat_assembly::body::{Crack, PlaneBody};
 use std::io;
 use std::path::Path;
 
@@ -17,6 +19,9 @@ use std::path::Path;
 /// The folder cannot be written.
 pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io::Result<()> {
     let title = title(scene, result);
+    if let PlaneBody::Solid(lattice) = scene.body() {
+        return surface::write(folder, (scene, lattice), result, &title);
+    }
     let raster = Raster::new(scene);
     write_map(&folder.join("displacement.svg"), &displacement(scene, result, &raster, &title))?;
     let stress = scene.units.label("von Mises stress", scene.units.stress());
@@ -53,11 +58,11 @@ pub(super) fn title(scene: &BodyScene, result: &BodyResult) -> String {
 }
 
 /// Smallest and largest value, and a note that says where they are.
-fn range(scene: &BodyScene, values: &[f64]) -> ([f64; 2], String) {
+pub(super) fn range(scene: &BodyScene, values: &[f64]) -> ([f64; 2], String) {
     let Some([low, high]) = scan::extremes(values) else { return ([0.0; 2], String::new()) };
     let place = |point: usize| {
-        let [x, y] = scene.body().position(point);
-        format!("({}, {})", plot::short(x), plot::short(y))
+        let at = scene.body().position(point);
+        words::placed(at, scene.body(), plot::short)
     };
     let note = format!("smallest at {}, largest at {}", place(low), place(high));
     ([values[low], values[high]], note)
@@ -65,11 +70,11 @@ fn range(scene: &BodyScene, values: &[f64]) -> ([f64; 2], String) {
 
 /// Length of the diagonal around the points.
 pub(super) fn size_of(scene: &BodyScene) -> f64 {
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     scene.body().visit(|at| {
-        (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
+        (0..3).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
     });
-    (high[0] - low[0]).hypot(high[1] - low[1])
+    (high[0] - low[0]).hypot(high[1] - low[1]).hypot(high[2] - low[2])
 }
 
 /// The magnitude of the displacement on the deformed shape.

@@ -60,7 +60,8 @@ impl Raster {
     /// The blocks of the body of a scene, no more than some number.
     pub(super) fn within(scene: &BodyScene, limits: Limits) -> Self {
         match scene.body() {
-            PlaneBody::Lattice(lattice) => {
+            // Of a solid a block has all layers.
+            PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => {
                 let (columns, rows) = (lattice.columns(), lattice.rows());
                 let step = step(columns.len(), rows.len(), limits) as i32;
                 let cells = lattice.runs().iter().flat_map(|run| {

@@ -67,6 +67,9 @@ fn note(scene: &BodyScene, raster: &Raster) -> String {
     }
     let ends = "the colour bar ends at the extremes of all points.";
     match (scene.body(), &raster.grid) {
+        (PlaneBody::Solid(_), _) => {
+            told.push(format!("Every cell is the mean of all points behind it along z; {ends}"));
+        }
         (PlaneBody::Lattice(_), _) if raster.step > 1 => {
             told.push(format!("Every cell is the mean of {0} × {0} points; {ends}", raster.step));
         }
@@ -101,7 +104,7 @@ fn cells(scene: &BodyScene, raster: &Raster) -> Cells {
 /// Corner and sides of the first block, whether it is there or not, and the parts of the last ones.
 fn layout(scene: &BodyScene, raster: &Raster, grid: &Grid) -> ([f64; 2], [[f64; 2]; 2], [f64; 2]) {
     match scene.body() {
-        PlaneBody::Lattice(lattice) => {
+        PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => {
             let (first, step) = ([lattice.columns().start, lattice.rows().start], raster.step);
             let origin = lattice.node(first);
             let side = |k: usize| {

@@ -17,6 +17,7 @@ pub(crate) fn probes(scene: &BeamScene, result: &BeamResult) -> Vec<ProbeResult>
             state: result.record.name.clone(),
             x: Some(p.x),
             y: None,
+            z: None,
             place: p.place.clone(),
             field: p.field.name().into(),
             value: result.value(p.field, p.local.0, p.local.1)?,

@@ -103,9 +103,10 @@ fn component(model: &dyn BodyModel, name: &str) -> Option<usize> {
     model.tensor_components().iter().position(|component| *component == name)
 }
 
-/// Von Mises stress of the components that a model has, with the stress across the plane.
-fn von_mises(model: &dyn BodyModel, stress: [f64; TENSOR], z: f64) -> f64 {
+/// Von Mises stress of the components that a model has, with the stress across the plane, unless that is one of them.
+fn von_mises(model: &dyn BodyModel, stress: [f64; TENSOR], across: f64) -> f64 {
     let of = |name: &str| component(model, name).map_or(0.0, |k| stress[k]);
+    let z = component(model, "zz").map_or(across, |k| stress[k]);
     let [x, y] = [of("xx"), of("yy")];
     let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
     let shear: f64 = [of("xy"), of("xz"), of("yz")].iter().map(|s| s * s).sum();
@@ -120,12 +121,12 @@ pub(super) fn of_stress(
     across: f64,
 ) -> Option<f64> {
     match origin {
-        Origin::Across => Some(across),
         Origin::Strain(name, factor) => {
             let component = component(model, name)?;
             Some(factor * model.strains_of(stress, across)[component])
         }
         Origin::VonMises => Some(von_mises(model, stress, across)),
+        Origin::Stress("zz") => Some(component(model, "zz").map_or(across, |k| stress[k])),
         Origin::Stress(name) => Some(stress[component(model, name)?]),
         Origin::Unknown
         | Origin::Beam
@@ -183,7 +184,7 @@ impl BodyResult {
             intensities,
             hole_fits: Vec::new(),
             points: scene.model.points(),
-            shown: FieldName::PLANE
+            shown: FieldName::BODY
                 .into_iter()
                 .filter(|&field| of_points(field, model, scene.is_damaged()) == Has::Values)
                 .collect(),
@@ -205,8 +206,10 @@ impl BodyResult {
                 let (k, component) = scene.model.component(field.name())?;
                 return Some((&self.record.u[k * n..(k + 1) * n], component.scale));
             }
-            Origin::Stress(name) => &recovered?.stress[component(&*scene.model, name)?],
-            Origin::Across => Some(&recovered?.across).filter(|across| !across.is_empty())?,
+            Origin::Stress(name) => match component(&*scene.model, name) {
+                Some(k) => &recovered?.stress[k],
+                None => Some(&recovered?.across).filter(|across| name == "zz" && !across.is_empty())?,
+            },
             Origin::Energy => &recovered?.energy_density,
             Origin::Damage => recovered?.damage.as_ref()?,
             Origin::Strain(..) | Origin::VonMises | Origin::Beam | Origin::Opening | Origin::Reaction(_) => {

@@ -18,6 +18,7 @@ fn at(result: &BodyResult, place: [f64; 2]) -> Option<&HoleFit> {
 /// What a probe of a stress, or of what follows from it, finds on a hole, and the misfit.
 pub(super) fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) -> Option<(f64, f64)> {
     let (Quantity::Field { field, .. }, place) = (&probe.quantity, probe.position?) else { return None };
+    let place = [place[0], place[1]];
     let fit = at(result, place)?;
     let [x, y, shear] = fit.at(place).stress;
     let stress = [x, y, shear, 0.0, 0.0, 0.0];

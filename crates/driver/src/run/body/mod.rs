@@ -15,6 +15,7 @@ mod problem;
 mod reaction;
 mod skipped;
 mod softness;
+mod solid_memory;
 mod tips;
 mod verdict;
 

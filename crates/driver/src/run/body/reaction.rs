@@ -2,6 +2,7 @@
 
 use crate::scene::Resultant;
 use crate::scene::body::{BodyScene, BodySupport};
+use peristat_assembly::body::SIDES;
 use peristat_assembly::sum::Sum;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -23,6 +24,9 @@ pub struct BodyReaction {
     /// Force across the plane, outwards on a shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub force_w: Option<f64>,
+    /// Force along z, of a solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub force_z: Option<f64>,
     /// Centre of a rigid region.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub centre: Option<[f64; 2]>,
@@ -31,19 +35,17 @@ pub struct BodyReaction {
 /// Force of the mirrored half on the body, across a line of symmetry.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MirrorReaction {
-    /// The side of the body: `left`, `right`, `bottom` or `top`.
+    /// The side of the body: `left`, `right`, `bottom`, `top`, of a solid `back` or `front`.
     pub side: Cow<'static, str>,
-    /// Force across the line, along x or y as that is.
+    /// Force across the line or plane.
     pub force: f64,
 }
-
-/// Sides in the order of the lines of mirrors.
-const SIDES: [&str; 4] = ["left", "right", "bottom", "top"];
 
 /// Forces of supports from the multipliers of all equations and the unknowns.
 pub(super) fn of_supports(scene: &BodyScene, multipliers: &[f64], u: &[f64]) -> Vec<BodyReaction> {
     let n = scene.model.points();
-    let deflects = scene.model.along(2);
+    // A solid has a third force whether or not it is held.
+    let (deflects, is_solid) = (scene.model.along(2), scene.body().axes() > 2);
     let of = |support: &BodySupport| {
         let mut force = [Sum::default(), Sum::default(), Sum::default()];
         let mut turns = false;
@@ -65,7 +67,8 @@ pub(super) fn of_supports(scene: &BodyScene, multipliers: &[f64], u: &[f64]) -> 
             force_x: along(0).unwrap_or(0.0),
             force_y: along(1).unwrap_or(0.0),
             moment: turning.or((deflects.is_none()).then(|| force[2].total())).filter(|_| turns),
-            force_w: deflects.map(|component| force[component].total()).filter(|_| turns),
+            force_w: along(2).filter(|_| turns && !is_solid),
+            force_z: along(2).filter(|_| is_solid),
             centre: rigid.map(|r| r.centre),
         }
     };
@@ -92,7 +95,7 @@ pub(super) fn resultant(
     let mut sum = scene.resultant(&forces);
     for mirror in mirrors {
         let across = |k: usize| if SIDES[2 * k..][..2].contains(&&*mirror.side) { mirror.force } else { 0.0 };
-        sum.add([across(0), across(1), 0.0], [0.0; 3]);
+        sum.add([across(0), across(1), across(2)], [0.0; 3]);
     }
     sum
 }
@@ -109,9 +112,8 @@ pub(super) fn of_mirrors(
     let Some((lattice, mirrors)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) else {
         return Vec::new();
     };
-    let [columns, rows, _] = mirrors.lines;
-    let lines = [columns, rows];
-    let mut sums = [const { None }; 4];
+    let lines = mirrors.lines;
+    let mut sums = [const { None }; 6];
     for (k, line) in lines.as_flattened().iter().enumerate() {
         // Nothing goes through the axis of a body of revolution.
         let is_axis = k == 0 && scene.model.is_revolved();
@@ -129,7 +131,7 @@ pub(super) fn of_mirrors(
         let cell = lattice.cell(ghost as usize);
         let (_, signs) = mirrors.image(cell);
         let taken = at_once.get(&ghost).copied().unwrap_or_default();
-        for axis in 0..2 {
+        for axis in 0..3 {
             let beyond = match lines[axis] {
                 [Some(low), _] if cell[axis] < low => 0,
                 [_, Some(high)] if cell[axis] >= high => 1,

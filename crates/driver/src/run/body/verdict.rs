@@ -21,6 +21,7 @@ pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult>
             state: result.record.name.clone(),
             x: p.position.map(|at| at[0]),
             y: p.position.map(|at| at[1]),
+            z: p.position.filter(|_| scene.body().axes() > 2).map(|at| at[2]),
             place: p.position.is_none().then(|| p.place.clone()),
             field: p.field_name().into(),
             value,

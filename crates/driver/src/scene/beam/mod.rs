@@ -46,6 +46,7 @@ use crate::case::{Case, Check, FieldName, Fracture, Model, Solver, Units};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use crate::model::Beam;
+use crate::scene::solids_only;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, CriticalStrains, TimoshenkoBeam};
@@ -163,6 +164,7 @@ impl BeamScene {
         max_memory: Option<u64>,
         faults: &mut Faults,
     ) -> Option<Self> {
+        solids_only::refuse(case, faults);
         if !foreign::check(case, faults) {
             return None;
         }

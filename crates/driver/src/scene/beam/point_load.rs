@@ -16,7 +16,7 @@ pub(super) fn add(
     faults: &mut Faults,
 ) {
     let forces = [load.force, load.axial, load.force_x, load.force_y, load.moment];
-    if forces.iter().all(|f| *f == 0.0) {
+    if load.force_z == 0.0 && forces.iter().all(|f| *f == 0.0) {
         let hint = match (&layout.frame, &load.at.joint) {
             (None, _) => "give `force`, `moment` or `axial`",
             (Some(_), Some(_)) => "give `force_x`, `force_y` or `moment`",

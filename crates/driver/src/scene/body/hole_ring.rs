@@ -49,7 +49,7 @@ impl HoleRing {
         };
         let asked = |ellipse: &Ellipse| {
             let mut places = scene.probes.iter().filter(|p| p.is_recovered()).filter_map(|p| p.position);
-            places.any(|at| is_on(ellipse, at))
+            places.any(|[x, y, _]| is_on(ellipse, [x, y]))
         };
         let ring = |k: usize| {
             let Shape::Circle { centre, radius } = outline.holes()[k].shape else { return None };
@@ -117,7 +117,7 @@ fn pressures(scene: &BodyScene, name: Option<&str>) -> Option<Vec<f64>> {
     let case = &scene.case;
     let of_loads = |loads: &[Load]| {
         let mine = loads.iter().filter_map(|load| match load {
-            Load::Traction(traction) if Some(&*traction.edge) == name => Some(traction.pressure),
+            Load::Traction(traction) if traction.edge.as_deref() == name => Some(traction.pressure),
             _ => None,
         });
         mine.sum::<Option<f64>>()

@@ -1,7 +1,8 @@
-//! Free motions of a body in the plane in words.
+//! Free motions of a body in words.
 
 use super::scene::BodyScene;
 use crate::diagnostic::tidy;
+use crate::scene::words;
 use peristat_assembly::model::{Model, RigidMotion};
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
@@ -13,12 +14,12 @@ pub(crate) fn describe<const D: usize>(
 ) -> String {
     let (parts, motions) = (model.connected(), model.rigid_motions());
     // Number and sum of the positions of the real points of every part that moves.
-    let mut sums = vec![(0_usize, [0.0; 2]); motion.parts.len()];
+    let mut sums = vec![(0_usize, [0.0; 3]); motion.parts.len()];
     let moving: Vec<usize> = motion.parts.iter().map(|span| parts.of(span[0])).collect();
     for point in scene.real_points() {
         if let Some(k) = moving.iter().position(|&part| part == parts.of(point)) {
             sums[k].0 += 1;
-            (0..2).for_each(|c| sums[k].1[c] += model.position(point)[c]);
+            (0..3).for_each(|c| sums[k].1[c] += model.position(point)[c]);
         }
     }
     let mut told: Vec<(usize, String)> = Vec::new();
@@ -27,9 +28,9 @@ pub(crate) fn describe<const D: usize>(
         let what = match count == scene.body().points() {
             true => "the body".to_string(),
             false => {
-                let [x, y] = sum.map(|s| tidy(s / count as f64));
+                let place = words::place(sum.map(|s| s / count as f64), scene.body());
                 let points = if count == 1 { "1 point".into() } else { format!("{count} points") };
-                format!("the part of the body around ({x}, {y}), {points},")
+                format!("the part of the body around {place}, {points},")
             }
         };
         told.push((count, format!("{what} is free to {how}")));
@@ -52,34 +53,58 @@ fn how(part: &PartMotion, motions: &[RigidMotion]) -> String {
     verb.replace("{direction}", &direction(part))
 }
 
-fn clean(value: f64, other: f64) -> f64 {
-    if value.abs() < 1e-9 * other.abs() { 0.0 } else { value }
+/// What rounding leaves beside a size is zero.
+fn clean(value: f64, size: f64) -> f64 {
+    if value.abs() < 1e-9 * size { 0.0 } else { value }
 }
 
-/// The place that a motion of the plane, the last of whose amounts is a turn, leaves where it is.
+/// What a motion, the last of whose amounts is a turn, leaves where it is: a place of the plane, or an axis in space.
 fn centre(part: &PartMotion, turn: usize) -> String {
-    let (&[x, y, ..], amount) = (part.amounts.as_slice(), part.amounts[turn]) else { return String::new() };
-    let centre = [part.centre[0] - y / amount, part.centre[1] + x / amount];
-    let size = centre[0].abs().max(centre[1].abs());
-    let [a, b] = centre.map(|c| tidy(clean(c, size)));
-    format!("({a}, {b})")
+    match *part.amounts.as_slice() {
+        [a, b, c, x, y, z] => axis([a, b, c], [x, y, z], part.centre),
+        [x, y, ..] => {
+            let amount = part.amounts[turn];
+            let centre = [part.centre[0] - y / amount, part.centre[1] + x / amount];
+            let size = centre[0].abs().max(centre[1].abs());
+            let [a, b] = centre.map(|c| tidy(clean(c, size)));
+            format!("({a}, {b})")
+        }
+        _ => String::new(),
+    }
+}
+
+/// The axis of a screw by its translation and its turn about a centre.
+fn axis(moved: [f64; 3], turn: [f64; 3], centre: [f64; 3]) -> String {
+    let squared: f64 = turn.iter().map(|t| t * t).sum();
+    let cross = |k: usize| {
+        let [next, last] = [(k + 1) % 3, (k + 2) % 3];
+        turn[next] * moved[last] - turn[last] * moved[next]
+    };
+    let at = [0, 1, 2].map(|k| centre[k] + cross(k) / squared);
+    let size = at.iter().fold(0.0, |a: f64, x| a.max(x.abs()));
+    let [x, y, z] = at.map(|x| tidy(clean(x, size)));
+    format!("the axis along {} through ({x}, {y}, {z})", along(&turn))
 }
 
 /// The direction of translations together.
 fn direction(part: &PartMotion) -> String {
-    // Of a body of revolution the one along the axis is left.
-    let [x, y] = match part.amounts.as_slice() {
-        &[along] => [0.0, along],
-        &[x, y, ..] => [x, y],
-        [] => [0.0; 2],
-    };
-    match (clean(x, y), clean(y, x)) {
-        (_, 0.0) => "x".into(),
-        (0.0, _) => "y".into(),
-        (x, y) => {
-            let size = x.hypot(y);
-            let round = |v: f64| (v / size * 1e6).round() / 1e6;
-            format!("({}, {})", round(x), round(y))
-        }
+    match *part.amounts.as_slice() {
+        // Of a body of revolution the one along the axis is left.
+        [along_axis] => along(&[0.0, along_axis]),
+        [x, y, z, ..] if part.amounts.len() == 6 => along(&[x, y, z]),
+        [x, y, ..] => along(&[x, y]),
+        [] => String::new(),
     }
+}
+
+/// A direction by the name of its axis, or by its components.
+fn along(vector: &[f64]) -> String {
+    let size = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let clean: Vec<f64> = vector.iter().map(|x| clean(*x, size)).collect();
+    let parts: Vec<usize> = (0..clean.len()).filter(|&k| clean[k] != 0.0).collect();
+    if let [axis] = parts[..] {
+        return ["x", "y", "z"][axis].into();
+    }
+    let round = |v: &f64| format!("{}", (v / size * 1e6).round() / 1e6);
+    format!("({})", clean.iter().map(round).collect::<Vec<_>>().join(", "))
 }

@@ -23,8 +23,9 @@ use crate::input::Folder;
 use crate::model::with_body;
 use crate::scene::files;
 use crate::scene::path::PathScene;
+use crate::scene::solids_only;
 use crate::scene::states::{self, Sum};
-use peristat_assembly::body::{Crack, PlaneBody};
+use peristat_assembly::body::{Crack, PlaneBody, in_space};
 use peristat_assembly::model::BodyModel;
 
 impl BodyScene {
@@ -88,10 +89,13 @@ impl BodyScene {
     ) -> Option<Self> {
         let keys = case.model.keys().ok()?;
         foreign::check(case, faults);
+        if !keys.is_solid() {
+            solids_only::refuse(case, faults);
+        }
         of_case::check_refused(case, keys, faults);
-        let parts::Parts { mut recipe, outline, curves, cracks } =
+        let parts::Parts { mut recipe, outline, faces, curves, cracks } =
             parts::parts(case, keys, folder, max_memory, faults)?;
-        let ground = Ground::new(case, &recipe.body, outline.as_ref(), faults);
+        let ground = Ground::new(case, &recipe.body, (outline.as_ref(), &faces), faults);
         if !counts::fit(&ground, max_memory, faults) {
             return None;
         }
@@ -130,7 +134,10 @@ impl BodyScene {
         let reach = reach(&*built, &recipe);
         let images = recipe.symmetry.with_images(&paths);
         let extended = built.lattice().filter(|_| !built.ghosts().is_empty());
-        let extended = extended.map(|(lattice, _)| PlaneBody::Lattice(lattice.as_ref().clone()));
+        let extended = extended.map(|(lattice, _)| match lattice.is_plane() {
+            true => PlaneBody::Lattice(lattice.as_ref().clone()),
+            false => PlaneBody::Solid(lattice.as_ref().clone()),
+        });
         let body = extended.as_ref().unwrap_or(&recipe.body);
         let site = HeldBody {
             ground: &ground,
@@ -222,7 +229,7 @@ impl Readings {
         let lines = outputs::lines(site.ground, site.interpolation, &number, max_memory, faults);
         let contains = |tip: [f64; 2]| {
             let at = JsonPath::default();
-            let is_near = || site.ground.point_at(tip, &at, "", &mut Faults::default()).is_some();
+            let is_near = || site.ground.point_at(in_space(tip), &at, "", &mut Faults::default()).is_some();
             site.outline.map_or_else(is_near, |outline| outline.contains(tip))
         };
         let around = tips::Around { symmetry: &site.recipe.symmetry, spacing: site.recipe.body.spacing() };

@@ -177,10 +177,7 @@ impl BodyScene {
     pub(crate) fn resolved<'a>(&'a self, held: &'a [HeldRegion]) -> Resolved<'a> {
         Resolved {
             model: &*self.model,
-            lattice: match self.body() {
-                PlaneBody::Lattice(lattice) => Some(lattice),
-                PlaneBody::Cloud(_) => None,
-            },
+            lattice: self.body().cells(),
             outline: self.outline(),
             mirrors: &self.recipe.symmetry.mirrors,
             spacing: self.spacing(),

@@ -1,4 +1,4 @@
-//! Resultants of what acts on a body in the plane.
+//! Resultants of what acts on a body.
 
 use super::scene::{BodyScene, BodyState};
 use crate::model::Material;
@@ -68,5 +68,7 @@ fn statical(model: &dyn BodyModel, material: &dyn Material) -> Counted {
         return Counted { force: only_along(0), moment: [false, false, turns] };
     }
     let force = [0, 1, 2].map(|axis| model.along(axis).is_some());
-    Counted { force, moment: [false, false, force[0] && mirrors.is_none()] }
+    let turns = force[0] && mirrors.is_none();
+    // A solid resists turning about every axis.
+    Counted { force, moment: [turns && force[2], turns && force[2], turns] }
 }

@@ -1,8 +1,8 @@
-//! Bodies in the plane in words: the model and the forces of what holds it.
+//! Bodies in words: the model and the forces of what holds it.
 
 use super::{Fact, Listing, MOST_ROWS, number};
 use crate::case::Units;
-use crate::run::body::BodyReaction;
+use crate::run::body::{BodyReaction, MirrorReaction};
 use crate::summary::{BodyForces, BodySummary};
 use peristat_assembly::model::plane::Edges;
 
@@ -23,7 +23,10 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
             format!("{} springs have what bonds leave along the true border", m.cut_springs)
         }
         Some(Edges::Border) => "bonds end on the border, which moves with the points beside it".into(),
-        Some(Edges::Overlay) => format!("{} triangles replace missing bonds", m.triangles),
+        Some(Edges::Overlay) => {
+            let what = if m.is_solid { "points have tetrahedra that" } else { "triangles" };
+            format!("{} {what} replace missing bonds", m.triangles)
+        }
         Some(Edges::Volume) => "bonds are stiffened by the missing volume".into(),
         Some(Edges::Energy) => "bonds are stiffened by the missing energy".into(),
         Some(Edges::None) | None => {
@@ -49,13 +52,16 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
 
 /// Forces of supports, rigid regions and lines of symmetry.
 pub(super) fn forces(forces: &BodyForces, units: Units) -> Vec<Listing> {
-    let of_supports = forces.reactions.iter().flat_map(|r| [r.force_x, r.force_y, r.force_w.unwrap_or(0.0)]);
+    let of_supports =
+        forces.reactions.iter().flat_map(|r| [r.force_x, r.force_y, r.force_w.or(r.force_z).unwrap_or(0.0)]);
     let size =
         of_supports.chain(forces.mirrors.iter().map(|m| m.force)).fold(0.0, |a: f64, f| a.max(f.abs()));
     // What is rounding beside the largest force reads as zero.
     let force = |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
     let turns = forces.reactions.iter().any(|r| r.moment.is_some());
-    let deflects = forces.reactions.iter().any(|r| r.force_w.is_some());
+    let has_z =
+        forces.mirrors.iter().any(is_across_z) || forces.reactions.iter().any(|r| r.force_z.is_some());
+    let deflects = has_z || forces.reactions.iter().any(|r| r.force_w.is_some());
     let row = |r: &BodyReaction| {
         let place = match r.centre {
             Some([x, y]) => format!("{} about ({}, {})", r.place, number(x), number(y)),
@@ -63,22 +69,35 @@ pub(super) fn forces(forces: &BodyForces, units: Units) -> Vec<Listing> {
         };
         let mut cells = vec![place, force(r.force_x), force(r.force_y)];
         cells.extend(turns.then(|| r.moment.map_or(String::new(), number)));
-        cells.extend(deflects.then(|| r.force_w.map_or(String::new(), force)));
+        cells.extend(deflects.then(|| r.force_w.or(r.force_z).map_or(String::new(), force)));
         cells
     };
     let mut rows: Vec<Vec<String>> = forces.reactions.iter().take(MOST_ROWS).map(row).collect();
     for mirror in &forces.mirrors {
         let across = force(mirror.force);
-        let is_x = matches!(&*mirror.side, "left" | "right");
-        let (x, y) = if is_x { (across, String::new()) } else { (String::new(), across) };
-        let mut cells = vec![format!("symmetry `{}`", mirror.side), x, y];
-        cells.extend((turns || deflects).then(String::new));
+        let mut cells = vec![format!("symmetry `{}`", mirror.side)];
+        cells.resize(if turns || deflects { 4 } else { 3 }, String::new());
+        let column = match &*mirror.side {
+            "left" | "right" => 1,
+            "bottom" | "top" => 2,
+            _ => 3,
+        };
+        cells[column] = across;
         rows.push(cells);
     }
-    let third = if deflects { units.label("force w", "N") } else { units.label("moment", units.moment()) };
+    let third = match (has_z, deflects) {
+        (true, _) => units.label("force z", "N"),
+        (_, true) => units.label("force w", "N"),
+        _ => units.label("moment", units.moment()),
+    };
     let [x, y] = ["force x", "force y"].map(|name| units.label(name, "N"));
     let header = ["support", x.as_str(), y.as_str(), third.as_str()];
     let header = &header[..if turns || deflects { 4 } else { 3 }];
     let count = forces.reactions.len() + forces.mirrors.len();
     Listing::new(header, rows, count, "supports").into_iter().collect()
+}
+
+/// Whether a plane of symmetry takes forces along z.
+fn is_across_z(mirror: &MirrorReaction) -> bool {
+    matches!(&*mirror.side, "back" | "front")
 }

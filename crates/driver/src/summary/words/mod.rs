@@ -108,7 +108,7 @@ pub fn probes<'a>(
 ) -> Listing {
     let fitted = probes.clone().any(|p| p.misfit.is_some());
     let row = |p: &ProbeResult| {
-        let place = p.place.clone().or_else(|| Some(position(p.x?, p.y))).unwrap_or_default();
+        let place = p.place.clone().or_else(|| Some(position(p.x?, p.y, p.z))).unwrap_or_default();
         let mut cells = vec![p.name.clone(), p.state.clone(), p.field.to_string(), place, value(p.value)];
         cells.extend(fitted.then(|| p.misfit.map_or(String::new(), |misfit| format!("{misfit:.1e}"))));
         cells

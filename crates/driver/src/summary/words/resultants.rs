@@ -19,7 +19,11 @@ pub(super) fn table(found: &Resultants, state: &StateSummary, units: Units) -> L
             String::new(),
             "moment about x = 0".into(),
         ],
-        false => [force("x"), force("y"), force("z"), moment("x"), moment("y"), moment("the origin")],
+        false => {
+            let about_all = found.asked.moments().iter().flatten().count() > 1;
+            let last = if about_all { "z" } else { "the origin" };
+            [force("x"), force("y"), force("z"), moment("x"), moment("y"), moment(last)]
+        }
     };
     let all = [("asked", &found.asked), ("applied", &found.applied), ("reactions", &found.reactions)];
     let size = |of: &dyn Fn(&Total) -> [Option<f64>; 3]| {

@@ -30,17 +30,18 @@ fn kind(field: &str) -> &str {
 
 /// Where a value is: `beam 1.5` on a frame, `(1.5, 2)` in the plane.
 pub(crate) fn place(located: &Located) -> String {
-    let position = position(located.x, located.y);
+    let position = position(located.x, located.y, located.z);
     match &located.member {
         Some(member) => format!("{member} {position}"),
         None => position,
     }
 }
 
-/// A position on a line, or in the plane.
-pub(crate) fn position(x: f64, y: Option<f64>) -> String {
-    match y {
-        Some(y) => format!("({}, {})", number(x), number(y)),
-        None => number(x),
+/// A position on a line, in the plane, or in space.
+pub(crate) fn position(x: f64, y: Option<f64>, z: Option<f64>) -> String {
+    match (y, z) {
+        (Some(y), Some(z)) => format!("({}, {}, {})", number(x), number(y), number(z)),
+        (Some(y), None) => format!("({}, {})", number(x), number(y)),
+        _ => number(x),
     }
 }

@@ -9,34 +9,35 @@ use peristat_assembly::model::plane::Edges;
 
 /// A place in a gap and the width of the gap in cells, if gaps narrower than the horizon go on for as long as two horizons.
 /// The flat top of a round hole is shorter than that.
-pub(crate) fn narrow(scene: &BodyScene) -> Option<([f64; 2], i32)> {
+pub(crate) fn narrow(scene: &BodyScene) -> Option<([f64; 3], i32)> {
     let (lattice, _) = scene.model.lattice()?;
     if scene.model.edges() == Some(Edges::Border) {
         // Bonds that leave the body end there.
         return None;
     }
     let reach = scene.recipe.material.about().horizon_ratio.floor() as i32;
-    let along = [[1, 0, 0], [0, 1, 0]].map(|step| places(scene, lattice, step, reach));
-    let found = along.into_iter().find(|places| places.len() as i32 >= 2 * reach)?;
+    let steps = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    let mut along = steps[..scene.body().axes()].iter().map(|step| places(scene, lattice, *step, reach));
+    let found = along.find(|places| places.len() as i32 >= 2 * reach)?;
     found.get(found.len() / 2).copied()
 }
 
 /// Where a step leaves the body and enters it again within the reach, and no crack lies between.
-fn places(scene: &BodyScene, lattice: &SquareLattice, step: Cell, reach: i32) -> Vec<([f64; 2], i32)> {
+fn places(scene: &BodyScene, lattice: &SquareLattice, step: Cell, reach: i32) -> Vec<([f64; 3], i32)> {
     let slack = CRACK_SLACK * lattice.spacing();
     let mut found = Vec::new();
     for run in lattice.runs() {
         // Along rows only the end of a run can be beside a gap.
-        let from = if step[1] == 0 { run.columns.end - 1 } else { run.columns.start };
+        let from = if step[0] != 0 { run.columns.end - 1 } else { run.columns.start };
         for column in from..run.columns.end {
             let at = |k: i32| plus(run.cell(column), step.map(|s| k * s));
             if lattice.number(at(1)).is_some() {
                 continue;
             }
             let Some(width) = (2..=reach).find(|&k| lattice.number(at(k)).is_some()) else { continue };
-            let [a, b] = [0, width].map(|k| lattice.place_of(at(k)));
-            if !scene.cracks.iter().any(|c| c.crack.cuts(a, b, slack)) {
-                found.push(([0, 1].map(|k| 0.5 * (a[k] + b[k])), width - 1));
+            let [a, b] = [0, width].map(|k| lattice.centre(at(k)));
+            if !scene.cracks.iter().any(|c| c.crack.cuts([a[0], a[1]], [b[0], b[1]], slack)) {
+                found.push(([0, 1, 2].map(|k| 0.5 * (a[k] + b[k])), width - 1));
             }
         }
     }

@@ -91,7 +91,7 @@ fn corners(scene: &BodyScene) -> Vec<Corner<'_>> {
 /// What reads stresses or strains within a horizon of a place, in words.
 fn asked(scene: &BodyScene, [x, y]: [f64; 2]) -> Option<String> {
     let reach = scene.horizon() * (1.0 + 1e-9);
-    let is_near = |at: [f64; 2]| (at[0] - x).abs() <= reach && (at[1] - y).abs() <= reach;
+    let is_near = |at: [f64; 3]| (at[0] - x).abs() <= reach && (at[1] - y).abs() <= reach;
     let by_probe = scene.probes.iter().find(|probe| {
         let of_stress = matches!(&probe.quantity, Quantity::Field { field, .. } if field.is_recovered());
         of_stress && probe.position.is_some_and(is_near)

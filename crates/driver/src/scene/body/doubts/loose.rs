@@ -1,9 +1,10 @@
 //! Points that their bonds do not hold: with one bond, or bonds on one line, they can move without any force.
 
-use crate::diagnostic::{Faults, root, tidy};
+use crate::diagnostic::{Faults, root};
 use crate::scene::body::hold::conditions::Conditions;
 use crate::scene::body::scene::BodyScene;
 use crate::scene::body::site::body;
+use crate::scene::words;
 use peristat_assembly::model::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,10 +29,10 @@ pub(crate) fn check<const D: usize>(scene: &BodyScene, model: &dyn Model<D>, fau
     let loose: Vec<usize> = scene.real_points().filter(is_loose).collect();
     let path = if scene.case.cracks.is_empty() { body::path(&scene.case) } else { root("cracks") };
     for &point in loose.iter().take(MOST) {
-        let [x, y] = scene.model.place(point).map(tidy);
+        let place = words::place(scene.model.position(point), scene.body());
         let (a, _, d) = in_plane(&blocks[point]);
         let why = if a + d > 0.0 { "has bonds on one line only" } else { "has no bonds" };
-        faults.error(path.clone(), format!("the point at ({x}, {y}) {why}, so nothing holds it")).hint(
+        faults.error(path.clone(), format!("the point at {place} {why}, so nothing holds it")).hint(
             match scene.case.cracks.is_empty() {
                 true => "use a smaller spacing or a longer horizon where the body is thin",
                 false if a + d == 0.0 => "a crack through a point cuts all of its bonds: move the crack by half a spacing",

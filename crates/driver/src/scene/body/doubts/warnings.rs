@@ -1,28 +1,30 @@
-//! Doubts about a body in the plane that can be solved.
+//! Doubts about a body that can be solved.
 
 use super::{clamped, gaps, held_corner};
 use crate::case::{Support, Units};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::model::HeldRegion;
 use crate::scene::body::scene::BodyScene;
+use crate::scene::words;
+use peristat_assembly::body::in_space;
 
 /// Adds all warnings on a scene.
 pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
     let horizon = root(if scene.case.horizon.is_some() { "horizon" } else { "horizon_ratio" });
-    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     match scene.outline() {
-        Some(outline) => [low, high] = outline.bounds(),
+        Some(outline) => [low, high] = outline.bounds().map(in_space),
         None => {
             for point in scene.real_points() {
-                let at = scene.model.place(point);
-                (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
+                let at = scene.model.position(point);
+                (0..3).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));
             }
         }
     }
     // Joined sides are no ends of the body.
     let joined = scene.recipe.symmetry.mirrors.joined;
     let across = |k: usize| if joined[k] { f64::INFINITY } else { high[k] - low[k] };
-    let width = across(0).min(across(1));
+    let width = (0..scene.body().axes()).map(across).fold(f64::INFINITY, f64::min);
     if scene.horizon() > width * (1.0 + 1e-9) {
         faults
             .warning(
@@ -47,18 +49,20 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
             )
             .hint("such points stand in single rows or between cracks: use a smaller spacing");
     }
-    if let Some(([x, y], width)) = gaps::narrow(scene) {
+    if let Some((place, width)) = gaps::narrow(scene) {
+        let place = words::place(place, scene.body());
         let cells = if width == 1 { "one spacing" } else { "less than the horizon" };
         faults
             .warning(
                 root("body"),
                 format!(
-                    "bonds reach across a gap of the body {cells} wide, near ({}, {}): it acts as if it were filled",
-                    tidy(x),
-                    tidy(y)
+                    "bonds reach across a gap of the body {cells} wide, near {place}: it acts as if it were filled"
                 ),
             )
-            .hint("draw a crack along the gap, which cuts these bonds, or use a smaller spacing");
+            .hint(match scene.outline().is_some() {
+                true => "draw a crack along the gap, which cuts these bonds, or use a smaller spacing",
+                false => "use a smaller spacing, or the edges `border`, where bonds end",
+            });
     }
     clamped::warn(scene, faults);
     held_corner::warn(scene, faults);
@@ -71,7 +75,8 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
 
 /// What a support holds.
 fn held((k, support): (usize, &Support)) -> HeldRegion {
-    let components = [("ux", support.ux), ("uy", support.uy), ("w", support.w), ("phi", support.phi)];
+    let components =
+        [("ux", support.ux), ("uy", support.uy), ("uz", support.uz), ("w", support.w), ("phi", support.phi)];
     HeldRegion {
         region: support.at.region.clone(),
         path: root("supports").index(k),

@@ -7,11 +7,11 @@
 
 use crate::model::{Material, OnLattice};
 use crate::scene::body::site::size::takes_shares;
-use peristat_assembly::body::{Cell, Edge, SquareLattice, plus};
+use peristat_assembly::body::{Cell, Edge, Face, SquareLattice, plus};
 use peristat_assembly::model::plane::{Edges, Mirrors};
 use std::cell::OnceCell;
 
-/// How an edge is held.
+/// How an edge or a face is held.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldEdge {
     /// From its points to those behind them, cells.
@@ -52,6 +52,13 @@ impl HeldEdge {
         let is_end = edge.normal[0].abs() > 1.0 - 1e-12;
         let inward = [if edge.normal[0] > 0.0 { -1 } else { 1 }, 0, 0];
         is_end.then(|| Self { inward, shares: [(); 3].map(|()| vec![1.5, -0.5]) })
+    }
+
+    /// A face of a solid, whose border moves with the two outermost points behind each other.
+    pub(super) fn of_face(face: &Face) -> Self {
+        let mut inward = [0; 3];
+        inward[face.axis] = if face.is_high { -1 } else { 1 };
+        Self { inward, shares: [(); 3].map(|()| vec![1.5, -0.5]) }
     }
 
     /// The points behind each of some ascending points of the edge; none where there are too few, or where they are points

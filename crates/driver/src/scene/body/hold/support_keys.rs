@@ -1,22 +1,31 @@
-//! Keys of supports of a body in the plane.
+//! Keys of supports of a body.
 
 use crate::case::Support;
 use crate::diagnostic::{Faults, JsonPath, positive};
 use crate::model::Material;
 
-/// Adds a fault for every key of a support that does not fit a body in the plane, or another key.
+/// Adds a fault for every key of a support that does not fit the body, or another key.
 pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath, faults: &mut Faults) {
     let (points_turn, deflects) = (material.has("phi"), material.has("w"));
+    let is_solid = material.has("uz");
     if !material.has("ux") {
         return check_across(support, path, faults);
     }
     let foreign = [
-        ("w", support.w.is_some() && !deflects, "a body in the plane is held by `ux` and `uy`"),
+        (
+            "w",
+            support.w.is_some() && !deflects,
+            match is_solid {
+                true => "a solid is held by `ux`, `uy` and `uz`",
+                false => "a body in the plane is held by `ux` and `uy`",
+            },
+        ),
         (
             "phi",
             support.phi.is_some() && !points_turn,
             match deflects {
                 true => "a shell membrane is held by `ux`, `uy` and `w`",
+                false if is_solid => "points do not turn: hold a face by `ux`, `uy` and `uz`",
                 false => "points do not turn: list the region under `rigid` and give its `phi`",
             },
         ),
@@ -37,6 +46,7 @@ pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath,
     let pairs = [
         ("ux", support.ux, "ux_spring", support.ux_spring),
         ("uy", support.uy, "uy_spring", support.uy_spring),
+        ("uz", support.uz, "uz_spring", support.uz_spring),
     ];
     let holds = pairs.iter().any(|p| p.1.is_some() || p.3.is_some())
         || support.inclined.is_some()
@@ -44,6 +54,9 @@ pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath,
         || support.w.is_some();
     if !holds && !foreign.iter().any(|f| f.1) {
         faults.error(path.clone(), "this support holds nothing").hint(match (points_turn, deflects) {
+            _ if is_solid => {
+                "give `ux`, `uy`, `uz` or `inclined`; or `ux_spring`, `uy_spring`, `uz_spring` for an elastic support"
+            }
             (true, _) => {
                 "give `ux`, `uy`, `phi` or `inclined`; or `ux_spring`, `uy_spring` for an elastic support"
             }

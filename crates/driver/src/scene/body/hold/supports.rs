@@ -45,6 +45,10 @@ const REVOLVED_EXAMPLE: &str = r#"a body of revolution can move along its axis a
 const EXAMPLE: &str =
     r#"a clamped edge is { "at": { "region": "left" }, "ux": 0.0, "uy": 0.0 }, a roller gives one of them"#;
 
+/// What holds a solid.
+const SOLID_EXAMPLE: &str =
+    r#"a clamped face is { "at": { "region": "left" }, "ux": 0.0, "uy": 0.0, "uz": 0.0 }"#;
+
 /// Supports of the case.
 pub(crate) fn held(
     ground: &Ground,
@@ -54,7 +58,11 @@ pub(crate) fn held(
 ) -> Vec<Held> {
     let case = ground.case;
     if case.supports.is_empty() && case.rigid.is_empty() && case.symmetry.is_empty() {
-        let hint = if material.is_revolved() { REVOLVED_EXAMPLE } else { EXAMPLE };
+        let hint = match (material.is_revolved(), material.has("uz")) {
+            (true, _) => REVOLVED_EXAMPLE,
+            (_, true) => SOLID_EXAMPLE,
+            _ => EXAMPLE,
+        };
         faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(hint);
     }
     let each = case.supports.iter().enumerate();
@@ -64,14 +72,17 @@ pub(crate) fn held(
         support_keys::check(support, material, &path, faults);
         let at = path.key("at");
         if support.at.inward.is_some() {
-            faults
-                .error(at.key("inward"), "`inward` is for probes")
-                .hint(crate::scene::body::site::ground::PLACE);
+            faults.error(at.key("inward"), "`inward` is for probes").hint(ground.place_hint());
         }
         not_mirrored(support.at.region.as_deref(), &at.key("region"), symmetry, faults);
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
         let mut held = resolve(support, spot, path);
         held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
+        if let (PlaneBody::Solid(lattice), Some(name)) = (ground.body, &support.at.region) {
+            let face = ground.faces.iter().find(|face| face.name == name);
+            held.edge = face.map(HeldEdge::of_face);
+            held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
+        }
         if let (PlaneBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
             let is_cylinder = material.cylinder_radius().is_some();
@@ -99,13 +110,14 @@ fn border(name: &str, ground: &Ground) -> Vec<Stretch> {
 
 /// A fault for an edge that a mirror replaces, or that is joined to another one.
 pub(crate) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Symmetry, faults: &mut Faults) {
+    let side = if symmetry.is_solid { "face" } else { "edge" };
     if let Some(name) = region.filter(|name| symmetry.axis.iter().any(|e| e == name)) {
         faults
             .error(path.clone(), format!("the edge `{name}` is the axis, no edge of the body"))
             .hint("points on the axis stay there, and nothing acts on it");
     } else if let Some(name) = region.filter(|name| symmetry.replaces(name)) {
         faults
-            .error(path.clone(), format!("the edge `{name}` is a mirror by `symmetry`, no edge of the body"))
+            .error(path.clone(), format!("the {side} `{name}` is a mirror by `symmetry`, no {side} of the body"))
             .hint("the mirror holds the displacement across it already, and nothing acts on it: remove one of both");
     }
     if let Some(name) = region.filter(|name| symmetry.joins(name)) {
@@ -126,7 +138,8 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
     let uy = support.uy.map(|value| ([0.0, 1.0, 0.0], value, "uy"));
     let phi = support.phi.map(|value| ([0.0, 0.0, 1.0], value, "phi"));
     let w = support.w.map(|value| ([0.0, 0.0, 1.0], value, "w"));
-    let springs = [(0, support.ux_spring), (1, support.uy_spring)];
+    let uz = support.uz.map(|value| ([0.0, 0.0, 1.0], value, "uz"));
+    let springs = [(0, support.ux_spring), (1, support.uy_spring), (2, support.uz_spring)];
     Held {
         name: spot.words,
         path,
@@ -134,7 +147,7 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
         edge: None,
         chains: Vec::new(),
         border: Vec::new(),
-        motions: [ux, uy, inclined, phi, w].into_iter().flatten().collect(),
+        motions: [ux, uy, uz, inclined, phi, w].into_iter().flatten().collect(),
         springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
     }
 }
@@ -243,7 +256,7 @@ fn resolve_rigid(given: &Rigid, points: Vec<u32>, ground: &Ground, path: &JsonPa
         let area = |p: &u32| ground.body.area(*p as usize);
         let whole: f64 = points.iter().map(area).sum();
         let moment =
-            |k: usize| points.iter().map(|p| area(p) * ground.body.position(*p as usize)[k]).sum::<f64>();
+            |k: usize| points.iter().map(|p| area(p) * ground.body.place(*p as usize)[k]).sum::<f64>();
         [moment(0) / whole, moment(1) / whole]
     });
     RigidPoints { points, centre, prescribed: [given.ux, given.uy, given.phi], origin: path.to_string() }

@@ -6,7 +6,7 @@ use super::traction::profile::Profile;
 use crate::scene::Resultant;
 use crate::scene::body::site::boundary::{self, Border};
 use crate::scene::body::site::resultants;
-use peristat_assembly::body::{BorderPart, Edge, Outline};
+use peristat_assembly::body::{BorderPart, Edge, Outline, in_space};
 use peristat_assembly::quadrature::GAUSS;
 use std::f64::consts::TAU;
 
@@ -23,7 +23,7 @@ pub(crate) fn of_traction(on: &OnBorder, context: &LoadContext) -> Resultant {
         integrate(&part, |share, at, length| {
             let t = on.profile.at(start + share * (end - start), part.normal(share));
             let force = t.map(|t| length * context.material.across(at) * t);
-            resultants::add_force(context.material, &mut sum, force, at);
+            resultants::add_force(context.material, &mut sum, force, in_space(at));
         });
     }
     sum
@@ -65,7 +65,7 @@ fn of_contact(edge: &Edge, (centre, radius, peak): (f64, f64, f64), context: &Lo
             false => across * whole,
         };
         let [x, y] = edge.normal.map(|n| -peak * a * width * n);
-        resultants::add_force(context.material, &mut sum, [x, y, 0.0], middle);
+        resultants::add_force(context.material, &mut sum, [x, y, 0.0], in_space(middle));
         let turn = tangent[0] * edge.normal[1] - tangent[1] * edge.normal[0];
         sum.add_moment(-peak * a * a * across * first * turn);
     }
@@ -78,7 +78,12 @@ pub(crate) fn of_body(density: [f64; 3], context: &LoadContext) -> Resultant {
     match context.ground.outline {
         Some(outline) => {
             let (volume, centroid) = volume(outline, context);
-            resultants::add_force(context.material, &mut sum, density.map(|b| b * volume), centroid);
+            resultants::add_force(
+                context.material,
+                &mut sum,
+                density.map(|b| b * volume),
+                in_space(centroid),
+            );
         }
         // Listed points are the body.
         None => {

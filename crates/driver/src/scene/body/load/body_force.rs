@@ -8,7 +8,6 @@ use crate::case::BodyForce;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::hints;
 use crate::scene::body::site::resultants;
-use peristat_assembly::body::PlaneBody;
 
 /// Forces per volume, or altogether, on a body or a region, or those of a spin.
 pub(crate) fn resolve(
@@ -79,7 +78,7 @@ fn on_body(value: [f64; 3], is_total: bool, context: &LoadContext, to: &mut Body
     forces
         .iter()
         .for_each(|&(p, f)| resultants::add_force(context.material, &mut missing, f.map(|f| -f), at(p)));
-    let is_whole = matches!(body, PlaneBody::Lattice(lattice) if lattice.cut_cells().is_empty());
+    let is_whole = body.cells().is_some_and(|lattice| lattice.cut_cells().is_empty());
     let lacks =
         missing.force().into_iter().chain([missing.moment()[2] * asked.sizes()[0] / asked.sizes()[1]]);
     if is_whole && lacks.fold(0.0, |a: f64, f| a.max(f.abs())) <= 1e-12 * asked.sizes()[0] {
@@ -124,7 +123,7 @@ fn spin(
         None => to.spin += value,
         Some(name) => {
             let points = context.ground.region(name, &path.key("region"), faults).unwrap_or_default();
-            let radius = |p: u32| context.ground.body.position(p as usize)[0];
+            let radius = |p: u32| context.ground.body.place(p as usize)[0];
             let force = |&p: &u32| (p, [value * radius(p) * context.volume(p), 0.0, 0.0]);
             to.forces.extend(points.iter().map(force));
         }

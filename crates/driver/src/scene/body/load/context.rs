@@ -9,6 +9,7 @@ use crate::scene::body::site::boundary::Stretch;
 use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::recipe::Recipe;
 use crate::scene::body::site::symmetry::Symmetry;
+use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::BodyModel;
 
 /// What the resolution of loads looks at.
@@ -31,7 +32,10 @@ impl LoadContext<'_> {
     /// Volume of a point of the body, m³.
     pub(crate) fn volume(&self, point: u32) -> f64 {
         let body = self.ground.body;
-        body.area(point as usize) * self.material.across(body.position(point as usize))
+        match body {
+            PlaneBody::Solid(lattice) => lattice.volume(point as usize),
+            _ => body.area(point as usize) * self.material.across(body.place(point as usize)),
+        }
     }
 
     /// The numbers of a force by `key`, along x, y and z; none where their count is not that of the axes along which points move, or
@@ -48,7 +52,8 @@ impl LoadContext<'_> {
         let moves = [moves[0], moves[1], moves[2] || self.material.has("w")];
         // What acts on a shell across its surface may be left out.
         let needed = if moves[2] { 3 } else { 2 };
-        if count != needed && !(moves == [true; 3] && count == 2) {
+        let is_shell = moves == [true; 3] && self.material.has("w");
+        if count != needed && !(is_shell && count == 2) {
             let on = match moves {
                 [_, _, false] => "forces in the plane have 2, along x and y",
                 [true, ..] => "forces on this body have 3, along x, y and z",

@@ -3,10 +3,11 @@
 use super::context::{LoadContext, is_held};
 use super::sums::BodyLoads;
 use crate::case::PointLoad;
-use crate::diagnostic::{Faults, JsonPath, tidy};
-use crate::scene::body::site::ground::{PLACE, Spot};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::scene::body::site::ground::Spot;
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
 use crate::scene::body::site::resultants;
+use crate::scene::words;
 use peristat_assembly::body::Crack;
 
 /// A force, or a moment, at a place.
@@ -19,8 +20,13 @@ pub(crate) fn resolve(
 ) {
     let (points_turn, deflects) = (context.material.has("phi"), context.material.has("w"));
     let is_flat = context.material.has("ux");
+    let is_solid = context.material.has("uz");
     let foreign = [
-        ("force", load.force != 0.0 && !deflects, "use `force_x` and `force_y`"),
+        (
+            "force",
+            load.force != 0.0 && !deflects,
+            if is_solid { "use `force_x`, `force_y` and `force_z`" } else { "use `force_x` and `force_y`" },
+        ),
         ("force_x", load.force_x != 0.0 && !is_flat, "points move across the plane: use `force`"),
         ("force_y", load.force_y != 0.0 && !is_flat, "points move across the plane: use `force`"),
         ("axial", load.axial != 0.0, "use `force_x` and `force_y`"),
@@ -34,19 +40,21 @@ pub(crate) fn resolve(
     for (key, _, hint) in foreign.iter().filter(|f| f.1) {
         faults.error(path.key(*key), format!("`{key}` is for beams")).hint(*hint);
     }
-    let force = [load.force_x, load.force_y, load.force];
-    if force == [0.0; 3] && load.moment == 0.0 && !foreign.iter().any(|f| f.1) {
+    let force = [load.force_x, load.force_y, if is_solid { load.force_z } else { load.force }];
+    let along_z = load.force_z != 0.0 && !is_solid;
+    if force == [0.0; 3] && load.moment == 0.0 && !along_z && !foreign.iter().any(|f| f.1) {
         let keys = match (points_turn, deflects) {
             (true, _) => "give `force_x`, `force_y` or `moment`",
             (_, true) if is_flat => "give `force_x`, `force_y` or `force`",
             (_, true) => "give `force`",
+            _ if is_solid => "give `force_x`, `force_y` or `force_z`",
             _ => "give `force_x` or `force_y`",
         };
         faults.error(path.clone(), "this load is zero").hint(keys);
     }
     let at = path.key("at");
     if load.at.inward.is_some() {
-        faults.error(at.key("inward"), "`inward` is for probes").hint(PLACE);
+        faults.error(at.key("inward"), "`inward` is for probes").hint(context.ground.place_hint());
     }
     crate::scene::body::hold::supports::not_mirrored(
         load.at.region.as_deref(),
@@ -85,18 +93,20 @@ fn place(
     context: &LoadContext,
     path: &JsonPath,
     faults: &mut Faults,
-) -> [f64; 2] {
+) -> [f64; 3] {
     let body = context.ground.body;
-    let middle = [0, 1].map(|k| shares.iter().map(|&(p, s)| s * body.position(p as usize)[k]).sum::<f64>());
+    let middle =
+        [0, 1, 2].map(|k| shares.iter().map(|&(p, s)| s * body.position(p as usize)[k]).sum::<f64>());
     let (Some(x), Some(y)) = (load.at.x, load.at.y) else { return middle };
-    let moved = (x - middle[0]).hypot(y - middle[1]);
+    let at = [x, y, load.at.z.unwrap_or(0.0)];
+    let moved = (0..3).map(|k| (at[k] - middle[k]).powi(2)).sum::<f64>().sqrt();
     if moved < 1e-9 * body.spacing() {
-        return [x, y];
+        return at;
     }
     if moved > 1e-3 * body.spacing() {
-        let [a, b] = middle.map(tidy);
+        let middle = words::place(middle, body);
         faults
-            .warning(path.clone(), format!("the load acts on the point at ({a}, {b})"))
+            .warning(path.clone(), format!("the load acts on the point at {middle}"))
             .hint("give the position of that point, or a region");
     }
     middle
@@ -109,7 +119,7 @@ fn shares(load: &PointLoad, spot: &Spot, is_fixed: bool, context: &LoadContext) 
         (Some(x), Some(y), &[nearest]) if !is_fixed => {
             let cracks: Vec<Crack> = context.cracks.iter().map(|c| c.crack.clone()).collect();
             let interpolation = Interpolation { body: context.ground.body, cracks: &cracks, reach: 1 };
-            interpolation.at([x, y], nearest)
+            interpolation.at([x, y, load.at.z.unwrap_or(0.0)], nearest)
         }
         (.., points) => points.iter().map(|&p| (p, 1.0 / points.len() as f64)).collect(),
     }

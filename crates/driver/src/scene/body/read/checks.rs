@@ -1,8 +1,8 @@
-//! Checks of a body in the plane.
+//! Checks of a body.
 
 use super::{fields, formula};
 use crate::case::{Baseline, Case, FieldName, Formula};
-use crate::diagnostic::{Faults, JsonPath, tidy};
+use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use crate::scene::expectation::{self, Expectation, PointsCheck};
 use crate::scene::files::{BASELINE, text};
@@ -10,7 +10,7 @@ use crate::scene::words;
 use peristat_assembly::body::PlaneBody;
 use peristat_assembly::model::BodyModel;
 
-/// What is compared at all points of a body in the plane.
+/// What is compared at all points of a body.
 #[derive(Clone, Debug)]
 pub struct BodyComparison {
     /// The field.
@@ -76,7 +76,9 @@ fn of_formula(
             tolerance: check.tolerance,
         }),
         Err(reason) => {
-            faults.error(path.key("is"), reason).hint("for example `1e-3*x - 2*y^2`, in x and y");
+            faults
+                .error(path.key("is"), reason)
+                .hint("for example `1e-3*x - 2*y^2`, in x and y, and z of a solid");
             None
         }
     }
@@ -90,7 +92,7 @@ fn baseline(
     faults: &mut Faults,
 ) -> Option<BodyComparison> {
     let text = text(folder, &check.file, max_memory, path, faults)?;
-    match columns(&text, check.field.name()).and_then(|rows| fitting(&rows, body)) {
+    match columns(&text, body.axes(), check.field.name()).and_then(|rows| fitting(&rows, body)) {
         Ok(expected) => Some(BodyComparison {
             field: check.field,
             expected,
@@ -106,36 +108,38 @@ fn baseline(
 }
 
 /// Values, if their rows are the points of the body.
-fn fitting(rows: &[[f64; 3]], body: &PlaneBody) -> Result<Vec<f64>, String> {
+fn fitting(rows: &[Vec<f64>], body: &PlaneBody) -> Result<Vec<f64>, String> {
     if rows.len() != body.points() {
         return Err(format!("has {} rows, and the body has {} points", rows.len(), body.points()));
     }
     let slack = 1e-6 * body.spacing();
     for (k, row) in rows.iter().enumerate() {
-        let [x, y] = body.position(k);
-        if (row[0] - x).abs() > slack || (row[1] - y).abs() > slack {
-            let [a, b, x, y] = [row[0], row[1], x, y].map(tidy);
-            return Err(format!("has a row at ({a}, {b}), where the body has its point at ({x}, {y})"));
+        let at = body.position(k);
+        if (0..body.axes()).any(|axis| (row[axis] - at[axis]).abs() > slack) {
+            let found = [row[0], row[1], if body.axes() > 2 { row[2] } else { 0.0 }];
+            let [found, at] = [found, at].map(|at| words::place(at, body));
+            return Err(format!("has a row at {found}, where the body has its point at {at}"));
         }
     }
-    Ok(rows.iter().map(|r| r[2]).collect())
+    Ok(rows.iter().map(|row| row[body.axes()]).collect())
 }
 
-/// The columns `x`, `y` and `field` of a CSV text.
-fn columns(text: &str, field: &str) -> Result<Vec<[f64; 3]>, String> {
+/// The columns of some coordinates and of a field of a CSV text.
+fn columns(text: &str, axes: usize, field: &str) -> Result<Vec<Vec<f64>>, String> {
     let mut lines = text.lines();
     let header: Vec<&str> = lines.next().unwrap_or_default().split(',').map(str::trim).collect();
     let column =
         |name: &str| header.iter().position(|h| *h == name).ok_or_else(|| format!("has no column `{name}`"));
-    let wanted = [column("x")?, column("y")?, column(field)?];
+    let names = [&["x", "y", "z"][..axes], &[field]].concat();
+    let wanted: Vec<usize> = names.into_iter().map(column).collect::<Result<_, _>>()?;
     let mut rows = Vec::new();
     for (k, line) in lines.enumerate().filter(|(_, line)| !line.trim().is_empty()) {
         let cells: Vec<&str> = line.split(',').collect();
         let number =
             |c: usize| cells.get(c).and_then(|t| t.trim().parse::<f64>().ok()).filter(|v| v.is_finite());
-        match wanted.map(number) {
-            [Some(x), Some(y), Some(value)] => rows.push([x, y, value]),
-            _ => return Err(format!("has no number where one belongs in line {}", k + 2)),
+        match wanted.iter().map(|&c| number(c)).collect::<Option<_>>() {
+            Some(row) => rows.push(row),
+            None => return Err(format!("has no number where one belongs in line {}", k + 2)),
         }
     }
     if rows.is_empty() { Err("has no rows".into()) } else { Ok(rows) }

@@ -1,4 +1,4 @@
-//! The fields of a body in the plane: which its points have, and which its probes can ask for.
+//! The fields of a body: which its points have, and which its probes can ask for.
 
 use crate::case::{Case, FieldName, Origin};
 use crate::diagnostic::{Faults, JsonPath};
@@ -22,13 +22,15 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
     let or = |is_there: bool, otherwise: Has| if is_there { Has::Values } else { otherwise };
     match field.about().origin {
         Origin::Unknown => or(model.component(field.name()).is_some(), Has::No),
-        Origin::Across => {
+        Origin::Damage => or(is_damaged, Has::Zero),
+        Origin::Strain(name, _) | Origin::Stress(name) if model.tensor_components().contains(&name) => {
+            Has::Values
+        }
+        // That across a section follows from the others, or is zero.
+        Origin::Stress("zz") => {
             or(model.is_revolved() || model.across_of([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) != 0.0, Has::Zero)
         }
-        Origin::Damage => or(is_damaged, Has::Zero),
-        Origin::Strain(name, _) | Origin::Stress(name) => {
-            or(model.tensor_components().contains(&name), Has::No)
-        }
+        Origin::Strain(..) | Origin::Stress(_) => Has::No,
         Origin::VonMises | Origin::Energy => Has::Values,
         Origin::Beam | Origin::Opening | Origin::Reaction(_) => Has::No,
     }
@@ -36,12 +38,17 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
 
 /// The fields that points have, whether zero or not, in the order of tables.
 pub(crate) fn answered(model: &dyn BodyModel) -> impl Iterator<Item = FieldName> {
-    FieldName::PLANE.into_iter().filter(move |&field| of_points(field, model, false) != Has::No)
+    FieldName::BODY.into_iter().filter(move |&field| of_points(field, model, false) != Has::No)
 }
 
 /// Forces and moments of supports, in the order of messages.
-const REACTIONS: [FieldName; 4] =
-    [FieldName::ReactionX, FieldName::ReactionY, FieldName::ReactionMoment, FieldName::ReactionForce];
+const REACTIONS: [FieldName; 5] = [
+    FieldName::ReactionX,
+    FieldName::ReactionY,
+    FieldName::ReactionZ,
+    FieldName::ReactionMoment,
+    FieldName::ReactionForce,
+];
 
 /// The unknown that a reaction holds: its index and what is known of it.
 pub(crate) fn held(reaction: FieldName, model: &dyn BodyModel) -> Option<(usize, Component)> {

@@ -21,7 +21,7 @@ impl MakeOperators<f64> for Operators {
 }
 
 /// Names that are no functions.
-const NAMES: [&str; 5] = ["x", "y", "pi", "e", "π"];
+const NAMES: [&str; 6] = ["x", "y", "z", "pi", "e", "π"];
 
 /// Refuses names that neither are known nor have parentheses behind them: `sin x^2` could mean two things.
 fn check_names(text: &str) -> Result<(), String> {
@@ -72,24 +72,25 @@ fn with_zeros(text: &str) -> Result<String, String> {
     Ok(out)
 }
 
-/// Values of an expression in x and y at the points of a body, images left out.
+/// Values of an expression in x and y, and z of a solid, at the points of a body, images left out.
 ///
 /// # Errors
 /// What is wrong with the expression, or where it has no value.
 pub(crate) fn values(text: &str, body: &PlaneBody) -> Result<Vec<f64>, String> {
-    let formula = Formula::new(text)?;
+    let formula = Formula::new(text, body.axes())?;
     (0..body.points()).map(|k| formula.at(body.position(k))).collect()
 }
 
 /// A parsed expression.
 struct Formula {
     parsed: FlatEx<f64, Operators, Number>,
-    /// For each of its variables whether it is x or y.
+    /// For each of its variables the axis that it is a position on.
     axes: Vec<usize>,
 }
 
 impl Formula {
-    fn new(text: &str) -> Result<Self, String> {
+    /// An expression in the first coordinates.
+    fn new(text: &str, coordinates: usize) -> Result<Self, String> {
         if text.chars().count() > LONGEST {
             return Err(format!("a formula has at most {LONGEST} characters"));
         }
@@ -101,14 +102,16 @@ impl Formula {
         let axis = |name: &String| match name.as_str() {
             "x" => Ok(0),
             "y" => Ok(1),
+            "z" if coordinates > 2 => Ok(2),
+            "z" => Err("there is no `z` in the plane".to_string()),
             other => Err(format!("there is no `{other}` in formulas")),
         };
         let axes = parsed.var_names().iter().map(axis).collect::<Result<_, _>>()?;
         Ok(Self { parsed, axes })
     }
 
-    fn at(&self, place: [f64; 2]) -> Result<f64, String> {
-        let mut variables = [0.0; 2];
+    fn at(&self, place: [f64; 3]) -> Result<f64, String> {
+        let mut variables = [0.0; 3];
         variables.iter_mut().zip(&self.axes).for_each(|(v, axis)| *v = place[*axis]);
         let value = self.parsed.eval(&variables[..self.axes.len()]).map_err(|error| error.to_string())?;
         match value.is_finite() {
@@ -123,7 +126,7 @@ mod tests {
     use super::*;
 
     fn at(text: &str, x: f64, y: f64) -> Result<f64, String> {
-        Formula::new(text)?.at([x, y])
+        Formula::new(text, 2)?.at([x, y, 0.0])
     }
 
     #[test]

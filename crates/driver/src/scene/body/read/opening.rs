@@ -5,6 +5,7 @@ use crate::case::Probe;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
+use crate::scene::words;
 use peristat_assembly::body::{Cell, Crack, PlaneBody, SquareLattice};
 
 /// Farthest point of a row from the place, in spacings: that next to the mouth is half a spacing away, its neighbour one
@@ -37,8 +38,9 @@ pub(crate) fn resolve(
         return None;
     }
     let position = ground.position(&probe.at, at, faults)?;
-    let words = format!("({}, {})", tidy(position[0]), tidy(position[1]));
-    Some((opening(position, site.interpolation, at, faults)?, words))
+    let words = words::place(position, ground.body);
+    let [x, y, _] = position;
+    Some((opening([x, y], site.interpolation, at, faults)?, words))
 }
 
 /// The opening at a position of the crack nearest to it.

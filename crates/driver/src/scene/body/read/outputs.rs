@@ -1,4 +1,4 @@
-//! Lines through a body in the plane and stress intensities of its cracks.
+//! Lines through a body and stress intensities of its cracks.
 
 use crate::case::{Case, Tips};
 use crate::diagnostic::{Faults, root, suggest, tidy};
@@ -6,7 +6,8 @@ use crate::memory;
 use crate::scene::body::site::cracks::NamedCrack;
 use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
-use crate::scene::body::site::tips;
+use crate::scene::body::site::{regions, tips};
+use crate::scene::words;
 use peristat_assembly::body::Crack;
 use std::collections::HashSet;
 
@@ -25,7 +26,7 @@ pub struct LinePoint {
     /// Distance from the start, m.
     pub s: f64,
     /// Where it is, m.
-    pub position: [f64; 2],
+    pub position: [f64; 3],
     /// Points of the model and their shares; none outside of the body.
     pub weights: Option<Weights>,
 }
@@ -92,22 +93,25 @@ pub(crate) fn lines(
             );
             continue;
         }
-        let length = (line.to[0] - line.from[0]).hypot(line.to[1] - line.from[1]);
+        let ends = [("from", line.from), ("to", line.to)];
+        let ends = ends.map(|(key, end)| regions::position(end, ground.body, path.key(key), faults));
+        let [Some(from), Some(to)] = ends else { continue };
+        let length = (0..3).map(|k| (to[k] - from[k]).powi(2)).sum::<f64>().sqrt();
         if length == 0.0 {
             faults.error(path.key("to"), "this line has no length: `from` and `to` are the same");
             continue;
         }
         let point = |k: usize| {
             let q = k as f64 / (line.points - 1) as f64;
-            let position = [0, 1].map(|c| line.from[c] + q * (line.to[c] - line.from[c]));
+            let position = [0, 1, 2].map(|c| from[c] + q * (to[c] - from[c]));
             let nearest = ground.point_at(position, &path, "", &mut Faults::default());
-            let inside = ground.outline.is_none_or(|o| o.contains(position));
+            let inside = ground.outline.is_none_or(|o| o.contains([position[0], position[1]]));
             let weights = nearest.filter(|_| inside).map(|p| interpolation.at(position, number(p)));
             LinePoint { s: q * length, position, weights }
         };
         let points: Vec<LinePoint> = (0..line.points).map(point).collect();
         if points.iter().all(|p| p.weights.is_none()) {
-            let [from, to] = [line.from, line.to].map(|p| format!("({}, {})", tidy(p[0]), tidy(p[1])));
+            let [from, to] = [from, to].map(|at| words::place(at, ground.body));
             faults.error(path, format!("the line from {from} to {to} does not meet the body"));
             continue;
         }

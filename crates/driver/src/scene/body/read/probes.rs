@@ -2,10 +2,10 @@
 
 use super::{fields, opening};
 use crate::case::{FieldName, Probe};
-use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
+use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::scene::body::hold::held_body::HeldBody;
-use crate::scene::body::site::ground::PLACE;
 use crate::scene::body::site::interpolate::Weights;
+use crate::scene::words;
 use peristat_assembly::body::in_space;
 
 /// A value to report.
@@ -18,7 +18,7 @@ pub struct BodyProbe {
     /// What the user calls the place.
     pub place: String,
     /// Where it is, unless the place is a region or a crack.
-    pub position: Option<[f64; 2]>,
+    pub position: Option<[f64; 3]>,
 }
 
 /// What a probe reports.
@@ -75,7 +75,7 @@ impl BodyProbe {
 pub(crate) fn probes(site: &HeldBody, faults: &mut Faults) -> Vec<BodyProbe> {
     let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| {
         let (quantity, place) = resolve(probe, site, path, faults)?;
-        let position = probe.at.x.zip(probe.at.y).map(|(x, y)| [x, y]);
+        let position = probe.at.x.zip(probe.at.y).map(|(x, y)| [x, y, probe.at.z.unwrap_or(0.0)]);
         Some(BodyProbe { name: probe.name.clone(), quantity, place, position })
     };
     crate::scene::probes::probes(site.ground.case, resolve, faults)
@@ -116,7 +116,7 @@ fn resolve(
         return Some((field(mean), format!("the region `{name}`")));
     }
     let position = ground.position(&probe.at, &at, faults)?;
-    let words = format!("({}, {})", tidy(position[0]), tidy(position[1]));
+    let words = words::place(position, ground.body);
     let nearest = ground.point_at(position, &at, "the probe", faults)?;
     let weights = match probe.at.inward {
         None => site.interpolation.at(position, number(nearest)),
@@ -129,17 +129,17 @@ fn resolve(
 }
 
 /// Points that move a place on the border, where bonds end on it, and their shares.
-fn of_border(position: [f64; 2], inward: [i8; 2], field: FieldName, site: &HeldBody) -> Option<Weights> {
+fn of_border(position: [f64; 3], inward: [i8; 2], field: FieldName, site: &HeldBody) -> Option<Weights> {
     let is_along_axis = i32::from(inward[0]).abs() + i32::from(inward[1]).abs() == 1;
     if field.is_recovered() || !is_along_axis {
         return None;
     }
-    let shares = site.model.border_shares()?(in_space(position), in_space(inward.map(|k| -f64::from(k))))?;
+    let shares = site.model.border_shares()?(position, in_space(inward.map(|k| -f64::from(k))))?;
     Some(shares.into_iter().map(|(point, share)| (point as u32, share)).collect())
 }
 
 fn from_inside(
-    position: [f64; 2],
+    [x, y, _]: [f64; 3],
     inward: [i8; 2],
     site: &HeldBody,
     path: &JsonPath,
@@ -151,7 +151,7 @@ fn from_inside(
             .hint("it is the direction into the body: [1, 0], [-1, 0], [0, 1] or [0, -1]");
         return None;
     }
-    let found = site.interpolation.inward(position, inward);
+    let found = site.interpolation.inward([x, y], inward);
     if found.is_none() {
         let hint = match site.ground.body {
             peristat_assembly::body::PlaneBody::Lattice(lattice) if lattice.is_turned() => {
@@ -160,7 +160,7 @@ fn from_inside(
             peristat_assembly::body::PlaneBody::Lattice(_) => {
                 "it needs three points in a row that begin at the place; is this the direction into the body?"
             }
-            peristat_assembly::body::PlaneBody::Cloud(_) => "listed points have no rows: leave `inward` out",
+            _ => "listed points have no rows: leave `inward` out",
         };
         faults.error(path.clone(), "there are no three points in a row in this direction").hint(hint);
     }
@@ -228,12 +228,13 @@ fn reaction(
             true if !site.recipe.symmetry.edges.is_empty() => {
                 "forces through mirrors are listed with the results, and are no probes".to_string()
             }
-            true => PLACE.to_string(),
+            true => site.ground.place_hint().to_string(),
             false => format!("supports are at {}", places.join(", ")),
         };
         let how = match of.name {
             "ux" => "along x",
             "uy" => "along y",
+            "uz" => "along z",
             "phi" => "against turning",
             _ => "across the plane",
         };

@@ -75,7 +75,7 @@ pub(crate) fn between<'a>(
     body: &PlaneBody,
 ) -> impl Fn([f64; 2], [f64; 2]) -> bool + 'a {
     let key = |at: [f64; 2]| at.map(f64::to_bits);
-    let places = |b: &Bearing| b.points.iter().map(|&p| key(body.position(p as usize))).collect();
+    let places = |b: &Bearing| b.points.iter().map(|&p| key(body.place(p as usize))).collect();
     let regions: Vec<HashSet<[u64; 2]>> = bearings.iter().map(places).collect();
     move |a, b| {
         bearings.iter().zip(&regions).any(|(bearing, places)| {

@@ -1,17 +1,19 @@
-//! The points of a body in the plane and its outline.
+//! The points of a body and its border.
 
 use super::snap::Snap;
-use super::{boundary, files};
+use super::{boundary, files, solid};
 use crate::case::{Body, Case, Hole};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::memory;
 use crate::model::{Keys, hints};
-use peristat_assembly::body::{self, FillError, HoleError, Outline, OutlineError, PlaneBody, Polygon, Shape};
+use peristat_assembly::body::{
+    self, FillError, HoleError, Outline, OutlineError, PlaneBody, Polygon, Shape, SolidShape,
+};
 
 /// Memory per point of what a scene keeps of a lattice and its model, bytes.
-const PER_POINT: f64 = 150.0;
+pub(super) const PER_POINT: f64 = 150.0;
 
 /// Path of the body in a case, with the key of its kind.
 pub(crate) fn path(case: &Case) -> JsonPath {
@@ -21,17 +23,26 @@ pub(crate) fn path(case: &Case) -> JsonPath {
         Body::Outline(_) => body.key("outline"),
         Body::Points(_) => body.key("points"),
         Body::Mesh(_) => body.key("mesh"),
+        Body::Block(_) => body.key("block"),
         _ => body,
     }
 }
 
-/// A body, its outline if it has one, and the named curves of a mesh.
+/// A body, its outline in the plane or its shape in space if it has one, and the named curves of a mesh.
 pub(crate) struct Built {
     pub(crate) body: PlaneBody,
     pub(crate) outline: Option<Outline>,
+    pub(crate) shape: Option<SolidShape>,
     pub(crate) curves: Vec<Curve>,
     /// Hash of the file that lists the points.
     pub(crate) file: Option<blake3::Hash>,
+}
+
+impl Built {
+    /// A body with nothing else.
+    fn of(body: PlaneBody) -> Self {
+        Self { body, outline: None, shape: None, curves: Vec::new(), file: None }
+    }
 }
 
 /// The body of the case; the keys of its model give its thickness and along what the rows of a lattice run.
@@ -43,6 +54,10 @@ pub(crate) fn build(
     faults: &mut Faults,
 ) -> Option<Built> {
     let path = path(case);
+    if keys.is_solid() {
+        let (body, shape) = solid::build(case, &path, max_memory, faults)?;
+        return Some(Built { shape: Some(shape), ..Built::of(body) });
+    }
     let (outline, spacing) = match &case.body {
         Body::Rectangle(b) => {
             let made = Outline::rectangle(b.from, b.size);
@@ -59,14 +74,14 @@ pub(crate) fn build(
             if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
                 return None;
             }
-            return Some(Built { body, outline: None, curves: Vec::new(), file: Some(file) });
+            return Some(Built { file: Some(file), ..Built::of(body) });
         }
         Body::Mesh(b) => {
             let (body, curves, file) = files::mesh(folder, &b.file, max_memory, &path, faults)?;
             if !resolves(bounds(&body), body.spacing(), &path.key("file"), faults) {
                 return None;
             }
-            return Some(Built { body, outline: None, curves, file: Some(file) });
+            return Some(Built { curves, file: Some(file), ..Built::of(body) });
         }
         _ => {
             let message = format!("the model `{}` needs a body in the plane", case.model.name());
@@ -93,7 +108,7 @@ pub(crate) fn build(
     match filled {
         Ok(lattice) => {
             let body = PlaneBody::Lattice(lattice?);
-            Some(Built { body, outline: Some(outline), curves: Vec::new(), file: None })
+            Some(Built { outline: Some(outline), ..Built::of(body) })
         }
         Err(error) => {
             unfilled(&error, case, &path, faults);
@@ -106,7 +121,12 @@ pub(crate) fn build(
 const ROUNDING: f64 = 1e-6;
 
 /// Whether doubles tell positions in a box much finer than the spacing.
-fn resolves(bounds: [[f64; 2]; 2], spacing: f64, path: &JsonPath, faults: &mut Faults) -> bool {
+pub(super) fn resolves<const N: usize>(
+    bounds: [[f64; N]; 2],
+    spacing: f64,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> bool {
     let largest = bounds.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
     // Spacings that are none have a fault of their own.
     if !(largest * f64::EPSILON > ROUNDING * spacing && spacing > 0.0) {
@@ -124,7 +144,7 @@ fn resolves(bounds: [[f64; 2]; 2], spacing: f64, path: &JsonPath, faults: &mut F
 
 /// The box around the points of a body.
 fn bounds(body: &PlaneBody) -> [[f64; 2]; 2] {
-    let points = (0..body.points()).map(|p| body.position(p));
+    let points = (0..body.points()).map(|p| body.place(p));
     points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
         [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
     })

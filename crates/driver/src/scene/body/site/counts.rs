@@ -34,7 +34,7 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
     let mut of_load = |load: &Load| match load {
         Load::Point(load) => at(&load.at.region),
         Load::BodyForce(load) => load.region.as_ref().map_or(0.0, |_| at(&load.region)),
-        Load::Traction(load) => at(&Some(load.edge.clone())),
+        Load::Traction(load) => at(&load.border().map(|(_, name)| name.to_string())),
         Load::Distributed(_) | Load::Pressure(_) => 0.0,
     };
     let loads: f64 = case.loads.iter().map(&mut of_load).sum();
@@ -57,8 +57,8 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
 
 /// Memory of what a support does to a point, bytes.
 fn of_support(support: &Support) -> f64 {
-    let motions = [support.ux, support.uy, support.phi, support.w].iter().flatten().count()
+    let motions = [support.ux, support.uy, support.uz, support.phi, support.w].iter().flatten().count()
         + usize::from(support.inclined.is_some());
-    let springs = [support.ux_spring, support.uy_spring].iter().flatten().count();
+    let springs = [support.ux_spring, support.uy_spring, support.uz_spring].iter().flatten().count();
     MOTION * motions as f64 + SPRING * springs as f64
 }

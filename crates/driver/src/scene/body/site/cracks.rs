@@ -52,7 +52,7 @@ pub(crate) fn check(
     let [low, high] = match outline {
         Some(outline) => outline.bounds(),
         None => {
-            let points = (0..body.points()).map(|p| body.position(p));
+            let points = (0..body.points()).map(|p| body.place(p));
             points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
                 [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]
             })

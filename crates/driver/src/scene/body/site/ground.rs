@@ -1,8 +1,12 @@
-//! Regions and places of a body in the plane by the names that a case gives them.
+//! Regions and places of a body by the names that a case gives them.
 
+use super::regions;
 use crate::case::{self, At, Case};
-use crate::diagnostic::{Faults, JsonPath, root, suggest, tidy};
-use peristat_assembly::body::{Outline, PlaneBody, Region, RegionError, Regions};
+use crate::diagnostic::{Faults, JsonPath, root, suggest};
+use crate::scene::words;
+use peristat_assembly::body::{
+    Face, Outline, PlaneBody, Region, RegionError, Regions, SolidRegion, in_space,
+};
 use std::collections::BTreeMap;
 
 /// A body with everything on it that has a name.
@@ -13,7 +17,9 @@ pub(crate) struct Ground<'a> {
     pub(crate) body: &'a PlaneBody,
     /// The outline; listed points have none.
     pub(crate) outline: Option<&'a Outline>,
-    /// Regions of the case, and edges, holes and groups as regions.
+    /// The faces of a solid.
+    pub(crate) faces: &'a [Face],
+    /// Regions of the case, and edges, faces, holes and groups as regions.
     named: BTreeMap<String, Region>,
 }
 
@@ -30,12 +36,16 @@ pub(crate) struct Spot {
 pub(crate) const PLACE: &str =
     r#"a place in the plane is written { "x": 1.0, "y": 0.5 } or { "region": "left" }"#;
 
+/// The same in space.
+const PLACE_IN_SPACE: &str =
+    r#"a place in a solid is written { "x": 1.0, "y": 0.5, "z": 0.2 } or { "region": "left" }"#;
+
 impl<'a> Ground<'a> {
     /// The names of a body; faults of all regions of the case.
     pub(crate) fn new(
         case: &'a Case,
         body: &'a PlaneBody,
-        outline: Option<&'a Outline>,
+        (outline, faces): (Option<&'a Outline>, &'a [Face]),
         faults: &mut Faults,
     ) -> Self {
         let mut named = BTreeMap::new();
@@ -50,6 +60,10 @@ impl<'a> Ground<'a> {
         for name in outline.map_or(&[][..], Outline::holes).iter().filter_map(|h| h.name.as_ref()) {
             take(name, "a hole", Region::Hole { name: name.clone(), depth: None });
         }
+        for face in faces {
+            let region = SolidRegion::Face { name: face.name.to_string(), depth: None };
+            take(face.name, "a face", Region::Solid(region));
+        }
         if let PlaneBody::Cloud(cloud) = body {
             for group in cloud.groups() {
                 take(&group.name, "a group of the mesh", Region::Group { name: group.name.clone() });
@@ -59,12 +73,14 @@ impl<'a> Ground<'a> {
             if let Some(kind) = kinds.get(name) {
                 faults
                     .error(root("regions").key(name), format!("the name `{name}` is that of {kind}"))
-                    .hint("edges, holes and groups are regions already: give this one another name");
+                    .hint("edges, faces, holes and groups are regions already: give this one another name");
                 continue;
             }
-            named.insert(name.clone(), converted(region));
+            if let Some(region) = regions::converted(region, body, &root("regions").key(name), faults) {
+                named.insert(name.clone(), region);
+            }
         }
-        let ground = Self { case, body, outline, named };
+        let ground = Self { case, body, outline, faces, named };
         for name in case.regions.keys().filter(|name| !kinds.contains_key(*name)) {
             ground.define(name, &root("regions").key(name), faults);
         }
@@ -101,6 +117,10 @@ impl<'a> Ground<'a> {
     fn refuse(&self, error: &RegionError, name: &str, path: &JsonPath, faults: &mut Faults) {
         let place = match (&self.case.regions[name], error) {
             (case::Region::Edge(_), RegionError::Unknown { .. }) => path.key("edge").key("name"),
+            (case::Region::Face(_), RegionError::Unknown { .. }) => path.key("face").key("name"),
+            (case::Region::Face(_), _) => path.key("face").key("depth"),
+            (case::Region::Ball(_), RegionError::NotPositive { .. }) => path.key("ball").key("radius"),
+            (case::Region::HalfSpace(_), RegionError::Position { what }) => path.key("half_space").key(*what),
             (case::Region::Hole(_), RegionError::Unknown { .. }) => path.key("hole").key("name"),
             (case::Region::Group(_), _) => path.key("group"),
             (case::Region::Union(_), _) => path.key("union"),
@@ -130,21 +150,25 @@ impl<'a> Ground<'a> {
     }
 
     fn select(&self, region: &Region) -> Result<Vec<u32>, RegionError> {
-        Regions { body: self.body, outline: self.outline, named: &self.named }.select(region)
+        Regions { body: self.body, outline: self.outline, faces: self.faces, named: &self.named }
+            .select(region)
     }
 
     /// `the nearest point is at (1, 2)`.
     fn nearest_to(&self, region: &Region) -> Option<String> {
-        let at = match region {
-            Region::Box { from, to } => [0, 1].map(|k| 0.5 * (from[k] + to[k])),
-            Region::Disc { centre, .. } => *centre,
-            Region::HalfPlane { point, .. } => *point,
+        let (at, from) = match region {
+            Region::Box { from, to } => (in_space([0, 1].map(|k| 0.5 * (from[k] + to[k]))), "its middle"),
+            Region::Disc { centre, .. } => (in_space(*centre), "its middle"),
+            Region::HalfPlane { point, .. } => (in_space(*point), "its `point`"),
+            Region::Solid(SolidRegion::Box { from, to }) => {
+                ([0, 1, 2].map(|k| 0.5 * (from[k] + to[k])), "its middle")
+            }
+            Region::Solid(SolidRegion::Ball { centre, .. }) => (*centre, "its middle"),
+            Region::Solid(SolidRegion::HalfSpace { point, .. }) => (*point, "its `point`"),
             _ => return None,
         };
-        let nearest = *self.select(&Region::Corner { at }).ok()?.first()?;
-        let [x, y] = self.body.position(nearest as usize);
-        let from = if matches!(region, Region::HalfPlane { .. }) { "its `point`" } else { "its middle" };
-        Some(format!("the point nearest to {from} is at ({}, {})", tidy(x), tidy(y)))
+        let nearest = self.body.position(self.nearest(at)? as usize);
+        Some(format!("the point nearest to {from} is at {}", words::place(nearest, self.body)))
     }
 
     /// Points of the region of a name.
@@ -177,7 +201,7 @@ impl<'a> Ground<'a> {
             return Some(Spot { points, words: format!("the region `{name}`") });
         }
         let position = self.position(at, path, faults)?;
-        let words = format!("({}, {})", tidy(position[0]), tidy(position[1]));
+        let words = words::place(position, self.body);
         let point = self.point_at(position, path, what, faults)?;
         Some(Spot { points: vec![point], words })
     }
@@ -191,74 +215,91 @@ impl<'a> Ground<'a> {
     ) -> Option<Option<&'b str>> {
         for (key, given) in [("joint", at.joint.is_some()), ("member", at.member.is_some())] {
             if given {
-                faults.error(path.key(key), format!("`{key}` is for frames")).hint(PLACE);
+                faults.error(path.key(key), format!("`{key}` is for frames")).hint(self.place_hint());
                 return None;
             }
         }
         let Some(name) = &at.region else { return Some(None) };
-        for (key, given) in [("x", at.x.is_some()), ("y", at.y.is_some()), ("inward", at.inward.is_some())] {
+        let beside = [
+            ("x", at.x.is_some()),
+            ("y", at.y.is_some()),
+            ("z", at.z.is_some()),
+            ("inward", at.inward.is_some()),
+        ];
+        for (key, given) in beside {
             if given {
-                faults.error(path.key(key), format!("`region` and `{key}` are both given")).hint(PLACE);
+                faults
+                    .error(path.key(key), format!("`region` and `{key}` are both given"))
+                    .hint(self.place_hint());
                 return None;
             }
         }
         Some(Some(name))
     }
 
+    /// How a place on the body is written, for hints.
+    pub(crate) fn place_hint(&self) -> &'static str {
+        if self.body.axes() > 2 { PLACE_IN_SPACE } else { PLACE }
+    }
+
     /// The position that `at` gives.
-    pub(crate) fn position(&self, at: &At, path: &JsonPath, faults: &mut Faults) -> Option<[f64; 2]> {
-        let missing = match (at.x, at.y) {
-            (Some(x), Some(y)) => return Some([x, y]),
-            (None, None) => "no place is given",
-            (None, _) => "`x` is missing",
-            (_, None) => "`y` is missing",
-        };
-        faults.error(path.clone(), missing).hint(PLACE);
+    pub(crate) fn position(&self, at: &At, path: &JsonPath, faults: &mut Faults) -> Option<[f64; 3]> {
+        let given = [at.x, at.y, at.z];
+        let needed = self.body.axes();
+        match given[..needed].iter().position(Option::is_none) {
+            None => return Some(given.map(|x| x.unwrap_or(0.0))),
+            Some(_) if given[..needed].iter().all(Option::is_none) => {
+                faults.error(path.clone(), "no place is given").hint(self.place_hint());
+            }
+            Some(axis) => {
+                let message = format!("`{}` is missing", ["x", "y", "z"][axis]);
+                faults.error(path.clone(), message).hint(self.place_hint());
+            }
+        }
         None
+    }
+
+    /// A point that is nearest to a position.
+    fn nearest(&self, at: [f64; 3]) -> Option<u32> {
+        let region = match self.body {
+            PlaneBody::Solid(_) => Region::Solid(SolidRegion::Corner { at }),
+            _ => Region::Corner { at: [at[0], at[1]] },
+        };
+        self.select(&region).ok()?.first().copied()
     }
 
     /// The point at a position: the one whose cell it is in, else the nearest within half a diagonal of a cell, or a whole
     /// one where rows are turned: at an oblique edge and its corners cells have their centres outside.
     pub(crate) fn point_at(
         &self,
-        position: [f64; 2],
+        position: [f64; 3],
         path: &JsonPath,
         what: &str,
         faults: &mut Faults,
     ) -> Option<u32> {
-        if let PlaneBody::Lattice(lattice) = self.body
-            && let Some(point) = lattice.number(lattice.cell_at(position))
-        {
+        let own = match self.body {
+            PlaneBody::Lattice(lattice) => lattice.number(lattice.cell_at([position[0], position[1]])),
+            PlaneBody::Solid(lattice) => lattice.number(lattice.cell_around(position)),
+            PlaneBody::Cloud(_) => None,
+        };
+        if let Some(point) = own {
             return Some(point as u32);
         }
-        let nearest = *self.select(&Region::Corner { at: position }).ok()?.first()?;
-        let [x, y] = self.body.position(nearest as usize);
-        let distance = (x - position[0]).hypot(y - position[1]);
-        let turned = matches!(self.body, PlaneBody::Lattice(lattice) if lattice.is_turned());
-        let most = if turned { std::f64::consts::SQRT_2 } else { std::f64::consts::FRAC_1_SQRT_2 };
+        let nearest = self.nearest(position)?;
+        let at = self.body.position(nearest as usize);
+        let distance = (0..3).map(|k| (at[k] - position[k]).powi(2)).sum::<f64>().sqrt();
+        // Half a diagonal of a cell.
+        let most = match self.body {
+            PlaneBody::Lattice(lattice) if lattice.is_turned() => std::f64::consts::SQRT_2,
+            body => 0.5 * (body.axes() as f64).sqrt(),
+        };
         if distance <= most * self.body.spacing() * (1.0 + 1e-6) {
             return Some(nearest);
         }
-        let [a, b] = position.map(tidy);
-        faults.error(path.clone(), format!("{what} at ({a}, {b}) is outside of the body")).hint(format!(
-            "the nearest point is at ({}, {})",
-            tidy(x),
-            tidy(y)
-        ));
+        let [given, nearest] = [position, at].map(|at| words::place(at, self.body));
+        faults
+            .error(path.clone(), format!("{what} at {given} is outside of the body"))
+            .hint(format!("the nearest point is at {nearest}"));
         None
-    }
-}
-
-/// A region of a case as the mechanics knows it.
-fn converted(region: &case::Region) -> Region {
-    match region.clone() {
-        case::Region::Edge(r) => Region::Edge { name: r.name, depth: r.depth },
-        case::Region::Corner(at) => Region::Corner { at },
-        case::Region::Box(r) => Region::Box { from: r.from, to: r.to },
-        case::Region::Disc(r) => Region::Disc { centre: r.centre, radius: r.radius },
-        case::Region::HalfPlane(r) => Region::HalfPlane { point: r.point, normal: r.normal },
-        case::Region::Hole(r) => Region::Hole { name: r.name, depth: r.depth },
-        case::Region::Group(name) => Region::Group { name },
-        case::Region::Union(of) => Region::Union { of },
     }
 }

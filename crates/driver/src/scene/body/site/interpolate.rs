@@ -20,14 +20,16 @@ pub(crate) struct Interpolation<'a> {
 }
 
 impl Interpolation<'_> {
-    /// Weights at a position in the body: bilinear between the four points of a lattice around it, or next to it near an
-    /// edge; linear in a triangle of listed points; else those of the nearest point. No crack runs in between.
-    pub(crate) fn at(&self, position: [f64; 2], nearest: u32) -> Weights {
+    /// Weights at a position in the body: linear along each axis between the four points of a lattice around it, eight of a solid,
+    /// or next to it near an edge; linear in a triangle of listed points; else those of the nearest point. No crack runs in between.
+    pub(crate) fn at(&self, at: [f64; 3], nearest: u32) -> Weights {
+        let position = [at[0], at[1]];
         let found = match self.body {
+            PlaneBody::Solid(lattice) => trilinear(lattice, at),
             PlaneBody::Lattice(lattice) => self.bilinear(lattice, position),
             PlaneBody::Cloud(cloud) => {
                 let slack = 4.0 * self.body.spacing();
-                let regions = Regions { body: self.body, outline: None, named: &BTreeMap::new() };
+                let regions = Regions { body: self.body, outline: None, faces: &[], named: &BTreeMap::new() };
                 let near = regions.select(&Region::Disc { centre: position, radius: slack });
                 self.in_triangle(cloud.positions(), near.unwrap_or_default(), position)
             }
@@ -158,12 +160,36 @@ impl Interpolation<'_> {
     }
 }
 
+/// Weights of the eight points around a position in a solid, or of the block of points that is nearest to it.
+fn trilinear(lattice: &SquareLattice, at: [f64; 3]) -> Option<Weights> {
+    let corner = lattice.corner();
+    let at = [0, 1, 2].map(|k| (at[k] - corner[k]) / lattice.spacing() - 0.5);
+    let low = at.map(f64::floor);
+    let steps = || [0.0, -1.0, 1.0].into_iter();
+    let all = steps().flat_map(|a| steps().flat_map(move |b| steps().map(move |c| [a, b, c])));
+    let far = |block: &[f64; 3]| (0..3).map(|k| (at[k] - block[k] - 0.5).powi(2)).sum::<f64>();
+    let mut blocks: Vec<[f64; 3]> = all.map(|step| [0, 1, 2].map(|k| low[k] + step[k])).collect();
+    blocks.retain(|block| (0..3).all(|k| (at[k] - block[k] - 0.5).abs() <= 1.0 + 1e-6));
+    blocks.sort_by(|a, b| far(a).total_cmp(&far(b)));
+    blocks.into_iter().find_map(|block| {
+        let weight = |corner: usize| {
+            let side = |k: usize| corner >> k & 1;
+            let cell = [0, 1, 2].map(|k| block[k] as i32 + side(k) as i32);
+            let share = |k: usize| if side(k) == 1 { at[k] - block[k] } else { 1.0 - at[k] + block[k] };
+            Some((lattice.number(cell)? as u32, share(0) * share(1) * share(2)))
+        };
+        let corners: Option<Weights> = (0..8).map(weight).collect();
+        corners.map(|all| all.into_iter().filter(|w| w.1 != 0.0).collect())
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use peristat_assembly::body::in_space;
 
     fn value(body: &PlaneBody, weights: &Weights, field: impl Fn([f64; 2]) -> f64) -> f64 {
-        weights.iter().map(|w| w.1 * field(body.position(w.0 as usize))).sum()
+        weights.iter().map(|w| w.1 * field(body.place(w.0 as usize))).sum()
     }
 
     #[test]
@@ -172,7 +198,7 @@ mod tests {
         let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
         let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5 * x * y;
         for position in [[1.0, 2.0], [1.33, 2.21], [2.0, 2.3], [1.55, 2.55], [1.5, 2.6]] {
-            let found = value(&body, &interpolation.at(position, 0), field);
+            let found = value(&body, &interpolation.at(in_space(position), 0), field);
             assert!((found - field(position)).abs() < 1e-13, "{position:?}");
         }
         let field = |[x, y]: [f64; 2]| x * x - 3.0 * x + 2.0 * y + 1.0;
@@ -194,10 +220,23 @@ mod tests {
             for k in 0..441 {
                 let along = |k: i32, length: f64| f64::from(k) / 20.0 * length;
                 let position = [1.0 + along(k % 21, 1.03), 2.0 + along(k / 21, 0.61)];
-                let found = value(&body, &interpolation.at(position, 0), field);
+                let found = value(&body, &interpolation.at(in_space(position), 0), field);
                 assert!((found - field(position)).abs() < 1e-13, "{angle} {position:?}");
             }
             assert_eq!(interpolation.inward([1.0, 2.3], [1, 0]), None);
+        }
+    }
+
+    #[test]
+    fn linear_fields_are_exact_in_solids() {
+        let lattice = SquareLattice::cuboid(0.1, [1.0, 2.0, 3.0], [5, 3, 4]);
+        let body = PlaneBody::Solid(lattice);
+        let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
+        let field = |[x, y, z]: [f64; 3]| 3.0 * x - 2.0 * y + 0.5 * z + x * y * z;
+        for at in [[1.0, 2.0, 3.0], [1.5, 2.3, 3.4], [1.21, 2.17, 3.32], [1.25, 2.15, 3.25]] {
+            let weights = interpolation.at(at, 0);
+            let found: f64 = weights.iter().map(|w| w.1 * field(body.position(w.0 as usize))).sum();
+            assert!((found - field(at)).abs() < 1e-12, "{at:?} {found}");
         }
     }
 
@@ -206,8 +245,8 @@ mod tests {
         let body = PlaneBody::Lattice(SquareLattice::rectangle(1.0, [0.0; 2], [4, 4]));
         let crack = peristat_assembly::body::Crack::new(vec![[-1.0, 2.0], [5.0, 2.0]]).unwrap();
         let interpolation = Interpolation { body: &body, cracks: &[crack], reach: 3 };
-        let weights = interpolation.at([1.7, 1.9], 0);
-        assert!(weights.iter().all(|w| body.position(w.0 as usize)[1] < 2.0));
+        let weights = interpolation.at([1.7, 1.9, 0.0], 0);
+        assert!(weights.iter().all(|w| body.place(w.0 as usize)[1] < 2.0));
         assert!((value(&body, &weights, |p| p[1]) - 1.9).abs() < 1e-14);
     }
 }

@@ -42,6 +42,7 @@ pub(crate) fn check_refused(case: &Case, keys: &dyn Keys, faults: &mut Faults) {
             "cracks" => !case.cracks.is_empty(),
             "fracture" => case.fracture.is_some(),
             "path" => case.path.is_some(),
+            "periodic" => !case.periodic.is_empty(),
             "rigid" => !case.rigid.is_empty(),
             "rigid.bearing" => bearing.is_some(),
             "stress_intensity" => !case.stress_intensity.is_empty(),

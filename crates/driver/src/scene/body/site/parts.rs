@@ -1,7 +1,8 @@
-//! The body of a case in the plane, its material, mirrors and cracks.
+//! The body of a case, its material, mirrors and cracks.
 
 use super::cracks::{self, NamedCrack};
 use super::recipe::Recipe;
+use super::symmetry::Sides;
 use super::{body, held_angle, of_case, periodic, size, symmetry};
 use crate::case::Case;
 use crate::diagnostic::{Faults, tidy};
@@ -9,7 +10,7 @@ use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::model::{About, Keys, Material};
 use crate::scene::{horizon, root};
-use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
+use peristat_assembly::body::{Face, Outline, PlaneBody, SquareLattice};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
@@ -19,6 +20,7 @@ const MOST_RATIO: f64 = 100.0;
 pub(crate) struct Parts {
     pub(crate) recipe: Recipe,
     pub(crate) outline: Option<Outline>,
+    pub(crate) faces: Vec<Face>,
     pub(crate) curves: Vec<Curve>,
     pub(crate) cracks: Vec<NamedCrack>,
 }
@@ -45,21 +47,20 @@ pub(crate) fn parts(
     material.iter_mut().for_each(|material| material.set_lattice_angle(angle));
     let usual = material.as_ref().map_or(3.0, |material| material.usual_horizon_ratio());
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
-    let body::Built { mut body, outline, curves, file } = built?;
+    let body::Built { mut body, outline, shape, curves, file } = built?;
+    let faces = shape.as_ref().map_or(Vec::new(), |shape| shape.faces().to_vec());
     if let (PlaneBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
         && material.as_ref().is_some_and(|material| material.is_revolved())
     {
         *lattice = outline.with_centres(lattice.clone());
     }
-    let lattice = match &body {
-        PlaneBody::Lattice(lattice) => Some(lattice),
-        PlaneBody::Cloud(_) => None,
-    };
+    let lattice = body.cells();
     let touches_axis = match &material {
         Some(material) => material.touches_axis(&asked, (outline.as_ref(), lattice), faults)?,
         None => false,
     };
-    let mut symmetry = symmetry::symmetry(&case.symmetry, outline.as_ref(), lattice, faults);
+    let mut symmetry =
+        symmetry::symmetry(&case.symmetry, Sides::of(outline.as_ref(), &faces), lattice, faults);
     if let (true, Some(outline), Some(lattice)) = (touches_axis, &outline, lattice) {
         symmetry.add_axis(outline, lattice);
     }
@@ -99,7 +100,7 @@ pub(crate) fn parts(
     };
     let breaks = case.fracture.is_some() || case.path.is_some();
     let recipe = Recipe { body, file, symmetry, bearings: Vec::new(), material, horizon, breaks };
-    Some(Parts { recipe, outline, curves, cracks })
+    Some(Parts { recipe, outline, faces, curves, cracks })
 }
 
 /// A doubt about the axial forces of a body of revolution whose border completes its families: weights that are linear in the radius

@@ -109,7 +109,7 @@ mod tests {
     #[test]
     fn no_side_is_joined_twice_or_a_mirror() {
         assert!(joined(&json!([{ "along": "x" }, { "along": "x" }]), &mut Symmetry::default()).has_errors());
-        let mut symmetry = Symmetry { at: [None, Some(4.0), None, None], ..Symmetry::default() };
+        let mut symmetry = Symmetry { at: [None, Some(4.0), None, None, None, None], ..Symmetry::default() };
         assert!(joined(&json!([{ "along": "x" }]), &mut symmetry).has_errors());
     }
 }

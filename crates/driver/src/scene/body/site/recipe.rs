@@ -37,7 +37,7 @@ impl Recipe {
     pub(crate) fn make(&self, cracks: &[Crack]) -> Result<AnyBody, Refusal> {
         let cracks = self.symmetry.with_images(cracks);
         match &self.body {
-            PlaneBody::Lattice(lattice) => {
+            PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => {
                 let (mirrors, apart) = (self.symmetry.mirrors, RefCell::new(Vec::new()));
                 let cuts = |extended: &SquareLattice, offsets: &[Cell]| {
                     let mut cuts = cut_bonds(extended, offsets, &cracks);
@@ -84,7 +84,7 @@ impl Recipe {
     /// Whether a crack cuts any bond.
     pub(crate) fn is_cut_by(&self, crack: &Crack) -> bool {
         match &self.body {
-            PlaneBody::Lattice(lattice) => {
+            PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => {
                 let depth = self.material.depth().unwrap_or(0);
                 let offsets = self.material.offsets().unwrap_or_default();
                 // A crack along a mirror cuts bonds to images only.
@@ -103,7 +103,7 @@ impl Recipe {
     /// What the strength of bonds depends on.
     pub(crate) fn on_ground(&self, case: &Case) -> OnGround {
         OnGround {
-            is_lattice: matches!(self.body, PlaneBody::Lattice(_)),
+            is_lattice: self.body.cells().is_some(),
             spacing: self.body.spacing(),
             horizon: self.horizon,
             horizon_key: horizon_key(case),
@@ -112,8 +112,8 @@ impl Recipe {
 
     /// Numbers in the model of points of the body.
     pub(crate) fn number(&self, model: &dyn BodyModel, point: u32) -> u32 {
-        match (&self.body, model.lattice()) {
-            (PlaneBody::Lattice(lattice), Some((extended, _))) if !model.ghosts().is_empty() => {
+        match (self.body.cells(), model.lattice()) {
+            (Some(lattice), Some((extended, _))) if !model.ghosts().is_empty() => {
                 let number = extended.number(lattice.cell(point as usize));
                 number.map_or(point, |n| n as u32)
             }

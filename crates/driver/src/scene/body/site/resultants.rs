@@ -2,17 +2,18 @@
 
 use crate::model::Material;
 use crate::scene::Resultant;
+use peristat_assembly::body::in_space;
 use peristat_assembly::model::BodyModel;
 
 /// Adds a force, N, at a position to a resultant: what a shell has along its circumference turns it about its axis, and what it
 /// has outwards is not counted.
-pub(crate) fn add_force(material: &dyn Material, to: &mut Resultant, force: [f64; 3], at: [f64; 2]) {
+pub(crate) fn add_force(material: &dyn Material, to: &mut Resultant, force: [f64; 3], at: [f64; 3]) {
     match material.cylinder_radius() {
         Some(radius) => {
             to.add([force[0], 0.0, 0.0], [0.0; 3]);
             to.add_moment(radius * force[1]);
         }
-        None => to.add(force, [at[0], at[1], 0.0]),
+        None => to.add(force, at),
     }
 }
 
@@ -29,11 +30,11 @@ pub(crate) fn resultant(model: &dyn BodyModel, material: &dyn Material, forces: 
         if force == [0.0; 3] && turn == 0.0 {
             continue;
         }
-        let mut at = model.place(point);
+        let mut at = model.position(point);
         if let Some((lattice, mirrors)) = lattice {
             let (cell, signs) = mirrors.image(lattice.cell(point));
             (0..3).for_each(|k| force[k] *= signs[k]);
-            at = lattice.place_of(cell);
+            at = if lattice.is_plane() { in_space(lattice.place_of(cell)) } else { lattice.centre(cell) };
         }
         add_force(material, &mut sum, force, at);
         if turn != 0.0 {

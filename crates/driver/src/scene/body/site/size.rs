@@ -89,7 +89,7 @@ pub(crate) fn fits(
             let images = images(mirrors, lattice, m);
             IMAGE * 0.5 * images * family.min(images + points)
         }
-        PlaneBody::Cloud(_) => 0.0,
+        PlaneBody::Cloud(_) | PlaneBody::Solid(_) => 0.0,
     };
     let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
     let what = format!("bonds over a horizon of {} spacings", tidy(m));

@@ -1,21 +1,57 @@
-//! Edges of a body in the plane that are mirrors, and beyond which it has images therefore.
+//! Sides of a body that are mirrors, and beyond which it has images therefore.
 
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
-use peristat_assembly::body::{Crack, Edge, Outline, SquareLattice};
+use peristat_assembly::body::{self, Crack, Edge, Face, Outline, SquareLattice};
 use peristat_assembly::model::plane::Mirrors;
 
 /// The sides that can be mirrors, with the direction in which they look.
 pub(crate) const SIDES: [(&str, [f64; 2]); 4] =
     [("left", [-1.0, 0.0]), ("right", [1.0, 0.0]), ("bottom", [0.0, -1.0]), ("top", [0.0, 1.0])];
 
+/// What has sides.
+#[derive(Clone, Copy)]
+pub(crate) enum Sides<'a> {
+    /// An outline in the plane.
+    Edges(&'a Outline),
+    /// A solid.
+    Faces(&'a [Face]),
+}
+
+impl<'a> Sides<'a> {
+    /// Those of a body; listed points have none.
+    pub(crate) fn of(outline: Option<&'a Outline>, faces: &'a [Face]) -> Option<Self> {
+        match (outline, faces) {
+            (Some(outline), _) => Some(Self::Edges(outline)),
+            (None, []) => None,
+            (None, faces) => Some(Self::Faces(faces)),
+        }
+    }
+
+    /// Their names.
+    fn names(self) -> impl Iterator<Item = &'static str> {
+        let count = if matches!(self, Self::Faces(_)) { 6 } else { 4 };
+        body::SIDES.into_iter().take(count)
+    }
+
+    /// The edge or face that is a whole side of the box around the body, and the position of the side.
+    fn whole(self, side: usize) -> Option<(String, f64)> {
+        match self {
+            Self::Edges(outline) => edge_on(outline, side),
+            Self::Faces(faces) => faces.get(side).map(|face| (face.name.to_string(), face.at)),
+        }
+    }
+}
+
 /// Mirrors of a body: their lines, their positions and the edges they replace; and its joined edges.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Symmetry {
     /// Lines on the lattice.
     pub(crate) mirrors: Mirrors,
-    /// Positions of the lines: left, right, bottom, top.
-    pub(crate) at: [Option<f64>; 4],
-    /// Names of the edges on them.
+    /// Positions of the lines, or planes: left, right, bottom, top, back, front.
+    pub(crate) at: [Option<f64>; 6],
+    /// Whether the sides are faces of a solid, not edges.
+    pub(crate) is_solid: bool,
+    /// Names of the edges or faces on them.
     pub(crate) edges: Vec<String>,
     /// Names of those on the axis of a body of revolution.
     pub(crate) axis: Vec<String>,
@@ -26,20 +62,22 @@ pub(crate) struct Symmetry {
 /// Mirrors of the case.
 pub(crate) fn symmetry(
     names: &[String],
-    outline: Option<&Outline>,
+    sides: Option<Sides>,
     lattice: Option<&SquareLattice>,
     faults: &mut Faults,
 ) -> Symmetry {
-    let mut symmetry = Symmetry::default();
+    let is_solid = matches!(sides, Some(Sides::Faces(_)));
+    let mut symmetry = Symmetry { is_solid, ..Symmetry::default() };
     for (k, name) in names.iter().enumerate() {
         let path = root("symmetry").index(k);
-        let Some(side) = SIDES.iter().position(|s| s.0 == name) else {
+        let names = || sides.map_or_else(|| body::SIDES[..4].to_vec(), |sides| sides.names().collect());
+        let Some(side) = names().iter().position(|side| side == name) else {
             faults
                 .error(path, format!("there is no side `{name}` to be a mirror"))
-                .hint(suggest(name, SIDES.iter().map(|s| s.0)));
+                .hint(suggest(name, names().into_iter()));
             continue;
         };
-        let (Some(outline), Some(lattice)) = (outline, lattice) else {
+        let (Some(sides), Some(lattice)) = (sides, lattice) else {
             faults
                 .error(path, "mirrors need a body that fills a lattice: `rectangle` or `outline`")
                 .hint("hold the displacement across the line of symmetry by a support instead");
@@ -54,7 +92,7 @@ pub(crate) fn symmetry(
                 .hint("model the whole body");
             continue;
         }
-        let Some((edge, at)) = edge_on(outline, side) else {
+        let Some((edge, at)) = sides.whole(side) else {
             faults
                 .error(path, format!("the body has no straight edge all along its {name} side"))
                 .hint("a mirror is a whole side of the box around the body");
@@ -79,12 +117,12 @@ pub(crate) fn line_on(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> i32 {
-    let range = if side < 2 { lattice.columns() } else { lattice.rows() };
+    let range = [lattice.columns(), lattice.rows(), lattice.layers()][side / 2].clone();
     let line = if side.is_multiple_of(2) { range.start } else { range.end };
     let whole = lattice.corner()[side / 2] + f64::from(line) * lattice.spacing();
     if (whole - at).abs() > 1e-6 * lattice.spacing() {
         faults
-            .error(path.clone(), format!("the {} side is not on a border of cells", SIDES[side].0))
+            .error(path.clone(), format!("the {} side is not on a border of cells", body::SIDES[side]))
             .hint("make the size of the body a whole multiple of the spacing");
     }
     line
@@ -106,7 +144,7 @@ pub(crate) fn edge_on(outline: &Outline, side: usize) -> Option<(String, f64)> {
 impl Symmetry {
     /// Cracks with their images, by one reflection along each axis.
     pub(crate) fn with_images(&self, cracks: &[Crack]) -> Vec<Crack> {
-        let [left, right, below, above] = self.at;
+        let [left, right, below, above, ..] = self.at;
         let along = |low: Option<f64>, high: Option<f64>| {
             [None].into_iter().chain([low, high].into_iter().flatten().map(Some)).collect::<Vec<_>>()
         };
@@ -154,7 +192,7 @@ mod tests {
         for (angle, fine) in [(0.0, true), (0.3, false)] {
             let lattice = outline.fill_turned(1.0, angle).unwrap();
             let mut faults = Faults::default();
-            let found = symmetry(&["left".into()], Some(&outline), Some(&lattice), &mut faults);
+            let found = symmetry(&["left".into()], Some(Sides::Edges(&outline)), Some(&lattice), &mut faults);
             assert_eq!((faults.has_errors(), found.mirrors.is_none()), (!fine, !fine));
         }
     }

@@ -38,7 +38,7 @@ pub(crate) fn met(
     if crosses || (vertices.len() > 2 && vertices.first() == vertices.last()) {
         return Some("lies on the crack itself".into());
     }
-    let [left, right, below, above] = around.symmetry.at;
+    let [left, right, below, above, ..] = around.symmetry.at;
     let mirrored = [(0, left), (0, right), (1, below), (1, above)].into_iter().any(|(axis, at)| {
         at.is_some_and(|at| (tip[axis] - at).abs() <= slack && (back[axis] - at).abs() > slack)
     });

@@ -131,11 +131,11 @@ pub(crate) fn fade(
     if context.cracks.iter().any(|c| in_box(c.crack.vertices(), edge.from, inner)) {
         return Err("a crack is within two horizons of the edge");
     }
-    let regions = Regions { body: context.ground.body, outline: None, named: &BTreeMap::new() };
+    let regions = Regions { body: context.ground.body, outline: None, faces: &[], named: &BTreeMap::new() };
     let points = regions.select(&Region::Box { from: edge.from, to: inner }).unwrap_or_default();
     let mut forces: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
     for &p in &points {
-        let position = context.ground.body.position(p as usize);
+        let position = context.ground.body.place(p as usize);
         let mut divergence = fading.divergence(position);
         divergence[1] += context.around_axis(fading.at(position), position);
         if divergence != [0.0; 2] {

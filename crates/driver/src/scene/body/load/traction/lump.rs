@@ -102,13 +102,13 @@ fn nearest(stretch: &Stretch, candidates: &[u32], context: &LoadContext) -> Vec<
         }
     }
     let distance = |p: u32| {
-        let [x, y] = body.position(p as usize);
+        let [x, y] = body.place(p as usize);
         (x - stretch.middle[0]).hypot(y - stretch.middle[1])
     };
     let least = candidates.iter().map(|&p| distance(p)).fold(f64::INFINITY, f64::min);
     if candidates.is_empty() {
         // What holes leave of an edge may have no point of its own.
-        let regions = Regions { body, outline: None, named: &BTreeMap::new() };
+        let regions = Regions { body, outline: None, faces: &[], named: &BTreeMap::new() };
         return regions.select(&Region::Corner { at: stretch.middle }).unwrap_or_default();
     }
     candidates.iter().copied().filter(|&p| distance(p) <= least + tie).collect()
@@ -117,7 +117,7 @@ fn nearest(stretch: &Stretch, candidates: &[u32], context: &LoadContext) -> Vec<
 /// Whether a border reaches a mirror: then its image continues it, and both together have no moment.
 fn is_halved(stretches: &[Stretch], context: &LoadContext) -> bool {
     let slack = 1e-6 * context.ground.body.spacing();
-    let [left, right, below, above] = context.symmetry.at;
+    let [left, right, below, above, ..] = context.symmetry.at;
     [(0, left), (0, right), (1, below), (1, above)].into_iter().any(|(axis, at)| {
         let reaches = |at: f64| {
             let half = |s: &Stretch| 0.5 * s.length * s.normal[1 - axis].abs() + slack;
@@ -131,10 +131,7 @@ fn is_halved(stretches: &[Stretch], context: &LoadContext) -> bool {
 /// Adds small forces to those of some points so that force and moment are the wanted ones; none where a mirror
 /// halves the border: forces are exact without, and the image has the opposite moment.
 fn settle(forces: &mut Forces, mut wanted: Resultant, is_halved: bool, context: &LoadContext) {
-    let at = |p: u32| {
-        let [x, y] = context.ground.body.position(p as usize);
-        [x, y, 0.0]
-    };
+    let at = |p: u32| context.ground.body.position(p as usize);
     let mut found = Resultant::default();
     forces.iter().for_each(|&(p, f)| found.add(f, at(p)));
     // A ring has no force along its radius and no moment as a whole.
@@ -149,9 +146,9 @@ fn settle(forces: &mut Forces, mut wanted: Resultant, is_halved: bool, context: 
 /// takes a moment together with those around it.
 pub(crate) fn add_resultant(forces: &mut Forces, missing: &Resultant, context: &LoadContext) {
     let body = context.ground.body;
-    let at = |p: u32| body.position(p as usize);
+    let at = |p: u32| body.place(p as usize);
     if let [(only, _)] = forces[..] {
-        let regions = Regions { body, outline: None, named: &BTreeMap::new() };
+        let regions = Regions { body, outline: None, faces: &[], named: &BTreeMap::new() };
         let near = Region::Disc { centre: at(only), radius: 1.5 * body.spacing() };
         let near = regions.select(&near).unwrap_or_default();
         forces.extend(near.into_iter().filter(|&p| p != only).map(|p| (p, [0.0; 3])));

@@ -16,8 +16,15 @@ pub(crate) fn resolve(
     faults: &mut Faults,
 ) -> Option<OnBorder> {
     let place = path.key("edge");
-    crate::scene::body::hold::supports::not_mirrored(Some(&load.edge), &place, context.symmetry, faults);
-    let border = boundary::find(&load.edge, context.ground, context.curves, &place, faults);
+    let Some(edge) = &load.edge else {
+        // A face has its fault already.
+        if load.face.is_none() {
+            faults.error(path, "`edge` is missing").hint("give the name of an edge or of a hole");
+        }
+        return None;
+    };
+    crate::scene::body::hold::supports::not_mirrored(Some(edge), &place, context.symmetry, faults);
+    let border = boundary::find(edge, context.ground, context.curves, &place, faults);
     let given = [
         ("uniform", load.uniform.is_some()),
         ("linear", load.linear.is_some()),
@@ -45,9 +52,9 @@ pub(crate) fn resolve(
     if let Some(depth) = load.depth {
         positive(depth, "depth", path.key("depth"), faults);
     }
-    let border = border.filter(|_| !context.symmetry.axis.contains(&load.edge))?;
+    let border = border.filter(|_| !context.symmetry.axis.contains(edge))?;
     let on = OnBorder {
-        name: load.edge.clone(),
+        name: edge.clone(),
         border,
         profile: Profile::Pressure(0.0),
         sharing: load.sharing,

@@ -87,14 +87,14 @@ pub(crate) fn fade(
     let body = context.ground.body;
     let depth = traction.depth.unwrap_or(2.0 * context.horizon);
     let round = Round { ends, radius, pressure, depth, spacing: body.spacing() };
-    let reached = |p: &u32| round.distance(body.position(*p as usize)) < depth + body.spacing();
+    let reached = |p: &u32| round.distance(body.place(*p as usize)) < depth + body.spacing();
     let points: Vec<u32> = (0..body.points() as u32).filter(reached).collect();
     let is_near = |crack: &Crack| crack.vertices().windows(2).any(|ends| round.meets([ends[0], ends[1]]));
     if context.cracks.iter().any(|c| is_near(&c.crack)) {
         return Err("a crack is near the hole");
     }
     let force = |p: &u32| {
-        let [x, y] = round.divergence(body.position(*p as usize)).map(|b| b * context.volume(*p));
+        let [x, y] = round.divergence(body.place(*p as usize)).map(|b| b * context.volume(*p));
         (*p, [x, y, 0.0])
     };
     let mut forces: BTreeMap<u32, [f64; 3]> =

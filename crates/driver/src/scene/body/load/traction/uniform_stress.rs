@@ -157,7 +157,7 @@ fn divergence(stress: [f64; 3], context: &LoadContext) -> Forces {
         return Vec::new();
     }
     let force = |p: u32| {
-        let position = context.ground.body.position(p as usize);
+        let position = context.ground.body.place(p as usize);
         (p, [0.0, context.volume(p) * context.around_axis(stress, position), 0.0])
     };
     (0..context.ground.body.points() as u32).map(force).collect()

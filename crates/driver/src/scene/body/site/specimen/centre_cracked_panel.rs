@@ -60,11 +60,13 @@ fn support(at: At, ux: Option<f64>, uy: Option<f64>) -> Support {
         w: None,
         ux,
         uy,
+        uz: None,
         phi: None,
         inclined: None,
         w_spring: None,
         ux_spring: None,
         uy_spring: None,
+        uz_spring: None,
         phi_spring: None,
     }
 }

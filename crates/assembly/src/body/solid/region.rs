@@ -1,0 +1,142 @@
+//! Parts of bodies in space that conditions and probes name.
+
+use super::super::BORDER;
+use super::super::lattice::SquareLattice;
+use super::super::region::RegionError;
+use super::Face;
+
+/// Which points of a solid. Lengths in m; borders belong to regions, within [`BORDER`] spacings.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolidRegion {
+    /// Points beside a face.
+    Face {
+        /// Name of the face.
+        name: String,
+        /// How far inwards; one spacing if not given, which is the outermost layer.
+        depth: Option<f64>,
+    },
+    /// The point nearest to a position; several at the same distance.
+    Corner {
+        /// The position.
+        at: [f64; 3],
+    },
+    /// Points in a block.
+    Box {
+        /// One corner.
+        from: [f64; 3],
+        /// The opposite corner.
+        to: [f64; 3],
+    },
+    /// Points in a ball.
+    Ball {
+        /// Its middle.
+        centre: [f64; 3],
+        /// Its radius.
+        radius: f64,
+    },
+    /// Points where `(x − point)·normal ≥ 0`.
+    HalfSpace {
+        /// A position on the border.
+        point: [f64; 3],
+        /// Points into the half-space; any length.
+        normal: [f64; 3],
+    },
+}
+
+/// Numbers of the points of a region, ascending.
+///
+/// # Errors
+/// [`RegionError`].
+pub(in super::super) fn select(
+    lattice: &SquareLattice,
+    faces: &[Face],
+    region: &SolidRegion,
+) -> Result<Vec<u32>, RegionError> {
+    let slack = BORDER * lattice.spacing();
+    match region {
+        SolidRegion::Face { name, depth } => {
+            let face = faces.iter().find(|face| face.name == name).ok_or_else(|| RegionError::Unknown {
+                kind: "face",
+                name: name.clone(),
+                known: faces.iter().map(|face| face.name.to_string()).collect(),
+            })?;
+            let depth = positive("depth", depth.unwrap_or(lattice.spacing()))?;
+            Ok(inside(lattice, |at| (at[face.axis] - face.at).abs() <= depth + slack))
+        }
+        SolidRegion::Corner { at } => {
+            let at = finite("at", *at)?;
+            let least = (0..lattice.points()).map(|p| distance(lattice.position(p), at));
+            let least = least.fold(f64::INFINITY, f64::min);
+            Ok(inside(lattice, |other| distance(other, at) <= least + slack))
+        }
+        SolidRegion::Box { from, to } => {
+            let (from, to) = (finite("from", *from)?, finite("to", *to)?);
+            let [low, high] =
+                [f64::min, f64::max].map(|of: fn(f64, f64) -> f64| [0, 1, 2].map(|k| of(from[k], to[k])));
+            let is_in = |at: [f64; 3], k: usize| low[k] - slack <= at[k] && at[k] <= high[k] + slack;
+            Ok(inside(lattice, |at| (0..3).all(|k| is_in(at, k))))
+        }
+        SolidRegion::Ball { centre, radius } => {
+            let (centre, radius) = (finite("centre", *centre)?, positive("radius", *radius)?);
+            Ok(inside(lattice, |at| distance(at, centre) <= radius + slack))
+        }
+        SolidRegion::HalfSpace { point, normal } => {
+            let (point, normal) = (finite("point", *point)?, finite("normal", *normal)?);
+            let length = distance(normal, [0.0; 3]);
+            if !(length > 0.0 && length.is_finite()) {
+                return Err(RegionError::Position { what: "normal" });
+            }
+            let depth = |at: [f64; 3]| (0..3).map(|k| (at[k] - point[k]) * normal[k] / length).sum::<f64>();
+            Ok(inside(lattice, |at| depth(at) >= -slack))
+        }
+    }
+}
+
+/// The points of a lattice at positions of which something is true.
+fn inside(lattice: &SquareLattice, is_in: impl Fn([f64; 3]) -> bool) -> Vec<u32> {
+    let mut found = Vec::new();
+    for run in lattice.runs() {
+        let points = run.columns.clone().filter(|&column| is_in(lattice.centre(run.cell(column))));
+        found.extend(points.map(|column| run.number(column) as u32));
+    }
+    found
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2])
+}
+
+fn finite(what: &'static str, position: [f64; 3]) -> Result<[f64; 3], RegionError> {
+    if position.iter().all(|x| x.is_finite()) { Ok(position) } else { Err(RegionError::Position { what }) }
+}
+
+fn positive(what: &'static str, found: f64) -> Result<f64, RegionError> {
+    if found > 0.0 && found.is_finite() { Ok(found) } else { Err(RegionError::NotPositive { what, found }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::SolidShape;
+    use super::*;
+
+    #[test]
+    fn regions_of_solids_have_their_points() {
+        let shape = SolidShape::block([0.0; 3], [4.0, 3.0, 2.0]).unwrap();
+        let (lattice, faces) = (shape.fill(1.0).unwrap(), shape.faces());
+        let count = |region: SolidRegion| select(&lattice, &faces, &region).map(|points| points.len());
+        let face = |name: &str, depth| SolidRegion::Face { name: name.into(), depth };
+        assert_eq!(count(face("right", None)), Ok(6));
+        assert_eq!(count(face("back", Some(2.0))), Ok(24));
+        assert_eq!(count(face("top", Some(1.5))), Ok(2 * 8));
+        assert!(matches!(count(face("edge_1", None)), Err(RegionError::Unknown { kind: "face", .. })));
+        assert_eq!(count(SolidRegion::Corner { at: [0.0; 3] }), Ok(1));
+        // Midway between eight points.
+        assert_eq!(count(SolidRegion::Corner { at: [1.0, 1.0, 1.0] }), Ok(8));
+        assert_eq!(count(SolidRegion::Box { from: [2.0, 3.0, 0.0], to: [0.0, 0.0, 1.0] }), Ok(6));
+        assert_eq!(count(SolidRegion::Ball { centre: [0.5; 3], radius: 1.0 }), Ok(4));
+        let half = SolidRegion::HalfSpace { point: [2.0, 0.0, 0.0], normal: [-3.0, 0.0, 0.0] };
+        assert_eq!(count(half), Ok(12));
+        let none = SolidRegion::HalfSpace { point: [0.0; 3], normal: [0.0; 3] };
+        assert_eq!(count(none), Err(RegionError::Position { what: "normal" }));
+    }
+}

@@ -1,0 +1,77 @@
+//! Bodies in space and what is cut out of them.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A block of cubic cells with a point in the middle of each. Its faces are `left` and `right` across x, `bottom` and `top` across
+/// y, `back` and `front` across z.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BlockBody {
+    /// Lowest corner; the origin if not given.
+    #[serde(default)]
+    pub from: [f64; 3],
+    /// Lengths along x, y and z, whole multiples of the spacing.
+    pub size: [f64; 3],
+    /// Side of a cell, > 0.
+    pub spacing: f64,
+    /// Parts that are cut out of it. Cells whose centres are in one are left out, so that slanted and round borders are stairs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cuts: Vec<SolidCut>,
+}
+
+/// A part that is cut out of a block.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SolidCut {
+    /// A block.
+    Block(BlockCut),
+    /// A ball.
+    Ball(BallCut),
+    /// A round bore along an axis, through all of the block.
+    Bore(BoreCut),
+}
+
+/// A block that is cut out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BlockCut {
+    /// Its lowest corner.
+    pub from: [f64; 3],
+    /// Its lengths along x, y and z, > 0.
+    pub size: [f64; 3],
+}
+
+/// A ball that is cut out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BallCut {
+    /// Its middle.
+    pub centre: [f64; 3],
+    /// Its radius, > 0.
+    pub radius: f64,
+}
+
+/// An axis of space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SpaceAxis {
+    /// From `left` to `right`.
+    X,
+    /// From `bottom` to `top`.
+    Y,
+    /// From `back` to `front`.
+    Z,
+}
+
+/// A round bore.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BoreCut {
+    /// The axis along which it runs.
+    pub along: SpaceAxis,
+    /// A position in its middle.
+    pub centre: [f64; 3],
+    /// Its radius, > 0.
+    pub radius: f64,
+}

@@ -1,0 +1,66 @@
+//! The model `bond_solid`: solids of central bonds.
+
+mod keys;
+mod resolve;
+mod words;
+
+pub use keys::BondSolidKeys;
+
+use super::entry::plain;
+use super::solid::SolidParameters;
+use super::{Entry, Growth, MaterialSummary, Model, Start};
+use crate::units::Units;
+use peristat_assembly::model::bond_solid::BondSolidParameters;
+use peristat_assembly::model::plane::Calibration;
+use peristat_assembly::model::solid::SolidEdges;
+
+/// Name in case files.
+const NAME: &str = "bond_solid";
+
+impl SolidParameters for BondSolidParameters {
+    type Keys = BondSolidKeys;
+    const NAME: &'static str = NAME;
+    const HAS_FAMILIES: bool = false;
+
+    fn model(&self, keys: BondSolidKeys, edges: SolidEdges) -> Model {
+        Model::BondSolid(BondSolidKeys { edges: Some(edges), ..keys })
+    }
+
+    fn youngs_modulus(&self) -> f64 {
+        self.youngs_modulus
+    }
+
+    fn horizon_ratio(&mut self) -> &mut f64 {
+        &mut self.horizon_ratio
+    }
+
+    fn edges(&mut self) -> &mut SolidEdges {
+        &mut self.edges
+    }
+
+    fn calibration(&self) -> Calibration {
+        self.calibration
+    }
+
+    fn summary(&self, units: Units) -> MaterialSummary {
+        words::summary(self, units)
+    }
+}
+
+/// What can be chosen.
+const OPTIONS: [(&str, &str); 5] = [
+    ("calibration matched", "bonds with the exact moduli of the material (default)"),
+    ("calibration published", "bonds of the continuum: moduli are off on every lattice, and more near faces"),
+    ("edges border", "bonds end on the border (default)"),
+    ("edges overlay", "tetrahedra replace missing bonds: exact for every uniform strain"),
+    ("edges none", "points near faces are too soft"),
+];
+
+/// What the command says of it.
+pub(super) const ENTRY: Entry = Entry {
+    name: NAME,
+    about: "an isotropic solid of central bonds, Poisson's ratio 1/4: block",
+    options: || plain(&OPTIONS),
+    starts: &[Start { name: NAME, about: "a clamped cantilever", case: include_str!("start.json") }],
+    growth: Growth::Plane,
+};

@@ -1,0 +1,57 @@
+//! What the keys become.
+
+use super::super::solid::{Bonds, REFUSED, SolidBonds, bonds};
+use super::super::{Asked, Keys, Material, Model, Refused};
+use super::{BondSolidKeys, NAME};
+use crate::diagnostic::{Faults, positive, root, tidy};
+use peristat_assembly::model::bond_solid::BondSolidParameters;
+use peristat_assembly::model::bond_solid::POISSON_RATIO;
+
+impl Keys for BondSolidKeys {
+    fn model(&self) -> Model {
+        Model::BondSolid(self.clone())
+    }
+
+    fn thickness(&self) -> f64 {
+        1.0
+    }
+
+    fn is_solid(&self) -> bool {
+        true
+    }
+
+    fn takes_points(&self) -> bool {
+        false
+    }
+
+    fn refuses(&self) -> Vec<Refused> {
+        REFUSED.to_vec()
+    }
+
+    fn resolve(&self, _: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
+        let path = root("model").key(NAME);
+        let mut fine = positive(self.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
+        if let Some(nu) = self.poisson_ratio.filter(|nu| (nu - POISSON_RATIO).abs() > 1e-3) {
+            faults
+                .error(
+                    path.key("poisson_ratio"),
+                    format!("a solid of central bonds has the Poisson ratio 1/4, found {}", tidy(nu)),
+                )
+                .hint("leave `poisson_ratio` out; the model `state_solid` has any");
+            fine = false;
+        }
+        let given = (self.calibration, self.volume_factor, self.edges);
+        let Bonds { calibration, volume_factor, edges } = bonds(given, &path, faults)?;
+        let parameters = BondSolidParameters {
+            youngs_modulus: self.youngs_modulus,
+
+            horizon_ratio: 0.0,
+            influence: self.influence,
+            calibration,
+            volume_factor: volume_factor.unwrap_or_default(),
+            edges,
+        };
+        let keys = Self { calibration: Some(calibration), volume_factor, edges: Some(edges), ..self.clone() };
+        fine.then(|| Box::new(SolidBonds { keys, parameters }) as Box<dyn Material>)
+    }
+}

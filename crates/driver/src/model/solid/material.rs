@@ -1,0 +1,144 @@
+//! The bonds of solids on bodies.
+
+use super::super::{
+    About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
+    Refusal, Resolved, Surface,
+};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::units::Units;
+use peristat_assembly::body::{Cell, SquareLattice};
+use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
+use peristat_assembly::model::solid::{Solid, SolidEdges, SolidMaterial};
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// What a model of solids has of its own.
+pub(in super::super) trait SolidParameters: SolidMaterial {
+    /// Its keys.
+    type Keys: Clone + Debug + Send + Sync + 'static;
+    /// Its name in case files.
+    const NAME: &'static str;
+    /// Whether points feel the families of their neighbours.
+    const HAS_FAMILIES: bool;
+
+    /// Keys with the edges that were taken, as the model of a case.
+    fn model(&self, keys: Self::Keys, edges: SolidEdges) -> Model;
+
+    /// Young's modulus.
+    fn youngs_modulus(&self) -> f64;
+
+    /// Horizon per spacing.
+    fn horizon_ratio(&mut self) -> &mut f64;
+
+    /// What is done about faces.
+    fn edges(&mut self) -> &mut SolidEdges;
+
+    /// Where the stiffness comes from.
+    fn calibration(&self) -> Calibration;
+
+    /// What the record of a run says of it.
+    fn summary(&self, units: Units) -> MaterialSummary;
+}
+
+/// Bonds of a solid, and the keys that they come from.
+#[derive(Clone, Debug)]
+pub(in super::super) struct SolidBonds<P: SolidParameters> {
+    pub(in super::super) keys: P::Keys,
+    pub(in super::super) parameters: P,
+}
+
+impl<P: SolidParameters> SolidBonds<P> {
+    fn edges(&self) -> SolidEdges {
+        let mut parameters = self.parameters;
+        *parameters.edges()
+    }
+}
+
+impl<P: SolidParameters> Material for SolidBonds<P> {
+    fn about(&self) -> About {
+        let mut of = self.parameters;
+        let edges = *of.edges();
+        About {
+            name: P::NAME,
+            components: &["ux", "uy", "uz"],
+            surface: Surface::Solid,
+            thickness: 1.0,
+            horizon_ratio: *of.horizon_ratio(),
+            calibration: of.calibration(),
+            edges: Some(match edges {
+                SolidEdges::Border => Edges::Border,
+                SolidEdges::Overlay => Edges::Overlay,
+                SolidEdges::None => Edges::None,
+            }),
+            is_exact_at_edges: edges.is_exact(),
+            ends_where_cut: false,
+            has_families: P::HAS_FAMILIES,
+            partial_neighbours: 0.0,
+        }
+    }
+
+    fn keys(&self) -> Model {
+        self.parameters.model(self.keys.clone(), self.edges())
+    }
+
+    fn usual_horizon_ratio(&self) -> f64 {
+        2.0
+    }
+
+    fn boxed(&self) -> Box<dyn Material> {
+        Box::new(self.clone())
+    }
+
+    fn youngs_moduli(&self) -> Vec<(&'static str, f64)> {
+        vec![("youngs_modulus", self.parameters.youngs_modulus())]
+    }
+
+    fn set_horizon_ratio(&mut self, horizon_ratio: f64) {
+        *self.parameters.horizon_ratio() = horizon_ratio;
+    }
+
+    fn leave_border(&mut self, edges: Edges) {
+        if self.edges() == SolidEdges::Border {
+            *self.parameters.edges() =
+                if edges == Edges::None { SolidEdges::None } else { SolidEdges::Overlay };
+        }
+    }
+
+    /// The body itself finds out whether bonds can end on its border.
+    fn has_border(&self, _lattice: &SquareLattice, _mirrors: &Mirrors) -> bool {
+        true
+    }
+
+    fn offsets(&self) -> Result<Vec<Cell>, Refusal> {
+        Ok(Solid::offsets(&self.parameters)?)
+    }
+
+    fn depth(&self) -> Result<i32, Refusal> {
+        Ok(Solid::depth(&self.parameters)?)
+    }
+
+    fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
+        let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
+        let cuts = (on.cuts)(&lattice, &self.offsets()?);
+        Ok(AnyBody::Three(Box::new(Solid::on_lattice(lattice, on.mirrors, self.parameters, &cuts)?)))
+    }
+
+    fn strain_row(&self, _axis: usize) -> [f64; 3] {
+        [0.0; 3]
+    }
+
+    fn critical(
+        &self,
+        _: &mut Critical,
+        _: &OnGround,
+        _: &JsonPath,
+        _: &mut Faults,
+    ) -> Option<CriticalStretches> {
+        // The keys refuse `fracture`.
+        None
+    }
+
+    fn told(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
+        self.parameters.summary(units)
+    }
+}

@@ -1,0 +1,81 @@
+//! Keys that both models of solids have, checked and filled in.
+
+use super::super::Refused;
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::model::bond_plane::VolumeFactor;
+use peristat_assembly::model::plane::Calibration;
+use peristat_assembly::model::solid::SolidEdges;
+
+/// Keys that have no meaning for solids yet, with the reason and what to do.
+pub(in super::super) const REFUSED: [Refused; 6] = [
+    Refused {
+        key: "cracks",
+        message: "`cracks` are lines in the plane",
+        hint: "model a slice of the body in the plane",
+    },
+    Refused {
+        key: "fracture",
+        message: "the bonds of solids do not break",
+        hint: "model a slice of the body in the plane",
+    },
+    Refused {
+        key: "path",
+        message: "the bonds of solids do not soften",
+        hint: "model a slice of the body in the plane",
+    },
+    Refused {
+        key: "rigid",
+        message: "`rigid` is for bodies in the plane",
+        hint: "a region that is held is a support with `ux`, `uy` and `uz`",
+    },
+    Refused {
+        key: "periodic",
+        message: "`periodic` is for bodies in the plane",
+        hint: "use `symmetry`, or model the whole body",
+    },
+    Refused {
+        key: "stress_intensity",
+        message: "`stress_intensity` is of cracks in the plane",
+        hint: "model a slice of the body in the plane",
+    },
+];
+
+/// Where the stiffness of bonds comes from, and what is done about faces.
+#[derive(Clone, Copy, Debug)]
+pub(in super::super) struct Bonds {
+    pub(in super::super) calibration: Calibration,
+    pub(in super::super) volume_factor: Option<VolumeFactor>,
+    pub(in super::super) edges: SolidEdges,
+}
+
+/// The keys with their defaults; `path` is that of the model.
+pub(in super::super) fn bonds(
+    (calibration, factor, edges): (Option<Calibration>, Option<VolumeFactor>, Option<SolidEdges>),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Bonds> {
+    let calibration = calibration.unwrap_or(Calibration::Matched);
+    let is_published = calibration == Calibration::Published;
+    let mut fine = true;
+    if factor.is_some() && !is_published {
+        faults
+            .error(
+                path.key("volume_factor"),
+                "the calibration `matched` has no volume factors: its bonds are exact without them",
+            )
+            .hint(r#"remove `volume_factor`, or take "calibration": "published""#);
+        fine = false;
+    }
+    if edges.is_some_and(SolidEdges::is_exact) && is_published {
+        faults
+            .error(
+                path.key("edges"),
+                "the edges `border` and `overlay` complete exact bonds, and those of the calibration `published` are not",
+            )
+            .hint("use `none`, or the calibration `matched`");
+        fine = false;
+    }
+    let usual = if is_published { SolidEdges::None } else { SolidEdges::Border };
+    let volume_factor = is_published.then(|| factor.unwrap_or_default());
+    fine.then(|| Bonds { calibration, volume_factor, edges: edges.unwrap_or(usual) })
+}
