@@ -203,3 +203,14 @@ fn the_citation_names_the_version_of_the_workspace() {
     let version = format!("version: {}", env!("CARGO_PKG_VERSION"));
     assert!(citation.lines().any(|line| line == version), "CITATION.cff has no line `{version}`");
 }
+
+#[test]
+fn no_file_of_the_driver_is_longer_than_350_lines() {
+    /// Longer ones hold more than one idea.
+    const MOST: usize = 350;
+    let lines = |file: &Path| fs::read_to_string(file).unwrap().lines().count();
+    let source = root().join("crates/driver/src");
+    let long: Vec<String> =
+        files(&source, ".rs").iter().filter(|file| lines(file) > MOST).map(|file| short(file)).collect();
+    assert!(long.is_empty(), "{long:#?}");
+}

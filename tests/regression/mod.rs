@@ -5,5 +5,7 @@ mod conventions;
 mod coverage;
 mod determinism;
 mod gallery;
+mod imports;
+mod modules;
 mod support;
 mod tables;

@@ -2,7 +2,7 @@
 
 use super::{
     AnyBody, Asked, Critical, Fibres, HoopPressure, MaterialSummary, Model, OnGround, OnLattice, Pressure,
-    Refusal, Resolved, shell_membrane,
+    Refusal, Resolved,
 };
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
@@ -188,16 +188,15 @@ pub trait Material: Debug + Send + Sync {
         None
     }
 
-    /// What a pressure on a whole cylinder is.
+    /// What a pressure on a whole cylinder is; none on other bodies.
     fn pressure(
         &self,
         _load: &Pressure,
         _lattice: &SquareLattice,
         _mirrors: &Mirrors,
-        path: &JsonPath,
-        faults: &mut Faults,
+        _path: &JsonPath,
+        _faults: &mut Faults,
     ) -> Option<HoopPressure> {
-        shell_membrane::refuse_pressure(path, faults);
         None
     }
 

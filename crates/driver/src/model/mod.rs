@@ -189,6 +189,8 @@ pub(crate) mod hints {
     pub(crate) const SOFTENING: &str = "bond_plane";
     /// For bodies that turn about an axis.
     pub(crate) const TURNING: &str = "axisymmetric";
+    /// For thin cylinders.
+    pub(crate) const SHELLS: &str = "shell_membrane";
     /// For bodies in space.
     pub(crate) const SOLIDS: [&str; 2] = ["bond_solid", "state_solid"];
     /// For lines and frames.

@@ -4,7 +4,7 @@
 //! points inside: steps by blocks of single points leave much of an error there. The stiffness of a strip along the border has
 //! a small factor.
 
-use super::factor::SolveFailure;
+use super::solve_failure::SolveFailure;
 use peristat_assembly::system::{Level, System};
 use peristat_solve::{Ordering, Preconditioner, SparseCholesky};
 use std::sync::{Mutex, MutexGuard};

@@ -1,6 +1,7 @@
 //! What every result is certified with.
 
 use super::drift::drift;
+use super::measures::{BLOCK, finite, ground, ratio, worst};
 use super::problem::Spread;
 use super::weigh::work;
 use super::workspace::StateSolution;
@@ -72,9 +73,6 @@ impl Certificate {
 
 /// What is seen of an error is a sample of it: bound over sample. The stress suite finds errors of up to 20 samples.
 const SAFETY: f64 = 30.0;
-
-/// Points whose rigid motions are found together.
-pub(super) const BLOCK: usize = 256;
 
 /// Fewer digits than this deserve a warning, and do not do for a solve that ended before it was done.
 pub(crate) const FEW_DIGITS: u32 = 6;
@@ -197,17 +195,6 @@ impl Seen {
     }
 }
 
-/// A measure of doubt that can be written: the largest number for what is none.
-pub(super) fn finite(value: f64) -> f64 {
-    worst([value]).min(f64::MAX)
-}
-
-/// The largest of some samples; infinite if one of them is no number.
-pub(super) fn worst(samples: impl IntoIterator<Item = f64>) -> f64 {
-    let number = |sample: f64| if sample.is_nan() { f64::INFINITY } else { sample };
-    samples.into_iter().map(number).fold(0.0, f64::max)
-}
-
 /// Digits that a relative error leaves.
 fn trusted(error: f64) -> u32 {
     (-error.log10()).floor().clamp(0.0, 15.0) as u32
@@ -218,30 +205,6 @@ fn is_loaded<const D: usize>(system: &System<D>, load: &[f64]) -> bool {
     let held = system.constraints().rows().iter().filter(|row| row.masters.is_empty());
     let on_held = held.filter(|row| load[row.unknown] != 0.0).count();
     load.iter().filter(|f| **f != 0.0).count() > on_held
-}
-
-/// `a / b`, zero where `a` is.
-pub(super) fn ratio(a: f64, b: f64) -> f64 {
-    if a == 0.0 { 0.0 } else { a / b }
-}
-
-/// Forces on the body of the terms that are tied to the ground, by unknown.
-pub(super) fn ground<const D: usize>(system: &System<D>, u: &[f64]) -> Vec<(usize, f64)> {
-    let mut forces = Vec::new();
-    for term in system.terms() {
-        let mut unknowns = Vec::new();
-        term.ground_motions(&mut |motion| {
-            unknowns.extend(motion.iter().map(|&(component, point, _)| component * system.points() + point));
-        });
-        if !unknowns.is_empty() {
-            unknowns.sort_unstable();
-            unknowns.dedup();
-            let mut force = vec![0.0; system.size()];
-            term.add_force(u, &mut force);
-            forces.extend(unknowns.into_iter().map(|k| (k, -force[k])));
-        }
-    }
-    forces
 }
 
 /// Work of all forces on the body in every rigid motion, over the sum of the magnitudes. The sum is at least what the works

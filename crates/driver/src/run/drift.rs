@@ -1,6 +1,6 @@
 //! How far springs let a body go that an iteration has not brought to where they hold it.
 
-use super::certificate::{ground, ratio, worst};
+use super::measures::{ground, ratio, worst};
 use super::workspace::{StateSolution, size};
 use nalgebra::{DMatrix, DVector};
 use peristat_assembly::model::Model;

@@ -1,6 +1,8 @@
 //! From a system to its factor: assembled in the layout that suits it, lifted where rounding made it indefinite.
 
-use super::{Counters, Timing};
+use super::report::{Counters, Timing};
+use super::solve_failure::SolveFailure;
+use super::solver_report::SolverReport;
 use crate::case::Solver;
 use peristat_assembly::system::System;
 use peristat_solve::{
@@ -9,56 +11,6 @@ use peristat_solve::{
 };
 use sprs::CsMat;
 use std::time::Instant;
-use thiserror::Error;
-
-/// The stiffness cannot be factored.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum SolveFailure {
-    /// A pivot is not positive.
-    #[error(
-        "the stiffness is not positive definite: {count} pivots are not positive, the first at component {component} of point {point}"
-    )]
-    NotPositiveDefinite {
-        /// Number of pivots.
-        count: usize,
-        /// Component of the first.
-        component: usize,
-        /// Point of the first.
-        point: usize,
-    },
-    /// The bonds of a point do not hold it.
-    #[error("the bonds of point {point} do not hold it in all directions")]
-    Loose {
-        /// The point.
-        point: usize,
-    },
-    /// The supports do not determine the reactions.
-    #[error("the supports do not determine the reactions")]
-    Supports,
-    /// Anything else.
-    #[error(transparent)]
-    Factor(FactorError),
-}
-
-/// What was taken to solve, and why.
-#[derive(Clone, Debug, Default, PartialEq, serde::Serialize)]
-pub struct SolverReport {
-    /// `strain_form`; or `band_cholesky`, `sparse_cholesky`, `multigrid` or `block_jacobi`, finished by conjugate gradients.
-    pub method: String,
-    /// Why.
-    pub reason: String,
-    /// Entries of the factor.
-    pub factor_entries: usize,
-    /// Conjugate-gradient iterations per state; empty where there are none.
-    pub iterations: Vec<usize>,
-    /// States for which double precision did not do, and residuals in twice the precision were taken.
-    #[serde(skip_serializing_if = "is_zero")]
-    pub refined: usize,
-}
-
-fn is_zero(count: &usize) -> bool {
-    *count == 0
-}
 
 /// The stiffness in the layout of its method.
 enum Matrix {

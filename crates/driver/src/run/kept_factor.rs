@@ -1,6 +1,7 @@
 //! A factor that is kept while its system changes, and made anew of values alone.
 
-use super::factor::{self, SolveFailure, SparseFactor, lifted};
+use super::factor::{self, SparseFactor, lifted};
+use super::solve_failure::SolveFailure;
 use super::{Counters, Problem, Timing};
 use peristat_assembly::system::System;
 use peristat_solve::Preconditioner;

@@ -1,11 +1,12 @@
 //! A factored system and its solutions.
 
-use super::certificate::worst;
-use super::factor::{SolveFailure, SolverReport};
+use super::coarser::Coarser;
 use super::load::Load;
+use super::measures::worst;
 use super::method::{self, Finish, Method};
-use super::multigrid::Coarser;
 use super::refine::{DOUBTFUL, DOUBTFUL_FORCES};
+use super::solve_failure::SolveFailure;
+use super::solver_report::SolverReport;
 use super::workspace::{StateSolution, Workspace};
 use super::{Counters, Problem, Timing};
 use peristat_assembly::system::System;

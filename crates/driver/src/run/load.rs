@@ -1,6 +1,6 @@
 //! Loads of a state, and how far they may be from what was meant.
 
-use super::certificate::BLOCK;
+use super::measures::BLOCK;
 use peristat_assembly::model::Model;
 use std::array::from_fn;
 

@@ -1,8 +1,11 @@
 //! Which method solves a problem, why, and when its answer is good enough.
 
-use super::factor::{self, SolveFailure, SolverReport};
-use super::multigrid::{self, Coarser};
-use super::problem::Spread;
+use super::coarser::Coarser;
+use super::factor;
+use super::multigrid;
+use super::problem::{Spread, TOO_MANY_POINTS};
+use super::solve_failure::SolveFailure;
+use super::solver_report::SolverReport;
 use super::{Counters, Problem, Timing};
 use crate::case::Solver;
 use peristat_assembly::system::{Level, System};
@@ -11,9 +14,6 @@ use std::time::Instant;
 
 /// Right-hand sides that share a factor from which it is faster than as many multigrid solves, measured at 1e5 points.
 const MANY_SIDES: usize = 30;
-/// Points beyond which a factor takes more memory than most machines have.
-pub(crate) const TOO_MANY_POINTS: usize = 500_000;
-
 /// What a right-hand side is solved with.
 pub(super) struct Method<'a> {
     pub(super) preconditioner: Box<dyn Preconditioner + 'a>,

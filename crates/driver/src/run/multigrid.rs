@@ -2,24 +2,12 @@
 
 use super::Counters;
 use super::border_block::BorderBlock;
-use super::factor::{SolveFailure, lifted};
+use super::coarser::Coarser;
+use super::factor::lifted;
+use super::solve_failure::SolveFailure;
 use peristat_assembly::body::Transfer;
 use peristat_assembly::system::{Level, System};
 use peristat_solve::{Hierarchy, Multigrid, MultigridOptions, Ordering, Relaxation, SparseCholesky};
-
-/// The coarser levels of a problem: the same body and conditions at twice the spacing, again and again.
-pub struct Coarser<const D: usize> {
-    /// Systems, the finest of them first.
-    pub systems: Vec<System<D>>,
-    /// Interpolation to every level that has a coarser one, the finest level of all first.
-    pub transfers: Vec<Transfer>,
-    /// Whether the coarsest one can move as a body: supports that are close to each other fall together there.
-    pub is_loose: bool,
-    /// Whether the finest level of all has other elements than these, so that its eigenvalues are its own.
-    pub is_unlike: bool,
-    /// Points of the finest level of all, beside a border that cuts cells, that are smoothed together.
-    pub beside_border: Vec<usize>,
-}
 
 /// All levels of a problem.
 pub(super) struct Levels<'a, const D: usize> {

@@ -3,8 +3,8 @@
 //! The factor, and conjugate gradients on the bonds with it, know a correction to a few digits where they know the solution
 //! to none that another digit could be taken from. Repeated on an exact residual these digits add up.
 
-use super::certificate::{ratio, worst};
 use super::load::Load;
+use super::measures::{ratio, worst};
 use super::workspace::{Elementwise, StateSolution, Workspace, size};
 use peristat_assembly::stiffness::Twofold;
 use peristat_assembly::sum::Sum;

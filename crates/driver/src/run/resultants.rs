@@ -1,6 +1,6 @@
 //! Loads as they were asked for, as they act, and what holds the body against them.
 
-use super::certificate::{ratio, worst};
+use super::measures::{ratio, worst};
 use crate::scene::{Counted, Resultant};
 use serde::{Deserialize, Serialize};
 

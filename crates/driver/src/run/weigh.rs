@@ -1,7 +1,7 @@
 //! What a solution tells of its own errors.
 
-use super::certificate::worst;
 use super::load::Load;
+use super::measures::worst;
 use super::scan::largest;
 use super::workspace::{StateSolution, Workspace, size};
 use peristat_assembly::condition::Row;

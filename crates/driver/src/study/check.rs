@@ -1,8 +1,8 @@
 //! Faults of a study that its own keys show.
 
 use super::file::{Refine, Study};
-use super::findings::includes;
 use super::plan::steps;
+use super::settings::includes;
 use crate::diagnostic::{Faults, JsonPath};
 use serde_json::{Map, Value};
 

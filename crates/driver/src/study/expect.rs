@@ -1,8 +1,9 @@
 //! Expectations of a study.
 
 use super::file::{Expect, Study};
-use super::findings::{Outcome, Quantity, Series, includes};
+use super::findings::{Outcome, Quantity, Series};
 use super::order;
+use super::settings::includes;
 
 /// Outcomes of all expectations, one for each series that is meant.
 pub(super) fn outcomes(study: &Study, series: &[Series]) -> Vec<Outcome> {

@@ -4,6 +4,7 @@ use super::file::{Refine, Study};
 use super::order::{self, Fit, Limit};
 use super::plan::{Plan, Task};
 use super::record::{Measured, Record};
+use super::settings::includes;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -76,12 +77,6 @@ impl Series {
         let quantities = quantities(study, &settings, &levels);
         Self { settings, levels, quantities }
     }
-}
-
-/// Whether settings have all of some values.
-pub(super) fn includes(settings: &Map<String, Value>, values: &Map<String, Value>) -> bool {
-    let same = |a: &Value, b: &Value| a == b || a.as_f64().is_some_and(|a| b.as_f64() == Some(a));
-    values.iter().all(|(path, value)| settings.get(path).is_some_and(|setting| same(setting, value)))
 }
 
 /// A value without the marks of JSON.

@@ -16,6 +16,7 @@ pub mod order;
 mod plan;
 mod record;
 mod report;
+mod settings;
 mod store;
 pub mod words;
 mod write;

@@ -9,7 +9,6 @@ mod warn;
 mod words;
 
 pub use keys::Shell;
-pub(super) use pressure::refuse_pressure;
 pub use pressure::{HoopPressure, Pressure};
 
 use super::entry::plain;

@@ -34,13 +34,6 @@ pub struct HoopPressure {
     pub hoop_stress: Option<f64>,
 }
 
-/// The fault of a pressure on a body that is no shell.
-pub(in super::super) fn refuse_pressure(path: &JsonPath, faults: &mut Faults) {
-    faults
-        .error(path.clone(), "a `pressure` on the body is for the model `shell_membrane`")
-        .hint("in the plane a pressure acts on an edge or a hole: { \"traction\": { \"edge\": …, \"pressure\": … } }");
-}
-
 /// A pressure on a shell.
 pub(super) fn resolve(
     load: &Pressure,

@@ -1,7 +1,8 @@
 //! Charts: lines over an axis.
 
 use super::json::{all, inline, rounded};
-use super::{Cell, Column, Table, html, number};
+use super::table::{Cell, Column, Table};
+use super::{element, number};
 use crate::output::plot::thin;
 use serde_json::json;
 use std::fmt::Write;
@@ -126,7 +127,7 @@ fn drawn<'a>(chart: &Chart, series: &'a Series) -> Line<'a> {
 pub(super) fn render(out: &mut String, chart: &Chart) {
     let lines: Vec<Line> = chart.series.iter().map(|s| drawn(chart, s)).collect();
     if lines.iter().all(|(_, points)| points.is_empty()) {
-        html::paragraph(out, &html::titled(&chart.title, "there are no values to draw."));
+        element::paragraph(out, &element::titled(&chart.title, "there are no values to draw."));
         return;
     }
     let line = |(s, points): &Line| {
@@ -146,7 +147,7 @@ pub(super) fn render(out: &mut String, chart: &Chart) {
         "series": lines.iter().map(line).collect::<Vec<_>>(),
         "slopes": chart.slopes.iter().filter(|_| is_log).map(slope).collect::<Vec<_>>(),
     });
-    html::figure(
+    element::figure(
         out,
         "chart",
         (&chart.title, &chart.note),
@@ -169,7 +170,7 @@ fn described(chart: &Chart, lines: &[Line]) -> String {
     };
     let ranges: Vec<String> = lines.iter().filter(|l| !l.1.is_empty()).map(range).collect();
     let text = format!("{} over {}; {}", chart.y.label, chart.x.label, ranges.join(", "));
-    html::titled(&chart.title, &text)
+    element::titled(&chart.title, &text)
 }
 
 /// Marks and names of the series; none for a single one without a name of its own.
@@ -181,7 +182,7 @@ fn legend(out: &mut String, lines: &[Line]) {
     for (k, (series, _)) in lines.iter().enumerate() {
         let color = k % 6 + 1;
         let look = series.look.name();
-        let label = html::escaped(&series.label);
+        let label = element::escaped(&series.label);
         let _ = write!(out, "<span><i class=\"c{color} {look}\"></i>{label}</span>");
     }
     out.push_str("</div>\n");
@@ -212,7 +213,7 @@ fn values(out: &mut String, chart: &Chart, lines: &[Line]) {
     };
     let told = if step > 1 { "Some of the values" } else { "Values" };
     let _ = writeln!(out, "<details class=\"values\"><summary>{told}</summary>");
-    html::table(out, &Table { title: String::new(), columns, rows });
+    element::table(out, &Table { title: String::new(), columns, rows });
     out.push_str("</details>\n");
 }
 

@@ -1,7 +1,8 @@
 //! The HTML of a page.
 
-use super::{Bar, Block, Cell, Page, Section, Table, Tone, chart, map, picture};
-use crate::output::xml;
+use super::block::{Bar, Block, Page, Section};
+use super::element::{escaped, paragraph, set, table, tone};
+use super::{chart, map, picture};
 use std::fmt::Write;
 
 /// What a browser may do with the page: nothing but show it.
@@ -21,28 +22,6 @@ const SCRIPTS: [&str; 6] = [
 
 /// Bytes that the fields of all maps of a page may take: a page is to stay below a megabyte.
 const MAP_BYTES: usize = 760_000;
-
-/// Text as content of an element or an attribute.
-pub(super) fn escaped(text: &str) -> String {
-    xml(text)
-}
-
-/// Escaped text in which what stands between backticks is set as code.
-fn set(text: &str) -> String {
-    let mut out = String::new();
-    let mut parts = text.split('`').peekable();
-    let mut is_code = false;
-    while let Some(part) = parts.next() {
-        match (is_code, parts.peek()) {
-            (true, Some(_)) => out.extend(["<code>", &escaped(part), "</code>"]),
-            // The last backtick has no partner.
-            (true, None) => out.extend(["`", &escaped(part)]),
-            (false, _) => out.push_str(&escaped(part)),
-        }
-        is_code = !is_code;
-    }
-    out
-}
 
 /// The whole page.
 pub(super) fn page(page: &Page) -> String {
@@ -72,14 +51,6 @@ pub(super) fn page(page: &Page) -> String {
     out + "</body>\n</html>\n"
 }
 
-fn tone(tone: Tone) -> &'static str {
-    match tone {
-        Tone::Plain => "plain",
-        Tone::Good => "good",
-        Tone::Bad => "bad",
-    }
-}
-
 /// Number of maps among blocks.
 fn maps(blocks: &[Block]) -> usize {
     let of = |block: &Block| match block {
@@ -88,11 +59,6 @@ fn maps(blocks: &[Block]) -> usize {
         _ => 0,
     };
     blocks.iter().map(of).sum()
-}
-
-/// What it is about, under a title where there is one.
-pub(super) fn titled(title: &str, text: &str) -> String {
-    if title.is_empty() { text.into() } else { format!("{title}: {text}") }
 }
 
 /// A section, in which a map may take some bytes.
@@ -153,31 +119,6 @@ fn lines(text: &str) -> String {
     text.lines().map(escaped).collect::<Vec<_>>().join("\n")
 }
 
-pub(super) fn paragraph(out: &mut String, text: &str) {
-    let _ = writeln!(out, "<p>{}</p>", set(text));
-}
-
-/// A table in a box that scrolls where the window is narrow.
-pub(super) fn table(out: &mut String, table: &Table) {
-    out.push_str("<div class=\"scroll\" tabindex=\"0\"><table>\n");
-    if !table.title.is_empty() {
-        let _ = writeln!(out, "<caption>{}</caption>", escaped(&table.title));
-    }
-    let side = |column: usize| if table.columns.get(column).is_some_and(|c| c.numbers) { "n" } else { "w" };
-    let head = |(k, c): (usize, &super::Column)| {
-        format!("<th scope=\"col\" class=\"{}\">{}</th>", side(k), escaped(&c.title))
-    };
-    let head: String = table.columns.iter().enumerate().map(head).collect();
-    let _ = writeln!(out, "<thead><tr>{head}</tr></thead>\n<tbody>");
-    for row in &table.rows {
-        let cell = |(k, c): (usize, &Cell)| {
-            format!("<td class=\"{} {}\">{}</td>", side(k), tone(c.tone), set(&c.text))
-        };
-        let _ = writeln!(out, "<tr>{}</tr>", row.iter().enumerate().map(cell).collect::<String>());
-    }
-    out.push_str("</tbody></table></div>\n");
-}
-
 fn bars(out: &mut String, bars: &[Bar]) {
     let longest = bars.iter().map(|b| b.value).fold(0.0, f64::max);
     out.push_str("<div class=\"bars\">\n");
@@ -217,44 +158,12 @@ fn choice(out: &mut String, name: &str, sets: &[(String, Vec<Block>)], map_bytes
     out.push_str("</div>\n");
 }
 
-/// The beginning of a figure that a script draws: a title with a remark, what stands above the canvas, the canvas with its
-/// description, and the data as JSON that is safe to stand in a script. What follows is up to `</figure>`.
-pub(super) fn figure(
-    out: &mut String,
-    kind: &str,
-    (title, note): (&str, &str),
-    description: &str,
-    data: &str,
-    above: &dyn Fn(&mut String),
-) {
-    let _ = writeln!(out, "<figure data-kind=\"{kind}\">");
-    if !title.is_empty() {
-        let _ = writeln!(out, "<figcaption>{}</figcaption>", escaped(title));
-    }
-    if !note.is_empty() {
-        let _ = writeln!(out, "<p class=\"note\">{}</p>", escaped(note));
-    }
-    above(out);
-    let _ = writeln!(
-        out,
-        "<div class=\"stage\"><canvas role=\"img\" aria-label=\"{}\"></canvas><div class=\"tip\" hidden></div></div>\n\
-         <script type=\"application/json\">{data}</script>",
-        escaped(description)
-    );
-}
-
-/// A slider for the factor on displacements; the script writes the factor beside it.
-pub(super) fn slider(out: &mut String) {
-    out.push_str(
-        "<label class=\"slides\">Deformed <input type=\"range\" class=\"scale\" min=\"0\" max=\"2\" step=\"0.05\" value=\"1\"> \
-         <output></output></label>",
-    );
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::output::report::{Axis, Badge, Chart, Column, Field, Look, Map, Picture, Series, Shape, View};
+    use crate::output::report::{
+        Axis, Badge, Chart, Column, Field, Look, Map, Picture, Series, Shape, Table, Tone, View,
+    };
 
     const HOSTILE: &str =
         "</script></title><script>alert(1)</script><img src=x onerror=alert(2)> \" ' & <!--";
@@ -314,13 +223,6 @@ mod tests {
             assert!(!html.contains(outside), "{outside}");
         }
         assert!(html.contains(POLICY));
-    }
-
-    #[test]
-    fn names_between_backticks_are_code_and_a_lone_one_is_a_backtick() {
-        assert_eq!(set("joint `<A>` of `b`"), "joint <code>&lt;A&gt;</code> of <code>b</code>");
-        assert_eq!(set("a ` b"), "a ` b");
-        assert_eq!(set("plain"), "plain");
     }
 
     #[test]

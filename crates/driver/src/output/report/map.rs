@@ -2,7 +2,7 @@
 
 use super::json::{all, inline, rounded};
 use super::pack::{Order, pack};
-use super::{html, number};
+use super::{element, number};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -115,7 +115,7 @@ pub struct Moves {
 pub(super) fn render(out: &mut String, map: &Map, most_bytes: usize) {
     let cells = map.cells.count();
     if cells == 0 || map.fields.is_empty() {
-        html::paragraph(out, &html::titled(&map.title, "there are no cells to draw."));
+        element::paragraph(out, &element::titled(&map.title, "there are no cells to draw."));
         return;
     }
     assert!(map.fields.iter().all(|f| f.values.len() == cells), "a field has a value per cell");
@@ -123,14 +123,14 @@ pub(super) fn render(out: &mut String, map: &Map, most_bytes: usize) {
     let data = json!({
         "length": map.length, "cells": map.cells.json(), "fields": fields(map, most_bytes), "moves": moves, "lines": map.lines,
     });
-    html::figure(out, "map", (&map.title, &map.note), &described(map), &inline(&data), &|out| {
+    element::figure(out, "map", (&map.title, &map.note), &described(map), &inline(&data), &|out| {
         out.push_str("<div class=\"controls\"><label>Field <select class=\"field\">");
         map.fields.iter().enumerate().for_each(|(k, f)| {
-            let _ = write!(out, "<option value=\"{k}\">{}</option>", html::escaped(&f.name));
+            let _ = write!(out, "<option value=\"{k}\">{}</option>", element::escaped(&f.name));
         });
         out.push_str("</select></label>");
         if map.moves.is_some() {
-            html::slider(out);
+            element::slider(out);
         }
         out.push_str("</div>\n");
     });
@@ -158,7 +158,7 @@ fn described(map: &Map) -> String {
     let range =
         |f: &Field| format!("{} from {} to {} {}", f.name, number(f.range[0]), number(f.range[1]), f.unit);
     let ranges: Vec<String> = map.fields.iter().map(|f| range(f).trim_end().to_string()).collect();
-    html::titled(&map.title, &ranges.join(", "))
+    element::titled(&map.title, &ranges.join(", "))
 }
 
 #[cfg(test)]

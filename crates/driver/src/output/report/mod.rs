@@ -23,18 +23,21 @@
 
 mod block;
 mod chart;
+mod element;
 mod html;
 mod json;
 mod map;
 mod number;
 mod pack;
 mod picture;
+mod table;
 
-pub use block::{Badge, Bar, Block, Cell, Column, Page, Section, Table, Tone};
+pub use block::{Badge, Bar, Block, Page, Section};
 pub use chart::{Axis, Chart, Look, Series, Slope};
 pub use map::{Cells, Field, Map, Moves};
 pub use number::{number, typeset};
 pub use picture::{Part, Picture, Shape, View};
+pub use table::{Cell, Column, Table, Tone};
 
 use super::atomic;
 use std::io;

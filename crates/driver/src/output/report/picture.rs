@@ -1,6 +1,6 @@
 //! Pictures: lines in the plane, both axes to one scale, which can be moved.
 
-use super::html;
+use super::element;
 use super::json::{all, inline, rounded};
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -87,19 +87,19 @@ impl Part {
 /// Moves or values are neither empty nor as long as the points.
 pub(super) fn render(out: &mut String, picture: &Picture) {
     if picture.views.iter().all(|v| v.shapes.is_empty()) {
-        html::paragraph(out, &html::titled(&picture.title, "there is nothing to draw."));
+        element::paragraph(out, &element::titled(&picture.title, "there is nothing to draw."));
         return;
     }
     let views: Vec<Value> = picture.views.iter().map(view).collect();
     let data = json!({ "length": picture.length, "views": views });
-    html::figure(out, "picture", (&picture.title, ""), &picture.description, &inline(&data), &|out| {
+    element::figure(out, "picture", (&picture.title, ""), &picture.description, &inline(&data), &|out| {
         out.push_str("<div class=\"controls\"><label>View <select class=\"field\">");
         picture.views.iter().enumerate().for_each(|(k, view)| {
-            let _ = write!(out, "<option value=\"{k}\">{}</option>", html::escaped(&view.name));
+            let _ = write!(out, "<option value=\"{k}\">{}</option>", element::escaped(&view.name));
         });
         out.push_str("</select></label>");
         if picture.views.iter().any(|view| view.slides) {
-            html::slider(out);
+            element::slider(out);
         }
         out.push_str("</div>\n");
     });

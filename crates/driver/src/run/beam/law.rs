@@ -3,12 +3,13 @@
 //! By default points have the values of the local beam on any grid, so one more solve measures what the others are off by:
 //! a formula would have to know supports, loads and grid.
 
+use super::exact_state::ExactState;
 use super::twin::{self, Departure, Twin};
 use super::{BeamResult, probes, run_linear};
 use crate::case::FieldName;
 use crate::diagnostic::Faults;
 use crate::diagnostic::tidy;
-use crate::run::{ProbeResult, RunOptions};
+use crate::run::RunOptions;
 use crate::scene::beam::BeamScene;
 use std::time::Instant;
 
@@ -18,17 +19,6 @@ const FAR: f64 = 0.01;
 const MOST_KEPT: usize = 1 << 20;
 /// Energy over that of a beam bent by as much, below which motions strain nothing.
 const STRAIN_FREE: f64 = 1e-3;
-
-/// What a state of the exact beam has for probes, largest displacements and energy.
-#[derive(Clone, Debug)]
-pub struct ExactState {
-    /// The probes.
-    pub probes: Vec<ProbeResult>,
-    /// The largest magnitudes of displacements and rotations, where there are no probes.
-    pub largest: Vec<(FieldName, f64)>,
-    /// Stored energy.
-    pub energy: f64,
-}
 
 /// What is compared of a state.
 struct Answer {

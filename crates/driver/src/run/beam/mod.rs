@@ -2,6 +2,7 @@
 
 mod collect;
 mod comparison;
+mod exact_state;
 mod extremes;
 mod fields;
 mod fracture;
@@ -14,16 +15,16 @@ mod strain;
 mod twin;
 mod verdict;
 
+pub use exact_state::ExactState;
 pub use extremes::MemberForces;
 pub(crate) use extremes::member_forces;
 pub use fields::{BeamResult, LineFields};
-pub use law::ExactState;
 pub use line_points::LinePoints;
 pub use reaction::{JointReaction, Reaction};
 pub(crate) use verdict::{checks, probes};
 
 use super::fracture::Restart;
-use super::problem::prepare_within;
+use super::prepare::prepare_within;
 use super::{RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, memory, solve_states};
 use crate::scene::beam::BeamScene;
 use fracture::BreakingBeam;

@@ -1,6 +1,6 @@
 //! What is told of a body that broke.
 
-use super::super::factor::SolverReport;
+use super::super::solver_report::SolverReport;
 use super::super::{Counters, RunReport, Sizes};
 use super::breaking::Breaking;
 use super::ending::Ending;

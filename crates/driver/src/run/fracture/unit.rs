@@ -1,9 +1,9 @@
 //! The equilibrium at the unit load of a body that changes, found again and again: from the last one, with the last factor.
 
 use super::super::certificate::{self, Certificate};
-use super::super::factor::SolveFailure;
 use super::super::kept_factor::KeptFactor;
 use super::super::load::Load;
+use super::super::solve_failure::SolveFailure;
 use super::super::workspace::{StateSolution, Workspace, jump, jump_energy};
 use super::super::{Counters, Problem, Timing};
 use super::Restart;

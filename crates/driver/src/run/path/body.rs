@@ -1,6 +1,7 @@
 //! A body of bonds with memory: what it answers to displacements, and the factor of its stiffness.
 
-use super::super::factor::{SolveFailure, SparseFactor};
+use super::super::factor::SparseFactor;
+use super::super::solve_failure::SolveFailure;
 use super::super::{Counters, Timing};
 use peristat_assembly::law::Bilinear;
 use peristat_assembly::stiffness::{BondAnswers, HistoryBonds};

@@ -1,6 +1,6 @@
 //! Where a body is on its path: the committed state, and the energies on the way to it.
 
-use super::super::factor::SolveFailure;
+use super::super::solve_failure::SolveFailure;
 use super::body::{Body, State, norm};
 use super::point::{Cost, PathPoint};
 use peristat_assembly::law::Law;

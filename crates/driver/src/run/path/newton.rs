@@ -5,7 +5,7 @@
 //! down the incremental potential for sure, and the step with `θ = 1` is one down a quadratic majoriser of it. A line
 //! search on the slope of the potential decides how far to go.
 
-use super::super::factor::SolveFailure;
+use super::super::solve_failure::SolveFailure;
 use super::body::{Body, State};
 
 /// Parts of the secant stiffness, tried in this order.

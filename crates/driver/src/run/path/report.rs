@@ -1,6 +1,6 @@
 //! What is told of a path.
 
-use super::super::factor::SolverReport;
+use super::super::solver_report::SolverReport;
 use super::super::{RunReport, Sizes, Timing};
 use super::auto::Chosen;
 use super::course::Course;

@@ -1,6 +1,7 @@
 //! From state to state, to every place where the path turns.
 
 use super::super::certificate::{self, Certificate, Seen};
+use super::super::measures::ratio;
 use super::super::scan;
 use super::super::workspace::StateSolution;
 use super::super::{Advance, RunError, RunReport, Sink, Sizes, SolvedState};
@@ -170,9 +171,9 @@ fn certify<const D: usize, P: SofteningBody<D>>(
     let model = body.problem().model();
     let stored = course.points.iter().map(|p| p.stored).fold(0.0, f64::max);
     let energy = correction.iter().zip(&state.residual).map(|(d, r)| d * r).sum::<f64>().abs();
-    let stiffening = certificate::ratio(energy, 2.0 * stored);
+    let stiffening = ratio(energy, 2.0 * stored);
     let seen = Seen {
-        correction: certificate::ratio(scan::largest(correction), farthest),
+        correction: ratio(scan::largest(correction), farthest),
         stiffening,
         strain_correction: model.contrast() * stiffening.sqrt(),
         imbalance: identity,
@@ -180,7 +181,7 @@ fn certify<const D: usize, P: SofteningBody<D>>(
         contrast: model.contrast(),
     };
     Certificate {
-        residual: certificate::ratio(residual, largest),
+        residual: ratio(residual, largest),
         next_correction: last.residual,
         first_correction: 0.0,
         balance,

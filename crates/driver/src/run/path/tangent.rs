@@ -4,7 +4,7 @@
 //! the stiffness is indefinite, on branches that are not stable, so is its factor.
 
 use super::super::RunError;
-use super::super::factor::SolveFailure;
+use super::super::solve_failure::SolveFailure;
 use super::body::{Body, State, norm};
 use super::course::Course;
 use peristat_solve::{FactorError, LowRank, Preconditioner, SparseIndefinite};

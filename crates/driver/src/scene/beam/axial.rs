@@ -1,10 +1,10 @@
 //! Whether a scene has axial unknowns, and on which points of its lines something reads them.
 
-use super::beam_path;
 use super::holds::{How, Motion};
 use super::links::RigidBar;
-use super::loads::ResolvedLoads;
+use super::model_path::beam_path;
 use super::place::Layout;
+use super::resolved_loads::ResolvedLoads;
 use super::section::Resolved;
 use super::supports::HeldPoint;
 use crate::case::{Body, Case, Solver};
@@ -64,7 +64,7 @@ pub(super) fn check(
     if let Some(line) = missing {
         let place = match (&case.body, &layout.frame) {
             (Body::Frame(frame), Some(_)) if frame.members[line].stiffness.is_some() => {
-                super::frame::path().key("members").index(line).key("stiffness")
+                super::frame_layout::path().key("members").index(line).key("stiffness")
             }
             _ => beam_path().key("stiffness"),
         };

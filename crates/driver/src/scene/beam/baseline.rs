@@ -1,8 +1,8 @@
 //! Stored values that results are compared with.
 
 use super::checks::Context;
-use super::files::text;
 use crate::diagnostic::{Faults, JsonPath, tidy};
+use crate::scene::files::text;
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
 
 /// The stored values of a baseline check, positions and values, if they belong to the points of the scene.

@@ -1,23 +1,21 @@
 //! Lines and points of a scene.
 
-use super::super::horizon::horizon_ratio;
-use super::beam_path;
-use super::grading::stations;
-use super::loads::ResolvedLoads;
+use super::line::{MOST_POINTS, layout_line};
+use super::links::RigidBar;
+use super::model_path::beam_path;
 use super::place::{Layout, LayoutLine};
+use super::resolved_loads::ResolvedLoads;
 use super::section::Resolved;
 use super::size::{self, is_special};
-use super::{HeldPoint, RigidBar, root};
+use super::supports::HeldPoint;
 use crate::case::Case;
+use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, positive};
 use crate::model::Beam;
 use peristat_assembly::model::timoshenko_beam::{
     Axial, BeamParameters, ChainError, Grid, Line, TimoshenkoBeam, VolumeFactor,
     end_treatment::{self, EndSupport},
 };
-
-/// Largest number of points: they are numbered by 32 bits.
-pub(super) const MOST_POINTS: usize = 2_000_000_000;
 
 /// The lines with their horizons.
 pub(super) fn layout(
@@ -85,48 +83,6 @@ pub(super) fn layout(
         lines.iter().enumerate().map(|(k, line)| layout_line(case, line, &path(k), faults)).collect();
     let lines: Option<Vec<LayoutLine>> = lines.into_iter().collect();
     Some(Layout { lines: lines?, treatment, frame: None })
-}
-
-/// A line with its horizon and grid; `path` is its own.
-pub(super) fn layout_line(
-    case: &Case,
-    line: &crate::case::Line,
-    path: &JsonPath,
-    faults: &mut Faults,
-) -> Option<LayoutLine> {
-    let (from, length, cells, grid) = (line.from, line.length, line.cells, line.grid);
-    let Some(grading) = &line.grading else {
-        let horizon_ratio = horizon_ratio(case, length / cells as f64, 3.0, faults)?;
-        return Some(LayoutLine { from, length, cells, grid, horizon_ratio, stations: None });
-    };
-    let horizon_ratio = neighbours(case, faults);
-    let stations = stations(grading, from, length, cells, &path.key("grading"), faults)?;
-    let horizon_ratio = horizon_ratio?;
-    Some(LayoutLine { from, length, cells, grid, horizon_ratio, stations: Some(stations) })
-}
-
-/// The horizon ratio on a graded grid: the number of neighbours on each side.
-fn neighbours(case: &Case, faults: &mut Faults) -> Option<f64> {
-    if case.horizon.is_some() {
-        faults
-            .error(
-                root("horizon"),
-                "`horizon` is a length, and families of a graded grid have a number of neighbours",
-            )
-            .hint("give `horizon_ratio`, the number of neighbours on each side");
-        return None;
-    }
-    let ratio = horizon_ratio(case, 1.0, 3.0, faults)?;
-    if ratio.fract() != 0.0 {
-        faults
-            .error(
-                root("horizon_ratio"),
-                format!("`horizon_ratio` must be whole on a graded grid, found {ratio}"),
-            )
-            .hint("it is the number of neighbours on each side");
-        return None;
-    }
-    Some(ratio)
 }
 
 /// Lines must not touch: a position says which one is meant.

@@ -1,13 +1,18 @@
 //! Checks of a beam at all of its points.
 
-use super::expectation::{self, PointsCheck};
+use super::baseline;
 use super::facts::facts;
 use super::foundation::Bed;
-use super::{HeldPoint, ProbePoint, RigidBar, State, baseline, words};
+use super::links::RigidBar;
+use super::probes::ProbePoint;
+use super::state::State;
+use super::supports::HeldPoint;
 use crate::case::{Baseline, Case, ClosedForm, FieldName};
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::input::Folder;
 use crate::reference::{self, Field, Solution};
+use crate::scene::expectation::{self, PointsCheck};
+use crate::scene::words;
 use crate::scene::{Expectation, ExpectationKind};
 use peristat_assembly::model::timoshenko_beam::TimoshenkoBeam;
 

@@ -1,9 +1,9 @@
 //! Distributed loads of a scene.
 
 use super::extent::{self, Extent, Given, Words};
-use super::loads::ResolvedLoads;
 use super::place::{Layout, LayoutLine};
 use super::point_load::shares;
+use super::resolved_loads::ResolvedLoads;
 use crate::case::{Distributed as Written, DistributedForce};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::{Along, Distributed, Intensity};

@@ -1,7 +1,9 @@
 //! What a closed form may know about a state of a scene.
 
 use super::foundation::Bed;
-use super::{HeldPoint, RigidBar, State};
+use super::links::RigidBar;
+use super::state::State;
+use super::supports::HeldPoint;
 use crate::reference::{BondClass, End, Facts, Load};
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndKind;
 use peristat_assembly::model::timoshenko_beam::{Along, Intensity, TimoshenkoBeam};

@@ -1,7 +1,7 @@
 //! Keys of a case that have no meaning for a beam.
 
-use super::root;
 use crate::case::{At, Body, Case, Load, Solver};
+use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::hints;
 

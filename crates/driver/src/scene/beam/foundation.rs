@@ -2,8 +2,9 @@
 
 use super::extent::{self, Extent, Given, Words};
 use super::place::Layout;
-use super::{profile, root};
+use super::profile;
 use crate::case::{Case, Foundation};
+use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::material::Profile;
 use peristat_assembly::model::timoshenko_beam::{TimoshenkoBeam, W};

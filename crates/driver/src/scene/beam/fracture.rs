@@ -1,12 +1,15 @@
 //! How the bonds of a beam break.
 
-use super::super::fracture::{self, FractureScene};
+use super::model_path::beam_path;
 use super::place::Layout;
-use super::{ProbePoint, SectionAlong, beam_path, root};
+use super::probes::ProbePoint;
+use super::section::SectionAlong;
 use crate::case::FRACTURE_FACTS;
 use crate::case::{Case, Check, Fracture};
+use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::{foreign, needed};
+use crate::scene::fracture::{self, FractureScene};
 use peristat_assembly::model::timoshenko_beam::{CriticalStrain, CriticalStrains, TimoshenkoBeam};
 
 /// What resolution looks at.

@@ -1,6 +1,6 @@
 //! What a frame must be beside well-formed: names that tell things apart, joints that join, hinges that turn.
 
-use super::frame::path;
+use super::frame_layout::path;
 use crate::case::Frame;
 use crate::diagnostic::{Faults, JsonPath};
 use std::collections::{HashMap, HashSet};

@@ -1,10 +1,10 @@
 //! What joins points: rigid bars between lines, and the joints of a frame.
 
-use super::frame::{self, EndOfMember, JointLayout};
+use super::frame_layout::{self, EndOfMember, JointLayout};
 use super::place::{Layout, Place};
-use super::root;
 use super::spot::{self, Spot};
 use crate::case::{At, Case, Link};
+use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::timoshenko_beam::{PHI, U, W};
@@ -116,7 +116,7 @@ pub(super) fn joint_equations(layout: &Layout, first: &[usize], has_axial: bool)
         }
     };
     for (k, joint) in frame.joints.iter().enumerate() {
-        tie(joint, &frame::path().key("joints").index(k).to_string(), &mut equations);
+        tie(joint, &frame_layout::path().key("joints").index(k).to_string(), &mut equations);
     }
     equations
 }

@@ -1,21 +1,15 @@
 //! Loads of a beam: load cases, combinations and steps as right-hand sides.
 
+use super::model_path::beam_path;
 use super::place::Layout;
-use super::states::Sum;
-use super::{State, distributed_load, point_load};
+use super::resolved_loads::ResolvedLoads;
+use super::state::State;
+use super::{distributed_load, point_load};
 use crate::case::{Case, Load, LoadSharing};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::Beam;
+use crate::scene::states::{self, Sum};
 use peristat_assembly::model::timoshenko_beam::BeamLoads;
-
-/// Loads of one load case, and the points they split.
-#[derive(Clone, Debug, Default)]
-pub(super) struct ResolvedLoads {
-    /// The loads.
-    pub(super) loads: BeamLoads,
-    /// Line and real point of concentrated loads that act on a point.
-    pub(super) splits: Vec<(usize, usize)>,
-}
 
 /// All load cases; a case with plain `loads` has one. Fills in how the model shares distributed loads.
 pub(super) fn load_cases(
@@ -33,7 +27,7 @@ pub(super) fn load_cases(
     if sharing == LoadSharing::Consistent && !layout.treatment.covers() {
         faults
             .error(
-                super::beam_path().key("distributed_loads"),
+                beam_path().key("distributed_loads"),
                 "`consistent` loads need bonds whose weights sum to one across every cell",
             )
             .hint("use `lumped`, or the end treatment `cover`");
@@ -41,7 +35,7 @@ pub(super) fn load_cases(
     if sharing == LoadSharing::Consistent && on_springs {
         faults
             .error(
-                super::beam_path().key("distributed_loads"),
+                beam_path().key("distributed_loads"),
                 "`consistent` loads do not fit a foundation, which acts on the points",
             )
             .hint("leave `distributed_loads` out: errors of loads and foundation on the points cancel in part, with `consistent` loads they do not");
@@ -66,7 +60,7 @@ pub(super) fn load_cases(
         }
         resolved
     };
-    super::states::load_cases(case, resolve, faults)
+    states::load_cases(case, resolve, faults)
 }
 
 /// The right-hand sides of the case.
@@ -76,7 +70,7 @@ pub(super) fn states(
     max_memory: Option<u64>,
     faults: &mut Faults,
 ) -> Option<Vec<State>> {
-    let sums = super::states::sums(case, faults);
+    let sums = states::sums(case, faults);
     let loads = |k: usize| (cases[k].loads.point.len() + cases[k].loads.distributed.len()) as f64;
     let all: f64 = sums.iter().flat_map(|sum| &sum.terms).map(|&(k, _)| loads(k)).sum();
     let key = if case.steps.is_some() { "steps" } else { "combinations" };

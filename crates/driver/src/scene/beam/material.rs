@@ -1,8 +1,9 @@
 //! Material, section and calibration of a scene.
 
+use super::model_path::beam_path;
 use super::section::{Resolved, stiffness};
-use super::{beam_path, root};
 use crate::case::{Body, Case, Frame, Member};
+use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::model::Beam;
 use peristat_assembly::model::timoshenko_beam::{

@@ -1,6 +1,6 @@
 //! Free motions in words.
 
-use super::BeamScene;
+use super::scene::BeamScene;
 use crate::diagnostic::tidy;
 use peristat_assembly::system::{FreeMotion, PartMotion};
 

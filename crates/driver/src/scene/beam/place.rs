@@ -1,6 +1,6 @@
 //! Where on the body a position is.
 
-use super::frame::{EndOfMember, FrameLayout};
+use super::frame_layout::{EndOfMember, FrameLayout};
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::model::timoshenko_beam::Grid;
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndTreatment;

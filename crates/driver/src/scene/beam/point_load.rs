@@ -1,7 +1,7 @@
 //! Concentrated loads of a scene.
 
-use super::loads::ResolvedLoads;
 use super::place::{Layout, Place};
+use super::resolved_loads::ResolvedLoads;
 use super::spot::{self, Spot};
 use crate::case::PointLoad;
 use crate::diagnostic::{Faults, JsonPath};

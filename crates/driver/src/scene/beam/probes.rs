@@ -1,12 +1,13 @@
 //! Probes of a beam: which point answers, and whether it can.
 
 use super::place::{Layout, Place};
+use super::section::SectionAlong;
 use super::spot::{self, Spot};
-use super::words;
-use super::{HeldPoint, SectionAlong};
+use super::supports::HeldPoint;
 use crate::case::{Case, FieldName, Probe};
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::model::Beam;
+use crate::scene::words;
 
 /// A probe on a point.
 #[derive(Clone, Debug)]

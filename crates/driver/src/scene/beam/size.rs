@@ -1,9 +1,10 @@
 //! Whether a scene fits into memory, before it is built.
 
+use super::frame_layout;
 use super::place::{Layout, LayoutLine};
 use super::section::Resolved;
-use super::{frame, root};
 use crate::diagnostic::Faults;
+use crate::diagnostic::root;
 use crate::memory;
 use peristat_assembly::model::timoshenko_beam::{BeamBond, Distributed, PointAction};
 use peristat_assembly::stiffness::{Bond, Spring};
@@ -19,7 +20,7 @@ pub(super) fn check(layout: &Layout, sections: &[Resolved], max_memory: Option<u
     let all = special().fold(0, |sum: usize, (_, (line, _))| sum.saturating_add(bonds(line)));
     let Some((k, _)) = special().max_by_key(|(_, (line, _))| bonds(line)) else { return };
     let path = match (&layout.frame, layout.lines.len()) {
-        (Some(_), _) => frame::path().key("members").index(k),
+        (Some(_), _) => frame_layout::path().key("members").index(k),
         (None, 1) => root("body").key("line"),
         (None, _) => root("body").key("lines").index(k),
     };

@@ -1,6 +1,6 @@
 //! What the `at` of a case names: a place on a line or member, or a joint.
 
-use super::frame::FrameLayout;
+use super::frame_layout::FrameLayout;
 use super::place::{Layout, Place};
 use crate::case::At;
 use crate::diagnostic::{Faults, JsonPath, suggest, tidy};

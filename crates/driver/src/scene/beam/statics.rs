@@ -1,7 +1,8 @@
 //! Resultants of what acts on a beam or frame.
 
-use super::super::{Counted, Resultant};
-use super::{BeamScene, State};
+use super::scene::BeamScene;
+use super::state::State;
+use crate::scene::{Counted, Resultant};
 use peristat_assembly::model::timoshenko_beam::{
     Along, BeamLoads, Distributed, Intensity, Line, PHI, TimoshenkoBeam, U, W,
 };

@@ -2,9 +2,9 @@
 
 use super::holds::{Hold, holds};
 use super::place::{Layout, Place};
-use super::root;
 use super::spot::{self, Spot};
 use crate::case::{Case, Support};
+use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::reference::End;
 use peristat_assembly::model::timoshenko_beam::end_treatment::{EndKind, EndSupport};

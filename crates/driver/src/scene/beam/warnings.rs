@@ -1,11 +1,11 @@
 //! Doubts about a case that can be run.
 
-use super::beam_path;
 use super::foundation::Bed;
+use super::model_path::beam_path;
 use super::place::{Layout, LayoutLine};
 use super::profile;
-use super::root;
 use crate::case::{Case, Units};
+use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::model::Beam;
 use peristat_assembly::model::timoshenko_beam::{Chain, TimoshenkoBeam, VolumeFactor};

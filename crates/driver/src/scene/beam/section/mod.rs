@@ -5,9 +5,9 @@ mod power_law;
 mod shape;
 mod taper;
 
-use super::numbers;
 use crate::diagnostic::{Faults, JsonPath, positive};
 use crate::model::Beam;
+use crate::scene::numbers;
 use peristat_assembly::material::{Profile, SectionStiffness};
 
 /// What is known of the sections of a line, by the distance from its start.

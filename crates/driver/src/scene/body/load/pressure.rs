@@ -5,6 +5,7 @@ use super::stress_field::StressField;
 use super::sums::BodyLoads;
 use crate::case::Pressure;
 use crate::diagnostic::{Faults, JsonPath};
+use crate::model::hints;
 use peristat_assembly::body::PlaneBody;
 
 /// Adds a pressure.
@@ -15,6 +16,9 @@ pub(crate) fn resolve(
     to: &mut BodyLoads,
     faults: &mut Faults,
 ) {
+    if context.material.cylinder_radius().is_none() {
+        return refuse(context, path, faults);
+    }
     let PlaneBody::Lattice(lattice) = context.ground.body else { return };
     let mirrors = &context.symmetry.mirrors;
     let Some(pressure) = context.material.pressure(load, lattice, mirrors, path, faults) else { return };
@@ -38,4 +42,17 @@ pub(crate) fn resolve(
     if k > 0.0 {
         to.forces.extend(points.map(force));
     }
+}
+
+/// The fault of a pressure on a body that is no shell.
+fn refuse(context: &LoadContext, path: &JsonPath, faults: &mut Faults) {
+    let hint = match context.ground.body.axes() {
+        2 => {
+            "in the plane a pressure acts on an edge or a hole: { \"traction\": { \"edge\": …, \"pressure\": … } }"
+        }
+        _ => "on a solid a pressure acts on a face: { \"traction\": { \"face\": …, \"pressure\": … } }",
+    };
+    faults
+        .error(path.clone(), format!("a `pressure` on the body is for the model `{}`", hints::SHELLS))
+        .hint(hint);
 }

@@ -1,0 +1,84 @@
+//! The system that a problem becomes.
+
+use super::error::RunError;
+use super::memory;
+use super::options::RunOptions;
+use super::problem::{Problem, Spread};
+use super::scene_sizes::Sizes;
+use crate::diagnostic::{Faults, JsonPath};
+use peristat_assembly::stiffness::{Springs, Term};
+use peristat_assembly::system::{System, free_motions};
+use std::str::FromStr;
+
+/// Free motions that are told one by one, at most.
+const MOST_MOTIONS: usize = 6;
+
+/// The system of a problem, checked for size, contradictions and free motions, in this order.
+///
+/// # Errors
+/// [`RunError::Memory`] if solving would take more than is allowed, or than the machine has; [`RunError::Case`] names
+/// contradicting supports or every motion that nothing holds.
+pub fn prepare<const D: usize>(
+    problem: &dyn Problem<D>,
+    options: &RunOptions,
+) -> Result<(System<D>, Sizes), RunError> {
+    prepare_within(problem, memory::estimate(problem, options.recover), options)
+}
+
+/// The same where solving will take `needed` bytes of memory.
+pub(super) fn prepare_within<const D: usize>(
+    problem: &dyn Problem<D>,
+    needed: u64,
+    options: &RunOptions,
+) -> Result<(System<D>, Sizes), RunError> {
+    let allowed = crate::memory::allowed(options.max_memory);
+    if let Some(allowed) = allowed.filter(|&allowed| needed > allowed) {
+        return Err(RunError::Memory { needed, allowed });
+    }
+    let mut faults = Faults::default();
+    let (points, mut springs): (usize, Vec<Box<dyn Term<D>>>) = (problem.model().points(), Vec::new());
+    if !problem.springs().is_empty() {
+        springs.push(Box::new(Springs::new(points, problem.springs().to_vec())));
+    }
+    let system = match System::new(problem.model(), springs, problem.equations().to_vec()) {
+        Ok(system) => system,
+        Err(contradiction) => {
+            let path = JsonPath::from_str(&contradiction.origin).unwrap_or_default();
+            let mut others: Vec<String> = contradiction
+                .others
+                .iter()
+                .filter(|o| **o != contradiction.origin)
+                .map(|o| format!("`{o}`"))
+                .collect();
+            others.sort_unstable();
+            others.dedup();
+            let message = match others.is_empty() {
+                true => format!("`{}` contradicts itself", contradiction.origin),
+                false => format!("`{}` contradicts {}", contradiction.origin, others.join(", ")),
+            };
+            faults.error(path, message).hint(match problem.spread() {
+                Spread::Chain => "prescribe each motion once; points that a link or a joint joins move together",
+                _ => "prescribe each motion once: edges share the points of their corner, and those of a rigid region move together",
+            });
+            return Err(RunError::Case(faults));
+        }
+    };
+    let (motions, supports) = (free_motions(problem.model(), &system), JsonPath::default().key("supports"));
+    for motion in motions.iter().take(MOST_MOTIONS) {
+        faults.error(supports.clone(), problem.describe(motion)).hint(problem.remedy());
+    }
+    if let Some(more @ 1..) = motions.len().checked_sub(MOST_MOTIONS) {
+        let s = if more == 1 { "" } else { "s" };
+        faults.error(supports, format!("{more} more motion{s} of this kind would be free"));
+    }
+    if faults.has_errors() {
+        return Err(RunError::Case(faults));
+    }
+    let sizes = Sizes {
+        points: system.points(),
+        bonds: system.elements(),
+        unknowns: system.independent() - problem.model().idle(),
+        estimated_bytes: needed,
+    };
+    Ok((system, sizes))
+}

@@ -1,0 +1,84 @@
+//! Solving every right-hand side of a prepared problem.
+
+use super::certificate::{self, Certificate, FEW_DIGITS};
+use super::error::RunError;
+use super::linear::LinearSolver;
+use super::load::Load;
+use super::method;
+use super::problem::Problem;
+use super::report::{Counters, RunReport, Timing};
+use super::scene_sizes::Sizes;
+use super::solved_state::SolvedState;
+use super::solver_report::SolverReport;
+use super::workspace::StateSolution;
+use crate::diagnostic::Faults;
+use peristat_assembly::system::System;
+use std::time::Instant;
+
+/// Solution of a load and a factor on prescribed motions, with its certificate.
+pub(super) fn certified<const D: usize>(
+    problem: &dyn Problem<D>,
+    system: &System<D>,
+    solver: &mut LinearSolver<D>,
+    (load, motion_factor): (&[f64], f64),
+    timing: &mut Timing,
+) -> (StateSolution, Certificate) {
+    let begin = Instant::now();
+    let solution = solver.solve(system, &Load::new(problem.model(), load), motion_factor);
+    timing.solve += begin.elapsed().as_secs_f64();
+    let begin = Instant::now();
+    let certificate = certificate::certify(problem, system, load, &solution, solver.scales());
+    timing.certify += begin.elapsed().as_secs_f64();
+    (solution, certificate)
+}
+
+/// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`.
+pub(super) fn solve_states<const D: usize>(
+    problem: &dyn Problem<D>,
+    (system, sizes): (&System<D>, Sizes),
+    take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
+) -> Result<RunReport, RunError> {
+    let mut timing = Timing::default();
+    let begin = Instant::now();
+    let coarser = if method::plan(problem) == method::Plan::Cycle { problem.coarser() } else { None };
+    timing.assemble = begin.elapsed().as_secs_f64();
+    let mut ready = Some(LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?);
+    let (mut report, mut counters) = (SolverReport::default(), Counters::default());
+    let mut load = vec![0.0; system.size()];
+    let mut converged = true;
+    for state in 0..problem.states() {
+        let Some(solver) = &mut ready else { break };
+        load.fill(0.0);
+        let motion_factor = problem.add_load(state, &mut load);
+        let (mut solution, mut certificate) =
+            certified(problem, system, solver, (&load, motion_factor), &mut timing);
+        let is_poor = !certificate.converged || certificate.digits < FEW_DIGITS;
+        if is_poor && !solver.has_factor() && method::can_fall_back(problem) {
+            solver.fall_back(problem, system, &mut timing)?;
+            (solution, certificate) = certified(problem, system, solver, (&load, motion_factor), &mut timing);
+        }
+        converged &= certificate.converged;
+        // The factor is the largest thing in memory: the last state is recorded without it.
+        if state + 1 == problem.states() {
+            (report, counters) = (solver.report().clone(), solver.counters().clone());
+            ready = None;
+        }
+        let begin = Instant::now();
+        take(SolvedState { state, load: &load, solution, certificate })?;
+        timing.record += begin.elapsed().as_secs_f64();
+    }
+    counters.bond_evaluations = system.evaluations();
+    counters.stored_bond_factors = system.terms().iter().map(|t| t.stored_factors()).sum();
+    Ok(RunReport {
+        sizes,
+        solver: report,
+        counters,
+        timing,
+        skipped: Vec::new(),
+        warnings: Faults::default(),
+        converged,
+        fracture: None,
+        path: None,
+        exact: None,
+    })
+}

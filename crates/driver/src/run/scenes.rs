@@ -1,0 +1,44 @@
+//! Running a scene, whatever its body.
+
+use super::error::RunError;
+use super::fracture::Restart;
+use super::options::RunOptions;
+use super::report::RunReport;
+use super::scene_sizes::Sizes;
+use super::sink::Sink;
+use super::state::StateResult;
+use super::{beam, body};
+use crate::scene::Scene;
+
+/// Solves every state of a scene and hands its result to `sink` as it comes; a body that breaks goes on from `resume`.
+///
+/// # Errors
+/// [`RunError`]; a state that did not converge is no error but an outcome in the report.
+pub fn run(
+    scene: &Scene,
+    options: &RunOptions,
+    resume: Option<Restart>,
+    sink: &mut dyn Sink,
+) -> Result<RunReport, RunError> {
+    match scene {
+        Scene::Beam(scene) if scene.fracture.is_some() => beam::run_breaking(scene, options, resume, sink),
+        Scene::Body(scene) if scene.fracture.is_some() => body::run_breaking(scene, options, resume, sink),
+        Scene::Body(scene) if scene.path.is_some() && resume.is_none() => {
+            body::run_softening(scene, options, sink)
+        }
+        _ if resume.is_some() => Err(RunError::NotResumable),
+        Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),
+        Scene::Body(scene) => body::run(scene, options, &mut |result| sink.take(StateResult::Body(result))),
+    }
+}
+
+/// Sizes of a scene that can be solved.
+///
+/// # Errors
+/// As [`prepare`].
+pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
+    match scene {
+        Scene::Beam(scene) => beam::sizes(scene, options),
+        Scene::Body(scene) => body::sizes(scene, options),
+    }
+}
