@@ -50,6 +50,7 @@ mod plane_solvers;
 mod plausibility;
 mod polygons;
 mod reactions;
+mod ring_borders;
 mod ring_tractions;
 mod section_forces;
 mod sections;

@@ -35,7 +35,7 @@ pub fn run(
 /// Sizes of a scene that can be solved.
 ///
 /// # Errors
-/// As [`prepare`].
+/// As [`run`].
 pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
     match scene {
         Scene::Beam(scene) => beam::sizes(scene, options),

@@ -8,7 +8,12 @@
 use super::border::follows;
 use super::reach::{Lacking, Need, transport};
 use super::sources::{Bonded, Source};
+use super::transport::Transport;
+use crate::stiffness::Parts;
 use std::collections::BTreeMap;
+
+/// Part by which the volumes of a part of the border may be off: at 12 %, beside a narrow bore, its stresses are 15 % wrong.
+const MOST_OFF: f64 = 0.01;
 
 /// Coefficients of `u_x` in a hoop strain, 1/m, by points.
 pub(super) type Hoop = BTreeMap<u32, f64>;
@@ -22,10 +27,12 @@ pub(super) fn hoops(plate: &Bonded, points: &[Lacking], volumes: &[f64], scale: 
         return (points.iter().map(own).collect(), 0.0);
     }
     let sources = sources(plate, points);
-    let wanted: Vec<f64> = fitted(volumes, &sources);
-    let need = (Need::Volumes(&wanted), scale);
-    let mut transport = transport(&sources, points, &plate.mirrors, need, 0.0);
-    let left = transport.solve();
+    let of =
+        |wanted: &[f64]| transport(&sources, points, &plate.mirrors, (Need::Volumes(wanted), scale), 0.0);
+    let (wanted, off) = fitted(volumes, &sources, &of(volumes));
+    let mut transport = of(&wanted);
+    // What is off by more is told, as what does not fit.
+    let left = transport.solve().max(if off > MOST_OFF { off } else { 0.0 });
     let mut found = Vec::with_capacity(points.len());
     let mut from = 0;
     for &end in &transport.ends {
@@ -43,10 +50,28 @@ pub(super) fn hoops(plate: &Bonded, points: &[Lacking], volumes: &[f64], scale: 
     (found, left)
 }
 
-/// Volumes that sum to that of all sources: rounding leaves a little between both.
-fn fitted(volumes: &[f64], sources: &[Source]) -> Vec<f64> {
-    let (given, wanted) = (sources.iter().map(Source::volume).sum::<f64>(), volumes.iter().sum::<f64>());
-    volumes.iter().map(|v| v * given / wanted).collect()
+/// Volumes that sum to those of the sources in every part of the border by itself, and by how much any part had others: the sums of
+/// all are those of the body, but dilatations hand a little from the inner border to the outer one, 0.3 % measured.
+fn fitted(volumes: &[f64], sources: &[Source], reached: &Transport) -> (Vec<f64>, f64) {
+    // Points, then sources, that hang together.
+    let mut parts = Parts::new(volumes.len() + sources.len());
+    let mut from = 0;
+    for (point, &end) in reached.ends.iter().enumerate() {
+        let places = reached.edges[from..end].iter().map(|edge| volumes.len() + edge.place as usize);
+        places.for_each(|place| parts.join(point, place));
+        from = end;
+    }
+    let parts = parts.numbered();
+    let mut sums: BTreeMap<usize, [f64; 2]> = BTreeMap::new();
+    volumes.iter().enumerate().for_each(|(k, v)| sums.entry(parts.of(k)).or_default()[1] += v);
+    let given = sources.iter().enumerate();
+    given.for_each(|(k, s)| sums.entry(parts.of(volumes.len() + k)).or_default()[0] += s.volume());
+    let scaled = |(k, v): (usize, &f64)| {
+        let [given, wanted] = sums[&parts.of(k)];
+        v * given / wanted
+    };
+    let off = sums.values().map(|[given, wanted]| (given / wanted - 1.0).abs()).fold(0.0, f64::max);
+    (volumes.iter().enumerate().map(scaled).collect(), off)
 }
 
 /// `∫ u_x dA` of the points and of the parts of blocks around them, in cells times spacings.
