@@ -1,4 +1,4 @@
-//! The memory of a run: told before it is taken.
+//! The memory of a run: stated before it is taken.
 
 use super::support::{json, run};
 use serde_json::{Value, json};

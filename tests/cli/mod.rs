@@ -15,6 +15,7 @@ mod manual;
 mod memory;
 mod meshio;
 mod messages;
+mod model_tables;
 mod numbers;
 mod outside;
 mod plane_folder;

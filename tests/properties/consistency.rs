@@ -8,7 +8,7 @@ use super::smoothing::steps_are_what_they_say;
 use nalgebra::DMatrix;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::Model;
-use peristat_assembly::stiffness::{BlockMatrix, Parts, Term, Twofold};
+use peristat_assembly::stiffness::{BlockMatrix, ConnectedParts, Term, Twofold};
 use peristat_assembly::sum::Sum;
 use peristat_assembly::system::System;
 use proptest::test_runner::{Config, RngSeed};
@@ -201,10 +201,11 @@ fn elements_are_the_couplings<const D: usize>(system: &System<D>) {
         // Bonds couple one pair each, families of several points more.
         assert!(term.elements() <= pairs.len() + grounded);
         assert!(pairs.iter().all(|(i, j)| i.abs_diff(*j) <= term.reach()));
-        let (mut joined, mut expected) = (Parts::new(system.points()), Parts::new(system.points()));
+        let (mut joined, mut expected) =
+            (ConnectedParts::new(system.points()), ConnectedParts::new(system.points()));
         term.join(&mut joined);
         pairs.iter().for_each(|&(i, j)| expected.join(i, j));
-        let of_points = |parts: Parts| -> Vec<usize> {
+        let of_points = |parts: ConnectedParts| -> Vec<usize> {
             let parts = parts.numbered();
             (0..system.points()).map(|point| parts.of(point)).collect()
         };

@@ -2,7 +2,7 @@
 
 use super::consistency::{Noise, constrained, largest};
 use peristat_assembly::model::Model;
-use peristat_assembly::stiffness::{NumberedParts, Parts, Term};
+use peristat_assembly::stiffness::{ConnectedParts, NumberedParts, Term};
 use peristat_assembly::system::{FreeMotion, System, free_motions};
 
 pub(crate) fn free_motions_are_free<const D: usize, M: Model<D>>(
@@ -14,7 +14,7 @@ pub(crate) fn free_motions_are_free<const D: usize, M: Model<D>>(
         let mut equations = constrained::<D>(model.points(), noise);
         equations.truncate(held);
         let system = System::new(model, extra(), equations).expect("homogeneous equations never contradict");
-        let mut parts = Parts::new(system.points());
+        let mut parts = ConnectedParts::new(system.points());
         system.terms().iter().for_each(|term| term.join(&mut parts));
         let parts = parts.numbered();
         let found = free_motions(model, &system);
@@ -50,7 +50,7 @@ pub(crate) fn costs_nothing<const D: usize, M: Model<D>>(
     }
     let size = largest(&u);
     assert!(size > 0.0 && size.is_finite());
-    // Amounts below a millionth of the largest are told as zero.
+    // Amounts below a millionth of the largest are reported as zero.
     for equation in equations {
         let (mut sum, mut scale) = (0.0, 0.0);
         for (unknown, coefficient) in equation {

@@ -1,4 +1,4 @@
-//! What edges cost that are not completed, or held, and holes whose boundary layer is thinner than the horizon: each is told
+//! What edges cost that are not completed, or held, and holes whose boundary layer is thinner than the horizon: each is reported
 //! where it matters, and only there.
 
 use peristat::summary::Summary;

@@ -165,7 +165,7 @@ fn rows(case: &str, exact: &mut usize, missing: &mut usize) -> Vec<Row> {
     rows
 }
 
-/// Share of rows that are told at least a third of their true error, and of those that are told at most ten times it.
+/// Share of rows whose estimate is at least a third of their true error, and of those whose estimate is at most ten times it.
 fn shares(rows: &[Row]) -> [f64; 2] {
     let share = |holds: &dyn Fn(f64) -> bool| {
         rows.iter().filter(|row| holds(row.ratio)).count() as f64 / rows.len() as f64

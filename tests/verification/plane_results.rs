@@ -1,4 +1,4 @@
-//! What is told of bodies in the plane after the solve: reactions, forces of mirrors, stress intensities, what was spared.
+//! What is reported of bodies in the plane after the solve: reactions, forces of mirrors, stress intensities, what was spared.
 
 use peristat::run::body::BodyResult;
 use peristat::run::{RunOptions, RunReport, StateResult, taking};

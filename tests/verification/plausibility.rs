@@ -1,4 +1,4 @@
-//! Answers that their models cannot give: what is told of them, and where nothing is.
+//! Answers that their models cannot give: what is reported of them, and where nothing is.
 
 use peristat::Loaded;
 use peristat::run::{RunOptions, taking};

@@ -20,7 +20,7 @@ pub(super) fn study(request: &Study, global: &Global) -> Result<u8, Error> {
         return show_plan(&plan, &Store::at(&folder), global);
     }
     let chosen = chosen(&plan, &request.task)?;
-    // Tasks that are told apart are for many processes; what is collected may still grow.
+    // Numbered tasks are for many processes; what is collected may still grow.
     let shares = request.collect || !request.task.is_empty();
     let store = Store::open(&folder, request.force, if shares { Hold::Together } else { Hold::Alone })?;
     if request.task.is_empty() && !request.force {

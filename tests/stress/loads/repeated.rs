@@ -1,4 +1,4 @@
-//! Bodies between mirrors and joined sides: what goes through those is told, or in balance with itself.
+//! Bodies between mirrors and joined sides: what goes through those is reported, or balances itself.
 
 use super::asked::Asked;
 use super::bodies;

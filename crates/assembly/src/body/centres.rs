@@ -2,10 +2,10 @@
 
 use super::cover::left_of;
 use super::geometry::{Point, minus};
-use super::lattice::{self, Cell, Centres, Parts, SquareLattice, plus};
+use super::lattice::{self, Cell, Centres, SquareLattice, TriangleParts, plus};
 use super::outline::Outline;
 
-/// Corners of a block from its lower left one, in the order of [`Parts`].
+/// Corners of a block from its lower left one, in the order of [`TriangleParts`].
 const CORNERS: [Cell; 4] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]];
 /// How far areas by clipping may be from the parts of triangles, cells, before borders are taken to overlap.
 const ALIKE: f64 = 1e-8;
@@ -23,7 +23,7 @@ impl Outline {
     pub fn with_centres(&self, lattice: SquareLattice) -> SquareLattice {
         let borders: Vec<Vec<Point>> =
             (0..=self.holes().len()).map(|border| self.in_cells(&lattice, border, [-0.5; 2])).collect();
-        let of = |&(block, parts): &(Cell, Parts)| {
+        let of = |&(block, parts): &(Cell, TriangleParts)| {
             let near: Vec<Vec<Point>> = borders.iter().map(|border| around(border, block)).collect();
             [0, 1, 2, 3].map(|t| match parts[t] > 0.0 {
                 true => self.centre(&lattice, block, (t, parts[t]), &near),
@@ -99,7 +99,7 @@ impl SquareLattice {
 
 /// Parts of the triangles of a block and their centres, of cells that are there or not. A cell has the square around its corner,
 /// all of which belongs to the triangle with its right angle there, and half of it to either of the next ones.
-fn quarters(has: [bool; 4]) -> (Parts, Centres) {
+fn quarters(has: [bool; 4]) -> (TriangleParts, Centres) {
     let of = |triangle: usize| {
         let square = |corner: usize| [0, 1].map(|k| f64::from(CORNERS[corner][k]).mul_add(0.5, 0.25));
         // Half of a square on one side of a diagonal has its centre a third of the way to the corner between.

@@ -28,7 +28,7 @@ pub(super) struct Covered {
 /// The cells that a simple polygon covers in part, among `0..columns` × `0..rows`, and how much of each, row by row.
 ///
 /// Positions are in cells; cell `[i, j]` reaches from i to i + 1 and from j to j + 1. Exact but for rounding (Green's
-/// theorem in every cell). Parts nearer than `whole` to 0 or 1 are that: what rounding leaves of a border between two cells.
+/// theorem in every cell). TriangleParts nearer than `whole` to 0 or 1 are that: what rounding leaves of a border between two cells.
 pub(super) fn partly_covered(
     [columns, rows]: [i32; 2],
     corners: &[Point],

@@ -15,7 +15,7 @@ pub type Cell = [i32; 3];
 
 /// Parts in the body of the four triangles of a block, which is the square between four next points: those with their right
 /// angles at its lower left, lower right, upper left and upper right point.
-pub type Parts = [f64; 4];
+pub type TriangleParts = [f64; 4];
 
 /// Centres of the parts of four such triangles, in cells from the first point of the block.
 pub type Centres = [[f64; 2]; 4];
@@ -81,7 +81,7 @@ pub struct SquareLattice {
     /// Points whose areas are not those of a cell, ascending, and their areas per that of a cell.
     cut: Vec<(u32, f64)>,
     /// Blocks that a border of a plane cuts, ascending by their lower left cells.
-    blocks: Vec<(Cell, Parts)>,
+    blocks: Vec<(Cell, TriangleParts)>,
     /// Centres of the parts of these blocks, where they are known.
     centres: Vec<Centres>,
 }

@@ -31,7 +31,7 @@ pub use cloud::{Cloud, CloudError, Group};
 pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
 pub use fill::FillError;
 pub use geometry::in_space;
-pub use lattice::{Cell, Centres, Parts, Run, SquareLattice, minus, plus};
+pub use lattice::{Cell, Centres, Run, SquareLattice, TriangleParts, minus, plus};
 pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};
@@ -44,7 +44,7 @@ pub const BORDER: f64 = 1e-9;
 
 /// The points of a body.
 #[derive(Clone, Debug, PartialEq)]
-pub enum PlaneBody {
+pub enum PointBody {
     /// Squares of a plane.
     Lattice(SquareLattice),
     /// Cubes of a solid.
@@ -53,7 +53,7 @@ pub enum PlaneBody {
     Cloud(Cloud),
 }
 
-impl PlaneBody {
+impl PointBody {
     /// Number of coordinates of a position: two in the plane, three in space.
     pub fn axes(&self) -> usize {
         if matches!(self, Self::Solid(_)) { 3 } else { 2 }

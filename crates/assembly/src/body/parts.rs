@@ -2,7 +2,7 @@
 
 use super::cover::{Covered, area_within, partly_covered, stadium};
 use super::geometry::{Point, dot, left_normal, moved, side};
-use super::lattice::{Cell, Parts, SquareLattice, plus};
+use super::lattice::{Cell, SquareLattice, TriangleParts, plus};
 use super::outline::{Outline, Shape};
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ const WHOLE: f64 = 1e-6;
 /// Those of blocks, whose borders seldom run along them.
 const WHOLE_BLOCK: f64 = 1e-10;
 
-/// Corners of a block from its lower left one, in the order of [`Parts`].
+/// Corners of a block from its lower left one, in the order of [`TriangleParts`].
 const CORNERS: [[i32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
 impl Outline {
@@ -62,7 +62,11 @@ impl Outline {
     }
 
     /// The triangles of the blocks of a lattice that it fills, where borders cut a block.
-    pub(super) fn blocks(&self, lattice: &SquareLattice, [columns, rows]: [i32; 2]) -> Vec<(Cell, Parts)> {
+    pub(super) fn blocks(
+        &self,
+        lattice: &SquareLattice,
+        [columns, rows]: [i32; 2],
+    ) -> Vec<(Cell, TriangleParts)> {
         // A block is a cell between four points; the first ones lie before the first points.
         let cut = self.crossed(lattice, ([0.5; 2], [columns + 1, rows + 1]), WHOLE_BLOCK);
         let block = |(cell, borders): (Cell, Vec<(usize, Covered)>)| {
@@ -124,7 +128,12 @@ impl Outline {
     }
 
     /// Parts in the body of the triangles of a block.
-    fn triangles(&self, centre: Point, lattice: &SquareLattice, borders: &[(usize, Covered)]) -> Parts {
+    fn triangles(
+        &self,
+        centre: Point,
+        lattice: &SquareLattice,
+        borders: &[(usize, Covered)],
+    ) -> TriangleParts {
         let sampled = || {
             CORNERS.map(|[a, b]| {
                 let side = |[x, y]: Point| f64::from(2 * a - 1) * x + f64::from(2 * b - 1) * y;
@@ -188,7 +197,7 @@ impl Outline {
         centre: Point,
         lattice: &SquareLattice,
         (lines, hole): (&[[Point; 2]], usize),
-    ) -> Parts {
+    ) -> TriangleParts {
         let in_cells = |p: Point| [0, 1].map(|k| (p[k] - lattice.corner()[k]) / lattice.spacing());
         let lines: Vec<[Point; 2]> = lines.iter().map(|line| line.map(in_cells)).collect();
         let (centre, border) = (in_cells(centre), self.in_cells(lattice, hole, [0.0; 2]));

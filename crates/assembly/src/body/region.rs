@@ -5,7 +5,7 @@ use super::geometry::{dot, left_normal, moved};
 use super::outline::{Outline, Shape};
 use super::select::{nearest, points_in};
 use super::solid::{self, Face, SolidRegion};
-use super::{BORDER, PlaneBody};
+use super::{BORDER, PointBody};
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
 
@@ -124,7 +124,7 @@ struct Unions<'r> {
 #[derive(Clone, Copy, Debug)]
 pub struct Regions<'a> {
     /// The points.
-    pub body: &'a PlaneBody,
+    pub body: &'a PointBody,
     /// The outline with its edges and holes; listed points have none.
     pub outline: Option<&'a Outline>,
     /// The faces of a solid.
@@ -149,7 +149,7 @@ impl Regions<'_> {
             Region::Union { of } => return self.union(of, unions),
             Region::Group { name } => return self.group(name),
             Region::Solid(region) => {
-                let PlaneBody::Solid(lattice) = self.body else { return Ok(Vec::new()) };
+                let PointBody::Solid(lattice) = self.body else { return Ok(Vec::new()) };
                 return solid::select(lattice, self.faces, region);
             }
             Region::Corner { at } => return Ok(nearest(self.body, finite("at", *at)?)),
@@ -210,7 +210,7 @@ impl Regions<'_> {
 
     fn group(&self, name: &str) -> Result<Vec<u32>, RegionError> {
         let groups = match self.body {
-            PlaneBody::Cloud(cloud) => cloud.groups(),
+            PointBody::Cloud(cloud) => cloud.groups(),
             _ => &[],
         };
         let found = groups.iter().find(|g| g.name == name);

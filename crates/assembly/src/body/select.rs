@@ -4,15 +4,15 @@ use super::cloud::Cloud;
 use super::convex::Convex;
 use super::geometry::{Point, distance};
 use super::lattice::SquareLattice;
-use super::{BORDER, PlaneBody};
+use super::{BORDER, PointBody};
 
 /// Numbers of the points in a part of the plane, ascending.
-pub(super) fn points_in(body: &PlaneBody, part: &Convex) -> Vec<u32> {
+pub(super) fn points_in(body: &PointBody, part: &Convex) -> Vec<u32> {
     match body {
-        PlaneBody::Lattice(lattice) => on_lattice(lattice, part),
+        PointBody::Lattice(lattice) => on_lattice(lattice, part),
         // Parts of the plane are none of solids.
-        PlaneBody::Solid(_) => Vec::new(),
-        PlaneBody::Cloud(cloud) => {
+        PointBody::Solid(_) => Vec::new(),
+        PointBody::Cloud(cloud) => {
             let inside = |(k, p): (usize, &Point)| part.contains(*p).then_some(k as u32);
             cloud.positions().iter().enumerate().filter_map(inside).collect()
         }
@@ -44,10 +44,10 @@ fn on_lattice(lattice: &SquareLattice, part: &Convex) -> Vec<u32> {
 }
 
 /// The points nearest to a position: more than one if they are equally far, within [`BORDER`].
-pub(super) fn nearest(body: &PlaneBody, to: Point) -> Vec<u32> {
+pub(super) fn nearest(body: &PointBody, to: Point) -> Vec<u32> {
     let least = match body {
-        PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => nearest_cell(lattice, to),
-        PlaneBody::Cloud(cloud) => nearest_listed(cloud, to),
+        PointBody::Lattice(lattice) | PointBody::Solid(lattice) => nearest_cell(lattice, to),
+        PointBody::Cloud(cloud) => nearest_listed(cloud, to),
     };
     let radius = least + BORDER * body.spacing();
     points_in(body, &Convex::Stadium { from: to, to, radius })

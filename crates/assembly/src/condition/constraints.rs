@@ -210,7 +210,7 @@ fn substitute(rows: &HashMap<usize, Pending>, terms: &[(usize, f64)], value: f64
 }
 
 /// Masters without those that are not seen beside the others: what neighbours hold in common fades from one to the next.
-fn told(mut masters: Vec<(usize, f64)>) -> Vec<(usize, f64)> {
+fn seen(mut masters: Vec<(usize, f64)>) -> Vec<(usize, f64)> {
     let most = masters.iter().fold(0.0_f64, |most, m| most.max(m.1.abs()));
     masters.retain(|m| m.1.abs() > UNSEEN * most);
     masters
@@ -244,7 +244,7 @@ fn insert(
     let coefficient = reduced.terms.iter().find(|t| t.0 == pivot).map_or(1.0, |t| t.1);
     let others = reduced.terms.iter().filter(|t| t.0 != pivot);
     let row = Pending {
-        masters: told(others.map(|&(u, c)| (u, -c / coefficient)).collect()),
+        masters: seen(others.map(|&(u, c)| (u, -c / coefficient)).collect()),
         value: reduced.value / coefficient,
         sources: reduced.sources.into_iter().map(|(e, s)| (e, s / coefficient)).collect(),
     };
@@ -267,7 +267,7 @@ fn insert(
             }
             users.entry(m).or_default().insert(user);
         }
-        old.masters = told(std::mem::take(&mut old.masters));
+        old.masters = seen(std::mem::take(&mut old.masters));
     }
     for &(m, _) in &row.masters {
         users.entry(m).or_default().insert(pivot);

@@ -20,7 +20,7 @@ pub use points::{Component, Points, RigidMotion};
 
 use crate::bonds::Point;
 use crate::condition::Equation;
-use crate::stiffness::{NumberedParts, Parts, Term};
+use crate::stiffness::{ConnectedParts, NumberedParts, Term};
 
 /// Sizes of the terms of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,7 +67,7 @@ pub trait Model<const D: usize>: Points {
 
     /// Parts of the body that hang together.
     fn connected(&self) -> NumberedParts {
-        let mut parts = Parts::new(self.points());
+        let mut parts = ConnectedParts::new(self.points());
         self.terms().iter().for_each(|term| term.join(&mut parts));
         parts.numbered()
     }

@@ -8,7 +8,7 @@ mod tests;
 pub use answer::{Answer, BondAnswers, Kinematics};
 pub use ends::EndedBond;
 
-use super::Parts;
+use super::ConnectedParts;
 use crate::law::{BondEnergy, Law};
 use ends::Ends;
 use rayon::prelude::*;
@@ -272,8 +272,8 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
     }
 
     /// Parts of the body that bonds which still bear something hold together.
-    pub fn connected(&self) -> Parts {
-        let mut parts = Parts::new(self.points);
+    pub fn connected(&self) -> ConnectedParts {
+        let mut parts = ConnectedParts::new(self.points);
         for (k, bond) in self.intact() {
             let first = bond.points[0] as usize;
             self.shares(k).for_each(|(point, _)| parts.join(first, point as usize));

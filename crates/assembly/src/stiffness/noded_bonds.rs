@@ -3,7 +3,7 @@
 //! A node is found once for all bonds that end near it, and what bonds have that differ by their place alone is stored once, as
 //! their kind: a bond is the list of what it hangs on.
 
-use super::{BlockMatrix, Parts, Place, PlacedBond, PlacedBonds, Survey, Term};
+use super::{BlockMatrix, ConnectedParts, Place, PlacedBond, PlacedBonds, Survey, Term};
 use crate::bonds::{Mat, Rows};
 use rayon::prelude::*;
 use std::array::from_fn;
@@ -235,7 +235,7 @@ impl<const D: usize, const M: usize> Term<D> for NodedBonds<D, M> {
         reach
     }
 
-    fn join(&self, parts: &mut Parts) {
+    fn join(&self, parts: &mut ConnectedParts) {
         for place in &self.nodes {
             place.windows(2).for_each(|pair| parts.join(pair[0].0 as usize, pair[1].0 as usize));
         }

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 /// Points joined by whatever couples them. What it stores grows with the gaps between runs of joined neighbours, not with
 /// the number of points.
 #[derive(Clone, Debug)]
-pub struct Parts {
+pub struct ConnectedParts {
     points: usize,
     /// Runs of points each joined to the next, first and last.
     runs: Vec<[u32; 2]>,
@@ -24,7 +24,7 @@ pub struct NumberedParts {
     intervals: Vec<(u32, u32)>,
 }
 
-impl Parts {
+impl ConnectedParts {
     /// Every point by itself.
     ///
     /// # Panics
@@ -137,14 +137,14 @@ impl NumberedParts {
 mod tests {
     use super::*;
 
-    fn labels(parts: Parts, points: usize) -> Vec<usize> {
+    fn labels(parts: ConnectedParts, points: usize) -> Vec<usize> {
         let parts = parts.numbered();
         (0..points).map(|p| parts.of(p)).collect()
     }
 
     #[test]
     fn parts_are_numbered_by_their_first_point() {
-        let mut parts = Parts::new(6);
+        let mut parts = ConnectedParts::new(6);
         parts.join(5, 1);
         parts.join(2, 3);
         parts.join(3, 5);
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn runs_that_share_a_point_are_one() {
-        let mut parts = Parts::new(12);
+        let mut parts = ConnectedParts::new(12);
         parts.join_run(6..=9);
         parts.join_run(1..=3);
         parts.join_run(3..=4);
@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn pairs_inside_runs_do_not_pile_up() {
         let n = 100_000;
-        let mut parts = Parts::new(n);
+        let mut parts = ConnectedParts::new(n);
         for i in 0..n {
             (1..4).filter(|step| i + step < n).for_each(|step| parts.join(i, i + step));
         }

@@ -1,7 +1,7 @@
 //! What assembly, operator, reactions and checks see of an energy.
 
 use super::BlockMatrix;
-use super::Parts;
+use super::ConnectedParts;
 use super::Twofold;
 use crate::bonds::Mat;
 use crate::sum::Sum;
@@ -58,7 +58,7 @@ pub trait Term<const D: usize>: Send + Sync {
     }
 
     /// Joins the points that hang together.
-    fn join(&self, parts: &mut Parts) {
+    fn join(&self, parts: &mut ConnectedParts) {
         self.couplings(&mut |i, j| parts.join(i, j));
     }
 
@@ -120,7 +120,7 @@ impl<const D: usize, T: Term<D> + ?Sized> Term<D> for Arc<T> {
         (**self).reach()
     }
 
-    fn join(&self, parts: &mut Parts) {
+    fn join(&self, parts: &mut ConnectedParts) {
         (**self).join(parts);
     }
 

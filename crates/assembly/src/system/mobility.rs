@@ -4,7 +4,7 @@ use super::System;
 use super::elimination::Elimination;
 use crate::bonds::Point;
 use crate::model::Model;
-use crate::stiffness::{NumberedParts, Parts};
+use crate::stiffness::{ConnectedParts, NumberedParts};
 
 /// A motion that costs no energy and no constraint prevents.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +50,7 @@ pub fn sprung_motions<const D: usize>(model: &dyn Model<D>, system: &System<D>) 
 }
 
 fn motions<const D: usize>(model: &dyn Model<D>, system: &System<D>, springs_hold: bool) -> Vec<FreeMotion> {
-    let mut parts = Parts::new(system.points());
+    let mut parts = ConnectedParts::new(system.points());
     system.terms().iter().for_each(|t| t.join(&mut parts));
     let parts = parts.numbered();
     let (spans, count) = (parts.spans(), parts.spans().len());

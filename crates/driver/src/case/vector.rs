@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::borrow::Cow;
 use std::fmt;
 
-/// Numbers along x, y and z. How many there must be depends on the body, so that any count is read and told of in its scene.
+/// Numbers along x, y and z. How many there must be depends on the body, so that any count is read and checked in its scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vector {
     values: [f64; 3],

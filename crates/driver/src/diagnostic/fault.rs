@@ -126,7 +126,7 @@ impl Faults {
     }
 
     /// The report on `file`, whose source is `text` (empty if it has none). A fault that many lines of a body share is
-    /// told once.
+    /// reported once.
     pub fn into_report(mut self, file: impl Into<String>, text: impl Into<String>) -> Report {
         let mut told = HashSet::new();
         self.diagnostics.retain(|d| told.insert((d.path.to_string(), d.message.clone())));

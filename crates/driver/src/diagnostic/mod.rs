@@ -1,4 +1,4 @@
-//! Faults of case files, told so that the reader can mend them.
+//! Faults of case files, worded so that the reader can mend them.
 //!
 //! A [`Diagnostic`] is a reason, a place and a hint. The place is a [`JsonPath`], because the code that
 //! finds a fault (a negative length, a probe outside the body) knows the meaning of a value and not where

@@ -7,6 +7,8 @@ pub struct Entry {
     pub name: &'static str,
     /// What it is, in a sentence.
     pub about: &'static str,
+    /// Bodies that it is for, each with the page of the guide that describes it.
+    pub bodies: &'static [(&'static str, &'static str)],
     /// What can be chosen, and what that is.
     pub options: fn() -> Vec<(String, &'static str)>,
     /// Cases to begin with.

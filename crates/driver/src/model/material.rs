@@ -215,7 +215,7 @@ pub trait Material: Debug + Send + Sync {
     fn warn(&self, _on: &Resolved, _faults: &mut Faults) {}
 
     /// What the record of a run says of it; `ghosts` is the number of points outside that follow those inside.
-    fn told(&self, on: &Resolved, ghosts: usize, units: Units) -> MaterialSummary;
+    fn summary(&self, on: &Resolved, ghosts: usize, units: Units) -> MaterialSummary;
 }
 
 impl Clone for Box<dyn Material> {

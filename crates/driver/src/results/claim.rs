@@ -36,7 +36,7 @@ impl Claim {
         };
         fs::create_dir_all(folder).map_err(describe)?;
         let claim = Self { folder: folder.into(), is_new, _mark: mark(folder)? };
-        // What is in a folder can be told for certain only when nobody else writes there.
+        // What is in a folder is certain only when nobody else writes there.
         vacant(folder, force)?;
         Ok(claim)
     }

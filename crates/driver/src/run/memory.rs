@@ -1,4 +1,4 @@
-//! How much memory a run takes, told before its terms and its matrix are built.
+//! How much memory a run takes, stated before its terms and its matrix are built.
 
 use super::Problem;
 use super::method::{self, Plan};

@@ -10,7 +10,7 @@ use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 use std::str::FromStr;
 
-/// Free motions that are told one by one, at most.
+/// Free motions that are reported one by one, at most.
 const MOST_MOTIONS: usize = 6;
 
 /// The system of a problem, checked for size, contradictions and free motions, in this order.

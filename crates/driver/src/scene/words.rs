@@ -2,7 +2,7 @@
 
 use crate::case::FieldName;
 use crate::diagnostic::tidy;
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 
 /// The fields that there are where another one was asked for, for a hint.
 pub(super) fn there_are(fields: &[FieldName]) -> String {
@@ -11,12 +11,12 @@ pub(super) fn there_are(fields: &[FieldName]) -> String {
 }
 
 /// A position on a body, `(1, 2)` in the plane and `(1, 2, 3)` in space.
-pub(crate) fn place(at: [f64; 3], body: &PlaneBody) -> String {
+pub(crate) fn place(at: [f64; 3], body: &PointBody) -> String {
     placed(at, body, tidy)
 }
 
 /// The same with numbers as `number` writes them.
-pub(crate) fn placed(at: [f64; 3], body: &PlaneBody, number: impl Fn(f64) -> String) -> String {
+pub(crate) fn placed(at: [f64; 3], body: &PointBody, number: impl Fn(f64) -> String) -> String {
     let numbers: Vec<String> = at[..body.axes()].iter().map(|x| number(*x)).collect();
     format!("({})", numbers.join(", "))
 }

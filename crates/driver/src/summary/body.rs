@@ -5,7 +5,7 @@ use crate::model::{MaterialSummary, Surface};
 use crate::run::body::{BodyReaction, BodyResult, MirrorReaction, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 use peristat_assembly::model::plane::{Calibration, Edges};
 use serde::{Deserialize, Serialize};
 
@@ -79,7 +79,7 @@ pub(super) fn state(
         let values = result.values(scene, field)?;
         let located = scan::extremes(&values)?.map(|point| {
             let [x, y, z] = scene.body().position(point);
-            let z = matches!(scene.body(), PlaneBody::Solid(_)).then_some(z);
+            let z = matches!(scene.body(), PointBody::Solid(_)).then_some(z);
             Located { value: values[point], x, y: Some(y), z, member: None }
         });
         let [smallest, largest] = located;
@@ -107,7 +107,7 @@ pub(super) fn model(scene: &BodyScene) -> BodySummary {
     let ghosts = scene.model.ghosts().len() - scene.images().count();
     BodySummary {
         name: about.name,
-        material: material.told(&scene.resolved(&[]), ghosts, scene.units),
+        material: material.summary(&scene.resolved(&[]), ghosts, scene.units),
         thickness: (about.surface != Surface::Solid).then_some(about.thickness),
         is_solid: about.surface == Surface::Solid,
         calibration: (!about.has_families).then_some(about.calibration),
@@ -127,7 +127,7 @@ pub(super) fn model(scene: &BodyScene) -> BodySummary {
 
 /// Number of bonds that cracks cut on a lattice, those of images left out.
 fn cut_bonds(scene: &BodyScene) -> Option<usize> {
-    let PlaneBody::Lattice(lattice) = scene.body() else { return None };
+    let PointBody::Lattice(lattice) = scene.body() else { return None };
     if scene.cracks.is_empty() {
         return None;
     }

@@ -1,6 +1,6 @@
 //! Areas of the cells of a lattice that borders cut, and the parts of blocks beside them.
 
-use super::{Cell, Centres, Parts, SquareLattice};
+use super::{Cell, Centres, SquareLattice, TriangleParts};
 use std::ops::Range;
 
 impl SquareLattice {
@@ -14,7 +14,7 @@ impl SquareLattice {
 
     /// The lattice with parts of the triangles of blocks, by their lower left cells, where a border cuts them. Of others all is
     /// in the body if their four points are, else nothing.
-    pub fn with_blocks(mut self, mut blocks: Vec<(Cell, Parts)>) -> Self {
+    pub fn with_blocks(mut self, mut blocks: Vec<(Cell, TriangleParts)>) -> Self {
         blocks.sort_unstable_by_key(|block| block.0);
         self.blocks = blocks;
         self.centres = Vec::new();
@@ -43,7 +43,7 @@ impl SquareLattice {
 
     /// The blocks that a border cuts, ascending by their lower left cells, with the parts of their triangles; none where all cells
     /// are whole.
-    pub fn blocks(&self) -> &[(Cell, Parts)] {
+    pub fn blocks(&self) -> &[(Cell, TriangleParts)] {
         &self.blocks
     }
 

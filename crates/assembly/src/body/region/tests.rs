@@ -5,7 +5,7 @@ use crate::body::polygon::Polygon;
 use crate::body::{Cloud, Group};
 use proptest::prelude::*;
 
-fn plate() -> (Outline, PlaneBody) {
+fn plate() -> (Outline, PointBody) {
     let mut outline = Outline::rectangle([0.0; 2], [2.0, 1.0]).unwrap();
     let shape = Shape::Circle { centre: [0.5, 0.5], radius: 0.2 };
     outline.cut(Hole { name: Some("pin".into()), shape }).unwrap();
@@ -13,14 +13,14 @@ fn plate() -> (Outline, PlaneBody) {
     let shape = Shape::Polygon(Polygon::new(square).unwrap());
     outline.cut(Hole { name: Some("window".into()), shape }).unwrap();
     let lattice = outline.fill(0.1).unwrap();
-    (outline, PlaneBody::Lattice(lattice))
+    (outline, PointBody::Lattice(lattice))
 }
 
-fn as_cloud(body: &PlaneBody) -> PlaneBody {
+fn as_cloud(body: &PointBody) -> PointBody {
     let all = 0..body.points();
     let positions = all.clone().map(|p| body.place(p)).collect();
     let group = Group { name: "some".into(), points: vec![7, 3, 3] };
-    PlaneBody::Cloud(Cloud::new(positions, all.map(|p| body.area(p)).collect(), vec![group]).unwrap())
+    PointBody::Cloud(Cloud::new(positions, all.map(|p| body.area(p)).collect(), vec![group]).unwrap())
 }
 
 fn select(region: &Region) -> Result<Vec<u32>, RegionError> {
@@ -115,7 +115,7 @@ proptest! {
         angle in 0.01..1.56f64, at in [-0.2..2.2f64, -0.2..1.2], to in [-0.2..2.2f64, -0.2..1.2], size in 0.05..0.6f64,
     ) {
         let (outline, _) = plate();
-        let body = PlaneBody::Lattice(outline.fill_turned(0.07, angle).unwrap());
+        let body = PointBody::Lattice(outline.fill_turned(0.07, angle).unwrap());
         let cloud = as_cloud(&body);
         let named = BTreeMap::new();
         let on = |body| Regions { body, outline: Some(&outline), faces: &[], named: &named };
@@ -150,7 +150,7 @@ proptest! {
             vertices.reverse();
         }
         let outline = Outline::polygon(vertices).unwrap();
-        let body = PlaneBody::Lattice(outline.fill(0.31).unwrap());
+        let body = PointBody::Lattice(outline.fill(0.31).unwrap());
         let regions = Regions { body: &body, outline: Some(&outline), faces: &[], named: &BTreeMap::new() };
         let found = regions.select(&edge(&format!("edge_{}", which + 1), Some(depth))).unwrap();
         let e = &outline.edges()[which];

@@ -43,7 +43,7 @@ impl BeamBondOrthotropic {
     /// # Errors
     /// As [`BeamNeighbourhood::new`].
     pub fn depth(parameters: &OrthotropicParameters) -> Result<i32, OrthotropicError> {
-        Ok(parameters.edges.depth(BeamNeighbourhood::new(parameters)?.hood().reach()))
+        Ok(parameters.edges.depth(BeamNeighbourhood::new(parameters)?.neighbourhood().reach()))
     }
 
     /// A body on a lattice with the angle of the parameters, images in `mirrors` among its points
@@ -69,7 +69,7 @@ impl BeamBondOrthotropic {
             thickness,
             stretch_moduli: [stiffness[0][0], stiffness[1][1]],
         };
-        let body = LatticeBody::new(lattice, mirrors, bonds.hood().clone(), kind, cuts);
+        let body = LatticeBody::new(lattice, mirrors, bonds.neighbourhood().clone(), kind, cuts);
         let compliance = parameters.material.compliance_at(parameters.fibre_angle);
         Ok(Self { parameters, compliance, components: components(&body.kind.bond), body })
     }

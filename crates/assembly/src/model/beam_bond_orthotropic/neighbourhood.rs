@@ -8,7 +8,7 @@ use crate::body::Cell;
 /// One of each pair of opposite offsets to the neighbours of a point, with the weights of their bonds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeamNeighbourhood {
-    hood: Neighbourhood<3>,
+    neighbourhood: Neighbourhood<3>,
     is_fibre: Vec<bool>,
     direction: [f64; 2],
     start: Option<Start>,
@@ -49,27 +49,27 @@ impl BeamNeighbourhood {
         let all_weights: Vec<[f64; 3]> =
             all.iter().map(|step| inside(step).map_or([0.0; 3], |k| weights[k])).collect();
         let parts: Vec<f64> = all.iter().map(|step| f64::from(inside(step).is_some())).collect();
-        let hood = Neighbourhood::new(&all, &all_weights, &parts);
+        let neighbourhood = Neighbourhood::new(&all, &all_weights, &parts);
         let is_fibre =
-            hood.offsets.iter().map(|step| inside(step).is_some_and(|k| fibres.along[k])).collect();
-        Ok(Self { hood, is_fibre, direction: fibres.direction, start, angle, horizon_ratio: m })
+            neighbourhood.offsets.iter().map(|step| inside(step).is_some_and(|k| fibres.along[k])).collect();
+        Ok(Self { neighbourhood, is_fibre, direction: fibres.direction, start, angle, horizon_ratio: m })
     }
 
     /// The same as bodies on lattices take it.
-    pub(super) fn hood(&self) -> &Neighbourhood<3> {
-        &self.hood
+    pub(super) fn neighbourhood(&self) -> &Neighbourhood<3> {
+        &self.neighbourhood
     }
 
     /// The offsets of all bonds and of possible sides of triangles, cells, row by row: upwards, or to the right in the same
     /// row.
     pub fn offsets(&self) -> &[Cell] {
-        &self.hood.offsets
+        &self.neighbourhood.offsets
     }
 
     /// `[a, b, q]`, Pa, per offset: moduli of stretch, shear and bend of its bonds, per volume of a point. None is
     /// negative; zeros are possible, and beyond the horizon all there is.
     pub fn weights(&self) -> &[[f64; 3]] {
-        &self.hood.weights
+        &self.neighbourhood.weights
     }
 
     /// Per offset, whether its bonds lie exactly along the fibres.
@@ -99,7 +99,7 @@ impl BeamNeighbourhood {
 
     /// What all bonds have together in a uniform strain, in the axes of the lattice.
     pub fn moments(&self) -> Moments {
-        Moments::new(&self.hood.offsets, &self.hood.weights)
+        Moments::new(&self.neighbourhood.offsets, &self.neighbourhood.weights)
     }
 
     /// Shear modulus along the fibres that a body has in equilibrium, Pa: less than G12 where strain and rotation are

@@ -64,14 +64,14 @@ impl BondAntiplane {
         parameters: AntiplaneParameters,
         cuts: &[(usize, usize)],
     ) -> Result<Self, AntiplaneError> {
-        let hood = parameters.neighbourhood()?;
+        let neighbourhood = parameters.neighbourhood()?;
         let kind = Kind {
             bond: ShearBond { volume: lattice.spacing().powi(2) * parameters.thickness },
             edges: parameters.edges,
             thickness: parameters.thickness,
             stretch_moduli: [parameters.shear_modulus; 2],
         };
-        Ok(Self { parameters, body: LatticeBody::new(lattice, mirrors, hood, kind, cuts) })
+        Ok(Self { parameters, body: LatticeBody::new(lattice, mirrors, neighbourhood, kind, cuts) })
     }
 
     /// The parameters.

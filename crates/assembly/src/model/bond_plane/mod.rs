@@ -91,7 +91,7 @@ impl BondPlane {
         parameters: PlaneParameters,
         cuts: &[(usize, usize)],
     ) -> Result<Self, BondPlaneError> {
-        let hood = neighbourhood(&parameters)?;
+        let neighbourhood = neighbourhood(&parameters)?;
         let PlaneMaterial { thickness, .. } = parameters.material;
         let kind = Kind {
             bond: CentralBond { volume: lattice.spacing().powi(2) * thickness },
@@ -99,7 +99,7 @@ impl BondPlane {
             thickness,
             stretch_moduli: [parameters.material.c11(); 2],
         };
-        let body = LatticeBody::new(lattice, mirrors, hood, kind, cuts);
+        let body = LatticeBody::new(lattice, mirrors, neighbourhood, kind, cuts);
         Ok(Self { parameters, body: Body::Lattice(Box::new(body)) })
     }
 

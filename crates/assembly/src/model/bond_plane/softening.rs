@@ -33,8 +33,11 @@ impl SofteningModel<2> for BondPlane {
         match &self.body {
             Body::Lattice(body) => {
                 let grid = &*body.bonds;
-                let lengths: Vec<f64> =
-                    body.hood.bonded().map(|k| length(&body.lattice, body.hood.offsets[k])).collect();
+                let lengths: Vec<f64> = body
+                    .neighbourhood
+                    .bonded()
+                    .map(|k| length(&body.lattice, body.neighbourhood.offsets[k]))
+                    .collect();
                 grid.for_each_bond(|index, [lower, _], _| {
                     if let Some(bond) = grid.bond(index, lower) {
                         push(bond.points, &bond.rows, bond.moduli[0], lengths[index]);
@@ -68,7 +71,7 @@ impl SofteningModel<2> for BondPlane {
             let bond = HistoryBond {
                 points: of.foremost,
                 direction: border.bonds.rows(k).difference[0],
-                length: part * length(&body.lattice, body.hood.offsets[of.offset as usize]),
+                length: part * length(&body.lattice, body.neighbourhood.offsets[of.offset as usize]),
                 stiffness: border.bonds.moduli(k)[0],
                 law,
             };

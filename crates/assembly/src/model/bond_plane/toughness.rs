@@ -15,9 +15,9 @@ pub fn critical_stretch(
     parameters: &PlaneParameters,
     spacing: f64,
 ) -> Result<f64, BondPlaneError> {
-    let hood = neighbourhood(parameters)?;
-    let weights: Vec<f64> = hood.weights.iter().map(|[a]| *a).collect();
-    Ok(toughness::critical_stretch(release_rate, &weights, &hood.offsets, spacing, [0.0, 1.0]))
+    let neighbourhood = neighbourhood(parameters)?;
+    let weights: Vec<f64> = neighbourhood.weights.iter().map(|[a]| *a).collect();
+    Ok(toughness::critical_stretch(release_rate, &weights, &neighbourhood.offsets, spacing, [0.0, 1.0]))
 }
 
 /// The critical stretch of the continuum with the influence function 1, `√(4πG/(9Eδ))` in plane stress and

@@ -60,7 +60,7 @@ impl SolidMaterial for BondSolidParameters {
         }
         let weights: Vec<[f64; 1]> = weights.into_iter().map(|a| [a]).collect();
         Ok(SolidLaw {
-            hood: Neighbourhood::new(&offsets, &weights, &parts),
+            neighbourhood: Neighbourhood::new(&offsets, &weights, &parts),
             dilatation: None,
             youngs_modulus: self.youngs_modulus,
             poisson_ratio: POISSON_RATIO,

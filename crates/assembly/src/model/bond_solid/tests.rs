@@ -7,9 +7,9 @@ use super::*;
 
 /// Stiffness of a lattice per Young's modulus: C11, C12, C44.
 fn moduli(parameters: BondSolidParameters) -> [f64; 3] {
-    let hood = parameters.law().unwrap().hood;
+    let neighbourhood = parameters.law().unwrap().neighbourhood;
     let mut c = [[0.0; TENSOR]; TENSOR];
-    for ([a], &step) in hood.weights.iter().zip(&hood.offsets) {
+    for ([a], &step) in neighbourhood.weights.iter().zip(&neighbourhood.offsets) {
         let n = direction_product(step);
         (0..TENSOR).for_each(|r| (0..TENSOR).for_each(|q| c[r][q] += a * n[r] * n[q]));
     }
@@ -72,14 +72,15 @@ fn matched_weights_are_those_of_the_reference() {
         ),
     ];
     for (influence, horizon_ratio, weights) in table {
-        let hood = BondSolidParameters { horizon_ratio, influence, ..BONDS }.law().unwrap().hood;
+        let neighbourhood =
+            BondSolidParameters { horizon_ratio, influence, ..BONDS }.law().unwrap().neighbourhood;
         for (offset, expected) in weights {
             let same = |step: &[i32; 3]| {
                 let mut kind = step.map(i32::abs);
                 kind.sort_unstable_by(|a, b| b.cmp(a));
                 kind == *offset
             };
-            let of = hood.offsets.iter().zip(&hood.weights).filter(|(step, _)| same(step));
+            let of = neighbourhood.offsets.iter().zip(&neighbourhood.weights).filter(|(step, _)| same(step));
             let found: Vec<f64> = of.map(|(_, [a])| *a).collect();
             assert!(found.iter().all(|a| (a - expected).abs() < 1e-9), "{influence:?} {offset:?} {found:?}");
         }

@@ -34,7 +34,7 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) mirrors: Mirrors,
     /// Images of real points.
     pub(in super::super) ghosts: Vec<u32>,
-    pub(in super::super) hood: Neighbourhood<M>,
+    pub(in super::super) neighbourhood: Neighbourhood<M>,
     pub(in super::super) kind: Kind<B>,
     /// Bonds as their energy counts: half across a line of symmetry or a joined side, not beyond it.
     pub(in super::super) bonds: Arc<GridBonds<D, M, B>>,
@@ -56,11 +56,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn new(
         lattice: Arc<SquareLattice>,
         mirrors: Mirrors,
-        hood: Neighbourhood<M>,
+        neighbourhood: Neighbourhood<M>,
         mut kind: Kind<B>,
         cuts: &[(usize, usize)],
     ) -> Self {
-        if kind.edges == Edges::Border && !has_border(&lattice, &mirrors, hood.reach()) {
+        if kind.edges == Edges::Border && !has_border(&lattice, &mirrors, neighbourhood.reach()) {
             kind.edges = Edges::Overlay;
         }
         let lattice = match kind.edges {
@@ -70,22 +70,23 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         };
         let mut near = match kind.edges {
             Edges::None => Vec::new(),
-            _ => near_points(&lattice, hood.reach()),
+            _ => near_points(&lattice, neighbourhood.reach()),
         };
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
-        let bonds = (&hood, &kind.bond);
+        let bonds = (&neighbourhood, &kind.bond);
         let border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
-        let mut factors = EdgeFactors { base: vec![1.0; hood.offsets.len()], exceptions: Vec::new() };
+        let mut factors =
+            EdgeFactors { base: vec![1.0; neighbourhood.offsets.len()], exceptions: Vec::new() };
         let mut triangles = Overlay { triangles: Vec::new(), uncorrected: 0 };
         match kind.edges {
             Edges::None => {}
             Edges::Volume | Edges::Energy => {
-                factors = edge_factors(&lattice, &mirrors, &hood, &kind, &near);
+                factors = edge_factors(&lattice, &mirrors, &neighbourhood, &kind, &near);
             }
             Edges::Border | Edges::Overlay => {
                 if !border.is_cut() {
-                    factors.exceptions = reduced(&lattice, &hood);
-                    near = with_neighbours(&lattice, &hood, near);
+                    factors.exceptions = reduced(&lattice, &neighbourhood);
+                    near = with_neighbours(&lattice, &neighbourhood, near);
                 }
                 near.retain(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
                 triangles = completing(&lattice, bonds, &border, near, &known);
@@ -95,14 +96,15 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let mut cuts: Vec<(usize, usize)> = known.into_iter().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
-        let grid =
-            |exceptions: &[Exception]| Arc::new(grid(&lattice, &hood, &factors.base, &kind.bond, exceptions));
+        let grid = |exceptions: &[Exception]| {
+            Arc::new(grid(&lattice, &neighbourhood, &factors.base, &kind.bond, exceptions))
+        };
         exceptions.extend(&border.gaps);
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
         if !ghosts.is_empty() {
-            exceptions.extend(halved(&lattice, &mirrors, &hood, &ghosts));
+            exceptions.extend(halved(&lattice, &mirrors, &neighbourhood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
         let uncorrected = if border.is_none() { triangles.uncorrected } else { border.lost };
@@ -111,7 +113,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             lattice,
             mirrors,
             ghosts,
-            hood,
+            neighbourhood,
             kind,
             bonds,
             felt,
@@ -160,10 +162,10 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             true => self.lattice.coarser(),
             false => self.mirrors.real(&self.lattice).coarser(),
         };
-        let coarse = mirrors.extended(&coarse, self.kind.edges.depth(self.hood.reach()));
-        let cuts = cuts(&coarse, &self.hood.offsets);
+        let coarse = mirrors.extended(&coarse, self.kind.edges.depth(self.neighbourhood.reach()));
+        let cuts = cuts(&coarse, &self.neighbourhood.offsets);
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
-        Some(Self::new(Arc::new(coarse), mirrors, self.hood.clone(), kind, &cuts))
+        Some(Self::new(Arc::new(coarse), mirrors, self.neighbourhood.clone(), kind, &cuts))
     }
 }
 
@@ -186,15 +188,18 @@ fn completing<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M,
 /// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.
 pub(in super::super) fn grid<const D: usize, const M: usize, B: BondModel<D, M>>(
     lattice: &Arc<SquareLattice>,
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     base: &[f64],
     bond: &B,
     exceptions: &[Exception],
 ) -> GridBonds<D, M, B> {
-    let bonded: Vec<usize> = hood.bonded().collect();
-    let mut class = vec![None; hood.offsets.len()];
+    let bonded: Vec<usize> = neighbourhood.bonded().collect();
+    let mut class = vec![None; neighbourhood.offsets.len()];
     bonded.iter().enumerate().for_each(|(index, &k)| class[k] = Some(index));
-    let offset = |&k: &usize| Offset { step: hood.offsets[k], weights: hood.weights[k].map(|w| base[k] * w) };
+    let offset = |&k: &usize| Offset {
+        step: neighbourhood.offsets[k],
+        weights: neighbourhood.weights[k].map(|w| base[k] * w),
+    };
     let offsets: Vec<Offset<M>> = bonded.iter().map(offset).collect();
     let known: Vec<Exception> =
         exceptions.iter().filter_map(|e| Some(Exception { offset: class[e.offset]?, ..*e })).collect();
@@ -202,13 +207,13 @@ pub(in super::super) fn grid<const D: usize, const M: usize, B: BondModel<D, M>>
 }
 
 /// Factors of the bonds of cells that are not whole: the smaller part of both ends.
-fn reduced<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>) -> Vec<Exception> {
+fn reduced<const M: usize>(lattice: &SquareLattice, neighbourhood: &Neighbourhood<M>) -> Vec<Exception> {
     let mut exceptions = Vec::new();
     for &(point, part) in lattice.cut_cells() {
         let (point, cell) = (point as usize, lattice.cell(point as usize));
-        for k in hood.bonded() {
+        for k in neighbourhood.bonded() {
             for up in [true, false] {
-                let Some(other) = lattice.number(at(cell, hood.offsets[k], up)) else { continue };
+                let Some(other) = lattice.number(at(cell, neighbourhood.offsets[k], up)) else { continue };
                 let factor = part.min(lattice.fraction(other));
                 // A bond between two such cells is met twice.
                 if up || lattice.fraction(other) == 1.0 {
@@ -224,7 +229,7 @@ fn reduced<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>) -> 
 /// Some points, and those that have a bond to a cell that is not whole, in order.
 fn with_neighbours<const M: usize>(
     lattice: &SquareLattice,
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     mut points: Vec<usize>,
 ) -> Vec<usize> {
     if lattice.cut_cells().is_empty() {
@@ -232,7 +237,9 @@ fn with_neighbours<const M: usize>(
     }
     for &(point, _) in lattice.cut_cells() {
         let cell = lattice.cell(point as usize);
-        let steps = hood.bonded().flat_map(|k| [true, false].map(|up| at(cell, hood.offsets[k], up)));
+        let steps = neighbourhood
+            .bonded()
+            .flat_map(|k| [true, false].map(|up| at(cell, neighbourhood.offsets[k], up)));
         points.push(point as usize);
         points.extend(steps.filter_map(|other| lattice.number(other)));
     }
@@ -246,15 +253,15 @@ fn with_neighbours<const M: usize>(
 pub(in super::super) fn halved<const M: usize>(
     lattice: &SquareLattice,
     mirrors: &Mirrors,
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     ghosts: &[u32],
 ) -> Vec<Exception> {
     let mut exceptions = Vec::new();
     for &ghost in ghosts {
         let cell = lattice.cell(ghost as usize);
-        for k in hood.bonded() {
+        for k in neighbourhood.bonded() {
             for up in [true, false] {
-                let other = at(cell, hood.offsets[k], up);
+                let other = at(cell, neighbourhood.offsets[k], up);
                 let Some(number) = lattice.number(other) else { continue };
                 let is_real = mirrors.is_real(other);
                 if is_real || up {

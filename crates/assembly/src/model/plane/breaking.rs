@@ -22,7 +22,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn prepare_to_break(&mut self) {
         if self.border.is_cut() {
             let cuts = self.cuts.iter().copied().collect();
-            let (body, bonds) = ((&*self.lattice, &self.mirrors), (&self.hood, &self.kind.bond));
+            let (body, bonds) = ((&*self.lattice, &self.mirrors), (&self.neighbourhood, &self.kind.bond));
             self.border = Completion::breaking(body, bonds, &cuts);
             // Strains that follow from both sides of a crack are forgotten: then triangles tell the stress.
             let told: Vec<usize> = self.border.strains.iter().flat_map(|strains| strains.points()).collect();
@@ -42,7 +42,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
 
     /// Above the number of any bond between two points.
     fn whole_bonds(&self) -> usize {
-        self.hood.offsets.len() * self.lattice.points()
+        self.neighbourhood.offsets.len() * self.lattice.points()
     }
 
     /// Bonds between two points, by offset and lower point, and the numbers of those that end on the border.
@@ -61,7 +61,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             return kind.map_or([0; 2], |kind| kind.foremost.map(|p| p as usize));
         }
         let (offset, lower) = (bond / points, bond % points);
-        let upper = self.lattice.number(at(self.lattice.cell(lower), self.hood.offsets[offset], true));
+        let upper =
+            self.lattice.number(at(self.lattice.cell(lower), self.neighbourhood.offsets[offset], true));
         [lower, upper.unwrap_or(lower)]
     }
 
@@ -79,11 +80,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         visit: &mut dyn FnMut(u64, f64),
     ) {
         let points = self.lattice.points();
-        let offsets: Vec<usize> = self.hood.bonded().collect();
+        let offsets: Vec<usize> = self.neighbourhood.bonded().collect();
         let ratios: Vec<f64> = offsets
             .iter()
             .map(|&k| {
-                let bond = geometry(&self.lattice, self.hood.offsets[k]);
+                let bond = geometry(&self.lattice, self.neighbourhood.offsets[k]);
                 self.kind.bond.stretch_per_measure(&bond) / critical.0[k]
             })
             .collect();
@@ -95,7 +96,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         });
         if let Some(border) = self.border.bonds() {
             let whole = self.whole_bonds() as u64;
-            let body = (&*self.lattice, &self.hood, &self.kind.bond);
+            let body = (&*self.lattice, &self.neighbourhood, &self.kind.bond);
             border.for_each_ratio(body, (u, &critical.0), &mut |k, ratio| visit(whole + k as u64, ratio));
         }
     }
@@ -103,8 +104,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// Indices of the offsets among those that have bonds.
     fn classes(&self) -> Vec<Option<usize>> {
         let mut next = 0..;
-        (0..self.hood.offsets.len())
-            .map(|k| if self.hood.has_bonds(k) { next.next() } else { None })
+        (0..self.neighbourhood.offsets.len())
+            .map(|k| if self.neighbourhood.has_bonds(k) { next.next() } else { None })
             .collect()
     }
 

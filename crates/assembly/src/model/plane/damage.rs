@@ -19,12 +19,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// Cut shares of the family volumes of all points.
     pub(in super::super) fn damage(&self) -> Vec<f64> {
         let mut damage = vec![0.0; self.lattice.points()];
-        let known = |cut: &&(usize, usize)| self.hood.has_bonds(cut.0) && !self.is_apart(**cut);
+        let known = |cut: &&(usize, usize)| self.neighbourhood.has_bonds(cut.0) && !self.is_apart(**cut);
         for &(offset, lower) in self.cuts.iter().filter(known) {
             if let Some(upper) =
-                self.lattice.number(at(self.lattice.cell(lower), self.hood.offsets[offset], true))
+                self.lattice.number(at(self.lattice.cell(lower), self.neighbourhood.offsets[offset], true))
             {
-                [lower, upper].into_iter().for_each(|p| damage[p] += self.hood.parts[offset]);
+                [lower, upper].into_iter().for_each(|p| damage[p] += self.neighbourhood.parts[offset]);
             }
         }
         for (point, share) in damage.iter_mut().enumerate().filter(|d| *d.1 > 0.0) {
@@ -36,11 +36,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// Parts of the family of a point, summed.
     fn family(&self, point: usize) -> f64 {
         let cell = self.lattice.cell(point);
-        let sides = self.hood.bonded().flat_map(|k| [(k, true), (k, false)]);
+        let sides = self.neighbourhood.bonded().flat_map(|k| [(k, true), (k, false)]);
         let present = sides.filter(|&(k, up)| {
-            let other = self.lattice.number(at(cell, self.hood.offsets[k], up));
+            let other = self.lattice.number(at(cell, self.neighbourhood.offsets[k], up));
             other.is_some_and(|other| !self.is_apart((k, if up { point } else { other })))
         });
-        present.map(|(k, _)| self.hood.parts[k]).sum()
+        present.map(|(k, _)| self.neighbourhood.parts[k]).sum()
     }
 }

@@ -118,8 +118,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// Stiffness of the material, Pa, for uniform states.
     fn stiffness(&self) -> Mat<S, S> {
         let mut sum = [[0.0; S]; S];
-        for k in self.hood.bonded() {
-            let own = modulus(&self.lattice, &self.hood, &self.kind.bond, k);
+        for k in self.neighbourhood.bonded() {
+            let own = modulus(&self.lattice, &self.neighbourhood, &self.kind.bond, k);
             add(&mut sum, &own);
         }
         sum.map(|row| row.map(|x| x / self.cell_volume()))
@@ -152,7 +152,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         match &self.border.by {
             By::Points => add_work_of_triangles(&self.triangles, t, force),
             By::Bonds(border) => {
-                border.add_strain_work((&self.lattice, &self.hood, &self.kind.bond), t, force);
+                border.add_strain_work((&self.lattice, &self.neighbourhood, &self.kind.bond), t, force);
             }
             By::Triangles(families) => add_strain_work_of(families, t, force),
         }
@@ -168,10 +168,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// `½ Uᵀ scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.
     fn virial_shares(&self, scale: f64) -> Vec<Mat<3, M>> {
         let of = |k: usize| {
-            let uniform = self.kind.bond.in_uniform_state(&geometry(&self.lattice, self.hood.offsets[k]));
+            let uniform =
+                self.kind.bond.in_uniform_state(&geometry(&self.lattice, self.neighbourhood.offsets[k]));
             from_fn(|q| from_fn(|m| 0.5 * scale * uniform[m][q]))
         };
-        self.hood.bonded().map(of).collect()
+        self.neighbourhood.bonded().map(of).collect()
     }
 
     /// Columns from the first to behind the last of some points, per row of the plane.

@@ -117,14 +117,15 @@ mod tests {
     #[test]
     fn offsets_between_cells_go_up() {
         let offsets = half_offsets(2.0, 4);
-        let hood = Neighbourhood::new(&offsets, &vec![[1.0]; offsets.len()], &vec![1.0; offsets.len()]);
+        let neighbourhood =
+            Neighbourhood::new(&offsets, &vec![[1.0]; offsets.len()], &vec![1.0; offsets.len()]);
         for (from, to, up) in
             [([1, 1, 1], [0, 0, 2], true), ([0, 0, 2], [1, 1, 1], false), ([3, 0, 0], [2, 0, 0], false)]
         {
-            let (k, found) = hood.between(from, to).unwrap();
+            let (k, found) = neighbourhood.between(from, to).unwrap();
             let step = minus(to, from);
-            assert_eq!((hood.offsets[k], found), (if up { step } else { step.map(|k| -k) }, up));
+            assert_eq!((neighbourhood.offsets[k], found), (if up { step } else { step.map(|k| -k) }, up));
         }
-        assert_eq!(hood.reach(), 2);
+        assert_eq!(neighbourhood.reach(), 2);
     }
 }

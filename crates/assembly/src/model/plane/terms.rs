@@ -36,15 +36,15 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let cuts = || self.cuts.iter().copied().collect();
         match (self.border.is_none(), self.border.is_cut()) {
             (true, _) => None,
-            (_, false) => Some(border_shares(&self.lattice, &self.mirrors, &self.hood, cuts())),
-            (_, true) => Some(cut_shares(&self.lattice, &self.mirrors, &self.hood, cuts())),
+            (_, false) => Some(border_shares(&self.lattice, &self.mirrors, &self.neighbourhood, cuts())),
+            (_, true) => Some(cut_shares(&self.lattice, &self.mirrors, &self.neighbourhood, cuts())),
         }
     }
 
     /// What bonds leave to the triangles that the border cuts, in the order of these: parts of one bond per offset that has bonds.
     pub(in super::super) fn left_to_triangles(&self) -> Vec<Vec<f64>> {
         let cuts = self.cuts.iter().copied().collect();
-        left_to_triangles((&self.lattice, &self.mirrors), &self.hood, &cuts)
+        left_to_triangles((&self.lattice, &self.mirrors), &self.neighbourhood, &cuts)
     }
 
     /// What lies around some points of a body whose border cuts blocks.

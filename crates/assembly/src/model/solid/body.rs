@@ -28,11 +28,11 @@ pub(super) struct Reach {
 }
 
 impl Reach {
-    fn new(hood: &Neighbourhood<1>) -> Self {
-        let half = &hood.offsets;
+    fn new(neighbourhood: &Neighbourhood<1>) -> Self {
+        let half = &neighbourhood.offsets;
         Self {
             steps: half.iter().copied().chain(half.iter().map(|o| o.map(|k| -k))).collect(),
-            bonded: (0..2 * half.len()).map(|k| hood.has_bonds(k % half.len())).collect(),
+            bonded: (0..2 * half.len()).map(|k| neighbourhood.has_bonds(k % half.len())).collect(),
         }
     }
 
@@ -94,8 +94,8 @@ impl SolidBody {
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
         let mut cuts: Vec<(usize, usize)> = known.iter().copied().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
-        let (hood, reach) = (&law.hood, Reach::new(&law.hood));
-        let mut near = near_points(&lattice, hood.reach());
+        let (neighbourhood, reach) = (&law.neighbourhood, Reach::new(&law.neighbourhood));
+        let mut near = near_points(&lattice, neighbourhood.reach());
         let bond = SolidBond { volume: lattice.spacing().powi(3) };
         let has_border = law.edges == SolidEdges::Border;
         let border = has_border.then(|| Border::new((&lattice, &mirrors), (&law, bond), &near, &known));
@@ -104,16 +104,17 @@ impl SolidBody {
         let completed = if law.edges.is_exact() { &near[..] } else { &[] };
         let mut overlay = Overlay::new(&lattice, &law, &reach, completed, &known, gaps);
         overlay.uncorrected = border.as_ref().map_or(overlay.uncorrected, |border| border.lost);
-        let base = vec![1.0; hood.offsets.len()];
-        let grid = |exceptions: &[Exception]| Arc::new(grid(&lattice, hood, &base, &bond, exceptions));
+        let base = vec![1.0; neighbourhood.offsets.len()];
+        let grid =
+            |exceptions: &[Exception]| Arc::new(grid(&lattice, neighbourhood, &base, &bond, exceptions));
         let cut = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
         let mut exceptions: Vec<Exception> = cuts.iter().map(cut).chain(gaps.iter().copied()).collect();
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
         if !ghosts.is_empty() || !lattice.cut_cells().is_empty() {
-            exceptions.extend(reduced(&lattice, hood));
-            exceptions.extend(halved(&lattice, &mirrors, hood, &ghosts));
+            exceptions.extend(reduced(&lattice, neighbourhood));
+            exceptions.extend(halved(&lattice, &mirrors, neighbourhood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
         let families =
@@ -161,25 +162,27 @@ impl SolidBody {
             true => self.lattice.coarser(),
             false => self.mirrors.real(&self.lattice).coarser(),
         };
-        let coarse = mirrors.extended(&coarse, self.law.edges.depth(self.law.hood.reach()));
-        let cuts = cuts(&coarse, &self.law.hood.offsets);
+        let coarse = mirrors.extended(&coarse, self.law.edges.depth(self.law.neighbourhood.reach()));
+        let cuts = cuts(&coarse, &self.law.neighbourhood.offsets);
         Self::new(Arc::new(coarse), mirrors, self.law.clone(), &cuts).ok()
     }
 }
 
 /// Whether bonds can end on the border: cells are whole and belong to blocks of eight.
 fn has_border(lattice: &SquareLattice, mirrors: &Mirrors, law: &SolidLaw) -> bool {
-    law.hood.reach() <= FARTHEST && lattice.cut_cells().is_empty() && can_end(lattice, mirrors)
+    law.neighbourhood.reach() <= FARTHEST && lattice.cut_cells().is_empty() && can_end(lattice, mirrors)
 }
 
 /// Factors of the bonds of cells that are not whole: the mean of the parts of both ends.
-fn reduced(lattice: &SquareLattice, hood: &Neighbourhood<1>) -> Vec<Exception> {
+fn reduced(lattice: &SquareLattice, neighbourhood: &Neighbourhood<1>) -> Vec<Exception> {
     let mut exceptions = Vec::new();
     for &(point, part) in lattice.cut_cells() {
         let (point, cell) = (point as usize, lattice.cell(point as usize));
-        for offset in hood.bonded() {
+        for offset in neighbourhood.bonded() {
             for up in [true, false] {
-                let Some(other) = lattice.number(at(cell, hood.offsets[offset], up)) else { continue };
+                let Some(other) = lattice.number(at(cell, neighbourhood.offsets[offset], up)) else {
+                    continue;
+                };
                 let of_other = lattice.fraction(other);
                 // A bond between two such cells is met twice.
                 if up || of_other == 1.0 {

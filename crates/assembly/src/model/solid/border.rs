@@ -54,7 +54,8 @@ impl Border {
         near: &[usize],
         cuts: &HashSet<(usize, usize)>,
     ) -> Self {
-        let cells = || Cells { lattice, mirrors, hood: &law.hood, cuts: Cow::Borrowed(cuts) };
+        let cells =
+            || Cells { lattice, mirrors, neighbourhood: &law.neighbourhood, cuts: Cow::Borrowed(cuts) };
         let mut builder = Builder {
             nodes: Nodes::new(cells()),
             law,
@@ -86,9 +87,10 @@ impl Builder<'_> {
     fn add(&mut self, offset: usize, run: &Run, part: f64) -> Option<()> {
         let ends = [0, 1].map(|side| run.end(side, 3));
         let hung = [self.hung(&ends[0])?, self.hung(&ends[1])?].concat();
-        let whole = BondGeometry { xi: self.nodes.cells.lattice.vector(self.law.hood.offsets[offset]) };
+        let whole =
+            BondGeometry { xi: self.nodes.cells.lattice.vector(self.law.neighbourhood.offsets[offset]) };
         let short = BondGeometry { xi: whole.xi.map(|x| run.share() * x) };
-        let (bond, weight) = (self.bond, self.law.hood.weights[offset][0]);
+        let (bond, weight) = (self.bond, self.law.neighbourhood.weights[offset][0]);
         let (bonds, uniform) = (&mut self.bonds, &mut self.uniform);
         let kind = *self.kinds.entry((offset, run.pieces(), part.to_bits())).or_insert_with(|| {
             let [elongation] = bond.in_uniform_state(&short);
@@ -118,8 +120,8 @@ impl Builder<'_> {
             let cells = &self.nodes.cells;
             let (true, Some(point)) = (cells.mirrors.is_real(own), cells.number(own)) else { continue };
             let away = if side == 0 { 1.0 } else { -1.0 };
-            let row =
-                self.law.hood.offsets[offset].map(|x| away * share / (spacing * run.share()) * f64::from(x));
+            let row = self.law.neighbourhood.offsets[offset]
+                .map(|x| away * share / (spacing * run.share()) * f64::from(x));
             let shares = self.nodes.place(at, from)?;
             let rows = self.rows.entry(point as usize).or_default();
             for (cell, part) in shares.into_iter().filter(|of| of.0 != own) {

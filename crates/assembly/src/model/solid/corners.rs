@@ -61,7 +61,7 @@ impl Overlay {
             if !missing.contains(&true) {
                 continue;
             }
-            let corners = tetrahedra(lattice, &law.hood, cuts, cell);
+            let corners = tetrahedra(lattice, &law.neighbourhood, cuts, cell);
             if corners.is_empty() {
                 uncorrected += 1;
                 continue;
@@ -85,7 +85,7 @@ impl CornerKind {
         let (mut lack, mut dilatation) = ([[0.0; TENSOR]; TENSOR], [0.0; TENSOR]);
         for (k, step) in reach.steps.iter().enumerate().filter(|(k, _)| missing[*k]) {
             let (n, offset) = (super::direction_product(*step), reach.offset_of(k));
-            let weight = 0.5 * law.hood.weights[offset][0];
+            let weight = 0.5 * law.neighbourhood.weights[offset][0];
             (0..TENSOR).for_each(|r| (0..TENSOR).for_each(|c| lack[r][c] += weight * n[r] * n[c]));
             if let Some(of) = &law.dilatation {
                 let squared = f64::from(step.iter().map(|k| k * k).sum::<i32>());
@@ -140,7 +140,7 @@ fn across(
 ) -> HashMap<usize, Vec<usize>> {
     let mut across: HashMap<usize, Vec<usize>> = HashMap::new();
     for gap in gaps {
-        let upper = lattice.number(plus(lattice.cell(gap.lower), law.hood.offsets[gap.offset]));
+        let upper = lattice.number(plus(lattice.cell(gap.lower), law.neighbourhood.offsets[gap.offset]));
         for (point, is_lower) in [(Some(gap.lower), true), (upper, false)] {
             let Some(point) = point else { continue };
             across.entry(point).or_default().push(reach.step_of(gap.offset, is_lower));

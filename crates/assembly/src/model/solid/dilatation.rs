@@ -92,7 +92,7 @@ fn without(
     let mut gone: BTreeMap<usize, Vec<bool>> = near.iter().map(missing).collect();
     let gaps = border.iter().flat_map(|border| border.gaps.iter().map(|gap| (gap.offset, gap.lower)));
     for (offset, lower) in cuts.iter().copied().chain(gaps) {
-        let upper = lattice.number(plus(lattice.cell(lower), law.hood.offsets[offset]));
+        let upper = lattice.number(plus(lattice.cell(lower), law.neighbourhood.offsets[offset]));
         for (point, is_lower) in [(Some(lower), true), (upper, false)] {
             let Some(point) = point else { continue };
             let own = gone.entry(point).or_insert_with(|| vec![false; reach.steps.len()]);

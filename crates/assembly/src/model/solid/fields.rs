@@ -98,10 +98,10 @@ impl SolidBody {
     /// `½ ξ N scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.
     fn virial_shares(&self, scale: f64) -> Vec<Mat<TENSOR, 1>> {
         let of = |k: usize| {
-            let bond = BondGeometry { xi: self.lattice.vector(self.law.hood.offsets[k]) };
+            let bond = BondGeometry { xi: self.lattice.vector(self.law.neighbourhood.offsets[k]) };
             let [uniform] = self.bond().in_uniform_state(&bond);
             uniform.map(|x| [0.5 * scale * x])
         };
-        self.law.hood.bonded().map(of).collect()
+        self.law.neighbourhood.bonded().map(of).collect()
     }
 }

@@ -89,7 +89,7 @@ pub(in super::super) struct Dilatation {
 /// The offsets of a solid with the weights of their bonds, and its dilatation.
 #[derive(Clone, Debug)]
 pub struct SolidLaw {
-    pub(in super::super) hood: Neighbourhood<1>,
+    pub(in super::super) neighbourhood: Neighbourhood<1>,
     pub(in super::super) dilatation: Option<Dilatation>,
     /// Young's modulus, Pa.
     pub(in super::super) youngs_modulus: f64,

@@ -10,7 +10,7 @@ use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
 use crate::model::{BodyFields, BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
-use crate::stiffness::{NumberedParts, Parts, Term};
+use crate::stiffness::{ConnectedParts, NumberedParts, Term};
 use std::sync::Arc;
 
 /// A solid on a lattice of cubes with the parameters of its material and its bonds.
@@ -27,7 +27,7 @@ impl<P: SolidMaterial> Solid<P> {
     /// # Errors
     /// [`SolidError`], but [`SolidError::TooThin`].
     pub fn offsets(parameters: &P) -> Result<Vec<Cell>, SolidError> {
-        Ok(parameters.law()?.hood.offsets)
+        Ok(parameters.law()?.neighbourhood.offsets)
     }
 
     /// Rows, columns or layers of images that a lattice needs beyond a plane of symmetry: the depth of [`Mirrors::extended`].
@@ -36,7 +36,7 @@ impl<P: SolidMaterial> Solid<P> {
     /// As [`offsets`](Self::offsets).
     pub fn depth(parameters: &P) -> Result<i32, SolidError> {
         let law = parameters.law()?;
-        Ok(law.edges.depth(law.hood.reach()))
+        Ok(law.edges.depth(law.neighbourhood.reach()))
     }
 
     /// A lattice of points, images in `mirrors` among them ([`Mirrors::extended`] by [`depth`](Self::depth)). A cut is an
@@ -88,7 +88,7 @@ impl<P> Model<3> for Solid<P> {
 
     /// Bonds alone, also those on the border: what else there is joins what they join.
     fn connected(&self) -> NumberedParts {
-        let mut parts = Parts::new(self.points());
+        let mut parts = ConnectedParts::new(self.points());
         self.body.bonds.join(&mut parts);
         self.body.border.iter().for_each(|border| border.bonds.join(&mut parts));
         parts.numbered()
@@ -104,9 +104,8 @@ impl<P> Model<3> for Solid<P> {
         match &body.families {
             None => sizes,
             // Points that two bonds join are about eight times as many as those that one does.
-            Some(families) => {
-                sizes.join(ModelSizes::of(families, 8 * body.law.hood.bonded().count() * self.points()))
-            }
+            Some(families) => sizes
+                .join(ModelSizes::of(families, 8 * body.law.neighbourhood.bonded().count() * self.points())),
         }
     }
 
@@ -166,7 +165,7 @@ impl<P: SolidMaterial> BodyModel for Solid<P> {
 
     fn border_shares(&self) -> Option<BorderShares<'_>> {
         let (body, cuts) = (&self.body, self.body.cuts.iter().copied().collect());
-        let shares = || border_shares(&body.lattice, &body.mirrors, &body.law.hood, cuts);
+        let shares = || border_shares(&body.lattice, &body.mirrors, &body.law.neighbourhood, cuts);
         body.border.is_some().then(shares)
     }
 

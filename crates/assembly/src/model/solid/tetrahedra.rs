@@ -17,7 +17,7 @@ const AS_GOOD: f64 = 1.5;
 /// near; those with a cut edge are left out.
 pub(super) fn tetrahedra<const M: usize>(
     lattice: &SquareLattice,
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     cuts: &HashSet<(usize, usize)>,
     cell: Cell,
 ) -> Vec<Corners> {
@@ -29,7 +29,7 @@ pub(super) fn tetrahedra<const M: usize>(
         found =
             [1, 2].into_iter().map(|reach| nearest(reach, &has)).find(|t| !t.is_empty()).unwrap_or_default();
     }
-    let joined = |a: Cell, b: Cell| !is_cut(lattice, hood, cuts, plus(cell, a), plus(cell, b));
+    let joined = |a: Cell, b: Cell| !is_cut(lattice, neighbourhood, cuts, plus(cell, a), plus(cell, b));
     found.retain(|&[a, b, c]| {
         [([0; 3], a), ([0; 3], b), ([0; 3], c), (a, b), (a, c), (b, c)].into_iter().all(|(a, b)| joined(a, b))
     });

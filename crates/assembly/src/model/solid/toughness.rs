@@ -19,9 +19,10 @@ pub fn critical_stretch(
     spacing: f64,
     normal: [f64; 3],
 ) -> Result<f64, SolidError> {
-    let hood = parameters.law()?.hood;
+    let neighbourhood = parameters.law()?.neighbourhood;
     let across = |step: [i32; 3]| spacing * (0..3).map(|k| f64::from(step[k]) * normal[k]).sum::<f64>().abs();
-    let sum: f64 = hood.weights.iter().zip(&hood.offsets).map(|([a], &step)| a * across(step)).sum();
+    let sum: f64 =
+        neighbourhood.weights.iter().zip(&neighbourhood.offsets).map(|([a], &step)| a * across(step)).sum();
     Ok((2.0 * release_rate / sum).sqrt())
 }
 

@@ -5,7 +5,9 @@
 
 use super::super::bond_plane::CentralBond;
 use crate::bonds::Mat;
-use crate::stiffness::{BlockMatrix, FamilyRows, GridBonds, GridFamilies, Parts, Survey, TakeForces, Term};
+use crate::stiffness::{
+    BlockMatrix, ConnectedParts, FamilyRows, GridBonds, GridFamilies, Survey, TakeForces, Term,
+};
 use std::sync::Arc;
 
 /// Bonds and families.
@@ -66,7 +68,7 @@ impl Term<2> for StateTerm {
     }
 
     /// Families join what their bonds join.
-    fn join(&self, parts: &mut Parts) {
+    fn join(&self, parts: &mut ConnectedParts) {
         self.bonds.iter().for_each(|bonds| bonds.join(parts));
     }
 

@@ -113,7 +113,7 @@ impl SolidMaterial for StateSolidParameters {
         let parts: Vec<f64> = offsets.iter().map(|&step| self.part_of(step)).collect();
         let Weights { of: weights, q } = self.weights(&offsets, &parts)?;
         let mut law = SolidLaw {
-            hood: Neighbourhood { offsets: Vec::new(), weights: Vec::new(), parts: Vec::new() },
+            neighbourhood: Neighbourhood { offsets: Vec::new(), weights: Vec::new(), parts: Vec::new() },
             dilatation: None,
             youngs_modulus: self.youngs_modulus,
             poisson_ratio,
@@ -122,12 +122,12 @@ impl SolidMaterial for StateSolidParameters {
         let (shear, bulk) = (law.shear_modulus(), law.bulk_modulus());
         let of = |(w, &step): (&f64, &Cell)| [30.0 * shear * w * squared(step) / q];
         let stiffness: Vec<[f64; 1]> = weights.iter().zip(&offsets).map(of).collect();
-        law.hood = Neighbourhood::new(&offsets, &stiffness, &parts);
+        law.neighbourhood = Neighbourhood::new(&offsets, &stiffness, &parts);
         let modulus = bulk - 5.0 * shear / 3.0;
         // What rounding leaves at ν = 1/4.
         if modulus.abs() > 1e-12 * shear {
             let weight_at = |step: &Cell| offsets.iter().position(|o| o == step).map_or(0.0, |k| weights[k]);
-            let shares = law.hood.offsets.iter().map(|step| 3.0 * weight_at(step) / q).collect();
+            let shares = law.neighbourhood.offsets.iter().map(|step| 3.0 * weight_at(step) / q).collect();
             law.dilatation = Some(Dilatation { shares, modulus });
         }
         Ok(law)

@@ -10,9 +10,9 @@ fn ratios(parameters: StateSolidParameters) -> [f64; 3] {
     let law = parameters.law().unwrap();
     let mut c = [[0.0; TENSOR]; TENSOR];
     let mut d = [0.0; TENSOR];
-    for (k, &step) in law.hood.offsets.iter().enumerate() {
+    for (k, &step) in law.neighbourhood.offsets.iter().enumerate() {
         let n = direction_product(step);
-        let [a] = law.hood.weights[k];
+        let [a] = law.neighbourhood.weights[k];
         (0..TENSOR).for_each(|r| (0..TENSOR).for_each(|q| c[r][q] += a * n[r] * n[q]));
         let share = law.dilatation.as_ref().map_or(0.0, |of| of.shares[k]);
         (0..TENSOR).for_each(|q| d[q] += 2.0 * share * squared(step) * n[q]);
@@ -95,8 +95,8 @@ fn at_one_quarter_families_are_bonds() {
     // Inverse influence has the bond weights nearest to its own: they differ, the moduli do not.
     let bonds =
         BondSolidParameters { horizon_ratio: 3.0, influence: Influence::Inverse, ..BONDS }.law().unwrap();
-    assert_eq!(law.hood.offsets, bonds.hood.offsets);
-    let sum = |law: &SolidLaw| law.hood.weights.iter().map(|[a]| a).sum::<f64>();
+    assert_eq!(law.neighbourhood.offsets, bonds.neighbourhood.offsets);
+    let sum = |law: &SolidLaw| law.neighbourhood.weights.iter().map(|[a]| a).sum::<f64>();
     assert!((sum(&law) / sum(&bonds) - 1.0).abs() < 1e-14);
 }
 

@@ -1,4 +1,4 @@
-//! Sizes of the terms of a beam, told without building them.
+//! Sizes of the terms of a beam, known without building them.
 
 use super::{BeamBond, BondTable, Chain, TimoshenkoBeam, U};
 use crate::model::ModelSizes;

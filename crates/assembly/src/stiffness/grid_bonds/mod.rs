@@ -10,7 +10,7 @@ mod survey;
 
 pub use chunks::Exception;
 
-use super::{BlockMatrix, Parts, Survey, TakeForces, Term, Twofold, twofold};
+use super::{BlockMatrix, ConnectedParts, Survey, TakeForces, Term, Twofold, twofold};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, BondModel, Mat};
 use crate::sum::Sum;
@@ -168,7 +168,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
         reach
     }
 
-    fn join(&self, parts: &mut Parts) {
+    fn join(&self, parts: &mut ConnectedParts) {
         let next = &[[1, 0, 0], [0, 1, 0], [0, 0, 1]][..if self.lattice.is_plane() { 2 } else { 3 }];
         let plain: Vec<usize> = next
             .iter()

@@ -179,7 +179,7 @@ fn a_cut_through_all_bonds_makes_two_parts() {
     }
     for (exceptions, parts) in [(&cuts[..], 2), (&[], 1)] {
         let grid = GridBonds::new(lattice.clone(), &Central, &offsets(), exceptions);
-        let mut joined = Parts::new(lattice.points());
+        let mut joined = ConnectedParts::new(lattice.points());
         Term::<2>::join(&grid, &mut joined);
         assert_eq!(joined.numbered().spans().len(), parts);
     }

@@ -11,7 +11,7 @@ mod evaluate;
 #[cfg(test)]
 mod tests;
 
-use super::{BlockMatrix, Parts, Survey, Term};
+use super::{BlockMatrix, ConnectedParts, Survey, Term};
 use crate::body::{Cell, Run, SquareLattice, minus};
 use crate::bonds::Mat;
 use blocks::Blocks;
@@ -246,7 +246,7 @@ impl<const D: usize> Term<D> for GridFamilies<D> {
         runs.iter().map(reach).max().unwrap_or(0)
     }
 
-    fn join(&self, parts: &mut Parts) {
+    fn join(&self, parts: &mut ConnectedParts) {
         self.for_each_family(|point, members| {
             members.iter().for_each(|(member, _)| parts.join(point, *member))
         });

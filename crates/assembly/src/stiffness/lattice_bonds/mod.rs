@@ -8,7 +8,7 @@ mod weights;
 use weights::CHUNK;
 pub use weights::{Override, Weights};
 
-use super::{BlockMatrix, Parts, Survey, Term, Twofold};
+use super::{BlockMatrix, ConnectedParts, Survey, Term, Twofold};
 use crate::bonds::{BondGeometry, BondModel, Mat, Rows};
 use crate::sum::Sum;
 use std::marker::PhantomData;
@@ -77,7 +77,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for LatticeBond
         self.classes.iter().map(|c| c.step).max().unwrap_or(0)
     }
 
-    fn join(&self, parts: &mut Parts) {
+    fn join(&self, parts: &mut ConnectedParts) {
         let neighbours = self.classes.iter().position(|c| c.step == 1 && c.weight != 0.0);
         for chunk in 0..self.weights.chunks() {
             // In a plain chunk the bonds between neighbours already join every point the longer ones would.

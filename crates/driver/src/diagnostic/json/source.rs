@@ -1,4 +1,4 @@
-//! From tokens to what `serde` asks for. What depends on no type is told apart from what does: every type has its own copy
+//! From tokens to what `serde` asks for. What depends on no type is distinguished from what does: every type has its own copy
 //! of the latter.
 
 use super::Fault;

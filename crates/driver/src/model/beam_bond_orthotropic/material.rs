@@ -115,7 +115,7 @@ impl Material for BeamBonds {
         resolve::warn(&self.parameters, faults);
     }
 
-    fn told(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
+    fn summary(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
         words::summary(&self.parameters, units)
     }
 }

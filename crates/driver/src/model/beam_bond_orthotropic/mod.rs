@@ -76,6 +76,7 @@ const OPTIONS: [(&str, &str); 4] = [
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
     about: "orthotropic plate of beam bonds, plane stress, fibres at any angle: rectangle, outline; points turn; calibrations and edges as bond_plane",
+    bodies: &[("plate with fibres: deflections, cracks", "beam_bond_orthotropic")],
     options: || plain(&OPTIONS),
     starts: &[Start { name: NAME, about: "a plate of fibres with a hole", case: include_str!("start.json") }],
     growth: Growth::Plane,

@@ -1,7 +1,7 @@
 //! What the record of a run says of beam bonds.
 
 use super::super::MaterialSummary;
-use super::super::told::{Words, fact, of_calibration};
+use super::super::material_summary::{Words, fact, of_calibration};
 use super::NAME;
 use crate::units::{Units, number};
 use peristat_assembly::model::beam_bond_orthotropic::{BeamNeighbourhood, OrthotropicParameters, Start};
@@ -11,11 +11,11 @@ use serde_json::json;
 pub(super) fn summary(of: &OrthotropicParameters, units: Units) -> MaterialSummary {
     let words = Words { units, name: NAME };
     // The bonds of a scene exist.
-    let hood = BeamNeighbourhood::new(of).ok();
+    let neighbourhood = BeamNeighbourhood::new(of).ok();
     let material = of.material;
-    let effective = hood.as_ref().map_or(f64::NAN, BeamNeighbourhood::effective_shear_modulus);
-    let consistent = hood.as_ref().is_some_and(BeamNeighbourhood::is_consistent);
-    let start = hood.and_then(|hood| hood.start());
+    let effective = neighbourhood.as_ref().map_or(f64::NAN, BeamNeighbourhood::effective_shear_modulus);
+    let consistent = neighbourhood.as_ref().is_some_and(BeamNeighbourhood::is_consistent);
+    let start = neighbourhood.and_then(|neighbourhood| neighbourhood.start());
     let (fibres, rows) = (of.fibre_angle.to_degrees(), of.lattice_angle.to_degrees());
     let mut entries = vec![
         ("youngs_modulus_1", json!(material.youngs_modulus_1)),

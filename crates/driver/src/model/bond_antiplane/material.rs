@@ -82,7 +82,7 @@ impl Material for ShearBonds {
         None
     }
 
-    fn told(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
+    fn summary(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
         words::summary(&self.parameters, units)
     }
 }

@@ -1,7 +1,7 @@
 //! What the record of a run says of bonds in antiplane shear.
 
 use super::super::MaterialSummary;
-use super::super::told::{Words, fact, of_influence};
+use super::super::material_summary::{Words, fact, of_influence};
 use super::NAME;
 use crate::units::Units;
 use peristat_assembly::model::bond_antiplane::AntiplaneParameters;

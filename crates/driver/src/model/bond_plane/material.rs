@@ -99,7 +99,7 @@ impl Material for Central {
         soften::bonds(self.keys.bond_law.as_ref()?, &self.parameters, on, faults)
     }
 
-    fn told(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
+    fn summary(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
         words::summary(&self.parameters, units)
     }
 }

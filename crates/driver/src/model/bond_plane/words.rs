@@ -1,7 +1,7 @@
 //! What the record of a run says of central bonds.
 
 use super::super::MaterialSummary;
-use super::super::told::{Words, fact, of_calibration, of_influence};
+use super::super::material_summary::{Words, fact, of_calibration, of_influence};
 use crate::units::Units;
 use peristat_assembly::model::bond_plane::{PlaneParameters, PlaneState};
 use peristat_assembly::model::plane::Calibration;

@@ -109,7 +109,7 @@ impl Material for ShellBonds {
         warn::warn(&self.parameters, on, faults);
     }
 
-    fn told(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
+    fn summary(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
         words::summary(&self.parameters, units)
     }
 }

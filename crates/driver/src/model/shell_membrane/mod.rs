@@ -50,6 +50,7 @@ const OPTIONS: [(&str, &str); 5] = [
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
     about: "membrane of a cylindrical shell of central bonds, ν = 1/3: a rectangle of length and arc, joined by periodic; calibrations as bond_plane",
+    bodies: &[("thin tube, cylindrical panel", "shell_membrane")],
     options: || plain(&OPTIONS),
     starts: &[Start { name: NAME, about: "a tube under pressure", case: include_str!("start.json") }],
     growth: Growth::Plane,

@@ -1,7 +1,7 @@
 //! What the record of a run says of shell membranes.
 
 use super::super::MaterialSummary;
-use super::super::told::{Words, fact, of_calibration};
+use super::super::material_summary::{Words, fact, of_calibration};
 use super::NAME;
 use crate::units::Units;
 use peristat_assembly::model::plane::Calibration;

@@ -138,7 +138,7 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
         None
     }
 
-    fn told(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
+    fn summary(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {
         self.parameters.summary(units)
     }
 }

@@ -129,7 +129,7 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         warn::warn(&self.parameters, self.name, on, faults);
     }
 
-    fn told(&self, on: &Resolved, ghosts: usize, units: Units) -> MaterialSummary {
+    fn summary(&self, on: &Resolved, ghosts: usize, units: Units) -> MaterialSummary {
         words::summary(&self.parameters, self.name, on, ghosts, units)
     }
 }

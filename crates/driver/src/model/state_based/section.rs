@@ -12,7 +12,7 @@ pub(super) fn touches_axis(
 ) -> Option<bool> {
     for (at, side) in asked.symmetry.iter().enumerate().filter(|s| matches!(s.1.as_str(), "left" | "right")) {
         let hint = match side.as_str() {
-            "left" => "a body that begins at x = 0 has its axis there without being told",
+            "left" => "a body that begins at x = 0 has its axis there by itself",
             _ => "hold `ux` of the edge: a smooth rigid wall",
         };
         faults

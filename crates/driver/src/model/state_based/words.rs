@@ -1,6 +1,6 @@
 //! What the record of a run says of state-based families.
 
-use super::super::told::{Words, fact, of_influence};
+use super::super::material_summary::{Words, fact, of_influence};
 use super::super::{MaterialSummary, Resolved};
 use crate::units::{Units, number};
 use peristat_assembly::model::state_based::{

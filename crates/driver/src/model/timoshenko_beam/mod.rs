@@ -20,6 +20,10 @@ fn options() -> Vec<(String, &'static str)> {
 pub(super) const ENTRY: Entry = Entry {
     name: "timoshenko_beam",
     about: "peridynamic Timoshenko beam: sections rectangle, circle, tube, i, general, tapered, by stiffness, power_law",
+    bodies: &[
+        ("straight beam, tapered or graded, on elastic ground", "timoshenko_beam"),
+        ("plane frame, truss", "frames"),
+    ],
     options,
     starts: &[
         Start { name: "timoshenko_beam", about: "a cantilever", case: include_str!("start.json") },

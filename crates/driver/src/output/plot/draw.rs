@@ -19,7 +19,7 @@ pub(super) const FINE: i32 = 10;
 const MOST_POINTS: usize = 2000;
 /// Dots of a series, at most: more would lie on each other.
 const MOST_DOTS: usize = 48;
-/// Widths of strokes in fine units. A dashed line is told from others by its width, see [`svg`].
+/// Widths of strokes in fine units. A dashed line is distinguished from others by its width, see [`svg`].
 const STROKE: u32 = 20;
 const DASHED_STROKE: u32 = 19;
 const THIN_STROKE: u32 = 8;

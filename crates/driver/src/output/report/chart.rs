@@ -211,8 +211,8 @@ fn values(out: &mut String, chart: &Chart, lines: &[Line]) {
         let y = Column::numbers(chart.y.label.as_str());
         (vec![Column::words("line"), x, y], lines.iter().flat_map(of_line).collect())
     };
-    let told = if step > 1 { "Some of the values" } else { "Values" };
-    let _ = writeln!(out, "<details class=\"values\"><summary>{told}</summary>");
+    let words = if step > 1 { "Some of the values" } else { "Values" };
+    let _ = writeln!(out, "<details class=\"values\"><summary>{words}</summary>");
     element::table(out, &Table { title: String::new(), columns, rows });
     out.push_str("</details>\n");
 }

@@ -2,7 +2,7 @@
 //! hexahedra between eight points of a solid.
 
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Cell, Crack, PlaneBody, SquareLattice, cut_bonds, plus};
+use peristat_assembly::body::{Cell, Crack, PointBody, SquareLattice, cut_bonds, plus};
 use std::collections::BTreeSet;
 
 /// Cells of the points of a body, images left out.
@@ -22,12 +22,12 @@ const STEPS: [Cell; 4] = [[1, 0, 0], [0, 1, 0], [1, 1, 0], [-1, 1, 0]];
 /// Cells of the body of a scene.
 pub(super) fn cells(scene: &BodyScene) -> GridCells {
     match scene.body() {
-        PlaneBody::Lattice(lattice) => {
+        PointBody::Lattice(lattice) => {
             let cracks: Vec<Crack> = scene.cracks.iter().map(|c| c.crack.clone()).collect();
             on_lattice(lattice, &cracks)
         }
-        PlaneBody::Solid(lattice) => in_solid(lattice),
-        PlaneBody::Cloud(cloud) => {
+        PointBody::Solid(lattice) => in_solid(lattice),
+        PointBody::Cloud(cloud) => {
             GridCells { vertices: (0..cloud.points() as u32).collect(), ..GridCells::default() }
         }
     }

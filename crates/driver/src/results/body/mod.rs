@@ -16,7 +16,7 @@ use crate::output::report::Block;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
 use crate::run::body::BodyResult;
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 use std::borrow::Cow;
 use std::io;
 use std::path::Path;
@@ -101,7 +101,7 @@ fn places(scene: &BodyScene) -> Vec<super::Column> {
     let mut columns = [(); 3].map(|()| Vec::with_capacity(body.points()));
     body.visit(|at| columns.iter_mut().zip(at).for_each(|(column, x)| column.push(x)));
     let named = ["x", "y", "z"].into_iter().zip(columns);
-    named.take(if matches!(body, PlaneBody::Solid(_)) { 3 } else { 2 }).collect()
+    named.take(if matches!(body, PointBody::Solid(_)) { 3 } else { 2 }).collect()
 }
 
 /// Writes the points, the cells between them and their fields as a grid; a shell as the cylinder that it is.

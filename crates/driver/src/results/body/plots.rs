@@ -9,7 +9,7 @@ use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
 use crate::scene::words;
-use peristat_assembly::body::{Crack, PlaneBody};
+use peristat_assembly::body::{Crack, PointBody};
 use std::io;
 use std::path::Path;
 
@@ -19,7 +19,7 @@ use std::path::Path;
 /// The folder cannot be written.
 pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io::Result<()> {
     let title = title(scene, result);
-    if let PlaneBody::Solid(lattice) = scene.body() {
+    if let PointBody::Solid(lattice) = scene.body() {
         return surface::write(folder, (scene, lattice), result, &title);
     }
     let raster = Raster::new(scene);

@@ -2,7 +2,7 @@
 //! many listed points a square with all points in it.
 
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Crack, PlaneBody};
+use peristat_assembly::body::{Crack, PointBody};
 use std::ops::Range;
 
 /// How many blocks there are, and along a side, at most.
@@ -61,7 +61,7 @@ impl Raster {
     pub(super) fn within(scene: &BodyScene, limits: Limits) -> Self {
         match scene.body() {
             // Of a solid a block has all layers.
-            PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => {
+            PointBody::Lattice(lattice) | PointBody::Solid(lattice) => {
                 let (columns, rows) = (lattice.columns(), lattice.rows());
                 let step = step(columns.len(), rows.len(), limits) as i32;
                 let cells = lattice.runs().iter().flat_map(|run| {
@@ -75,7 +75,7 @@ impl Raster {
                 let node = |[i, j]: [i32; 2]| lattice.node([line(&columns, i), line(&rows, j)]);
                 Self { step: step as usize, ..Self::on_grid(size, cells, &node) }
             }
-            PlaneBody::Cloud(cloud) if cloud.points() <= limits.blocks => {
+            PointBody::Cloud(cloud) if cloud.points() <= limits.blocks => {
                 let half = |k: usize| 0.5 * cloud.areas()[k].sqrt();
                 let block = |k: usize| {
                     let at = cloud.positions()[k];
@@ -89,7 +89,7 @@ impl Raster {
                     step: 1,
                 }
             }
-            PlaneBody::Cloud(cloud) => {
+            PointBody::Cloud(cloud) => {
                 let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
                 for at in cloud.positions() {
                     (0..2).for_each(|k| (low[k], high[k]) = (low[k].min(at[k]), high[k].max(at[k])));

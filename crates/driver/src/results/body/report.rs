@@ -9,7 +9,7 @@ use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Crack, PlaneBody};
+use peristat_assembly::body::{Crack, PointBody};
 
 /// Cells of a map: as many as fields of them fit into the report.
 const LIMITS: Limits = Limits { blocks: 120_000, along: 1500 };
@@ -67,13 +67,13 @@ fn note(scene: &BodyScene, raster: &Raster) -> String {
     }
     let ends = "the colour bar ends at the extremes of all points.";
     match (scene.body(), &raster.grid) {
-        (PlaneBody::Solid(_), _) => {
+        (PointBody::Solid(_), _) => {
             told.push(format!("Every cell is the mean of all points behind it along z; {ends}"));
         }
-        (PlaneBody::Lattice(_), _) if raster.step > 1 => {
+        (PointBody::Lattice(_), _) if raster.step > 1 => {
             told.push(format!("Every cell is the mean of {0} × {0} points; {ends}", raster.step));
         }
-        (PlaneBody::Cloud(_), Some(_)) => {
+        (PointBody::Cloud(_), Some(_)) => {
             told.push(format!("Every cell is the mean of the points in it; {ends}"))
         }
         _ => {}
@@ -104,7 +104,7 @@ fn cells(scene: &BodyScene, raster: &Raster) -> Cells {
 /// Corner and sides of the first block, whether it is there or not, and the parts of the last ones.
 fn layout(scene: &BodyScene, raster: &Raster, grid: &Grid) -> ([f64; 2], [[f64; 2]; 2], [f64; 2]) {
     match scene.body() {
-        PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => {
+        PointBody::Lattice(lattice) | PointBody::Solid(lattice) => {
             let (first, step) = ([lattice.columns().start, lattice.rows().start], raster.step);
             let origin = lattice.node(first);
             let side = |k: usize| {
@@ -117,7 +117,7 @@ fn layout(scene: &BodyScene, raster: &Raster, grid: &Grid) -> ([f64; 2], [[f64; 
             let last = last.map(|count| ((count - 1) % step + 1) as f64 / step as f64);
             (origin, [side(0), side(1)], last)
         }
-        PlaneBody::Cloud(_) => {
+        PointBody::Cloud(_) => {
             let ([a, b, _, d], cell) = (raster.blocks[0], grid.cells[0].map(f64::from));
             let sides = [b, d].map(|end| [0, 1].map(|c| end[c] - a[c]));
             let origin = [0, 1].map(|c| a[c] - cell[0] * sides[0][c] - cell[1] * sides[1][c]);

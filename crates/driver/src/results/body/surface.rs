@@ -34,10 +34,10 @@ pub(super) fn write(
     let factor = magnification(size_of(scene), range(scene, &size).0[1]);
     let moved = blocks.moved([&u[0], &u[1], &u[2]], factor);
     let draw = |file: &str, label: String, values: &[f64], note: &str, corners: &Corners| {
-        let (range, told) = range(scene, values);
+        let (range, more) = range(scene, values);
         let map = Map {
             title: title.into(),
-            note: format!("{note}{told}"),
+            note: format!("{note}{more}"),
             label,
             range,
             patches: blocks.patches(&blocks.means(values), corners),

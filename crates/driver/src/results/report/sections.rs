@@ -83,7 +83,7 @@ fn checks(summary: &Summary) -> Section {
         table.columns[1..=outcome].rotate_right(1);
         table.columns.push(Column::words("against"));
         for (row, check) in table.rows.iter_mut().zip(&summary.checks) {
-            // Not rounded to one digit, so that an error can be told from its tolerance.
+            // Not rounded to one digit, so that an error can be distinguished from its tolerance.
             row[outcome - 1] = number(check.tolerance).into();
             row[outcome].tone = if check.passed { Tone::Good } else { Tone::Bad };
             row[1..=outcome].rotate_right(1);

@@ -3,7 +3,7 @@
 use super::BodyResult;
 use crate::case::FieldName;
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Cell, PlaneBody, SquareLattice, plus};
+use peristat_assembly::body::{Cell, PointBody, SquareLattice, plus};
 
 /// A magnitude, and where it is.
 pub(crate) type Place = (f64, [f64; 2]);
@@ -21,7 +21,7 @@ pub(crate) struct Steepest {
 /// stand on the other side of a crack, and beside its tip strains have no bound.
 pub(crate) fn steepest(scene: &BodyScene, result: &BodyResult) -> Steepest {
     let mut found = Steepest::default();
-    let PlaneBody::Lattice(lattice) = scene.body() else { return found };
+    let PointBody::Lattice(lattice) = scene.body() else { return found };
     let values = |field| result.values(scene, field);
     let damage = values(FieldName::Damage);
     if damage.is_none() && (!scene.cracks.is_empty() || scene.case.is_traced()) {

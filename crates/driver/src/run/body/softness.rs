@@ -11,7 +11,7 @@ use peristat_assembly::sum::Sum;
 /// Energy over the sum of the loads times the largest displacement, below which it is rounding.
 const STRAINED: f64 = 1e-12;
 
-/// What is softer by no more than this is not told.
+/// What is softer by no more than this is not reported.
 const TOLD: f64 = 0.01;
 
 /// Solves the body without its fracture or path, and the elastic one beside it, under the same loads and motions, and warns of

@@ -1,6 +1,6 @@
 //! How the faces of cracks part at the tips whose stress intensities are asked for.
 //!
-//! `√(E' G)` has neither sign nor mode: faces that overlap, or slide along each other, are told.
+//! `√(E' G)` has neither sign nor mode: faces that overlap, or slide along each other, are reported.
 
 use crate::case;
 use crate::diagnostic::{Faults, JsonPath};

@@ -1,4 +1,4 @@
-//! What is told of every equilibrium of a body that breaks, and what it takes to go on from one.
+//! What is reported of every equilibrium of a body that breaks, and what it takes to go on from one.
 
 use super::super::RunError;
 use serde::{Deserialize, Serialize};

@@ -29,7 +29,7 @@ pub(in super::super) trait BreakingBody<const D: usize> {
     /// Whether the load is a force, not a displacement.
     fn load_is_force(&self) -> bool;
 
-    /// What is told of the broken bonds beside their number, by name.
+    /// What is reported of the broken bonds beside their number, by name.
     fn facts(&self, broken: &[u64]) -> Vec<(String, f64)>;
 
     /// The result of an equilibrium at a load factor.

@@ -1,4 +1,4 @@
-//! What is told of a body that broke.
+//! What is reported of a body that broke.
 
 use super::super::solver_report::SolverReport;
 use super::super::{Counters, RunReport, Sizes};

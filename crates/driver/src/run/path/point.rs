@@ -1,4 +1,4 @@
-//! What is told of every state of a body on its path.
+//! What is reported of every state of a body on its path.
 
 use super::newton::Effort;
 

@@ -1,4 +1,4 @@
-//! What is told of a path.
+//! What is reported of a path.
 
 use super::super::solver_report::SolverReport;
 use super::super::{RunReport, Sizes, Timing};

@@ -1,6 +1,6 @@
 //! Distributed loads of a scene.
 
-use super::extent::{self, Extent, Given, Words};
+use super::extent::{self, Extent, GivenExtent, Words};
 use super::place::{Layout, LayoutLine};
 use super::point_load::shares;
 use super::resolved_loads::ResolvedLoads;
@@ -33,7 +33,7 @@ pub(super) fn add(
             faults.error(path.key(*key), format!("`{key}` is for frames")).hint(*hint);
         }
     }
-    let given = Given { member: load.member.as_deref(), from: load.from, to: load.to };
+    let given = GivenExtent { member: load.member.as_deref(), from: load.from, to: load.to };
     let extent = extent::find(&given, layout, path, &WORDS, faults);
     let values = [
         ("force", load.force),

@@ -1,7 +1,7 @@
 //! The part of a line or member that a load or a foundation covers.
 
+use super::frame_place;
 use super::place::{Layout, Place};
-use super::spot;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 
 /// A part of a line.
@@ -16,7 +16,7 @@ pub(super) struct Extent {
 }
 
 /// What a case says of an extent.
-pub(super) struct Given<'a> {
+pub(super) struct GivenExtent<'a> {
     /// Member, on a frame.
     pub(super) member: Option<&'a str>,
     /// Start.
@@ -39,7 +39,7 @@ pub(super) struct Words {
 
 /// Finds an extent: all of the member or of the only line if nothing else is said.
 pub(super) fn find(
-    given: &Given,
+    given: &GivenExtent,
     layout: &Layout,
     path: &JsonPath,
     words: &Words,
@@ -58,7 +58,7 @@ pub(super) fn find(
 }
 
 fn on_member(
-    given: &Given,
+    given: &GivenExtent,
     layout: &Layout,
     path: &JsonPath,
     words: &Words,
@@ -69,7 +69,7 @@ fn on_member(
         faults.error(path.clone(), "`member` is missing").hint(words.of_a_member);
         return None;
     };
-    let chain = spot::member(name, frame, &path.key("member"), faults)?;
+    let chain = frame_place::member(name, frame, &path.key("member"), faults)?;
     let line = &layout.lines[chain];
     let (from, to) = (given.from.unwrap_or(0.0), given.to.unwrap_or(line.length));
     for (key, x) in [("from", from), ("to", to)] {
@@ -85,7 +85,7 @@ fn on_member(
 }
 
 fn on_line(
-    given: &Given,
+    given: &GivenExtent,
     layout: &Layout,
     path: &JsonPath,
     words: &Words,

@@ -36,7 +36,7 @@ pub(super) fn facts(
     let mut ends = [kinds(left), kinds(right)];
     let inside: Vec<&HeldPoint> = held.iter().filter(|h| !close(h.x, left) && !close(h.x, right)).collect();
     if !bars.is_empty() || inside.iter().any(|h| h.kind != End::Simple) {
-        // Only simple supports between the ends can be told; anything else, links as well, fits no reference.
+        // Only simple supports between the ends can be described; anything else, links as well, fits no reference.
         ends = [End::Other; 2];
     }
     let bonds = (0..chain.weights.classes()).map(|class| {

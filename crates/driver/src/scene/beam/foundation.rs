@@ -1,6 +1,6 @@
 //! Winkler foundations of a scene: springs against deflection on the points above them.
 
-use super::extent::{self, Extent, Given, Words};
+use super::extent::{self, Extent, GivenExtent, Words};
 use super::place::Layout;
 use super::profile;
 use crate::case::{Case, Foundation};
@@ -36,7 +36,8 @@ pub(super) fn beds(case: &Case, layout: &Layout, faults: &mut Faults) -> Vec<Bed
 }
 
 fn bed(foundation: &Foundation, layout: &Layout, path: &JsonPath, faults: &mut Faults) -> Option<Bed> {
-    let given = Given { member: foundation.member.as_deref(), from: foundation.from, to: foundation.to };
+    let given =
+        GivenExtent { member: foundation.member.as_deref(), from: foundation.from, to: foundation.to };
     let Extent { chain, from, to } = extent::find(&given, layout, path, &WORDS, faults)?;
     let at = path.key("stiffness");
     let stiffness = foundation.stiffness.clone();

@@ -1,8 +1,8 @@
 //! What joins points: rigid bars between lines, and the joints of a frame.
 
 use super::frame_layout::{self, EndOfMember, JointLayout};
+use super::frame_place::{self, FramePlace};
 use super::place::{Layout, Place};
-use super::spot::{self, Spot};
 use crate::case::{At, Case, Link};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath};
@@ -42,14 +42,14 @@ pub(super) fn bars(case: &Case, layout: &Layout, faults: &mut Faults) -> Vec<Rig
         let path = root("links").index(k).key("rigid");
         let mut end = |at: &At, key: &str| {
             let path = path.key(key);
-            match spot::find(at, layout, &path, "the end of the link", faults)? {
-                Spot::On(Place::Point { chain, point }) => Some((chain, point)),
-                Spot::On(Place::End { chain, .. } | Place::Between { chain, .. }) => {
+            match frame_place::find(at, layout, &path, "the end of the link", faults)? {
+                FramePlace::On(Place::Point { chain, point }) => Some((chain, point)),
+                FramePlace::On(Place::End { chain, .. } | Place::Between { chain, .. }) => {
                     let x = at.x.unwrap_or(0.0);
                     layout.needs_point(chain, x, &path.key("x"), "the end of the link", faults);
                     None
                 }
-                Spot::Joint(_) => None,
+                FramePlace::Joint(_) => None,
             }
         };
         let (Some(from), Some(to)) = (end(&link.from, "from"), end(&link.to, "to")) else {

@@ -86,7 +86,7 @@ fn in_the_plane(scene: &BeamScene, part: &PartMotion) -> String {
     }
 }
 
-/// `the members `a` and `b` are free to move along x`; where they move differently, each motion is told.
+/// `the members `a` and `b` are free to move along x`; where they move differently, each motion is reported.
 fn of_members(scene: &BeamScene, motion: &FreeMotion) -> String {
     let Some(frame) = &scene.frame else { return String::new() };
     let mut groups: Vec<(String, Vec<&str>)> = Vec::new();

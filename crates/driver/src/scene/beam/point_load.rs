@@ -1,8 +1,8 @@
 //! Concentrated loads of a scene.
 
+use super::frame_place::{self, FramePlace};
 use super::place::{Layout, Place};
 use super::resolved_loads::ResolvedLoads;
-use super::spot::{self, Spot};
 use crate::case::PointLoad;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::timoshenko_beam::PointAction;
@@ -24,9 +24,9 @@ pub(super) fn add(
         };
         faults.error(path.clone(), "this load is zero").hint(hint);
     }
-    match spot::find(&load.at, layout, &path.key("at"), "the load", faults) {
-        Some(Spot::Joint(joint)) => on_joint(load, joint, layout, path, to, faults),
-        Some(Spot::On(place)) => on_line(load, place, layout, path, to, faults),
+    match frame_place::find(&load.at, layout, &path.key("at"), "the load", faults) {
+        Some(FramePlace::Joint(joint)) => on_joint(load, joint, layout, path, to, faults),
+        Some(FramePlace::On(place)) => on_line(load, place, layout, path, to, faults),
         None => {}
     }
 }

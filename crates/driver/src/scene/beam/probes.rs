@@ -1,8 +1,8 @@
 //! Probes of a beam: which point answers, and whether it can.
 
+use super::frame_place::{self, FramePlace};
 use super::place::{Layout, Place};
 use super::section::SectionAlong;
-use super::spot::{self, Spot};
 use super::supports::HeldPoint;
 use crate::case::{Case, FieldName, Probe};
 use crate::diagnostic::{Faults, JsonPath, tidy};
@@ -45,12 +45,12 @@ pub(super) fn probes(case: &Case, context: &Context, faults: &mut Faults) -> Vec
 fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<ProbePoint> {
     let layout = context.layout;
     let at = path.key("at");
-    let spot = spot::find(&probe.at, layout, &at, "the probe", faults)?;
+    let spot = frame_place::find(&probe.at, layout, &at, "the probe", faults)?;
     let fits = fits_body(probe.field, context, &path.key("field"), faults);
     let (chain, k) = match spot {
-        Spot::Joint(joint) => of_joint(probe.field, joint, layout, path, faults)?,
-        Spot::On(Place::Point { chain, point }) => (chain, point),
-        Spot::On(place) => {
+        FramePlace::Joint(joint) => of_joint(probe.field, joint, layout, path, faults)?,
+        FramePlace::On(Place::Point { chain, point }) => (chain, point),
+        FramePlace::On(place) => {
             let x = probe.at.x.unwrap_or(0.0);
             layout.needs_point(place.chain(), x, &at.key("x"), "the probe", faults);
             return None;
@@ -60,7 +60,7 @@ fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Fault
     needs_section(probe.field, &context.sections[chain], context.model, path, faults);
     if fits && probe.field.is_reaction() && !context.held.iter().any(|h| h.point == Some(point)) {
         let place = match spot {
-            Spot::On(_) if layout.frame.is_none() => format!("on a point at x = {}", tidy(x)),
+            FramePlace::On(_) if layout.frame.is_none() => format!("on a point at x = {}", tidy(x)),
             _ => format!("at {}", layout.words(spot, x)),
         };
         let held: Vec<&str> =

@@ -1,8 +1,8 @@
 //! Supports of a scene: which points and ends of lines they hold.
 
+use super::frame_place::{self, FramePlace};
 use super::holds::{Hold, holds};
 use super::place::{Layout, Place};
-use super::spot::{self, Spot};
 use crate::case::{Case, Support};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath};
@@ -41,7 +41,7 @@ impl HeldPoint {
     }
 }
 
-/// Held points, and what holds the ends of every line.
+/// HeldSupport points, and what holds the ends of every line.
 pub(super) fn held(
     case: &Case,
     layout: &Layout,
@@ -62,7 +62,7 @@ pub(super) fn held(
     for (k, support) in case.supports.iter().enumerate() {
         let path = root("supports").index(k);
         super::support_keys::check(support, layout.frame.is_some(), &path, faults);
-        let found = spot::find(&support.at, layout, &path.key("at"), "the support", faults);
+        let found = frame_place::find(&support.at, layout, &path.key("at"), "the support", faults);
         let held_point = found.and_then(|spot| hold(support, spot, layout, &mut ends, &path, faults));
         held.extend(held_point);
     }
@@ -72,7 +72,7 @@ pub(super) fn held(
 /// What a support holds at the place that was found for it.
 fn hold(
     support: &Support,
-    spot: Spot,
+    spot: FramePlace,
     layout: &Layout,
     ends: &mut [[EndSupport; 2]],
     path: &JsonPath,
@@ -89,7 +89,7 @@ fn hold(
         path: path.clone(),
     };
     match spot {
-        Spot::Joint(joint) => {
+        FramePlace::Joint(joint) => {
             let joint = &layout.frame.as_ref()?.joints[joint];
             let (first, turning) = (layout.end(joint.first()), joint.turning().map(|e| layout.end(e)));
             let turns = [("phi", support.phi), ("phi_spring", support.phi_spring)];
@@ -108,7 +108,7 @@ fn hold(
             held.holds = holds(support, first, turning.unwrap_or(first));
             held.local = Some(first);
         }
-        Spot::On(Place::Point { chain, point }) => {
+        FramePlace::On(Place::Point { chain, point }) => {
             let last = layout.lines[chain].points() - 1;
             for (side, end) in [0, last].into_iter().enumerate() {
                 if point == end {
@@ -118,11 +118,11 @@ fn hold(
             held.holds = holds(support, (chain, point), (chain, point));
             held.local = Some((chain, point));
         }
-        Spot::On(Place::End { chain, side }) if layout.treatment.name != "truncated" => {
+        FramePlace::On(Place::End { chain, side }) if layout.treatment.name != "truncated" => {
             hold_end(&mut ends[chain][side], support);
             check_end(support, layout, &ends[chain][side], path, faults);
         }
-        Spot::On(Place::End { chain, .. } | Place::Between { chain, .. }) => {
+        FramePlace::On(Place::End { chain, .. } | Place::Between { chain, .. }) => {
             layout.needs_point(chain, x, &path.key("at").key("x"), "the support", faults);
             return None;
         }

@@ -131,7 +131,7 @@ fn pressures(scene: &BodyScene, name: Option<&str>) -> Option<Vec<f64>> {
 /// Whether lines of symmetry run through the middle of a hole.
 fn mirrors(scene: &BodyScene, ellipse: &Ellipse) -> [bool; 2] {
     [0, 1].map(|k| {
-        let at = &scene.recipe.symmetry.at[2 * k..2 * k + 2];
+        let at = &scene.inputs.symmetry.at[2 * k..2 * k + 2];
         at.iter().flatten().any(|at| (at - ellipse.centre[k]).abs() <= ON_BORDER * ellipse.half_axes[k])
     })
 }
@@ -153,7 +153,7 @@ fn to_other_borders(scene: &BodyScene, outline: &Outline, hole: usize, ellipse: 
         };
         (0..2).any(near)
     };
-    let symmetry = &scene.recipe.symmetry;
+    let symmetry = &scene.inputs.symmetry;
     let others = outline.edges().iter().filter(|e| !(symmetry.replaces(&e.name) && through(e.from, e.to)));
     let parts = others.flat_map(|edge| outline.edge_parts(edge));
     let holes = (0..outline.holes().len()).filter(|k| *k != hole).flat_map(|k| outline.hole_parts(k));

@@ -22,7 +22,7 @@ pub(crate) fn describe<const D: usize>(
             (0..3).for_each(|c| sums[k].1[c] += model.position(point)[c]);
         }
     }
-    let mut told: Vec<(usize, String)> = Vec::new();
+    let mut found: Vec<(usize, String)> = Vec::new();
     for (&(count, sum), part) in sums.iter().zip(&motion.moves).filter(|(s, _)| s.0 > 0) {
         let how = how(part, motions);
         let what = match count == scene.body().points() {
@@ -33,12 +33,12 @@ pub(crate) fn describe<const D: usize>(
                 format!("the part of the body around {place}, {points},")
             }
         };
-        told.push((count, format!("{what} is free to {how}")));
+        found.push((count, format!("{what} is free to {how}")));
     }
     // The largest part first, two at most.
-    told.sort_by_key(|t| std::cmp::Reverse(t.0));
-    let more = told.len().saturating_sub(2);
-    let mut text = told.into_iter().take(2).map(|t| t.1).collect::<Vec<_>>().join(", and ");
+    found.sort_by_key(|t| std::cmp::Reverse(t.0));
+    let more = found.len().saturating_sub(2);
+    let mut text = found.into_iter().take(2).map(|t| t.1).collect::<Vec<_>>().join(", and ");
     if more > 0 {
         text += &format!(", and {more} more part{} with them", if more == 1 { "" } else { "s" });
     }

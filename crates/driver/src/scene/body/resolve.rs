@@ -14,9 +14,9 @@ use super::read::probes::{self, BodyProbe, Quantity};
 use super::scene::{BodyScene, BodyState};
 use super::site::ground::Ground;
 use super::site::interpolate::Interpolation;
+use super::site::model_inputs::ModelInputs;
 use super::site::of_case::{self, horizon_key};
-use super::site::recipe::Recipe;
-use super::site::{counts, cracks, foreign, parts, specimen, tips};
+use super::site::{counts, cracks, foreign, given_body, specimen, tips};
 use crate::case::{Case, Fracture, PATH_FACTS, Path as CasePath};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::input::Folder;
@@ -25,7 +25,7 @@ use crate::scene::files;
 use crate::scene::path::PathScene;
 use crate::scene::solids_only;
 use crate::scene::states::{self, Sum};
-use peristat_assembly::body::{Crack, PlaneBody, in_space};
+use peristat_assembly::body::{Crack, PointBody, in_space};
 use peristat_assembly::model::BodyModel;
 
 impl BodyScene {
@@ -93,28 +93,28 @@ impl BodyScene {
             solids_only::refuse(case, faults);
         }
         of_case::check_refused(case, keys, faults);
-        let parts::Parts { mut recipe, outline, faces, curves, cracks } =
-            parts::parts(case, keys, folder, max_memory, faults)?;
-        let ground = Ground::new(case, &recipe.body, (outline.as_ref(), &faces), faults);
+        let given_body::GivenBody { mut inputs, outline, faces, curves, cracks } =
+            given_body::read(case, keys, folder, max_memory, faults)?;
+        let ground = Ground::new(case, &inputs.body, (outline.as_ref(), &faces), faults);
         if !counts::fit(&ground, max_memory, faults) {
             return None;
         }
-        let held = supports::held(&ground, &recipe.symmetry, &*recipe.material, faults);
-        let rigid = supports::rigid(&ground, &recipe.symmetry, faults);
-        rigid_mirror::check(&rigid, &recipe, faults);
-        recipe.bearings = bearing_keys::bearings(case, &rigid, faults);
+        let held = supports::held(&ground, &inputs.symmetry, &*inputs.material, faults);
+        let rigid = supports::rigid(&ground, &inputs.symmetry, faults);
+        rigid_mirror::check(&rigid, &inputs, faults);
+        inputs.bearings = bearing_keys::bearings(case, &rigid, faults);
         let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
-        let built = recipe.make(&paths);
+        let built = inputs.make(&paths);
         let built = built.map_err(|refusal| refusal.tell(case.model.name(), horizon_key(case), faults)).ok();
         let context = LoadContext {
             ground: &ground,
-            symmetry: &recipe.symmetry,
+            symmetry: &inputs.symmetry,
             curves: &curves,
-            material: &*recipe.material,
-            horizon: recipe.horizon,
+            material: &*inputs.material,
+            horizon: inputs.horizon,
             held: &held,
             cracks: &cracks,
-            recipe: &recipe,
+            inputs: &inputs,
             model: built.as_deref(),
         };
         let load_cases = load_cases::load_cases(&context, faults);
@@ -124,25 +124,25 @@ impl BodyScene {
         let states = states(case, faults);
         cracks::check(
             &cracks,
-            &recipe.body,
+            &inputs.body,
             outline.as_ref(),
-            &|crack| built.is_none() || recipe.is_cut_by(crack),
+            &|crack| built.is_none() || inputs.is_cut_by(crack),
             faults,
         );
         let built = built?;
-        let (conditions, supports) = supported::conditions(&held, rigid, &recipe, &*built);
-        let reach = reach(&*built, &recipe);
-        let images = recipe.symmetry.with_images(&paths);
+        let (conditions, supports) = supported::conditions(&held, rigid, &inputs, &*built);
+        let reach = reach(&*built, &inputs);
+        let images = inputs.symmetry.with_images(&paths);
         let extended = built.lattice().filter(|_| !built.ghosts().is_empty());
         let extended = extended.map(|(lattice, _)| match lattice.is_plane() {
-            true => PlaneBody::Lattice(lattice.as_ref().clone()),
-            false => PlaneBody::Solid(lattice.as_ref().clone()),
+            true => PointBody::Lattice(lattice.as_ref().clone()),
+            false => PointBody::Solid(lattice.as_ref().clone()),
         });
-        let body = extended.as_ref().unwrap_or(&recipe.body);
+        let body = extended.as_ref().unwrap_or(&inputs.body);
         let site = HeldBody {
             ground: &ground,
             outline: outline.as_ref(),
-            recipe: &recipe,
+            inputs: &inputs,
             model: &*built,
             cracks: &cracks,
             interpolation: &Interpolation { body, cracks: &images, reach },
@@ -153,11 +153,11 @@ impl BodyScene {
         let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
         let Failure { fracture, path, facts } = Failure::new(&site, traced, &names, faults);
         let names: Vec<&str> = names.into_iter().chain(facts.iter().map(String::as_str)).collect();
-        let number = |p: u32| recipe.number(&*built, p);
+        let number = |p: u32| inputs.number(&*built, p);
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
         let expectations = checks::expectations(
             case,
-            (&recipe.body, &*built),
+            (&inputs.body, &*built),
             &state_names,
             &names,
             (folder, max_memory),
@@ -186,7 +186,7 @@ impl BodyScene {
             expectations,
             warnings: Faults::default(),
             model: built,
-            recipe: Box::new(recipe),
+            inputs: Box::new(inputs),
             outline: outline.map(Box::new),
             elastic: None,
         })
@@ -211,8 +211,8 @@ fn check_bearable(scene: &BodyScene, faults: &mut Faults) {
 
 /// How many rows and columns beside a point values are interpolated from: points beside a border that is followed do not see the
 /// steps of the lattice.
-fn reach(model: &dyn BodyModel, recipe: &Recipe) -> i32 {
-    if model.follows_border() { 1 } else { (recipe.material.about().horizon_ratio + 1e-9).floor() as i32 }
+fn reach(model: &dyn BodyModel, inputs: &ModelInputs) -> i32 {
+    if model.follows_border() { 1 } else { (inputs.material.about().horizon_ratio + 1e-9).floor() as i32 }
 }
 
 /// What is read of the results.
@@ -225,14 +225,14 @@ struct Readings {
 impl Readings {
     fn new(site: &HeldBody, max_memory: Option<u64>, faults: &mut Faults) -> Self {
         let mut probes = probes::probes(site, faults);
-        let number = |p: u32| site.recipe.number(site.model, p);
+        let number = |p: u32| site.inputs.number(site.model, p);
         let lines = outputs::lines(site.ground, site.interpolation, &number, max_memory, faults);
         let contains = |tip: [f64; 2]| {
             let at = JsonPath::default();
             let is_near = || site.ground.point_at(in_space(tip), &at, "", &mut Faults::default()).is_some();
             site.outline.map_or_else(is_near, |outline| outline.contains(tip))
         };
-        let around = tips::Around { symmetry: &site.recipe.symmetry, spacing: site.recipe.body.spacing() };
+        let around = tips::Around { symmetry: &site.inputs.symmetry, spacing: site.inputs.body.spacing() };
         let intensities = outputs::intensities(site.ground.case, site.cracks, &contains, &around, faults);
         probes.extend(intensities.iter().enumerate().map(|(k, intensity)| BodyProbe {
             name: intensity.name.clone(),

@@ -10,14 +10,14 @@ use super::read::checks::BodyComparison;
 use super::read::outputs::{self, Intensity, OutputLine};
 use super::read::probes::BodyProbe;
 use super::site::cracks::NamedCrack;
-use super::site::recipe::Recipe;
+use super::site::model_inputs::ModelInputs;
 use crate::case::{Case, Solver, Units};
 use crate::diagnostic::Faults;
 use crate::model::{AnyBody, HeldRegion, Material, Refusal, Resolved};
 use crate::scene::expectation::Expectation;
 use crate::scene::files::InputFile;
 use crate::scene::path::PathScene;
-use peristat_assembly::body::{Cell, Crack, Outline, PlaneBody, SquareLattice};
+use peristat_assembly::body::{Cell, Crack, Outline, PointBody, SquareLattice};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
 use peristat_assembly::system::FreeMotion;
@@ -64,7 +64,7 @@ pub struct BodyScene {
     pub warnings: Faults,
     /// Names of what checks know beside probes.
     pub facts: Vec<String>,
-    pub(super) recipe: Box<Recipe>,
+    pub(super) inputs: Box<ModelInputs>,
     pub(super) outline: Option<Box<Outline>>,
     pub(super) elastic: Option<Box<Elastic>>,
 }
@@ -85,9 +85,9 @@ pub struct BodyState {
 impl BodyScene {
     /// Whether bonds can miss at points other than those of a plain edge.
     pub(super) fn can_have_loose_points(&self) -> bool {
-        let turned = matches!(self.body(), PlaneBody::Lattice(lattice) if lattice.is_turned());
+        let turned = matches!(self.body(), PointBody::Lattice(lattice) if lattice.is_turned());
         let plain = |o: &Outline| o.is_rectangle() && o.holes().is_empty() && !turned;
-        let whole = self.cracks.is_empty() && self.recipe.bearings.is_empty();
+        let whole = self.cracks.is_empty() && self.inputs.bearings.is_empty();
         !(whole && self.outline().is_some_and(plain))
     }
 
@@ -116,13 +116,13 @@ impl BodyScene {
     }
 
     /// The points without images, with numbers of their own.
-    pub fn body(&self) -> &PlaneBody {
-        &self.recipe.body
+    pub fn body(&self) -> &PointBody {
+        &self.inputs.body
     }
 
     /// Hash of the file that lists the points, if there is one: it tells more of them than where they are.
     pub(in crate::scene) fn file(&self) -> Option<blake3::Hash> {
-        self.recipe.file
+        self.inputs.file
     }
 
     /// The outline; listed points have none.
@@ -132,7 +132,7 @@ impl BodyScene {
 
     /// Number in the model of a point of the body.
     pub fn number(&self, point: usize) -> usize {
-        self.recipe.number(&*self.model, point as u32) as usize
+        self.inputs.number(&*self.model, point as u32) as usize
     }
 
     /// A free motion of a model of the body in words.
@@ -142,17 +142,17 @@ impl BodyScene {
 
     /// Horizon, m.
     pub fn horizon(&self) -> f64 {
-        self.recipe.horizon
+        self.inputs.horizon
     }
 
     /// Side of a cell, or root of the mean area of listed points, m.
     pub fn spacing(&self) -> f64 {
-        self.recipe.body.spacing()
+        self.inputs.body.spacing()
     }
 
     /// Cut bonds of a lattice, for [`Solvable::coarser`](peristat_assembly::model::plane::Solvable::coarser).
     pub fn cuts(&self, lattice: &SquareLattice, offsets: &[Cell]) -> Vec<(usize, usize)> {
-        self.recipe.cuts(&self.cracks, lattice, offsets)
+        self.inputs.cuts(&self.cracks, lattice, offsets)
     }
 
     /// The model and the cracks with the tips of the crack of a stress intensity moved along it by some length, m, outwards
@@ -170,7 +170,7 @@ impl BodyScene {
             Some(crack) => cracks[intensity.crack] = crack,
             None => return Ok(None),
         }
-        Ok(Some((self.recipe.make(&cracks)?, cracks)))
+        Ok(Some((self.inputs.make(&cracks)?, cracks)))
     }
 
     /// The body as its model is given it; `held` are the regions that supports hold.
@@ -179,7 +179,7 @@ impl BodyScene {
             model: &*self.model,
             lattice: self.body().cells(),
             outline: self.outline(),
-            mirrors: &self.recipe.symmetry.mirrors,
+            mirrors: &self.inputs.symmetry.mirrors,
             spacing: self.spacing(),
             held,
         }
@@ -187,6 +187,6 @@ impl BodyScene {
 
     /// Material and bonds.
     pub fn material(&self) -> &dyn Material {
-        &*self.recipe.material
+        &*self.inputs.material
     }
 }

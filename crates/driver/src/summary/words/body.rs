@@ -8,8 +8,8 @@ use peristat_assembly::model::plane::Edges;
 
 /// Model, material, horizon and edges.
 pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
-    let mut told = m.material.facts.clone();
-    let mut line = |key: &str, text: String| told.push((key.to_string(), text));
+    let mut lines = m.material.facts.clone();
+    let mut line = |key: &str, text: String| lines.push((key.to_string(), text));
     let length = |value: f64| units.quantity(&number(value), units.length());
     let influence = m.material.influence;
     let (ratio, horizon) = (number(m.horizon_ratio), length(m.horizon_ratio * m.spacing));
@@ -47,7 +47,7 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
         let cut = m.cut_bonds.map_or(String::new(), |cut| format!(", {cut} bonds cut"));
         line("cracks", format!("{} crack{s}{cut}", m.cracks));
     }
-    told
+    lines
 }
 
 /// Forces of supports, rigid regions and lines of symmetry.

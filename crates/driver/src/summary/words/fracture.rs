@@ -3,7 +3,7 @@
 use super::{Fact, number};
 use crate::run::fracture::FractureReport;
 
-/// What is told of a body that breaks: what every such body has, then what checks know by name.
+/// What is reported of a body that breaks: what every such body has, then what checks know by name.
 pub(in crate::summary) fn fracture(report: &FractureReport) -> Vec<Fact> {
     let fact = |name: &str| report.facts.get(name).and_then(serde_json::Value::as_f64);
     let at = |factor: &str, load: &str| match fact(factor).zip(fact(load)) {

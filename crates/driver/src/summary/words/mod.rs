@@ -51,7 +51,7 @@ impl Listing {
 
 /// The model, its sizes, and how it was solved.
 pub fn model(summary: &Summary) -> Vec<Fact> {
-    let mut told = match &summary.model {
+    let mut lines = match &summary.model {
         ModelSummary::Beam(model) => beam::model(model, summary.units),
         ModelSummary::Body(model) => body::model(model, summary.units),
     };
@@ -67,8 +67,8 @@ pub fn model(summary: &Summary) -> Vec<Fact> {
         solver += ", with residuals in twice the precision";
     }
     let rest = [("size", size), ("solver", solver), ("why", summary.solver.reason.clone())];
-    told.extend(rest.map(|(key, text)| (key.into(), text)));
-    told
+    lines.extend(rest.map(|(key, text)| (key.into(), text)));
+    lines
 }
 
 /// How the body broke or softened, where it did.

@@ -3,7 +3,7 @@
 use super::{Fact, number};
 use crate::run::path::PathReport;
 
-/// What is told of a body that softens.
+/// What is reported of a body that softens.
 pub(in crate::summary) fn path(report: &PathReport) -> Vec<Fact> {
     let fact = |name: &str| report.facts.get(name).and_then(serde_json::Value::as_f64);
     let at = |factor: &str, load: &str| match fact(factor).zip(fact(load)) {

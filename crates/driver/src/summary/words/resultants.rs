@@ -32,10 +32,10 @@ pub(super) fn table(found: &Resultants, state: &StateSummary, units: Units) -> L
     };
     let (forces, moments) = (size(&Total::forces), size(&Total::moments));
     // What is rounding beside the largest force, or moment, reads as zero.
-    let told = |size: f64| move |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
+    let lines = |size: f64| move |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
     let row = |(name, total): (&str, &Total)| {
-        let of_forces = total.forces().into_iter().flatten().map(told(forces));
-        let of_moments = total.moments().into_iter().flatten().map(told(moments));
+        let of_forces = total.forces().into_iter().flatten().map(lines(forces));
+        let of_moments = total.moments().into_iter().flatten().map(lines(moments));
         std::iter::once(name.to_string()).chain(of_forces).chain(of_moments).collect()
     };
     let asked = found.asked.forces().into_iter().chain(found.asked.moments());

@@ -91,9 +91,13 @@ fn matched_weights_are_those_of_an_independent_implementation() {
     ];
     for (m, influence, expected) in table {
         let units = [1.0, 1.0, 1.0];
-        let hood = neighbourhood(&PlaneParameters { influence, ..parameters(m, units) }).unwrap();
+        let neighbourhood = neighbourhood(&PlaneParameters { influence, ..parameters(m, units) }).unwrap();
         for &(step, weight) in expected {
-            let found = hood.offsets.iter().position(|o| *o == step).map_or(0.0, |k| hood.weights[k][0]);
+            let found = neighbourhood
+                .offsets
+                .iter()
+                .position(|o| *o == step)
+                .map_or(0.0, |k| neighbourhood.weights[k][0]);
             assert!((found - weight).abs() < 5e-12, "{m} {influence:?} {step:?}: {found}");
         }
     }

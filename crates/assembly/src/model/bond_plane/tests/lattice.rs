@@ -18,11 +18,11 @@ fn published(factor: VolumeFactor, m: f64) -> PlaneParameters {
 }
 
 fn moduli(parameters: &PlaneParameters) -> [[f64; 3]; 3] {
-    let hood = neighbourhood(parameters).unwrap();
+    let neighbourhood = neighbourhood(parameters).unwrap();
     let mut c = [[0.0; 3]; 3];
-    for k in hood.bonded() {
-        let n = direction_product(hood.offsets[k]);
-        (0..3).for_each(|i| (0..3).for_each(|j| c[i][j] += hood.weights[k][0] * n[i] * n[j]));
+    for k in neighbourhood.bonded() {
+        let n = direction_product(neighbourhood.offsets[k]);
+        (0..3).for_each(|i| (0..3).for_each(|j| c[i][j] += neighbourhood.weights[k][0] * n[i] * n[j]));
     }
     c
 }

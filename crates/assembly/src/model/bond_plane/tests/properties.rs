@@ -113,7 +113,7 @@ fn damage_is_the_cut_share_of_the_family() {
     other.never_joined(&cuts);
     assert!(other.damage().iter().all(|&d| d == 0.0));
     // The two halves are held together by nothing: overlay triangles do not bridge a crack.
-    let mut parts = crate::stiffness::Parts::new(plane.points());
+    let mut parts = crate::stiffness::ConnectedParts::new(plane.points());
     plane.terms().iter().for_each(|t| t.join(&mut parts));
     assert_eq!(parts.numbered().spans().len(), 2);
 }

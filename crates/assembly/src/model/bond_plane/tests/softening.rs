@@ -58,12 +58,12 @@ fn bonds_that_all_yield_bear_the_yield_stress() {
     for state in [PlaneState::Strain, PlaneState::Stress] {
         let parameters = published(state);
         let stretch = yield_stretch(YIELD_STRESS, &parameters.material);
-        let hood = neighbourhood(&parameters).unwrap();
-        let sum: f64 = hood
+        let neighbourhood = neighbourhood(&parameters).unwrap();
+        let sum: f64 = neighbourhood
             .bonded()
             .map(|k| {
-                let [x, y, _] = hood.offsets[k].map(f64::from);
-                hood.weights[k][0] * x * x / (x * x + y * y)
+                let [x, y, _] = neighbourhood.offsets[k].map(f64::from);
+                neighbourhood.weights[k][0] * x * x / (x * x + y * y)
             })
             .sum();
         let stress = sum * stretch;
@@ -82,9 +82,11 @@ fn cracks_through_a_lattice_take_the_energies_of_the_table() {
             (6.0, VolumeFactor::Area, [1.0062, 1.0087]),
         ] {
             let parameters = PlaneParameters { horizon_ratio: m, volume_factor: factor, ..published(state) };
-            let hood = neighbourhood(&parameters).unwrap();
-            let (weights, offsets): (Vec<f64>, Vec<crate::body::Cell>) =
-                hood.bonded().map(|k| (hood.weights[k][0], hood.offsets[k])).unzip();
+            let neighbourhood = neighbourhood(&parameters).unwrap();
+            let (weights, offsets): (Vec<f64>, Vec<crate::body::Cell>) = neighbourhood
+                .bonded()
+                .map(|k| (neighbourhood.weights[k][0], neighbourhood.offsets[k]))
+                .unzip();
             let stretch = published_critical_stretch(RELEASE_RATE, &parameters, m * scale);
             let critical = vec![stretch; weights.len()];
             let slope = std::f64::consts::FRAC_1_SQRT_2;

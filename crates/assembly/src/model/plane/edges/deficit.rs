@@ -19,12 +19,15 @@ pub(super) struct Shares<const S: usize> {
 
 impl<const S: usize> Shares<S> {
     /// `share` is that of an offset and of its opposite.
-    pub(super) fn new<const M: usize>(hood: &Neighbourhood<M>, share: impl Fn(usize) -> Mat<S, S>) -> Self {
-        let reach = hood.reach();
+    pub(super) fn new<const M: usize>(
+        neighbourhood: &Neighbourhood<M>,
+        share: impl Fn(usize) -> Mat<S, S>,
+    ) -> Self {
+        let reach = neighbourhood.reach();
         let side = (2 * reach + 1) as usize;
         let mut of = vec![[[0.0; S]; S]; side * side];
-        for k in hood.bonded() {
-            let [a, b, _] = hood.offsets[k];
+        for k in neighbourhood.bonded() {
+            let [a, b, _] = neighbourhood.offsets[k];
             let place = |a: i32, b: i32| (b + reach) as usize * side + (a + reach) as usize;
             of[place(a, b)] = share(k);
             of[place(-a, -b)] = share(k);
@@ -112,9 +115,9 @@ mod tests {
     fn numbered(reach: i32) -> (Neighbourhood<1>, Shares<1>) {
         let offsets = super::super::super::neighbourhood::half_offsets(f64::from(reach), 1);
         let weights: Vec<[f64; 1]> = (0..offsets.len()).map(|k| [1.0 + k as f64]).collect();
-        let hood = Neighbourhood::new(&offsets, &weights, &vec![1.0; offsets.len()]);
-        let shares = Shares::new(&hood, |k| [hood.weights[k]]);
-        (hood, shares)
+        let neighbourhood = Neighbourhood::new(&offsets, &weights, &vec![1.0; offsets.len()]);
+        let shares = Shares::new(&neighbourhood, |k| [neighbourhood.weights[k]]);
+        (neighbourhood, shares)
     }
 
     #[test]
@@ -130,16 +133,16 @@ mod tests {
         ];
         let lattice = SquareLattice::plane(1.0, [0.0; 2], 0..20, 0..12, |c| !hole(c)).with_areas(&areas);
         for reach in [2, 3, 5, 30] {
-            let (hood, shares) = numbered(reach);
+            let (neighbourhood, shares) = numbered(reach);
             for point in 0..lattice.points() {
                 let (cell, own) = (lattice.cell(point), lattice.fraction(point));
                 let part = |c: Cell| lattice.number(c).map_or(0.0, |p| own.min(lattice.fraction(p)));
                 let lacks = |k: usize| {
-                    let both = [plus(cell, hood.offsets[k]), minus(cell, hood.offsets[k])];
-                    both.map(|c| hood.weights[k][0] * (own - part(c))).iter().sum::<f64>()
+                    let both = [plus(cell, neighbourhood.offsets[k]), minus(cell, neighbourhood.offsets[k])];
+                    both.map(|c| neighbourhood.weights[k][0] * (own - part(c))).iter().sum::<f64>()
                 };
                 // Parts are sums of powers of two: nothing rounds.
-                let expected: f64 = hood.bonded().map(lacks).sum();
+                let expected: f64 = neighbourhood.bonded().map(lacks).sum();
                 assert_eq!(shares.deficit(&lattice, cell).map_or(0.0, |d| d[0][0]), expected, "{cell:?}");
             }
         }

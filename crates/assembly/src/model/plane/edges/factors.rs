@@ -39,27 +39,27 @@ pub(in super::super) fn edge_factors<
 >(
     lattice: &SquareLattice,
     mirrors: &Mirrors,
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     kind: &Kind<B>,
     near: &[usize],
 ) -> EdgeFactors {
     // Family volume, and twice the energies in unit stretches along x and y, that a bond brings to either end.
-    let shares: Vec<[f64; 3]> = (0..hood.offsets.len())
+    let shares: Vec<[f64; 3]> = (0..neighbourhood.offsets.len())
         .map(|k| {
-            let geometry = geometry(lattice, hood.offsets[k]);
+            let geometry = geometry(lattice, neighbourhood.offsets[k]);
             let (uniform, unit) = (kind.bond.in_uniform_state(&geometry), kind.bond.moduli(&geometry));
             let energy = |axis: usize| -> f64 {
-                (0..M).map(|m| 0.5 * hood.weights[k][m] * unit[m] * uniform[m][axis].powi(2)).sum()
+                (0..M).map(|m| 0.5 * neighbourhood.weights[k][m] * unit[m] * uniform[m][axis].powi(2)).sum()
             };
-            [hood.parts[k], energy(0), energy(1)]
+            [neighbourhood.parts[k], energy(0), energy(1)]
         })
         .collect();
     let volume = lattice.spacing().powi(2) * kind.thickness;
     // What a point needs to know of itself: its family's volume, or the two ratios of energies.
     let own = |present: &dyn Fn(Cell, bool) -> bool| -> [f64; 2] {
         let mut sums = [0.0; 3];
-        for k in hood.bonded() {
-            let step = hood.offsets[k];
+        for k in neighbourhood.bonded() {
+            let step = neighbourhood.offsets[k];
             let count = [true, false].iter().filter(|&&side| present(step, side)).count() as f64;
             (0..3).for_each(|q| sums[q] += count * shares[k][q]);
         }
@@ -72,12 +72,12 @@ pub(in super::super) fn edge_factors<
     let factor = |k: usize, ends: [[f64; 2]; 2]| match kind.edges {
         Edges::Volume => volume_factor(full[0], [ends[0][0], ends[1][0]]),
         _ => {
-            let [x, y, _] = geometry(lattice, hood.offsets[k]).xi;
+            let [x, y, _] = geometry(lattice, neighbourhood.offsets[k]).xi;
             let squared = x * x + y * y;
             energy_factor([x * x / squared, y * y / squared], ends)
         }
     };
-    let base: Vec<f64> = (0..hood.offsets.len()).map(|k| factor(k, [full, full])).collect();
+    let base: Vec<f64> = (0..neighbourhood.offsets.len()).map(|k| factor(k, [full, full])).collect();
     // Images have what their real points have.
     let of = |cell: Cell| own(&|step, side| lattice.number(at(cell, step, side)).is_some());
     let known: HashMap<usize, [f64; 2]> = near
@@ -87,9 +87,10 @@ pub(in super::super) fn edge_factors<
         .collect();
     let mut exceptions = Vec::new();
     for &point in near.iter().filter(|p| known.contains_key(p)) {
-        for k in hood.bonded() {
+        for k in neighbourhood.bonded() {
             for up in [true, false] {
-                let Some(other) = lattice.number(at(lattice.cell(point), hood.offsets[k], up)) else {
+                let Some(other) = lattice.number(at(lattice.cell(point), neighbourhood.offsets[k], up))
+                else {
                     continue;
                 };
                 // A bond between two such points is met twice.

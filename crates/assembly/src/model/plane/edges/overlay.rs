@@ -30,20 +30,20 @@ type Corners = [Cell; 2];
 /// points are there.
 pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     lattice: &SquareLattice,
-    (hood, bond): (&Neighbourhood<M>, &B),
+    (neighbourhood, bond): (&Neighbourhood<M>, &B),
     points: impl Iterator<Item = usize>,
     cuts: &HashSet<(usize, usize)>,
     gaps: &[Exception],
 ) -> Overlay<D, S> {
-    let shares = Shares::new(hood, |k| {
-        let geometry = geometry(lattice, hood.offsets[k]);
+    let shares = Shares::new(neighbourhood, |k| {
+        let geometry = geometry(lattice, neighbourhood.offsets[k]);
         let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
-        block(&uniform, &std::array::from_fn(|m| 0.5 * hood.weights[k][m] * unit[m]), &uniform)
+        block(&uniform, &std::array::from_fn(|m| 0.5 * neighbourhood.weights[k][m] * unit[m]), &uniform)
     });
     let mut overlay = Overlay { triangles: Vec::new(), uncorrected: 0 };
     let mut across: HashMap<usize, Vec<usize>> = HashMap::new();
     for gap in gaps {
-        let upper = lattice.number(at(lattice.cell(gap.lower), hood.offsets[gap.offset], true));
+        let upper = lattice.number(at(lattice.cell(gap.lower), neighbourhood.offsets[gap.offset], true));
         let ends = [Some(gap.lower), upper].into_iter().flatten();
         ends.for_each(|point| across.entry(point).or_default().push(gap.offset));
     }
@@ -51,15 +51,15 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
         let cell = lattice.cell(point);
         let Some(mut deficit) = shares.deficit(lattice, cell) else { continue };
         let own = across.get(&point).into_iter().flatten();
-        own.for_each(|&offset| add(&mut deficit, shares.of_offset(hood.offsets[offset])));
+        own.for_each(|&offset| add(&mut deficit, shares.of_offset(neighbourhood.offsets[offset])));
         let mut corners = quadrants(lattice, cell);
         if corners.is_empty() {
-            corners = nearest(lattice, hood, cell);
+            corners = nearest(lattice, neighbourhood, cell);
         }
         corners.retain(|&[a, b]| {
             [(cell, a), (cell, b), (a, b)]
                 .into_iter()
-                .all(|(from, to)| !is_cut(lattice, hood, cuts, from, to))
+                .all(|(from, to)| !is_cut(lattice, neighbourhood, cuts, from, to))
         });
         overlay.uncorrected += usize::from(corners.is_empty());
         let modulus = deficit.map(|row| row.map(|v| v / corners.len().max(1) as f64));
@@ -89,9 +89,13 @@ const AS_GOOD: f64 = 4.0;
 
 /// The nearest, best shaped triangles of neighbours within the horizon: all that are about equally good, so that images in
 /// a mirror choose images, and that a point is not a hinge between the triangles on its sides.
-fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cell: Cell) -> Vec<Corners> {
+fn nearest<const M: usize>(
+    lattice: &SquareLattice,
+    neighbourhood: &Neighbourhood<M>,
+    cell: Cell,
+) -> Vec<Corners> {
     let squared = |[x, y, _]: Cell| f64::from(x * x + y * y);
-    let steps = hood.offsets.iter().flat_map(|&step| [step, step.map(|k| -k)]);
+    let steps = neighbourhood.offsets.iter().flat_map(|&step| [step, step.map(|k| -k)]);
     let mut near: Vec<Cell> = steps.filter(|&s| lattice.number(at(cell, s, true)).is_some()).collect();
     near.sort_by(|&a, &b| squared(a).total_cmp(&squared(b)));
     let mut found: Vec<(f64, Corners)> = Vec::new();
@@ -103,7 +107,7 @@ fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cel
         }
         for &a in &near[..k] {
             let twice_area = (a[0] * b[1] - a[1] * b[0]).abs();
-            if twice_area != 0 && hood.between(a, b).is_some() {
+            if twice_area != 0 && neighbourhood.between(a, b).is_some() {
                 let sides = squared(a) + squared(b) + squared(minus(b, a));
                 let badness = sides * sides / f64::from(twice_area);
                 least = least.min(badness);
@@ -117,7 +121,7 @@ fn nearest<const M: usize>(lattice: &SquareLattice, hood: &Neighbourhood<M>, cel
 /// Whether the bond between two cells is cut.
 pub(in super::super::super) fn is_cut<const M: usize>(
     lattice: &SquareLattice,
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     cuts: &HashSet<(usize, usize)>,
     from: Cell,
     to: Cell,
@@ -125,6 +129,6 @@ pub(in super::super::super) fn is_cut<const M: usize>(
     if cuts.is_empty() {
         return false;
     }
-    let Some((offset, up)) = hood.between(from, to) else { return false };
+    let Some((offset, up)) = neighbourhood.between(from, to) else { return false };
     lattice.number(if up { from } else { to }).is_some_and(|lower| cuts.contains(&(offset, lower)))
 }

@@ -17,7 +17,7 @@ pub(super) fn add_border(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
 fn add_runs(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
     let Some(border) = plate.border.bonds() else { return };
     for (k, part) in border.kinds.iter().enumerate() {
-        let mut direction = plate.hood.offsets[part.offset as usize];
+        let mut direction = plate.neighbourhood.offsets[part.offset as usize];
         let [x, y, _] = plate.lattice.vector(direction);
         let length = part.share * x.hypot(y);
         // A modulus times the squared length is a part of `a V`, and the run has the shares of two points.
@@ -49,15 +49,16 @@ fn add_runs(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
 /// Triangles that the border cuts, by blocks.
 fn add_triangles(plate: &Bonded, shear_modulus: f64, to: &mut Sources) {
     let By::Triangles(families) = &plate.border.by else { return };
-    let bonded: Vec<usize> = plate.hood.bonded().collect();
+    let bonded: Vec<usize> = plate.neighbourhood.bonded().collect();
     for (k, left) in plate.left_to_triangles().iter().enumerate() {
         let members = families.members(k);
         let at = centre(plate, members.iter().map(|m| (m.point, m.share)));
         let block = [at[0].floor() as i32, at[1].floor() as i32, 0];
         for (&offset, part) in bonded.iter().zip(left).filter(|(_, part)| **part > 0.0) {
-            let direction: Cell = plate.hood.offsets[offset];
+            let direction: Cell = plate.neighbourhood.offsets[offset];
             let [x, y, _] = plate.lattice.vector(direction);
-            let volume = part * plate.hood.weights[offset][0] / (4.0 * shear_modulus * (x * x + y * y));
+            let volume =
+                part * plate.neighbourhood.weights[offset][0] / (4.0 * shear_modulus * (x * x + y * y));
             let tensor = [x * x, y * y, x * y].map(|t| volume * t);
             let row = |c: usize, rows: &[[f64; 2]; 3]| (0..3).map(|q| tensor[q] * rows[q][c]).sum();
             let rows: BTreeMap<u32, [f64; 2]> =

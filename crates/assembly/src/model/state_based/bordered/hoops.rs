@@ -9,7 +9,7 @@ use super::border::follows;
 use super::reach::{Lacking, Need, transport};
 use super::sources::{Bonded, Source};
 use super::transport::Transport;
-use crate::stiffness::Parts;
+use crate::stiffness::ConnectedParts;
 use std::collections::BTreeMap;
 
 /// Part by which the volumes of a part of the border may be off: at 12 %, beside a narrow bore, its stresses are 15 % wrong.
@@ -31,7 +31,7 @@ pub(super) fn hoops(plate: &Bonded, points: &[Lacking], volumes: &[f64], scale: 
         |wanted: &[f64]| transport(&sources, points, &plate.mirrors, (Need::Volumes(wanted), scale), 0.0);
     let (wanted, off) = fitted(volumes, &sources, &of(volumes));
     let mut transport = of(&wanted);
-    // What is off by more is told, as what does not fit.
+    // What is off by more is reported, as what does not fit.
     let left = transport.solve().max(if off > MOST_OFF { off } else { 0.0 });
     let mut found = Vec::with_capacity(points.len());
     let mut from = 0;
@@ -54,7 +54,7 @@ pub(super) fn hoops(plate: &Bonded, points: &[Lacking], volumes: &[f64], scale: 
 /// all are those of the body, but dilatations hand a little from the inner border to the outer one, 0.3 % measured.
 fn fitted(volumes: &[f64], sources: &[Source], reached: &Transport) -> (Vec<f64>, f64) {
     // Points, then sources, that hang together.
-    let mut parts = Parts::new(volumes.len() + sources.len());
+    let mut parts = ConnectedParts::new(volumes.len() + sources.len());
     let mut from = 0;
     for (point, &end) in reached.ends.iter().enumerate() {
         let places = reached.edges[from..end].iter().map(|edge| volumes.len() + edge.place as usize);

@@ -86,7 +86,7 @@ impl BorderedState {
         parameters: StateParameters,
         edges: Edges,
     ) -> Result<Self, StateError> {
-        let hood = neighbourhood(&parameters, real)?;
+        let neighbourhood = neighbourhood(&parameters, real)?;
         let volume = cell_volume(&parameters, real.spacing());
         let kind = Kind {
             bond: CentralBond { volume },
@@ -94,8 +94,8 @@ impl BorderedState {
             thickness: volume / (real.spacing() * real.spacing()),
             stretch_moduli: [3.0 * parameters.shear_modulus(); 2],
         };
-        let lattice = Arc::new(mirrors.extended(real, edges.depth(hood.reach())));
-        Ok(Self::new(LatticeBody::new(lattice, mirrors, hood, kind, &[]), parameters))
+        let lattice = Arc::new(mirrors.extended(real, edges.depth(neighbourhood.reach())));
+        Ok(Self::new(LatticeBody::new(lattice, mirrors, neighbourhood, kind, &[]), parameters))
     }
 
     /// The body at twice the spacing, whose axis comes back by itself.

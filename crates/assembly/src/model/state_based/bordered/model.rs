@@ -54,7 +54,7 @@ impl Model<2> for BorderedState {
         let bonds = self.plate.sizes();
         let Some(of) = &self.dilatations else { return bonds };
         // A family couples all of its points, most of which others couple, too.
-        let neighbours = 2 * self.plate.hood.bonded().count();
+        let neighbours = 2 * self.plate.neighbourhood.bonded().count();
         let own = ModelSizes::of(&of.own, of.own.pairs());
         let means = of.means.iter().map(|means| ModelSizes::of(means, means.pairs()));
         let grid = ModelSizes::of(&of.grid, 2 * neighbours * self.points());

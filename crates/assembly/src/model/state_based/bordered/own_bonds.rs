@@ -28,16 +28,16 @@ impl<'a> PointBonds<'a> {
     pub(super) fn new(plate: &'a Bonded, shear_modulus: f64) -> Self {
         let (mut steps, mut rows) = (Vec::new(), Vec::new());
         for sign in [1, -1] {
-            for k in plate.hood.bonded() {
-                let step = plate.hood.offsets[k].map(|o| sign * o);
+            for k in plate.neighbourhood.bonded() {
+                let step = plate.neighbourhood.offsets[k].map(|o| sign * o);
                 let [x, y, _] = plate.lattice.vector(step);
-                let part = plate.hood.weights[k][0] / (8.0 * shear_modulus * (x * x + y * y));
+                let part = plate.neighbourhood.weights[k][0] / (8.0 * shear_modulus * (x * x + y * y));
                 steps.push(step);
                 rows.push([part * x, part * y]);
             }
         }
         let ends = |gap: &Exception| {
-            let (cell, step) = (plate.lattice.cell(gap.lower), plate.hood.offsets[gap.offset]);
+            let (cell, step) = (plate.lattice.cell(gap.lower), plate.neighbourhood.offsets[gap.offset]);
             let upper = plate.lattice.number(plus(cell, step))?;
             Some([gap.lower.min(upper), gap.lower.max(upper)])
         };
@@ -61,8 +61,8 @@ impl<'a> PointBonds<'a> {
 
     /// The real points that have not all bonds; by blocks of two by two cells, all of a block.
     pub(super) fn lacking(&self, by_blocks: bool) -> Vec<Lacking> {
-        let Bonded { lattice, mirrors, hood, .. } = self.plate;
-        let near = near_points(lattice, hood.reach() + 1).into_iter();
+        let Bonded { lattice, mirrors, neighbourhood, .. } = self.plate;
+        let near = near_points(lattice, neighbourhood.reach() + 1).into_iter();
         let candidates: BTreeSet<usize> = near.chain(self.gaps.iter().flatten().copied()).collect();
         let is_real = |p: &usize| mirrors.is_none() || mirrors.is_real(lattice.cell(*p));
         let of = |point: usize| {

@@ -63,10 +63,12 @@ pub(super) fn terms(plate: &Bonded) -> Vec<Box<dyn Term<2>>> {
 
 /// The bonds with the radii of their middles, halved by lines of symmetry and without those that give way to the border.
 fn bonds(plate: &Bonded) -> GridBonds<2, 1, CentralBond> {
-    let (lattice, hood) = (&plate.lattice, &plate.hood);
-    let bonded: Vec<usize> = hood.bonded().collect();
-    let steps: Vec<Offset<1>> =
-        bonded.iter().map(|&k| Offset { step: hood.offsets[k], weights: hood.weights[k] }).collect();
+    let (lattice, neighbourhood) = (&plate.lattice, &plate.neighbourhood);
+    let bonded: Vec<usize> = neighbourhood.bonded().collect();
+    let steps: Vec<Offset<1>> = bonded
+        .iter()
+        .map(|&k| Offset { step: neighbourhood.offsets[k], weights: neighbourhood.weights[k] })
+        .collect();
     let gaps: HashSet<(usize, usize)> = plate.border.gaps.iter().map(|gap| (gap.offset, gap.lower)).collect();
     let all = || 0..lattice.points();
     let weights: Vec<f64> = all().map(|p| weight(plate, p)).collect();

@@ -6,7 +6,7 @@ use super::families::Dilatations;
 use super::rings::terms;
 use super::sources::Bonded;
 use crate::bonds::Mat;
-use crate::stiffness::{BlockMatrix, Parts, Survey, Term};
+use crate::stiffness::{BlockMatrix, ConnectedParts, Survey, Term};
 use std::fmt::{Debug, Formatter, Result};
 use std::sync::Arc;
 
@@ -49,7 +49,7 @@ impl Term<2> for JointTerm {
     }
 
     /// Families join what their bonds join.
-    fn join(&self, parts: &mut Parts) {
+    fn join(&self, parts: &mut ConnectedParts) {
         self.bonds.iter().for_each(|bonds| bonds.join(parts));
     }
 

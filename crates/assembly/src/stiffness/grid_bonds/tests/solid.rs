@@ -154,7 +154,7 @@ fn a_cut_between_layers_makes_two_parts() {
         .collect();
     for (exceptions, count) in [(&cuts[..], 2), (&[], 1)] {
         let grid = GridBonds::new(lattice.clone(), &InSpace, &steps(), exceptions);
-        let mut joined = Parts::new(lattice.points());
+        let mut joined = ConnectedParts::new(lattice.points());
         Term::<3>::join(&grid, &mut joined);
         assert_eq!(joined.numbered().spans().len(), count);
     }

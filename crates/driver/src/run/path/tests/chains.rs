@@ -26,7 +26,7 @@ fn a_chain_that_snaps_back_is_traced_to_its_end() {
 }
 
 /// Ten chains at once, as dissipation takes eight bonds to drive it: it begins with steps of motions, and where nothing
-/// softens before the body snaps back it jumps with them. That is told.
+/// softens before the body snaps back it jumps with them. That is reported.
 #[test]
 fn dissipation_tells_of_a_jump_that_it_was_too_late_for() {
     let ran = solve(&controlled(&chains(10), "dissipation", 0.1));

@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 use std::io;
 use std::path::Path;
 
-/// What a run has told.
+/// What a run has reported.
 #[derive(Default)]
 struct Told {
     points: Vec<PathPoint>,

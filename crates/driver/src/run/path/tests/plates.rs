@@ -51,7 +51,7 @@ fn steps_go_on_without_what_has_come_off() {
     let (found, refused) = climb(&mut course, 0.25);
     assert_eq!((found.len(), refused), (4, 0));
     assert!(course.body.masked.iter().all(|&k| course.state.u[k] == 0.0));
-    // The ends move as they are told, without a strain but for the tolerance of residuals; measured: 9e-20.
+    // The ends move as prescribed, without a strain but for the tolerance of residuals; measured: 9e-20.
     let (_, work) = course.unit;
     assert!(found.iter().all(|f| f[1] < 1e-16 * work), "{found:?} of {work}");
 }

@@ -60,7 +60,7 @@ fn meets_mirror(scene: &BodyScene, points: &[u32]) -> bool {
         let reach = (0.5 + ROUNDING) * scene.spacing();
         points.iter().any(|&p| (scene.model.place(p as usize)[axis] - at).abs() <= reach)
     };
-    let at = scene.recipe.symmetry.at;
+    let at = scene.inputs.symmetry.at;
     (0..4).any(|side| at[side].is_some_and(|at| near(side / 2, at)))
 }
 

@@ -15,7 +15,7 @@ pub(crate) fn narrow(scene: &BodyScene) -> Option<([f64; 3], i32)> {
         // Bonds that leave the body end there.
         return None;
     }
-    let reach = scene.recipe.material.about().horizon_ratio.floor() as i32;
+    let reach = scene.inputs.material.about().horizon_ratio.floor() as i32;
     let steps = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
     let mut along = steps[..scene.body().axes()].iter().map(|step| places(scene, lattice, *step, reach));
     let found = along.find(|places| places.len() as i32 >= 2 * reach)?;

@@ -65,7 +65,7 @@ fn corners(scene: &BodyScene) -> Vec<Corner<'_>> {
     let named = |edge: &Edge| {
         scene.case.supports.iter().filter(|s| s.at.region.as_ref() == Some(&edge.name)).collect::<Vec<_>>()
     };
-    let symmetry = &scene.recipe.symmetry;
+    let symmetry = &scene.inputs.symmetry;
     // Where bonds end on the border, so do the points that hold an edge.
     let is_exact = scene.model.edges() == Some(Edges::Border);
     let is_free =

@@ -8,7 +8,7 @@ use crate::scene::words;
 use peristat_assembly::model::Model;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Points that are told one by one, at most.
+/// Points that are reported one by one, at most.
 const MOST: usize = 5;
 
 /// A block is singular if its determinant is this small beside the square of its trace.

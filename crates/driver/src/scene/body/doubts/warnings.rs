@@ -22,7 +22,7 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
         }
     }
     // Joined sides are no ends of the body.
-    let joined = scene.recipe.symmetry.mirrors.joined;
+    let joined = scene.inputs.symmetry.mirrors.joined;
     let across = |k: usize| if joined[k] { f64::INFINITY } else { high[k] - low[k] };
     let width = (0..scene.body().axes()).map(across).fold(f64::INFINITY, f64::min);
     if scene.horizon() > width * (1.0 + 1e-9) {

@@ -49,12 +49,12 @@ pub(crate) fn resolve(
     let mut exempt = vec![false; site.model.points()];
     for (k, name) in fracture.no_fail.iter().enumerate() {
         let points = site.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();
-        points.iter().for_each(|&p| exempt[site.recipe.number(site.model, p) as usize] = true);
+        points.iter().for_each(|&p| exempt[site.inputs.number(site.model, p) as usize] = true);
     }
     site.conditions.held_points().for_each(|p| exempt[p] = true);
-    let on = site.recipe.on_ground(case);
+    let on = site.inputs.on_ground(case);
     let critical =
-        site.recipe.material.critical(&mut fracture.critical, &on, &path.key("critical"), faults)?;
+        site.inputs.material.critical(&mut fracture.critical, &on, &path.key("critical"), faults)?;
     let CriticalStretches { by_offset: critical, fibres } = critical;
     check_directions(fracture, &general_facts(&fibres), &path.key("directions"), faults);
     check_load(&fracture.load, site.ground.case, &path.key("load"), faults);

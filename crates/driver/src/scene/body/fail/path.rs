@@ -37,7 +37,7 @@ pub(crate) fn resolve(
     let gripped = site.conditions.gripped_points().filter(|&p| p < site.ground.body.points());
     gripped.for_each(|p| exempt[p] = true);
     check_load(&path.load, case, &place.key("load"), faults);
-    let bonds = site.recipe.material.soften(&site.recipe.on_ground(case), faults)?;
+    let bonds = site.inputs.material.soften(&site.inputs.on_ground(case), faults)?;
     fracture::check_probes(case, &PATH_FACTS, faults);
     path::resolve(path, Softening { bonds, exempt }, probes, faults)
 }

@@ -2,18 +2,18 @@
 
 use super::rigid::{RIGID_KEYS, RigidPoints};
 use crate::diagnostic::{Faults, root};
-use crate::scene::body::site::recipe::Recipe;
-use peristat_assembly::body::PlaneBody;
+use crate::scene::body::site::model_inputs::ModelInputs;
+use peristat_assembly::body::PointBody;
 
 /// A fault for every rigid region that reaches a mirror and could turn, or leave the mirror: with its image it is one
 /// rigid body then, which moves along the mirror only. One that reaches joined sides cannot turn either.
-pub(crate) fn check(rigid: &[RigidPoints], recipe: &Recipe, faults: &mut Faults) {
-    let PlaneBody::Lattice(lattice) = &recipe.body else { return };
-    // Bodies of revolution have no rigid regions, and were told so.
-    if recipe.material.is_revolved() {
+pub(crate) fn check(rigid: &[RigidPoints], inputs: &ModelInputs, faults: &mut Faults) {
+    let PointBody::Lattice(lattice) = &inputs.body else { return };
+    // Bodies of revolution have no rigid regions, and were refused.
+    if inputs.material.is_revolved() {
         return;
     }
-    let mirrors = recipe.symmetry.mirrors;
+    let mirrors = inputs.symmetry.mirrors;
     for (k, region) in rigid.iter().enumerate() {
         let reaches = |axis: usize, lines: [Option<i32>; 2]| {
             let [low, high] = lines;

@@ -2,9 +2,9 @@
 
 use super::conditions::Conditions;
 use super::rigid::RigidPoints;
-use super::supports::Held;
+use super::supports::HeldSupport;
 use crate::diagnostic::{JsonPath, root};
-use crate::scene::body::site::recipe::Recipe;
+use crate::scene::body::site::model_inputs::ModelInputs;
 use peristat_assembly::model::BodyModel;
 use std::ops::Range;
 
@@ -24,16 +24,16 @@ pub struct BodySupport {
 
 /// Conditions on points of the model, and which of their equations and springs belong to which support.
 pub(crate) fn conditions(
-    held: &[Held],
+    held: &[HeldSupport],
     rigid: Vec<RigidPoints>,
-    recipe: &Recipe,
+    inputs: &ModelInputs,
     model: &dyn BodyModel,
 ) -> (Conditions, Vec<BodySupport>) {
     let mut conditions =
         Conditions { turning: model.component("phi").map(|(_, phi)| phi.scale), ..Conditions::default() };
     let (mut supports, mut next) = (Vec::new(), 0);
     for h in held {
-        let (holds, springs) = (h.holds(recipe, model), h.spring_list(recipe, model));
+        let (holds, springs) = (h.holds(inputs, model), h.spring_list(inputs, model));
         let mut equations = Vec::new();
         for hold in &holds {
             let [x, y, turn] = hold.direction;
@@ -60,7 +60,7 @@ pub(crate) fn conditions(
             let name = format!("the rigid region {}", k + 1);
             supports.push(BodySupport { name, path, equations, springs: end..end });
         }
-        let points = region.points.iter().map(|&p| recipe.number(model, p)).collect();
+        let points = region.points.iter().map(|&p| inputs.number(model, p)).collect();
         conditions.rigid.push(RigidPoints { points, ..region });
     }
     (conditions, supports)

@@ -9,16 +9,16 @@ use crate::case::{Rigid, Support};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::model::Material;
 use crate::scene::body::site::boundary::{self, Stretch};
-use crate::scene::body::site::ground::{Ground, Spot};
-use crate::scene::body::site::recipe::Recipe;
+use crate::scene::body::site::ground::{Ground, NamedPoints};
+use crate::scene::body::site::model_inputs::ModelInputs;
 use crate::scene::body::site::symmetry::Symmetry;
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::stiffness::Spring;
 
 /// A support, resolved, with what it holds by numbers of the body.
 #[derive(Clone, Debug)]
-pub(crate) struct Held {
+pub(crate) struct HeldSupport {
     /// What the user calls the place.
     pub(crate) name: String,
     /// Where it stands in the case.
@@ -55,7 +55,7 @@ pub(crate) fn held(
     symmetry: &Symmetry,
     material: &dyn Material,
     faults: &mut Faults,
-) -> Vec<Held> {
+) -> Vec<HeldSupport> {
     let case = ground.case;
     if case.supports.is_empty() && case.rigid.is_empty() && case.symmetry.is_empty() {
         let hint = match (material.is_revolved(), material.has("uz")) {
@@ -78,12 +78,12 @@ pub(crate) fn held(
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
         let mut held = resolve(support, spot, path);
         held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
-        if let (PlaneBody::Solid(lattice), Some(name)) = (ground.body, &support.at.region) {
+        if let (PointBody::Solid(lattice), Some(name)) = (ground.body, &support.at.region) {
             let face = ground.faces.iter().find(|face| face.name == name);
             held.edge = face.map(HeldEdge::of_face);
             held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
         }
-        if let (PlaneBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
+        if let (PointBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
             let is_cylinder = material.cylinder_radius().is_some();
             held.edge = edge.and_then(|edge| match is_cylinder {
@@ -127,7 +127,7 @@ pub(crate) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Sym
     }
 }
 
-fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
+fn resolve(support: &Support, spot: NamedPoints, path: JsonPath) -> HeldSupport {
     let inclined = support.inclined.map(|inclined| {
         let angle = inclined.degrees.to_radians();
         // What rounding leaves of a right angle is no share.
@@ -140,7 +140,7 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
     let w = support.w.map(|value| ([0.0, 0.0, 1.0], value, "w"));
     let uz = support.uz.map(|value| ([0.0, 0.0, 1.0], value, "uz"));
     let springs = [(0, support.ux_spring), (1, support.uy_spring), (2, support.uz_spring)];
-    Held {
+    HeldSupport {
         name: spot.words,
         path,
         points: spot.points,
@@ -152,7 +152,7 @@ fn resolve(support: &Support, spot: Spot, path: JsonPath) -> Held {
     }
 }
 
-impl Held {
+impl HeldSupport {
     /// Points that share what acts on the edge at a point, with their shares, where the edge is held along a component.
     pub(crate) fn sharing(
         &self,
@@ -167,9 +167,9 @@ impl Held {
     }
 
     /// What it prescribes, by numbers of the model.
-    pub(crate) fn holds(&self, recipe: &Recipe, model: &dyn BodyModel) -> Vec<HeldPoints> {
-        let points: Vec<u32> = self.points.iter().map(|&p| recipe.number(model, p)).collect();
-        let number = |p: &u32| recipe.number(model, *p);
+    pub(crate) fn holds(&self, inputs: &ModelInputs, model: &dyn BodyModel) -> Vec<HeldPoints> {
+        let points: Vec<u32> = self.points.iter().map(|&p| inputs.number(model, p)).collect();
+        let number = |p: &u32| inputs.number(model, *p);
         let chains: Vec<Vec<u32>> = self.chains.iter().map(|c| c.iter().map(number).collect()).collect();
         let pieces = held_border::pieces(&self.border, &points, model);
         let on_border: Vec<u32> = match &pieces {
@@ -195,8 +195,8 @@ impl Held {
     }
 
     /// Its springs, shared by volume.
-    pub(crate) fn spring_list(&self, recipe: &Recipe, model: &dyn BodyModel) -> Vec<Spring> {
-        let points: Vec<usize> = self.points.iter().map(|&p| recipe.number(model, p) as usize).collect();
+    pub(crate) fn spring_list(&self, inputs: &ModelInputs, model: &dyn BodyModel) -> Vec<Spring> {
+        let points: Vec<usize> = self.points.iter().map(|&p| inputs.number(model, p) as usize).collect();
         let volume: f64 = points.iter().map(|&p| model.volume(p)).sum();
         let on = |component: usize, stiffness: f64| {
             let share = move |&p: &usize| Spring::on(component, p, stiffness * model.volume(p) / volume);

@@ -4,12 +4,12 @@ use crate::case::Vector;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
 use crate::model::Material;
-use crate::scene::body::hold::supports::Held;
+use crate::scene::body::hold::supports::HeldSupport;
 use crate::scene::body::site::boundary::Stretch;
 use crate::scene::body::site::ground::Ground;
-use crate::scene::body::site::recipe::Recipe;
+use crate::scene::body::site::model_inputs::ModelInputs;
 use crate::scene::body::site::symmetry::Symmetry;
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 use peristat_assembly::model::BodyModel;
 
 /// What the resolution of loads looks at.
@@ -19,11 +19,11 @@ pub(crate) struct LoadContext<'a> {
     pub(crate) curves: &'a [Curve],
     pub(crate) material: &'a dyn Material,
     pub(crate) horizon: f64,
-    pub(crate) held: &'a [Held],
+    pub(crate) held: &'a [HeldSupport],
     /// Paths of cracks, images left out.
     pub(crate) cracks: &'a [crate::scene::body::site::cracks::NamedCrack],
     /// What numbers the points of the body in the model.
-    pub(crate) recipe: &'a Recipe,
+    pub(crate) inputs: &'a ModelInputs,
     /// The discretised body, if it can be made.
     pub(crate) model: Option<&'a dyn BodyModel>,
 }
@@ -33,7 +33,7 @@ impl LoadContext<'_> {
     pub(crate) fn volume(&self, point: u32) -> f64 {
         let body = self.ground.body;
         match body {
-            PlaneBody::Solid(lattice) => lattice.volume(point as usize),
+            PointBody::Solid(lattice) => lattice.volume(point as usize),
             _ => body.area(point as usize) * self.material.across(body.place(point as usize)),
         }
     }
@@ -85,7 +85,7 @@ impl LoadContext<'_> {
 }
 
 /// Whether supports prescribe a component of a point of the body.
-pub(crate) fn is_held(point: u32, component: usize, held: &[Held]) -> bool {
+pub(crate) fn is_held(point: u32, component: usize, held: &[HeldSupport]) -> bool {
     held.iter().any(|h| {
         let direct = h.motions.iter().any(|m| m.2 != "phi" && m.0[component].abs() == 1.0);
         direct && h.points.binary_search(&point).is_ok()

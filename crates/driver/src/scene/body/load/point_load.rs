@@ -4,7 +4,7 @@ use super::context::{LoadContext, is_held};
 use super::sums::BodyLoads;
 use crate::case::PointLoad;
 use crate::diagnostic::{Faults, JsonPath};
-use crate::scene::body::site::ground::Spot;
+use crate::scene::body::site::ground::NamedPoints;
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
 use crate::scene::body::site::resultants;
 use crate::scene::words;
@@ -114,7 +114,7 @@ fn place(
 
 /// Points and their shares of a force at a place: those of a region alike; at a position those with which values are
 /// interpolated there, so that the force has its moment. A point that is held takes it alone.
-fn shares(load: &PointLoad, spot: &Spot, is_fixed: bool, context: &LoadContext) -> Weights {
+fn shares(load: &PointLoad, spot: &NamedPoints, is_fixed: bool, context: &LoadContext) -> Weights {
     match (load.at.x, load.at.y, &spot.points[..]) {
         (Some(x), Some(y), &[nearest]) if !is_fixed => {
             let cracks: Vec<Crack> = context.cracks.iter().map(|c| c.crack.clone()).collect();

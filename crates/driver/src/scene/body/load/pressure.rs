@@ -6,7 +6,7 @@ use super::sums::BodyLoads;
 use crate::case::Pressure;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::hints;
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 
 /// Adds a pressure.
 pub(crate) fn resolve(
@@ -19,7 +19,7 @@ pub(crate) fn resolve(
     if context.material.cylinder_radius().is_none() {
         return refuse(context, path, faults);
     }
-    let PlaneBody::Lattice(lattice) = context.ground.body else { return };
+    let PointBody::Lattice(lattice) = context.ground.body else { return };
     let mirrors = &context.symmetry.mirrors;
     let Some(pressure) = context.material.pressure(load, lattice, mirrors, path, faults) else { return };
     let points = 0..context.ground.body.points() as u32;

@@ -7,7 +7,7 @@ use crate::input::Folder;
 use crate::scene::expectation::{self, Expectation, PointsCheck};
 use crate::scene::files::{BASELINE, text};
 use crate::scene::words;
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 use peristat_assembly::model::BodyModel;
 
 /// What is compared at all points of a body.
@@ -28,7 +28,7 @@ pub struct BodyComparison {
 /// Checks of the case on a body with its model; states and probes by their names.
 pub(crate) fn expectations(
     case: &Case,
-    (body, model): (&PlaneBody, &dyn BodyModel),
+    (body, model): (&PointBody, &dyn BodyModel),
     states: &[&str],
     probes: &[&str],
     (folder, max_memory): (&Folder, Option<u64>),
@@ -63,7 +63,7 @@ pub(crate) fn expectations(
 
 fn of_formula(
     check: &Formula,
-    body: &PlaneBody,
+    body: &PointBody,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<BodyComparison> {
@@ -86,7 +86,7 @@ fn of_formula(
 
 fn baseline(
     check: &Baseline,
-    body: &PlaneBody,
+    body: &PointBody,
     (folder, max_memory): (&Folder, Option<u64>),
     path: &JsonPath,
     faults: &mut Faults,
@@ -108,7 +108,7 @@ fn baseline(
 }
 
 /// Values, if their rows are the points of the body.
-fn fitting(rows: &[Vec<f64>], body: &PlaneBody) -> Result<Vec<f64>, String> {
+fn fitting(rows: &[Vec<f64>], body: &PointBody) -> Result<Vec<f64>, String> {
     if rows.len() != body.points() {
         return Err(format!("has {} rows, and the body has {} points", rows.len(), body.points()));
     }

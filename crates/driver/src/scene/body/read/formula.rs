@@ -1,7 +1,7 @@
 //! Expressions in the coordinates of the points of a body.
 
 use exmex::{BinOp, Express, FlatEx, FloatOpsFactory, MakeOperators, MatchLiteral, Operator};
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 
 /// Longest expression, in characters.
 const LONGEST: usize = 4000;
@@ -76,7 +76,7 @@ fn with_zeros(text: &str) -> Result<String, String> {
 ///
 /// # Errors
 /// What is wrong with the expression, or where it has no value.
-pub(crate) fn values(text: &str, body: &PlaneBody) -> Result<Vec<f64>, String> {
+pub(crate) fn values(text: &str, body: &PointBody) -> Result<Vec<f64>, String> {
     let formula = Formula::new(text, body.axes())?;
     (0..body.points()).map(|k| formula.at(body.position(k))).collect()
 }

@@ -6,7 +6,7 @@ use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
 use crate::scene::words;
-use peristat_assembly::body::{Cell, Crack, PlaneBody, SquareLattice};
+use peristat_assembly::body::{Cell, Crack, PointBody, SquareLattice};
 
 /// Farthest point of a row from the place, in spacings: that next to the mouth is half a spacing away, its neighbour one
 /// and a half.
@@ -46,7 +46,7 @@ pub(crate) fn resolve(
 /// The opening at a position of the crack nearest to it.
 fn opening(position: [f64; 2], on: &Interpolation, path: &JsonPath, faults: &mut Faults) -> Option<Quantity> {
     let lattice = match on.body {
-        PlaneBody::Lattice(lattice) if !lattice.is_turned() => lattice,
+        PointBody::Lattice(lattice) if !lattice.is_turned() => lattice,
         _ => {
             faults
                 .error(
@@ -154,7 +154,7 @@ mod tests {
     /// Opening of a crack through a body of 8 × 6 cells of 0.5 in a field of displacements.
     fn of(path: [[f64; 2]; 2], position: [f64; 2], field: impl Fn([f64; 2]) -> [f64; 2]) -> f64 {
         let lattice = SquareLattice::rectangle(0.5, [1.0, 2.0], [8, 6]);
-        let body = PlaneBody::Lattice(lattice.clone());
+        let body = PointBody::Lattice(lattice.clone());
         let cracks = [Crack::new(path.into()).unwrap()];
         let on = Interpolation { body: &body, cracks: &cracks, reach: 3 };
         let mut faults = Faults::default();

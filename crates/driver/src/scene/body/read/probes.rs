@@ -107,7 +107,7 @@ fn resolve(
         let quantity = reaction(field, &spot.points, &spot.words, site, &at, faults)?;
         return Some((quantity, spot.words));
     }
-    let number = |p: u32| site.recipe.number(site.model, p);
+    let number = |p: u32| site.inputs.number(site.model, p);
     let field = |weights| Quantity::Field { field, weights };
     if let Some(name) = ground.region_name(&probe.at, &at, faults)? {
         let points = ground.region(name, &at.key("region"), faults)?;
@@ -154,10 +154,10 @@ fn from_inside(
     let found = site.interpolation.inward([x, y], inward);
     if found.is_none() {
         let hint = match site.ground.body {
-            peristat_assembly::body::PlaneBody::Lattice(lattice) if lattice.is_turned() => {
+            peristat_assembly::body::PointBody::Lattice(lattice) if lattice.is_turned() => {
                 "the rows of the lattice run along neither x nor y: leave `inward` out"
             }
-            peristat_assembly::body::PlaneBody::Lattice(_) => {
+            peristat_assembly::body::PointBody::Lattice(_) => {
                 "it needs three points in a row that begin at the place; is this the direction into the body?"
             }
             _ => "listed points have no rows: leave `inward` out",
@@ -200,7 +200,7 @@ fn reaction(
 ) -> Option<Quantity> {
     let (component, of) = fields::held(field, site.model)?;
     let unit = of.scale;
-    let mut numbers: Vec<u32> = points.iter().map(|&p| site.recipe.number(site.model, p)).collect();
+    let mut numbers: Vec<u32> = points.iter().map(|&p| site.inputs.number(site.model, p)).collect();
     numbers.sort_unstable();
     let here = |p: u32| numbers.binary_search(&p).is_ok();
     let (mut equations, mut next) = (Vec::new(), 0);
@@ -225,7 +225,7 @@ fn reaction(
     if equations.is_empty() && springs.is_empty() {
         let places: Vec<&str> = site.held.iter().map(|h| h.name.as_str()).collect();
         let hint = match places.is_empty() {
-            true if !site.recipe.symmetry.edges.is_empty() => {
+            true if !site.inputs.symmetry.edges.is_empty() => {
                 "forces through mirrors are listed with the results, and are no probes".to_string()
             }
             true => site.ground.place_hint().to_string(),

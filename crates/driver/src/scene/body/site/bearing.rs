@@ -3,7 +3,7 @@
 //! A pin in contact presses on one side of its hole. Glued all around, it makes a crack specimen too stiff at its mouth; the
 //! bonds behind it and beside it are therefore cut.
 
-use peristat_assembly::body::{Cell, PlaneBody, SquareLattice, plus};
+use peristat_assembly::body::{Cell, PointBody, SquareLattice, plus};
 use peristat_assembly::model::plane::Mirrors;
 use std::collections::HashSet;
 
@@ -72,7 +72,7 @@ pub(crate) fn on_lattice(
 /// The same for listed points, by the positions of the ends of a bond, m.
 pub(crate) fn between<'a>(
     bearings: &'a [Bearing],
-    body: &PlaneBody,
+    body: &PointBody,
 ) -> impl Fn([f64; 2], [f64; 2]) -> bool + 'a {
     let key = |at: [f64; 2]| at.map(f64::to_bits);
     let places = |b: &Bearing| b.points.iter().map(|&p| key(body.place(p as usize))).collect();

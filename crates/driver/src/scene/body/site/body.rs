@@ -9,7 +9,7 @@ use crate::input::gmsh::Curve;
 use crate::memory;
 use crate::model::{Keys, hints};
 use peristat_assembly::body::{
-    self, FillError, HoleError, Outline, OutlineError, PlaneBody, Polygon, Shape, SolidShape,
+    self, FillError, HoleError, Outline, OutlineError, PointBody, Polygon, Shape, SolidShape,
 };
 
 /// Memory per point of what a scene keeps of a lattice and its model, bytes.
@@ -30,7 +30,7 @@ pub(crate) fn path(case: &Case) -> JsonPath {
 
 /// A body, its outline in the plane or its shape in space if it has one, and the named curves of a mesh.
 pub(crate) struct Built {
-    pub(crate) body: PlaneBody,
+    pub(crate) body: PointBody,
     pub(crate) outline: Option<Outline>,
     pub(crate) shape: Option<SolidShape>,
     pub(crate) curves: Vec<Curve>,
@@ -40,7 +40,7 @@ pub(crate) struct Built {
 
 impl Built {
     /// A body with nothing else.
-    fn of(body: PlaneBody) -> Self {
+    fn of(body: PointBody) -> Self {
         Self { body, outline: None, shape: None, curves: Vec::new(), file: None }
     }
 }
@@ -107,7 +107,7 @@ pub(crate) fn build(
     });
     match filled {
         Ok(lattice) => {
-            let body = PlaneBody::Lattice(lattice?);
+            let body = PointBody::Lattice(lattice?);
             Some(Built { outline: Some(outline), ..Built::of(body) })
         }
         Err(error) => {
@@ -143,7 +143,7 @@ pub(super) fn resolves<const N: usize>(
 }
 
 /// The box around the points of a body.
-fn bounds(body: &PlaneBody) -> [[f64; 2]; 2] {
+fn bounds(body: &PointBody) -> [[f64; 2]; 2] {
     let points = (0..body.points()).map(|p| body.place(p));
     points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], p| {
         [[0, 1].map(|k| low[k].min(p[k])), [0, 1].map(|k| high[k].max(p[k]))]

@@ -4,7 +4,7 @@ use super::ground::Ground;
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::input::gmsh::Curve;
 use crate::memory;
-use peristat_assembly::body::{BorderPart, Edge, Outline, PlaneBody, SquareLattice};
+use peristat_assembly::body::{BorderPart, Edge, Outline, PointBody, SquareLattice};
 use peristat_assembly::quadrature::GAUSS;
 
 /// A short part of a border.
@@ -213,8 +213,8 @@ pub(crate) fn place_on(edge: &Edge, at: [f64; 2]) -> f64 {
 }
 
 /// Whether an edge runs along x or y as the lattice does.
-pub(crate) fn is_aligned(edge: &Edge, body: &PlaneBody) -> bool {
-    let turned = matches!(body, PlaneBody::Lattice(lattice) if lattice.is_turned());
+pub(crate) fn is_aligned(edge: &Edge, body: &PointBody) -> bool {
+    let turned = matches!(body, PointBody::Lattice(lattice) if lattice.is_turned());
     !turned && (edge.from[0] == edge.to[0] || edge.from[1] == edge.to[1])
 }
 
@@ -250,7 +250,7 @@ mod tests {
     #[test]
     fn no_edge_is_along_turned_rows() {
         let outline = Outline::rectangle([0.0; 2], [2.0, 1.0]).unwrap();
-        let body = |angle: f64| PlaneBody::Lattice(outline.fill_turned(0.1, angle).unwrap());
+        let body = |angle: f64| PointBody::Lattice(outline.fill_turned(0.1, angle).unwrap());
         for edge in outline.edges() {
             assert!(is_aligned(edge, &body(0.0)) && !is_aligned(edge, &body(0.5)));
         }

@@ -2,7 +2,7 @@
 
 use crate::case::Case;
 use crate::diagnostic::{Faults, root};
-use peristat_assembly::body::{Crack, CrackError, Outline, PlaneBody};
+use peristat_assembly::body::{Crack, CrackError, Outline, PointBody};
 
 /// A crack with its name.
 #[derive(Clone, Debug)]
@@ -44,7 +44,7 @@ pub(crate) fn cracks(case: &Case, faults: &mut Faults) -> Option<Vec<NamedCrack>
 /// Faults of cracks that are nowhere near the body, and warnings of those that cut nothing.
 pub(crate) fn check(
     cracks: &[NamedCrack],
-    body: &PlaneBody,
+    body: &PointBody,
     outline: Option<&Outline>,
     cuts_any: &dyn Fn(&Crack) -> bool,
     faults: &mut Faults,

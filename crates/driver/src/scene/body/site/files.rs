@@ -3,7 +3,7 @@
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::{self, Curve};
 use crate::input::{Folder, ReadError, Refusal, points};
-use peristat_assembly::body::PlaneBody;
+use peristat_assembly::body::PointBody;
 
 /// The body of a list of points, of this thickness, and the hash of the file.
 pub(crate) fn points(
@@ -13,11 +13,11 @@ pub(crate) fn points(
     max_memory: Option<u64>,
     path: &JsonPath,
     faults: &mut Faults,
-) -> Option<(PlaneBody, blake3::Hash)> {
+) -> Option<(PointBody, blake3::Hash)> {
     let bytes = bytes(folder, file, "points", max_memory, path, faults)?;
     let cloud = points::read(&bytes).and_then(|points| points.cloud(thickness));
     let cloud = cloud.map_err(|error| refuse(file, "points", &error, path, faults)).ok()?;
-    Some((PlaneBody::Cloud(cloud), blake3::hash(&bytes)))
+    Some((PointBody::Cloud(cloud), blake3::hash(&bytes)))
 }
 
 /// The body of a mesh, its named curves, and the hash of the file.
@@ -27,10 +27,10 @@ pub(crate) fn mesh(
     max_memory: Option<u64>,
     path: &JsonPath,
     faults: &mut Faults,
-) -> Option<(PlaneBody, Vec<Curve>, blake3::Hash)> {
+) -> Option<(PointBody, Vec<Curve>, blake3::Hash)> {
     let bytes = bytes(folder, file, "mesh", max_memory, path, faults)?;
     let mesh = gmsh::read(&bytes).map_err(|error| refuse(file, "mesh", &error, path, faults)).ok()?;
-    Some((PlaneBody::Cloud(mesh.cloud), mesh.curves, blake3::hash(&bytes)))
+    Some((PointBody::Cloud(mesh.cloud), mesh.curves, blake3::hash(&bytes)))
 }
 
 fn bytes(

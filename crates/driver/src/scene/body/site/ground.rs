@@ -5,7 +5,7 @@ use crate::case::{self, At, Case};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use crate::scene::words;
 use peristat_assembly::body::{
-    Face, Outline, PlaneBody, Region, RegionError, Regions, SolidRegion, in_space,
+    Face, Outline, PointBody, Region, RegionError, Regions, SolidRegion, in_space,
 };
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ pub(crate) struct Ground<'a> {
     /// The case.
     pub(crate) case: &'a Case,
     /// The points.
-    pub(crate) body: &'a PlaneBody,
+    pub(crate) body: &'a PointBody,
     /// The outline; listed points have none.
     pub(crate) outline: Option<&'a Outline>,
     /// The faces of a solid.
@@ -25,7 +25,7 @@ pub(crate) struct Ground<'a> {
 
 /// A place that was found.
 #[derive(Clone, Debug)]
-pub(crate) struct Spot {
+pub(crate) struct NamedPoints {
     /// Its points, ascending.
     pub(crate) points: Vec<u32>,
     /// What messages call it, such as `the region `left`` or `(1, 2)`.
@@ -44,7 +44,7 @@ impl<'a> Ground<'a> {
     /// The names of a body; faults of all regions of the case.
     pub(crate) fn new(
         case: &'a Case,
-        body: &'a PlaneBody,
+        body: &'a PointBody,
         (outline, faces): (Option<&'a Outline>, &'a [Face]),
         faults: &mut Faults,
     ) -> Self {
@@ -64,7 +64,7 @@ impl<'a> Ground<'a> {
             let region = SolidRegion::Face { name: face.name.to_string(), depth: None };
             take(face.name, "a face", Region::Solid(region));
         }
-        if let PlaneBody::Cloud(cloud) = body {
+        if let PointBody::Cloud(cloud) = body {
             for group in cloud.groups() {
                 take(&group.name, "a group of the mesh", Region::Group { name: group.name.clone() });
             }
@@ -195,15 +195,21 @@ impl<'a> Ground<'a> {
     }
 
     /// The place that `at` names; `what` is what is placed.
-    pub(crate) fn spot(&self, at: &At, path: &JsonPath, what: &str, faults: &mut Faults) -> Option<Spot> {
+    pub(crate) fn spot(
+        &self,
+        at: &At,
+        path: &JsonPath,
+        what: &str,
+        faults: &mut Faults,
+    ) -> Option<NamedPoints> {
         if let Some(name) = self.region_name(at, path, faults)? {
             let points = self.region(name, &path.key("region"), faults)?;
-            return Some(Spot { points, words: format!("the region `{name}`") });
+            return Some(NamedPoints { points, words: format!("the region `{name}`") });
         }
         let position = self.position(at, path, faults)?;
         let words = words::place(position, self.body);
         let point = self.point_at(position, path, what, faults)?;
-        Some(Spot { points: vec![point], words })
+        Some(NamedPoints { points: vec![point], words })
     }
 
     /// The name of a region if `at` gives one; `None` where it is not a place in the plane.
@@ -262,7 +268,7 @@ impl<'a> Ground<'a> {
     /// A point that is nearest to a position.
     fn nearest(&self, at: [f64; 3]) -> Option<u32> {
         let region = match self.body {
-            PlaneBody::Solid(_) => Region::Solid(SolidRegion::Corner { at }),
+            PointBody::Solid(_) => Region::Solid(SolidRegion::Corner { at }),
             _ => Region::Corner { at: [at[0], at[1]] },
         };
         self.select(&region).ok()?.first().copied()
@@ -278,9 +284,9 @@ impl<'a> Ground<'a> {
         faults: &mut Faults,
     ) -> Option<u32> {
         let own = match self.body {
-            PlaneBody::Lattice(lattice) => lattice.number(lattice.cell_at([position[0], position[1]])),
-            PlaneBody::Solid(lattice) => lattice.number(lattice.cell_around(position)),
-            PlaneBody::Cloud(_) => None,
+            PointBody::Lattice(lattice) => lattice.number(lattice.cell_at([position[0], position[1]])),
+            PointBody::Solid(lattice) => lattice.number(lattice.cell_around(position)),
+            PointBody::Cloud(_) => None,
         };
         if let Some(point) = own {
             return Some(point as u32);
@@ -290,7 +296,7 @@ impl<'a> Ground<'a> {
         let distance = (0..3).map(|k| (at[k] - position[k]).powi(2)).sum::<f64>().sqrt();
         // Half a diagonal of a cell.
         let most = match self.body {
-            PlaneBody::Lattice(lattice) if lattice.is_turned() => std::f64::consts::SQRT_2,
+            PointBody::Lattice(lattice) if lattice.is_turned() => std::f64::consts::SQRT_2,
             body => 0.5 * (body.axes() as f64).sqrt(),
         };
         if distance <= most * self.body.spacing() * (1.0 + 1e-6) {

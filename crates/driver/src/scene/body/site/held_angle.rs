@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn the_two_edges_of_the_inner_corner_are_told() {
-        let told: Vec<bool> = (1..=6).map(|k| held(&format!("edge_{k}"))).collect();
-        assert_eq!(told, [false, false, true, true, false, false]);
+        let words: Vec<bool> = (1..=6).map(|k| held(&format!("edge_{k}"))).collect();
+        assert_eq!(words, [false, false, true, true, false, false]);
     }
 }

@@ -1,6 +1,6 @@
 //! Values at any position as sums over points.
 
-use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, Region, Regions, SquareLattice};
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, Region, Regions, SquareLattice};
 use std::collections::BTreeMap;
 
 /// Points and their shares; the shares sum to one.
@@ -12,7 +12,7 @@ const NEAREST: usize = 16;
 /// What values are interpolated on.
 pub(crate) struct Interpolation<'a> {
     /// The points; images in mirrors are among them.
-    pub(crate) body: &'a PlaneBody,
+    pub(crate) body: &'a PointBody,
     /// Cracks and their images.
     pub(crate) cracks: &'a [Crack],
     /// How far apart points are whose values are continued to an edge, spacings: the horizon, where points see the steps of the edge.
@@ -25,9 +25,9 @@ impl Interpolation<'_> {
     pub(crate) fn at(&self, at: [f64; 3], nearest: u32) -> Weights {
         let position = [at[0], at[1]];
         let found = match self.body {
-            PlaneBody::Solid(lattice) => trilinear(lattice, at),
-            PlaneBody::Lattice(lattice) => self.bilinear(lattice, position),
-            PlaneBody::Cloud(cloud) => {
+            PointBody::Solid(lattice) => trilinear(lattice, at),
+            PointBody::Lattice(lattice) => self.bilinear(lattice, position),
+            PointBody::Cloud(cloud) => {
                 let slack = 4.0 * self.body.spacing();
                 let regions = Regions { body: self.body, outline: None, faces: &[], named: &BTreeMap::new() };
                 let near = regions.select(&Region::Disc { centre: position, radius: slack });
@@ -107,7 +107,7 @@ impl Interpolation<'_> {
     /// the three are closer together; `None` where no line has three points behind the first, and on a turned lattice,
     /// whose lines do not go inward.
     pub(crate) fn inward(&self, position: [f64; 2], inward: [i8; 2]) -> Option<Weights> {
-        let PlaneBody::Lattice(lattice) = self.body else { return None };
+        let PointBody::Lattice(lattice) = self.body else { return None };
         if lattice.is_turned() {
             return None;
         }
@@ -188,13 +188,13 @@ mod tests {
     use super::*;
     use peristat_assembly::body::in_space;
 
-    fn value(body: &PlaneBody, weights: &Weights, field: impl Fn([f64; 2]) -> f64) -> f64 {
+    fn value(body: &PointBody, weights: &Weights, field: impl Fn([f64; 2]) -> f64) -> f64 {
         weights.iter().map(|w| w.1 * field(body.place(w.0 as usize))).sum()
     }
 
     #[test]
     fn linear_fields_are_exact_everywhere_and_parabolas_inwards_from_edges() {
-        let body = PlaneBody::Lattice(SquareLattice::rectangle(0.1, [1.0, 2.0], [10, 6]));
+        let body = PointBody::Lattice(SquareLattice::rectangle(0.1, [1.0, 2.0], [10, 6]));
         let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
         let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5 * x * y;
         for position in [[1.0, 2.0], [1.33, 2.21], [2.0, 2.3], [1.55, 2.55], [1.5, 2.6]] {
@@ -214,7 +214,7 @@ mod tests {
         let outline = peristat_assembly::body::Outline::rectangle([1.0, 2.0], [1.03, 0.61]).unwrap();
         let field = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y + 0.5;
         for angle in [0.1, 0.4, std::f64::consts::FRAC_PI_4, 1.2] {
-            let body = PlaneBody::Lattice(outline.fill_turned(0.05, angle).unwrap());
+            let body = PointBody::Lattice(outline.fill_turned(0.05, angle).unwrap());
             let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
             // Inside, on edges and in all corners.
             for k in 0..441 {
@@ -230,7 +230,7 @@ mod tests {
     #[test]
     fn linear_fields_are_exact_in_solids() {
         let lattice = SquareLattice::cuboid(0.1, [1.0, 2.0, 3.0], [5, 3, 4]);
-        let body = PlaneBody::Solid(lattice);
+        let body = PointBody::Solid(lattice);
         let interpolation = Interpolation { body: &body, cracks: &[], reach: 3 };
         let field = |[x, y, z]: [f64; 3]| 3.0 * x - 2.0 * y + 0.5 * z + x * y * z;
         for at in [[1.0, 2.0, 3.0], [1.5, 2.3, 3.4], [1.21, 2.17, 3.32], [1.25, 2.15, 3.25]] {
@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn nothing_is_taken_from_behind_a_crack() {
-        let body = PlaneBody::Lattice(SquareLattice::rectangle(1.0, [0.0; 2], [4, 4]));
+        let body = PointBody::Lattice(SquareLattice::rectangle(1.0, [0.0; 2], [4, 4]));
         let crack = peristat_assembly::body::Crack::new(vec![[-1.0, 2.0], [5.0, 2.0]]).unwrap();
         let interpolation = Interpolation { body: &body, cracks: &[crack], reach: 3 };
         let weights = interpolation.at([1.7, 1.9, 0.0], 0);

@@ -2,12 +2,12 @@
 
 use crate::case::{self, Vector};
 use crate::diagnostic::{Faults, JsonPath};
-use peristat_assembly::body::{PlaneBody, Region, SolidRegion};
+use peristat_assembly::body::{PointBody, Region, SolidRegion};
 
 /// A region of a case on a body; none with a fault where it is for bodies of another kind.
 pub(crate) fn converted(
     region: &case::Region,
-    body: &PlaneBody,
+    body: &PointBody,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Region> {
@@ -60,7 +60,7 @@ pub(crate) fn converted(
 /// A position that a case gives by as many numbers as the body has axes; a fault where they are others.
 pub(crate) fn position(
     given: Vector,
-    body: &PlaneBody,
+    body: &PointBody,
     path: JsonPath,
     faults: &mut Faults,
 ) -> Option<[f64; 3]> {

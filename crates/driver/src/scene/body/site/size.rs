@@ -6,7 +6,7 @@ use crate::case::Case;
 use crate::diagnostic::{Faults, root, tidy};
 use crate::memory;
 use crate::model::{Material, Surface};
-use peristat_assembly::body::{Outline, PlaneBody, SquareLattice};
+use peristat_assembly::body::{Outline, PointBody, SquareLattice};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 use std::f64::consts::PI;
 
@@ -39,7 +39,7 @@ const STRIP: f64 = 28.0;
 pub(crate) fn fits(
     case: &Case,
     material: &dyn Material,
-    (body, outline): (&PlaneBody, Option<&Outline>),
+    (body, outline): (&PointBody, Option<&Outline>),
     (cracks, mirrors): (&[NamedCrack], &Mirrors),
     max_memory: Option<u64>,
     faults: &mut Faults,
@@ -56,11 +56,11 @@ pub(crate) fn fits(
     let cut = CUT * (crack * 2.0 / 3.0 * m.powi(3)).min(0.5 * points * family);
     let own = match body {
         // Listed points may lie close together in places.
-        PlaneBody::Cloud(cloud) => LISTED * cloud.about_pairs(m * body.spacing()),
-        PlaneBody::Lattice(_) if about.has_families && about.edges == Some(Edges::Border) => {
+        PointBody::Cloud(cloud) => LISTED * cloud.about_pairs(m * body.spacing()),
+        PointBody::Lattice(_) if about.has_families && about.edges == Some(Edges::Border) => {
             border * (FAMILIES[0] + FAMILIES[1] * m * m)
         }
-        PlaneBody::Lattice(lattice) if about.has_families => {
+        PointBody::Lattice(lattice) if about.has_families => {
             let sides = [lattice.columns().len(), lattice.rows().len()];
             let holds = about.is_exact_at_edges && !case.supports.is_empty();
             let strip = match holds && sides.iter().any(|&n| takes_shares(n, m)) {
@@ -70,26 +70,26 @@ pub(crate) fn fits(
             // It is gone before the families are made.
             family * strip.max(NEIGHBOUR * points.min(distinct + crack * 2.0 * m))
         }
-        PlaneBody::Lattice(lattice) if about.edges == Some(Edges::Border) && !lattice.blocks().is_empty() => {
+        PointBody::Lattice(lattice) if about.edges == Some(Edges::Border) && !lattice.blocks().is_empty() => {
             let breaks = case.fracture.is_some() || case.path.is_some();
             border * if breaks { CUT_SPRINGS * m * m } else { CUT_BORDER[0] + CUT_BORDER[1] * m }
         }
-        PlaneBody::Lattice(_) if about.edges == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
+        PointBody::Lattice(_) if about.edges == Some(Edges::Border) && m < f64::from(FARTHEST + 1) => {
             ENDED * border * 2.0 / 3.0 * m.powi(3)
         }
         // Points beside the sides of shells have bonds of their own, those at the ends bonds that end there.
-        PlaneBody::Lattice(_) if matches!(about.surface, Surface::Cylinder(_)) => {
+        PointBody::Lattice(_) if matches!(about.surface, Surface::Cylinder(_)) => {
             OWN * 0.5 * family * near + ENDED * border * 2.0 / 3.0 * m.powi(3)
         }
         _ if about.edges.is_some_and(Edges::is_exact) => 0.0,
         _ => OWN * 0.5 * family * near,
     };
     let of_images = match body {
-        PlaneBody::Lattice(lattice) => {
+        PointBody::Lattice(lattice) => {
             let images = images(mirrors, lattice, m);
             IMAGE * 0.5 * images * family.min(images + points)
         }
-        PlaneBody::Cloud(_) | PlaneBody::Solid(_) => 0.0,
+        PointBody::Cloud(_) | PointBody::Solid(_) => 0.0,
     };
     let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
     let what = format!("bonds over a horizon of {} spacings", tidy(m));

@@ -4,7 +4,7 @@ use super::body::{PER_POINT, resolves};
 use crate::case::{Body, Case, SolidCut, SpaceAxis};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::memory;
-use peristat_assembly::body::{Cut, CutError, PlaneBody, ShapeError, SolidShape};
+use peristat_assembly::body::{Cut, CutError, PointBody, ShapeError, SolidShape};
 
 /// The body of a case whose model is one of solids.
 pub(crate) fn build(
@@ -12,7 +12,7 @@ pub(crate) fn build(
     path: &JsonPath,
     max_memory: Option<u64>,
     faults: &mut Faults,
-) -> Option<(PlaneBody, SolidShape)> {
+) -> Option<(PointBody, SolidShape)> {
     let Body::Block(given) = &case.body else {
         faults
             .error(root("body"), format!("the model `{}` needs a body in space", case.model.name()))
@@ -61,7 +61,7 @@ pub(crate) fn build(
         Ok(if fits { Some(shape.fill(given.spacing)?) } else { None })
     });
     match filled {
-        Ok(lattice) => Some((PlaneBody::Solid(lattice?), shape)),
+        Ok(lattice) => Some((PointBody::Solid(lattice?), shape)),
         Err(error) => {
             unfilled(&error, path, faults);
             None

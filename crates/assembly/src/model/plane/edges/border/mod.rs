@@ -79,11 +79,11 @@ pub(in super::super::super) fn can_end(lattice: &SquareLattice, mirrors: &Mirror
 /// Builds the bonds that end on the border; `near` are the points within reach of it.
 pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: LatticeBond<D, M, S>>(
     (lattice, mirrors): (&SquareLattice, &Mirrors),
-    (hood, bond): (&Neighbourhood<M>, &B),
+    (neighbourhood, bond): (&Neighbourhood<M>, &B),
     near: &[usize],
     cuts: &HashSet<(usize, usize)>,
 ) -> Completion<D, M, S> {
-    let nodes = Nodes::new(Cells { lattice, mirrors, hood, cuts: Cow::Borrowed(cuts) });
+    let nodes = Nodes::new(Cells { lattice, mirrors, neighbourhood, cuts: Cow::Borrowed(cuts) });
     let mut bonds = PlacedBonds::new(lattice.points());
     let (mut kinds, mut lost) = (Vec::new(), HashSet::new());
     let gaps = for_each_part(&nodes, near, &mut |offset, run, part| {
@@ -91,10 +91,10 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Latti
             lost.insert(run.first());
             return;
         };
-        let (whole, share) = (geometry(lattice, hood.offsets[offset]), run.share());
+        let (whole, share) = (geometry(lattice, neighbourhood.offsets[offset]), run.share());
         let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
         let unit = bond.part_moduli(&whole, share);
-        let moduli = std::array::from_fn(|m| part * hood.weights[offset][m] * unit[m]);
+        let moduli = std::array::from_fn(|m| part * neighbourhood.weights[offset][m] * unit[m]);
         // Only rotations are read on the mean.
         let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
         let foremost = bonds.push(&PlacedBond { ends, mean, rows: bond.rows(&short), moduli });
@@ -114,10 +114,10 @@ pub(in super::super::super) fn for_each_part<const M: usize>(
     visit: &mut dyn FnMut(usize, &Run, f64),
 ) -> Vec<Exception> {
     let (cells, mut gaps) = (&nodes.cells, Vec::new());
-    for offset in cells.hood.bonded() {
-        let path = Path::of(cells.hood.offsets[offset]);
+    for offset in cells.neighbourhood.bonded() {
+        let path = Path::of(cells.neighbourhood.offsets[offset]);
         for_each_run(cells, &path, near, &mut |run| {
-            let upper = cells.lattice.number(at(run.start, cells.hood.offsets[offset], true));
+            let upper = cells.lattice.number(at(run.start, cells.neighbourhood.offsets[offset], true));
             if run.has_points()[0]
                 && let (Some(lower), Some(_)) = (cells.lattice.number(run.start), upper)
             {
@@ -138,14 +138,14 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
     /// of a whole one.
     pub(in super::super) fn for_each_ratio<const S: usize, B: LatticeBond<D, M, S>>(
         &self,
-        (lattice, hood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
+        (lattice, neighbourhood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
         (u, critical): (&[f64], &[f64]),
         visit: &mut dyn FnMut(usize, f64),
     ) {
         for (k, &PartOfBond { offset, share, .. }) in self.kinds.iter().enumerate() {
             let measure = self.bonds.measures(k, u)[0];
             if measure > 0.0 {
-                let whole = geometry(lattice, hood.offsets[offset as usize]);
+                let whole = geometry(lattice, neighbourhood.offsets[offset as usize]);
                 let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
                 let stretch = measure * bond.stretch_per_measure(&short);
                 visit(k, stretch * share.sqrt() / critical[offset as usize]);
@@ -180,7 +180,7 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
     /// Adds the forces that do the work of the bonds in strains `t` of the points, three planes, as far as they move them.
     pub(in super::super) fn add_strain_work<const S: usize, B: LatticeBond<D, M, S>>(
         &self,
-        (lattice, hood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
+        (lattice, neighbourhood, bond): (&SquareLattice, &Neighbourhood<M>, &B),
         t: &[f64],
         force: &mut [f64],
     ) {
@@ -191,7 +191,7 @@ impl<const D: usize, const M: usize> BorderBonds<D, M> {
             if strain == [0.0; 3] {
                 continue;
             }
-            let whole = geometry(lattice, hood.offsets[offset as usize]);
+            let whole = geometry(lattice, neighbourhood.offsets[offset as usize]);
             let uniform: Mat<M, S> = bond.in_uniform_state(&BondGeometry { xi: whole.xi.map(|x| share * x) });
             let moduli = self.bonds.moduli(k);
             let sigma =

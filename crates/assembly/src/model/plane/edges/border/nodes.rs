@@ -18,7 +18,7 @@ type Asked = (Cell, Option<Cell>);
 pub(in crate::model) struct Cells<'a, const M: usize> {
     pub(in crate::model) lattice: &'a SquareLattice,
     pub(in crate::model) mirrors: &'a Mirrors,
-    pub(in crate::model) hood: &'a Neighbourhood<M>,
+    pub(in crate::model) neighbourhood: &'a Neighbourhood<M>,
     /// Bonds that cracks cut.
     pub(in crate::model) cuts: Cow<'a, HashSet<(usize, usize)>>,
 }
@@ -42,7 +42,7 @@ impl<const M: usize> Cells<'_, M> {
 
     /// Whether a crack runs between two neighbouring cells.
     pub(super) fn parted(&self, from: Cell, to: Cell) -> bool {
-        is_cut(self.lattice, self.hood, &self.cuts, from, to)
+        is_cut(self.lattice, self.neighbourhood, &self.cuts, from, to)
     }
 }
 

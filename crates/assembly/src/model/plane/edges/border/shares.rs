@@ -19,10 +19,10 @@ const SLACK: f64 = 1e-6;
 pub(in crate::model) fn border_shares<'a, const M: usize>(
     lattice: &'a SquareLattice,
     mirrors: &'a Mirrors,
-    hood: &'a Neighbourhood<M>,
+    neighbourhood: &'a Neighbourhood<M>,
     cuts: HashSet<(usize, usize)>,
 ) -> BorderShares<'a> {
-    let nodes = Nodes::new(Cells { lattice, mirrors, hood, cuts: Cow::Owned(cuts) });
+    let nodes = Nodes::new(Cells { lattice, mirrors, neighbourhood, cuts: Cow::Owned(cuts) });
     Box::new(move |at, normal| {
         let axis = normal.iter().position(|n| n.abs() > 1.0 - 1e-9).filter(|_| !lattice.is_turned())?;
         let mut corner = [0, 1, 2].map(|k| (at[k] - lattice.corner()[k]) / lattice.spacing());

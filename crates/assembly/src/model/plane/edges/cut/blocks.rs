@@ -1,12 +1,12 @@
 //! How much of the triangles of blocks lies in the body, images among them.
 
 use super::super::super::Mirrors;
-use crate::body::{Cell, Parts, SquareLattice, middle, plus};
+use crate::body::{Cell, SquareLattice, TriangleParts, middle, plus};
 use std::array::from_fn;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-/// Corners of a block from its lower left one, in the order of [`Parts`].
+/// Corners of a block from its lower left one, in the order of [`TriangleParts`].
 pub(super) const CORNERS: [Cell; 4] = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]];
 
 /// Parts nearer to none or all are that.
@@ -40,7 +40,7 @@ impl<'a> Blocks<'a> {
     }
 
     /// Parts in the body of the triangles of a block.
-    pub(super) fn parts(&self, block: Cell) -> Parts {
+    pub(super) fn parts(&self, block: Cell) -> TriangleParts {
         self.moments(block).map(|moments| moments[0])
     }
 

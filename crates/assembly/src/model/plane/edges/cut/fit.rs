@@ -3,7 +3,7 @@
 use crate::body::Cell;
 use nalgebra::DMatrix;
 
-/// How much of a term may be missed before what rounding leaves is mended: more is not told by the points.
+/// How much of a term may be missed before what rounding leaves is mended: more is not reported by the points.
 const TOLD: f64 = 1e-6;
 
 /// What values at points, by squared distance and position in spacings, have in the value at zero and in its derivatives of
@@ -21,7 +21,7 @@ pub(super) fn fit(near: &[(i32, Cell)], terms: usize, decay: f64) -> Option<Vec<
     let tells = |k: usize, q: usize| weight[k] * inverse[(q, k)];
     let mut rows: Vec<[f64; 3]> = (0..near.len()).map(|k| [0, 1, 2].map(|q| tells(k, q))).collect();
     for row in 0..3 {
-        // What is left of the terms is rounding, or they are not told apart.
+        // What is left of the terms is rounding, or the fit cannot distinguish them.
         let left = |q: usize| {
             let found: f64 = rows.iter().enumerate().map(|(k, r)| r[row] * term(k, q)).sum();
             f64::from(u8::from(q == row)) - found

@@ -21,7 +21,7 @@ pub(super) fn is_divided(corners: &Corners, at: Cell, triangle: usize) -> bool {
     (1..inside.len()).any(|k| inside[..k].iter().any(|b| corners.parted(inside[k], *b)))
 }
 
-/// Points that move a triangle and what a common motion of them makes; none if a corner cannot be told.
+/// Points that move a triangle and what a common motion of them makes; none if a corner cannot be determined.
 pub(super) fn members<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     corners: &Corners,
     bond: &B,
@@ -54,7 +54,7 @@ pub(super) fn members<const D: usize, const M: usize, const S: usize, B: PlaneBo
     Some((members, own))
 }
 
-/// Points and their shares in the displacement of every corner of a triangle; none if one cannot be told.
+/// Points and their shares in the displacement of every corner of a triangle; none if one cannot be determined.
 pub(super) fn corner_shares(corners: &Corners, cells: [Cell; 3]) -> Option<[Place; 3]> {
     let inside = cells.into_iter().find(|cell| corners.blocks.has(*cell));
     let from = inside.or_else(|| next_point(corners, cells[0]))?;

@@ -17,9 +17,9 @@ pub(super) struct Missing<'a> {
 }
 
 impl<'a> Missing<'a> {
-    pub(super) fn new<const M: usize>(blocks: &'a Blocks<'a>, hood: &'a Neighbourhood<M>) -> Self {
-        let paths = hood.bonded().map(|k| (k, pieces(hood.offsets[k]))).collect();
-        Self { blocks, offsets: &hood.offsets, paths, known: RefCell::default() }
+    pub(super) fn new<const M: usize>(blocks: &'a Blocks<'a>, neighbourhood: &'a Neighbourhood<M>) -> Self {
+        let paths = neighbourhood.bonded().map(|k| (k, pieces(neighbourhood.offsets[k]))).collect();
+        Self { blocks, offsets: &neighbourhood.offsets, paths, known: RefCell::default() }
     }
 
     /// Whether a bond passes a triangle that is not whole; in a body of revolution, a block that is not: what its bonds have of

@@ -48,7 +48,7 @@ pub(in super::super::super) use strains::Strains;
 const LEAST: f64 = 1e-4;
 
 /// Whether all that lies in the body can be completed so: no sides are joined, every point has its part of it, and corners
-/// beyond the border can be told.
+/// beyond the border can be determined.
 pub(super) fn can_complete(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
     if lattice.blocks().is_empty() || mirrors.joined != [false; 3] {
         return false;
@@ -88,17 +88,17 @@ fn near_blocks(lattice: &SquareLattice, reach: i32) -> BTreeSet<Cell> {
 /// Builds what completes the edges: triangles or, in bodies that break, springs.
 pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     (lattice, mirrors): (&SquareLattice, &Mirrors),
-    (hood, bond): (&Neighbourhood<M>, &B),
+    (neighbourhood, bond): (&Neighbourhood<M>, &B),
     cuts: &HashSet<(usize, usize)>,
     breaks: bool,
 ) -> Completion<D, M, S> {
-    let corners = beside_cracks(lattice, mirrors, hood, Cow::Borrowed(cuts));
-    let missing = Missing::new(&corners.blocks, hood);
-    let near = near_blocks(lattice, hood.reach());
+    let corners = beside_cracks(lattice, mirrors, neighbourhood, Cow::Borrowed(cuts));
+    let missing = Missing::new(&corners.blocks, neighbourhood);
+    let near = near_blocks(lattice, neighbourhood.reach());
     let left = near.iter().flat_map(|&at| left_to(&corners, &missing, at));
     let (by, lost) = match breaks {
-        true => springs(&corners, (hood, bond), &missing, left),
-        false => triangles(&corners, (hood, bond), &missing, left),
+        true => springs(&corners, (neighbourhood, bond), &missing, left),
+        false => triangles(&corners, (neighbourhood, bond), &missing, left),
     };
     let mut gaps = BTreeSet::new();
     for &at in &near {
@@ -110,8 +110,9 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Plane
     }
     let gaps: Vec<Exception> =
         gaps.into_iter().map(|(offset, lower)| Exception { offset, lower, factor: 0.0 }).collect();
-    let ends = gaps.iter().flat_map(|gap| ends(lattice, hood, gap));
-    let mut lacking: Vec<usize> = near_points(lattice, hood.reach()).into_iter().chain(ends).collect();
+    let ends = gaps.iter().flat_map(|gap| ends(lattice, neighbourhood, gap));
+    let mut lacking: Vec<usize> =
+        near_points(lattice, neighbourhood.reach()).into_iter().chain(ends).collect();
     lacking.sort_unstable();
     lacking.dedup();
     lacking.retain(|&point| mirrors.is_none() || mirrors.is_real(lattice.cell(point)));
@@ -145,27 +146,27 @@ fn left_to(corners: &Corners, missing: &Missing, block: Cell) -> Vec<Left> {
 /// What bonds leave to the triangles that complete a body, in the order of these: parts of one bond per offset that has bonds.
 pub(in super::super) fn left_to_triangles<const M: usize>(
     (lattice, mirrors): (&SquareLattice, &Mirrors),
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     cuts: &HashSet<(usize, usize)>,
 ) -> Vec<Vec<f64>> {
-    let corners = beside_cracks(lattice, mirrors, hood, Cow::Borrowed(cuts));
-    let missing = Missing::new(&corners.blocks, hood);
-    let near = near_blocks(lattice, hood.reach());
+    let corners = beside_cracks(lattice, mirrors, neighbourhood, Cow::Borrowed(cuts));
+    let missing = Missing::new(&corners.blocks, neighbourhood);
+    let near = near_blocks(lattice, neighbourhood.reach());
     let left = near.iter().flat_map(|&at| left_to(&corners, &missing, at));
     let is_told = |left: &Left| corner_shares(&corners, corners_of(left.block, left.triangle)).is_some();
     left.filter(is_told).map(|left| left.shares).collect()
 }
 
-/// Triangles with all that is left to them, and the number of those whose corners cannot be told.
+/// Triangles with all that is left to them, and the number of those whose corners cannot be determined.
 fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     corners: &Corners,
-    (hood, bond): (&Neighbourhood<M>, &B),
+    (neighbourhood, bond): (&Neighbourhood<M>, &B),
     missing: &Missing,
     left: impl Iterator<Item = Left>,
 ) -> (By<D, M, S>, usize) {
     let lattice = corners.blocks.lattice;
     let moduli: Vec<Mat<S, S>> =
-        missing.paths.iter().map(|(k, _)| modulus(lattice, hood, bond, *k)).collect();
+        missing.paths.iter().map(|(k, _)| modulus(lattice, neighbourhood, bond, *k)).collect();
     let (mut families, mut lost) = (WideFamilies::new(lattice.points()), 0);
     for Left { block, triangle, shares } in left {
         let mut own = [[0.0; S]; S];
@@ -184,7 +185,7 @@ fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, 
 fn beside_cracks<'a, const M: usize>(
     lattice: &'a SquareLattice,
     mirrors: &'a Mirrors,
-    hood: &'a Neighbourhood<M>,
+    neighbourhood: &'a Neighbourhood<M>,
     cuts: Cow<'a, HashSet<(usize, usize)>>,
 ) -> Corners<'a> {
     let blocks = Blocks::new(lattice, mirrors);
@@ -192,28 +193,28 @@ fn beside_cracks<'a, const M: usize>(
         return Corners::new(blocks, None);
     }
     let ends: Vec<Cell> = cuts.iter().map(|&(_, lower)| lattice.cell(lower)).collect();
-    let parted = Box::new(move |from, to| is_cut(lattice, hood, &cuts, from, to));
+    let parted = Box::new(move |from, to| is_cut(lattice, neighbourhood, &cuts, from, to));
     Corners::new(blocks, Some(Cracks::new(parted, ends.into_iter())))
 }
 
 /// Both points of a bond between two.
 fn ends<const M: usize>(
     lattice: &SquareLattice,
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     gap: &Exception,
 ) -> impl Iterator<Item = usize> {
-    let upper = lattice.number(at(lattice.cell(gap.lower), hood.offsets[gap.offset], true));
+    let upper = lattice.number(at(lattice.cell(gap.lower), neighbourhood.offsets[gap.offset], true));
     [Some(gap.lower), upper].into_iter().flatten()
 }
 
 /// `Uᵀ c U` of a bond of an offset, with its measures `U E` in a uniform state E.
 pub(in super::super) fn modulus<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     lattice: &SquareLattice,
-    hood: &Neighbourhood<M>,
+    neighbourhood: &Neighbourhood<M>,
     bond: &B,
     k: usize,
 ) -> Mat<S, S> {
-    let geometry = geometry(lattice, hood.offsets[k]);
+    let geometry = geometry(lattice, neighbourhood.offsets[k]);
     let (uniform, unit) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
-    block(&uniform, &std::array::from_fn(|m| hood.weights[k][m] * unit[m]), &uniform)
+    block(&uniform, &std::array::from_fn(|m| neighbourhood.weights[k][m] * unit[m]), &uniform)
 }

@@ -31,7 +31,7 @@ pub(in super::super::super::super) struct Section {
 }
 
 impl Section {
-    /// That around some cells of a body; triangles whose corners cannot be told are left out.
+    /// That around some cells of a body; triangles whose corners cannot be determined are left out.
     pub(in super::super::super) fn new(lattice: &SquareLattice, mirrors: &Mirrors, cells: &[Cell]) -> Self {
         let corners = Corners::new(Blocks::new(lattice, mirrors), None);
         let around = |cell: &Cell| CORNERS.map(|c| minus(*cell, c));

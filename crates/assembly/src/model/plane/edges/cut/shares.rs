@@ -16,10 +16,10 @@ use std::collections::HashSet;
 pub(in super::super::super) fn cut_shares<'a, const M: usize>(
     lattice: &'a SquareLattice,
     mirrors: &'a Mirrors,
-    hood: &'a Neighbourhood<M>,
+    neighbourhood: &'a Neighbourhood<M>,
     cuts: HashSet<(usize, usize)>,
 ) -> BorderShares<'a> {
-    let corners = beside_cracks(lattice, mirrors, hood, Cow::Owned(cuts));
+    let corners = beside_cracks(lattice, mirrors, neighbourhood, Cow::Owned(cuts));
     Box::new(move |[x, y, _], _| {
         let at = lattice.in_cells([x, y]).map(|x| x - 0.5);
         let mut sum: Vec<(usize, f64)> = Vec::new();

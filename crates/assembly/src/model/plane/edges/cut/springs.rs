@@ -19,10 +19,10 @@ use std::array::from_fn;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Springs of the triangles that bonds leave something to, and the number of triangles whose corners cannot be told.
+/// Springs of the triangles that bonds leave something to, and the number of triangles whose corners cannot be determined.
 pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     corners: &Corners,
-    (hood, bond): (&Neighbourhood<M>, &B),
+    (neighbourhood, bond): (&Neighbourhood<M>, &B),
     missing: &Missing,
     left: impl Iterator<Item = Left>,
 ) -> (By<D, M, S>, usize) {
@@ -37,12 +37,12 @@ pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBo
         };
         let all = missing.paths.iter().zip(&shares).enumerate();
         for (path, (&(offset, _), &left)) in all.filter(|(_, (_, left))| **left != 0.0) {
-            let step = hood.offsets[offset];
+            let step = neighbourhood.offsets[offset];
             let share = 1.0 / f64::from(step[0].abs().max(step[1].abs()));
             let whole = geometry(lattice, step);
             let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
             let unit = bond.part_moduli(&whole, share);
-            let moduli = from_fn(|m| left / share * hood.weights[offset][m] * unit[m]);
+            let moduli = from_fn(|m| left / share * neighbourhood.weights[offset][m] * unit[m]);
             let ends = [-0.5, 0.5]
                 .map(|half| place(&cells, &places, [0, 1].map(|c| half * share * f64::from(step[c]))));
             let foremost = bonds.push(&PlacedBond { ends, mean: None, rows: bond.rows(&short), moduli });

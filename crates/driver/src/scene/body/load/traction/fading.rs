@@ -239,7 +239,7 @@ pub(crate) fn missing(
         return small;
     }
     let mut through = vec![0.0; model.components().len() * model.points()];
-    stress.numbered(&|p| context.recipe.number(model, p)).add_to(model, 1.0, &mut through);
+    stress.numbered(&|p| context.inputs.number(model, p)).add_to(model, 1.0, &mut through);
     rest.add_multiple(-1.0, &resultants::resultant(model, context.material, &through));
     let mut rest = match context.material.cylinder_radius() {
         Some(radius) => [rest.force()[0], rest.moment()[2] / radius, 0.0],

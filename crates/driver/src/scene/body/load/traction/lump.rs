@@ -5,7 +5,7 @@ use crate::scene::Resultant;
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::sums::Forces;
 use crate::scene::body::site::boundary::{Border, Stretch};
-use peristat_assembly::body::{PlaneBody, Region, Regions};
+use peristat_assembly::body::{PointBody, Region, Regions};
 use std::collections::BTreeMap;
 
 /// Positions on a stretch, m, and tractions there times the lengths that they stand for, N/m.
@@ -90,7 +90,7 @@ fn nearest(stretch: &Stretch, candidates: &[u32], context: &LoadContext) -> Vec<
     }
     let body = context.ground.body;
     let tie = TIE * body.spacing();
-    if let PlaneBody::Lattice(lattice) = body {
+    if let PointBody::Lattice(lattice) = body {
         let inside = [0, 1].map(|k| stretch.middle[k] - 0.5 * lattice.spacing() * stretch.normal[k]);
         let corners = [[-tie, -tie], [tie, -tie], [-tie, tie], [tie, tie]];
         let cells = corners.map(|d| lattice.cell_at([0, 1].map(|k| inside[k] + d[k])));

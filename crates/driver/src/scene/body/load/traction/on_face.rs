@@ -10,7 +10,7 @@ use crate::scene::body::hold::supports;
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::sums::BodyLoads;
 use crate::scene::body::site::resultants;
-use peristat_assembly::body::{Face, PlaneBody, SquareLattice, plus};
+use peristat_assembly::body::{Face, PointBody, SquareLattice, plus};
 
 /// Adds a traction on a face.
 pub(crate) fn resolve(
@@ -37,7 +37,7 @@ pub(crate) fn resolve(
         faults.error(place, format!("there is no face `{name}`")).hint(suggest(name, known));
         return;
     };
-    let PlaneBody::Solid(lattice) = context.ground.body else { return };
+    let PointBody::Solid(lattice) = context.ground.body else { return };
     let cells = cells_at(face, lattice);
     let area = cells.len() as f64 * lattice.spacing().powi(2);
     if cells.is_empty() {

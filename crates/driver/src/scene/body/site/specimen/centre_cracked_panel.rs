@@ -1,11 +1,11 @@
 //! The panel with a crack in its middle.
 
-use super::Parts;
+use super::SpecimenParts;
 use super::plan::{Filled, Plan};
 use crate::case::{At, CentreCrackedPanel, RectangleBody, Support};
 
 /// What it stands for; `alone` where nothing else holds it.
-pub(crate) fn parts(given: &mut CentreCrackedPanel, alone: bool, plan: &mut Plan) -> Option<Parts> {
+pub(crate) fn parts(given: &mut CentreCrackedPanel, alone: bool, plan: &mut Plan) -> Option<SpecimenParts> {
     let (w, height, length) = (given.width, given.height, given.crack_length);
     if !plan.positive(&[("width", w), ("height", height), ("crack_length", length)]) {
         return None;
@@ -21,7 +21,7 @@ pub(crate) fn parts(given: &mut CentreCrackedPanel, alone: bool, plan: &mut Plan
     if !plan.tip(horizon, &[sides, ("the other tip", length), ("the end of the panel", 0.5 * height)]) {
         return None;
     }
-    Some(Parts {
+    Some(SpecimenParts {
         body: RectangleBody {
             from: [-0.5 * w, -0.5 * height],
             size: [w, height],

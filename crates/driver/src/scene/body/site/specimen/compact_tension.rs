@@ -1,6 +1,6 @@
 //! The compact tension specimen, ASTM E399.
 
-use super::Parts;
+use super::SpecimenParts;
 use super::plan::{Filled, Plan, disc, union};
 use crate::case::{Bearing, CompactTension, RectangleBody, Rigid};
 use crate::diagnostic::tidy;
@@ -10,7 +10,7 @@ use crate::diagnostic::tidy;
 const RIM: f64 = 1e-4;
 
 /// What it stands for.
-pub(crate) fn parts(given: &mut CompactTension, plan: &mut Plan) -> Option<Parts> {
+pub(crate) fn parts(given: &mut CompactTension, plan: &mut Plan) -> Option<SpecimenParts> {
     let (w, a, cells) = (given.width, given.crack_length, given.cells);
     if !plan.positive(&[("width", w), ("crack_length", a)]) {
         return None;
@@ -45,7 +45,7 @@ pub(crate) fn parts(given: &mut CompactTension, plan: &mut Plan) -> Option<Parts
     };
     let hole = |side: f64| disc([0.0, side * (distance + RIM * spacing)], radius - 0.1 * RIM * spacing);
     let zone = |side: f64| disc([0.0, side * distance], radius + horizon);
-    Some(Parts {
+    Some(SpecimenParts {
         body: RectangleBody {
             from: [-back, -0.5 * height],
             size: [w + back, height],

@@ -14,7 +14,7 @@ use plan::Plan;
 const CRACK: &str = "crack";
 
 /// What a specimen stands for.
-struct Parts {
+struct SpecimenParts {
     body: RectangleBody,
     /// Path of its crack.
     crack: Vec<[f64; 2]>,
@@ -88,7 +88,7 @@ fn kind(body: &Body) -> Option<&'static str> {
 }
 
 /// Faults of names that a specimen takes.
-fn check_names(case: &Case, parts: &Parts, faults: &mut Faults) {
+fn check_names(case: &Case, parts: &SpecimenParts, faults: &mut Faults) {
     for (name, _) in parts.regions.iter().filter(|r| case.regions.contains_key(r.0)) {
         faults
             .error(root("regions").key(*name), format!("the specimen has a region `{name}` of its own"))

@@ -44,7 +44,7 @@ impl Plan<'_> {
     /// Whether lengths, by their keys, are all positive.
     pub(crate) fn positive(&mut self, lengths: &[(&str, f64)]) -> bool {
         let check = |&(key, value): &(&str, f64)| positive(value, key, self.path.key(key), self.faults);
-        // All are asked, so that all faults are told.
+        // All are asked, so that all faults are reported.
         lengths.iter().map(check).filter(|fine| !fine).count() == 0
     }
 

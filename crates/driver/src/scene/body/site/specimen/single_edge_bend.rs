@@ -1,6 +1,6 @@
 //! The bend specimen with an edge crack, on three rollers.
 
-use super::Parts;
+use super::SpecimenParts;
 use super::plan::{Filled, Plan, disc, union};
 use crate::case::{RectangleBody, Rigid, SingleEdgeBend};
 use crate::diagnostic::tidy;
@@ -9,7 +9,7 @@ use crate::diagnostic::tidy;
 const LEAST: f64 = 1.5;
 
 /// What it stands for.
-pub(crate) fn parts(given: &mut SingleEdgeBend, plan: &mut Plan) -> Option<Parts> {
+pub(crate) fn parts(given: &mut SingleEdgeBend, plan: &mut Plan) -> Option<SpecimenParts> {
     let (w, a, cells) = (given.width, given.crack_length, given.cells);
     if !plan.positive(&[("width", w), ("crack_length", a)]) {
         return None;
@@ -42,7 +42,7 @@ pub(crate) fn parts(given: &mut SingleEdgeBend, plan: &mut Plan) -> Option<Parts
         bearing: None,
     };
     let around = radius + horizon;
-    Some(Parts {
+    Some(SpecimenParts {
         body: RectangleBody { from: [-0.5 * length, 0.0], size: [length, w], spacing, holes: Vec::new() },
         crack: vec![[0.0, -spacing], [0.0, a]],
         regions: vec![

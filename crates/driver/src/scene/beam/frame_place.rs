@@ -7,7 +7,7 @@ use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
 
 /// A place that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Spot {
+pub(super) enum FramePlace {
     /// On a line or member.
     On(Place),
     /// A joint of the frame.
@@ -25,14 +25,14 @@ pub(super) fn find(
     path: &JsonPath,
     what: &str,
     faults: &mut Faults,
-) -> Option<Spot> {
+) -> Option<FramePlace> {
     match &layout.frame {
         Some(frame) => on_frame(at, frame, layout, path, what, faults),
         None => on_line(at, layout, path, what, faults),
     }
 }
 
-fn on_line(at: &At, layout: &Layout, path: &JsonPath, what: &str, faults: &mut Faults) -> Option<Spot> {
+fn on_line(at: &At, layout: &Layout, path: &JsonPath, what: &str, faults: &mut Faults) -> Option<FramePlace> {
     if !super::foreign::check_place(at, path, r#"a place on a line is written { "x": 1.0 }"#, faults) {
         return None;
     }
@@ -48,7 +48,7 @@ fn on_line(at: &At, layout: &Layout, path: &JsonPath, what: &str, faults: &mut F
         faults.error(path.clone(), "`x` is missing").hint(r#"a place on a line is written { "x": 1.0 }"#);
         return None;
     };
-    layout.place(x, &path.key("x"), what, faults).map(Spot::On)
+    layout.place(x, &path.key("x"), what, faults).map(FramePlace::On)
 }
 
 fn on_frame(
@@ -58,7 +58,7 @@ fn on_frame(
     path: &JsonPath,
     what: &str,
     faults: &mut Faults,
-) -> Option<Spot> {
+) -> Option<FramePlace> {
     if !super::foreign::check_place(at, path, ON_A_FRAME, faults) {
         return None;
     }
@@ -70,7 +70,7 @@ fn on_frame(
                     .error(path.key("joint"), format!("there is no joint `{name}`"))
                     .hint(suggest(name, frame.joints.iter().map(|j| j.name.as_str())));
             }
-            found.map(Spot::Joint)
+            found.map(FramePlace::Joint)
         }
         (None, Some(name), x) => {
             let chain = member(name, frame, &path.key("member"), faults)?;
@@ -87,7 +87,7 @@ fn on_frame(
                     .hint(extent);
                 return None;
             }
-            Some(Spot::On(layout.place_on(chain, x)))
+            Some(FramePlace::On(layout.place_on(chain, x)))
         }
         (Some(_), Some(_), _) => {
             faults.error(path.clone(), "`joint` and `member` are both given").hint(ON_A_FRAME);
@@ -121,10 +121,10 @@ pub(super) fn member(name: &str, frame: &FrameLayout, path: &JsonPath, faults: &
 
 impl Layout {
     /// What the user calls a place on a line: `x = 1.2`, or `the member `beam` at x = 1.2`.
-    pub(super) fn words(&self, spot: Spot, x: f64) -> String {
+    pub(super) fn words(&self, spot: FramePlace, x: f64) -> String {
         match (&self.frame, spot) {
-            (Some(frame), Spot::Joint(joint)) => format!("joint `{}`", frame.joints[joint].name),
-            (Some(frame), Spot::On(place)) => {
+            (Some(frame), FramePlace::Joint(joint)) => format!("joint `{}`", frame.joints[joint].name),
+            (Some(frame), FramePlace::On(place)) => {
                 format!("member `{}` at x = {}", frame.members[place.chain()].name, tidy(x))
             }
             (None, _) => format!("x = {}", tidy(x)),

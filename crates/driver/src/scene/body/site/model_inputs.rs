@@ -6,15 +6,15 @@ use super::of_case::horizon_key;
 use super::symmetry::Symmetry;
 use crate::case::Case;
 use crate::model::{AnyBody, Material, OnGround, OnLattice, Refusal};
-use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PlaneBody, SquareLattice, cut_bonds};
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds};
 use peristat_assembly::model::BodyModel;
 use std::cell::RefCell;
 
 /// What a model is made of, to make it again with other cracks.
 #[derive(Clone, Debug)]
-pub(crate) struct Recipe {
+pub(crate) struct ModelInputs {
     /// The points of the body, without images.
-    pub(crate) body: PlaneBody,
+    pub(crate) body: PointBody,
     /// Hash of the file that lists them.
     pub(crate) file: Option<blake3::Hash>,
     /// Its mirrors.
@@ -29,7 +29,7 @@ pub(crate) struct Recipe {
     pub(crate) breaks: bool,
 }
 
-impl Recipe {
+impl ModelInputs {
     /// The model with some cracks.
     ///
     /// # Errors
@@ -37,7 +37,7 @@ impl Recipe {
     pub(crate) fn make(&self, cracks: &[Crack]) -> Result<AnyBody, Refusal> {
         let cracks = self.symmetry.with_images(cracks);
         match &self.body {
-            PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => {
+            PointBody::Lattice(lattice) | PointBody::Solid(lattice) => {
                 let (mirrors, apart) = (self.symmetry.mirrors, RefCell::new(Vec::new()));
                 let cuts = |extended: &SquareLattice, offsets: &[Cell]| {
                     let mut cuts = cut_bonds(extended, offsets, &cracks);
@@ -59,7 +59,7 @@ impl Recipe {
                 }
                 Ok(body)
             }
-            PlaneBody::Cloud(cloud) => {
+            PointBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();
                 let apart = bearing::between(&self.bearings, &self.body);
                 let cut =
@@ -84,14 +84,14 @@ impl Recipe {
     /// Whether a crack cuts any bond.
     pub(crate) fn is_cut_by(&self, crack: &Crack) -> bool {
         match &self.body {
-            PlaneBody::Lattice(lattice) | PlaneBody::Solid(lattice) => {
+            PointBody::Lattice(lattice) | PointBody::Solid(lattice) => {
                 let depth = self.material.depth().unwrap_or(0);
                 let offsets = self.material.offsets().unwrap_or_default();
                 // A crack along a mirror cuts bonds to images only.
                 let lattice = self.symmetry.mirrors.extended(lattice, depth);
                 !cut_bonds(&lattice, &offsets, std::slice::from_ref(crack)).is_empty()
             }
-            PlaneBody::Cloud(cloud) => {
+            PointBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();
                 let neighbours = cloud.neighbours(self.horizon * (1.0 + 1e-9));
                 let at = |p: u32| cloud.positions()[p as usize];

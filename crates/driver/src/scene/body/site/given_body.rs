@@ -1,7 +1,7 @@
 //! The body of a case, its material, mirrors and cracks.
 
 use super::cracks::{self, NamedCrack};
-use super::recipe::Recipe;
+use super::model_inputs::ModelInputs;
 use super::symmetry::Sides;
 use super::{body, held_angle, of_case, periodic, size, symmetry};
 use crate::case::Case;
@@ -10,15 +10,15 @@ use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::model::{About, Keys, Material};
 use crate::scene::{horizon, root};
-use peristat_assembly::body::{Face, Outline, PlaneBody, SquareLattice};
+use peristat_assembly::body::{Face, Outline, PointBody, SquareLattice};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
 const MOST_RATIO: f64 = 100.0;
 
 /// What a case says of its body, before it has points in a model.
-pub(crate) struct Parts {
-    pub(crate) recipe: Recipe,
+pub(crate) struct GivenBody {
+    pub(crate) inputs: ModelInputs,
     pub(crate) outline: Option<Outline>,
     pub(crate) faces: Vec<Face>,
     pub(crate) curves: Vec<Curve>,
@@ -26,20 +26,20 @@ pub(crate) struct Parts {
 }
 
 /// The body of the case, its material and its cracks.
-pub(crate) fn parts(
+pub(crate) fn read(
     case: &Case,
     keys: &dyn Keys,
     folder: &Folder,
     max_memory: Option<u64>,
     faults: &mut Faults,
-) -> Option<Parts> {
+) -> Option<GivenBody> {
     let asked = of_case::asked(case);
     let mut material = keys.resolve(&asked, faults);
     let cracks = cracks::cracks(case, faults);
     let built = body::build(case, keys, folder, max_memory, faults);
     let spacing = built.as_ref().map(|b| b.body.spacing());
     let lattice = match built.as_ref().map(|b| &b.body) {
-        Some(PlaneBody::Lattice(lattice)) => Some(lattice),
+        Some(PointBody::Lattice(lattice)) => Some(lattice),
         _ => None,
     };
     // Squares turned by right angles are the same.
@@ -49,7 +49,7 @@ pub(crate) fn parts(
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
     let body::Built { mut body, outline, shape, curves, file } = built?;
     let faces = shape.as_ref().map_or(Vec::new(), |shape| shape.faces().to_vec());
-    if let (PlaneBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
+    if let (PointBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
         && material.as_ref().is_some_and(|material| material.is_revolved())
     {
         *lattice = outline.with_centres(lattice.clone());
@@ -93,14 +93,14 @@ pub(crate) fn parts(
     let horizon = ratio * body.spacing();
     // The other treatments of edges know whole cells only, and loads have the volumes of the model.
     let body = match body {
-        PlaneBody::Lattice(lattice) if !material.about().is_exact_at_edges => {
-            PlaneBody::Lattice(lattice.with_whole_cells())
+        PointBody::Lattice(lattice) if !material.about().is_exact_at_edges => {
+            PointBody::Lattice(lattice.with_whole_cells())
         }
         body => body,
     };
     let breaks = case.fracture.is_some() || case.path.is_some();
-    let recipe = Recipe { body, file, symmetry, bearings: Vec::new(), material, horizon, breaks };
-    Some(Parts { recipe, outline, faces, curves, cracks })
+    let inputs = ModelInputs { body, file, symmetry, bearings: Vec::new(), material, horizon, breaks };
+    Some(GivenBody { inputs, outline, faces, curves, cracks })
 }
 
 /// A doubt about the axial forces of a body of revolution whose border completes its families: weights that are linear in the radius
