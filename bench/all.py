@@ -1,4 +1,4 @@
-"""Every comparison, one after the other, and its table between its markers in bench/README.md or bench/edges.md.
+"""Every comparison, one after the other, and its table between its markers in bench/README.md, edges.md or defaults.md.
 
 A marker line holds a hash of the kernels that its table measures as they were then; `--check` compares it with the code.
 """
@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-README, EDGES = ROOT / "bench" / "README.md", ROOT / "bench" / "edges.md"
+README, EDGES, DEFAULTS = (ROOT / "bench" / name for name in ("README.md", "edges.md", "defaults.md"))
 WORK = ROOT / "target" / "bench"
 SOLVE, ASSEMBLY = "crates/solve/src", "crates/assembly/src"
 BAND = [f"{SOLVE}/band*", f"{SOLVE}/pcg*", f"{SOLVE}/repeating*", f"{ASSEMBLY}/stiffness/lattice_bonds"]
@@ -26,6 +26,7 @@ TABLES = {
     "fracture": (["bench/fracture.sh"], README, [*SPARSE, f"{ASSEMBLY}/stiffness/grid_bonds", "crates/driver/src/run/fracture"]),
     "pareto": (["bench/pareto.sh"], README, [*BAND, *GRID]),
     "edges": ([sys.executable, "-B", "bench/edges.py"], EDGES, [f"{ASSEMBLY}/model/plane/edges", f"{ASSEMBLY}/model/bond_plane"]),
+    "defaults": ([sys.executable, "-B", "bench/defaults.py"], DEFAULTS, [f"{ASSEMBLY}/model/plane/edges", f"{ASSEMBLY}/model/bond_plane"]),
 }
 
 
@@ -66,7 +67,7 @@ def write(name):
     kernels = digest(sources)  # of what is measured, whatever changes meanwhile
     printed = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
     file = WORK / f"{name}.md"
-    table = printed if document is EDGES else file.read_text()
+    table = file.read_text() if document is README else printed
     block = f"<!-- table {name}: kernels {kernels} -->\n{table.strip()}\n<!-- end of {name} -->"
     document.write_text(markers(name).sub(lambda _: block, document.read_text()))
 

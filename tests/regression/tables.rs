@@ -26,7 +26,7 @@ fn tables(text: &str) -> Result<Vec<(&str, &str)>, String> {
 fn every_measured_table_can_be_found_and_dated() {
     let script = fs::read_to_string(root().join("bench/all.py")).unwrap();
     let mut count = 0;
-    for document in ["bench/README.md", "bench/edges.md"] {
+    for document in ["bench/README.md", "bench/edges.md", "bench/defaults.md"] {
         let text = fs::read_to_string(root().join(document)).unwrap();
         for (name, hash) in tables(&text).unwrap_or_else(|fault| panic!("{document}: {fault}")) {
             assert!(

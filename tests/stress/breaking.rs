@@ -102,8 +102,9 @@ impl Bar {
             supports[0]["uy"] = json!(0.0);
             supports.pop();
         }
+        // The same for both, since whole bodies have another default.
         json!({
-            "model": { medium.model: keys }, "body": { "rectangle": { "size": self.size, "spacing": 1.0 } },
+            "horizon_ratio": 3, "model": { medium.model: keys }, "body": { "rectangle": { "size": self.size, "spacing": 1.0 } },
             "supports": supports, "loads": loads
         })
     }

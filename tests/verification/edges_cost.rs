@@ -131,6 +131,7 @@ fn bonds_of_held_edges_stay_elastic() {
 fn patch(model: Value, at: [f64; 2], field: &str) -> Value {
     let mut case = bar([40, 20], json!({}));
     case["model"] = model;
+    case["horizon_ratio"] = json!(3);
     case["supports"][0]["at"] = json!({ "region": "left" });
     case["probes"] = json!([ { "name": "p", "at": { "x": at[0], "y": at[1] }, "field": field } ]);
     case

@@ -232,7 +232,10 @@ fn estimates_of_laws_with_errors_are_near() {
 #[test]
 fn estimates_from_finer_grids_are_within_a_factor_of_two() {
     for (case, quantity) in FINER {
-        let loaded = load(case, &[]);
+        // At two spacings errors of round plates are too small, 1e-6 to 5e-4, to have an order.
+        let is_plate = case.starts_with("plate/");
+        let settings = if is_plate { vec!["horizon_ratio=3".to_string()] } else { Vec::new() };
+        let loaded = load(case, &settings);
         let summary = solve(&loaded);
         let estimates = loaded.estimate(&summary, Grids::FinerAndCoarser, None);
         let estimates = estimates.unwrap_or_else(|reason| panic!("{case}: {reason}"));

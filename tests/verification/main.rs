@@ -59,6 +59,7 @@ mod shell;
 mod short_beams;
 mod skipping;
 mod softening_edges;
+mod solid_tractions;
 mod solids;
 mod specimens;
 mod state_based;

@@ -6,7 +6,7 @@ use peristat::input::Reach;
 use peristat::model;
 use std::path::PathBuf;
 
-/// Implicit static peridynamics: plates, beams and plane frames.
+/// Implicit static peridynamics: beams, frames, plates, bodies of revolution, shells and solids.
 ///
 /// Exit codes: 0 done and all checks passed; 1 ran, but did not converge or a check failed; 2 bad input or usage; 130
 /// interrupted.
@@ -36,7 +36,7 @@ pub(super) struct Global {
     /// When to colour messages.
     #[arg(long, global = true, value_enum, default_value = "auto")]
     pub(super) color: Color,
-    /// Threads for a plate, or cases that `verify` and `study` solve at the same time; default: all cores.
+    /// Threads for a body other than a beam, or cases that `verify` and `study` solve at the same time; default: all cores.
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(super) threads: Option<u16>,
     /// Largest memory that a case may need, such as `2GB`; peristat estimates it before it allocates.
@@ -68,7 +68,7 @@ pub(super) enum Color {
 /// Commands.
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
-    /// Solve a case, write its results, and make its checks.
+    /// Solve a case, write its results and run its checks.
     Run(Run),
     /// Build cases and estimate their size without solving them.
     Check {
@@ -79,7 +79,7 @@ pub(super) enum Command {
         #[arg(long = "set", value_name = "PATH=VALUE")]
         overrides: Vec<String>,
     },
-    /// Solve cases and make their checks; writes no results.
+    /// Solve cases and run their checks; writes no results.
     #[command(group(ArgGroup::new("written").args(["junit", "output"]).multiple(true)))]
     Verify {
         /// Case files and folders of them; `cases` if none is given.

@@ -29,14 +29,14 @@ const LOADS: [(&str, &str); 15] = [
     ("rigid", "a rigid link between two points"),
     (
         "traction",
-        "a force per area on an edge or hole in the plane: uniform, linear, parabolic, pressure, total or hertz, the pressure of a contact; depth is how far inwards it fades",
+        "a force per area on an edge or hole in the plane, or on a face or in a cut of a solid: uniform, linear, parabolic, pressure, total, or hertz, the pressure of a contact; depth is how far inwards it fades",
     ),
     (
         "body_force",
-        "a force per volume on a region in the plane, or its total; of bodies of revolution spin, the inertia ρ ω² of turning about the axis",
+        "a force per volume on a region, or its total; of bodies of revolution spin, the inertia ρ ω² of turning about the axis",
     ),
     ("pressure", "a force per area outwards on a shell, the same all around or a cosine of it"),
-    ("symmetry", "edges in the plane that are mirrors"),
+    ("symmetry", "edges or faces that are mirrors"),
     (
         "periodic",
         "opposite edges in the plane that are joined: held at their distance, or with stretches free to move apart, under a force or none",
@@ -55,7 +55,7 @@ const FRACTURE: [(&str, &str); 9] = [
     ),
     (
         "strategy worst",
-        "the worst bond breaks, with its equals by symmetry, at whatever load that takes: the load may snap back",
+        "the most strained bond breaks, with those symmetric to it, at whatever load that takes: the load may snap back",
     ),
     ("strategy all", "all bonds strained beyond their critical strain break together"),
     ("stretch", "critical stretch of central bonds: elongation over length"),
@@ -93,7 +93,7 @@ const PATH: [(&str, &str); 9] = [
 const SOLVERS: [(&str, &str); 6] = [
     (
         "auto",
-        "beams: the strain form where it applies, else a factor; plates: multigrid, a factor or pcg by their size; the summary says why (default)",
+        "beams: the strain form where it applies, else a factor; other bodies: multigrid, a factor or pcg by their size; the summary says why (default)",
     ),
     (
         "strain",
@@ -104,13 +104,10 @@ const SOLVERS: [(&str, &str); 6] = [
         "sparse",
         "sparse Cholesky factor, ordered by minimum degree, in the plane by nested dissection, finished by conjugate gradients on the bonds",
     ),
-    (
-        "multigrid",
-        "conjugate gradients on the bonds of a lattice in the plane, preconditioned by coarser lattices",
-    ),
+    ("multigrid", "conjugate gradients on the bonds of a lattice, preconditioned by coarser lattices"),
     (
         "pcg",
-        "conjugate gradients on the bonds of a body in the plane, preconditioned by the blocks of its points",
+        "conjugate gradients on the bonds of a body other than a beam, preconditioned by the blocks of its points",
     ),
 ];
 

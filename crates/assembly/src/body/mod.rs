@@ -36,7 +36,7 @@ pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};
 pub use region::{Region, RegionError, Regions};
-pub use solid::{Cut, CutError, Face, SIDES, ShapeError, SolidRegion, SolidShape};
+pub use solid::{Cut, CutError, Face, SIDES, ShapeError, Side, SolidRegion, SolidShape, Wall, WallKind};
 pub use transfer::Transfer;
 
 /// Positions this close to a border lie on it, in spacings.

@@ -4,7 +4,7 @@ use super::convex::Convex;
 use super::geometry::{dot, left_normal, moved};
 use super::outline::{Outline, Shape};
 use super::select::{nearest, points_in};
-use super::solid::{self, Face, SolidRegion};
+use super::solid::{self, SolidRegion, Wall};
 use super::{BORDER, PointBody};
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
@@ -127,8 +127,8 @@ pub struct Regions<'a> {
     pub body: &'a PointBody,
     /// The outline with its edges and holes; listed points have none.
     pub outline: Option<&'a Outline>,
-    /// The faces of a solid.
-    pub faces: &'a [Face],
+    /// The walls of a solid.
+    pub walls: &'a [Wall],
     /// Regions that unions name.
     pub named: &'a BTreeMap<String, Region>,
 }
@@ -150,7 +150,7 @@ impl Regions<'_> {
             Region::Group { name } => return self.group(name),
             Region::Solid(region) => {
                 let PointBody::Solid(lattice) = self.body else { return Ok(Vec::new()) };
-                return solid::select(lattice, self.faces, region);
+                return solid::select(lattice, self.walls, region);
             }
             Region::Corner { at } => return Ok(nearest(self.body, finite("at", *at)?)),
             Region::Edge { name, depth } => vec![self.edge(name, *depth)?],

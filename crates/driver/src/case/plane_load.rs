@@ -1,6 +1,6 @@
 //! Loads on bodies in the plane and on solids.
 
-use super::{LoadSharing, Vector};
+use super::{LoadSharing, SpaceAxis, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -12,18 +12,22 @@ pub struct Traction {
     /// Name of a straight edge or of a hole.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub edge: Option<String>,
-    /// Name of a face of a solid, which has `uniform`, `pressure` or `total`.
+    /// Name of a face of a solid, or of a cut.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub face: Option<String>,
     /// Force per area along x and y, and z where points move along it, the same everywhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uniform: Option<Vector>,
-    /// Straight from the first value at the start of the edge to the second at its end.
+    /// Straight from the first value at the start of the edge to the second at its end; on a face from one side of the block to the
+    /// other, `along` an axis.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub linear: Option<[Vector; 2]>,
-    /// This value in the middle of the edge, zero at both ends, a parabola between.
+    /// This value in the middle of the edge, or of the block `along` an axis, zero at both ends, a parabola between.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub parabolic: Option<Vector>,
+    /// The axis along which `linear` and `parabolic` vary on a face of a solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub along: Option<SpaceAxis>,
     /// Force per area against the edge, into the body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressure: Option<f64>,

@@ -30,12 +30,19 @@ pub enum SolidCut {
     Ball(BallCut),
     /// A round bore along an axis, through all of the block.
     Bore(BoreCut),
+    /// All but a ball, so that a ball is left.
+    OutsideBall(BallCut),
+    /// All but a cylinder along an axis, so that a cylinder is left.
+    OutsideCylinder(BoreCut),
 }
 
 /// A block that is cut out.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BlockCut {
+    /// Name of its border, for tractions and as a region of the points beside it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// Its lowest corner.
     pub from: [f64; 3],
     /// Its lengths along x, y and z, > 0.
@@ -46,6 +53,9 @@ pub struct BlockCut {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BallCut {
+    /// Name of its border, for tractions and as a region of the points beside it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// Its middle.
     pub centre: [f64; 3],
     /// Its radius, > 0.
@@ -64,10 +74,31 @@ pub enum SpaceAxis {
     Z,
 }
 
+impl SolidCut {
+    /// Its name.
+    pub fn name(&self) -> Option<&String> {
+        match self {
+            Self::Block(cut) => cut.name.as_ref(),
+            Self::Ball(cut) | Self::OutsideBall(cut) => cut.name.as_ref(),
+            Self::Bore(cut) | Self::OutsideCylinder(cut) => cut.name.as_ref(),
+        }
+    }
+}
+
+impl SpaceAxis {
+    /// 0 for x, 1 for y, 2 for z.
+    pub fn number(self) -> usize {
+        self as usize
+    }
+}
+
 /// A round bore.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoreCut {
+    /// Name of its border, for tractions and as a region of the points beside it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// The axis along which it runs.
     pub along: SpaceAxis,
     /// A position in its middle.

@@ -21,6 +21,22 @@ pub struct Asked<'a> {
     pub joined: Vec<JoinedSides>,
 }
 
+/// Horizon per spacing of bodies with cracks or bonds that fail, if nothing else is given: the usual one of the literature.
+pub const USUAL_HORIZON_RATIO: f64 = 3.0;
+
+impl Asked<'_> {
+    /// Whether the body stays whole and elastic.
+    pub fn stays_whole(&self) -> bool {
+        !(self.breaks || self.softens || self.has_cracks)
+    }
+
+    /// Horizon per spacing, if nothing else is given, of a plate whose bonds are exact at its edges. On a lattice that stays whole a
+    /// horizon of two spacings has half of the error of three, or less, at half of its cost; cracks want three (`bench/defaults.md`).
+    pub fn usual_horizon_ratio(&self) -> f64 {
+        if self.stays_whole() && self.body != BodyKind::Points { 2.0 } else { USUAL_HORIZON_RATIO }
+    }
+}
+
 /// How a body is given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BodyKind {

@@ -2,7 +2,7 @@
 
 use super::{
     AnyBody, Asked, Critical, Fibres, HoopPressure, MaterialSummary, Model, OnGround, OnLattice, Pressure,
-    Refusal, Resolved,
+    Refusal, Resolved, USUAL_HORIZON_RATIO,
 };
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
@@ -92,7 +92,7 @@ pub trait Material: Debug + Send + Sync {
 
     /// Horizon per spacing of a case that gives none.
     fn usual_horizon_ratio(&self) -> f64 {
-        3.0
+        USUAL_HORIZON_RATIO
     }
 
     /// The same by itself.

@@ -30,7 +30,7 @@ mod timoshenko_beam;
 
 pub use any_body::AnyBody;
 pub(crate) use any_body::with_body;
-pub use asked::{Asked, BodyKind, JoinedSides, Refused};
+pub use asked::{Asked, BodyKind, JoinedSides, Refused, USUAL_HORIZON_RATIO};
 pub use axisymmetric::Axisymmetric;
 pub use beam_bond_orthotropic::{LatticeRows, Orthotropic};
 pub use bond_antiplane::Antiplane;

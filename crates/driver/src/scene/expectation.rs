@@ -139,12 +139,13 @@ fn probe(case: &Case, probes: &[&str], name: &str, path: &JsonPath, faults: &mut
     let found = probes.iter().position(|p| *p == name);
     // A probe with a fault of its own is not missing.
     if found.is_none() && !case.probes.iter().any(|p| p.name == name) {
-        faults.error(path.key("probe"), format!("there is no probe `{name}`")).hint(
-            match case.probes.as_slice() {
-                [] => "the case has no `probes`: add one of this name".into(),
-                probes => suggest(name, probes.iter().map(|p| p.name.as_str())),
-            },
-        );
+        // Facts of bodies that break are among them.
+        let others = case.probes.iter().map(|p| p.name.as_str()).filter(|name| !probes.contains(name));
+        let known: Vec<&str> = probes.iter().copied().chain(others).collect();
+        faults.error(path.key("probe"), format!("there is no probe `{name}`")).hint(match &known[..] {
+            [] => "the case has no `probes`: add one of this name".into(),
+            known => suggest(name, known.iter().copied()),
+        });
     }
     found
 }

@@ -33,7 +33,9 @@ fn of_loads(loads: &[Load], path: &JsonPath, faults: &mut Faults) {
                 tell("force_z", load.force_z != 0.0, &path, faults);
             }
             Load::Traction(load) => {
-                tell("face", load.face.is_some(), &path.index(k).key("traction"), faults);
+                let path = path.index(k).key("traction");
+                tell("face", load.face.is_some(), &path, faults);
+                tell("along", load.along.is_some(), &path, faults);
             }
             Load::Distributed(_) | Load::BodyForce(_) | Load::Pressure(_) => {}
         }

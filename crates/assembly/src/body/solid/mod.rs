@@ -2,8 +2,11 @@
 
 mod region;
 mod shape;
+mod wall;
 
 pub use region::SolidRegion;
 pub use shape::{Cut, CutError, Face, SIDES, ShapeError, SolidShape};
+
+pub use wall::{Side, Wall, WallKind};
 
 pub(super) use region::select;

@@ -3,7 +3,7 @@
 use super::super::BORDER;
 use super::super::lattice::SquareLattice;
 use super::super::region::RegionError;
-use super::Face;
+use super::wall::Wall;
 
 /// Which points of a solid. Lengths in m; borders belong to regions, within [`BORDER`] spacings.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +14,11 @@ pub enum SolidRegion {
         name: String,
         /// How far inwards; one spacing if not given, which is the outermost layer.
         depth: Option<f64>,
+    },
+    /// Points beside the border of a cut.
+    Cut {
+        /// Name of the cut.
+        name: String,
     },
     /// The point nearest to a position; several at the same distance.
     Corner {
@@ -49,19 +54,31 @@ pub enum SolidRegion {
 /// [`RegionError`].
 pub(in super::super) fn select(
     lattice: &SquareLattice,
-    faces: &[Face],
+    walls: &[Wall],
     region: &SolidRegion,
 ) -> Result<Vec<u32>, RegionError> {
     let slack = BORDER * lattice.spacing();
     match region {
         SolidRegion::Face { name, depth } => {
-            let face = faces.iter().find(|face| face.name == name).ok_or_else(|| RegionError::Unknown {
+            let mut faces = walls.iter().filter_map(Wall::face);
+            let known = || walls.iter().filter_map(Wall::face).map(|face| face.name.to_string()).collect();
+            let face = faces.find(|face| face.name == name).ok_or_else(|| RegionError::Unknown {
                 kind: "face",
                 name: name.clone(),
-                known: faces.iter().map(|face| face.name.to_string()).collect(),
+                known: known(),
             })?;
             let depth = positive("depth", depth.unwrap_or(lattice.spacing()))?;
             Ok(inside(lattice, |at| (at[face.axis] - face.at).abs() <= depth + slack))
+        }
+        SolidRegion::Cut { name } => {
+            let wall = walls.iter().find(|wall| wall.name == *name).ok_or_else(|| RegionError::Unknown {
+                kind: "cut",
+                name: name.clone(),
+                known: walls.iter().filter(|wall| wall.face().is_none()).map(|w| w.name.clone()).collect(),
+            })?;
+            let mut points: Vec<u32> = wall.sides(lattice).iter().map(|side| side.point as u32).collect();
+            points.dedup();
+            Ok(points)
         }
         SolidRegion::Corner { at } => {
             let at = finite("at", *at)?;
@@ -122,7 +139,7 @@ mod tests {
     #[test]
     fn regions_of_solids_have_their_points() {
         let shape = SolidShape::block([0.0; 3], [4.0, 3.0, 2.0]).unwrap();
-        let (lattice, faces) = (shape.fill(1.0).unwrap(), shape.faces());
+        let (lattice, faces) = (shape.fill(1.0).unwrap(), shape.walls());
         let count = |region: SolidRegion| select(&lattice, &faces, &region).map(|points| points.len());
         let face = |name: &str, depth| SolidRegion::Face { name: name.into(), depth };
         assert_eq!(count(face("right", None)), Ok(6));

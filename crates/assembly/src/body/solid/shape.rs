@@ -15,7 +15,8 @@ pub const SIDES: [&str; 6] = ["left", "right", "bottom", "top", "back", "front"]
 pub struct SolidShape {
     from: [f64; 3],
     to: [f64; 3],
-    cuts: Vec<Cut>,
+    /// What is cut out, with names.
+    pub(super) cuts: Vec<(Option<String>, Cut)>,
 }
 
 /// A part that is cut out of a block, m.
@@ -34,6 +35,8 @@ pub enum Cut {
         centre: [f64; 3],
         /// Its radius.
         radius: f64,
+        /// Whether all but the ball is cut out.
+        outside: bool,
     },
     /// A straight bore along an axis, through all of the block.
     Bore {
@@ -43,6 +46,8 @@ pub enum Cut {
         centre: [f64; 3],
         /// Its radius.
         radius: f64,
+        /// Whether all but the bore is cut out, so that a cylinder is left.
+        outside: bool,
     },
 }
 
@@ -146,7 +151,7 @@ impl Cut {
                 }
                 (vec![from, to], 1.0)
             }
-            Self::Ball { centre, radius } | Self::Bore { centre, radius, .. } => (vec![centre], radius),
+            Self::Ball { centre, radius, .. } | Self::Bore { centre, radius, .. } => (vec![centre], radius),
         };
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(CutError::Radius { found: radius });
@@ -157,14 +162,28 @@ impl Cut {
         }
     }
 
+    /// Whether it cuts out all but a round body.
+    pub(super) fn is_outside(&self) -> bool {
+        matches!(self, Self::Ball { outside: true, .. } | Self::Bore { outside: true, .. })
+    }
+
     /// Whether a position is inside, farther than `slack` from its border.
-    fn contains(&self, at: [f64; 3], slack: f64) -> bool {
+    pub(super) fn contains(&self, at: [f64; 3], slack: f64) -> bool {
         match *self {
             Self::Block { from, to } => (0..3).all(|k| from[k] + slack < at[k] && at[k] < to[k] - slack),
-            Self::Ball { centre, radius } => distance(at, centre, None) < radius - slack,
-            Self::Bore { axis, centre, radius } => distance(at, centre, Some(axis)) < radius - slack,
+            Self::Ball { centre, radius, outside } => {
+                is_beyond(distance(at, centre, None) - radius, outside, slack)
+            }
+            Self::Bore { axis, centre, radius, outside } => {
+                is_beyond(distance(at, centre, Some(axis)) - radius, outside, slack)
+            }
         }
     }
+}
+
+/// Whether a height above a round border is on the side that is cut out, farther than `slack` from the border.
+fn is_beyond(height: f64, outside: bool, slack: f64) -> bool {
+    if outside { height > slack } else { height < -slack }
 }
 
 /// Distance of two positions, or of their shadows along an axis.
@@ -188,13 +207,13 @@ impl SolidShape {
         }
     }
 
-    /// The same without a part.
+    /// Cuts a part out of it, which may have a name.
     ///
     /// # Errors
     /// [`CutError`].
-    pub fn cut(&mut self, cut: Cut) -> Result<(), CutError> {
+    pub fn cut(&mut self, name: Option<String>, cut: Cut) -> Result<(), CutError> {
         cut.check()?;
-        self.cuts.push(cut);
+        self.cuts.push((name, cut));
         Ok(())
     }
 
@@ -257,7 +276,7 @@ impl SolidShape {
         let is_left = |cell: Cell| {
             let at = centre(cell);
             let mut is_cut = false;
-            for (cut, met) in self.cuts.iter().zip(met.borrow_mut().iter_mut()) {
+            for ((_, cut), met) in self.cuts.iter().zip(met.borrow_mut().iter_mut()) {
                 let is_in = cut.contains(at, slack);
                 *met |= is_in;
                 is_cut |= is_in;
@@ -299,18 +318,18 @@ mod tests {
         let block = || SolidShape::block([0.0; 3], [10.0; 3]).unwrap();
         let left = |cut: Cut| {
             let mut shape = block();
-            shape.cut(cut).unwrap();
+            shape.cut(None, cut).unwrap();
             shape.fill(1.0).map(|lattice| lattice.points())
         };
         assert_eq!(left(Cut::Block { from: [0.0; 3], to: [2.0, 3.0, 4.0] }), Ok(1000 - 24));
         // A bore of radius 1.5 around (5, 5) takes the four centres at √½ and the eight at √(½² + 1.5²) = 1.58 stay.
-        assert_eq!(left(Cut::Bore { axis: 2, centre: [5.0; 3], radius: 1.5 }), Ok(1000 - 40));
+        assert_eq!(left(Cut::Bore { axis: 2, centre: [5.0; 3], radius: 1.5, outside: false }), Ok(1000 - 40));
         // A ball of radius 1.5: eight centres at √¾.
-        assert_eq!(left(Cut::Ball { centre: [5.0; 3], radius: 1.5 }), Ok(992));
-        let nothing = Cut::Ball { centre: [5.0; 3], radius: 0.5 };
+        assert_eq!(left(Cut::Ball { centre: [5.0; 3], radius: 1.5, outside: false }), Ok(992));
+        let nothing = Cut::Ball { centre: [5.0; 3], radius: 0.5, outside: false };
         assert_eq!(left(nothing), Err(ShapeError::NoCellInCut { cut: 0 }));
         assert_eq!(left(Cut::Block { from: [-1.0; 3], to: [11.0; 3] }), Err(ShapeError::NoPoints));
-        let wrong = Cut::Bore { axis: 0, centre: [0.0; 3], radius: -1.0 };
-        assert_eq!(block().cut(wrong), Err(CutError::Radius { found: -1.0 }));
+        let wrong = Cut::Bore { axis: 0, centre: [0.0; 3], radius: -1.0, outside: false };
+        assert_eq!(block().cut(None, wrong), Err(CutError::Radius { found: -1.0 }));
     }
 }

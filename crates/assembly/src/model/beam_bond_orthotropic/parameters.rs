@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub enum Start {
     /// Bonds that lie exactly on the fibres carry what the fibres add: the only ones with which cracks run right.
     Aligned,
-    /// Bonds carry the more of it the closer they are to the fibres: for elasticity at any angle.
+    /// The closer bonds are to the fibres, the more of it they carry: for elasticity at any angle.
     Oblique,
 }
 

@@ -26,7 +26,7 @@ const OPTIONS: [(&str, &str); 7] = [
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
     about: "isotropic body of revolution of state-based families, any Poisson's ratio below 1/2: x is the radius, y the axis; volumes and forces are those of the whole ring: rectangle, outline; influences and dilatation as state_plane",
-    bodies: &[("cylinder, sphere, shaft, contact on a half space", "axisymmetric")],
+    bodies: &[("cylinder, sphere, shaft, Hertz pressure on a half space", "axisymmetric")],
     options: || plain(&OPTIONS),
     starts: &[Start { name: NAME, about: "a bottle under pressure", case: include_str!("start.json") }],
     growth: Growth::Plane,

@@ -1,7 +1,7 @@
 //! What the keys become.
 
 use super::super::state_based::{Families, LOCKS, admissible};
-use super::super::{Asked, Keys, Material, Model, Refused};
+use super::super::{Asked, Keys, Material, Model, Refused, USUAL_HORIZON_RATIO};
 use super::{Axisymmetric, NAME};
 use crate::diagnostic::{Faults, positive, root};
 use peristat_assembly::model::bond_plane::Influence;
@@ -44,7 +44,15 @@ impl Keys for Axisymmetric {
             let axis = (of.edges != StateEdges::Border).then_some(of.axis);
             Model::Axisymmetric(Self { edges: Some(of.edges), axis, ..keys.clone() })
         };
-        Some(Box::new(Families { name: NAME, keys, parameters, ends_where_cut: false, filled }))
+        let usual_horizon_ratio = USUAL_HORIZON_RATIO;
+        Some(Box::new(Families {
+            name: NAME,
+            keys,
+            parameters,
+            usual_horizon_ratio,
+            ends_where_cut: false,
+            filled,
+        }))
     }
 }
 

@@ -66,7 +66,7 @@ const OPTIONS: [(&str, &str); 4] = [
     ),
     (
         "start oblique",
-        "bonds carry the more of it the closer they are to the fibres: elasticity at any angle",
+        "the closer bonds are to the fibres, the more of it they carry: elasticity at any angle",
     ),
     ("lattice axes", "rows of the lattice along x (default)"),
     ("lattice fibre", "rows of the lattice along the fibres, so that bonds lie on them whatever their angle"),

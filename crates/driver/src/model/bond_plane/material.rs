@@ -37,6 +37,10 @@ impl Material for Central {
         Model::BondPlane(Plane { edges: Some(self.parameters.edges), ..self.keys.clone() })
     }
 
+    fn usual_horizon_ratio(&self) -> f64 {
+        self.usual_horizon_ratio
+    }
+
     fn boxed(&self) -> Box<dyn Material> {
         Box::new(self.clone())
     }

@@ -20,6 +20,7 @@ use peristat_assembly::model::bond_plane::{BondPlaneError, PlaneParameters};
 struct Central {
     keys: Plane,
     parameters: PlaneParameters,
+    usual_horizon_ratio: f64,
 }
 
 impl From<BondPlaneError> for Refusal {

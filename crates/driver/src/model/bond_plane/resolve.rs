@@ -1,6 +1,8 @@
 //! What the keys become.
 
-use super::super::{Asked, BodyKind, Keys, Material, Model, PlaneBondLaw, PlaneState as State};
+use super::super::{
+    Asked, BodyKind, Keys, Material, Model, PlaneBondLaw, PlaneState as State, USUAL_HORIZON_RATIO,
+};
 use super::{Central, Plane};
 use crate::diagnostic::{Faults, positive, root, tidy};
 use peristat_assembly::model::bond_plane::{PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor};
@@ -31,7 +33,9 @@ impl Keys for Plane {
     fn resolve(&self, asked: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
         let mut keys = self.clone();
         let parameters = parameters(&mut keys, asked, faults)?;
-        Some(Box::new(Central { keys, parameters }))
+        let is_exact = parameters.edges.is_exact();
+        let usual_horizon_ratio = if is_exact { asked.usual_horizon_ratio() } else { USUAL_HORIZON_RATIO };
+        Some(Box::new(Central { keys, parameters, usual_horizon_ratio }))
     }
 }
 

@@ -51,9 +51,9 @@ impl SolidParameters for BondSolidParameters {
 const OPTIONS: [(&str, &str); 5] = [
     ("calibration matched", "bonds with the exact moduli of the material (default)"),
     ("calibration published", "bonds of the continuum: moduli are off on every lattice, and more near faces"),
-    ("edges border", "bonds end on the border (default)"),
+    ("edges border", "bonds end on the border (default of matched)"),
     ("edges overlay", "tetrahedra replace missing bonds: exact for every uniform strain"),
-    ("edges none", "points near faces are too soft"),
+    ("edges none", "points near faces are too soft (default of published)"),
 ];
 
 /// What the command says of it.

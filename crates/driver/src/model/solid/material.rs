@@ -4,7 +4,7 @@ use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
     Refusal, Resolved, Surface,
 };
-use crate::diagnostic::{Faults, JsonPath};
+use crate::diagnostic::{Faults, JsonPath, root};
 use crate::units::Units;
 use peristat_assembly::body::{Cell, SquareLattice};
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
@@ -136,6 +136,18 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
     ) -> Option<CriticalStretches> {
         // The keys refuse `fracture`.
         None
+    }
+
+    fn warn(&self, on: &Resolved, faults: &mut Faults) {
+        let made = on.model.as_solid().map(|solid| solid.faces());
+        if self.edges() == SolidEdges::Border && made != Some(SolidEdges::Border) {
+            faults
+                .warning(
+                    root("model").key(self.about().name).key("edges"),
+                    "parts of this body are one cell thick, so that no bonds end on its border: tetrahedra complete its points, and stresses beside loaded edges are wrong by tenths",
+                )
+                .hint("use a smaller spacing: two cells are enough");
+        }
     }
 
     fn summary(&self, _: &Resolved, _: usize, units: Units) -> MaterialSummary {

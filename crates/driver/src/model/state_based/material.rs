@@ -43,6 +43,10 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         (self.filled)(&self.parameters, &self.keys)
     }
 
+    fn usual_horizon_ratio(&self) -> f64 {
+        self.usual_horizon_ratio
+    }
+
     fn boxed(&self) -> Box<dyn Material> {
         Box::new(self.clone())
     }

@@ -22,6 +22,8 @@ pub(super) struct Families<K> {
     pub(super) keys: K,
     /// What they mean.
     pub(super) parameters: StateParameters,
+    /// Horizon per spacing of a case that gives none.
+    pub(super) usual_horizon_ratio: f64,
     /// Whether bonds end on the border only where it cuts cells.
     pub(super) ends_where_cut: bool,
     /// The keys with what the body left of its parameters.

@@ -1,7 +1,7 @@
 //! What the keys become.
 
 use super::super::state_based::{Families, LOCKS, admissible};
-use super::super::{Asked, Keys, Material, Model, PlaneState, Refused};
+use super::super::{Asked, BodyKind, Keys, Material, Model, PlaneState, Refused, USUAL_HORIZON_RATIO};
 use super::{NAME, StatePlane};
 use crate::diagnostic::{Faults, positive, root};
 use peristat_assembly::model::bond_plane::Influence;
@@ -37,7 +37,11 @@ impl Keys for StatePlane {
             Model::StatePlane(Self { edges: Some(of.edges), ..keys.clone() })
         };
         let ends_where_cut = self.edges.is_none();
-        Some(Box::new(Families { name: NAME, keys, parameters, ends_where_cut, filled }))
+        // Ghosts, which edges between cells have, and weights of what is left want more neighbours than cut edges do.
+        let is_cut = self.edges.is_none_or(|edges| edges == StateEdges::Border)
+            && !matches!(asked.body, BodyKind::Rectangle { has_holes: false, .. });
+        let usual_horizon_ratio = if is_cut { asked.usual_horizon_ratio() } else { USUAL_HORIZON_RATIO };
+        Some(Box::new(Families { name: NAME, keys, parameters, usual_horizon_ratio, ends_where_cut, filled }))
     }
 }
 

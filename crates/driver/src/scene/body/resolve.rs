@@ -20,7 +20,7 @@ use super::site::{counts, cracks, foreign, given_body, specimen, tips};
 use crate::case::{Case, Fracture, PATH_FACTS, Path as CasePath};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::input::Folder;
-use crate::model::with_body;
+use crate::model::{USUAL_HORIZON_RATIO, with_body};
 use crate::scene::files;
 use crate::scene::path::PathScene;
 use crate::scene::solids_only;
@@ -42,10 +42,10 @@ impl BodyScene {
     ) -> Result<Self, Faults> {
         let usual = case.model.keys().ok();
         let usual = usual.and_then(|keys| keys.resolve(&of_case::asked(&case), &mut Faults::default()));
-        let usual = usual.map_or(3.0, |material| material.usual_horizon_ratio());
+        let usual = usual.map_or(USUAL_HORIZON_RATIO, |material| material.usual_horizon_ratio());
         let Some(expanded) = specimen::expand(&mut case, usual, &mut faults) else { return Err(faults) };
         let mut traced = (case.fracture.clone(), case.path.clone());
-        let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, folder, max_memory)));
+        let elastic = case.is_traced().then(|| Box::new(Elastic::new(&case, usual, folder, max_memory)));
         let scene = Self::checked(&expanded.case, &mut traced, folder, max_memory, &mut faults);
         expanded.relocate(&mut faults);
         let Some(mut scene) = scene.filter(|_| !faults.has_errors()) else { return Err(faults) };
@@ -93,9 +93,9 @@ impl BodyScene {
             solids_only::refuse(case, faults);
         }
         of_case::check_refused(case, keys, faults);
-        let given_body::GivenBody { mut inputs, outline, faces, curves, cracks } =
+        let given_body::GivenBody { mut inputs, outline, walls, curves, cracks } =
             given_body::read(case, keys, folder, max_memory, faults)?;
-        let ground = Ground::new(case, &inputs.body, (outline.as_ref(), &faces), faults);
+        let ground = Ground::new(case, &inputs.body, (outline.as_ref(), &walls), faults);
         if !counts::fit(&ground, max_memory, faults) {
             return None;
         }

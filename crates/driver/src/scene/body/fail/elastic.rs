@@ -16,11 +16,13 @@ pub(crate) struct Elastic {
 }
 
 impl Elastic {
-    /// That of a case as it was written.
-    pub(crate) fn new(case: &Case, folder: &Folder, max_memory: Option<u64>) -> Self {
+    /// That of a case as it was written; with `usual`, the horizon per spacing of a case that gives none.
+    pub(crate) fn new(case: &Case, usual: f64, folder: &Folder, max_memory: Option<u64>) -> Self {
         let model = case.model.keys().map_or_else(|_| case.model.clone(), |keys| keys.with_usual_bonds());
         let case = Case {
             model,
+            // What breaks has its own usual horizon, and both are to be compared.
+            horizon_ratio: case.horizon_ratio.or(case.horizon.is_none().then_some(usual)),
             fracture: None,
             path: None,
             solver: Solver::default(),

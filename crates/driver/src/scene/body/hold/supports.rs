@@ -12,7 +12,7 @@ use crate::scene::body::site::boundary::{self, Stretch};
 use crate::scene::body::site::ground::{Ground, NamedPoints};
 use crate::scene::body::site::model_inputs::ModelInputs;
 use crate::scene::body::site::symmetry::Symmetry;
-use peristat_assembly::body::PointBody;
+use peristat_assembly::body::{PointBody, Wall};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::stiffness::Spring;
 
@@ -79,7 +79,7 @@ pub(crate) fn held(
         let mut held = resolve(support, spot, path);
         held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
         if let (PointBody::Solid(lattice), Some(name)) = (ground.body, &support.at.region) {
-            let face = ground.faces.iter().find(|face| face.name == name);
+            let face = ground.walls.iter().filter_map(Wall::face).find(|face| face.name == name);
             held.edge = face.map(HeldEdge::of_face);
             held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
         }

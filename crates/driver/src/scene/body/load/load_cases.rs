@@ -2,7 +2,7 @@
 
 use super::context::LoadContext;
 use super::sums::BodyLoads;
-use super::traction::{add, on_face, resolve};
+use super::traction::{add, on_wall, resolve};
 use super::{asked, body_force, point_load, pressure};
 use crate::case::Load;
 use crate::diagnostic::{Faults, JsonPath, root};
@@ -23,8 +23,8 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
                 Load::BodyForce(load) => {
                     body_force::resolve(load, context, &path.key("body_force"), &mut resolved, faults)
                 }
-                Load::Traction(load) if !context.ground.faces.is_empty() => {
-                    on_face::resolve(load, context, &path.key("traction"), &mut resolved, faults)
+                Load::Traction(load) if !context.ground.walls.is_empty() => {
+                    on_wall::resolve(load, context, &path.key("traction"), &mut resolved, faults)
                 }
                 Load::Traction(load) => {
                     on_borders.extend(resolve::resolve(load, context, path.key("traction"), faults))

@@ -8,9 +8,9 @@ use crate::case::Case;
 use crate::diagnostic::{Faults, tidy};
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
-use crate::model::{About, Keys, Material};
+use crate::model::{About, Keys, Material, USUAL_HORIZON_RATIO};
 use crate::scene::{horizon, root};
-use peristat_assembly::body::{Face, Outline, PointBody, SquareLattice};
+use peristat_assembly::body::{Outline, PointBody, SquareLattice, Wall};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
@@ -20,7 +20,7 @@ const MOST_RATIO: f64 = 100.0;
 pub(crate) struct GivenBody {
     pub(crate) inputs: ModelInputs,
     pub(crate) outline: Option<Outline>,
-    pub(crate) faces: Vec<Face>,
+    pub(crate) walls: Vec<Wall>,
     pub(crate) curves: Vec<Curve>,
     pub(crate) cracks: Vec<NamedCrack>,
 }
@@ -45,10 +45,10 @@ pub(crate) fn read(
     // Squares turned by right angles are the same.
     let angle = if lattice.is_some_and(SquareLattice::is_turned) { keys.lattice_angle() } else { 0.0 };
     material.iter_mut().for_each(|material| material.set_lattice_angle(angle));
-    let usual = material.as_ref().map_or(3.0, |material| material.usual_horizon_ratio());
+    let usual = material.as_ref().map_or(USUAL_HORIZON_RATIO, |material| material.usual_horizon_ratio());
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
     let body::Built { mut body, outline, shape, curves, file } = built?;
-    let faces = shape.as_ref().map_or(Vec::new(), |shape| shape.faces().to_vec());
+    let walls = shape.as_ref().map_or(Vec::new(), |shape| shape.walls());
     if let (PointBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
         && material.as_ref().is_some_and(|material| material.is_revolved())
     {
@@ -60,7 +60,7 @@ pub(crate) fn read(
         None => false,
     };
     let mut symmetry =
-        symmetry::symmetry(&case.symmetry, Sides::of(outline.as_ref(), &faces), lattice, faults);
+        symmetry::symmetry(&case.symmetry, Sides::of(outline.as_ref(), &walls), lattice, faults);
     if let (true, Some(outline), Some(lattice)) = (touches_axis, &outline, lattice) {
         symmetry.add_axis(outline, lattice);
     }
@@ -100,7 +100,7 @@ pub(crate) fn read(
     };
     let breaks = case.fracture.is_some() || case.path.is_some();
     let inputs = ModelInputs { body, file, symmetry, bearings: Vec::new(), material, horizon, breaks };
-    Some(GivenBody { inputs, outline, faces, curves, cracks })
+    Some(GivenBody { inputs, outline, walls, curves, cracks })
 }
 
 /// A doubt about the axial forces of a body of revolution whose border completes its families: weights that are linear in the radius

@@ -5,7 +5,7 @@ use crate::case::{self, At, Case};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use crate::scene::words;
 use peristat_assembly::body::{
-    Face, Outline, PointBody, Region, RegionError, Regions, SolidRegion, in_space,
+    Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
 };
 use std::collections::BTreeMap;
 
@@ -17,8 +17,8 @@ pub(crate) struct Ground<'a> {
     pub(crate) body: &'a PointBody,
     /// The outline; listed points have none.
     pub(crate) outline: Option<&'a Outline>,
-    /// The faces of a solid.
-    pub(crate) faces: &'a [Face],
+    /// The walls of a solid.
+    pub(crate) walls: &'a [Wall],
     /// Regions of the case, and edges, faces, holes and groups as regions.
     named: BTreeMap<String, Region>,
 }
@@ -45,7 +45,7 @@ impl<'a> Ground<'a> {
     pub(crate) fn new(
         case: &'a Case,
         body: &'a PointBody,
-        (outline, faces): (Option<&'a Outline>, &'a [Face]),
+        (outline, walls): (Option<&'a Outline>, &'a [Wall]),
         faults: &mut Faults,
     ) -> Self {
         let mut named = BTreeMap::new();
@@ -60,9 +60,12 @@ impl<'a> Ground<'a> {
         for name in outline.map_or(&[][..], Outline::holes).iter().filter_map(|h| h.name.as_ref()) {
             take(name, "a hole", Region::Hole { name: name.clone(), depth: None });
         }
-        for face in faces {
-            let region = SolidRegion::Face { name: face.name.to_string(), depth: None };
-            take(face.name, "a face", Region::Solid(region));
+        for Wall { name, kind } in walls {
+            let (kind, region) = match kind {
+                WallKind::Face(_) => ("a face", SolidRegion::Face { name: name.clone(), depth: None }),
+                WallKind::Cut { .. } => ("a cut", SolidRegion::Cut { name: name.clone() }),
+            };
+            take(name, kind, Region::Solid(region));
         }
         if let PointBody::Cloud(cloud) = body {
             for group in cloud.groups() {
@@ -71,16 +74,16 @@ impl<'a> Ground<'a> {
         }
         for (name, region) in &case.regions {
             if let Some(kind) = kinds.get(name) {
-                faults
-                    .error(root("regions").key(name), format!("the name `{name}` is that of {kind}"))
-                    .hint("edges, faces, holes and groups are regions already: give this one another name");
+                faults.error(root("regions").key(name), format!("the name `{name}` is that of {kind}")).hint(
+                    "edges, faces, holes, cuts and groups are regions already: give this one another name",
+                );
                 continue;
             }
             if let Some(region) = regions::converted(region, body, &root("regions").key(name), faults) {
                 named.insert(name.clone(), region);
             }
         }
-        let ground = Self { case, body, outline, faces, named };
+        let ground = Self { case, body, outline, walls, named };
         for name in case.regions.keys().filter(|name| !kinds.contains_key(*name)) {
             ground.define(name, &root("regions").key(name), faults);
         }
@@ -150,7 +153,7 @@ impl<'a> Ground<'a> {
     }
 
     fn select(&self, region: &Region) -> Result<Vec<u32>, RegionError> {
-        Regions { body: self.body, outline: self.outline, faces: self.faces, named: &self.named }
+        Regions { body: self.body, outline: self.outline, walls: self.walls, named: &self.named }
             .select(region)
     }
 

@@ -1,6 +1,6 @@
 //! What models are given of a case.
 
-use super::body;
+use super::{body, specimen};
 use crate::case::{Axis, Body, Case, RectangleBody};
 use crate::diagnostic::{Faults, root};
 use crate::model::{Asked, BodyKind, JoinedSides, Keys};
@@ -23,7 +23,7 @@ pub(crate) fn asked(case: &Case) -> Asked<'_> {
         body_path: body::path(case),
         breaks: case.fracture.is_some(),
         softens: case.path.is_some(),
-        has_cracks: !case.cracks.is_empty(),
+        has_cracks: !case.cracks.is_empty() || specimen::kind(&case.body).is_some(),
         symmetry: &case.symmetry,
         joined: case.periodic.iter().map(joined).collect(),
     }

@@ -1,7 +1,7 @@
 //! The points of a solid and its shape.
 
 use super::body::{PER_POINT, resolves};
-use crate::case::{Body, Case, SolidCut, SpaceAxis};
+use crate::case::{BallCut, Body, BoreCut, Case, SolidCut};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::memory;
 use peristat_assembly::body::{Cut, CutError, PointBody, ShapeError, SolidShape};
@@ -32,8 +32,16 @@ pub(crate) fn build(
     };
     for (k, cut) in given.cuts.iter().enumerate() {
         let path = path.key("cuts").index(k);
+        let name = cut.name().cloned();
         let (key, cut) = of_case(cut);
-        if let Err(error) = shape.cut(cut) {
+        if let Some(name) = name.as_ref().filter(|name| shape.walls().iter().any(|wall| wall.name == **name))
+        {
+            faults
+                .error(path.key(key).key("name"), format!("the name `{name}` is taken"))
+                .hint("every cut has a name of its own, which is that of no face");
+            return None;
+        }
+        if let Err(error) = shape.cut(name, cut) {
             let path = path.key(key);
             let place = match error {
                 CutError::Radius { .. } => path.key("radius"),
@@ -71,19 +79,21 @@ pub(crate) fn build(
 
 /// A cut as the mechanics knows it, with its key.
 fn of_case(cut: &SolidCut) -> (&'static str, Cut) {
+    let ball = |b: &BallCut, outside| Cut::Ball { centre: b.centre, radius: b.radius, outside };
+    let bore = |b: &BoreCut, outside| Cut::Bore {
+        axis: b.along.number(),
+        centre: b.centre,
+        radius: b.radius,
+        outside,
+    };
     match cut {
         SolidCut::Block(b) => {
             ("block", Cut::Block { from: b.from, to: [0, 1, 2].map(|k| b.from[k] + b.size[k]) })
         }
-        SolidCut::Ball(b) => ("ball", Cut::Ball { centre: b.centre, radius: b.radius }),
-        SolidCut::Bore(b) => {
-            let axis = match b.along {
-                SpaceAxis::X => 0,
-                SpaceAxis::Y => 1,
-                SpaceAxis::Z => 2,
-            };
-            ("bore", Cut::Bore { axis, centre: b.centre, radius: b.radius })
-        }
+        SolidCut::Ball(b) => ("ball", ball(b, false)),
+        SolidCut::Bore(b) => ("bore", bore(b, false)),
+        SolidCut::OutsideBall(b) => ("outside_ball", ball(b, true)),
+        SolidCut::OutsideCylinder(b) => ("outside_cylinder", bore(b, true)),
     }
 }
 

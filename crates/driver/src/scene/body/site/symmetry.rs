@@ -1,7 +1,7 @@
 //! Sides of a body that are mirrors, and beyond which it has images therefore.
 
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
-use peristat_assembly::body::{self, Crack, Edge, Face, Outline, SquareLattice};
+use peristat_assembly::body::{self, Crack, Edge, Outline, SquareLattice, Wall};
 use peristat_assembly::model::plane::Mirrors;
 
 /// The sides that can be mirrors, with the direction in which they look.
@@ -13,23 +13,23 @@ pub(crate) const SIDES: [(&str, [f64; 2]); 4] =
 pub(crate) enum Sides<'a> {
     /// An outline in the plane.
     Edges(&'a Outline),
-    /// A solid.
-    Faces(&'a [Face]),
+    /// A solid, whose faces are the first of its walls.
+    Walls(&'a [Wall]),
 }
 
 impl<'a> Sides<'a> {
     /// Those of a body; listed points have none.
-    pub(crate) fn of(outline: Option<&'a Outline>, faces: &'a [Face]) -> Option<Self> {
-        match (outline, faces) {
+    pub(crate) fn of(outline: Option<&'a Outline>, walls: &'a [Wall]) -> Option<Self> {
+        match (outline, walls) {
             (Some(outline), _) => Some(Self::Edges(outline)),
             (None, []) => None,
-            (None, faces) => Some(Self::Faces(faces)),
+            (None, walls) => Some(Self::Walls(walls)),
         }
     }
 
     /// Their names.
     fn names(self) -> impl Iterator<Item = &'static str> {
-        let count = if matches!(self, Self::Faces(_)) { 6 } else { 4 };
+        let count = if matches!(self, Self::Walls(_)) { 6 } else { 4 };
         body::SIDES.into_iter().take(count)
     }
 
@@ -37,7 +37,7 @@ impl<'a> Sides<'a> {
     fn whole(self, side: usize) -> Option<(String, f64)> {
         match self {
             Self::Edges(outline) => edge_on(outline, side),
-            Self::Faces(faces) => faces.get(side).map(|face| (face.name.to_string(), face.at)),
+            Self::Walls(walls) => walls.get(side)?.face().map(|face| (face.name.to_string(), face.at)),
         }
     }
 }
@@ -66,7 +66,7 @@ pub(crate) fn symmetry(
     lattice: Option<&SquareLattice>,
     faults: &mut Faults,
 ) -> Symmetry {
-    let is_solid = matches!(sides, Some(Sides::Faces(_)));
+    let is_solid = matches!(sides, Some(Sides::Walls(_)));
     let mut symmetry = Symmetry { is_solid, ..Symmetry::default() };
     for (k, name) in names.iter().enumerate() {
         let path = root("symmetry").index(k);

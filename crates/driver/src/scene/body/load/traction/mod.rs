@@ -4,7 +4,7 @@ pub(crate) mod add;
 pub(crate) mod fading;
 pub(crate) mod lump;
 pub(crate) mod on_border;
-pub(crate) mod on_face;
+pub(crate) mod on_wall;
 pub(crate) mod profile;
 pub(crate) mod resolve;
 pub(crate) mod round;

@@ -78,7 +78,7 @@ pub(crate) fn expand(case: &mut Case, usual: f64, faults: &mut Faults) -> Option
 }
 
 /// Key of a specimen in a case.
-fn kind(body: &Body) -> Option<&'static str> {
+pub(crate) fn kind(body: &Body) -> Option<&'static str> {
     match body {
         Body::CompactTension(_) => Some("compact_tension"),
         Body::SingleEdgeBend(_) => Some("single_edge_bend"),

@@ -1,0 +1,160 @@
+//! Named parts of the border of a solid, made of sides of cells.
+
+use super::super::BORDER;
+use super::super::lattice::{SquareLattice, plus};
+use super::shape::{Cut, Face, SolidShape};
+
+/// A face of a block, or the border of a part that is cut out of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wall {
+    /// Its name.
+    pub name: String,
+    /// Where it is.
+    pub kind: WallKind,
+}
+
+/// What a wall is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum WallKind {
+    /// A face of the block.
+    Face(Face),
+    /// The border of a cut.
+    Cut {
+        /// The cut.
+        cut: Cut,
+        /// Lowest and highest corner of the block, m.
+        block: [[f64; 3]; 2],
+    },
+}
+
+/// A side of a cell on the border.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Side {
+    /// Point of the cell.
+    pub point: usize,
+    /// Axis across it.
+    pub axis: usize,
+    /// Whether the body is below it along its axis.
+    pub is_high: bool,
+}
+
+impl Side {
+    /// Unit normal that points out of the body.
+    pub fn normal(&self) -> [f64; 3] {
+        let mut normal = [0.0; 3];
+        normal[self.axis] = if self.is_high { 1.0 } else { -1.0 };
+        normal
+    }
+
+    /// Its middle, m.
+    pub fn middle(&self, lattice: &SquareLattice) -> [f64; 3] {
+        let mut at = lattice.position(self.point);
+        at[self.axis] += 0.5 * lattice.spacing() * self.normal()[self.axis];
+        at
+    }
+
+    /// One cell from it out of the body.
+    pub fn outwards(&self) -> [i32; 3] {
+        let mut step = [0; 3];
+        step[self.axis] = if self.is_high { 1 } else { -1 };
+        step
+    }
+}
+
+impl Wall {
+    /// The face, if it is one.
+    pub fn face(&self) -> Option<&Face> {
+        match &self.kind {
+            WallKind::Face(face) => Some(face),
+            WallKind::Cut { .. } => None,
+        }
+    }
+
+    /// Its radius, m, if it is round, so that sides of cells make stairs of it.
+    pub fn radius(&self) -> Option<f64> {
+        match self.kind {
+            WallKind::Cut { cut: Cut::Ball { radius, .. } | Cut::Bore { radius, .. }, .. } => Some(radius),
+            _ => None,
+        }
+    }
+
+    /// Its sides of cells, in the order of their points.
+    pub fn sides(&self, lattice: &SquareLattice) -> Vec<Side> {
+        let each = (0..lattice.points())
+            .flat_map(|point| (0..6).map(move |k| Side { point, axis: k / 2, is_high: k % 2 == 1 }));
+        each.filter(|side| self.has(side, lattice)).collect()
+    }
+
+    fn has(&self, side: &Side, lattice: &SquareLattice) -> bool {
+        match &self.kind {
+            WallKind::Face(face) => {
+                let slack = 1e-6 * lattice.spacing();
+                (side.axis, side.is_high) == (face.axis, face.is_high)
+                    && (side.middle(lattice)[face.axis] - face.at).abs() <= slack
+            }
+            WallKind::Cut { cut, block: [low, high] } => {
+                let beyond = plus(lattice.cell(side.point), side.outwards());
+                if lattice.number(beyond).is_some() {
+                    return false;
+                }
+                let (middle, half) = (side.middle(lattice), 0.5 * lattice.spacing());
+                let normal = side.normal();
+                let at = [0, 1, 2].map(|k| middle[k] + half * normal[k]);
+                // The faces of the block go on beside holes in it.
+                let in_block = (0..3).all(|k| low[k] < at[k] && at[k] < high[k]);
+                (in_block || cut.is_outside()) && cut.contains(at, BORDER * lattice.spacing())
+            }
+        }
+    }
+}
+
+impl SolidShape {
+    /// Its faces, in the order of [`SIDES`](super::SIDES), and the borders of cuts that have names.
+    pub fn walls(&self) -> Vec<Wall> {
+        let face = |face: Face| Wall { name: face.name.to_string(), kind: WallKind::Face(face) };
+        let cut = |(name, cut): &(Option<String>, Cut)| {
+            Some(Wall { name: name.clone()?, kind: WallKind::Cut { cut: *cut, block: self.bounds() } })
+        };
+        self.faces().into_iter().map(face).chain(self.cuts.iter().filter_map(cut)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A block of 6 x 6 x 4 cells of side 0.5 with a square hole through it and a ball in a corner.
+    fn shape() -> SolidShape {
+        let mut shape = SolidShape::block([0.0; 3], [3.0, 3.0, 2.0]).unwrap();
+        let hole = Cut::Block { from: [1.0, 1.0, 0.0], to: [2.0, 2.0, 2.0] };
+        shape.cut(Some("hole".into()), hole).unwrap();
+        shape
+            .cut(Some("corner".into()), Cut::Ball { centre: [3.0; 3], radius: 1.4, outside: false })
+            .unwrap();
+        shape
+    }
+
+    #[test]
+    fn walls_of_cuts_have_the_sides_between_body_and_cut_alone() {
+        let shape = shape();
+        let (lattice, walls) = (shape.fill(0.5).unwrap(), shape.walls());
+        let wall = |name: &str| walls.iter().find(|wall| wall.name == name).unwrap().sides(&lattice);
+        // Four sides of 2 x 4 cells.
+        let hole = wall("hole");
+        assert_eq!(hole.len(), 32);
+        for side in &hole {
+            // Out of the body is towards the middle of the hole.
+            let (at, normal) = (side.middle(&lattice), side.normal());
+            assert!((0..3).map(|k| (1.5 - at[k]) * normal[k]).sum::<f64>() > 0.49, "{side:?}");
+        }
+        // The pressure on an eighth of a ball has the same force along every axis, and the faces of the block have none of it.
+        let corner = wall("corner");
+        let sums = [0, 1].map(|axis| corner.iter().filter(|s| s.axis == axis && s.is_high).count());
+        assert_eq!(sums[0], sums[1]);
+        assert!(corner.iter().all(|side| side.is_high));
+        assert_eq!(wall("left").len(), 6 * 4);
+        // Less than 24 at the corner, and the rest of the border is that of the ball.
+        let right = wall("right").len();
+        assert!(right < 24 && right + sums[0] == 24, "{right} {sums:?}");
+    }
+}
