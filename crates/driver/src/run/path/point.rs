@@ -1,9 +1,10 @@
 //! What is reported of every state of a body on its path.
 
 use super::newton::Effort;
+use serde::Serialize;
 
 /// A state in equilibrium: a row of `curve.csv`. Energies are sums since the start.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct PathPoint {
     /// Number, from 0.
     pub step: usize,
