@@ -1,11 +1,13 @@
 //! Bodies in space: blocks with parts cut out of them, their faces, and the points of them that regions name.
 
+mod cut;
 mod region;
 mod shape;
 mod wall;
 
+pub use cut::{Cut, CutError};
 pub use region::SolidRegion;
-pub use shape::{Cut, CutError, Face, SIDES, ShapeError, SolidShape};
+pub use shape::{Face, SIDES, ShapeError, SolidShape};
 
 pub use wall::{Side, Wall, WallKind};
 

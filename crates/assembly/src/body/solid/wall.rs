@@ -2,7 +2,8 @@
 
 use super::super::BORDER;
 use super::super::lattice::{SquareLattice, plus};
-use super::shape::{Cut, Face, SolidShape};
+use super::cut::Cut;
+use super::shape::{Face, SolidShape};
 
 /// A face of a block, or the border of a part that is cut out of it.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,3 +10,4 @@ pub(crate) mod resolve;
 pub(crate) mod round;
 pub(crate) mod through_border;
 pub(crate) mod uniform_stress;
+mod wall_value;

@@ -1,0 +1,145 @@
+//! What a traction on a wall of a solid is: its values, from the key that says them.
+
+use super::profile::Profile;
+use crate::case::{SpaceAxis, Traction};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::scene::body::load::context::LoadContext;
+use peristat_assembly::body::{Side, SquareLattice, Wall};
+
+/// Places of a side on both halves of an axis, in spacings from its middle: with them cubic functions are integrated exactly.
+const GAUSS: f64 = 0.288_675_134_594_812_9;
+
+/// What a traction is on a side of a cell.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum WallValue {
+    /// The same force per area everywhere.
+    Uniform([f64; 3]),
+    /// Against the normal, per area.
+    Pressure(f64),
+    /// A force, shared by area.
+    Total([f64; 3]),
+    /// It varies along an axis, from the first number of metres to the second.
+    Along(usize, [f64; 2], Profile),
+}
+
+impl WallValue {
+    /// Places of a side with the force that acts there per area of the side, N/m²; `area` is that of all sides.
+    pub(super) fn on(&self, side: &Side, lattice: &SquareLattice, area: f64) -> Vec<([f64; 3], [f64; 3])> {
+        let middle = side.middle(lattice);
+        match *self {
+            Self::Uniform(traction) => vec![(middle, traction)],
+            Self::Pressure(pressure) => vec![(middle, side.normal().map(|n| -n * pressure))],
+            Self::Total(total) => vec![(middle, total.map(|f| f / area))],
+            Self::Along(axis, [from, to], profile) => [-GAUSS, GAUSS]
+                .map(|part| {
+                    let mut at = middle;
+                    at[axis] += part * lattice.spacing();
+                    let value = profile.at((at[axis] - from) / (to - from), [0.0; 2]);
+                    (at, value.map(|t| 0.5 * t))
+                })
+                .to_vec(),
+        }
+    }
+}
+
+/// What acts, from the one key that says it.
+pub(super) fn value(
+    load: &Traction,
+    wall: &Wall,
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<WallValue> {
+    let key = key(load, wall, path, faults)?;
+    let at = path.key(key);
+    let value = match load {
+        Traction { uniform: Some(t), .. } => WallValue::Uniform(context.force(*t, key, &at, faults)?),
+        Traction { total: Some(total), .. } => WallValue::Total(context.force(*total, key, &at, faults)?),
+        Traction { linear: Some(ends), .. } => {
+            let [from, to] = [0, 1].map(|k| context.force(ends[k], key, &at.index(k), faults));
+            along(load.along, wall, Profile::Linear([from?, to?]), context, path, faults)?
+        }
+        Traction { parabolic: Some(middle), .. } => {
+            let middle = context.force(*middle, key, &at, faults)?;
+            along(load.along, wall, Profile::Parabolic(middle), context, path, faults)?
+        }
+        _ => WallValue::Pressure(load.pressure.unwrap_or(0.0)),
+    };
+    if value.is_zero() {
+        faults.error(path.clone(), "this traction is zero");
+    }
+    Some(value)
+}
+
+/// The key that says what acts, which must have a meaning on the wall.
+fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Option<&'static str> {
+    let is_round = wall.radius().is_some();
+    let values = match is_round {
+        true => "give one of `pressure` and `total`",
+        false => "give one of `uniform`, `pressure`, `total`, `linear` and `parabolic`",
+    };
+    let given = [
+        ("hertz", load.hertz.is_some()),
+        ("depth", load.depth.is_some()),
+        ("sharing", load.sharing.is_some()),
+        ("uniform", load.uniform.is_some()),
+        ("pressure", load.pressure.is_some()),
+        ("total", load.total.is_some()),
+        ("linear", load.linear.is_some()),
+        ("parabolic", load.parabolic.is_some()),
+    ];
+    let keys: Vec<&'static str> = given.iter().filter(|given| given.1).map(|given| given.0).collect();
+    let varies = |key: &str| ["linear", "parabolic"].contains(&key);
+    let (place, message, hint) = match keys[..] {
+        [] => (path.clone(), "the value of this traction is missing".to_string(), values),
+        [key @ ("hertz" | "depth" | "sharing"), ..] => {
+            (path.key(key), format!("`{key}` is for edges in the plane"), values)
+        }
+        [first, second, ..] => (path.key(second), format!("`{first}` and `{second}` are both given"), values),
+        [key] if wall.face().is_none() && varies(key) || is_round && key == "uniform" => {
+            (path.key(key), format!("`{key}` is for flat faces of the block"), values)
+        }
+        [key] if load.along.is_some() && !varies(key) => {
+            (path.key("along"), format!("`{key}` does not vary along an axis"), "leave it out")
+        }
+        [key] => return Some(key),
+    };
+    faults.error(place, message).hint(hint);
+    None
+}
+
+impl WallValue {
+    fn is_zero(&self) -> bool {
+        match *self {
+            Self::Uniform(t) | Self::Total(t) => t == [0.0; 3],
+            Self::Pressure(pressure) => pressure == 0.0,
+            Self::Along(.., profile) => {
+                [0.0, 0.5, 1.0].iter().all(|&place| profile.at(place, [0.0; 2]) == [0.0; 3])
+            }
+        }
+    }
+}
+
+/// What varies along an axis of a face, from one of its sides to the other.
+fn along(
+    axis: Option<SpaceAxis>,
+    wall: &Wall,
+    profile: Profile,
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<WallValue> {
+    let across = wall.face().map(|face| face.axis)?;
+    let in_it: Vec<&str> = (0..3).filter(|&k| k != across).map(|k| ["x", "y", "z"][k]).collect();
+    let hint = format!("take `{}` or `{}`, which lie in the face `{}`", in_it[0], in_it[1], wall.name);
+    let Some(axis) = axis.map(SpaceAxis::number) else {
+        faults.error(path.clone(), "`along` is missing: the axis along which the traction varies").hint(hint);
+        return None;
+    };
+    if axis == across {
+        faults.error(path.key("along"), "this axis is across the face").hint(hint);
+        return None;
+    }
+    let ends = [2 * axis, 2 * axis + 1].map(|side| context.ground.walls[side].face().map(|face| face.at));
+    Some(WallValue::Along(axis, [ends[0]?, ends[1]?], profile))
+}
