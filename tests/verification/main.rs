@@ -65,6 +65,7 @@ mod specimens;
 mod state_based;
 mod state_bodies;
 mod state_plane;
+mod stiffness_operator;
 mod strain_form;
 mod supports;
 mod symbol;

@@ -3,22 +3,21 @@
 use super::args::{Global, Run};
 use super::interrupt::Interrupt;
 use super::progress::Progress;
-use super::writing::Writing;
+use super::watched::Watched;
 use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use peristat::case;
 use peristat::input::Folder;
 use peristat::output::folder::below;
-use peristat::results::{Claim, Results, stiffness};
-use peristat::run::fracture::Restart;
+use peristat::results::{Claim, Results, Writing, stiffness};
 use peristat::run::{RunOptions, sizes};
-use peristat::summary::{Grids, Status, Summary};
+use peristat::study::EstimateEffort;
+use peristat::summary::{Status, Summary};
 use peristat::{Error, Loaded};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 /// Reads a case and resolves it.
-pub(super) fn load(case: &Path, overrides: &[String], global: &Global) -> Result<Loaded, Error> {
+fn load(case: &Path, overrides: &[String], global: &Global) -> Result<Loaded, Error> {
     let source = case::read(case, overrides, global.max_memory)?;
     Loaded::from_source(source, Folder::of(case, global.reach()), global.max_memory)
 }
@@ -55,17 +54,24 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         }
         stiffness::write(&loaded, file)?;
     }
-    let mut writing = Writing::new(&loaded.scene, claim);
+    let writing = Writing::new(&loaded.scene, claim);
     // What cannot be resumed is better killed by the first signal.
-    if loaded.scene.case().fracture.is_some() {
-        writing = writing.watched(Progress::new(global), Interrupt::listen(global.quiet)?);
-    }
-    let wanted = match (arguments.estimate, arguments.no_estimate) {
-        (true, _) => Wanted::FromFiner,
-        (_, true) => Wanted::Nothing,
-        _ => Wanted::Cheap,
+    let (progress, interrupt) = match loaded.scene.case().fracture {
+        Some(_) => (Progress::new(global), Interrupt::listen(global.quiet)?),
+        None => (Progress::Silent, Interrupt::default()),
     };
-    let summary = solve_into(&loaded, restart, writing, wanted, global)?;
+    let effort = match (arguments.estimate, arguments.no_estimate) {
+        (true, _) => EstimateEffort::FromFiner,
+        (_, true) => EstimateEffort::Nothing,
+        _ => EstimateEffort::Cheap,
+    };
+    let mut watched = Watched { writing, progress, interrupt };
+    if let Some(restart) = &restart {
+        watched.writing.resume(restart)?;
+    }
+    let mut summary = loaded.run(&with_fields(global), restart, &mut watched)?;
+    loaded.add_estimate(&mut summary, effort, global.max_memory);
+    watched.writing.finish(&summary)?;
     if !global.quiet {
         // Those of the case have been shown.
         let shown = loaded.warnings().map_or(0, |report| report.diagnostics.len());
@@ -80,52 +86,13 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     Ok(exit_code(&summary))
 }
 
-/// The estimate of discretisation errors that a run makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Wanted {
-    /// None.
-    Nothing,
-    /// That of coarser grids, where it is cheap.
-    Cheap,
-    /// That of a finer grid, whatever it costs.
-    FromFiner,
-}
-
-/// Solves a scene, from a restart if there is one, into its folder, and estimates its errors.
-pub(super) fn solve_into(
-    loaded: &Loaded,
-    restart: Option<Restart>,
-    mut writing: Writing,
-    wanted: Wanted,
-    global: &Global,
-) -> Result<Summary, Error> {
-    if let Some(restart) = &restart {
-        writing.resume(restart)?;
-    }
-    let mut summary = loaded.run(&with_fields(global), restart, &mut writing)?;
-    let begin = Instant::now();
-    let estimated = match wanted {
-        Wanted::Nothing => None,
-        Wanted::Cheap => Some(loaded.estimate_cheaply(&summary, global.max_memory)),
-        Wanted::FromFiner => Some(loaded.estimate(&summary, Grids::FinerAndCoarser, global.max_memory)),
-    };
-    match estimated {
-        Some(Ok(estimates)) => summary.estimate = Some(estimates),
-        Some(Err(reason)) => summary.no_estimate = Some(reason),
-        None => {}
-    }
-    summary.timing_s.estimate = begin.elapsed().as_secs_f64();
-    writing.finish(&summary)?;
-    Ok(summary)
-}
-
 /// What a run with all its outputs is asked for.
 fn with_fields(global: &Global) -> RunOptions {
     RunOptions { recover: true, max_memory: global.max_memory, compare: true }
 }
 
 /// Exit code of a finished run.
-pub(super) fn exit_code(summary: &Summary) -> u8 {
+fn exit_code(summary: &Summary) -> u8 {
     match summary.status {
         Status::Passed => DONE,
         Status::CheckFailed | Status::NotConverged => FAILED,
@@ -133,7 +100,7 @@ pub(super) fn exit_code(summary: &Summary) -> u8 {
 }
 
 /// Shows the warnings of a case.
-pub(super) fn warn(loaded: &Loaded, global: &Global) {
+fn warn(loaded: &Loaded, global: &Global) {
     if let Some(report) = loaded.warnings().filter(|_| !global.quiet) {
         note(&format!("{}\n\n", report.render(colored(global)).trim_end()));
     }
@@ -148,20 +115,30 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
             warn(&loaded, global);
             sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))
         });
-        match estimated {
-            Ok(sizes) => all.push((path.display().to_string(), sizes)),
-            Err(error) => {
-                complain(&error, global);
-                code = USAGE;
-            }
+        if estimated.is_err() {
+            code = USAGE;
         }
+        all.push((path.display().to_string(), estimated));
     }
     if global.json {
-        let list: Vec<_> =
-            all.iter().map(|(case, sizes)| serde_json::json!({ "case": case, "sizes": sizes })).collect();
-        say(&format!("{:#}\n", serde_json::Value::from(list)))?;
-    } else if !global.quiet && !all.is_empty() {
-        say(&print::sizes(&all))?;
+        let list = all.iter().map(|(case, found)| match found {
+            Ok(sizes) => serde_json::json!({ "case": case, "sizes": sizes }),
+            Err(error) => {
+                serde_json::json!({ "case": case, "error": error.text(), "faults": error.records() })
+            }
+        });
+        say(&format!("{:#}\n", serde_json::Value::from(list.collect::<Vec<_>>())))?;
+        return Ok(code);
+    }
+    let mut built = Vec::new();
+    for (case, found) in all {
+        match found {
+            Ok(sizes) => built.push((case, sizes)),
+            Err(error) => complain(&error, global),
+        }
+    }
+    if !global.quiet && !built.is_empty() {
+        say(&print::sizes(&built))?;
     }
     Ok(code)
 }

@@ -3,12 +3,11 @@
 use super::args::{Global, Study};
 use super::interrupt::Interrupt;
 use super::{DONE, FAILED, INTERRUPTED, complain_of_tasks, note, print_study, say};
-use crate::workers::{self, side_by_side};
+use peristat::Error;
 use peristat::output::folder::below;
 use peristat::output::lock::Hold;
 use peristat::run::RunError;
-use peristat::study::{self, Claimed, Findings, Plan, Record, Store, Task, TaskFaults};
-use peristat::{Error, memory};
+use peristat::study::{self, Claimed, Findings, Plan, Record, Solving, Store, Task};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -108,36 +107,6 @@ fn tell_tasks(chosen: &[&Task], store: &Store, global: &Global) -> Result<u8, Er
     Ok(if fine { DONE } else { FAILED })
 }
 
-/// Does something with every task, side by side. Those that need more memory than their share follow alone; `None` are those
-/// that nobody waited for.
-fn with_all<T: Send>(
-    tasks: &[&Task],
-    global: &Global,
-    work: impl Fn(&Task, Option<u64>) -> Option<Result<T, Error>> + Sync,
-) -> Vec<Option<Result<T, Error>>> {
-    let allowed = memory::allowed(global.max_memory);
-    let share = allowed.map(|all| all / workers::threads(global.threads, tasks.len()) as u64);
-    let first = side_by_side(global.threads, tasks.len(), |k| work(tasks[k], share));
-    let again = |(task, outcome): (&&Task, Option<Result<T, Error>>)| match outcome {
-        Some(Err(error)) if error.lacks_memory() => work(task, global.max_memory),
-        other => other,
-    };
-    tasks.iter().zip(first).map(again).collect()
-}
-
-/// Finds the faults of all tasks before one is solved. Too little memory is none: the smaller tasks tell something, too.
-fn check(plan: &Plan, tasks: &[&Task], interrupt: &Interrupt, global: &Global) -> Result<(), Error> {
-    let checked = with_all(tasks, global, |task, max_memory| {
-        (!interrupt.is_asked()).then(|| task.check(&plan.folder, max_memory))
-    });
-    let fault = |(task, outcome): (&&Task, Option<Result<(), Error>>)| {
-        let error = outcome?.err().filter(|error| !error.lacks_memory())?;
-        Some((task.number, error))
-    };
-    let faults = TaskFaults::new(plan.tasks.len(), tasks.iter().zip(checked).filter_map(fault).collect());
-    if faults.is_empty() { Ok(()) } else { Err(Error::Tasks(faults)) }
-}
-
 /// Solves tasks that are not finished.
 fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Result<(), Error> {
     let todo: Vec<&Task> = chosen.iter().copied().filter(|task| store.get(&task.key).is_none()).collect();
@@ -145,27 +114,19 @@ fn solve(plan: &Plan, chosen: &[&Task], store: &Store, global: &Global) -> Resul
         return Ok(());
     }
     let interrupt = Interrupt::listen(global.quiet)?;
-    check(plan, &todo, &interrupt, global)?;
     let bar = super::progress::of_tasks(global, todo.len());
-    let outcomes = with_all(&todo, global, |task, max_memory| {
-        if interrupt.is_asked() {
-            return None;
-        }
-        let solved = Record::solve(task, &plan.folder, max_memory);
-        let kept = solved.and_then(|record| Ok(store.put(&record)?));
-        bar.inc(1);
-        Some(kept)
-    });
-    bar.finish_and_clear();
-    let mut faults = Vec::new();
-    for (task, outcome) in todo.iter().zip(outcomes) {
-        match outcome {
-            Some(Ok(())) | None => {}
-            Some(Err(Error::Io(error))) => return Err(Error::Io(error)),
-            Some(Err(error)) => faults.push((task.number, error)),
-        }
+    let faults = Solving {
+        threads: global.threads,
+        max_memory: global.max_memory,
+        is_interrupted: &|| interrupt.is_asked(),
+        keep: &|record| {
+            bar.inc(1);
+            store.put(&record)
+        },
     }
-    complain_of_tasks(&TaskFaults::new(plan.tasks.len(), faults), global);
+    .solve(plan, &todo)?;
+    bar.finish_and_clear();
+    complain_of_tasks(&faults, global);
     if interrupt.is_asked() {
         return Err(Error::Run(RunError::Interrupted));
     }

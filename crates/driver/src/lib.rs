@@ -35,6 +35,7 @@ pub mod diagnostic;
 pub mod input;
 pub mod memory;
 pub mod model;
+mod operator;
 pub mod output;
 pub mod reference;
 pub mod results;
@@ -44,7 +45,10 @@ mod solved;
 pub mod study;
 pub mod summary;
 pub mod units;
+pub mod verify;
+mod workers;
 
+pub use operator::Operator;
 pub use solved::{FieldError, Solved};
 
 use diagnostic::{Diagnostic, Faults, Report, Severity};
@@ -145,7 +149,8 @@ impl Loaded {
 
     /// Warnings on the case, ready to be shown; `None` if there are none.
     pub fn warnings(&self) -> Option<Report> {
-        let report = self.scene.warnings().clone().into_report(&self.file, &self.text);
+        let mut report = self.scene.warnings().clone().into_report(&self.file, &self.text);
+        report.diagnostics.retain(|d| d.severity == Severity::Warning);
         (!report.diagnostics.is_empty()).then_some(report)
     }
 

@@ -63,6 +63,12 @@ impl Solved {
         Ok(self.names(self.state(state)?))
     }
 
+    /// The unit of a field in the units of the case, such as `mm`; empty where it has none. `None` if there is no field of this name.
+    pub fn unit(&self, name: &str) -> Option<&'static str> {
+        let field: FieldName = serde_json::from_value(name.into()).ok()?;
+        Some(field.about().unit.label(self.scene.case().units))
+    }
+
     /// Positions `[x, y, z]` of all points, in the unit of length of the case; z is zero but in solids. A shell is unrolled: y runs
     /// around it.
     pub fn points(&self) -> Vec<[f64; 3]> {

@@ -1,106 +1,49 @@
-//! Solving with the interpreter free, and with Ctrl-C heard.
+//! Solving a case.
 
-use crate::error::{Fault, exception, faults};
+use crate::background::{Failure, Stop, beside};
+use crate::error::json;
+use crate::given::Given;
 use crate::solved::Solved;
-use peristat::case;
-use peristat::input::{Folder, Reach};
-use peristat::run::fracture::Restart;
-use peristat::run::{Advance, RunOptions, Sink, StateResult, sizes};
-use peristat::{Error, Loaded};
-use pyo3::exceptions::PyRuntimeError;
+use crate::states::{Equilibrium, States};
+use peristat::Error;
+use peristat::results::{Claim, Results, Writing};
+use peristat::run::{RunError, RunOptions, sizes};
+use peristat::study::EstimateEffort;
 use pyo3::prelude::*;
-use serde_json::Value;
-use std::io;
-use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex};
-use std::thread;
-use std::time::Duration;
+use std::path::PathBuf;
 
-/// How often signals are looked for.
-const TICK: Duration = Duration::from_millis(50);
-
-/// A case as the Python half hands it over.
-#[derive(Clone, FromPyObject)]
-pub(crate) struct Given {
-    /// Its text.
-    text: String,
-    /// What messages call it.
-    name: String,
-    /// Where files that it names are.
-    folder: String,
-    /// `path=value` for each value that is replaced.
-    overrides: Vec<String>,
-    /// Largest memory, bytes.
-    max_memory: Option<u64>,
+/// Where results are written beside memory.
+#[derive(FromPyObject)]
+pub(crate) struct Output {
+    folder: PathBuf,
+    force: bool,
+    resume: bool,
 }
 
-impl Given {
-    fn load(self) -> Result<Loaded, Error> {
-        let source = case::from_text(&self.name, self.text, &self.overrides)?;
-        // The name of a file in the folder stands for the folder.
-        let folder = Folder::of(&Path::new(&self.folder).join("case.json"), Reach::Inside);
-        Loaded::from_source(source, folder, self.max_memory)
-    }
-}
-
-/// Checks a case without solving it: its warnings, and the numbers of points, bonds and unknowns.
+/// Checks a case without solving it: its warnings, and the numbers of points, bonds and unknowns; both as JSON.
 #[pyfunction]
-pub(crate) fn check(py: Python<'_>, given: Given) -> PyResult<(Vec<Fault>, String)> {
+pub(crate) fn check(py: Python<'_>, given: Given) -> PyResult<(String, String)> {
     let max_memory = given.max_memory;
-    let found = py.detach(|| {
+    let (warnings, sizes) = beside(py, None, move |_| {
         let loaded = given.load()?;
         let sizes = sizes(&loaded.scene, &options(max_memory)).map_err(|error| loaded.explain(error))?;
-        let text = serde_json::to_string(&sizes).map_err(io::Error::from)?;
-        Ok((loaded.warnings().map_or(Vec::new(), |report| faults(&report)), text))
-    });
-    found.map_err(|error| exception(py, &error))
+        Ok((loaded.warnings().map_or(Vec::new(), |report| report.records()), sizes))
+    })?;
+    Ok((json(&warnings)?, json(&sizes)?))
 }
 
 /// Solves a case. `on_state` is called with the name and the load factor of every recorded state; the run ends after it if it returns
-/// `False`.
+/// `False`. `estimate` asks for errors of discretisation from a finer grid, `None` for what is cheap, `False` for none.
 #[pyfunction]
 pub(crate) fn run(
     py: Python<'_>,
     given: Given,
-    threads: Option<usize>,
+    threads: Option<u16>,
     on_state: Option<Py<PyAny>>,
+    estimate: Option<bool>,
+    output: Option<Output>,
 ) -> PyResult<Solved> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let (send, receive) = channel();
-    let watched = Arc::clone(&stop);
-    thread::spawn(move || {
-        // Nobody listens after an interrupt.
-        let _ = send.send(solve(given, threads, on_state, watched));
-    });
-    // A receiver may not be shared with the code that runs while the interpreter is free.
-    let receive = Mutex::new(receive);
-    let wait = || match receive.lock() {
-        Ok(receive) => receive.recv_timeout(TICK),
-        Err(_) => Err(RecvTimeoutError::Disconnected),
-    };
-    loop {
-        match py.detach(wait) {
-            Ok(Ok(solved)) => return Ok(solved),
-            Ok(Err(Failure::Library(error))) => return Err(exception(py, &error)),
-            Ok(Err(Failure::Python(error))) => return Err(error),
-            Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => {
-                return Err(PyRuntimeError::new_err("the solver ended without a result"));
-            }
-        }
-        if let Err(interrupt) = py.check_signals() {
-            // What cannot stop at an equilibrium ends by itself, unheard.
-            stop.store(true, Ordering::Relaxed);
-            return Err(interrupt);
-        }
-    }
-}
-
-enum Failure {
-    Library(Error),
-    Python(PyErr),
+    beside(py, threads, move |stop| solve(given, on_state, estimate, output, stop))
 }
 
 fn options(max_memory: Option<u64>) -> RunOptions {
@@ -109,72 +52,51 @@ fn options(max_memory: Option<u64>) -> RunOptions {
 
 fn solve(
     given: Given,
-    threads: Option<usize>,
     on_state: Option<Py<PyAny>>,
-    stop: Arc<AtomicBool>,
+    estimate: Option<bool>,
+    output: Option<Output>,
+    stop: &Stop,
 ) -> Result<Solved, Failure> {
-    let run = || {
-        let max_memory = given.max_memory;
-        let loaded = given.load().map_err(Failure::Library)?;
-        let mut states = States { kept: Vec::new(), curve: Vec::new(), on_state, stop, raised: None };
-        let summary = loaded.run(&options(max_memory), None, &mut states);
-        if let Some(error) = states.raised {
-            return Err(Failure::Python(error));
-        }
-        let summary = summary.map_err(Failure::Library)?;
-        let solved = peristat::Solved { scene: loaded.scene, summary, states: states.kept };
-        Ok(Solved { solved, curve: states.curve })
+    let max_memory = given.max_memory;
+    let loaded = given.load()?;
+    let (mut writing, mut restart) = (None, None);
+    if let Some(Output { folder, force, resume }) = output {
+        let claim = if resume {
+            let (claim, found) = Results::interrupted(&folder, &loaded.scene).map_err(Error::Io)?;
+            restart = Some(found);
+            claim
+        } else {
+            Claim::new(&folder, force).map_err(Error::Io)?
+        };
+        // Faults of the case come before the first file.
+        sizes(&loaded.scene, &options(max_memory)).map_err(|error| loaded.explain(error))?;
+        writing = Some(Writing::new(&loaded.scene, claim));
+    }
+    if let (Some(writing), Some(restart)) = (&mut writing, &restart) {
+        writing.resume(restart).map_err(Error::Io)?;
+    }
+    let past = restart.as_ref().map_or(Vec::new(), |restart| restart.events.clone());
+    let curve = past.into_iter().map(Equilibrium::Break).collect();
+    let is_asked = loaded.scene.case().is_traced();
+    let mut states =
+        States { kept: Vec::new(), curve, writing, on_state, stop, is_asked, ended: false, raised: None };
+    let summary = loaded.run(&options(max_memory), restart, &mut states);
+    let States { kept, curve, writing, ended, raised, .. } = states;
+    if let Some(error) = raised {
+        return Err(Failure::Python(error));
+    }
+    if ended {
+        return Err(Failure::Library(Error::Run(RunError::Interrupted)));
+    }
+    let mut summary = summary?;
+    let effort = match estimate {
+        None => EstimateEffort::Cheap,
+        Some(true) => EstimateEffort::FromFiner,
+        Some(false) => EstimateEffort::Nothing,
     };
-    match threads {
-        None => run(),
-        Some(count) => {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(count.max(1)).build();
-            let pool = pool.map_err(|error| Failure::Python(PyRuntimeError::new_err(error.to_string())))?;
-            pool.install(run)
-        }
+    loaded.add_estimate(&mut summary, effort, max_memory);
+    if let Some(writing) = writing {
+        writing.finish(&summary).map_err(Error::Io)?;
     }
-}
-
-/// Keeps every state, and asks Python whether to go on.
-struct States {
-    kept: Vec<StateResult>,
-    /// Every equilibrium on the way, as JSON.
-    curve: Vec<Value>,
-    on_state: Option<Py<PyAny>>,
-    stop: Arc<AtomicBool>,
-    raised: Option<PyErr>,
-}
-
-impl Sink for States {
-    fn take(&mut self, result: StateResult) -> io::Result<()> {
-        let record = result.record();
-        let (name, load_factor) = (record.name.clone(), record.load_factor);
-        self.kept.push(result);
-        let Some(on_state) = &self.on_state else { return Ok(()) };
-        let answer = Python::attach(|py| {
-            let answer = on_state.call1(py, (name, load_factor))?;
-            Ok(answer.is_none(py) || answer.is_truthy(py)?)
-        });
-        match answer {
-            Ok(true) => {}
-            Ok(false) => self.stop.store(true, Ordering::Relaxed),
-            Err(error) => {
-                self.raised = Some(error);
-                return Err(io::Error::other("`on_state` failed"));
-            }
-        }
-        Ok(())
-    }
-
-    fn advance(&mut self, event: Advance<'_>, _: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
-        self.curve.push(match event {
-            Advance::Break(event) => serde_json::to_value(event)?,
-            Advance::Path(point) => serde_json::to_value(point)?,
-        });
-        Ok(())
-    }
-
-    fn is_interrupted(&self) -> bool {
-        self.stop.load(Ordering::Relaxed)
-    }
+    Ok(Solved { solved: peristat::Solved { scene: loaded.scene, summary, states: kept }, curve })
 }

@@ -1,29 +1,34 @@
 //! A solved case as Python sees it.
 
+use crate::error::{exception, json};
+use crate::states::Equilibrium;
+use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArray2};
+use peristat::results::{Claim, Writing};
+use peristat::run::Sink;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use std::borrow::Cow;
+use std::path::PathBuf;
 
 /// A solved case.
 #[pyclass(frozen)]
 pub(crate) struct Solved {
     pub(crate) solved: peristat::Solved,
     /// Every equilibrium of a body that breaks or softens.
-    pub(crate) curve: Vec<serde_json::Value>,
+    pub(crate) curve: Vec<Equilibrium>,
 }
 
 #[pymethods]
 impl Solved {
     /// The record of the run, as JSON.
     fn summary(&self) -> PyResult<String> {
-        serde_json::to_string(&self.solved.summary)
-            .map_err(|error| pyo3::exceptions::PyRuntimeError::new_err(error.to_string()))
+        json(&self.solved.summary)
     }
 
     /// Every equilibrium on the way of a body that breaks or softens, as JSON.
-    fn curve(&self) -> String {
-        serde_json::Value::from(self.curve.clone()).to_string()
+    fn curve(&self) -> PyResult<String> {
+        json(&self.curve)
     }
 
     /// Names of the recorded states, in their order.
@@ -36,8 +41,9 @@ impl Solved {
         let points = self.solved.points();
         let rows = points.len();
         let flat: Vec<f64> = points.into_iter().flatten().collect();
-        let array = PyArray1::from_vec(py, flat);
-        numpy::PyArrayMethods::reshape(&array, [rows, 3])
+        let array = numpy::PyArrayMethods::reshape(&PyArray1::from_vec(py, flat), [rows, 3])?;
+        array.call_method1("setflags", (false,))?;
+        Ok(array)
     }
 
     /// Volumes of all points; None where the case gives stiffnesses and no areas.
@@ -50,13 +56,37 @@ impl Solved {
         self.solved.fields(state).map_err(|error| PyKeyError::new_err(error.to_string()))
     }
 
-    /// Values of a field of a state at all points.
-    fn field<'py>(&self, py: Python<'py>, state: usize, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let values =
-            self.solved.field(state, name).map_err(|error| PyKeyError::new_err(error.to_string()))?;
-        Ok(match values {
-            Cow::Borrowed(values) => PyArray1::from_slice(py, values),
+    /// The unit of a field; None if there is no such field.
+    fn unit(&self, name: &str) -> Option<&'static str> {
+        self.solved.unit(name)
+    }
+
+    /// Values of a field of a state at all points, not to be written.
+    #[allow(unsafe_code)]
+    fn field<'py>(slf: Bound<'py, Self>, state: usize, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let py = slf.py();
+        let solved = &slf.get().solved;
+        let array = match solved.field(state, name).map_err(|error| PyKeyError::new_err(error.to_string()))? {
+            // SAFETY: the values lie in `slf`, which the array keeps alive. A frozen class is never changed, and the array is made
+            // unwritable below, so that nothing moves or changes them.
+            Cow::Borrowed(values) => unsafe {
+                PyArray1::borrow_from_array(&ArrayView1::from(values), slf.clone().into_any())
+            },
             Cow::Owned(values) => PyArray1::from_vec(py, values),
-        })
+        };
+        array.call_method1("setflags", (false,))?;
+        Ok(array)
+    }
+
+    /// Writes the folder that the command writes.
+    fn save(&self, py: Python<'_>, folder: PathBuf, force: bool) -> PyResult<()> {
+        let peristat::Solved { scene, summary, states } = &self.solved;
+        let write = || {
+            let mut writing = Writing::new(scene, Claim::new(&folder, force)?);
+            states.iter().try_for_each(|state| writing.state(state))?;
+            self.curve.iter().try_for_each(|at| writing.advance(at.as_advance(), None))?;
+            writing.finish(summary)
+        };
+        py.detach(write).map_err(|error| exception(py, &peristat::Error::Io(error)))
     }
 }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import runpy
 from pathlib import Path
 
+import peristat
 import pytest
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -26,3 +27,20 @@ def test_finer_panels_are_exact_on_every_grid(monkeypatch: pytest.MonkeyPatch, c
     assert [row[0] for row in rows] == ["4", "2", "1"]
     # 1e-14 measured.
     assert all(float(row[1]) < 1e-11 for row in rows)
+
+
+def test_a_study_and_checks_run_from_the_root(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(ROOT)
+    names = runpy.run_path(str(ROOT / "docs/examples/study_and_checks.py"))
+    assert names["study"].passed
+    assert all(outcome.passed for outcome in peristat.verify(ROOT / "cases/beam"))
+    assert "passed" in capsys.readouterr().out
+
+
+def test_another_solver_finds_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("scipy")
+    monkeypatch.chdir(ROOT)
+    names = runpy.run_path(str(ROOT / "docs/examples/own_solver.py"))
+    expected = peristat.run("cases/plate/cantilever.json", set={"body.rectangle.spacing": 4}).field("uy")
+    # The tolerance of `cg` is 1e-5 of the residual; 1e-6 measured.
+    assert abs(names["u"][:, 1] - expected).max() < 1e-4 * abs(expected).max()

@@ -63,7 +63,7 @@ def test_faults_have_their_parts() -> None:
     fault = caught.value.faults[0]
     assert fault.severity == "error" and "spacin" in fault.message
     assert fault.path == "body.rectangle" or fault.path.startswith("body.rectangle")
-    assert fault.place is not None and text.splitlines()[fault.place[0] - 1].strip().startswith('"spacin"')
+    assert fault.line is not None and text.splitlines()[fault.line - 1].strip().startswith('"spacin"')
     assert fault.hint is not None and "spacing" in fault.hint
     assert "spacin" in str(caught.value)
 

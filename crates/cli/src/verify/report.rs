@@ -1,10 +1,11 @@
 //! What came of many cases: a table, JSON, and the report that CI servers read.
 
-use super::{Found, Outcome};
 use crate::print;
+use peristat::Error;
 use peristat::output::xml;
 use peristat::run::CheckResult;
-use peristat::summary::{Status, Summary};
+use peristat::summary::Summary;
+use peristat::verify::{Found, Outcome, PASSED, UNCHECKED};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -27,40 +28,6 @@ impl Counts {
             failed: count(Outcome::is_failure),
             unchecked: count(|o| o.verdict() == UNCHECKED),
             skipped: count(|o| matches!(o.found, Found::Skipped(_))),
-        }
-    }
-}
-
-const PASSED: &str = "passed";
-const UNCHECKED: &str = "without checks";
-
-impl Outcome {
-    fn summary(&self) -> Option<&Summary> {
-        match &self.found {
-            Found::Solved(summary) => Some(summary),
-            Found::Fault(_) | Found::Skipped(_) => None,
-        }
-    }
-
-    fn verdict(&self) -> &'static str {
-        match &self.found {
-            Found::Skipped(_) => "skipped",
-            Found::Fault(_) => "ERROR",
-            Found::Solved(s) => match s.status {
-                Status::Passed if s.checks.is_empty() => UNCHECKED,
-                Status::Passed => PASSED,
-                Status::CheckFailed => "FAILED",
-                Status::NotConverged => "NOT CONVERGED",
-            },
-        }
-    }
-
-    /// Whether something is wrong with it.
-    pub(super) fn is_failure(&self) -> bool {
-        match &self.found {
-            Found::Solved(summary) => summary.status != Status::Passed,
-            Found::Fault(_) => true,
-            Found::Skipped(_) => false,
         }
     }
 }
@@ -136,16 +103,18 @@ fn last_line(counts: &Counts) -> String {
 /// The outcomes for machines.
 pub(super) fn json(outcomes: &[Outcome]) -> String {
     let list = outcomes.iter().map(|o| {
-        let (error, reason) = match &o.found {
-            Found::Solved(_) => (None, None),
-            Found::Fault(error) => (Some(error.to_string()), None),
-            Found::Skipped(reason) => (None, Some(reason)),
+        let error = match &o.found {
+            Found::Fault(error) => Some(error),
+            Found::Solved(_) | Found::Skipped(_) => None,
         };
         let mut object = serde_json::json!({
             "case": o.case, "verdict": o.verdict().to_lowercase(), "time_s": o.seconds,
-            "checks": o.summary().map(|s| &s.checks), "error": error
+            "checks": o.summary().map(|s| &s.checks), "error": error.map(Error::text)
         });
-        if let (Some(reason), Some(keys)) = (reason, object.as_object_mut()) {
+        if let (Some(error), Some(keys)) = (error, object.as_object_mut()) {
+            keys.insert("faults".into(), serde_json::json!(error.records()));
+        }
+        if let (Found::Skipped(reason), Some(keys)) = (&o.found, object.as_object_mut()) {
             keys.insert("reason".into(), (*reason).into());
         }
         object

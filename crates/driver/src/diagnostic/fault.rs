@@ -38,6 +38,8 @@ pub struct Diagnostic {
     pub hint: Option<String>,
     /// Whether the case is refused only because it needs more memory than it may use.
     pub lacks_memory: bool,
+    /// Whether it is an error only for who solves the case: its stiffness can be built.
+    pub in_solution_only: bool,
 }
 
 impl Diagnostic {
@@ -50,12 +52,19 @@ impl Diagnostic {
             span: None,
             hint: None,
             lacks_memory: false,
+            in_solution_only: false,
         }
     }
 
     /// Says that only memory is lacking.
     pub fn for_lack_of_memory(&mut self) -> &mut Self {
         self.lacks_memory = true;
+        self
+    }
+
+    /// Says that the stiffness can be built all the same.
+    pub fn in_solution_only(&mut self) -> &mut Self {
+        self.in_solution_only = true;
         self
     }
 
@@ -110,9 +119,16 @@ impl Faults {
         }
     }
 
-    /// Whether the case cannot be run.
+    /// Whether there is no scene of the case.
     pub fn has_errors(&self) -> bool {
-        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+        self.diagnostics.iter().any(|d| d.severity == Severity::Error && !d.in_solution_only)
+    }
+
+    /// Why a scene that there is has no solution.
+    pub(crate) fn obstacles(&self) -> Option<Self> {
+        let obstacles = self.diagnostics.iter().filter(|d| d.in_solution_only).cloned();
+        let diagnostics: Vec<Diagnostic> = obstacles.collect();
+        (!diagnostics.is_empty()).then_some(Self { diagnostics })
     }
 
     /// Number of errors so far.

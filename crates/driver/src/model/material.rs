@@ -118,6 +118,11 @@ pub trait Material: Debug + Send + Sync {
         has_border(lattice, mirrors, self.about().horizon_ratio as i32)
     }
 
+    /// Why a border that cuts cells is not followed beside lines of symmetry, and what to do about it, where it could be elsewhere.
+    fn leaves_cut_border(&self, _mirrors: &Mirrors) -> Option<(&'static str, &'static str)> {
+        None
+    }
+
     /// Offsets to the neighbours of a point on a lattice.
     ///
     /// # Errors

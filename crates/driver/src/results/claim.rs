@@ -1,6 +1,7 @@
 //! Which folders a run may write into, and that no two write into one at once.
 
-use super::{OWN, inputs, is_leftover, names_in, restart};
+use super::files::{OWN, is_leftover, names_in};
+use super::{inputs, restart};
 use crate::input::file;
 use crate::output::lock::{Hold, Lock};
 use crate::scene::INPUTS;

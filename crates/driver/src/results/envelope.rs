@@ -1,6 +1,6 @@
 //! Smallest and largest values of fields over all states.
 
-use super::Column;
+use super::files::Column;
 use crate::output::csv;
 use std::io;
 use std::path::Path;

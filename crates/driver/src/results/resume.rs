@@ -1,12 +1,13 @@
 //! Going on with the folder of a run that was interrupted.
 
+use super::any_curve::AnyCurve;
+use super::being_written::{Results, history_row};
+use super::claim::{Claim, MARK};
 use super::curve::Curve;
 use super::digest::Digest;
+use super::files::{fields, is_leftover, lost, names_in, step, step_name, sweep, write_case};
 use super::report::Report;
-use super::{
-    AnyCurve, Claim, MARK, Results, fields, history_row, is_leftover, lost, names_in, restart, step,
-    step_name, sweep, write_case,
-};
+use super::restart;
 use crate::output;
 use crate::run::ProbeResult;
 use crate::run::fracture::Restart;

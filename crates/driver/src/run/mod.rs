@@ -47,6 +47,7 @@ pub use coarser::Coarser;
 pub use error::RunError;
 pub use linear::LinearSolver;
 pub use options::RunOptions;
+pub(crate) use prepare::constrained;
 pub use prepare::prepare;
 pub(crate) use problem::TOO_MANY_POINTS;
 pub use problem::{Problem, Spread};

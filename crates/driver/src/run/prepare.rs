@@ -36,33 +36,7 @@ pub(super) fn prepare_within<const D: usize>(
         return Err(RunError::Memory { needed, allowed });
     }
     let mut faults = Faults::default();
-    let (points, mut springs): (usize, Vec<Box<dyn Term<D>>>) = (problem.model().points(), Vec::new());
-    if !problem.springs().is_empty() {
-        springs.push(Box::new(Springs::new(points, problem.springs().to_vec())));
-    }
-    let system = match System::new(problem.model(), springs, problem.equations().to_vec()) {
-        Ok(system) => system,
-        Err(contradiction) => {
-            let path = JsonPath::from_str(&contradiction.origin).unwrap_or_default();
-            let mut others: Vec<String> = contradiction
-                .others
-                .iter()
-                .filter(|o| **o != contradiction.origin)
-                .map(|o| format!("`{o}`"))
-                .collect();
-            others.sort_unstable();
-            others.dedup();
-            let message = match others.is_empty() {
-                true => format!("`{}` contradicts itself", contradiction.origin),
-                false => format!("`{}` contradicts {}", contradiction.origin, others.join(", ")),
-            };
-            faults.error(path, message).hint(match problem.spread() {
-                Spread::Chain => "prescribe each motion once; points that a link or a joint joins move together",
-                _ => "prescribe each motion once: edges share the points of their corner, and those of a rigid region move together",
-            });
-            return Err(RunError::Case(faults));
-        }
-    };
+    let system = constrained(problem)?;
     let (motions, supports) = (free_motions(problem.model(), &system), JsonPath::default().key("supports"));
     for motion in motions.iter().take(MOST_MOTIONS) {
         faults.error(supports.clone(), problem.describe(motion)).hint(problem.remedy());
@@ -81,4 +55,39 @@ pub(super) fn prepare_within<const D: usize>(
         estimated_bytes: needed,
     };
     Ok((system, sizes))
+}
+
+/// The system of a problem with its supports and links, free motions or not.
+///
+/// # Errors
+/// [`RunError::Case`] names contradicting supports.
+pub(crate) fn constrained<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, RunError> {
+    let (points, mut springs): (usize, Vec<Box<dyn Term<D>>>) = (problem.model().points(), Vec::new());
+    if !problem.springs().is_empty() {
+        springs.push(Box::new(Springs::new(points, problem.springs().to_vec())));
+    }
+    match System::new(problem.model(), springs, problem.equations().to_vec()) {
+        Ok(system) => Ok(system),
+        Err(contradiction) => {
+            let mut faults = Faults::default();
+            let path = JsonPath::from_str(&contradiction.origin).unwrap_or_default();
+            let mut others: Vec<String> = contradiction
+                .others
+                .iter()
+                .filter(|o| **o != contradiction.origin)
+                .map(|o| format!("`{o}`"))
+                .collect();
+            others.sort_unstable();
+            others.dedup();
+            let message = match others.is_empty() {
+                true => format!("`{}` contradicts itself", contradiction.origin),
+                false => format!("`{}` contradicts {}", contradiction.origin, others.join(", ")),
+            };
+            faults.error(path, message).hint(match problem.spread() {
+                Spread::Chain => "prescribe each motion once; points that a link or a joint joins move together",
+                _ => "prescribe each motion once: edges share the points of their corner, and those of a rigid region move together",
+            });
+            Err(RunError::Case(faults))
+        }
+    }
 }

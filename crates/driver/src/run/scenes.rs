@@ -20,6 +20,7 @@ pub fn run(
     resume: Option<Restart>,
     sink: &mut dyn Sink,
 ) -> Result<RunReport, RunError> {
+    can_be_solved(scene)?;
     match scene {
         Scene::Beam(scene) if scene.fracture.is_some() => beam::run_breaking(scene, options, resume, sink),
         Scene::Body(scene) if scene.fracture.is_some() => body::run_breaking(scene, options, resume, sink),
@@ -37,8 +38,14 @@ pub fn run(
 /// # Errors
 /// As [`run`].
 pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
+    can_be_solved(scene)?;
     match scene {
         Scene::Beam(scene) => beam::sizes(scene, options),
         Scene::Body(scene) => body::sizes(scene, options),
     }
+}
+
+/// Whether nothing is known that stands in the way of a solution.
+fn can_be_solved(scene: &Scene) -> Result<(), RunError> {
+    scene.warnings().obstacles().map_or(Ok(()), |faults| Err(RunError::Case(faults)))
 }

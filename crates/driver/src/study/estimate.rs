@@ -9,6 +9,7 @@ use crate::summary::words::times;
 use crate::summary::{Estimates, Grids, Status, Summary};
 use crate::{Error, Loaded};
 use peristat_assembly::model::timoshenko_beam::Grid;
+use std::time::Instant;
 
 /// Multiples of the spacing of a coarser grid, in the order in which they are tried. In the plane 2 costs a quarter of the
 /// run, and 3/2, which is nearer, less than half.
@@ -25,7 +26,33 @@ const APART: f64 = 1.5;
 /// Points of a body in the plane up to which a run estimates its error without being asked.
 const CHEAP: usize = 10_000;
 
+/// What an estimate of discretisation errors may cost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EstimateEffort {
+    /// None is made.
+    Nothing,
+    /// That of coarser grids, where it is cheap.
+    Cheap,
+    /// That of a finer grid, whatever it costs.
+    FromFiner,
+}
+
 impl Loaded {
+    /// Adds the discretisation errors to the record of a run, or why they are not known.
+    pub fn add_estimate(&self, summary: &mut Summary, effort: EstimateEffort, max_memory: Option<u64>) {
+        let begin = Instant::now();
+        let estimated = match effort {
+            EstimateEffort::Nothing => return,
+            EstimateEffort::Cheap => self.estimate_cheaply(summary, max_memory),
+            EstimateEffort::FromFiner => self.estimate(summary, Grids::FinerAndCoarser, max_memory),
+        };
+        match estimated {
+            Ok(estimates) => summary.estimate = Some(estimates),
+            Err(reason) => summary.no_estimate = Some(reason),
+        }
+        summary.timing_s.estimate = begin.elapsed().as_secs_f64();
+    }
+
     /// Estimates the discretisation error of every probe of a run, and of its energy, as a run does without being asked:
     /// from coarser grids, if the body is a beam, a frame or not large.
     ///

@@ -17,14 +17,17 @@ mod plan;
 mod record;
 mod report;
 mod settings;
+mod solving;
 mod store;
 pub mod words;
 mod write;
 
+pub use estimate::EstimateEffort;
 pub use faults::TaskFaults;
 pub use file::{DeltaConvergence, Exact, Expect, JointConvergence, MConvergence, Refine, Study, Values};
 pub use findings::{Findings, Level, Outcome, Quantity, Series};
 pub use plan::{Plan, Task};
 pub use record::{Measured, Record};
+pub use solving::Solving;
 pub use store::{Claimed, Store};
 pub use write::write;

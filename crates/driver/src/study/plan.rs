@@ -86,7 +86,22 @@ impl Plan {
             diagnostic.hint = refusal.hint.map(Into::into);
             Report::of(&name, String::new(), diagnostic)
         })?;
-        let text = decode(&name, bytes)?;
+        Self::from_text(file, decode(&name, bytes)?, None, overrides, reach)
+    }
+
+    /// The same of the text of a study; `file` is what messages call it and what paths are relative to, and `base` the text of the base
+    /// case if it is not to be read.
+    ///
+    /// # Errors
+    /// As [`Plan::read`].
+    pub fn from_text(
+        file: &Path,
+        text: String,
+        base: Option<String>,
+        overrides: &[String],
+        reach: Reach,
+    ) -> Result<Self, Error> {
+        let name = file.display().to_string();
         let study: Study = parse(&name, &text)?;
         let mut faults = Faults::default();
         let series = check(&study, &mut faults);
@@ -94,7 +109,7 @@ impl Plan {
             return Err(faults.into_report(name, text).into());
         }
         let case_file = file.parent().unwrap_or(Path::new("")).join(&study.case);
-        let base = base(file, &study, &text, reach)?;
+        let base = base.map_or_else(|| base_of(file, &study, &text, reach), Ok)?;
         let folder = Folder::of(&case_file, reach);
         let levels = study.refine.as_ref().map_or(1, |refine| steps(refine).len());
         let tasks = series.len().saturating_mul(levels);
@@ -159,7 +174,7 @@ fn assignment((path, value): (&String, &Value)) -> String {
 }
 
 /// The text of the base case of a study.
-fn base(file: &Path, study: &Study, text: &str, reach: Reach) -> Result<String, Report> {
+fn base_of(file: &Path, study: &Study, text: &str, reach: Reach) -> Result<String, Report> {
     let name = file.with_file_name(&study.case).display().to_string();
     match Folder::of(file, reach).read(&study.case, None) {
         Ok(bytes) => decode(&name, bytes),

@@ -8,12 +8,14 @@ A case is a dictionary of the keys that `peristat schema` describes, a path to a
     result.probes["tip"], result.status, result.fields()["uy"]
 """
 
-from ._case import Case, check, run
+from ._case import Case
 from ._errors import CaseError, Fault, Interrupted, NotConverged, PeristatWarning
+from ._lists import models, schema
+from ._operator import operator, stiffness
 from ._peristat import __version__
-from ._peristat import models as _models
-from ._peristat import schema as _schema
-from ._result import Result
+from ._result import Result, Value
+from ._solve import Verified, check, run, verify
+from ._study import Study, study
 
 __all__ = [
     "Case",
@@ -23,22 +25,16 @@ __all__ = [
     "NotConverged",
     "PeristatWarning",
     "Result",
+    "Study",
+    "Value",
+    "Verified",
     "__version__",
     "check",
     "models",
+    "operator",
     "run",
     "schema",
+    "stiffness",
+    "study",
+    "verify",
 ]
-
-
-def models() -> dict[str, str]:
-    """All models by name, each with a sentence on what it is."""
-    return dict(_models())
-
-
-def schema() -> dict[str, object]:
-    """The JSON schema of cases."""
-    import json
-
-    found: dict[str, object] = json.loads(_schema())
-    return found

@@ -1,75 +1,76 @@
-"""Cases in whichever form they are given, checked and solved."""
+"""Cases in whichever form they are given."""
 
 from __future__ import annotations
 
 import json
-import warnings
-from collections.abc import Callable, Mapping
+import os
+from collections.abc import Mapping
+from decimal import Decimal
+from numbers import Real
+from operator import index
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, NamedTuple, Optional, Union
 
-from . import _peristat
-from ._errors import Fault, NotConverged, PeristatWarning
-from ._result import Result
+import numpy as np
 
 Case = Union[Mapping[str, Any], str, "PathLike[str]"]
 """A dictionary, a path, or JSON text, which begins with `{`."""
 
 
-class _Given(NamedTuple):
+class Given(NamedTuple):
+    """A case or a study as the native half takes it."""
+
     text: str
-    name: str
-    folder: str
+    file: str
+    base: Optional[str]
     overrides: list[str]
     max_memory: Optional[int]
 
 
-def _json(value: Any) -> str:
-    """Values of NumPy, which have a `tolist`, are those of Python."""
-    return json.dumps(value, default=lambda other: other.tolist() if hasattr(other, "tolist") else dict(other))
+def json_of(value: Any) -> str:
+    """JSON, with the numbers and arrays of NumPy as those of Python. Raises `TypeError`, or `ValueError` for what is no finite number."""
+
+    def plain(other: Any) -> Any:
+        if isinstance(other, np.ndarray):
+            return other.tolist()
+        if isinstance(other, (np.integer, np.bool_)):
+            return other.item()
+        if isinstance(other, (np.floating, Real, Decimal)):
+            return float(other)
+        if isinstance(other, Mapping):
+            return dict(other)
+        if isinstance(other, PathLike):
+            return fspath(other)
+        raise TypeError(f"a case holds numbers, texts, lists and dictionaries, found {other!r}")
+
+    text = json.dumps(value, default=plain, allow_nan=False, ensure_ascii=False)
+    # Half of a surrogate pair is no text.
+    text.encode()
+    return text
 
 
-def _given(case: Case, set: Optional[Mapping[str, Any]], max_memory: Optional[int]) -> _Given:
-    overrides = [f"{path}={_json(value)}" for path, value in (set or {}).items()]
+def given(case: Case, set: Optional[Mapping[str, Any]], max_memory: Optional[int], what: str = "case") -> Given:
+    """A case as the native half takes it; a study may bring its base case along under `case`."""
+    overrides = [f"{path}={json_of(value)}" for path, value in (set or {}).items()]
+    if max_memory is not None and index(max_memory) < 1:
+        raise ValueError(f"`max_memory` is a number of bytes, found {max_memory}")
     if isinstance(case, Mapping):
-        return _Given(_json(case), "case", ".", overrides, max_memory)
+        base = case.get("case")
+        if what == "study" and isinstance(base, Mapping):
+            return Given(json_of({**case, "case": "case"}), what, json_of(base), overrides, max_memory)
+        return Given(json_of(case), what, None, overrides, max_memory)
     if isinstance(case, str) and case.lstrip().startswith("{"):
-        return _Given(case, "case", ".", overrides, max_memory)
+        return Given(case, what, None, overrides, max_memory)
     path = Path(fspath(case))
-    return _Given(path.read_text(encoding="utf-8"), str(path), str(path.parent), overrides, max_memory)
+    # A mark of byte order is no part of the text.
+    return Given(path.read_text(encoding="utf-8-sig"), str(path), None, overrides, max_memory)
 
 
-def run(
-    case: Case,
-    *,
-    set: Optional[Mapping[str, Any]] = None,
-    threads: Optional[int] = None,
-    max_memory: Optional[int] = None,
-    on_state: Optional[Callable[[str, float], Optional[bool]]] = None,
-) -> Result:
-    """Solve a case.
-
-    `set` replaces values by their paths, such as `{"body.rectangle.spacing": 2}`; `threads` are all cores if not given; `max_memory` is in
-    bytes. `on_state(name, load_factor)` is called for every recorded state; a body that breaks ends after it with `Interrupted` if it
-    returns `False`. Ctrl-C ends the call within a second. A failed check is no exception: see `Result.status`.
-
-    Raises `CaseError`, `NotConverged`, `MemoryError`; warns with `PeristatWarning`.
-    """
-    result = Result(_peristat.run(_given(case, set, max_memory), threads, on_state))
-    for text in result.summary["warnings"]:
-        warnings.warn(text, PeristatWarning, stacklevel=2)
-    if result.status == "not_converged":
-        raise NotConverged(result)
-    return result
-
-
-def check(
-    case: Case, *, set: Optional[Mapping[str, Any]] = None, max_memory: Optional[int] = None
-) -> tuple[dict[str, Any], list[Fault]]:
-    """Build a case without solving it: its sizes (points, bonds, unknowns, estimated bytes) and its warnings.
-
-    Raises `CaseError`, `MemoryError`.
-    """
-    found, sizes = _peristat.check(_given(case, set, max_memory))
-    return json.loads(sizes), [Fault(*fault) for fault in found]
+def checked_threads(count: Optional[int]) -> Optional[int]:
+    """A number of threads as the native half takes it: more than there are cores help nobody."""
+    if count is None:
+        return None
+    if index(count) < 1:
+        raise ValueError(f"`threads` must be at least 1, found {count}")
+    return min(index(count), os.cpu_count() or 1)

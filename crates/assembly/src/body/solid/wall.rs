@@ -5,13 +5,26 @@ use super::super::lattice::{SquareLattice, plus};
 use super::cut::Cut;
 use super::shape::{Face, SolidShape};
 
-/// A face of a block, or the border of a part that is cut out of it.
+/// A face of a block, or the border of a part that is cut out of it. No side of a cell is in two of them: one between the body and
+/// several parts that overlap is in the first, and where a round body touches a face of its block, the sides are those of the round body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wall {
     /// Its name.
     pub name: String,
     /// Where it is.
     pub kind: WallKind,
+    /// Borders of other parts that come first.
+    before: Vec<NamedCut>,
+    /// Faces that the body goes on behind.
+    mirrored: Vec<Face>,
+}
+
+/// A part that is cut out of a block and has a name.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct NamedCut {
+    cut: Cut,
+    /// Lowest and highest corner of the block, m.
+    block: [[f64; 3]; 2],
 }
 
 /// What a wall is.
@@ -26,6 +39,22 @@ pub enum WallKind {
         /// Lowest and highest corner of the block, m.
         block: [[f64; 3]; 2],
     },
+}
+
+impl NamedCut {
+    /// Whether a side of a cell, beyond which no cell is, is between the body and the cut.
+    fn has(&self, side: &Side, lattice: &SquareLattice) -> bool {
+        let (middle, half, slack) =
+            (side.middle(lattice), 0.5 * lattice.spacing(), BORDER * lattice.spacing());
+        let normal = side.normal();
+        let at = [0, 1, 2].map(|k| middle[k] + half * normal[k]);
+        let [low, high] = self.block;
+        match (0..3).all(|k| low[k] < at[k] && at[k] < high[k]) {
+            true => self.cut.contains(at, slack),
+            // The faces of the block go on beside holes in it, and on a round body that is cut off at them.
+            false => self.cut.is_outside() && self.cut.contains(middle, slack),
+        }
+    }
 }
 
 /// A side of a cell on the border.
@@ -79,6 +108,13 @@ impl Wall {
         }
     }
 
+    /// Takes faces for planes of symmetry: a cut that reaches them has no border there.
+    pub fn mirror(&mut self, faces: &[Face]) {
+        if self.face().is_none() {
+            self.mirrored = faces.to_vec();
+        }
+    }
+
     /// Its sides of cells, in the order of their points.
     pub fn sides(&self, lattice: &SquareLattice) -> Vec<Side> {
         let each = (0..lattice.points())
@@ -87,36 +123,50 @@ impl Wall {
     }
 
     fn has(&self, side: &Side, lattice: &SquareLattice) -> bool {
-        match &self.kind {
-            WallKind::Face(face) => {
-                let slack = 1e-6 * lattice.spacing();
-                (side.axis, side.is_high) == (face.axis, face.is_high)
-                    && (side.middle(lattice)[face.axis] - face.at).abs() <= slack
-            }
-            WallKind::Cut { cut, block: [low, high] } => {
-                let beyond = plus(lattice.cell(side.point), side.outwards());
-                if lattice.number(beyond).is_some() {
-                    return false;
-                }
-                let (middle, half) = (side.middle(lattice), 0.5 * lattice.spacing());
-                let normal = side.normal();
-                let at = [0, 1, 2].map(|k| middle[k] + half * normal[k]);
-                // The faces of the block go on beside holes in it.
-                let in_block = (0..3).all(|k| low[k] < at[k] && at[k] < high[k]);
-                (in_block || cut.is_outside()) && cut.contains(at, BORDER * lattice.spacing())
-            }
+        let beyond = plus(lattice.cell(side.point), side.outwards());
+        if lattice.number(beyond).is_some() {
+            return false;
         }
+        let is_own = match self.kind {
+            WallKind::Face(face) => face.has(side, lattice),
+            WallKind::Cut { cut, block } => NamedCut { cut, block }.has(side, lattice),
+        };
+        is_own
+            && !self.before.iter().any(|other| other.has(side, lattice))
+            && !self.mirrored.iter().any(|face| face.has(side, lattice))
+    }
+}
+
+impl Face {
+    /// Whether a side of a cell lies on it.
+    pub fn has(&self, side: &Side, lattice: &SquareLattice) -> bool {
+        let slack = 1e-6 * lattice.spacing();
+        (side.axis, side.is_high) == (self.axis, self.is_high)
+            && (side.middle(lattice)[self.axis] - self.at).abs() <= slack
     }
 }
 
 impl SolidShape {
     /// Its faces, in the order of [`SIDES`](super::SIDES), and the borders of cuts that have names.
     pub fn walls(&self) -> Vec<Wall> {
-        let face = |face: Face| Wall { name: face.name.to_string(), kind: WallKind::Face(face) };
-        let cut = |(name, cut): &(Option<String>, Cut)| {
-            Some(Wall { name: name.clone()?, kind: WallKind::Cut { cut: *cut, block: self.bounds() } })
+        let block = self.bounds();
+        let named = self.cuts.iter().filter_map(|(name, cut)| Some((name.as_ref()?, *cut)));
+        let named: Vec<(&String, NamedCut)> =
+            named.map(|(name, cut)| (name, NamedCut { cut, block })).collect();
+        let all: Vec<NamedCut> = named.iter().map(|(_, cut)| *cut).collect();
+        let face = |face: Face| Wall {
+            name: face.name.to_string(),
+            kind: WallKind::Face(face),
+            before: all.clone(),
+            mirrored: Vec::new(),
         };
-        self.faces().into_iter().map(face).chain(self.cuts.iter().filter_map(cut)).collect()
+        let cut = |(k, (name, cut)): (usize, &(&String, NamedCut))| Wall {
+            name: (*name).clone(),
+            kind: WallKind::Cut { cut: cut.cut, block },
+            before: all[..k].to_vec(),
+            mirrored: Vec::new(),
+        };
+        self.faces().into_iter().map(face).chain(named.iter().enumerate().map(cut)).collect()
     }
 }
 
@@ -157,5 +207,28 @@ mod tests {
         // Less than 24 at the corner, and the rest of the border is that of the ball.
         let right = wall("right").len();
         assert!(right < 24 && right + sums[0] == 24, "{right} {sums:?}");
+    }
+
+    #[test]
+    fn no_side_is_in_two_walls_and_all_of_the_border_is_in_one() {
+        let mut shape = SolidShape::block([0.0; 3], [4.0; 3]).unwrap();
+        let ball = Cut::Ball { centre: [2.0; 3], radius: 2.6, outside: true };
+        shape.cut(Some("ball".into()), ball).unwrap();
+        for (name, axis) in [("one", 0), ("two", 1)] {
+            let bore = Cut::Bore { axis, centre: [2.0; 3], radius: 0.9, outside: false };
+            shape.cut(Some(name.into()), bore).unwrap();
+        }
+        let lattice = shape.fill(0.4).unwrap();
+        let sides: Vec<Side> = shape.walls().iter().flat_map(|wall| wall.sides(&lattice)).collect();
+        let twice = sides.iter().enumerate().filter(|(k, side)| sides[..*k].contains(side)).count();
+        assert_eq!(twice, 0);
+        let all = (0..lattice.points()).flat_map(|point| (0..6).map(move |k| (point, k)));
+        let border = all.filter(|&(point, k)| {
+            let side = Side { point, axis: k / 2, is_high: k % 2 == 1 };
+            lattice.number(plus(lattice.cell(point), side.outwards())).is_none()
+        });
+        assert_eq!(sides.len(), border.count());
+        // The ball is cut off at the faces, which keep their sides.
+        assert!(shape.walls()[..6].iter().all(|face| face.sides(&lattice).len() > 20));
     }
 }

@@ -9,6 +9,7 @@ use super::{Families, critical, section, warn, words};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
 use peristat_assembly::body::{Cell, Outline, SquareLattice};
+use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
 use peristat_assembly::model::state_based::{
     BorderedState, Geometry, StateBased, StateEdges, StateParameters,
@@ -69,6 +70,14 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         if self.parameters.is_axisymmetric() {
             self.parameters.geometry = Geometry::PlaneStrain(1.0);
         }
+    }
+
+    /// Where a hole meets lines of symmetry, influences that do not fall to zero have left one negative eigenvalue.
+    fn leaves_cut_border(&self, mirrors: &Mirrors) -> Option<(&'static str, &'static str)> {
+        (!mirrors.is_none() && self.parameters.influence != Influence::Linear).then_some((
+            "beside lines of symmetry only the influence `linear` follows it",
+            "use the influence `linear`, the default, or model the whole body",
+        ))
     }
 
     fn has_border(&self, lattice: &SquareLattice, mirrors: &Mirrors) -> bool {

@@ -1,7 +1,7 @@
 //! The columns of tables: where the points of a beam are, and what is known on them.
 
 use crate::case::FieldName;
-use crate::results::Column;
+use crate::results::files::Column;
 use crate::run::beam::{BeamResult, LineFields};
 use crate::scene::beam::BeamScene;
 
@@ -37,7 +37,7 @@ pub(super) fn places(scene: &BeamScene, result: &BeamResult) -> Vec<Column> {
 }
 
 /// The fields that a state has.
-pub(in crate::results) fn fields(result: &BeamResult) -> impl Iterator<Item = Column> {
+pub(crate) fn fields(result: &BeamResult) -> impl Iterator<Item = Column> {
     result.fields().iter().filter_map(|&f| Some((f.name(), result.all_values(f)?.into_owned())))
 }
 

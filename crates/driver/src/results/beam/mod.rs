@@ -7,8 +7,9 @@ mod plots;
 
 pub(super) use columns::fields;
 
+use super::envelope::Envelope;
+use super::files::{Column, write_table};
 use super::report::chart;
-use super::{Column, Envelope, write_table};
 use crate::case::FieldName;
 use crate::output::plot;
 use crate::output::report::Block;

@@ -7,7 +7,9 @@ mod raster;
 mod report;
 mod surface;
 
-use super::Envelope;
+use super::envelope::Envelope;
+use super::files;
+
 use super::report::chart;
 use crate::case::FieldName;
 use crate::output::csv;
@@ -96,7 +98,7 @@ pub(super) fn draw(folder: Option<&Path>, scene: &BodyScene, result: &BodyResult
 }
 
 /// Where the points are.
-fn places(scene: &BodyScene) -> Vec<super::Column> {
+fn places(scene: &BodyScene) -> Vec<files::Column> {
     let body = scene.body();
     let mut columns = [(); 3].map(|()| Vec::with_capacity(body.points()));
     body.visit(|at| columns.iter_mut().zip(at).for_each(|(column, x)| column.push(x)));

@@ -41,7 +41,10 @@ impl HeldPoint {
     }
 }
 
-/// HeldSupport points, and what holds the ends of every line.
+const BEAM_EXAMPLE: &str = r#"a clamped end is { "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0 }, a simple support { "at": { "x": 0.0 }, "w": 0.0 }"#;
+const FRAME_EXAMPLE: &str = r#"a clamp is { "at": { "joint": "A" }, "ux": 0.0, "uy": 0.0, "phi": 0.0 }; a pin gives `ux` and `uy`, a roller one of them"#;
+
+/// Held points, and what holds the ends of every line.
 pub(super) fn held(
     case: &Case,
     layout: &Layout,
@@ -50,14 +53,11 @@ pub(super) fn held(
     let mut ends = vec![[EndSupport::default(); 2]; layout.lines.len()];
     let mut held = Vec::new();
     if case.supports.is_empty() && case.foundation.is_empty() {
-        match &layout.frame {
-            None => faults.error(root("supports"), "nothing holds the beam: `supports` is empty").hint(
-                r#"a clamped end is { "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0 }, a simple support { "at": { "x": 0.0 }, "w": 0.0 }"#,
-            ),
-            Some(_) => faults.error(root("supports"), "nothing holds the frame: `supports` is empty").hint(
-                r#"a clamp is { "at": { "joint": "A" }, "ux": 0.0, "uy": 0.0, "phi": 0.0 }; a pin gives `ux` and `uy`, a roller one of them"#,
-            ),
+        let (message, hint) = match &layout.frame {
+            None => ("nothing holds the beam: `supports` is empty", BEAM_EXAMPLE),
+            Some(_) => ("nothing holds the frame: `supports` is empty", FRAME_EXAMPLE),
         };
+        faults.error(root("supports"), message).hint(hint).in_solution_only();
     }
     for (k, support) in case.supports.iter().enumerate() {
         let path = root("supports").index(k);

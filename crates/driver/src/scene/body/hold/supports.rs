@@ -63,7 +63,8 @@ pub(crate) fn held(
             (_, true) => SOLID_EXAMPLE,
             _ => EXAMPLE,
         };
-        faults.error(root("supports"), "nothing holds the body: `supports` is empty").hint(hint);
+        let message = "nothing holds the body: `supports` is empty";
+        faults.error(root("supports"), message).hint(hint).in_solution_only();
     }
     let each = case.supports.iter().enumerate();
     let shares = EdgeShares::new(material);

@@ -10,7 +10,7 @@ use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::model::{About, Keys, Material, USUAL_HORIZON_RATIO};
 use crate::scene::{horizon, root};
-use peristat_assembly::body::{Outline, PointBody, SquareLattice, Wall};
+use peristat_assembly::body::{Face, Outline, PointBody, SquareLattice, Wall};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
@@ -48,7 +48,7 @@ pub(crate) fn read(
     let usual = material.as_ref().map_or(USUAL_HORIZON_RATIO, |material| material.usual_horizon_ratio());
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
     let body::Built { mut body, outline, shape, curves, file } = built?;
-    let walls = shape.as_ref().map_or(Vec::new(), |shape| shape.walls());
+    let mut walls = shape.as_ref().map_or(Vec::new(), |shape| shape.walls());
     if let (PointBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
         && material.as_ref().is_some_and(|material| material.is_revolved())
     {
@@ -64,6 +64,9 @@ pub(crate) fn read(
     if let (true, Some(outline), Some(lattice)) = (touches_axis, &outline, lattice) {
         symmetry.add_axis(outline, lattice);
     }
+    let is_mirrored = |face: &&Face| symmetry.replaces(face.name);
+    let mirrored: Vec<Face> = walls.iter().filter_map(Wall::face).filter(is_mirrored).copied().collect();
+    walls.iter_mut().for_each(|wall| wall.mirror(&mirrored));
     periodic::join(case, outline.as_ref(), lattice, &mut symmetry, faults);
     let (mut material, ratio) = (material?, ratio?);
     if ratio > MOST_RATIO {
@@ -132,7 +135,9 @@ fn complete(
     if about.ends_where_cut && !is_cut {
         return material.leave_border(Edges::Overlay);
     }
-    let can_end = !may_break && lattice.is_some_and(|lattice| material.has_border(lattice, mirrors));
+    let left = if is_cut { material.leaves_cut_border(mirrors) } else { None };
+    let can_end =
+        !may_break && left.is_none() && lattice.is_some_and(|lattice| material.has_border(lattice, mirrors));
     if can_end && !outline.is_some_and(|outline| held_angle::is_held(case, outline)) {
         if material.is_revolved() && ends_on_border {
             warn_of_corners(about.name, faults);
@@ -147,15 +152,20 @@ fn complete(
             )
             .hint("give the edges `ghosts`, the default");
     } else if is_cut && !can_end && ends_on_border {
-        warn_of_staircase(&about, mirrors, faults);
+        warn_of_staircase(&about, left, mirrors, faults);
     }
     // Triangles complete the edges, but do not soften.
     material.leave_border(if case.path.is_some() { Edges::None } else { Edges::Overlay });
 }
 
 /// A doubt about a border that cuts cells and cannot be followed.
-fn warn_of_staircase(about: &About, mirrors: &Mirrors, faults: &mut Faults) {
-    let (why, hint) = match mirrors.joined {
+fn warn_of_staircase(
+    about: &About,
+    left: Option<(&'static str, &'static str)>,
+    mirrors: &Mirrors,
+    faults: &mut Faults,
+) {
+    let otherwise = || match mirrors.joined {
         _ if about.horizon_ratio >= f64::from(FARTHEST + 1) => {
             ("the horizon is too long to follow it", "use a horizon of ten spacings at most")
         }
@@ -164,6 +174,7 @@ fn warn_of_staircase(about: &About, mirrors: &Mirrors, faults: &mut Faults) {
         }
         _ => ("sides are joined", "model the whole body, or half of it beside a line of symmetry"),
     };
+    let (why, hint) = left.unwrap_or_else(otherwise);
     let others = if about.has_families { "ghosts" } else { "overlay" };
     faults
         .warning(

@@ -60,7 +60,7 @@ impl<'a> Ground<'a> {
         for name in outline.map_or(&[][..], Outline::holes).iter().filter_map(|h| h.name.as_ref()) {
             take(name, "a hole", Region::Hole { name: name.clone(), depth: None });
         }
-        for Wall { name, kind } in walls {
+        for Wall { name, kind, .. } in walls {
             let (kind, region) = match kind {
                 WallKind::Face(_) => ("a face", SolidRegion::Face { name: name.clone(), depth: None }),
                 WallKind::Cut { .. } => ("a cut", SolidRegion::Cut { name: name.clone() }),

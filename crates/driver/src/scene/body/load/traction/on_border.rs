@@ -7,7 +7,7 @@ use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::site::boundary::{self, Border, Stretch};
 use crate::scene::body::site::ground::Ground;
 use peristat_assembly::body::BorderPart;
-use peristat_assembly::model::plane::Calibration;
+use peristat_assembly::model::plane::{Calibration, Edges};
 
 /// A traction on its border.
 #[derive(Clone, Debug)]
@@ -54,6 +54,28 @@ pub(crate) fn may_be_consistent(traction: &OnBorder, context: &LoadContext) -> b
     let matched = context.material.about().calibration == Calibration::Matched;
     match traction.sharing {
         Some(sharing) => sharing == LoadSharing::Consistent,
-        None => matched,
+        None => matched && misses_at_mirrors(context).is_none(),
     }
+}
+
+/// Why the rows of bonds have not the forces of a stress beside lines of symmetry: without a mirror the other end of the body gives what
+/// this one lacks, a mirror shows it.
+pub(crate) fn misses_at_mirrors(context: &LoadContext) -> Option<&'static str> {
+    let about = context.material.about();
+    let mirrors = &context.symmetry.mirrors;
+    let has_mirror = |axis: usize| !mirrors.joined[axis] && mirrors.lines[axis].iter().any(Option::is_some);
+    if !(0..2).any(has_mirror) {
+        return None;
+    }
+    if about.edges.is_some_and(|edges| !edges.is_exact()) {
+        return Some("beside a mirror they need the edges `border` or `overlay`");
+    }
+    let lattice = context.ground.body.cells()?;
+    let (columns, rows) = (lattice.columns().len(), lattice.rows().len());
+    // Bonds reach from an image past all of the body.
+    let reach = about.horizon_ratio + about.partial_neighbours;
+    let is_thin = |axis: usize, cells: usize| has_mirror(axis) && cells as f64 <= reach;
+    let completes = about.edges == Some(Edges::Overlay);
+    (completes && (is_thin(0, columns) || is_thin(1, rows)))
+        .then_some("beside a mirror they need a body wider than the horizon")
 }

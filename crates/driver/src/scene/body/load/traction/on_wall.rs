@@ -5,14 +5,18 @@
 //! and moment are exact. On stairs, as round cuts have them, a pressure acts on the sides of the cells: its forces are those on the
 //! round border, as far as cells tell, because their shadows along every axis are the same.
 
-use super::wall_value;
+use super::wall_value::{self, WallValue};
 use crate::case::Traction;
 use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
 use crate::scene::body::hold::supports;
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::sums::BodyLoads;
 use crate::scene::body::site::resultants;
+use nalgebra::Vector3;
 use peristat_assembly::body::{Cell, PointBody, Side, SquareLattice, minus, plus};
+
+/// Arms over spacings that are rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// Adds a traction on a wall.
 pub(crate) fn resolve(
@@ -50,20 +54,46 @@ pub(crate) fn resolve(
     if let Some(radius) = wall.radius() {
         warn_of_stairs(name, radius / lattice.spacing(), place, faults);
     }
+    if act(&value, &sides, lattice, context, to) {
+        warn_of_arms(name, path.key("face"), faults);
+    }
+}
+
+/// Adds what acts on sides of cells; whether some of it lost its arm.
+fn act(
+    value: &WallValue,
+    sides: &[Side],
+    lattice: &SquareLattice,
+    context: &LoadContext,
+    to: &mut BodyLoads,
+) -> bool {
     let area = lattice.spacing().powi(2);
     let shares = context.model.and_then(|model| model.border_shares());
-    for side in &sides {
+    let mut has_lost_arm = false;
+    for side in sides {
         for (at, traction) in value.on(side, lattice, sides.len() as f64 * area) {
             let force = traction.map(|t| t * area);
-            resultants::add_force(context.material, &mut to.asked, force, at);
             let part = |(point, share): (usize, f64)| (point as u32, force.map(|f| share * f));
             // Where the body is too thin for bonds that end on it, the border moves as elsewhere.
-            match shares.as_ref().and_then(|shares| shares(at, side.normal())) {
-                Some(shares) => to.through_border.extend(shares.into_iter().map(part)),
-                None => to.forces.extend(behind(side, at, lattice).into_iter().map(part)),
-            }
+            let acts_at = match shares.as_ref().and_then(|shares| shares(at, side.normal())) {
+                Some(shares) => {
+                    to.through_border.extend(shares.into_iter().map(part));
+                    at
+                }
+                None => {
+                    let shares = behind(side, at, lattice);
+                    let acts_at = middle_of(&shares, lattice);
+                    to.forces.extend(shares.into_iter().map(part));
+                    acts_at
+                }
+            };
+            let arm = Vector3::from(acts_at) - Vector3::from(at);
+            has_lost_arm |= arm.cross(&Vector3::from(force)).norm()
+                > ROUNDING * lattice.spacing() * Vector3::from(force).norm();
+            resultants::add_force(context.material, &mut to.asked, force, acts_at);
         }
     }
+    has_lost_arm
 }
 
 /// Stairs give way more than a round border does. At two spacings a thick tube of 5, 10, 20 cells per radius widens by 7, 3, 2.4 % too
@@ -78,6 +108,24 @@ fn warn_of_stairs(name: &str, cells: f64, place: JsonPath, faults: &mut Faults) 
     faults.warning(place, message).hint(
         "use a smaller spacing, or a body of revolution or a slice in the plane, whose borders are round",
     );
+}
+
+/// Where forces act that points share.
+fn middle_of(shares: &[(usize, f64)], lattice: &SquareLattice) -> [f64; 3] {
+    let mut middle = [0.0; 3];
+    for &(point, share) in shares {
+        let at = lattice.position(point);
+        (0..3).for_each(|k| middle[k] += share * at[k]);
+    }
+    middle
+}
+
+/// A part one cell thick has no points on both sides of its middle, so that what acts along its border has no arm.
+fn warn_of_arms(name: &str, place: JsonPath, faults: &mut Faults) {
+    let message = format!(
+        "parts of the body behind `{name}` are one cell thick: what acts along their border acts in their middle, half a cell away"
+    );
+    faults.warning(place, message).hint("use a smaller spacing, so that they are at least two cells thick");
 }
 
 /// The points that move a place of a side where no bond ends on it, and their shares.

@@ -1,6 +1,6 @@
 //! Tractions as cases give them.
 
-use super::on_border::OnBorder;
+use super::on_border::{OnBorder, misses_at_mirrors};
 use super::profile::Profile;
 use crate::case::{Hertz, LoadSharing, Traction, Vector};
 use crate::diagnostic::{Faults, JsonPath, positive, tidy};
@@ -174,6 +174,10 @@ fn check_sharing(
         faults.error(path.key("sharing"), "`consistent` tractions need an edge along the lattice").hint(
             "leave `sharing` out: on slanted edges tractions are `lumped` unless one stress has all of them",
         );
+    }
+    if let Some(why) = misses_at_mirrors(context) {
+        let message = format!("these tractions cannot be `consistent`: {why}");
+        faults.error(path.key("sharing"), message).hint("leave `sharing` out: it is `lumped` then");
     }
     if context.material.about().calibration == Calibration::Published {
         faults

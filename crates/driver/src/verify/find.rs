@@ -1,7 +1,7 @@
 //! Which files of a folder are cases.
 
-use peristat::input::file;
-use peristat::results::MARK;
+use crate::input::file;
+use crate::results::MARK;
 use serde::de::IgnoredAny;
 use std::collections::HashMap;
 use std::fs;

@@ -1,0 +1,148 @@
+//! The command `peristat`: parse, dispatch, print, exit code. A library, so that the Python package brings the command, too.
+
+mod args;
+mod case_reference;
+mod interrupt;
+mod lists;
+mod manual;
+mod print;
+mod print_state;
+mod print_study;
+mod progress;
+mod solve;
+mod study;
+mod verify;
+mod watched;
+
+use args::{Arguments, Color, Command, Global};
+use clap::{CommandFactory, Parser};
+use peristat::Error;
+use peristat::run::RunError;
+use peristat::study::TaskFaults;
+use peristat::verify::Request;
+use std::ffi::OsString;
+use std::io::{self, IsTerminal, Write};
+
+/// Done, and all checks passed.
+const DONE: u8 = 0;
+/// Ran, but did not converge or a check failed.
+const FAILED: u8 = 1;
+/// Bad input or usage.
+const USAGE: u8 = 2;
+/// Ended by a signal, as shells number it.
+const INTERRUPTED: u8 = 130;
+
+/// Does what the arguments say, the first of which is the name of the command, and returns the exit code: 0 if done, 1 if a check failed,
+/// 2 for bad input or usage, 130 if interrupted.
+pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(refusal) => {
+            // Help and version are told on stdout, faults on stderr; where that is gone, the exit code tells.
+            let _ = refusal.print();
+            return if refusal.use_stderr() { USAGE } else { DONE };
+        }
+    };
+    let global = arguments.global;
+    if let Some(threads) = global.threads {
+        // A pool that is there already, in a process that runs more than this, keeps its size.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
+    }
+    dispatch(arguments.command, &global).unwrap_or_else(|error| failed(&error, &global))
+}
+
+fn dispatch(command: Command, global: &Global) -> Result<u8, Error> {
+    match command {
+        Command::Run(run) => solve::run(&run, global),
+        Command::Check { cases, overrides } => solve::check(&cases, &overrides, global),
+        Command::Verify { paths, all, junit, output, force } => {
+            let paths = if paths.is_empty() { vec!["cases".into()] } else { paths };
+            let (threads, max_memory, reach) = (global.threads, global.max_memory, global.reach());
+            let request = Request { paths, all, output, force, threads, max_memory, reach };
+            verify::verify(&request, junit.as_deref(), global)
+        }
+        Command::Study(request) => study::study(&request, global),
+        Command::New { model } => lists::new(&model),
+        Command::List { kind } => lists::list(kind, global),
+        Command::Schema { study, markdown } => lists::schema(study, markdown),
+        Command::Completions { shell } => completions(shell),
+        Command::Man { output } => manual::man(output.as_deref()),
+    }
+}
+
+/// Tells an error, and returns its exit code.
+fn failed(error: &Error, global: &Global) -> u8 {
+    match global.json {
+        true => {
+            // Machines read one object whatever happens; where stdout is gone, the exit code tells.
+            let _ = say(&format!(
+                "{:#}\n",
+                serde_json::json!({ "error": error.text(), "faults": error.records() })
+            ));
+        }
+        false => complain(error, global),
+    }
+    match error {
+        Error::Run(RunError::Interrupted) => INTERRUPTED,
+        _ => USAGE,
+    }
+}
+
+fn completions(shell: clap_complete::Shell) -> Result<u8, Error> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "peristat", &mut script);
+    say(&String::from_utf8_lossy(&script))?;
+    Ok(DONE)
+}
+
+/// Writes to stdout; a reader that went away is no error.
+fn say(text: &str) -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}
+
+/// Writes to stderr, where a failure has nowhere to be told.
+fn note(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+fn colored(global: &Global) -> bool {
+    match global.color {
+        Color::Always => true,
+        Color::Never => false,
+        Color::Auto => io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none(),
+    }
+}
+
+/// Tells every fault of tasks with the numbers of those that have it.
+fn complain_of_tasks(faults: &TaskFaults, global: &Global) {
+    for (tasks, error) in faults.groups() {
+        note(&format!("{tasks}:\n"));
+        complain(error, global);
+        note("\n");
+    }
+}
+
+fn complain(error: &Error, global: &Global) {
+    match error {
+        Error::Tasks(faults) => complain_of_tasks(faults, global),
+        Error::Case(report) => note(&format!("{}\n", report.render(colored(global)).trim_end())),
+        Error::Run(error @ RunError::Memory { .. }) => {
+            note(&format!(
+                "error: {error}\nhint: use fewer cells or a shorter horizon, or raise `--max-memory`\n"
+            ));
+        }
+        Error::Run(error @ RunError::Interrupted) => {
+            note(&format!("{error}\nhint: the same command with `--resume` goes on from here\n"));
+        }
+        Error::Run(error @ RunError::Misfit) => {
+            note(&format!(
+                "error: {error}\nhint: add `--force` in place of `--resume` to run the case anew\n"
+            ));
+        }
+        other => note(&format!("error: {other}\n")),
+    }
+}

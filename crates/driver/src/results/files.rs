@@ -1,0 +1,96 @@
+//! The files of a run: their names, and clearing them away.
+
+use super::{claim, curve, inputs, report, restart};
+use crate::output::{atomic, csv};
+use crate::scene::{INPUTS, Scene};
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// What peristat writes into a folder.
+pub(super) const OWN: [&str; 11] = [
+    "case.json",
+    INPUTS,
+    "fields",
+    "fields.pvd",
+    "history.csv",
+    curve::FILE,
+    "envelope.csv",
+    "plots",
+    report::FILE,
+    restart::FILE,
+    "summary.json",
+];
+
+/// A column of a table.
+pub(super) type Column = (&'static str, Vec<f64>);
+
+/// Writes columns as a table.
+pub(super) fn write_table<'a>(file: &Path, columns: impl Iterator<Item = &'a Column>) -> io::Result<()> {
+    let columns: Vec<(&str, &[f64])> = columns.map(|(name, values)| (*name, values.as_slice())).collect();
+    csv::write(file, &columns)
+}
+
+/// Whether a file is one that was being written when its run was killed.
+pub(super) fn is_leftover(name: &str) -> bool {
+    name.starts_with('.') && name.ends_with(".part")
+}
+
+/// Removes what was being written in a folder when its run was killed.
+pub(crate) fn sweep(folder: &Path) -> io::Result<()> {
+    let leftover = names_in(folder)?.into_iter().filter(|name| is_leftover(name));
+    leftover.map(|name| folder.join(name)).try_for_each(fs::remove_file)
+}
+
+/// Removes an earlier run from a folder, and nothing else.
+pub(super) fn clear(folder: &Path) -> io::Result<()> {
+    // The mark of a finished run goes first, so that an interrupted replacement cannot look finished.
+    for name in OWN.iter().rev() {
+        let path = folder.join(name);
+        match path.symlink_metadata() {
+            // Where a run writes a file, a folder is somebody else's.
+            Ok(data) if data.is_dir() && !claim::is_part(name) => {}
+            Ok(data) if data.is_dir() => {
+                let own = names_in(&path)?.into_iter().filter(|file| claim::is_of_part(folder, name, file));
+                own.map(|file| path.join(file)).try_for_each(fs::remove_file)?;
+            }
+            Ok(_) => fs::remove_file(&path)?,
+            Err(_) => {}
+        }
+    }
+    sweep(folder)
+}
+
+/// The table and the grid of a state.
+pub(super) fn fields(index: usize) -> [String; 2] {
+    ["csv", "vtu"].map(|extension| format!("fields/{}.{extension}", step_name(index)))
+}
+
+/// The first of some files that is not in a folder.
+pub(super) fn lost(folder: &Path, files: impl IntoIterator<Item = String>) -> Option<String> {
+    files.into_iter().find(|file| !folder.join(file).is_file())
+}
+
+/// Names of what a folder holds.
+pub(super) fn names_in(folder: &Path) -> io::Result<Vec<String>> {
+    fs::read_dir(folder)?.map(|entry| Ok(entry?.file_name().to_string_lossy().into_owned())).collect()
+}
+
+/// First part of the names of the files of a state.
+pub(super) fn step_name(index: usize) -> String {
+    format!("step_{index:03}")
+}
+
+/// A state in the collection: its time, which is the load factor of a step, the number of a load case or equilibrium; and
+/// its file.
+pub(super) fn step(scene: &Scene, index: usize, load_factor: f64) -> (f64, String) {
+    let time = if scene.case().steps.is_some() { load_factor } else { index as f64 };
+    (time, format!("fields/{}.vtu", step_name(index)))
+}
+
+/// Writes `case.json` and the files that it names.
+pub(super) fn write_case(folder: &Path, scene: &Scene) -> io::Result<()> {
+    inputs::write(folder, scene)?;
+    let case = serde_json::to_string_pretty(scene.case())?;
+    atomic::write_atomically(&folder.join("case.json"), format!("{case}\n").as_bytes())
+}

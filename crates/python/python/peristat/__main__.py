@@ -1,0 +1,5 @@
+"""`python -m peristat` is the command `peristat`."""
+
+from ._command import main
+
+main()

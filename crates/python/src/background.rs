@@ -1,0 +1,110 @@
+//! Work beside the interpreter, which is free meanwhile and hears Ctrl-C.
+
+use crate::error::exception;
+use peristat::Error;
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How often signals are looked for.
+const TICK: Duration = Duration::from_millis(50);
+/// How long work that was interrupted may take to leave its files in order before the interpreter goes on without it.
+const GRACE: Duration = Duration::from_millis(800);
+
+/// Why work has no result.
+pub(crate) enum Failure {
+    /// The library says so.
+    Library(Error),
+    /// A function of Python raised.
+    Python(PyErr),
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Library(error)
+    }
+}
+
+/// Whether work is to end.
+pub(crate) type Stop = Arc<AtomicBool>;
+
+/// Does work on a thread of its own, within a pool of so many threads if a number is given.
+pub(crate) fn beside<T: Send + 'static>(
+    py: Python<'_>,
+    threads: Option<u16>,
+    work: impl FnOnce(&Stop) -> Result<T, Failure> + Send + 'static,
+) -> PyResult<T> {
+    let stop = Stop::default();
+    let (send, receive) = channel();
+    let watched = Arc::clone(&stop);
+    thread::spawn(move || {
+        // Nobody listens after an interrupt.
+        let _ = send.send(within(threads, move || work(&watched)));
+    });
+    // A receiver may not be shared with the code that runs while the interpreter is free.
+    let receive = Mutex::new(receive);
+    loop {
+        match py.detach(|| wait(&receive, TICK)) {
+            Ok(Ok(done)) => return Ok(done),
+            Ok(Err(Failure::Library(error))) => return Err(exception(py, &error)),
+            Ok(Err(Failure::Python(error))) => return Err(error),
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(PyRuntimeError::new_err("the solver ended without a result"));
+            }
+        }
+        if let Err(interrupt) = py.check_signals() {
+            stop.store(true, Ordering::Relaxed);
+            let end = Instant::now() + GRACE;
+            // What cannot stop at an equilibrium ends by itself, unheard.
+            let _ = py.detach(|| wait(&receive, end.saturating_duration_since(Instant::now())));
+            return Err(interrupt);
+        }
+    }
+}
+
+fn wait<T>(receive: &Mutex<Receiver<T>>, time: Duration) -> Result<T, RecvTimeoutError> {
+    match receive.lock() {
+        Ok(receive) => receive.recv_timeout(time),
+        Err(_) => Err(RecvTimeoutError::Disconnected),
+    }
+}
+
+/// Does work in a pool of so many threads, of all cores if not given.
+fn within<T: Send>(
+    threads: Option<u16>,
+    work: impl FnOnce() -> Result<T, Failure> + Send,
+) -> Result<T, Failure> {
+    let pool = match threads {
+        Some(count) => pool(count.into()).map(Arc::new),
+        None => common(),
+    };
+    match pool {
+        Ok(pool) => pool.install(work),
+        Err(error) => Err(Failure::Python(PyRuntimeError::new_err(error.to_string()))),
+    }
+}
+
+fn pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
+    ThreadPoolBuilder::new().num_threads(threads).build()
+}
+
+/// The pool of all cores. A process that was forked has none of the threads of its parent, and gets a pool of its own.
+fn common() -> Result<Arc<ThreadPool>, ThreadPoolBuildError> {
+    static COMMON: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
+    let mut common = COMMON.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((process, pool)) = &*common
+        && *process == std::process::id()
+    {
+        return Ok(Arc::clone(pool));
+    }
+    let made = Arc::new(pool(0)?);
+    // The pool of a parent cannot be ended from here.
+    std::mem::forget(common.replace((std::process::id(), Arc::clone(&made))));
+    Ok(made)
+}

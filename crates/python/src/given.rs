@@ -1,0 +1,36 @@
+//! Cases and studies as the Python half hands them over.
+
+use peristat::case;
+use peristat::input::{Folder, Reach};
+use peristat::study::Plan;
+use peristat::{Error, Loaded};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+
+/// A case, or a study.
+#[derive(Clone, FromPyObject)]
+pub(crate) struct Given {
+    /// Its text.
+    text: String,
+    /// What messages call it; files that it names are relative to it.
+    file: PathBuf,
+    /// The text of the base case of a study that brings it along.
+    base: Option<String>,
+    /// `path=value` for each value that is replaced.
+    overrides: Vec<String>,
+    /// Largest memory, bytes.
+    pub(crate) max_memory: Option<u64>,
+}
+
+impl Given {
+    /// The case.
+    pub(crate) fn load(self) -> Result<Loaded, Error> {
+        let source = case::from_text(&self.file.display().to_string(), self.text, &self.overrides)?;
+        Loaded::from_source(source, Folder::of(&self.file, Reach::Inside), self.max_memory)
+    }
+
+    /// The plan of the study.
+    pub(crate) fn plan(self) -> Result<Plan, Error> {
+        Plan::from_text(&self.file, self.text, self.base, &self.overrides, Reach::Inside)
+    }
+}

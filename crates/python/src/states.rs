@@ -1,0 +1,97 @@
+//! What a run gives as it goes.
+
+use crate::background::Stop;
+use peristat::results::Writing;
+use peristat::run::fracture::{Event, Restart};
+use peristat::run::path::PathPoint;
+use peristat::run::{Advance, Sink, StateResult};
+use pyo3::prelude::*;
+use serde::Serialize;
+use std::io;
+use std::sync::atomic::Ordering;
+
+/// An equilibrium that was found on the way.
+#[derive(Clone, Serialize)]
+#[serde(untagged)]
+pub(crate) enum Equilibrium {
+    /// Of a body that breaks.
+    Break(Event),
+    /// Of a body that softens.
+    Path(Box<PathPoint>),
+}
+
+impl Equilibrium {
+    /// The same as sinks take it.
+    pub(crate) fn as_advance(&self) -> Advance<'_> {
+        match self {
+            Self::Break(event) => Advance::Break(event),
+            Self::Path(point) => Advance::Path(point),
+        }
+    }
+}
+
+/// Keeps every state, writes them where a folder is given, and asks Python whether to go on.
+pub(crate) struct States<'a> {
+    pub(crate) kept: Vec<StateResult>,
+    pub(crate) curve: Vec<Equilibrium>,
+    pub(crate) writing: Option<Writing<'a>>,
+    pub(crate) on_state: Option<Py<PyAny>>,
+    pub(crate) stop: &'a Stop,
+    /// Whether the run asks after every equilibrium whether to go on; others are ended by an error.
+    pub(crate) is_asked: bool,
+    /// Whether it was ended so.
+    pub(crate) ended: bool,
+    /// What a function of Python raised.
+    pub(crate) raised: Option<PyErr>,
+}
+
+impl Sink for States<'_> {
+    fn take(&mut self, result: StateResult) -> io::Result<()> {
+        if self.is_interrupted() && !self.is_asked {
+            self.ended = true;
+            return Err(io::Error::other("the run was told to end"));
+        }
+        let record = result.record();
+        let (name, load_factor) = (record.name.clone(), record.load_factor);
+        if let Some(writing) = &mut self.writing {
+            writing.state(&result)?;
+        }
+        self.kept.push(result);
+        let Some(on_state) = self.on_state.as_ref().filter(|_| !self.is_interrupted()) else { return Ok(()) };
+        let answer = Python::attach(|py| {
+            let answer = on_state.call1(py, (name, load_factor))?;
+            Ok(answer.is_none(py) || answer.is_truthy(py)?)
+        });
+        match answer {
+            Ok(true) => {}
+            Ok(false) => {
+                self.stop.store(true, Ordering::Relaxed);
+                self.ended = !self.is_asked;
+                if self.ended {
+                    return Err(io::Error::other("`on_state` ended the run"));
+                }
+            }
+            Err(error) => {
+                self.raised = Some(error);
+                return Err(io::Error::other("`on_state` failed"));
+            }
+        }
+        Ok(())
+    }
+
+    fn advance(&mut self, event: Advance<'_>, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
+        self.curve.push(match event {
+            Advance::Break(event) => Equilibrium::Break(*event),
+            Advance::Path(point) => Equilibrium::Path(Box::new(point.clone())),
+        });
+        let ends = self.is_interrupted();
+        match &mut self.writing {
+            Some(writing) => writing.advance_to(event, restart, ends),
+            None => Ok(()),
+        }
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
