@@ -100,8 +100,8 @@ def main():
         try:
             solvers[name] = other(make)
             solvers[name](0)
-        except ImportError:
-            report.notes.append(f"{name} is not installed.")
+        except (ImportError, RuntimeError):
+            report.notes.append(f"{name} cannot be used here.")
             solvers.pop(name, None)
     exact = np.asarray(solvers["peristat"](0))
     apart = np.abs(banded(0) - exact).max() / exact.max()

@@ -8,7 +8,6 @@ use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
 use std::time::{Duration, Instant};
 
 /// How often signals are looked for.
@@ -33,18 +32,23 @@ impl From<Error> for Failure {
 /// Whether work is to end.
 pub(crate) type Stop = Arc<AtomicBool>;
 
-/// Does work on a thread of its own, within a pool of so many threads if a number is given.
+/// Does work in a pool of so many threads, of all cores if not given.
 pub(crate) fn beside<T: Send + 'static>(
     py: Python<'_>,
     threads: Option<u16>,
     work: impl FnOnce(&Stop) -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
+    let pool = match threads {
+        Some(count) => pool(count.into()).map(Arc::new),
+        None => common(),
+    };
+    let pool = pool.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let stop = Stop::default();
     let (send, receive) = channel();
     let watched = Arc::clone(&stop);
-    thread::spawn(move || {
+    pool.spawn(move || {
         // Nobody listens after an interrupt.
-        let _ = send.send(within(threads, move || work(&watched)));
+        let _ = send.send(work(&watched));
     });
     // A receiver may not be shared with the code that runs while the interpreter is free.
     let receive = Mutex::new(receive);
@@ -72,21 +76,6 @@ fn wait<T>(receive: &Mutex<Receiver<T>>, time: Duration) -> Result<T, RecvTimeou
     match receive.lock() {
         Ok(receive) => receive.recv_timeout(time),
         Err(_) => Err(RecvTimeoutError::Disconnected),
-    }
-}
-
-/// Does work in a pool of so many threads, of all cores if not given.
-fn within<T: Send>(
-    threads: Option<u16>,
-    work: impl FnOnce() -> Result<T, Failure> + Send,
-) -> Result<T, Failure> {
-    let pool = match threads {
-        Some(count) => pool(count.into()).map(Arc::new),
-        None => common(),
-    };
-    match pool {
-        Ok(pool) => pool.install(work),
-        Err(error) => Err(Failure::Python(PyRuntimeError::new_err(error.to_string()))),
     }
 }
 

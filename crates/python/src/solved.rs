@@ -26,6 +26,16 @@ impl Solved {
         json(&self.solved.summary)
     }
 
+    /// How the run ended: `passed`, `check_failed` or `not_converged`.
+    fn status(&self) -> PyResult<String> {
+        Ok(json(&self.solved.summary.status)?.trim_matches('"').into())
+    }
+
+    /// Doubts about the case and its answer.
+    fn warnings(&self) -> Vec<String> {
+        self.solved.summary.warnings.clone()
+    }
+
     /// Every equilibrium on the way of a body that breaks or softens, as JSON.
     fn curve(&self) -> PyResult<String> {
         json(&self.curve)

@@ -52,7 +52,7 @@ class Result:
     @property
     def status(self) -> str:
         """`passed`, `check_failed` or `not_converged`."""
-        return str(self.summary["status"])
+        return self._solved.status()
 
     @property
     def checks(self) -> list[dict[str, Any]]:

@@ -70,7 +70,7 @@ def run(
         raise ValueError("`force` and `resume` are about the folder of `output`, which is not given")
     solved = _peristat.run(given(case, set, max_memory), checked_threads(threads), on_state, estimate, folder)
     result = Result(solved)
-    for text in result.summary["warnings"]:
+    for text in solved.warnings():
         warnings.warn(text, PeristatWarning, stacklevel=2)
     if result.status == "not_converged":
         raise NotConverged(result)

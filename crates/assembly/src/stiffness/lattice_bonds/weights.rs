@@ -101,10 +101,14 @@ impl Weights {
         let chunks = lower.start / CHUNK..(lower.end - 1) / CHUNK + 1;
         lower.end + self.reach() <= self.count
             && chunks.into_iter().all(|chunk| {
-                self.chunks[chunk] == PLAIN || {
-                    let part = lower.start.max(chunk * CHUNK)..lower.end.min((chunk + 1) * CHUNK);
-                    (0..self.classes.len())
-                        .all(|class| part.clone().all(|p| self.weight(class, p) == self.of_class(class)))
+                let first = chunk * CHUNK;
+                let part = lower.start.max(first) - first..lower.end.min(first + CHUNK) - first;
+                match self.chunks[chunk] {
+                    PLAIN => true,
+                    start => self.factors[start as usize..]
+                        .chunks_exact(CHUNK)
+                        .take(self.classes.len())
+                        .all(|factors| factors[part.clone()].iter().all(|factor| *factor == 1.0)),
                 }
             })
     }
