@@ -21,6 +21,7 @@ GRID = [f"{SOLVE}/multigrid*", f"{SOLVE}/hierarchy.rs", f"{ASSEMBLY}/stiffness/g
 # table would be older than the code after every commit.
 TABLES = {
     "beam": (["bench/run.sh"], README, [*BAND, f"{ASSEMBLY}/model/timoshenko_beam"]),
+    "python": (["bench/python.sh"], README, [*BAND, f"{ASSEMBLY}/model/timoshenko_beam", "crates/python/src"]),
     "direct": (["bench/direct.sh"], README, SPARSE),
     "plate": (["bench/plate.sh"], README, GRID),
     "fracture": (["bench/fracture.sh"], README, [*SPARSE, f"{ASSEMBLY}/stiffness/grid_bonds", "crates/driver/src/run/fracture"]),

@@ -121,7 +121,7 @@ def compare(before, after):
 def build(folder, target):
     """Builds the command of a source tree with the lines that counts are grouped by."""
     environment = os.environ | {"CARGO_TARGET_DIR": str(target), "CARGO_PROFILE_RELEASE_DEBUG": "line-tables-only"}
-    subprocess.run(["cargo", "build", "--profile", "profiling", "--quiet", "--workspace"], check=True, cwd=folder, env=environment)
+    subprocess.run(["cargo", "build", "--profile", "profiling", "--quiet", "-p", "peristat-cli"], check=True, cwd=folder, env=environment)
     return target / "profiling" / "peristat"
 
 

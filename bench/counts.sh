@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Counts the instructions of small cases and compares them with bench/counts.json; UPDATE=1 writes that file,
-# --against COMMIT compares with a former commit instead.
+# --against COMMIT compares with a former commit instead, --binary FILE counts a command that was built with lines.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 if ! command -v valgrind >/dev/null && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
@@ -10,5 +10,8 @@ if ! command -v valgrind >/dev/null; then
     echo "notice: no valgrind, instructions are not counted"
     exit 0
 fi
-cargo build --profile profiling --quiet --workspace
+case " $* " in
+    *" --binary "*) ;;
+    *) cargo build --profile profiling --quiet -p peristat-cli ;;
+esac
 exec python3 -B bench/counts.py "$@"
