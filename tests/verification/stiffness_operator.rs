@@ -13,7 +13,7 @@ const PANEL: &str = r#"{
 fn operator(text: &str) -> Operator {
     let source = case::from_text("case", text.into(), &[]).expect("a case");
     let loaded = Loaded::from_source(source, std::path::Path::new(".").into(), None).expect("a scene");
-    Operator::new(&loaded).expect("no contradiction")
+    Operator::new(&loaded, None).expect("no contradiction")
 }
 
 /// Rotations have a scale of their own, a support moves, and corners are shared: the solution of the program solves `K q = f`.

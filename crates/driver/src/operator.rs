@@ -34,31 +34,31 @@ trait Form: Send + Sync {
 }
 
 impl Operator {
-    /// The operator of a case.
+    /// The operator of a case, within a limit on the memory that solving it would take, bytes.
     ///
     /// # Errors
-    /// [`Error::Case`] where supports contradict each other.
-    pub fn new(loaded: &Loaded) -> Result<Self, Error> {
+    /// [`Error::Case`] where supports contradict each other; [`Error::Run`] where the memory does not suffice.
+    pub fn new(loaded: &Loaded, max_memory: Option<u64>) -> Result<Self, Error> {
         match &loaded.scene {
             Scene::Beam(scene) => {
                 let points = (0..scene.beam.points()).collect();
                 match scene.has_axial {
-                    true => Self::of::<3>(loaded, &**scene, points),
-                    false => Self::of::<2>(loaded, &**scene, points),
+                    true => Self::of::<3>((loaded, max_memory), &**scene, points),
+                    false => Self::of::<2>((loaded, max_memory), &**scene, points),
                 }
             }
             Scene::Body(scene) => with_body!(&scene.model, body => {
-                Self::of(loaded, &BodyProblem::new(scene, body.clone()), scene.real_points().collect())
+                Self::of((loaded, max_memory), &BodyProblem::new(scene, body.clone()), scene.real_points().collect())
             }),
         }
     }
 
     fn of<const D: usize>(
-        loaded: &Loaded,
+        (loaded, max_memory): (&Loaded, Option<u64>),
         problem: &dyn Problem<D>,
         points: Vec<usize>,
     ) -> Result<Self, Error> {
-        let system = constrained(problem).map_err(|error| loaded.explain(error))?;
+        let system = constrained(problem, max_memory).map_err(|error| loaded.explain(error))?;
         let (model, n) = (problem.model(), system.points());
         let mut is_free = vec![true; system.size()];
         system.constraints().rows().iter().for_each(|row| is_free[row.unknown] = false);

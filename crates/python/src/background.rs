@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 /// How often signals are looked for.
@@ -40,7 +40,11 @@ pub(crate) fn beside<T: Send + 'static>(
 ) -> PyResult<T> {
     let pool = match threads {
         Some(count) => pool(count.into()).map(Arc::new),
-        None => common(),
+        // A callback runs on a thread of the pool, which waits for it: what it solves needs threads of its own.
+        None => common().and_then(|common| match common.current_thread_index() {
+            Some(_) => pool(0).map(Arc::new),
+            None => Ok(common),
+        }),
     };
     let pool = pool.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
     let stop = Stop::default();
@@ -79,12 +83,24 @@ fn wait<T>(receive: &Mutex<Receiver<T>>, time: Duration) -> Result<T, RecvTimeou
     }
 }
 
+/// Refuses work on threads beside the pool in a process that was forked after such work: the threads that it counts on are those of the
+/// parent.
+pub(crate) fn refuse_after_fork() -> PyResult<()> {
+    static PROCESS: OnceLock<u32> = OnceLock::new();
+    match *PROCESS.get_or_init(std::process::id) == std::process::id() {
+        true => Ok(()),
+        false => Err(PyRuntimeError::new_err(
+            "this process was forked from one that had solved many cases at once, and has not its threads: start processes by `spawn`",
+        )),
+    }
+}
+
 fn pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
     ThreadPoolBuilder::new().num_threads(threads).build()
 }
 
 /// The pool of all cores. A process that was forked has none of the threads of its parent, and gets a pool of its own.
-fn common() -> Result<Arc<ThreadPool>, ThreadPoolBuildError> {
+pub(crate) fn common() -> Result<Arc<ThreadPool>, ThreadPoolBuildError> {
     static COMMON: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
     let mut common = COMMON.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((process, pool)) = &*common

@@ -20,17 +20,25 @@ pub(crate) struct Given {
     overrides: Vec<String>,
     /// Largest memory, bytes.
     pub(crate) max_memory: Option<u64>,
+    /// Whether it may name files outside its folder.
+    allow_outside: bool,
 }
 
 impl Given {
+    fn reach(&self) -> Reach {
+        if self.allow_outside { Reach::Anywhere } else { Reach::Inside }
+    }
+
     /// The case.
     pub(crate) fn load(self) -> Result<Loaded, Error> {
+        let folder = Folder::of(&self.file, self.reach());
         let source = case::from_text(&self.file.display().to_string(), self.text, &self.overrides)?;
-        Loaded::from_source(source, Folder::of(&self.file, Reach::Inside), self.max_memory)
+        Loaded::from_source(source, folder, self.max_memory)
     }
 
     /// The plan of the study.
     pub(crate) fn plan(self) -> Result<Plan, Error> {
-        Plan::from_text(&self.file, self.text, self.base, &self.overrides, Reach::Inside)
+        let reach = self.reach();
+        Plan::from_text(&self.file, self.text, self.base, &self.overrides, reach)
     }
 }

@@ -3,6 +3,7 @@
 use crate::background::beside;
 use crate::given::Given;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use peristat::Error;
 use pyo3::exceptions::{PyIndexError, PyValueError};
 use pyo3::prelude::*;
 
@@ -11,34 +12,55 @@ type Rows<'py> = (Bound<'py, PyArray1<usize>>, Bound<'py, PyArray1<usize>>, Boun
 
 /// The stiffness of a case under its supports, with its loads.
 #[pyclass(frozen)]
-pub(crate) struct Operator(peristat::Operator);
+pub(crate) struct Operator {
+    operator: peristat::Operator,
+    warnings: Vec<String>,
+}
 
 /// Builds the operator of a case.
 #[pyfunction]
 pub(crate) fn operator(py: Python<'_>, given: Given) -> PyResult<Operator> {
-    beside(py, None, move |_| Ok(Operator(peristat::Operator::new(&given.load()?)?)))
+    beside(py, None, move |_| {
+        let max_memory = given.max_memory;
+        let loaded = given.load().map_err(|error| match error {
+            Error::Case(mut report) => {
+                // That nothing holds the body is no fault here.
+                report.diagnostics.retain(|d| !d.in_solution_only);
+                Error::Case(report)
+            }
+            other => other,
+        })?;
+        let warnings = loaded.warnings().map_or(Vec::new(), |report| report.records());
+        let warnings = warnings.into_iter().map(|w| format!("{}: {}", w.path, w.message)).collect();
+        Ok(Operator { operator: peristat::Operator::new(&loaded, max_memory)?, warnings })
+    })
 }
 
 #[pymethods]
 impl Operator {
     /// Number of unknowns.
     fn size(&self) -> usize {
-        self.0.unknowns().len()
+        self.operator.unknowns().len()
+    }
+
+    /// Doubts about the case.
+    fn warnings(&self) -> Vec<String> {
+        self.warnings.clone()
     }
 
     /// Number of states.
     fn states(&self) -> usize {
-        self.0.states()
+        self.operator.states()
     }
 
     /// Names of the displacements and rotations of a point.
     fn components(&self) -> Vec<&'static str> {
-        self.0.components().to_vec()
+        self.operator.components().to_vec()
     }
 
     /// Point and component of every unknown.
     fn unknowns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<usize>>> {
-        let flat: Vec<usize> = self.0.unknowns().iter().flat_map(|&(point, c)| [point, c]).collect();
+        let flat: Vec<usize> = self.operator.unknowns().iter().flat_map(|&(point, c)| [point, c]).collect();
         PyArray1::from_vec(py, flat).reshape([self.size(), 2])
     }
 
@@ -50,20 +72,20 @@ impl Operator {
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let q = self.checked(q)?;
         let mut out = vec![0.0; q.len()];
-        py.detach(|| self.0.product(&q, &mut out));
+        py.detach(|| self.operator.product(&q, &mut out));
         Ok(PyArray1::from_vec(py, out))
     }
 
     /// The assembled matrix in compressed rows.
     fn matrix<'py>(&self, py: Python<'py>) -> Rows<'py> {
-        let (starts, columns, values) = py.detach(|| self.0.matrix().into_raw_storage());
+        let (starts, columns, values) = py.detach(|| self.operator.matrix().into_raw_storage());
         (PyArray1::from_vec(py, starts), PyArray1::from_vec(py, columns), PyArray1::from_vec(py, values))
     }
 
     /// Loads of a state, less the forces of its prescribed motions.
     fn right_hand_side<'py>(&self, py: Python<'py>, state: usize) -> PyResult<Bound<'py, PyArray1<f64>>> {
         self.is_state(state)?;
-        Ok(PyArray1::from_slice(py, self.0.right_hand_side(state)))
+        Ok(PyArray1::from_slice(py, self.operator.right_hand_side(state)))
     }
 
     /// Displacements and rotations of all points, one row for each.
@@ -74,8 +96,8 @@ impl Operator {
         state: usize,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         self.is_state(state)?;
-        let flat = self.0.expand(&self.checked(q)?, state);
-        PyArray1::from_vec(py, flat).reshape([self.0.points(), self.0.components().len()])
+        let flat = self.operator.expand(&self.checked(q)?, state);
+        PyArray1::from_vec(py, flat).reshape([self.operator.points(), self.operator.components().len()])
     }
 }
 
@@ -92,7 +114,7 @@ impl Operator {
     }
 
     fn is_state(&self, state: usize) -> PyResult<()> {
-        let states = self.0.states();
+        let states = self.operator.states();
         let refusal = || PyIndexError::new_err(format!("there is no state {state}: there are {states}"));
         (state < states).then_some(()).ok_or_else(refusal)
     }

@@ -1,12 +1,13 @@
 //! A solved case as Python sees it.
 
+use crate::background::common;
 use crate::error::{exception, json};
 use crate::states::Equilibrium;
 use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArray2};
 use peristat::results::{Claim, Writing};
 use peristat::run::Sink;
-use pyo3::exceptions::PyKeyError;
+use pyo3::exceptions::{PyKeyError, PyRuntimeError};
 use pyo3::prelude::*;
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -57,8 +58,11 @@ impl Solved {
     }
 
     /// Volumes of all points; None where the case gives stiffnesses and no areas.
-    fn volumes<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
-        self.solved.volumes().map(|volumes| PyArray1::from_vec(py, volumes))
+    fn volumes<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray1<f64>>>> {
+        let Some(volumes) = self.solved.volumes() else { return Ok(None) };
+        let array = PyArray1::from_vec(py, volumes);
+        array.call_method1("setflags", (false,))?;
+        Ok(Some(array))
     }
 
     /// Names of the fields of a state.
@@ -91,12 +95,19 @@ impl Solved {
     /// Writes the folder that the command writes.
     fn save(&self, py: Python<'_>, folder: PathBuf, force: bool) -> PyResult<()> {
         let peristat::Solved { scene, summary, states } = &self.solved;
-        let write = || {
+        if states.len() != summary.states.len() {
+            return Err(PyRuntimeError::new_err(
+                "a run that was resumed has the states of its last part alone: the folder given as `output` has all",
+            ));
+        }
+        // In a pool that a process has for itself.
+        let write = move || {
             let mut writing = Writing::new(scene, Claim::new(&folder, force)?);
             states.iter().try_for_each(|state| writing.state(state))?;
             self.curve.iter().try_for_each(|at| writing.advance(at.as_advance(), None))?;
             writing.finish(summary)
         };
-        py.detach(write).map_err(|error| exception(py, &peristat::Error::Io(error)))
+        let pool = common().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        py.detach(|| pool.install(write)).map_err(|error| exception(py, &peristat::Error::Io(error)))
     }
 }

@@ -58,10 +58,12 @@ impl Sink for States<'_> {
         }
         self.kept.push(result);
         let Some(on_state) = self.on_state.as_ref().filter(|_| !self.is_interrupted()) else { return Ok(()) };
-        let answer = Python::attach(|py| {
+        let asked = Python::try_attach(|py| {
             let answer = on_state.call1(py, (name, load_factor))?;
             Ok(answer.is_none(py) || answer.is_truthy(py)?)
         });
+        // Without an interpreter nobody is left to wait.
+        let answer = asked.unwrap_or(Ok(false));
         match answer {
             Ok(true) => {}
             Ok(false) => {

@@ -1,6 +1,6 @@
 //! Convergence studies.
 
-use crate::background::{Failure, beside};
+use crate::background::{Failure, beside, refuse_after_fork};
 use crate::error::json;
 use crate::given::Given;
 use peristat::Error;
@@ -24,6 +24,7 @@ pub(crate) fn study(
     output: Option<PathBuf>,
     force: bool,
 ) -> PyResult<(String, String)> {
+    refuse_after_fork()?;
     let max_memory = given.max_memory;
     let (findings, faults) = beside(py, None, move |stop| {
         let plan = given.plan()?;

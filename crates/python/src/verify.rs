@@ -1,7 +1,7 @@
 //! The checks of many cases.
 
-use crate::background::{Failure, beside};
-use crate::error::json;
+use crate::background::{Failure, beside, refuse_after_fork};
+use crate::error::{in_python, json};
 use peristat::Error;
 use peristat::diagnostic::FaultRecord;
 use peristat::input::Reach;
@@ -20,6 +20,7 @@ struct Verified {
     seconds: f64,
     passed: bool,
     checks: Vec<CheckResult>,
+    warnings: Vec<String>,
     faults: Vec<FaultRecord>,
     reason: Option<&'static str>,
 }
@@ -35,6 +36,7 @@ impl From<Outcome> for Verified {
             verdict: outcome.verdict().to_lowercase(),
             passed: !outcome.is_failure(),
             checks: outcome.summary().map_or(Vec::new(), |summary| summary.checks.clone()),
+            warnings: outcome.summary().map_or(Vec::new(), |summary| summary.warnings.clone()),
             case: outcome.case,
             seconds: outcome.seconds,
             faults,
@@ -51,9 +53,11 @@ pub(crate) fn verify(
     all: bool,
     threads: Option<u16>,
     max_memory: Option<u64>,
+    allow_outside: bool,
 ) -> PyResult<String> {
-    let request =
-        Request { paths, all, output: None, force: false, threads, max_memory, reach: Reach::Inside };
+    refuse_after_fork()?;
+    let reach = if allow_outside { Reach::Anywhere } else { Reach::Inside };
+    let request = Request { paths, all, output: None, force: false, threads, max_memory, reach };
     let outcomes = beside(py, None, move |stop| {
         let is_interrupted = || stop.load(Ordering::Relaxed);
         let outcomes = verify_cases(&request, &is_interrupted).map_err(Error::Io)?;
@@ -62,5 +66,6 @@ pub(crate) fn verify(
             false => Ok(outcomes),
         }
     })?;
-    json(&outcomes.into_iter().map(Verified::from).collect::<Vec<_>>())
+    let told = json(&outcomes.into_iter().map(Verified::from).collect::<Vec<_>>())?;
+    Ok(in_python(&told))
 }

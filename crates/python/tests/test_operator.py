@@ -86,3 +86,5 @@ def test_wrong_vectors_and_states_are_refused() -> None:
         operator.expand(np.ones(3))
     with pytest.raises(IndexError, match="no state 5"):
         operator.rhs(5)
+    with pytest.raises(MemoryError):
+        peristat.stiffness(CASES / "plate/cantilever.json", max_memory=1_000_000)

@@ -24,7 +24,7 @@ def test_a_result_is_saved_as_the_command_saves_it(tmp_path: Path) -> None:
     result.save(tmp_path / "saved")
     names = [sorted(str(p.relative_to(tmp_path / f)) for p in (tmp_path / f).rglob("*") if p.is_file()) for f in ("written", "saved")]
     assert names[0] == names[1] and "report.html" in names[0]
-    with pytest.raises(OSError, match="force"):
+    with pytest.raises(FileExistsError, match="force"):
         result.save(tmp_path / "saved")
     result.save(tmp_path / "saved", force=True)
     with pytest.raises(ValueError, match="output"):
@@ -35,7 +35,8 @@ def test_fields_are_the_solvers_own_and_not_to_be_written() -> None:
     result = peristat.run(PLATE, set=COARSE)
     first, second = result.field("ux"), result.field("ux")
     assert first.__array_interface__["data"] == second.__array_interface__["data"]
-    for values in (first, result.points, result.field("von_mises")):
+    for values in (first, result.points, result.volumes, result.field("von_mises")):
+        assert values is not None
         with pytest.raises(ValueError, match="read-only"):
             values[:] = 0
     kept = result.field("uy")
@@ -83,6 +84,8 @@ def test_a_run_that_is_interrupted_goes_on(tmp_path: Path) -> None:
     resumed = peristat.run(case, output=folder, resume=True)
     for key, values in whole.curve.items():
         assert np.array_equal(values, resumed.curve[key]), key
+    with pytest.raises(RuntimeError, match="resumed"):
+        resumed.save(tmp_path / "part")
 
 
 def test_a_run_of_load_cases_ends_where_it_is_told_to() -> None:

@@ -108,3 +108,43 @@ def test_exceptions_and_values_go_from_process_to_process() -> None:
     lost = pickle.loads(pickle.dumps(peristat.NotConverged(result)))
     with pytest.raises(RuntimeError, match="stayed in the process"):
         lost.result
+
+
+def many_in_a_child(_: int) -> str:
+    """What a forked process says of a study."""
+    try:
+        peristat.study(STUDY)
+    except RuntimeError as error:
+        return str(error)
+    return "solved"
+
+
+def test_a_forked_process_refuses_what_would_hang(tmp_path: Path) -> None:
+    peristat.study(STUDY)
+    peristat.run(BEAM).save(tmp_path / "saved")
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        assert "spawn" in pool.map_async(many_in_a_child, [0]).get(timeout=60)[0]
+
+
+def test_a_callback_may_solve_a_case_itself() -> None:
+    tips: list[float] = []
+
+    def inner(name: str, load_factor: float) -> None:
+        peristat.run(BEAM, on_state=lambda name, factor: tips.append(tip(2.0)))
+
+    assert peristat.run(BEAM, on_state=inner).status == "passed" and len(tips) == 1
+
+
+def test_numbers_become_texts_without_their_units() -> None:
+    value = peristat.run(BEAM).probes["tip"]
+    assert float(str(value)) == value == float(f"{value}")
+
+
+def test_files_outside_are_read_where_that_is_allowed(tmp_path: Path) -> None:
+    (tmp_path / "study").mkdir()
+    (tmp_path / "case.json").write_text(json.dumps(BEAM))
+    file = tmp_path / "study" / "orders.json"
+    file.write_text(json.dumps({**STUDY, "case": "../case.json"}))
+    with pytest.raises(peristat.CaseError, match="`allow_outside=True`"):
+        peristat.study(file)
+    assert peristat.study(file, allow_outside=True).passed

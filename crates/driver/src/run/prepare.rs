@@ -31,12 +31,9 @@ pub(super) fn prepare_within<const D: usize>(
     needed: u64,
     options: &RunOptions,
 ) -> Result<(System<D>, Sizes), RunError> {
-    let allowed = crate::memory::allowed(options.max_memory);
-    if let Some(allowed) = allowed.filter(|&allowed| needed > allowed) {
-        return Err(RunError::Memory { needed, allowed });
-    }
+    check_memory(needed, options.max_memory)?;
     let mut faults = Faults::default();
-    let system = constrained(problem)?;
+    let system = system(problem)?;
     let (motions, supports) = (free_motions(problem.model(), &system), JsonPath::default().key("supports"));
     for motion in motions.iter().take(MOST_MOTIONS) {
         faults.error(supports.clone(), problem.describe(motion)).hint(problem.remedy());
@@ -60,8 +57,24 @@ pub(super) fn prepare_within<const D: usize>(
 /// The system of a problem with its supports and links, free motions or not.
 ///
 /// # Errors
-/// [`RunError::Case`] names contradicting supports.
-pub(crate) fn constrained<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, RunError> {
+/// As [`prepare`], but for free motions.
+pub(crate) fn constrained<const D: usize>(
+    problem: &dyn Problem<D>,
+    max_memory: Option<u64>,
+) -> Result<System<D>, RunError> {
+    check_memory(memory::estimate(problem, false), max_memory)?;
+    system(problem)
+}
+
+fn check_memory(needed: u64, max_memory: Option<u64>) -> Result<(), RunError> {
+    let allowed = crate::memory::allowed(max_memory);
+    match allowed.filter(|&allowed| needed > allowed) {
+        Some(allowed) => Err(RunError::Memory { needed, allowed }),
+        None => Ok(()),
+    }
+}
+
+fn system<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, RunError> {
     let (points, mut springs): (usize, Vec<Box<dyn Term<D>>>) = (problem.model().points(), Vec::new());
     if !problem.springs().is_empty() {
         springs.push(Box::new(Springs::new(points, problem.springs().to_vec())));

@@ -26,6 +26,7 @@ class Given(NamedTuple):
     base: Optional[str]
     overrides: list[str]
     max_memory: Optional[int]
+    allow_outside: bool
 
 
 def json_of(value: Any) -> str:
@@ -50,21 +51,29 @@ def json_of(value: Any) -> str:
     return text
 
 
-def given(case: Case, set: Optional[Mapping[str, Any]], max_memory: Optional[int], what: str = "case") -> Given:
+def given(
+    case: Case, set: Optional[Mapping[str, Any]], max_memory: Optional[int], allow_outside: bool, what: str = "case"
+) -> Given:
     """A case as the native half takes it; a study may bring its base case along under `case`."""
     overrides = [f"{path}={json_of(value)}" for path, value in (set or {}).items()]
-    if max_memory is not None and index(max_memory) < 1:
-        raise ValueError(f"`max_memory` is a number of bytes, found {max_memory}")
+    limits = checked_memory(max_memory), allow_outside
     if isinstance(case, Mapping):
         base = case.get("case")
         if what == "study" and isinstance(base, Mapping):
-            return Given(json_of({**case, "case": "case"}), what, json_of(base), overrides, max_memory)
-        return Given(json_of(case), what, None, overrides, max_memory)
+            return Given(json_of({**case, "case": "case"}), what, json_of(base), overrides, *limits)
+        return Given(json_of(case), what, None, overrides, *limits)
     if isinstance(case, str) and case.lstrip().startswith("{"):
-        return Given(case, what, None, overrides, max_memory)
+        return Given(case, what, None, overrides, *limits)
     path = Path(fspath(case))
     # A mark of byte order is no part of the text.
-    return Given(path.read_text(encoding="utf-8-sig"), str(path), None, overrides, max_memory)
+    return Given(path.read_text(encoding="utf-8-sig"), str(path), None, overrides, *limits)
+
+
+def checked_memory(limit: Optional[int]) -> Optional[int]:
+    """A limit on memory as the native half takes it."""
+    if limit is not None and not 1 <= index(limit) < 2**64:
+        raise ValueError(f"`max_memory` is a number of bytes, found {limit}")
+    return limit
 
 
 def checked_threads(count: Optional[int]) -> Optional[int]:

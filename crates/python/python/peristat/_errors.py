@@ -67,4 +67,4 @@ class PeristatWarning(UserWarning):
 
 def missing(library: str, extra: str) -> ImportError:
     """What to say where a library is not there that only some answers need."""
-    return ImportError(f"this needs {library}, which is not installed: pip install 'peristat[{extra}]'")
+    return ImportError(f"this needs {library}, which is not installed: pip install './crates/python[{extra}]'")

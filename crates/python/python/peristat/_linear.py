@@ -39,18 +39,23 @@ class Operator(LinearOperator):  # type: ignore[misc]
         return self._native.unknowns()
 
     @property
-    def states(self) -> int:
+    def state_count(self) -> int:
         """Number of states, each with its own right-hand side."""
         return self._native.states()
 
-    def rhs(self, state: int = 0) -> NDArray[np.float64]:
-        """`f`: the loads of a state, less the forces of its prescribed motions."""
-        return self._native.right_hand_side(state)
+    def _number(self, state: int) -> int:
+        if not -self.state_count <= state < self.state_count:
+            raise IndexError(f"there is no state {state}: there are {self.state_count}")
+        return state % self.state_count
 
-    def expand(self, q: NDArray[np.float64], state: int = 0) -> NDArray[np.float64]:
+    def rhs(self, state: int = -1) -> NDArray[np.float64]:
+        """`f`: the loads of a state, the last one if not given, less the forces of its prescribed motions."""
+        return self._native.right_hand_side(self._number(state))
+
+    def expand(self, q: NDArray[np.float64], state: int = -1) -> NDArray[np.float64]:
         """Displacements and rotations of all points with what a state prescribes, points x components; NaN along members of
         frames that stretch as one bar, whose points have no displacement of their own along them."""
-        return self._native.expand(np.ascontiguousarray(q, dtype=np.float64).ravel(), state)
+        return self._native.expand(np.ascontiguousarray(q, dtype=np.float64).ravel(), self._number(state))
 
     def matrix(self) -> Any:
         """`K` assembled, a `scipy.sparse.csr_matrix`."""

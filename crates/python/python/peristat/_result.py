@@ -36,6 +36,9 @@ class Value(float):
     def __repr__(self) -> str:
         return f"{float(self)!r} {self.unit}".rstrip()
 
+    # Texts and tables take numbers.
+    __str__ = float.__repr__
+
 
 class Result:
     """A solved case. All numbers are in the units of the case; points and states are in the order of `points` and `states`."""
@@ -72,7 +75,7 @@ class Result:
     @property
     def estimate(self) -> dict[str, dict[str, Any]]:
         """Estimated errors of discretisation of every probe and of the energy, by name; empty where none was made: then
-        `summary["no_estimate"]` says why."""
+        `summary.get("no_estimate")` says why, if one was asked for."""
         quantities = self.summary.get("estimate", {}).get("quantities", [])
         return {quantity["name"]: quantity for quantity in quantities}
 
@@ -88,10 +91,13 @@ class Result:
 
     @cached_property
     def curve(self) -> dict[str, NDArray[np.float64]]:
-        """Every equilibrium of a body that breaks or softens: load factor, load, energies, broken bonds and the other columns of
-        `curve.csv`, one array each; empty for elastic bodies."""
+        """Every equilibrium of a body that breaks or softens: load factor, load, energies, broken bonds and more, one array each; empty
+        for elastic bodies."""
         rows = json.loads(self._solved.curve())
-        return {key: np.array([row[key] for row in rows]) for key in (rows[0] if rows else {})}
+        found = {key: np.array([row[key] for row in rows]) for key in (rows[0] if rows else {})}
+        for values in found.values():
+            values.setflags(write=False)
+        return found
 
     @cached_property
     def points(self) -> NDArray[np.float64]:
@@ -104,7 +110,7 @@ class Result:
         return self._solved.volumes()
 
     def unit(self, field: str) -> str:
-        """The unit of a field, such as `mm`; empty where it has none. Raises `KeyError`."""
+        """The unit of a field of any body, such as `mm`; empty where it has none. Raises `KeyError`."""
         unit = self._solved.unit(field)
         if unit is None:
             raise KeyError(f"there is no field `{field}`")
@@ -122,7 +128,7 @@ class Result:
 
     def save(self, folder: Union[str, PathLike[str]], *, force: bool = False) -> None:
         """Write the folder of results that the command writes: fields as `.vtu` and `.csv`, `summary.json`, pictures, `report.html`. `force`
-        replaces an earlier run there. Raises `OSError`."""
+        replaces an earlier run there. Raises `OSError`, and `RuntimeError` for a run that was resumed, whose folder has more than it."""
         self._solved.save(fspath(folder), force)
 
     def plot(

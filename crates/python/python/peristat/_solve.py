@@ -9,7 +9,7 @@ from os import PathLike, fspath
 from typing import Any, NamedTuple, Optional, Union
 
 from . import _peristat
-from ._case import Case, checked_threads, given
+from ._case import Case, checked_memory, checked_threads, given
 from ._errors import Fault, NotConverged, PeristatWarning
 from ._result import Result
 
@@ -35,6 +35,8 @@ class Verified(NamedTuple):
     """Time it took."""
     checks: list[dict[str, Any]]
     """Every check with what it expected, what was found, and whether it passed."""
+    warnings: list[str]
+    """Doubts about the case or its answer."""
     faults: list[Fault]
     """Faults of the case."""
     reason: Optional[str]
@@ -52,6 +54,7 @@ def run(
     output: Optional[Union[str, PathLike[str]]] = None,
     force: bool = False,
     resume: bool = False,
+    allow_outside: bool = False,
 ) -> Result:
     """Solve a case.
 
@@ -61,14 +64,15 @@ def run(
 
     `output` names a folder that results are written to while the case is solved, as the command writes it: `force` replaces an earlier run
     there, `resume` goes on with a run of a body that breaks which was interrupted (`Result.states` are then those of this call). Ctrl-C ends
-    the call within a second. A failed check is no exception: see `Result.status`.
+    the call within a second; a solve that has begun goes on unseen to its end. `allow_outside` lets the case name files outside its folder,
+    which is the working directory for a dictionary. A failed check is no exception: see `Result.status`.
 
     Raises `CaseError`, `NotConverged`, `Interrupted`, `MemoryError`, `OSError`; warns with `PeristatWarning`.
     """
     folder = None if output is None else Output(fspath(output), force, resume)
     if folder is None and (force or resume):
         raise ValueError("`force` and `resume` are about the folder of `output`, which is not given")
-    solved = _peristat.run(given(case, set, max_memory), checked_threads(threads), on_state, estimate, folder)
+    solved = _peristat.run(given(case, set, max_memory, allow_outside), checked_threads(threads), on_state, estimate, folder)
     result = Result(solved)
     for text in solved.warnings():
         warnings.warn(text, PeristatWarning, stacklevel=2)
@@ -78,13 +82,17 @@ def run(
 
 
 def check(
-    case: Case, *, set: Optional[Mapping[str, Any]] = None, max_memory: Optional[int] = None
+    case: Case,
+    *,
+    set: Optional[Mapping[str, Any]] = None,
+    max_memory: Optional[int] = None,
+    allow_outside: bool = False,
 ) -> tuple[dict[str, Any], list[Fault]]:
     """Build a case without solving it: its sizes (points, bonds, unknowns, estimated bytes) and its warnings.
 
     Raises `CaseError`, `MemoryError`.
     """
-    found, sizes = _peristat.check(given(case, set, max_memory))
+    found, sizes = _peristat.check(given(case, set, max_memory, allow_outside))
     return json.loads(sizes), [Fault(**fault) for fault in json.loads(found)]
 
 
@@ -94,11 +102,12 @@ def verify(
     all: bool = False,
     threads: Optional[int] = None,
     max_memory: Optional[int] = None,
+    allow_outside: bool = False,
 ) -> list[Verified]:
     """Make the checks of case files, and of those in folders, side by side; `all` includes slow ones and those in `bench` folders.
 
     Faults of a case are part of its answer. Raises `OSError` where a path is not there.
     """
     files = [fspath(paths)] if isinstance(paths, (str, PathLike)) else [fspath(path) for path in paths]
-    outcomes = json.loads(_peristat.verify(files, all, checked_threads(threads), max_memory))
+    outcomes = json.loads(_peristat.verify(files, all, checked_threads(threads), checked_memory(max_memory), allow_outside))
     return [Verified(**{**outcome, "faults": [Fault(**f) for f in outcome["faults"]]}) for outcome in outcomes]

@@ -24,7 +24,7 @@ class Study:
         self.findings = findings
         """Everything that `study.json` has: series with their levels, quantities, orders and limits."""
         self.faults = faults
-        """Why some tasks have no result; there were too large for the memory."""
+        """Why some tasks have no result; they were too large for the memory."""
 
     @property
     def expectations(self) -> list[dict[str, Any]]:
@@ -86,18 +86,21 @@ def study(
     max_memory: Optional[int] = None,
     output: Optional[Union[str, PathLike[str]]] = None,
     force: bool = False,
+    allow_outside: bool = False,
 ) -> Study:
     """Solve a case on many discretisations: orders of convergence, and extrapolated values.
 
     `study` is a dictionary, a path or JSON text; the `case` of a dictionary may be a dictionary, too. `threads` are tasks that are solved at
-    the same time. `output` names a folder that keeps finished tasks: the same call goes on there after an interrupt.
+    the same time. `output` names a folder that keeps finished tasks: the same call goes on there after an interrupt. Paths
+    are relative to the file of the study, to the working directory for a dictionary; `allow_outside` lets them leave its folder.
 
     Raises `CaseError`, `MemoryError`, `OSError`; warns with `PeristatWarning`.
     """
     if output is None and force:
         raise ValueError("`force` is about the folder of `output`, which is not given")
     folder = None if output is None else fspath(output)
-    found, faults = _peristat.study(given(study, set, max_memory, "study"), checked_threads(threads), folder, force)
+    made_of = given(study, set, max_memory, allow_outside, "study")
+    found, faults = _peristat.study(made_of, checked_threads(threads), folder, force)
     made = Study(json.loads(found), [Fault(**fault) for fault in json.loads(faults)])
     for fault in made.faults:
         warnings.warn(f"{fault.tasks}: {fault.message}", PeristatWarning, stacklevel=2)

@@ -160,7 +160,9 @@ fn from_inside(
             peristat_assembly::body::PointBody::Lattice(_) => {
                 "it needs three points in a row that begin at the place; is this the direction into the body?"
             }
-            peristat_assembly::body::PointBody::Solid(_) => "it is for bodies in the plane: leave `inward` out",
+            peristat_assembly::body::PointBody::Solid(_) => {
+                "it is for bodies in the plane: leave `inward` out"
+            }
             _ => "listed points have no rows: leave `inward` out",
         };
         faults.error(path.clone(), "there are no three points in a row in this direction").hint(hint);
