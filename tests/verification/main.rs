@@ -33,6 +33,7 @@ mod grading;
 mod held_borders;
 mod hole_stress;
 mod literature;
+mod mirrored_loads;
 mod orthotropic_elastic;
 mod orthotropic_fracture;
 mod orthotropic_patch;

@@ -38,7 +38,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(refusal) => {
-            // Help and version are told on stdout, faults on stderr; where that is gone, the exit code tells.
+            // Help and version go to stdout, faults to stderr. If that is closed, the exit code remains.
             let _ = refusal.print();
             return if refusal.use_stderr() { USAGE } else { DONE };
         }

@@ -8,7 +8,7 @@ use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// How often signals are looked for.
 const TICK: Duration = Duration::from_millis(50);
@@ -68,9 +68,8 @@ pub(crate) fn beside<T: Send + 'static>(
         }
         if let Err(interrupt) = py.check_signals() {
             stop.store(true, Ordering::Relaxed);
-            let end = Instant::now() + GRACE;
             // What cannot stop at an equilibrium ends by itself, unheard.
-            let _ = py.detach(|| wait(&receive, end.saturating_duration_since(Instant::now())));
+            let _ = py.detach(|| wait(&receive, GRACE));
             return Err(interrupt);
         }
     }
@@ -96,7 +95,8 @@ pub(crate) fn refuse_after_fork() -> PyResult<()> {
 }
 
 fn pool(threads: usize) -> Result<ThreadPool, ThreadPoolBuildError> {
-    ThreadPoolBuilder::new().num_threads(threads).build()
+    // Without a handler a panic would end the interpreter; so the caller finds that nobody answers.
+    ThreadPoolBuilder::new().num_threads(threads).panic_handler(|_| {}).build()
 }
 
 /// The pool of all cores. A process that was forked has none of the threads of its parent, and gets a pool of its own.

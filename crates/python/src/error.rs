@@ -36,7 +36,7 @@ pub(crate) fn exception(py: Python<'_>, error: &Error) -> PyErr {
                 |faults| of_class(py, "CaseError", (in_python(&error.text()), in_python(&faults))),
             )
         }
-        Error::Run(RunError::Interrupted) => of_class(py, "Interrupted", ("the run was told to end",)),
+        Error::Run(RunError::Interrupted) => of_class(py, "Interrupted", ("the run was stopped",)),
         Error::Run(RunError::Memory { .. }) => PyMemoryError::new_err(in_python(&error.to_string())),
         Error::Io(error) => io::Error::new(error.kind(), in_python(&error.to_string())).into(),
         Error::Run(_) => PyRuntimeError::new_err(error.to_string()),

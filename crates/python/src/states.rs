@@ -45,12 +45,17 @@ pub(crate) struct States<'a> {
     pub(crate) raised: Option<PyErr>,
 }
 
+impl States<'_> {
+    /// Ends a run that does not ask by itself.
+    fn end_if_stopped(&mut self) -> io::Result<()> {
+        self.ended = self.is_interrupted() && !self.is_asked;
+        if self.ended { Err(io::Error::other("the run was stopped")) } else { Ok(()) }
+    }
+}
+
 impl Sink for States<'_> {
     fn take(&mut self, result: StateResult) -> io::Result<()> {
-        if self.is_interrupted() && !self.is_asked {
-            self.ended = true;
-            return Err(io::Error::other("the run was told to end"));
-        }
+        self.end_if_stopped()?;
         let record = result.record();
         let (name, load_factor) = (record.name.clone(), record.load_factor);
         if let Some(writing) = &mut self.writing {
@@ -65,20 +70,16 @@ impl Sink for States<'_> {
         // Without an interpreter nobody is left to wait.
         let answer = asked.unwrap_or(Ok(false));
         match answer {
-            Ok(true) => {}
+            Ok(true) => Ok(()),
             Ok(false) => {
                 self.stop.store(true, Ordering::Relaxed);
-                self.ended = !self.is_asked;
-                if self.ended {
-                    return Err(io::Error::other("`on_state` ended the run"));
-                }
+                self.end_if_stopped()
             }
             Err(error) => {
                 self.raised = Some(error);
-                return Err(io::Error::other("`on_state` failed"));
+                Err(io::Error::other("`on_state` failed"))
             }
         }
-        Ok(())
     }
 
     fn advance(&mut self, event: Advance<'_>, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {

@@ -148,3 +148,9 @@ def test_files_outside_are_read_where_that_is_allowed(tmp_path: Path) -> None:
     with pytest.raises(peristat.CaseError, match="`allow_outside=True`"):
         peristat.study(file)
     assert peristat.study(file, allow_outside=True).passed
+
+
+def test_a_study_warns_of_what_its_runs_doubt() -> None:
+    # A tip force that turns the beam by more than 5 degrees.
+    with pytest.warns(peristat.PeristatWarning, match="not small"):
+        peristat.study(STUDY, set={"loads[0].point.force": 1e6})

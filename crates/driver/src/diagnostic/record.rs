@@ -38,17 +38,11 @@ impl FaultRecord {
         }
     }
 
-    /// A fault that lies in no value; a hint is told in a line of its own.
+    /// A fault of no single value. Its hint, if any, is the line after the message.
     fn plain(text: &str) -> Self {
         let (message, hint) = text.split_once("\nhint: ").map_or((text, None), |(m, h)| (m, Some(h.into())));
-        Self { message: message.into(), hint, ..Self::default() }
-    }
-}
-
-impl Default for FaultRecord {
-    fn default() -> Self {
-        let (message, path) = (String::new(), String::new());
-        Self { severity: "error", message, path, line: None, column: None, hint: None, tasks: None }
+        let (message, path) = (message.into(), String::new());
+        Self { severity: "error", message, path, line: None, column: None, hint, tasks: None }
     }
 }
 

@@ -102,6 +102,9 @@ def study(
     made_of = given(study, set, max_memory, allow_outside, "study")
     found, faults = _peristat.study(made_of, checked_threads(threads), folder, force)
     made = Study(json.loads(found), [Fault(**fault) for fault in json.loads(faults)])
+    levels = [level for series in made.findings["series"] for level in series["levels"]]
+    for text in dict.fromkeys(text for level in levels for text in level.get("warnings", [])):
+        warnings.warn(text, PeristatWarning, stacklevel=2)
     for fault in made.faults:
         warnings.warn(f"{fault.tasks}: {fault.message}", PeristatWarning, stacklevel=2)
     return made

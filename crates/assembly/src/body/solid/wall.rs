@@ -123,15 +123,14 @@ impl Wall {
     }
 
     fn has(&self, side: &Side, lattice: &SquareLattice) -> bool {
-        let beyond = plus(lattice.cell(side.point), side.outwards());
-        if lattice.number(beyond).is_some() {
-            return false;
-        }
         let is_own = match self.kind {
             WallKind::Face(face) => face.has(side, lattice),
             WallKind::Cut { cut, block } => NamedCut { cut, block }.has(side, lattice),
         };
+        let is_border = || lattice.number(plus(lattice.cell(side.point), side.outwards())).is_none();
+        // Most sides lie on other faces, which is known before their neighbours are looked up.
         is_own
+            && is_border()
             && !self.before.iter().any(|other| other.has(side, lattice))
             && !self.mirrored.iter().any(|face| face.has(side, lattice))
     }
