@@ -69,8 +69,8 @@ fn is_one_pressure(solved: &Solved) {
     for name in ["stress_xx", "stress_yy", "stress_zz"] {
         let field = solved.field(0, name).expect("a stress");
         let worst = field.iter().fold(0.0_f64, |m, s| m.max((s + 6.0).abs()));
-        // 1e-12 measured; sides with two pressures gave 4.
-        assert!(worst < 1e-9, "{name} {worst:e}");
+        // 2e-9 measured, what conjugate gradients leave; sides with two pressures gave 4.
+        assert!(worst < 1e-8, "{name} {worst:e}");
     }
 }
 
