@@ -96,8 +96,7 @@ fn one_pressure_on_walls_that_meet_is_one_stress() {
 
 #[test]
 fn a_round_body_that_a_mirror_halves_has_no_border_there() {
-    let cut =
-        json!([{ "outside_cylinder": { "name": "round", "along": "z", "centre": [2, 5, 2], "radius": 4.6 } }]);
+    let cut = json!([{ "outside_cylinder": { "name": "round", "along": "z", "centre": [2, 5, 2], "radius": 4.6 } }]);
     let solved = pressed(
         json!({ "size": [10, 10, 4], "spacing": 1, "cuts": cut }),
         json!(["left"]),
