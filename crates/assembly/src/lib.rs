@@ -11,12 +11,13 @@
 //! that move in their plane, can break ([`model::Breakable`]). What displacements tell beside holes is [`recovery`].
 //!
 //! Modules use only what stands to their left:
-//! `sum → quadrature → recovery → law → material → bonds → body → condition → stiffness → model → system`.
+//! `sum → quadrature → recovery → law → material → bonds → body → condition → stiffness → model → system → cubic`.
 #![cfg_attr(test, allow(clippy::float_cmp))]
 
 pub mod body;
 pub mod bonds;
 pub mod condition;
+pub mod cubic;
 pub mod law;
 pub mod material;
 pub mod model;

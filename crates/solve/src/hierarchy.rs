@@ -14,6 +14,7 @@
 //! rather than on residuals and increments: it reads three vectors and writes one, which can all be done by the loop
 //! that evaluates the product.
 
+use crate::real::Real;
 use crate::vector::{extrapolate, subtract_from};
 
 /// The coefficients of a step of the smoother.
@@ -30,20 +31,28 @@ pub struct Relaxation {
 /// An unknown may be held at zero instead of being left out: `A` and `M^-1` and both transfers then write or add zero
 /// there.
 pub trait Hierarchy: Sync {
+    /// What the numbers of its vectors are.
+    type Real: Real;
+
     /// Number of levels, at least 1.
     fn depth(&self) -> usize;
 
     /// Length of the vectors of a level.
     fn size(&self, level: usize) -> usize;
 
+    /// `Σ a·b` over the unknowns of a level.
+    fn dot(&self, _level: usize, a: &[Self::Real], b: &[Self::Real]) -> f64 {
+        Real::dot(a, b)
+    }
+
     /// Writes `A x` over `y`.
-    fn apply(&self, level: usize, x: &[f64], y: &mut [f64]);
+    fn apply(&self, level: usize, x: &[Self::Real], y: &mut [Self::Real]);
 
     /// `x += scale M^-1 r`
-    fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]);
+    fn smooth(&self, level: usize, scale: f64, r: &[Self::Real], x: &mut [Self::Real]);
 
     /// Writes `b - A x` over `r`.
-    fn residual(&self, level: usize, b: &[f64], x: &[f64], r: &mut [f64]) {
+    fn residual(&self, level: usize, b: &[Self::Real], x: &[Self::Real], r: &mut [Self::Real]) {
         self.apply(level, x, r);
         subtract_from(b, r);
     }
@@ -56,10 +65,10 @@ pub trait Hierarchy: Sync {
         &self,
         level: usize,
         step: Relaxation,
-        b: &[f64],
-        x: &[f64],
-        previous: &mut [f64],
-        scratch: &mut [f64],
+        b: &[Self::Real],
+        x: &[Self::Real],
+        previous: &mut [Self::Real],
+        scratch: &mut [Self::Real],
     ) {
         self.residual(level, b, x, scratch);
         extrapolate(previous, step.keep, x);
@@ -68,43 +77,48 @@ pub trait Hierarchy: Sync {
 
     /// Writes over `coarse`, of the next coarser level, what `fine` of this level is there; the transpose of
     /// [`prolong_add`](Self::prolong_add), up to a positive factor.
-    fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]);
+    fn restrict(&self, level: usize, fine: &[Self::Real], coarse: &mut [Self::Real]);
 
     /// Adds to `fine`, of this level, the interpolation of `coarse` of the next coarser level.
-    fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]);
+    fn prolong_add(&self, level: usize, coarse: &[Self::Real], fine: &mut [Self::Real]);
 }
 
 impl<H: Hierarchy + ?Sized> Hierarchy for &H {
+    type Real = H::Real;
+
     fn depth(&self) -> usize {
         (**self).depth()
     }
     fn size(&self, level: usize) -> usize {
         (**self).size(level)
     }
-    fn apply(&self, level: usize, x: &[f64], y: &mut [f64]) {
+    fn dot(&self, level: usize, a: &[H::Real], b: &[H::Real]) -> f64 {
+        (**self).dot(level, a, b)
+    }
+    fn apply(&self, level: usize, x: &[H::Real], y: &mut [H::Real]) {
         (**self).apply(level, x, y);
     }
-    fn smooth(&self, level: usize, scale: f64, r: &[f64], x: &mut [f64]) {
+    fn smooth(&self, level: usize, scale: f64, r: &[H::Real], x: &mut [H::Real]) {
         (**self).smooth(level, scale, r, x);
     }
-    fn residual(&self, level: usize, b: &[f64], x: &[f64], r: &mut [f64]) {
+    fn residual(&self, level: usize, b: &[H::Real], x: &[H::Real], r: &mut [H::Real]) {
         (**self).residual(level, b, x, r);
     }
     fn relax(
         &self,
         level: usize,
         step: Relaxation,
-        b: &[f64],
-        x: &[f64],
-        previous: &mut [f64],
-        scratch: &mut [f64],
+        b: &[H::Real],
+        x: &[H::Real],
+        previous: &mut [H::Real],
+        scratch: &mut [H::Real],
     ) {
         (**self).relax(level, step, b, x, previous, scratch);
     }
-    fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {
+    fn restrict(&self, level: usize, fine: &[H::Real], coarse: &mut [H::Real]) {
         (**self).restrict(level, fine, coarse);
     }
-    fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
+    fn prolong_add(&self, level: usize, coarse: &[H::Real], fine: &mut [H::Real]) {
         (**self).prolong_add(level, coarse, fine);
     }
 }

@@ -39,6 +39,7 @@ mod operator;
 mod pcg;
 #[cfg(test)]
 mod plane;
+mod real;
 mod repeating;
 mod sparse;
 mod sums;
@@ -54,5 +55,6 @@ pub use low_rank::LowRank;
 pub use multigrid::{Multigrid, MultigridOptions};
 pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
+pub use real::Real;
 pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};
 pub use sparse::{Ordering, SparseCholesky, SparseIndefinite};

@@ -59,24 +59,24 @@ impl Default for MultigridOptions {
 }
 
 /// One cycle from zero: an approximate inverse of the finest operator of a [`Hierarchy`].
-pub struct Multigrid<H> {
+pub struct Multigrid<H: Hierarchy> {
     hierarchy: H,
-    coarsest: Box<dyn Preconditioner + Send>,
+    coarsest: Box<dyn Preconditioner<H::Real> + Send>,
     /// All but the coarsest, finest first.
-    levels: Vec<Level>,
+    levels: Vec<Level<H::Real>>,
     single: usize,
 }
 
 /// What the cycle keeps of a level.
-struct Level {
+struct Level<R> {
     largest: f64,
     steps: Vec<Relaxation>,
     /// The iterate before the last, or the one after the next.
-    other: Vec<f64>,
-    residual: Vec<f64>,
+    other: Vec<R>,
+    residual: Vec<R>,
     /// Right-hand side and solution of the next coarser level.
-    coarse_residual: Vec<f64>,
-    correction: Vec<f64>,
+    coarse_residual: Vec<R>,
+    correction: Vec<R>,
 }
 
 impl<H: Hierarchy> Multigrid<H> {
@@ -86,7 +86,11 @@ impl<H: Hierarchy> Multigrid<H> {
     ///
     /// If there is no level, the size of `coarsest` is not that of the last one, or the degree is 0.
     #[must_use]
-    pub fn new(hierarchy: H, coarsest: Box<dyn Preconditioner + Send>, options: &MultigridOptions) -> Self {
+    pub fn new(
+        hierarchy: H,
+        coarsest: Box<dyn Preconditioner<H::Real> + Send>,
+        options: &MultigridOptions,
+    ) -> Self {
         let depth = hierarchy.depth();
         assert!(depth > 0 && options.degree > 0, "a level and a step");
         assert_eq!(coarsest.size(), hierarchy.size(depth - 1), "a solver for the last level");
@@ -98,10 +102,10 @@ impl<H: Hierarchy> Multigrid<H> {
                 Level {
                     largest,
                     steps: chebyshev::steps(largest, options.range, options.degree),
-                    other: vec![0.0; size],
-                    residual: vec![0.0; size],
-                    coarse_residual: vec![0.0; coarse],
-                    correction: vec![0.0; coarse],
+                    other: vec![H::Real::default(); size],
+                    residual: vec![H::Real::default(); size],
+                    coarse_residual: vec![H::Real::default(); coarse],
+                    correction: vec![H::Real::default(); coarse],
                 }
             })
             .collect();
@@ -119,21 +123,21 @@ impl<H: Hierarchy> Multigrid<H> {
     }
 }
 
-impl<H: Hierarchy> Preconditioner for Multigrid<H> {
+impl<H: Hierarchy> Preconditioner<H::Real> for Multigrid<H> {
     fn size(&self) -> usize {
         self.hierarchy.size(0)
     }
 
-    fn apply(&mut self, r: &[f64], z: &mut [f64]) {
+    fn apply(&mut self, r: &[H::Real], z: &mut [H::Real]) {
         let Self { hierarchy, coarsest, levels, single } = self;
         Cycle { hierarchy, coarsest: coarsest.as_mut(), single: *single }.run(0, levels, Start::Zero, r, z);
     }
 }
 
 /// What all levels of a cycle share.
-struct Cycle<'a, H> {
+struct Cycle<'a, H: Hierarchy> {
     hierarchy: &'a H,
-    coarsest: &'a mut dyn Preconditioner,
+    coarsest: &'a mut dyn Preconditioner<H::Real>,
     single: usize,
 }
 
@@ -147,7 +151,14 @@ enum Start {
 
 impl<H: Hierarchy> Cycle<'_, H> {
     /// Improves `x` as solution for `b` by a cycle from level `index` on, with which `levels` begin.
-    fn run(&mut self, index: usize, levels: &mut [Level], start: Start, b: &[f64], x: &mut [f64]) {
+    fn run(
+        &mut self,
+        index: usize,
+        levels: &mut [Level<H::Real>],
+        start: Start,
+        b: &[H::Real],
+        x: &mut [H::Real],
+    ) {
         let Some((level, coarser)) = levels.split_first_mut() else {
             return self.coarsest.apply(b, x);
         };
@@ -157,8 +168,8 @@ impl<H: Hierarchy> Cycle<'_, H> {
         let mut before = steps.as_slice();
         if start == Start::Zero {
             (x, other) = (other, x);
-            x.fill(0.0);
-            other.fill(0.0);
+            x.fill(H::Real::default());
+            other.fill(H::Real::default());
             self.hierarchy.smooth(index, steps[0].scale, b, x);
             before = &steps[1..];
         }

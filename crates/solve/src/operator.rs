@@ -10,12 +10,12 @@ pub trait LinearOperator {
 }
 
 /// An approximate inverse of a [`LinearOperator`], symmetric; conjugate gradients need a positive definite one.
-pub trait Preconditioner {
+pub trait Preconditioner<R = f64> {
     /// Length of the vectors.
     fn size(&self) -> usize;
 
     /// Writes `M^-1 r` over `z`; both have length [`size`](Self::size).
     ///
     /// The receiver is mutable so that it may keep scratch space.
-    fn apply(&mut self, r: &[f64], z: &mut [f64]);
+    fn apply(&mut self, r: &[R], z: &mut [R]);
 }

@@ -2,6 +2,7 @@
 //!
 //! Entries do not depend on each other here, so that neither the segments nor the number of threads changes a bit.
 
+use crate::real::Real;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
@@ -35,7 +36,7 @@ pub(crate) fn worth_threads(length: usize) -> bool {
 }
 
 /// Calls `f` with the segments of `y` and `x`, side by side where that is worth it.
-fn segments(y: &mut [f64], x: &[f64], f: impl Fn(&mut [f64], &[f64]) + Sync) {
+fn segments<R: Real>(y: &mut [R], x: &[R], f: impl Fn(&mut [R], &[R]) + Sync) {
     debug_assert_eq!(y.len(), x.len());
     if worth_threads(y.len()) {
         y.par_chunks_mut(SEGMENT).zip(x.par_chunks(SEGMENT)).for_each(|(y, x)| f(y, x));
@@ -45,13 +46,14 @@ fn segments(y: &mut [f64], x: &[f64], f: impl Fn(&mut [f64], &[f64]) + Sync) {
 }
 
 /// `y += a x`
-pub(crate) fn add(y: &mut [f64], a: f64, x: &[f64]) {
+pub(crate) fn add<R: Real>(y: &mut [R], a: f64, x: &[R]) {
+    let a = R::of(a);
     segments(y, x, |y, x| {
         vectorised(
             #[inline(always)]
             || {
                 for (y, x) in y.iter_mut().zip(x) {
-                    *y += a * x;
+                    *y = *y + a * *x;
                 }
             },
         );
@@ -59,18 +61,18 @@ pub(crate) fn add(y: &mut [f64], a: f64, x: &[f64]) {
 }
 
 /// `y -= a x`
-pub(crate) fn subtract(y: &mut [f64], a: f64, x: &[f64]) {
+pub(crate) fn subtract<R: Real>(y: &mut [R], a: f64, x: &[R]) {
     add(y, -a, x);
 }
 
 /// `y = x - y`
-pub(crate) fn subtract_from(x: &[f64], y: &mut [f64]) {
+pub(crate) fn subtract_from<R: Real>(x: &[R], y: &mut [R]) {
     segments(y, x, |y, x| {
         vectorised(
             #[inline(always)]
             || {
                 for (y, x) in y.iter_mut().zip(x) {
-                    *y = x - *y;
+                    *y = *x - *y;
                 }
             },
         );
@@ -78,13 +80,14 @@ pub(crate) fn subtract_from(x: &[f64], y: &mut [f64]) {
 }
 
 /// `y = x + keep (x - y)`
-pub(crate) fn extrapolate(y: &mut [f64], keep: f64, x: &[f64]) {
+pub(crate) fn extrapolate<R: Real>(y: &mut [R], keep: f64, x: &[R]) {
+    let keep = R::of(keep);
     segments(y, x, |y, x| {
         vectorised(
             #[inline(always)]
             || {
                 for (y, x) in y.iter_mut().zip(x) {
-                    *y = x + keep * (x - *y);
+                    *y = *x + keep * (*x - *y);
                 }
             },
         );

@@ -156,6 +156,8 @@ struct Few {
 }
 
 impl Hierarchy for Few {
+    type Real = f64;
+
     fn depth(&self) -> usize {
         self.depth
     }

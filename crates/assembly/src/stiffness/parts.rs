@@ -2,17 +2,11 @@
 
 use std::ops::RangeInclusive;
 
-/// Points joined by whatever couples them. What it stores grows with the gaps between runs of joined neighbours, not with
-/// the number of points.
+/// Points joined by whatever couples them.
 #[derive(Clone, Debug)]
 pub struct ConnectedParts {
-    points: usize,
-    /// Runs of points each joined to the next, first and last.
-    runs: Vec<[u32; 2]>,
-    /// Other joined points, the lower one first.
-    pairs: Vec<[u32; 2]>,
-    /// Pairs that may pile up before those inside runs are dropped.
-    room: usize,
+    /// Per point: itself, or a lower point of the same part. Following them leads to the lowest one.
+    lower: Vec<u32>,
 }
 
 /// The parts, numbered in the order of their first points.
@@ -30,94 +24,61 @@ impl ConnectedParts {
     /// # Panics
     /// More than `u32::MAX` points.
     pub fn new(points: usize) -> Self {
-        assert!(u32::try_from(points).is_ok(), "points are numbered by u32");
-        Self { points, runs: Vec::new(), pairs: Vec::new(), room: 4096 }
+        let points = u32::try_from(points).expect("points are numbered by u32");
+        Self { lower: (0..points).collect() }
     }
 
     /// Points `i` and `j` hang together.
     pub fn join(&mut self, i: usize, j: usize) {
-        let (i, j) = (i.min(j), i.max(j));
-        if j - i <= 1 {
-            self.join_run(i..=j);
-        } else if !self.runs.last().is_some_and(|run| run[0] as usize <= i && j <= run[1] as usize) {
-            self.pairs.push([i as u32, j as u32]);
-            if self.pairs.len() > self.room {
-                self.tidy();
-                self.room = 4096.max(2 * self.pairs.len());
-            }
-        }
+        let (a, b) = (self.lowest(i as u32), self.lowest(j as u32));
+        self.lower[a.max(b) as usize] = a.min(b);
     }
 
     /// All points of a range hang together.
     pub fn join_run(&mut self, range: RangeInclusive<usize>) {
-        let [first, last] = [*range.start() as u32, *range.end() as u32];
-        match self.runs.last_mut() {
-            Some(run) if run[0] <= first && first <= run[1] => run[1] = run[1].max(last),
-            _ => self.runs.push([first, last]),
+        let (first, last) = (*range.start(), *range.end());
+        let mut lowest = self.lowest(first as u32);
+        for point in first + 1..=last {
+            if self.lower[point] as usize == point {
+                self.lower[point] = lowest;
+            } else {
+                self.join(first, point);
+                lowest = self.lowest(first as u32);
+            }
         }
     }
 
-    /// Merges runs that share points and drops pairs inside them.
-    fn tidy(&mut self) {
-        self.runs.sort_unstable();
-        let mut merged: Vec<[u32; 2]> = Vec::new();
-        for &[first, last] in &self.runs {
-            match merged.last_mut() {
-                Some(run) if first <= run[1] => run[1] = run[1].max(last),
-                _ => merged.push([first, last]),
-            }
+    /// The lowest point of a part, on the way to which all others come closer to it.
+    fn lowest(&mut self, mut point: u32) -> u32 {
+        while self.lower[point as usize] != point {
+            let next = self.lower[self.lower[point as usize] as usize];
+            self.lower[point as usize] = next;
+            point = next;
         }
-        self.runs = merged;
-        let run_of = |point: u32| {
-            let next = self.runs.partition_point(|run| run[0] <= point);
-            next.checked_sub(1).filter(|&k| point <= self.runs[k][1])
-        };
-        self.pairs.retain(|&[i, j]| run_of(i).is_none() || run_of(i) != run_of(j));
-        self.pairs.sort_unstable();
-        self.pairs.dedup();
+        point
     }
 
     /// The parts.
-    pub fn numbered(mut self) -> NumberedParts {
-        self.tidy();
-        // Runs and the single points between them.
-        let mut firsts: Vec<u32> = Vec::new();
-        let mut next = 0;
-        for &[first, last] in &self.runs {
-            firsts.extend(next..=first);
-            next = last + 1;
-        }
-        firsts.extend(next..self.points as u32);
-        let interval_of = |point: u32| firsts.partition_point(|&first| first <= point) - 1;
-        let mut parent: Vec<usize> = (0..firsts.len()).collect();
-        for &[i, j] in &self.pairs {
-            let (a, b) = (root(&mut parent, interval_of(i)), root(&mut parent, interval_of(j)));
-            parent[a.max(b)] = a.min(b);
-        }
-        let (mut spans, mut labels): (Vec<[usize; 2]>, Vec<u32>) = (Vec::new(), Vec::new());
-        for (k, &first) in firsts.iter().enumerate() {
-            let last = firsts.get(k + 1).map_or(self.points, |&next| next as usize) - 1;
-            let top = root(&mut parent, k);
-            if top == k {
-                labels.push(spans.len() as u32);
-                spans.push([first as usize, last]);
-            } else {
-                labels.push(labels[top]);
-                spans[labels[top] as usize][1] = last;
+    pub fn numbered(self) -> NumberedParts {
+        let mut parts = NumberedParts { spans: Vec::new(), intervals: Vec::new() };
+        let mut labels = self.lower;
+        for point in 0..labels.len() {
+            // Lower points have the numbers of their parts already.
+            let label = match labels[point] as usize {
+                lower if lower == point => {
+                    parts.spans.push([point, point]);
+                    parts.spans.len() as u32 - 1
+                }
+                lower => labels[lower],
+            };
+            labels[point] = label;
+            parts.spans[label as usize][1] = point;
+            if parts.intervals.last().is_none_or(|interval| interval.1 != label) {
+                parts.intervals.push((point as u32, label));
             }
         }
-        NumberedParts { spans, intervals: firsts.into_iter().zip(labels).collect() }
+        parts
     }
-}
-
-/// The first interval of a part, which is below all others of it.
-fn root(parent: &mut [usize], of: usize) -> usize {
-    let mut k = of;
-    while parent[k] != k {
-        parent[k] = parent[parent[k]];
-        k = parent[k];
-    }
-    k
 }
 
 impl NumberedParts {
@@ -160,16 +121,5 @@ mod tests {
         parts.join_run(3..=4);
         parts.join(8, 11);
         assert_eq!(labels(parts, 12), [0, 1, 1, 1, 1, 2, 3, 3, 3, 3, 4, 3]);
-    }
-
-    #[test]
-    fn pairs_inside_runs_do_not_pile_up() {
-        let n = 100_000;
-        let mut parts = ConnectedParts::new(n);
-        for i in 0..n {
-            (1..4).filter(|step| i + step < n).for_each(|step| parts.join(i, i + step));
-        }
-        assert!(parts.pairs.len() <= 4096, "{}", parts.pairs.len());
-        assert_eq!(parts.numbered().spans(), [[0, n - 1]]);
     }
 }

@@ -225,7 +225,7 @@ impl<const D: usize> System<D> {
         for (point, block) in self.diagonal_blocks().into_iter().enumerate() {
             // Inside a body all blocks are the same.
             if block != last.0 || constrained[point].contains(&true) {
-                let inverse = invert(block, &constrained[point]);
+                let inverse = inverse_of(block, &constrained[point]);
                 loose = loose.or(inverse.is_none().then_some(point));
                 last = (block, inverse.unwrap_or([[0.0; D]; D]));
             }
@@ -238,7 +238,7 @@ impl<const D: usize> System<D> {
 }
 
 /// Inverse of a symmetric positive definite block on the components that are not constrained, by elimination.
-fn invert<const D: usize>(block: Mat<D, D>, constrained: &[bool; D]) -> Option<Mat<D, D>> {
+pub fn inverse_of<const D: usize>(block: Mat<D, D>, constrained: &[bool; D]) -> Option<Mat<D, D>> {
     /// Pivots below this part of the diagonal are rounding.
     const ROUNDING: f64 = 1e-12;
     let mut a = block;

@@ -6,7 +6,7 @@ mod mobility;
 mod pattern;
 mod scatter;
 
-pub use level::Level;
+pub use level::{Level, inverse_of};
 pub use mobility::{FreeMotion, PartMotion, free_motions, sprung_motions};
 pub use pattern::DifferencePattern;
 

@@ -1,10 +1,19 @@
 //! Coarser levels of a problem.
 
 use peristat_assembly::body::Transfer;
+use peristat_assembly::cubic::CubicLevels;
 use peristat_assembly::system::System;
 
 /// The coarser levels of a problem: the same body and conditions at twice the spacing, again and again.
-pub struct Coarser<const D: usize> {
+pub enum Coarser<const D: usize> {
+    /// Models of bodies that are coarser.
+    Models(CoarserModels<D>),
+    /// Cubes with one stencil, which stand in for the finest level, too.
+    Cubes(CubicLevels),
+}
+
+/// Models of coarser bodies.
+pub struct CoarserModels<const D: usize> {
     /// Systems, the finest of them first.
     pub systems: Vec<System<D>>,
     /// Interpolation to every level that has a coarser one, the finest level of all first.

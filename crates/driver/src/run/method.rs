@@ -1,6 +1,7 @@
 //! Which method solves a problem, why, and when its answer is good enough.
 
 use super::coarser::Coarser;
+use super::cubic_cycle;
 use super::factor;
 use super::multigrid;
 use super::problem::{Spread, TOO_MANY_POINTS};
@@ -160,12 +161,21 @@ fn of_cycle<'a, const D: usize>(
     counters: &mut Counters,
 ) -> Result<Method<'a>, SolveFailure> {
     let begin = Instant::now();
-    let (cycle, factor_entries) = multigrid::cycle(system, coarser, counters)?;
+    let (preconditioner, factor_entries): (Box<dyn Preconditioner + 'a>, usize) = match coarser {
+        Coarser::Models(models) => {
+            let (cycle, entries) = multigrid::cycle(system, models, counters)?;
+            (Box::new(cycle), entries)
+        }
+        Coarser::Cubes(levels) => {
+            let (cycle, entries) = cubic_cycle::cycle(system, levels, counters)?;
+            (Box::new(cycle), entries)
+        }
+    };
     timing.factor += begin.elapsed().as_secs_f64();
     counters.factor_bytes = factor_entries * size_of::<f64>();
     let report =
         SolverReport { method: "multigrid".into(), reason, factor_entries, ..SolverReport::default() };
-    Ok(Method { preconditioner: Box::new(cycle), report, finish: Finish::of_iteration(200) })
+    Ok(Method { preconditioner, report, finish: Finish::of_iteration(200) })
 }
 
 fn of_blocks<'a, const D: usize>(

@@ -2,7 +2,7 @@
 
 use super::Counters;
 use super::border_block::BorderBlock;
-use super::coarser::Coarser;
+use super::coarser::CoarserModels;
 use super::factor::lifted;
 use super::solve_failure::SolveFailure;
 use peristat_assembly::body::Transfer;
@@ -27,7 +27,7 @@ const LIFTS: [f64; 3] = [0.0, 1e-6, 1e-4];
 /// [`SolveFailure`] if a point of the finest level is not held by its bonds, or the coarsest level has no factor.
 pub(super) fn cycle<'a, const D: usize>(
     system: &'a System<D>,
-    coarser: &'a Coarser<D>,
+    coarser: &'a CoarserModels<D>,
     counters: &mut Counters,
 ) -> Result<(Multigrid<Levels<'a, D>>, usize), SolveFailure> {
     let mut finest = Level::new(system).map_err(|point| SolveFailure::Loose { point })?;
@@ -56,6 +56,8 @@ pub(super) fn cycle<'a, const D: usize>(
 }
 
 impl<const D: usize> Hierarchy for Levels<'_, D> {
+    type Real = f64;
+
     fn depth(&self) -> usize {
         self.levels.len()
     }

@@ -5,7 +5,7 @@ use crate::case::Solver;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Spring;
-use peristat_assembly::system::FreeMotion;
+use peristat_assembly::system::{FreeMotion, System};
 
 /// Points beyond which a factor takes more memory than most machines have.
 pub(crate) const TOO_MANY_POINTS: usize = 500_000;
@@ -56,7 +56,7 @@ pub trait Problem<const D: usize> {
     }
 
     /// The coarser levels of a multigrid cycle, where the points are those of a lattice.
-    fn coarser(&self) -> Option<Coarser<D>> {
+    fn coarser(&self, _system: &System<D>) -> Option<Coarser<D>> {
         None
     }
 

@@ -40,7 +40,7 @@ pub(super) fn solve_states<const D: usize>(
 ) -> Result<RunReport, RunError> {
     let mut timing = Timing::default();
     let begin = Instant::now();
-    let coarser = if method::plan(problem) == method::Plan::Cycle { problem.coarser() } else { None };
+    let coarser = if method::plan(problem) == method::Plan::Cycle { problem.coarser(system) } else { None };
     timing.assemble = begin.elapsed().as_secs_f64();
     let mut ready = Some(LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?);
     let (mut report, mut counters) = (SolverReport::default(), Counters::default());

@@ -2,7 +2,7 @@
 
 use super::MultigridOptions;
 use crate::hierarchy::Hierarchy;
-use crate::sums::dot;
+use crate::real::Real;
 use crate::vector::subtract;
 
 /// Bounds for all levels but the coarsest, finest first, the margin included.
@@ -26,25 +26,26 @@ pub(super) fn largest_eigenvalues<H: Hierarchy>(hierarchy: &H, options: &Multigr
 /// the Lanczos process (Saad, Iterative methods for sparse linear systems, 2nd ed., section 6.7.3). 1 without unknowns.
 fn largest_eigenvalue<H: Hierarchy>(hierarchy: &H, level: usize, steps: usize) -> f64 {
     let size = hierarchy.size(level);
-    let mut r: Vec<f64> = (0..size).map(arbitrary).collect();
-    let mut p = vec![0.0; size];
+    let mut r: Vec<H::Real> = (0..size).map(|i| H::Real::of(arbitrary(i))).collect();
+    let mut p = vec![H::Real::default(); size];
     hierarchy.smooth(level, 1.0, &r, &mut p);
-    let mut rz = dot(&r, &p);
+    let mut rz = hierarchy.dot(level, &r, &p);
     let first = rz;
     let (mut diagonal, mut off_diagonal) = (Vec::new(), Vec::new());
     let mut carried = 0.0;
     // The product, then the preconditioned residual.
-    let mut image = vec![0.0; size];
+    let mut image = vec![H::Real::default(); size];
     // A residual at rounding level has no more to tell.
     while diagonal.len() < steps && rz > 1.0e-24 * first {
         hierarchy.apply(level, &p, &mut image);
-        let length = rz / dot(&p, &image);
+        let length = rz / hierarchy.dot(level, &p, &image);
         subtract(&mut r, length, &image);
-        image.fill(0.0);
+        image.fill(H::Real::default());
         hierarchy.smooth(level, 1.0, &r, &mut image);
-        let next = dot(&r, &image);
+        let next = hierarchy.dot(level, &r, &image);
         let beta = next / rz;
-        p.iter_mut().zip(&image).for_each(|(p, z)| *p = z + beta * *p);
+        let carry = H::Real::of(beta);
+        p.iter_mut().zip(&image).for_each(|(p, z)| *p = *z + carry * *p);
         diagonal.push(1.0 / length + carried);
         carried = beta / length;
         off_diagonal.push(beta.max(0.0).sqrt() / length);

@@ -114,6 +114,8 @@ impl Plate {
 }
 
 impl Hierarchy for Plate {
+    type Real = f64;
+
     fn depth(&self) -> usize {
         self.levels.len()
     }

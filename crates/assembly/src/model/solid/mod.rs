@@ -32,6 +32,7 @@ pub(super) use bond::direction_product;
 pub(super) use law::{Dilatation, part, reach_of};
 
 use super::{BodyFields, BodyModel, Component, RigidMotion};
+use crate::body::Cell;
 use crate::bonds::{Mat, Point};
 
 /// Number of components of strain and stress.
@@ -73,6 +74,9 @@ impl From<SolidFields> for BodyFields {
 pub trait SolidModel: BodyModel {
     /// What is done about what points near faces lack.
     fn faces(&self) -> SolidEdges;
+
+    /// Offsets of half of the bonds of a point, cells, and their stiffnesses, N/m.
+    fn bonds_of_a_point(&self) -> Vec<(Cell, f64)>;
 
     /// Stiffness of the material, Pa, from strains to stresses.
     fn stiffness(&self) -> Mat<TENSOR, TENSOR>;

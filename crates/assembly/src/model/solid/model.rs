@@ -206,6 +206,15 @@ impl<P: SolidMaterial> SolidModel for Solid<P> {
         self.body.law.edges
     }
 
+    fn bonds_of_a_point(&self) -> Vec<(Cell, f64)> {
+        let (of, spacing) = (&self.body.law.neighbourhood, self.body.lattice.spacing());
+        let stiffness = |step: &Cell, weight: &[f64; 1]| {
+            let squared: f64 = step.iter().map(|k| f64::from(*k).powi(2)).sum();
+            weight[0] * spacing / squared
+        };
+        of.offsets.iter().zip(&of.weights).map(|(step, weight)| (*step, stiffness(step, weight))).collect()
+    }
+
     fn stiffness(&self) -> Mat<TENSOR, TENSOR> {
         self.body.law.stiffness()
     }

@@ -174,6 +174,8 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
             .iter()
             .filter_map(|step| self.classes.iter().position(|c| c.step == *step && c.modulus != [0.0; M]))
             .collect();
+        // Where no bond is an exception, neighbours in a row hang together, and one bond joins two stretches of rows.
+        let are_rows = self.chunks.stored_factors() == 0 && plain.len() == next.len();
         for chunk in self.chunks.all() {
             // Inside a body the bonds to the next points already join all that longer ones would.
             let (all, inner) = (0..self.classes.len(), plain.len() == next.len() && chunk.is_plain());
@@ -185,7 +187,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> Term<D> for GridBonds<D
                     let first = chunk.first as usize + k;
                     if chunk.is_plain() && step == [1, 0, 0] {
                         parts.join_run(first..=first + columns.len());
-                    } else if chunk.is_plain() && next[1..].contains(&step) && chunk.is_inner() {
+                    } else if are_rows || chunk.is_plain() && next[1..].contains(&step) && chunk.is_inner() {
                         parts.join(first, other);
                     } else {
                         let present = (0..columns.len())

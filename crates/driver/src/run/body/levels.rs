@@ -1,6 +1,7 @@
 //! The coarser levels of a body on a lattice: the same body, cracks and conditions at twice the spacing, again and again.
 
-use crate::run::{Coarser, Spread};
+use super::cubes;
+use crate::run::{Coarser, CoarserModels, Spread};
 use crate::scene::body::Conditions;
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, SquareLattice, Transfer, cut_bonds};
 use peristat_assembly::model::BodyModel;
@@ -11,7 +12,7 @@ use peristat_assembly::system::{System, free_motions};
 /// Points that a direct factor takes in no time.
 const COARSEST: usize = 1500;
 /// The same of a solid, whose factor fills up sooner.
-const COARSEST_SOLID: usize = 500;
+pub(super) const COARSEST_SOLID: usize = 500;
 /// Rows or columns that a coarsest lattice keeps: with fewer, all of its points are at an edge.
 const NARROW: usize = 12;
 /// The same of a solid: with four across the cycle of a long bar can be indefinite.
@@ -41,31 +42,52 @@ pub(super) fn spread(model: &dyn BodyModel) -> Spread {
 
 /// Whether a lattice has no coarser one, or none that would help.
 fn is_coarsest(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
-    let mut sides = [lattice.layers().len(), lattice.columns().len(), lattice.rows().len()];
+    let sides = [lattice.layers().len(), lattice.columns().len(), lattice.rows().len()];
     let (narrow, few) = match lattice.is_plane() {
         true => (sides[1].min(sides[2]) < 2 * NARROW, COARSEST),
-        false => {
-            sides.sort_unstable();
-            let least = if sides[1] >= THIN * sides[0] { NARROW_PLATE } else { NARROW_SOLID };
-            (sides[0] < 2 * least, COARSEST_SOLID)
-        }
+        false => (is_narrow(sides), COARSEST_SOLID),
     };
     lattice.points() <= few || narrow || mirrors.coarser().is_none()
 }
 
-/// The coarser levels of a model; none of a cloud, or of a lattice that is coarse itself.
+/// Whether a solid with these numbers of points along its sides is too thin to be coarser.
+pub(super) fn is_narrow(mut sides: [usize; 3]) -> bool {
+    sides.sort_unstable();
+    let least = if sides[1] >= THIN * sides[0] { NARROW_PLATE } else { NARROW_SOLID };
+    sides[0] < 2 * least
+}
+
+/// The coarser levels of a model with its system; none of a cloud, or of a lattice that is coarse itself.
 pub(super) fn coarser<const D: usize>(
     model: &dyn Solvable<D>,
     cracks: &[Crack],
     conditions: &Conditions,
+    system: &System<D>,
 ) -> Option<Coarser<D>> {
+    match cubes::levels(model, conditions, system) {
+        Some(levels) => Some(Coarser::Cubes(levels)),
+        None => models(model, cracks, conditions).map(Coarser::Models),
+    }
+}
+
+/// Coarser models of the body.
+fn models<const D: usize>(
+    model: &dyn Solvable<D>,
+    cracks: &[Crack],
+    conditions: &Conditions,
+) -> Option<CoarserModels<D>> {
     let cracks: Vec<Crack> = model.lattice().map_or(Vec::new(), |(lattice, _)| beside(cracks, lattice));
     let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
     // Coarser lattices do not know how a border cuts their blocks.
     let is_unlike = model.follows_border();
     let beside_border = if is_unlike { beside_border(model) } else { Vec::new() };
-    let mut levels =
-        Coarser { systems: Vec::new(), transfers: Vec::new(), is_loose: false, is_unlike, beside_border };
+    let mut levels = CoarserModels {
+        systems: Vec::new(),
+        transfers: Vec::new(),
+        is_loose: false,
+        is_unlike,
+        beside_border,
+    };
     let (mut coarsest, mut conditions): (Option<Box<dyn Solvable<D>>>, _) = (None, conditions.clone());
     loop {
         let fine = coarsest.as_deref().unwrap_or(model);

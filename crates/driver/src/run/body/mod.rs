@@ -2,6 +2,7 @@
 //! fields recovered.
 
 mod crack_front;
+mod cubes;
 mod fields;
 mod fracture;
 mod gradient;

@@ -9,7 +9,7 @@ use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
 use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::stiffness::Spring;
-use peristat_assembly::system::FreeMotion;
+use peristat_assembly::system::{FreeMotion, System};
 
 /// Points of a solid whose factor is worth having: at 5000 with bonds over three spacings it takes 2.4 s and 380 MB.
 const MOST_OF_SOLID: usize = 5000;
@@ -99,8 +99,8 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
         is_plane.then(|| (0..self.model.points()).map(|point| self.model.place(point)).collect())
     }
 
-    fn coarser(&self) -> Option<Coarser<D>> {
-        levels::coarser(self.model.as_solvable(), &self.cracks, &self.scene.conditions)
+    fn coarser(&self, system: &System<D>) -> Option<Coarser<D>> {
+        levels::coarser(self.model.as_solvable(), &self.cracks, &self.scene.conditions, system)
     }
 
     fn describe(&self, motion: &FreeMotion) -> String {

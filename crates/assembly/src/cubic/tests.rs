@@ -1,0 +1,158 @@
+use super::*;
+use crate::body::SquareLattice;
+use crate::model::bond_plane::{Influence, VolumeFactor};
+use crate::model::bond_solid::{BondSolid, BondSolidParameters};
+use crate::model::plane::{Calibration, Mirrors};
+use crate::model::solid::{SolidEdges, SolidModel};
+use crate::model::{BodyModel, Model};
+
+/// Bonds to all cells within two cells, the stiffer the shorter.
+fn stencil() -> Stencil {
+    let mut bonds = Vec::new();
+    for (c, b, a) in (0..=2).flat_map(|c| (-2..=2).flat_map(move |b| (-2..=2).map(move |a| (c, b, a)))) {
+        let squared = a * a + b * b + c * c;
+        if [c, b, a] > [0; 3] && squared <= 4 {
+            bonds.push(([a, b, c], 10.0 / f64::from(squared)));
+        }
+    }
+    Stencil::new(bonds)
+}
+
+/// A block of cells with a hole, in two mirrors, held at some points.
+fn levels(mirrors: Mirrors) -> (CubicLevels, SquareLattice) {
+    let hole = |cell: [i32; 3]| (4..6).contains(&cell[0]) && cell[1] >= 7;
+    let lattice = SquareLattice::new(0.5, [0.0; 3], [0..13, 0..11, 0..12], |cell| !hole(cell));
+    let held = (0..40).map(|k| (3 * k, k % 3)).collect();
+    let solid = CubicSolid {
+        lattice: &lattice,
+        mirrors: &mirrors,
+        stencil: stencil(),
+        held,
+        springs: vec![(200, [[4.0, 1.0, 0.0], [1.0, 3.0, 0.0], [0.0, 0.0, 2.0]])],
+    };
+    let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 5).expect("a coarser level");
+    (levels, lattice)
+}
+
+/// Numbers without order, at unknowns alone.
+fn arbitrary(level: &CubicLevel, seed: usize) -> Vec<f32> {
+    let mut v = vec![0.0; level.size()];
+    let len = level.grid().len();
+    level.grid().for_each(|_, place| {
+        for c in (0..3).filter(|&c| level.block(place).1[c] == 1.0) {
+            v[c * len + place] = ((place * 7919 + c * 104_729 + seed * 31) % 1009) as f32 / 1009.0 - 0.5;
+        }
+    });
+    level.grid().mirror_vector(&mut v);
+    v
+}
+
+fn mirrors() -> [Mirrors; 2] {
+    let mut mirrors = Mirrors::NONE;
+    mirrors.set_line(0, 0);
+    mirrors.set_line(3, 11);
+    [Mirrors::NONE, mirrors]
+}
+
+#[test]
+fn products_are_those_of_symmetric_matrices() {
+    for mirrors in mirrors() {
+        let (levels, _) = levels(mirrors);
+        for level in levels.levels() {
+            let [a, b] = [1, 2].map(|seed| arbitrary(level, seed));
+            let [mut of_a, mut of_b] = [a.clone(), b.clone()];
+            level.apply(&a, &mut of_a);
+            level.apply(&b, &mut of_b);
+            let (ab, ba, aa) = (level.dot(&a, &of_b), level.dot(&b, &of_a), level.dot(&a, &of_a));
+            assert!(aa > 0.0 && (ab - ba).abs() < 1e-5 * aa, "{ab} {ba} {aa}");
+        }
+    }
+}
+
+#[test]
+fn the_coarsest_matrix_is_the_product() {
+    for mirrors in mirrors() {
+        let (levels, _) = levels(mirrors);
+        let level = levels.levels().last().unwrap();
+        let CoarsestMatrix { matrix, entries, .. } = levels.coarsest();
+        let v = arbitrary(level, 3);
+        let mut image = vec![0.0; v.len()];
+        level.apply(&v, &mut image);
+        let x: Vec<f64> = entries.iter().map(|&e| f64::from(v[e as usize])).collect();
+        let mut y = vec![0.0; x.len()];
+        for (value, (row, column)) in &matrix {
+            y[row] += value * x[column];
+            if row != column {
+                y[column] += value * x[row];
+            }
+        }
+        for (y, &entry) in y.iter().zip(&entries) {
+            assert!((y - f64::from(image[entry as usize])).abs() < 1e-4, "{y} {}", image[entry as usize]);
+        }
+    }
+}
+
+#[test]
+fn restriction_is_the_transpose_of_interpolation() {
+    for mirrors in mirrors() {
+        let (levels, _) = levels(mirrors);
+        let [fine, coarse] = [&levels.levels()[0], &levels.levels()[1]];
+        let (r, v) = (arbitrary(fine, 5), arbitrary(coarse, 6));
+        let (mut down, mut up) = (vec![0.0; v.len()], vec![0.0; r.len()]);
+        levels.restrict(0, &r, &mut down);
+        levels.prolong_add(0, &v, &mut up);
+        let (a, b) = (fine.dot(&r, &up), coarse.dot(&down, &v));
+        assert!((a - b).abs() < 1e-5 * fine.dot(&up, &up), "{a} {b}");
+    }
+}
+
+/// A cube of central bonds and nothing at its faces.
+fn truncated() -> BondSolid {
+    let parameters = BondSolidParameters {
+        youngs_modulus: 7.0,
+        horizon_ratio: 2.0,
+        influence: Influence::Constant,
+        calibration: Calibration::Matched,
+        volume_factor: VolumeFactor::Ramp,
+        edges: SolidEdges::None,
+    };
+    let lattice = SquareLattice::cuboid(0.5, [0.0; 3], [12; 3]);
+    BondSolid::on_lattice(lattice.into(), Mirrors::NONE, parameters, &[]).unwrap()
+}
+
+/// Deep inside they are those of the model; beside faces, where bonds are stiffer, a body at rest stays at rest, too.
+#[test]
+fn forces_are_those_of_the_model_but_for_faces() {
+    let model = truncated();
+    let (lattice, mirrors) = model.lattice().unwrap();
+    let stencil = Stencil::new(model.bonds_of_a_point());
+    let (unit, n) = (stencil.stiffness(), lattice.points());
+    let solid = CubicSolid { lattice, mirrors, stencil, held: Vec::new(), springs: Vec::new() };
+    let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 10).expect("a coarser level");
+    let finest = &levels.levels()[0];
+    let forces = |u: &[f64]| {
+        let [mut v, mut image] = [0; 2].map(|_| vec![0.0; finest.size()]);
+        // Where a vector enters as forces do it is divided by s, and the unknowns are multiplied by it.
+        let norm = levels.enter(u, &mut v);
+        v.iter_mut().zip(finest.inverse_scale.iter().cycle()).for_each(|(v, inverse)| {
+            *v /= if *inverse > 0.0 { inverse * inverse } else { 1.0 };
+        });
+        finest.apply(&v, &mut image);
+        // And out again as displacements do, which divides the forces by s instead of multiplying with it.
+        let mut found = vec![0.0; u.len()];
+        levels.leave(&image, norm * unit * unit, &mut found);
+        found
+    };
+    let u: Vec<f64> = (0..3 * n).map(|i| ((i * 7919) % 1013) as f64 / 1013.0 - 0.5).collect();
+    let mut expected = vec![0.0; u.len()];
+    model.terms()[0].add_force(&u, &mut expected);
+    let most = expected.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    let (found, at_rest) = (forces(&u), forces(&vec![1.0; u.len()]));
+    for point in 0..n {
+        let is_deep = lattice.cell(point).iter().all(|k| (4..8).contains(k));
+        for i in [point, n + point, 2 * n + point] {
+            assert!(!is_deep || (found[i] - expected[i]).abs() < 1e-6 * most, "{} {}", found[i], expected[i]);
+            assert!(at_rest[i].abs() < 1e-5 * most, "{}", at_rest[i]);
+        }
+    }
+}
