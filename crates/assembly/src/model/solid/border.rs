@@ -11,7 +11,7 @@ use super::bond::SolidBond;
 use super::{SolidLaw, TENSOR};
 use crate::body::{Cell, SquareLattice, minus};
 use crate::bonds::{BondGeometry, BondModel, Mat};
-use crate::stiffness::{Exception, NodedBonds, NodedKind};
+use crate::stiffness::{Exception, NodedBonds, NodedBondsBuilder, NodedKind};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
@@ -38,7 +38,7 @@ struct Builder<'a> {
     nodes: Nodes<'a, 1>,
     law: &'a SolidLaw,
     bond: SolidBond,
-    bonds: NodedBonds<3, 1>,
+    bonds: NodedBondsBuilder<3, 1>,
     uniform: Vec<Mat<TENSOR, 1>>,
     rows: HashMap<usize, BTreeMap<Cell, [f64; 3]>>,
     corners: HashMap<Asked, Option<u32>>,
@@ -60,7 +60,7 @@ impl Border {
             nodes: Nodes::new(cells()),
             law,
             bond,
-            bonds: NodedBonds::new(lattice.points()),
+            bonds: NodedBondsBuilder::new(lattice.points()),
             uniform: Vec::new(),
             rows: HashMap::new(),
             corners: HashMap::new(),
@@ -77,7 +77,7 @@ impl Border {
             }
         });
         let Builder { bonds, uniform, rows, .. } = builder;
-        Self { bonds: Arc::new(bonds), uniform, gaps, rows, lost: lost.len() }
+        Self { bonds: Arc::new(bonds.build()), uniform, gaps, rows, lost: lost.len() }
     }
 }
 
