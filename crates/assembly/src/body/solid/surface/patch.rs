@@ -1,7 +1,7 @@
 //! Sides of cells that stand for parts of a surface.
 
 use super::super::super::lattice::{SquareLattice, plus};
-use super::super::shape::Face;
+use super::super::shape::{Face, SIDES};
 use super::super::wall::Side;
 use super::distance;
 use super::facets::{Facet, Surface, dot};
@@ -9,6 +9,9 @@ use super::grid::Grid;
 
 /// How far the surface can be from a side between a cell inside and one outside, in spacings; it passes between their centres.
 const REACH: f64 = 0.51;
+
+/// Name of what has no other name.
+pub(super) const REST: &str = "rest";
 
 /// Normals are along an axis within this, rad.
 const ALONG: f64 = 1e-5;
@@ -71,14 +74,25 @@ impl Surface {
         flat
     }
 
+    /// A name of it that means something else: that of a side of the box around it for what lies elsewhere, or that of the rest.
+    pub fn misnamed(&self) -> Option<&str> {
+        let is_wrong = |facet: &&Facet, name: &str| match SIDES.iter().position(|side| *side == name) {
+            Some(side) => self.box_side(facet) != Some(side),
+            None => name == REST,
+        };
+        let named = |facet: &Facet| facet.name.map(|name| self.names[name as usize].as_str());
+        self.facets.iter().find_map(|facet| named(facet).filter(|name| is_wrong(&facet, name)))
+    }
+
     /// Its parts, each with the sides of cells that are nearest to triangles of it that look the same way.
     pub(super) fn patches(&self, grid: &Grid, lattice: &SquareLattice) -> Vec<(Part, Patch)> {
+        let own = |name: u32| SIDES.iter().position(|side| *side == self.names[name as usize]);
         let part = |facet: &Facet, side: Option<usize>| match (facet.name, side) {
-            (Some(name), _) => Part::Named(name),
+            (Some(name), _) => own(name).map_or(Part::Named(name), Part::Side),
             (None, Some(side)) => Part::Side(side),
             (None, None) => Part::Rest,
         };
-        let names = (0..self.names.len() as u32).map(Part::Named);
+        let names = (0..self.names.len() as u32).filter(|&name| own(name).is_none()).map(Part::Named);
         let mut patches: Vec<(Part, Patch)> = names
             .chain((0..6).map(Part::Side))
             .chain([Part::Rest])

@@ -5,10 +5,7 @@ use super::super::shape::SIDES;
 use super::super::wall::Wall;
 use super::facets::Surface;
 use super::grid::Grid;
-use super::patch::Part;
-
-/// Name of what has no other name.
-const REST: &str = "rest";
+use super::patch::{Part, REST};
 
 impl Surface {
     /// Its walls on the cells inside: a wall for every name of it, those without a name that lie flat on sides of the box around it by
