@@ -148,7 +148,7 @@ impl Wall {
     /// other ones stand for themselves.
     pub fn areas(&self, lattice: &SquareLattice) -> Vec<WallSide> {
         if let Some(patch) = &self.patch {
-            return patch.areas();
+            return patch.areas(lattice.spacing());
         }
         let area = lattice.spacing().powi(2);
         let own = |side: Side| WallSide { side, area, outwards: side.normal().map(|n| area * n) };

@@ -22,17 +22,16 @@ pub struct Patch {
     /// Sides of cells, in the order of their points, and the cosines of the angles between their normals and that of the surface.
     pub(in super::super) sides: Vec<(Side, f64)>,
     /// What lies on the sides of the box around the body, in their order, and the rest.
-    parts: [Shadows; 7],
+    parts: [Area; 7],
     /// Whether parts of it are not across axes, so that sides of cells make stairs of them.
     is_slanted: bool,
 }
 
-/// The area of a part of a surface, and its shadows, m².
+/// The area of a part of a surface, as a number and as a vector out of the body, m².
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Shadows {
-    area: f64,
-    /// Along x, y and z, of what looks against the axis and of what looks along it.
-    along: [[f64; 2]; 3],
+struct Area {
+    size: f64,
+    vector: [f64; 3],
 }
 
 /// A side of a cell with what it stands for of a wall.
@@ -105,7 +104,8 @@ impl Surface {
             numbers.push(number);
             let patch = &mut patches[number].1;
             patch.is_slanted |= across(facet.normal()).is_none();
-            patch.parts[side.unwrap_or(6)].add(facet);
+            let area = &mut patch.parts[side.unwrap_or(6)];
+            *area = area.plus(&Area { size: facet.area(), vector: facet.area_vector() });
         }
         for (side, facet) in self.nearest(grid, lattice) {
             let facing = dot(side.normal(), self.facets[facet].normal());
@@ -164,26 +164,17 @@ pub(super) fn border(lattice: &SquareLattice) -> Vec<Side> {
     found
 }
 
-impl Shadows {
-    fn add(&mut self, facet: &Facet) {
-        let vector = facet.area_vector();
-        self.area += facet.area();
-        for (along, x) in self.along.iter_mut().zip(vector) {
-            along[usize::from(x > 0.0)] += x.abs();
-        }
-    }
-
-    fn plus(mut self, other: &Self) -> Self {
-        self.area += other.area;
-        (0..3).for_each(|k| (0..2).for_each(|way| self.along[k][way] += other.along[k][way]));
-        self
+impl Area {
+    fn plus(&self, other: &Self) -> Self {
+        let vector = [0, 1, 2].map(|k| self.vector[k] + other.vector[k]);
+        Self { size: self.size + other.size, vector }
     }
 }
 
 impl Patch {
     /// Whether triangles belong to it.
     pub(super) fn is_there(&self) -> bool {
-        self.parts.iter().any(|part| part.area > 0.0)
+        self.parts.iter().any(|part| part.size > 0.0)
     }
 
     /// Whether sides of cells make stairs of it.
@@ -202,30 +193,32 @@ impl Patch {
     /// Takes away what lies on planes of symmetry.
     pub(in super::super) fn mirror(&mut self, faces: &[Face], lattice: &SquareLattice) {
         for face in faces {
-            self.parts[2 * face.axis + usize::from(face.is_high)] = Shadows::default();
+            self.parts[2 * face.axis + usize::from(face.is_high)] = Area::default();
             self.sides.retain(|(side, _)| !face.has(side, lattice));
         }
     }
 
     /// Its sides with their parts of its area and of its area vector, which have those sums exactly.
     ///
-    /// A side across an axis has the more of the area the more of it the surface shows there. Shadows are shared alike by the sides that
-    /// look the same way; of those that no side stands for, all have some.
-    pub(in super::super) fn areas(&self) -> Vec<WallSide> {
-        let whole = self.parts.iter().fold(Shadows::default(), Shadows::plus);
+    /// A side has the more of the area the more it looks as the surface does. Its area vector is its own, with a part of what is missing
+    /// along its axis; what is missing along axes across which no side is, all sides have. Nothing is missing of what closes by itself,
+    /// such as the border of a bore or of a ball.
+    pub(in super::super) fn areas(&self, spacing: f64) -> Vec<WallSide> {
+        let whole = self.parts.iter().fold(Area::default(), |sum, part| sum.plus(part));
         let facing: f64 = self.sides.iter().map(|side| side.1).sum();
-        let mut counts = [[0.0; 2]; 3];
-        self.sides.iter().for_each(|(side, _)| counts[side.axis][usize::from(side.is_high)] += 1.0);
-        let left_over = [0, 1, 2].map(|axis| {
-            let part = |way: usize| if counts[axis][way] > 0.0 { 0.0 } else { whole.along[axis][way] };
-            part(1) - part(0)
-        });
-        let each = self.sides.iter().map(|&(side, own)| {
-            let share = own / facing;
-            let mut outwards = left_over.map(|x| share * x);
-            let way = usize::from(side.is_high);
-            outwards[side.axis] += side.normal()[side.axis] * whole.along[side.axis][way] / counts[side.axis][way];
-            WallSide { side, area: share * whole.area, outwards }
+        let (own, mut counts, mut missing) = (spacing * spacing, [0.0; 3], whole.vector);
+        for (side, _) in &self.sides {
+            counts[side.axis] += 1.0;
+            (0..3).for_each(|k| missing[k] -= own * side.normal()[k]);
+        }
+        let each = self.sides.iter().map(|&(side, facing_here)| {
+            let share = facing_here / facing;
+            let part = |axis: usize| match counts[axis] {
+                0.0 => share * missing[axis],
+                count if axis == side.axis => own * side.normal()[axis] + missing[axis] / count,
+                _ => 0.0,
+            };
+            WallSide { side, area: share * whole.size, outwards: [0, 1, 2].map(part) }
         });
         each.collect()
     }
