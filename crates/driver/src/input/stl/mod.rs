@@ -30,6 +30,11 @@ pub fn read(bytes: &[u8]) -> Result<Triangles, ReadError> {
     }
 }
 
+/// Whether bytes are text, as far as they tell: numbers of binary files have zeros.
+fn is_printed(bytes: &[u8]) -> bool {
+    !bytes.iter().any(|byte| byte.is_ascii_control() && !byte.is_ascii_whitespace())
+}
+
 /// Whether a file begins as one in ASCII does: behind the line of `solid` comes the first triangle, or the end.
 fn is_text(bytes: &[u8]) -> bool {
     let mut lines = Lines::new(bytes);
@@ -37,7 +42,8 @@ fn is_text(bytes: &[u8]) -> bool {
         let line = line.unwrap_or_default();
         words.iter().any(|word| line.get(..word.len()).is_some_and(|w| w.eq_ignore_ascii_case(word.as_bytes())))
     };
-    starts(lines.raw(), &["solid"]) && {
+    let first = lines.raw();
+    starts(first, &["solid"]) && first.is_some_and(is_printed) && {
         let next = lines.raw();
         next.is_none() || starts(next, &["facet", "endsolid", "color"])
     }
