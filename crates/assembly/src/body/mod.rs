@@ -37,8 +37,8 @@ pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};
 pub use region::{Region, RegionError, Regions};
 pub use solid::{
-    Cut, CutError, Face, Facet, Filled, Grid, GridError, Patch, SIDES, ShapeError, Side, SolidRegion, SolidShape, Surface, SurfaceError, Wall,
-    WallKind, WallSide,
+    Cut, CutError, Face, Facet, Filled, Grid, GridError, Patch, SIDES, ShapeError, Side, SolidRegion,
+    SolidShape, Surface, SurfaceError, Wall, WallKind, WallSide,
 };
 pub use transfer::Transfer;
 

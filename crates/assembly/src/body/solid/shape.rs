@@ -124,11 +124,7 @@ impl SolidShape {
     pub fn faces(&self) -> [Face; 6] {
         std::array::from_fn(|side| {
             let (axis, is_high) = (side / 2, side % 2 == 1);
-            Face {
-                axis,
-                is_high,
-                at: if is_high { self.to[axis] } else { self.from[axis] },
-            }
+            Face { axis, is_high, at: if is_high { self.to[axis] } else { self.from[axis] } }
         })
     }
 

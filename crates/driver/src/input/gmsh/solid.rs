@@ -54,7 +54,8 @@ fn place(raw: &Raw, tetrahedron: &Tetrahedron) -> Result<Placed, ReadError> {
         *place = raw.place(tag, line)?;
     }
     let [a, b, c] = [1, 2, 3].map(|k| [0, 1, 2].map(|i| places[k][i] - places[0][i]));
-    let volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+    let volume = a[0] * (b[1] * c[2] - b[2] * c[1])
+        + a[1] * (b[2] * c[0] - b[0] * c[2])
         + a[2] * (b[0] * c[1] - b[1] * c[0]);
     if volume == 0.0 || !volume.is_finite() {
         return Err(ReadError::at(line, "the element has no volume"));
@@ -78,12 +79,15 @@ fn surfaces(raw: &Raw) -> Result<(HashMap<Key, u32>, Vec<String>), ReadError> {
             known.len() - 1
         });
         let other = names.next().or_else(|| {
-            let before = of_triangles.insert(key(face.corners[0], face.corners[1], face.corners[2]), number as u32)?;
+            let before =
+                of_triangles.insert(key(face.corners[0], face.corners[1], face.corners[2]), number as u32)?;
             (before != number as u32).then(|| known[before as usize].clone())
         });
         if let Some(other) = other {
             let message = format!("the triangle is in the physical surfaces `{name}` and `{other}`");
-            return Err(ReadError::at(face.line, message).hint("loads need to know which: leave it in one of them"));
+            return Err(
+                ReadError::at(face.line, message).hint("loads need to know which: leave it in one of them")
+            );
         }
     }
     Ok((of_triangles, known))
@@ -96,7 +100,10 @@ fn key(a: u64, b: u64, c: u64) -> Key {
 }
 
 /// Sides of tetrahedra that belong to one of them alone, in their order.
-fn around<'a>(all: impl Iterator<Item = &'a Placed> + Clone, names: &HashMap<Key, u32>) -> Result<Vec<Facet>, ReadError> {
+fn around<'a>(
+    all: impl Iterator<Item = &'a Placed> + Clone,
+    names: &HashMap<Key, u32>,
+) -> Result<Vec<Facet>, ReadError> {
     let side = |t: &Placed, [a, b, c]: [usize; 3]| key(t.tags[a], t.tags[b], t.tags[c]);
     let mut times: HashMap<Key, u8> = HashMap::new();
     for t in all.clone() {
@@ -111,8 +118,11 @@ fn around<'a>(all: impl Iterator<Item = &'a Placed> + Clone, names: &HashMap<Key
     }
     let outer = |t: &'a Placed| {
         let own = SIDES.into_iter().filter(|&corners| times.get(&side(t, corners)) == Some(&1));
-        own.map(|corners| Facet { corners: corners.map(|c| t.places[c]), name: names.get(&side(t, corners)).copied() })
-            .collect::<Vec<_>>()
+        own.map(|corners| Facet {
+            corners: corners.map(|c| t.places[c]),
+            name: names.get(&side(t, corners)).copied(),
+        })
+        .collect::<Vec<_>>()
     };
     Ok(all.flat_map(outer).collect())
 }

@@ -82,7 +82,8 @@ fn next<'a>(lines: &mut Lines<'a>) -> Result<Option<&'a str>, ReadError> {
 
 fn some<'a>(lines: &mut Lines<'a>, what: &str) -> Result<&'a str, ReadError> {
     next(lines)?.ok_or_else(|| {
-        ReadError::whole(format!("ends where {what} belongs")).hint("the file is cut off: export or copy it again")
+        ReadError::whole(format!("ends where {what} belongs"))
+            .hint("the file is cut off: export or copy it again")
     })
 }
 

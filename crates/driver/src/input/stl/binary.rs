@@ -46,10 +46,12 @@ pub(super) fn refused(bytes: &[u8], count: Option<u32>) -> ReadError {
         return ReadError::whole(format!("is no STL file: {} bytes are too few", bytes.len())).hint(FORMATS);
     };
     if bytes.is_ascii() && super::is_printed(bytes) {
-        return ReadError::whole("is neither an STL file nor a mesh of Gmsh: it begins with other text").hint(FORMATS);
+        return ReadError::whole("is neither an STL file nor a mesh of Gmsh: it begins with other text")
+            .hint(FORMATS);
     }
     let found = (bytes.len() - HEADER) as f64 / TRIANGLE as f64;
-    let message = format!("says that it has {count} triangles, and has bytes for {}", (10.0 * found).round() / 10.0);
+    let message =
+        format!("says that it has {count} triangles, and has bytes for {}", (10.0 * found).round() / 10.0);
     ReadError::whole(message).hint(match found < f64::from(count) {
         true => "the file is cut off: export or copy it again",
         false => "its number of triangles is wrong, or something stands behind the last one: export it again",

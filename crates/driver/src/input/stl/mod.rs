@@ -40,7 +40,9 @@ fn is_text(bytes: &[u8]) -> bool {
     let mut lines = Lines::new(bytes);
     let starts = |line: Option<&[u8]>, words: &[&str]| {
         let line = line.unwrap_or_default();
-        words.iter().any(|word| line.get(..word.len()).is_some_and(|w| w.eq_ignore_ascii_case(word.as_bytes())))
+        words
+            .iter()
+            .any(|word| line.get(..word.len()).is_some_and(|w| w.eq_ignore_ascii_case(word.as_bytes())))
     };
     let first = lines.raw();
     starts(first, &["solid"]) && first.is_some_and(is_printed) && {

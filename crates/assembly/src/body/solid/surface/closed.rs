@@ -63,8 +63,7 @@ pub(super) fn finite(facets: &[Facet]) -> Result<(), SurfaceError> {
     }
     let extent = |axis: usize| {
         let ends = facets.iter().map(|facet| facet.range(axis));
-        let [low, high] =
-            ends.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]).unwrap_or([0.0; 2]);
+        let [low, high] = ends.reduce(|[a, b], [c, d]| [a.min(c), b.max(d)]).unwrap_or([0.0; 2]);
         high - low
     };
     if (0..3).any(|axis| extent(axis) < 1.0 / LARGEST) { Err(SurfaceError::Flat) } else { Ok(()) }

@@ -94,7 +94,16 @@ mod tests {
     #[test]
     fn of_all_triangles_at_a_corner_one_is_crossed() {
         // A fan around the corner (0, 0), with edges along and across the row's shifts.
-        let ring = [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [-1.0, 1.0], [-1.0, 0.0], [-1.0, -1.0], [0.0, -1.0], [1.0, -1.0]];
+        let ring = [
+            [1.0, 0.0],
+            [1.0, 1.0],
+            [0.0, 1.0],
+            [-1.0, 1.0],
+            [-1.0, 0.0],
+            [-1.0, -1.0],
+            [0.0, -1.0],
+            [1.0, -1.0],
+        ];
         let place = |[y, z]: [f64; 2]| [2.0 * y + 3.0 * z, y, z];
         let crossed = |at: [f64; 2]| {
             let fan = (0..8).filter_map(|k| {

@@ -141,7 +141,12 @@ impl Surface {
                 }
             });
         }
-        border.into_iter().zip(best).filter(|(_, best)| best.2 != usize::MAX).map(|(side, best)| (side, best.2)).collect()
+        border
+            .into_iter()
+            .zip(best)
+            .filter(|(_, best)| best.2 != usize::MAX)
+            .map(|(side, best)| (side, best.2))
+            .collect()
     }
 }
 

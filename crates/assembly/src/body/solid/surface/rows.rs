@@ -13,22 +13,25 @@ pub(super) fn fill(surface: &Surface, grid: &Grid) -> Filled {
     let slack = BORDER * grid.spacing + surface.rounding();
     let mut crossings = crossings(surface, grid);
     let mut on_border = on_border(surface, grid, slack);
-    crossings.sort_unstable_by(|a, b| (a.0, a.1.x).partial_cmp(&(b.0, b.1.x)).unwrap_or(std::cmp::Ordering::Equal));
+    crossings.sort_unstable_by(|a, b| {
+        (a.0, a.1.x).partial_cmp(&(b.0, b.1.x)).unwrap_or(std::cmp::Ordering::Equal)
+    });
     on_border.sort_unstable();
     on_border.dedup();
     let (mut crossings, mut on_border) = (&crossings[..], &on_border[..]);
     let mut inside_out = None;
-    let lattice = SquareLattice::of_lines(grid.spacing, grid.corner, [grid.cells[1], grid.cells[2]], |[row, layer]| {
-        let line = grid.line([row, layer]);
-        let own = take(&mut crossings, |crossing| crossing.0 == line);
-        let mut columns = inside(own, grid, slack, |column| {
-            let at = [grid.centre(0, column), grid.centre(1, row), grid.centre(2, layer)];
-            inside_out.get_or_insert(at);
+    let lattice =
+        SquareLattice::of_lines(grid.spacing, grid.corner, [grid.cells[1], grid.cells[2]], |[row, layer]| {
+            let line = grid.line([row, layer]);
+            let own = take(&mut crossings, |crossing| crossing.0 == line);
+            let mut columns = inside(own, grid, slack, |column| {
+                let at = [grid.centre(0, column), grid.centre(1, row), grid.centre(2, layer)];
+                inside_out.get_or_insert(at);
+            });
+            let extra = take(&mut on_border, |cell| cell.0 == line);
+            columns.extend(extra.iter().map(|&(_, column)| column..column + 1));
+            joined(columns)
         });
-        let extra = take(&mut on_border, |cell| cell.0 == line);
-        columns.extend(extra.iter().map(|&(_, column)| column..column + 1));
-        joined(columns)
-    });
     Filled { lattice, inside_out }
 }
 
@@ -54,7 +57,8 @@ fn crossings(surface: &Surface, grid: &Grid) -> Vec<(u32, Crossing)> {
         let Some(shadow) = Shadow::new(facet) else { continue };
         let [[low_y, high_y], [low_z, high_z]] = [1, 2].map(|axis| facet.range(axis));
         // One more on both sides: rounding must not lose a row that runs through a corner.
-        let around = |axis: usize, low: f64, high: f64| grid.between(axis, low - grid.spacing, high + grid.spacing);
+        let around =
+            |axis: usize, low: f64, high: f64| grid.between(axis, low - grid.spacing, high + grid.spacing);
         for layer in around(2, low_z, high_z) {
             let z = grid.centre(2, layer);
             if z < low_z || z > high_z {

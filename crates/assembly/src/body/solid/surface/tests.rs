@@ -10,7 +10,12 @@ fn quad([a, b, c, d]: [[f64; 3]; 4], name: Option<u32>) -> [Facet; 2] {
 }
 
 /// A box from `low` to `high` that a map moves; sides in the order of `SIDES` have these names.
-fn moved_box(low: [f64; 3], high: [f64; 3], names: [Option<u32>; 6], map: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<Facet> {
+fn moved_box(
+    low: [f64; 3],
+    high: [f64; 3],
+    names: [Option<u32>; 6],
+    map: impl Fn([f64; 3]) -> [f64; 3],
+) -> Vec<Facet> {
     let corner = |bits: usize| map([0, 1, 2].map(|k| if bits >> k & 1 == 1 { high[k] } else { low[k] }));
     let sides = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
     sides.iter().zip(names).flat_map(|(side, name)| quad(side.map(corner), name)).collect()
@@ -23,7 +28,10 @@ fn cuboid(low: [f64; 3], high: [f64; 3]) -> Vec<Facet> {
 /// A ball of triangles between meridians and parallels; northern ones have the name 0, southern ones 1.
 fn ball(centre: [f64; 3], radius: f64, n: u32) -> Vec<Facet> {
     let at = |i: u32, j: u32| {
-        let (a, b) = (std::f64::consts::PI * f64::from(i) / f64::from(n), std::f64::consts::PI * f64::from(j % (2 * n)) / f64::from(n));
+        let (a, b) = (
+            std::f64::consts::PI * f64::from(i) / f64::from(n),
+            std::f64::consts::PI * f64::from(j % (2 * n)) / f64::from(n),
+        );
         let ring = if i == 0 || i == n { 0.0 } else { a.sin() };
         let unit = [ring * b.cos(), ring * b.sin(), a.cos()];
         [0, 1, 2].map(|k| centre[k] + radius * unit[k])
@@ -103,7 +111,9 @@ fn shells_that_overlap_are_one_body_and_inner_ones_that_look_inwards_are_cavitie
     let mut facets = cuboid([0.0; 3], [4.0; 3]);
     facets.extend(cuboid([2.0; 3], [6.0; 3]));
     assert_eq!(filled(&surface(facets, &[]), 0.5).1.points(), 2 * 512 - 64);
-    let inwards = |facets: Vec<Facet>| facets.into_iter().map(|f| Facet { corners: [f.corners[0], f.corners[2], f.corners[1]], ..f });
+    let inwards = |facets: Vec<Facet>| {
+        facets.into_iter().map(|f| Facet { corners: [f.corners[0], f.corners[2], f.corners[1]], ..f })
+    };
     let mut hollow = cuboid([0.0; 3], [4.0; 3]);
     hollow.extend(inwards(cuboid([1.0; 3], [3.0; 3])));
     assert_eq!(filled(&surface(hollow, &[]), 0.5).1.points(), 512 - 64);
@@ -163,7 +173,10 @@ fn balls_have_their_volume_and_every_side_of_a_cell_is_in_one_wall() {
         assert!((area - exact_area).abs() < 1e-12 * area);
         // The equator is a polygon of 96 corners of radius 1.
         let disc = 48.0 * (std::f64::consts::PI / 48.0).sin();
-        assert!((outwards[2] - way * disc).abs() < 1e-12 && outwards[0].abs() + outwards[1].abs() < 1e-12, "{outwards:?}");
+        assert!(
+            (outwards[2] - way * disc).abs() < 1e-12 && outwards[0].abs() + outwards[1].abs() < 1e-12,
+            "{outwards:?}"
+        );
     }
 }
 

@@ -1,8 +1,8 @@
 //! The body of a case, its material, mirrors and cracks.
 
+use super::body::BuiltSolid;
 use super::cracks::{self, NamedCrack};
 use super::model_inputs::ModelInputs;
-use super::body::BuiltSolid;
 use super::symmetry::Sides;
 use super::{body, held_angle, of_case, periodic, size, symmetry};
 use crate::case::Case;

@@ -64,7 +64,9 @@ impl<'a> Ground<'a> {
         }
         for Wall { name, kind, .. } in walls {
             let (kind, region) = match kind {
-                WallKind::Face(_) | WallKind::Surface => ("a face", SolidRegion::Face { name: name.clone(), depth: None }),
+                WallKind::Face(_) | WallKind::Surface => {
+                    ("a face", SolidRegion::Face { name: name.clone(), depth: None })
+                }
                 WallKind::Cut { .. } => ("a cut", SolidRegion::Cut { name: name.clone() }),
             };
             take(name, kind, Region::Solid(region));

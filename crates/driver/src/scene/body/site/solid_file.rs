@@ -7,7 +7,9 @@ use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::input::Folder;
 use crate::input::surface::{SolidFile, Triangles};
 use crate::memory;
-use peristat_assembly::body::{Facet, Grid, GridError, Group, PointBody, SIDES, SquareLattice, Surface, SurfaceError};
+use peristat_assembly::body::{
+    Facet, Grid, GridError, Group, PointBody, SIDES, SquareLattice, Surface, SurfaceError,
+};
 
 /// Memory per row of cells, bytes: its first cell, and where it crosses the surface.
 const PER_ROW: f64 = 200.0;
@@ -64,16 +66,24 @@ fn closed(triangles: Triangles, file: &str, path: &JsonPath, faults: &mut Faults
             faults.error(path.key("file"), format!("the solid {file} {error}")).hint(match error {
                 SurfaceError::Empty => "export a part that has a surface",
                 SurfaceError::NotFinite { .. } | SurfaceError::Flat => "export the part again",
-                SurfaceError::Open { .. } => "export one closed body as a whole, or close its holes in a program that repairs surfaces",
-                SurfaceError::Turned { .. } => "let a program that repairs surfaces turn all normals outwards",
-                SurfaceError::InsideOut => "turn all normals outwards: corners run counter-clockwise, seen from outside",
+                SurfaceError::Open { .. } => {
+                    "export one closed body as a whole, or close its holes in a program that repairs surfaces"
+                }
+                SurfaceError::Turned { .. } => {
+                    "let a program that repairs surfaces turn all normals outwards"
+                }
+                SurfaceError::InsideOut => {
+                    "turn all normals outwards: corners run counter-clockwise, seen from outside"
+                }
             });
             return None;
         }
     };
     if let Some(name) = surface.misnamed() {
         let message = match SIDES.contains(&name) {
-            true => format!("the part `{name}` of {file} is not the {name} side of the box around it, whose name it has"),
+            true => format!(
+                "the part `{name}` of {file} is not the {name} side of the box around it, whose name it has"
+            ),
             false => format!("the part `{name}` of {file} has the name of all parts without a name"),
         };
         faults.error(path.key("file"), message).hint("give the part another name");
@@ -82,7 +92,8 @@ fn closed(triangles: Triangles, file: &str, path: &JsonPath, faults: &mut Faults
     match surface.without_area() {
         0 => {}
         count => {
-            let are = if count == 1 { "triangle has no area and is" } else { "triangles have no area and are" };
+            let are =
+                if count == 1 { "triangle has no area and is" } else { "triangles have no area and are" };
             faults.warning(path.key("file"), format!("{count} {are} passed over"));
         }
     }
@@ -129,7 +140,12 @@ fn warn(surface: &Surface, grid: &Grid, lattice: &SquareLattice, path: &JsonPath
         ];
         let numbers: Vec<String> = grid.fitting().into_iter().map(tidy).collect();
         faults
-            .warning(path.key("spacing"), format!("the body is {cells} cells along {name}, {count} take its place: its flat sides are moved"))
+            .warning(
+                path.key("spacing"),
+                format!(
+                    "the body is {cells} cells along {name}, {count} take its place: its flat sides are moved"
+                ),
+            )
             .hint(match &numbers[..] {
                 [] => "take a spacing of which the box around the body is a whole multiple".to_string(),
                 [one] => format!("the nearest spacing that fits is {one}"),
@@ -158,7 +174,9 @@ fn part(
     let own = match surface {
         Ok(surface) => surface.fill(grid).lattice,
         Err(error) => {
-            faults.error(path.key("file"), format!("the physical volume `{name}` {error}")).hint("mesh the body again");
+            faults
+                .error(path.key("file"), format!("the physical volume `{name}` {error}"))
+                .hint("mesh the body again");
             return None;
         }
     };

@@ -175,7 +175,9 @@ impl Symmetry {
     /// Faces of a solid that are mirrors.
     pub(crate) fn faces(&self) -> Vec<Face> {
         let sides = self.at.iter().enumerate().filter(|_| self.is_solid);
-        sides.filter_map(|(side, at)| Some(Face { axis: side / 2, is_high: side % 2 == 1, at: (*at)? })).collect()
+        sides
+            .filter_map(|(side, at)| Some(Face { axis: side / 2, is_high: side % 2 == 1, at: (*at)? }))
+            .collect()
     }
 
     /// Whether an edge lies on a mirror.

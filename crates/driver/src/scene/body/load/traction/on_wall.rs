@@ -119,7 +119,9 @@ fn warn_of_slanted(name: &str, place: JsonPath, faults: &mut Faults) {
     let message = format!(
         "cells make stairs of the face `{name}`: the force on it is that of the surface, and stresses beside it are those of stairs"
     );
-    faults.warning(place, message).hint("read stresses two spacings from it, or turn the part so that its loaded faces are across axes");
+    faults.warning(place, message).hint(
+        "read stresses two spacings from it, or turn the part so that its loaded faces are across axes",
+    );
 }
 
 /// Where forces act that points share.

@@ -24,7 +24,12 @@ pub(super) enum WallValue {
 
 impl WallValue {
     /// Places of a side with the force that acts there, N; `whole` is the area of all sides, m².
-    pub(super) fn on(&self, own: &WallSide, lattice: &SquareLattice, whole: f64) -> Vec<([f64; 3], [f64; 3])> {
+    pub(super) fn on(
+        &self,
+        own: &WallSide,
+        lattice: &SquareLattice,
+        whole: f64,
+    ) -> Vec<([f64; 3], [f64; 3])> {
         let middle = own.side.middle(lattice);
         match *self {
             Self::Uniform(traction) => vec![(middle, traction.map(|t| t * own.area))],
@@ -144,6 +149,8 @@ fn along(
     let cells = [lattice.columns(), lattice.rows(), lattice.layers()][axis].clone();
     let box_side = |line: i32| lattice.corner()[axis] + f64::from(line) * lattice.spacing();
     let wall = |side: usize| context.ground.walls.iter().find(|wall| wall.name == SIDES[side]);
-    let end = |side: usize, line: i32| wall(side).and_then(Wall::face).map_or_else(|| box_side(line), |face| face.at);
+    let end = |side: usize, line: i32| {
+        wall(side).and_then(Wall::face).map_or_else(|| box_side(line), |face| face.at)
+    };
     Some(WallValue::Along(axis, [end(2 * axis, cells.start), end(2 * axis + 1, cells.end)], profile))
 }
