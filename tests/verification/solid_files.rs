@@ -132,7 +132,7 @@ fn a_ball_from_a_file_is_the_ball_that_is_cut_out_of_a_block() {
         { "at": { "x": 7.25, "y": 5.25, "z": 5.25 }, "uy": 0.0, "uz": 0.0 },
         { "at": { "x": 5.25, "y": 7.25, "z": 5.25 }, "uz": 0.0 },
     ]);
-    let case = |body: Value, face: &str| json!({ "title": "t", "units": "none", "model": models()[1], "body": body, "supports": supports, "loads": pressure(face) });
+    let case = |body: Value, face: &str| json!({ "title": "t", "units": "none", "model": models()[0], "body": body, "supports": supports, "loads": pressure(face) });
     let file = case(json!({ "solid": { "file": "ball.stl", "spacing": 0.5 } }), "rest");
     let cut = json!([{ "outside_ball": { "name": "ball", "centre": [5.0, 5.0, 5.0], "radius": 5.0 } }]);
     let block = case(json!({ "block": { "size": [10.0, 10.0, 10.0], "spacing": 0.5, "cuts": cut } }), "ball");

@@ -128,7 +128,10 @@ impl Wall {
     /// Takes faces for planes of symmetry: a cut or a part of a surface that reaches them has no border there.
     pub fn mirror(&mut self, faces: &[Face], lattice: &SquareLattice) {
         if let Some(patch) = &mut self.patch {
-            patch.mirror(faces, lattice);
+            // The side of the box itself stays a region.
+            let is_other = |face: &&Face| SIDES[2 * face.axis + usize::from(face.is_high)] != self.name;
+            let faces: Vec<Face> = faces.iter().filter(is_other).copied().collect();
+            patch.mirror(&faces, lattice);
         } else if self.face().is_none() {
             self.mirrored = faces.to_vec();
         }

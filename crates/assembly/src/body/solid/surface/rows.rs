@@ -6,6 +6,7 @@ use super::crossings::{Crossing, Shadow};
 use super::distance;
 use super::facets::Surface;
 use super::grid::{Filled, Grid};
+use super::nearest;
 use std::ops::Range;
 
 /// The cells inside: along every row the surface is entered and left, and centres on it are inside.
@@ -55,20 +56,15 @@ fn crossings(surface: &Surface, grid: &Grid) -> Vec<(u32, Crossing)> {
     let mut found = Vec::new();
     for facet in &surface.facets {
         let Some(shadow) = Shadow::new(facet) else { continue };
-        let [[low_y, high_y], [low_z, high_z]] = [1, 2].map(|axis| facet.range(axis));
+        let [low, high] = facet.range(2);
         // One more on both sides: rounding must not lose a row that runs through a corner.
         let around =
             |axis: usize, low: f64, high: f64| grid.between(axis, low - grid.spacing, high + grid.spacing);
-        for layer in around(2, low_z, high_z) {
+        for layer in around(2, low, high) {
             let z = grid.centre(2, layer);
-            if z < low_z || z > high_z {
-                continue;
-            }
-            for row in around(1, low_y, high_y) {
+            let Some([low, high]) = nearest::span(facet, z, z) else { continue };
+            for row in around(1, low, high) {
                 let y = grid.centre(1, row);
-                if y < low_y || y > high_y {
-                    continue;
-                }
                 found.extend(shadow.crossing(y, z).map(|crossing| (grid.line([row, layer]), crossing)));
             }
         }
