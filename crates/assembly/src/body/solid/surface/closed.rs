@@ -57,7 +57,7 @@ pub(super) fn finite(facets: &[Facet]) -> Result<(), SurfaceError> {
     if facets.is_empty() {
         return Err(SurfaceError::Empty);
     }
-    let is_far = |facet: &Facet| facet.corners.iter().flatten().any(|x| !(x.abs() <= LARGEST));
+    let is_far = |facet: &Facet| facet.corners.iter().flatten().any(|x| x.is_nan() || x.abs() > LARGEST);
     if let Some(k) = facets.iter().position(is_far) {
         return Err(SurfaceError::NotFinite { triangle: k + 1 });
     }

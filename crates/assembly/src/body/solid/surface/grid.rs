@@ -62,7 +62,7 @@ impl Surface {
         let exact = [0, 1, 2].map(|k| (high[k] - low[k]) / spacing);
         let cells = exact.map(|cells| cells.round().max(1.0));
         let count: f64 = cells.iter().product();
-        if !(count <= f64::from(u32::MAX)) || cells.iter().any(|c| *c > 1e9) {
+        if count > f64::from(u32::MAX) || cells.iter().any(|c| *c > 1e9) {
             return Err(GridError::TooManyCells { cells: count });
         }
         let corner = |k: usize| match (exact[k] - cells[k]).abs() <= WHOLE {
