@@ -1,6 +1,6 @@
 //! The inputs that the fuzzer keeps, once more: none brings the readers or the resolution of cases down.
 
-use super::entry::{reads, resolves};
+use super::entry::{fills, reads, resolves};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -24,4 +24,10 @@ fn cases_of_the_corpus_are_resolved_or_refused() {
 fn files_of_the_corpus_are_read_or_refused() {
     let read = corpus("mesh").iter().filter(|file| reads(&fs::read(file).expect("a file"))).count();
     assert!(read > 5, "{read} were read");
+}
+
+#[test]
+fn solids_of_the_corpus_are_filled_or_refused() {
+    let filled = corpus("solid").iter().filter(|file| fills(&fs::read(file).expect("a file"))).count();
+    assert!(filled > 5, "{filled} were filled");
 }

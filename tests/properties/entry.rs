@@ -2,8 +2,9 @@
 
 use peristat::case;
 use peristat::diagnostic::decode;
-use peristat::input::{gmsh, points};
+use peristat::input::{gmsh, points, solid};
 use peristat::scene::Scene;
+use peristat_assembly::body::Surface;
 use std::path::Path;
 
 /// Memory that a scene may need, bytes: what is larger is refused, so that an input takes little time.
@@ -20,4 +21,18 @@ pub(crate) fn resolves(bytes: Vec<u8>) -> bool {
 pub(crate) fn reads(bytes: &[u8]) -> bool {
     let cloud = points::read(bytes).and_then(|points| points.cloud(1.0));
     gmsh::read(bytes).is_ok() || cloud.is_ok()
+}
+
+/// Whether bytes are a solid that cells fill; every side of a cell on its border is then in one wall.
+pub(crate) fn fills(bytes: &[u8]) -> bool {
+    let Ok(file) = solid::read(bytes) else { return false };
+    let Ok(surface) = Surface::new(file.surface.facets, file.surface.names) else { return false };
+    let [low, high] = surface.bounds();
+    let largest = (0..3).map(|k| high[k] - low[k]).fold(0.0, f64::max);
+    let Ok(grid) = surface.grid(largest / 9.0) else { return false };
+    let filled = surface.fill(&grid);
+    let walls = surface.walls(&grid, &filled.lattice);
+    let areas = walls.iter().flat_map(|wall| wall.areas(&filled.lattice));
+    assert!(areas.map(|part| part.area).all(f64::is_finite), "an area that is no number");
+    filled.lattice.points() > 0
 }

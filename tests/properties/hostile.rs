@@ -1,5 +1,6 @@
 //! Whatever a case says, it is solved with finite numbers or refused with a message, within bounds of time and memory.
 
+use super::entry::fills;
 use super::mutate::{Random, mutate};
 use super::small_cases::{MODELS, small_case};
 use peristat::Loaded;
@@ -284,5 +285,13 @@ proptest! {
         let (mesh, list) = (read("bracket.msh"), read("scattered.csv"));
         let _ = gmsh::read(&mangle(&mesh, seed));
         let _ = points::read(&mangle(&list, seed)).and_then(|points| points.cloud(1.0));
+    }
+
+    #[test]
+    fn a_solid_with_any_bytes_changed_is_filled_or_refused(seed: u64) {
+        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+        for file in ["solid/bar.msh", "solid/slope.stl", "invalid/solid_cut_off.stl", "invalid/solid_shell.stl"] {
+            fills(&mangle(&fs::read(cases.join(file)).expect("a file"), seed));
+        }
     }
 }

@@ -60,6 +60,7 @@ mod shell;
 mod short_beams;
 mod skipping;
 mod softening_edges;
+mod solid_files;
 mod solid_tractions;
 mod solids;
 mod specimens;

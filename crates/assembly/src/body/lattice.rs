@@ -115,6 +115,25 @@ impl SquareLattice {
         lattice
     }
 
+    /// The cells of rows and layers from zero on that have these columns, in order and apart from each other.
+    ///
+    /// # Panics
+    /// More than `u32::MAX` points.
+    pub fn of_lines(
+        spacing: f64,
+        corner: [f64; 3],
+        [rows, layers]: [i32; 2],
+        mut columns: impl FnMut([i32; 2]) -> Vec<Range<i32>>,
+    ) -> Self {
+        let mut lattice = Self::empty(spacing, corner, [0..rows, 0..layers]);
+        for line in (0..layers).flat_map(|layer| (0..rows).map(move |row| [row, layer])) {
+            columns(line).into_iter().for_each(|range| lattice.push(line, range));
+            lattice.end_line();
+        }
+        assert!(u32::try_from(lattice.points).is_ok(), "points are numbered by u32");
+        lattice
+    }
+
     /// The cells of a plane, of the ranges `columns` × `rows`, that are `inside`. Cell `[0, 0, 0]` has its lower left corner at
     /// `corner`; `spacing` is the side of a cell, m.
     ///

@@ -36,7 +36,10 @@ pub use neighbours::Neighbours;
 pub use outline::{Edge, Hole, HoleError, Outline, OutlineError, Shape};
 pub use polygon::{Polygon, PolygonError};
 pub use region::{Region, RegionError, Regions};
-pub use solid::{Cut, CutError, Face, SIDES, ShapeError, Side, SolidRegion, SolidShape, Wall, WallKind};
+pub use solid::{
+    Cut, CutError, Face, Facet, Filled, Grid, GridError, Patch, SIDES, ShapeError, Side, SolidRegion,
+    SolidShape, Surface, SurfaceError, Wall, WallKind, WallSide,
+};
 pub use transfer::Transfer;
 
 /// Positions this close to a border lie on it, in spacings.

@@ -5,7 +5,7 @@ use super::geometry::{dot, left_normal, moved};
 use super::outline::{Outline, Shape};
 use super::select::{nearest, points_in};
 use super::solid::{self, SolidRegion, Wall};
-use super::{BORDER, PointBody};
+use super::{BORDER, Group, PointBody};
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
 
@@ -45,7 +45,7 @@ pub enum Region {
         /// Points into the half-plane; any length.
         normal: [f64; 2],
     },
-    /// Points of a group of a mesh.
+    /// Points of a group of a mesh, or of a part of a solid that has a name.
     Group {
         /// Its name.
         name: String,
@@ -129,6 +129,8 @@ pub struct Regions<'a> {
     pub outline: Option<&'a Outline>,
     /// The walls of a solid.
     pub walls: &'a [Wall],
+    /// Parts of a solid that have names; those of listed points are their own.
+    pub parts: &'a [Group],
     /// Regions that unions name.
     pub named: &'a BTreeMap<String, Region>,
 }
@@ -211,7 +213,7 @@ impl Regions<'_> {
     fn group(&self, name: &str) -> Result<Vec<u32>, RegionError> {
         let groups = match self.body {
             PointBody::Cloud(cloud) => cloud.groups(),
-            _ => &[],
+            _ => self.parts,
         };
         let found = groups.iter().find(|g| g.name == name);
         let missing = || unknown("group", name, groups.iter().map(|g| g.name.as_str()));

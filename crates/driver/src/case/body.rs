@@ -2,7 +2,7 @@
 
 use super::{
     BlockBody, CentreCrackedPanel, CompactTension, Frame, Grading, MeshBody, OutlineBody, PointsBody,
-    RectangleBody, SingleEdgeBend,
+    RectangleBody, SingleEdgeBend, SolidBody,
 };
 use peristat_assembly::model::timoshenko_beam::Grid;
 use schemars::JsonSchema;
@@ -28,6 +28,8 @@ pub enum Body {
     Mesh(MeshBody),
     /// A block in space.
     Block(BlockBody),
+    /// A body in space from a file.
+    Solid(SolidBody),
     /// A compact tension specimen with its pins and its crack.
     CompactTension(CompactTension),
     /// A bend specimen with its rollers and its edge crack.

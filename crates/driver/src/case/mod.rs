@@ -49,7 +49,7 @@ pub use region::{
     BallRegion, Bearing, BoxRegion, DiscRegion, EdgeRegion, FaceRegion, HalfPlaneRegion, HalfSpaceRegion,
     HoleRegion, Region, Rigid,
 };
-pub use solid_body::{BallCut, BlockBody, BlockCut, BoreCut, SolidCut, SpaceAxis};
+pub use solid_body::{BallCut, BlockBody, BlockCut, BoreCut, SolidBody, SolidCut, SpaceAxis};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
 pub use vector::Vector;
 
@@ -157,6 +157,7 @@ impl Case {
         let body = match &mut self.body {
             Body::Points(body) => Some(&mut body.file),
             Body::Mesh(body) => Some(&mut body.file),
+            Body::Solid(body) => Some(&mut body.file),
             _ => None,
         };
         baselines.chain(body).collect()

@@ -49,6 +49,7 @@ impl Case {
             Body::Rectangle(rectangle) => spacing("rectangle", rectangle.spacing),
             Body::Outline(outline) => spacing("outline", outline.spacing),
             Body::Block(block) => spacing("block", block.spacing),
+            Body::Solid(solid) => spacing("solid", solid.spacing),
             Body::CompactTension(s) => specimen("compact_tension", s.cells),
             Body::SingleEdgeBend(s) => specimen("single_edge_bend", s.cells),
             Body::CentreCrackedPanel(s) => specimen("centre_cracked_panel", s.cells),
@@ -65,6 +66,7 @@ impl Case {
             Body::Rectangle(rectangle) => Some(rectangle.spacing),
             Body::Outline(outline) => Some(outline.spacing),
             Body::Block(block) => Some(block.spacing),
+            Body::Solid(solid) => Some(solid.spacing),
             _ => None,
         }
     }

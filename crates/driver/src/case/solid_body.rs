@@ -20,6 +20,25 @@ pub struct BlockBody {
     pub cuts: Vec<SolidCut>,
 }
 
+/// What a closed surface bounds, filled with cubic cells, a point in the middle of each whose centre is inside or on it. Sides of the
+/// box around it lie on sides of cells where they are whole multiples of the spacing; else the cells are in its middle, as many as come
+/// nearest.
+///
+/// Its faces are the named parts of the surface: `solid` sections of an STL file in ASCII that has several, physical surfaces of a
+/// mesh. Parts without a name that lie flat on sides of the box are `left`, `right`, `bottom`, `top`, `back` and `front`, all others
+/// together are `rest`. Physical volumes are regions.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SolidBody {
+    /// STL file, binary or ASCII, or Gmsh file of tetrahedra (MSH 4.1, ASCII), relative to the case, in its folder or below.
+    pub file: String,
+    /// Side of a cell, > 0.
+    pub spacing: f64,
+    /// What lengths of the file are multiplied by, > 0; 1 if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scale: Option<f64>,
+}
+
 /// A part that is cut out of a block.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -44,7 +44,7 @@ impl<'a> Lines<'a> {
     /// The next line as a list of numbers.
     pub(super) fn fields(&mut self, what: &'static str) -> Result<Fields<'a>, ReadError> {
         let text = self.text(what)?;
-        Ok(Fields { line: self.number, what, parts: text.split_ascii_whitespace() })
+        Ok(Fields::new(text, self.number, what))
     }
 }
 
@@ -56,7 +56,12 @@ pub(super) struct Fields<'a> {
     parts: SplitAsciiWhitespace<'a>,
 }
 
-impl Fields<'_> {
+impl<'a> Fields<'a> {
+    /// Numbers of a part of a line; `what` is there.
+    pub(super) fn new(text: &'a str, line: usize, what: &'static str) -> Self {
+        Self { line, what, parts: text.split_ascii_whitespace() }
+    }
+
     fn next<T: std::str::FromStr>(&mut self, name: &str) -> Result<T, ReadError> {
         let what = self.what;
         let Some(part) = self.parts.next() else {

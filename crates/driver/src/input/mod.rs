@@ -1,4 +1,4 @@
-//! Files that cases name: where they may lie, meshes and lists of points.
+//! Files that cases name: where they may lie, meshes, surfaces and lists of points.
 //!
 //! Readers take the bytes of a file and never panic on any; what they hold grows with what they have read, never with a
 //! number in the file. Faults say the line and what belongs there.
@@ -8,6 +8,9 @@ mod folder;
 pub mod gmsh;
 mod lines;
 pub mod points;
+pub mod solid;
+pub mod stl;
+pub mod surface;
 
 pub use file::Refusal;
 pub use folder::{Folder, Reach};

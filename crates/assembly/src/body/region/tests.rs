@@ -36,7 +36,7 @@ fn select(region: &Region) -> Result<Vec<u32>, RegionError> {
         let next = if k == 199 { "a".into() } else { format!("u{}", k + 1) };
         (format!("u{k}"), Region::Union { of: vec![next.clone(), next] })
     }));
-    let regions = Regions { body: &body, outline: Some(&outline), walls: &[], named: &named };
+    let regions = Regions { body: &body, outline: Some(&outline), walls: &[], parts: &[], named: &named };
     let found = regions.select(region);
     // Listed points give the same answer, though another code finds it.
     let cloud = as_cloud(&body);
@@ -118,7 +118,7 @@ proptest! {
         let body = PointBody::Lattice(outline.fill_turned(0.07, angle).unwrap());
         let cloud = as_cloud(&body);
         let named = BTreeMap::new();
-        let on = |body| Regions { body, outline: Some(&outline), walls: &[], named: &named };
+        let on = |body| Regions { body, outline: Some(&outline), walls: &[], parts: &[], named: &named };
         let normal = [to[0] - at[0], to[1] - at[1]];
         let own = |name: &str| Region::Hole { name: name.into(), depth: Some(size) };
         let regions = [
@@ -151,7 +151,7 @@ proptest! {
         }
         let outline = Outline::polygon(vertices).unwrap();
         let body = PointBody::Lattice(outline.fill(0.31).unwrap());
-        let regions = Regions { body: &body, outline: Some(&outline), walls: &[], named: &BTreeMap::new() };
+        let regions = Regions { body: &body, outline: Some(&outline), walls: &[], parts: &[], named: &BTreeMap::new() };
         let found = regions.select(&edge(&format!("edge_{}", which + 1), Some(depth))).unwrap();
         let e = &outline.edges()[which];
         for p in 0..body.points() {

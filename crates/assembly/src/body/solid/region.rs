@@ -1,16 +1,16 @@
 //! Parts of bodies in space that conditions and probes name.
 
 use super::super::BORDER;
-use super::super::lattice::SquareLattice;
+use super::super::lattice::{SquareLattice, minus};
 use super::super::region::RegionError;
-use super::wall::Wall;
+use super::wall::{Side, Wall, WallKind};
 
 /// Which points of a solid. Lengths in m; borders belong to regions, within [`BORDER`] spacings.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolidRegion {
-    /// Points beside a face.
+    /// Points beside a face of a block, or behind sides of cells of a part of a surface.
     Face {
-        /// Name of the face.
+        /// Name of the face, or of the part.
         name: String,
         /// How far inwards; one spacing if not given, which is the outermost layer.
         depth: Option<f64>,
@@ -60,14 +60,15 @@ pub(in super::super) fn select(
     let slack = BORDER * lattice.spacing();
     match region {
         SolidRegion::Face { name, depth } => {
-            let mut faces = walls.iter().filter_map(Wall::face);
-            let known = || walls.iter().filter_map(Wall::face).map(|face| face.name.to_string()).collect();
-            let face = faces.find(|face| face.name == name).ok_or_else(|| RegionError::Unknown {
-                kind: "face",
-                name: name.clone(),
-                known: known(),
-            })?;
+            let mut faces = walls.iter().filter(|wall| !matches!(wall.kind, WallKind::Cut { .. }));
+            let known = faces.clone().map(|wall| wall.name.clone());
+            let unknown =
+                || RegionError::Unknown { kind: "face", name: name.clone(), known: known.collect() };
+            let wall = faces.find(|wall| wall.name == *name).ok_or_else(unknown)?;
             let depth = positive("depth", depth.unwrap_or(lattice.spacing()))?;
+            let Some(face) = wall.face().filter(|_| wall.patch().is_none()) else {
+                return Ok(behind(&wall.sides(lattice), depth + slack, lattice));
+            };
             Ok(inside(lattice, |at| (at[face.axis] - face.at).abs() <= depth + slack))
         }
         SolidRegion::Cut { name } => {
@@ -107,6 +108,21 @@ pub(in super::super) fn select(
             Ok(inside(lattice, |at| depth(at) >= -slack))
         }
     }
+}
+
+/// The points within a depth of sides of cells, straight behind them.
+fn behind(sides: &[Side], depth: f64, lattice: &SquareLattice) -> Vec<u32> {
+    // The centre of a cell is half a spacing behind its side.
+    let layers = (depth / lattice.spacing() + 0.5).min(f64::from(i32::MAX)) as i32;
+    let column = |side: &Side| {
+        let (cell, step) = (lattice.cell(side.point), side.outwards());
+        let at = move |k: i32| minus(cell, step.map(|s| s * k));
+        (0..layers.max(1)).map_while(move |k| lattice.number(at(k))).map(|point| point as u32)
+    };
+    let mut found: Vec<u32> = sides.iter().flat_map(column).collect();
+    found.sort_unstable();
+    found.dedup();
+    found
 }
 
 /// The points of a lattice at positions of which something is true.

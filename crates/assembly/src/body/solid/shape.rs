@@ -20,11 +20,9 @@ pub struct SolidShape {
     pub(super) cuts: Vec<(Option<String>, Cut)>,
 }
 
-/// A side of a block.
+/// A plane that bounds a body across an axis, such as a side of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Face {
-    /// Its name, one of [`SIDES`].
-    pub name: &'static str,
     /// The axis across it.
     pub axis: usize,
     /// Whether it is the higher one of two along its axis.
@@ -126,12 +124,7 @@ impl SolidShape {
     pub fn faces(&self) -> [Face; 6] {
         std::array::from_fn(|side| {
             let (axis, is_high) = (side / 2, side % 2 == 1);
-            Face {
-                name: SIDES[side],
-                axis,
-                is_high,
-                at: if is_high { self.to[axis] } else { self.from[axis] },
-            }
+            Face { axis, is_high, at: if is_high { self.to[axis] } else { self.from[axis] } }
         })
     }
 
@@ -198,8 +191,8 @@ mod tests {
         let first = lattice.position(0);
         assert!([1.05, 2.05, 3.05].iter().zip(first).all(|(a, b)| (a - b).abs() < 1e-12));
         let [left, .., front] = shape.faces();
-        assert_eq!((left.name, left.at, left.normal()), ("left", 1.0, [-1.0, 0.0, 0.0]));
-        assert_eq!((front.name, front.at, front.normal()), ("front", 3.6, [0.0, 0.0, 1.0]));
+        assert_eq!((left.at, left.normal()), (1.0, [-1.0, 0.0, 0.0]));
+        assert_eq!((front.at, front.normal()), (3.6, [0.0, 0.0, 1.0]));
         let Err(ShapeError::NotWhole { fitting, .. }) = shape.fill(0.15) else { panic!() };
         // 0.4, 0.2 and 0.6 are whole multiples of 0.1 and 0.2.
         assert!(fitting.iter().any(|s| (s - 0.2).abs() < 1e-12), "{fitting:?}");

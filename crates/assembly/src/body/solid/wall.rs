@@ -3,16 +3,20 @@
 use super::super::BORDER;
 use super::super::lattice::{SquareLattice, plus};
 use super::cut::Cut;
-use super::shape::{Face, SolidShape};
+use super::shape::{Face, SIDES, SolidShape};
+use super::surface::{Patch, WallSide};
 
-/// A face of a block, or the border of a part that is cut out of it. No side of a cell is in two of them: one between the body and
-/// several parts that overlap is in the first, and where a round body touches a face of its block, the sides are those of the round body.
+/// A face of a block, the border of a part that is cut out of it, or a part of the surface around a body. No side of a cell is in two of
+/// them: one between the body and several parts that overlap is in the first, and where a round body touches a face of its block, the
+/// sides are those of the round body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wall {
     /// Its name.
     pub name: String,
     /// Where it is.
     pub kind: WallKind,
+    /// What it is of a surface, if the body has one.
+    patch: Option<Patch>,
     /// Borders of other parts that come first.
     before: Vec<NamedCut>,
     /// Faces that the body goes on behind.
@@ -30,7 +34,7 @@ struct NamedCut {
 /// What a wall is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WallKind {
-    /// A face of the block.
+    /// A plane across an axis: a face of the block, or a flat part of the surface around the body.
     Face(Face),
     /// The border of a cut.
     Cut {
@@ -39,6 +43,8 @@ pub enum WallKind {
         /// Lowest and highest corner of the block, m.
         block: [[f64; 3]; 2],
     },
+    /// A part of the surface around the body that is no plane across an axis.
+    Surface,
 }
 
 impl NamedCut {
@@ -96,7 +102,7 @@ impl Wall {
     pub fn face(&self) -> Option<&Face> {
         match &self.kind {
             WallKind::Face(face) => Some(face),
-            WallKind::Cut { .. } => None,
+            WallKind::Cut { .. } | WallKind::Surface => None,
         }
     }
 
@@ -108,24 +114,55 @@ impl Wall {
         }
     }
 
-    /// Takes faces for planes of symmetry: a cut that reaches them has no border there.
-    pub fn mirror(&mut self, faces: &[Face]) {
-        if self.face().is_none() {
+    /// A part of a surface, which may be a plane across an axis.
+    pub(super) fn of_surface(name: String, face: Option<Face>, patch: Patch) -> Self {
+        let kind = face.map_or(WallKind::Surface, WallKind::Face);
+        Self { name, kind, patch: Some(patch), before: Vec::new(), mirrored: Vec::new() }
+    }
+
+    /// What it is of a surface, if the body has one.
+    pub fn patch(&self) -> Option<&Patch> {
+        self.patch.as_ref()
+    }
+
+    /// Takes faces for planes of symmetry: a cut or a part of a surface that reaches them has no border there.
+    pub fn mirror(&mut self, faces: &[Face], lattice: &SquareLattice) {
+        if let Some(patch) = &mut self.patch {
+            // The side of the box itself stays a region.
+            let is_other = |face: &&Face| SIDES[2 * face.axis + usize::from(face.is_high)] != self.name;
+            let faces: Vec<Face> = faces.iter().filter(is_other).copied().collect();
+            patch.mirror(&faces, lattice);
+        } else if self.face().is_none() {
             self.mirrored = faces.to_vec();
         }
     }
 
     /// Its sides of cells, in the order of their points.
     pub fn sides(&self, lattice: &SquareLattice) -> Vec<Side> {
+        if let Some(patch) = &self.patch {
+            return patch.sides.iter().map(|side| side.0).collect();
+        }
         let each = (0..lattice.points())
             .flat_map(|point| (0..6).map(move |k| Side { point, axis: k / 2, is_high: k % 2 == 1 }));
         each.filter(|side| self.has(side, lattice)).collect()
+    }
+
+    /// Its sides of cells with what they stand for of it. Those of a part of a surface have the sums of its area and of its area vector;
+    /// other ones stand for themselves.
+    pub fn areas(&self, lattice: &SquareLattice) -> Vec<WallSide> {
+        if let Some(patch) = &self.patch {
+            return patch.areas(lattice.spacing());
+        }
+        let area = lattice.spacing().powi(2);
+        let own = |side: Side| WallSide { side, area, outwards: side.normal().map(|n| area * n) };
+        self.sides(lattice).into_iter().map(own).collect()
     }
 
     fn has(&self, side: &Side, lattice: &SquareLattice) -> bool {
         let is_own = match self.kind {
             WallKind::Face(face) => face.has(side, lattice),
             WallKind::Cut { cut, block } => NamedCut { cut, block }.has(side, lattice),
+            WallKind::Surface => false,
         };
         let is_border = || lattice.number(plus(lattice.cell(side.point), side.outwards())).is_none();
         // Most sides lie on other faces, which is known before their neighbours are looked up.
@@ -153,19 +190,22 @@ impl SolidShape {
         let named: Vec<(&String, NamedCut)> =
             named.map(|(name, cut)| (name, NamedCut { cut, block })).collect();
         let all: Vec<NamedCut> = named.iter().map(|(_, cut)| *cut).collect();
-        let face = |face: Face| Wall {
-            name: face.name.to_string(),
+        let face = |(name, face): (&str, Face)| Wall {
+            name: name.to_string(),
             kind: WallKind::Face(face),
+            patch: None,
             before: all.clone(),
             mirrored: Vec::new(),
         };
         let cut = |(k, (name, cut)): (usize, &(&String, NamedCut))| Wall {
             name: (*name).clone(),
             kind: WallKind::Cut { cut: cut.cut, block },
+            patch: None,
             before: all[..k].to_vec(),
             mirrored: Vec::new(),
         };
-        self.faces().into_iter().map(face).chain(named.iter().enumerate().map(cut)).collect()
+        let faces = SIDES.into_iter().zip(self.faces()).map(face);
+        faces.chain(named.iter().enumerate().map(cut)).collect()
     }
 }
 

@@ -1,18 +1,21 @@
 //! Meshes of Gmsh: MSH 4.1 in ASCII.
 //!
-//! Every triangle and quadrilateral becomes a point at its centroid, with its area; physical surfaces and curves become
-//! groups of points. Elements of second order are read as if their sides were straight.
+//! In a plane, every triangle and quadrilateral becomes a point at its centroid, with its area; physical surfaces and curves become
+//! groups of points. In space, tetrahedra have a border, with physical surfaces as its parts; physical volumes are parts of the body.
+//! Elements of second order are read as if their sides were straight.
 //!
 //! Source of the format: Gmsh reference manual, "MSH file format".
 
 mod plane;
 mod sections;
+mod solid;
 
 #[cfg(test)]
 mod tests;
 
 use super::ReadError;
 use super::lines::Lines;
+use super::surface::SolidFile;
 use peristat_assembly::body::Cloud;
 use sections::Raw;
 
@@ -55,6 +58,24 @@ const FORMAT: &str = "write the mesh by `gmsh -2 -format msh41 -bin 0`, or set `
 /// [`ReadError`]: another format, something else than what belongs in a line, a mesh that is not in a plane of constant z,
 /// elements of more than second order, elements without area or at the same place.
 pub fn read(bytes: &[u8]) -> Result<Mesh, ReadError> {
+    plane::mesh(&raw(bytes)?)
+}
+
+/// Reads the border of a mesh of tetrahedra, with physical surfaces as its parts and physical volumes as parts of the body.
+///
+/// # Errors
+/// [`ReadError`]: another format, something else than what belongs in a line, elements in space that are no tetrahedra or have no
+/// volume, more than two tetrahedra at a side, surfaces in several groups.
+pub fn read_solid(bytes: &[u8]) -> Result<SolidFile, ReadError> {
+    solid::border(&raw(bytes)?)
+}
+
+/// Whether a file is a mesh of Gmsh.
+pub fn is_mesh(bytes: &[u8]) -> bool {
+    Lines::new(bytes).raw() == Some(b"$MeshFormat")
+}
+
+fn raw(bytes: &[u8]) -> Result<Raw, ReadError> {
     let mut lines = Lines::new(bytes);
     if lines.raw() != Some(b"$MeshFormat") {
         return Err(ReadError::at(1, "is no Gmsh mesh: expected $MeshFormat").hint(FORMAT));
@@ -83,7 +104,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, ReadError> {
             }
         }
     }
-    plane::mesh(&raw)
+    Ok(raw)
 }
 
 /// Passes over a section that nothing is read from.

@@ -53,12 +53,7 @@ fn explain(raw: &Raw, error: &CloudError) -> ReadError {
 }
 
 fn places(raw: &Raw, face: &Face) -> Result<Vec<[f64; 3]>, ReadError> {
-    let place = |tag: &u64| {
-        let missing =
-            || ReadError::at(face.line, format!("the element has a node {tag}, which does not exist"));
-        raw.nodes.get(tag).copied().ok_or_else(missing)
-    };
-    face.corners[..face.count].iter().map(place).collect()
+    face.corners[..face.count].iter().map(|&tag| raw.place(tag, face.line)).collect()
 }
 
 /// Refuses meshes that are not in a plane of constant z.
@@ -97,10 +92,10 @@ fn centroid(corners: &[[f64; 3]]) -> ([f64; 2], f64) {
     ([o[0] + moment[0] / area, o[1] + moment[1] / area], area)
 }
 
-/// Names of the physical groups of a curve or surface.
-fn names<'a>(raw: &'a Raw, dimension: u64, entity: i64) -> impl Iterator<Item = String> + 'a {
+/// Names of the physical groups of a curve, surface or volume.
+pub(super) fn names<'a>(raw: &'a Raw, dimension: u64, entity: i64) -> impl Iterator<Item = String> + 'a {
     let tags = raw.physical.get(&(dimension, entity)).map_or(&[][..], Vec::as_slice);
-    let kind = if dimension == 1 { "curve" } else { "surface" };
+    let kind = ["point", "curve", "surface", "volume"][dimension.min(3) as usize];
     tags.iter().map(move |tag| {
         let name = raw.names.get(&(dimension, *tag));
         name.cloned().unwrap_or_else(|| format!("{kind}_{tag}"))

@@ -24,17 +24,29 @@ pub(super) struct Piece {
     pub(super) ends: [u64; 2],
 }
 
+/// A tetrahedron.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tetrahedron {
+    pub(super) line: usize,
+    pub(super) volume: i64,
+    /// Tags of its corners.
+    pub(super) corners: [u64; 4],
+}
+
 /// What a file says.
 #[derive(Debug, Default)]
 pub(super) struct Raw {
     /// Names of physical groups by dimension and tag.
     pub(super) names: HashMap<(u64, i64), String>,
-    /// Tags of physical groups of curves (1) and surfaces (2) by dimension and tag.
+    /// Tags of physical groups of curves (1), surfaces (2) and volumes (3) by dimension and tag.
     pub(super) physical: HashMap<(u64, i64), Vec<i64>>,
     /// Coordinates by tag.
     pub(super) nodes: HashMap<u64, [f64; 3]>,
     pub(super) faces: Vec<Face>,
     pub(super) pieces: Vec<Piece>,
+    pub(super) tetrahedra: Vec<Tetrahedron>,
+    /// Line and type of the first elements in space that are no tetrahedra.
+    pub(super) others: Option<(usize, u64)>,
 }
 
 /// `$MeshFormat`: version, 0 for ASCII, size of numbers in binary files.
@@ -67,6 +79,12 @@ fn agree(line: usize, what: &str, said: u64, found: u64) -> Result<(), ReadError
 }
 
 impl Raw {
+    /// Where a node of the element of a line is, m.
+    pub(super) fn place(&self, tag: u64, line: usize) -> Result<[f64; 3], ReadError> {
+        let missing = || ReadError::at(line, format!("the element has a node {tag}, which does not exist"));
+        self.nodes.get(&tag).copied().ok_or_else(missing)
+    }
+
     pub(super) fn physical_names(&mut self, lines: &mut Lines) -> Result<(), ReadError> {
         let count = lines.fields("names")?.count("their number")?;
         for _ in 0..count {
@@ -93,7 +111,7 @@ impl Raw {
                 let mut fields = lines.fields("an entity")?;
                 let tag = fields.integer("its tag")?;
                 let tags = physical_tags(&mut fields, if dimension == 0 { 3 } else { 6 })?;
-                if dimension == 1 || dimension == 2 {
+                if dimension > 0 {
                     self.physical.insert((dimension, tag), tags);
                 }
             }
@@ -139,11 +157,25 @@ impl Raw {
             let entity = block.integer("the tag of its entity")?;
             let kind = block.count("the type of its elements")?;
             let count = block.count("the number of its elements")?;
-            let nodes = if dimension == 2 { Some(corners_and_nodes(kind, lines.number())?) } else { None };
+            let nodes = match dimension {
+                2 => Some(corners_and_nodes(kind, lines.number())?),
+                3 => of_tetrahedra(kind),
+                _ => None,
+            };
+            if dimension == 3 && nodes.is_none() {
+                self.others.get_or_insert((lines.number(), kind));
+            }
             for _ in 0..count {
                 let mut fields = lines.fields("an element")?;
                 match (dimension, nodes) {
-                    (2, Some(nodes)) => self.faces.push(face(&mut fields, entity, nodes, lines.number())?),
+                    (2, Some(nodes)) => {
+                        let (corners, count) = corners(&mut fields, nodes, lines.number())?;
+                        self.faces.push(Face { line: lines.number(), surface: entity, corners, count });
+                    }
+                    (3, Some(nodes)) => {
+                        let (corners, _) = corners(&mut fields, nodes, lines.number())?;
+                        self.tetrahedra.push(Tetrahedron { line: lines.number(), volume: entity, corners });
+                    }
                     (1, _) => {
                         fields.count("its tag")?;
                         let ends = [fields.count("its first node")?, fields.count("its second node")?];
@@ -184,12 +216,21 @@ fn corners_and_nodes(kind: u64, line: usize) -> Result<(usize, usize), ReadError
     }
 }
 
-fn face(
+/// The same of tetrahedra; none for other elements in space.
+fn of_tetrahedra(kind: u64) -> Option<(usize, usize)> {
+    match kind {
+        4 => Some((4, 4)),
+        11 => Some((4, 10)),
+        _ => None,
+    }
+}
+
+/// Corners of an element, and how many it has.
+fn corners(
     fields: &mut Fields,
-    surface: i64,
     (count, nodes): (usize, usize),
     line: usize,
-) -> Result<Face, ReadError> {
+) -> Result<([u64; 4], usize), ReadError> {
     fields.count("its tag")?;
     let mut corners = [0; 4];
     for k in 0..nodes {
@@ -201,5 +242,5 @@ fn face(
     if !fields.at_end() {
         return Err(ReadError::at(line, format!("an element: expected {nodes} nodes, found more")));
     }
-    Ok(Face { line, surface, corners, count })
+    Ok((corners, count))
 }

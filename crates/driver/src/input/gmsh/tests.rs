@@ -1,4 +1,5 @@
 use super::*;
+use peristat_assembly::body::{Facet, Surface};
 use proptest::prelude::*;
 
 /// Two unit squares side by side: the left one of two triangles (the second clockwise), the right one a quadrilateral of
@@ -157,6 +158,99 @@ fn faults_name_the_line() {
     assert_eq!(read(none.as_bytes()).unwrap_err().to_string(), "has no triangles or quadrilaterals");
 }
 
+/// Two tetrahedra of second order beside each other in two volumes, the second turned inside out, a physical surface on one side and one
+/// between them.
+const SOLID: &str = r#"$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+3
+2 1 "side"
+2 2 "between"
+3 5 "first"
+$EndPhysicalNames
+$Entities
+0 0 2 2
+1 0 0 0 1 1 1 1 1 0
+2 0 0 0 1 1 1 1 2 0
+1 0 0 0 1 1 1 1 5 0
+2 0 0 0 1 1 1 1 9 0
+$EndEntities
+$Nodes
+1 5 1 5
+3 1 0 5
+1
+2
+3
+4
+5
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+1 1 1
+$EndNodes
+$Elements
+4 4 1 4
+2 1 2 1
+1 1 3 2
+2 2 2 1
+2 4 3 2
+3 1 4 1
+3 1 2 3 4
+3 2 4 1
+4 2 3 4 5
+$EndElements
+"#;
+
+#[test]
+fn tetrahedra_have_a_border_with_surfaces_and_volumes() {
+    let read = read_solid(SOLID.as_bytes()).unwrap();
+    assert_eq!(read.surface.names, ["side", "between"]);
+    assert_eq!(read.surface.facets.len(), 6);
+    let named = |name| read.surface.facets.iter().filter(|f| f.name == name).count();
+    assert_eq!([named(Some(0)), named(Some(1)), named(None)], [1, 0, 5]);
+    let volume =
+        |facets: &[Facet]| Surface::new(facets.to_vec(), read.surface.names.clone()).unwrap().volume();
+    let parts: Vec<(&str, f64)> =
+        read.parts.iter().map(|(name, part)| (name.as_str(), volume(part))).collect();
+    // 1/6, and 1/3 of a cube whose corner tetrahedra are taken away.
+    let expected = [("first", 1.0 / 6.0), ("volume_9", 1.0 / 3.0)];
+    for ((name, volume), expected) in parts.iter().zip(expected) {
+        assert!(*name == expected.0 && (volume - expected.1).abs() < 1e-15, "{parts:?}");
+    }
+    assert!((volume(&read.surface.facets) - 0.5).abs() < 1e-15);
+}
+
+#[test]
+fn faults_of_solids_name_the_line() {
+    let fault = |from: &str, to: &str| {
+        assert!(SOLID.contains(from), "{from}");
+        read_solid(SOLID.replacen(from, to, 1).as_bytes()).unwrap_err().to_string()
+    };
+    assert_eq!(fault("3 1 2 3 4\n", "3 1 2 3 3\n"), "line 38: the element has no volume");
+    assert_eq!(
+        fault("3 1 2 3 4\n", "3 1 2 3 7\n"),
+        "line 38: the element has a node 7, which does not exist"
+    );
+    assert_eq!(fault("3 2 4 1\n", "3 2 5 1\n"), "line 39: elements of type 5 are not read");
+    assert_eq!(
+        fault("3 5 \"first\"", "3 5 \"side\""),
+        "a physical surface and a physical volume have the name `side`"
+    );
+    assert_eq!(
+        fault("2 0 0 0 1 1 1 1 2 0", "2 0 0 0 1 1 1 2 2 1 0"),
+        "line 36: the triangle is in the physical surfaces `between` and `side`"
+    );
+    let third = SOLID
+        .replace("4 4 1 4", "4 5 1 5")
+        .replace("3 2 4 1\n4 2 3 4 5\n", "3 2 4 2\n4 2 3 4 5\n5 2 3 4 1\n");
+    let third = read_solid(third.as_bytes()).unwrap_err().to_string();
+    assert_eq!(third, "line 41: a side of the element belongs to two others");
+    let plane = read_solid(SMALL.as_bytes()).unwrap_err();
+    assert_eq!(plane.to_string(), "has no tetrahedra");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
     #[test]
@@ -174,6 +268,7 @@ proptest! {
         }
         bytes.truncate(end);
         let _ = read(&bytes);
+        let _ = read_solid(&bytes);
     }
 
     #[test]

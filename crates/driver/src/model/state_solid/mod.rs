@@ -60,7 +60,7 @@ const OPTIONS: [(&str, &str); 5] = [
 pub(super) const ENTRY: Entry = Entry {
     name: NAME,
     about: "an isotropic solid of state-based families, any Poisson's ratio: block",
-    bodies: &[("solid block with cut-outs, any Poisson's ratio", "solids")],
+    bodies: &[("solid block with cut-outs, or from STL or Gmsh, any Poisson's ratio", "solids")],
     options: || plain(&OPTIONS),
     starts: &[Start { name: NAME, about: "a thick plate with a bore", case: include_str!("start.json") }],
     growth: Growth::Plane,

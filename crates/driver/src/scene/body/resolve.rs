@@ -93,9 +93,9 @@ impl BodyScene {
             solids_only::refuse(case, faults);
         }
         of_case::check_refused(case, keys, faults);
-        let given_body::GivenBody { mut inputs, outline, walls, curves, cracks } =
+        let given_body::GivenBody { mut inputs, outline, walls, parts, curves, cracks } =
             given_body::read(case, keys, folder, max_memory, faults)?;
-        let ground = Ground::new(case, &inputs.body, (outline.as_ref(), &walls), faults);
+        let ground = Ground::new(case, &inputs.body, (outline.as_ref(), &walls, &parts), faults);
         if !counts::fit(&ground, max_memory, faults) {
             return None;
         }

@@ -80,8 +80,8 @@ pub(crate) fn held(
         let mut held = resolve(support, spot, path);
         held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
         if let (PointBody::Solid(lattice), Some(name)) = (ground.body, &support.at.region) {
-            let face = ground.walls.iter().filter_map(Wall::face).find(|face| face.name == name);
-            held.edge = face.map(HeldEdge::of_face);
+            let wall = ground.walls.iter().find(|wall| wall.name == *name);
+            held.edge = wall.and_then(Wall::face).map(HeldEdge::of_face);
             held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
         }
         if let (PointBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {

@@ -1,7 +1,7 @@
 //! The points of a body and its border.
 
 use super::snap::Snap;
-use super::{boundary, files, solid};
+use super::{boundary, files, solid, solid_file};
 use crate::case::{Body, Case, Hole};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::input::Folder;
@@ -9,7 +9,7 @@ use crate::input::gmsh::Curve;
 use crate::memory;
 use crate::model::{Keys, hints};
 use peristat_assembly::body::{
-    self, FillError, HoleError, Outline, OutlineError, PointBody, Polygon, Shape, SolidShape,
+    self, FillError, Group, HoleError, Outline, OutlineError, PointBody, Polygon, Shape, Wall,
 };
 
 /// Memory per point of what a scene keeps of a lattice and its model, bytes.
@@ -24,24 +24,36 @@ pub(crate) fn path(case: &Case) -> JsonPath {
         Body::Points(_) => body.key("points"),
         Body::Mesh(_) => body.key("mesh"),
         Body::Block(_) => body.key("block"),
+        Body::Solid(_) => body.key("solid"),
         _ => body,
     }
 }
 
-/// A body, its outline in the plane or its shape in space if it has one, and the named curves of a mesh.
+/// A body, its outline in the plane or its walls in space if it has some, and the named curves of a mesh.
 pub(crate) struct Built {
     pub(crate) body: PointBody,
     pub(crate) outline: Option<Outline>,
-    pub(crate) shape: Option<SolidShape>,
+    pub(crate) solid: Option<BuiltSolid>,
     pub(crate) curves: Vec<Curve>,
     /// Hash of the file that lists the points.
     pub(crate) file: Option<blake3::Hash>,
 }
 
+/// What bounds a solid, and parts of it.
+#[derive(Default)]
+pub(crate) struct BuiltSolid {
+    /// Named parts of its border.
+    pub(crate) walls: Vec<Wall>,
+    /// Where it is flat on sides of the box around it, in the order of the sides.
+    pub(crate) sides: [Option<f64>; 6],
+    /// Named parts of it.
+    pub(crate) parts: Vec<Group>,
+}
+
 impl Built {
     /// A body with nothing else.
-    fn of(body: PointBody) -> Self {
-        Self { body, outline: None, shape: None, curves: Vec::new(), file: None }
+    pub(super) fn of(body: PointBody) -> Self {
+        Self { body, outline: None, solid: None, curves: Vec::new(), file: None }
     }
 }
 
@@ -55,8 +67,11 @@ pub(crate) fn build(
 ) -> Option<Built> {
     let path = path(case);
     if keys.is_solid() {
-        let (body, shape) = solid::build(case, &path, max_memory, faults)?;
-        return Some(Built { shape: Some(shape), ..Built::of(body) });
+        if let Body::Solid(given) = &case.body {
+            return solid_file::build(given, folder, &path, max_memory, faults);
+        }
+        let (body, solid) = solid::build(case, &path, max_memory, faults)?;
+        return Some(Built { solid: Some(solid), ..Built::of(body) });
     }
     let (outline, spacing) = match &case.body {
         Body::Rectangle(b) => {

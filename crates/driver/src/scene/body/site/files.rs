@@ -2,7 +2,8 @@
 
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::{self, Curve};
-use crate::input::{Folder, ReadError, Refusal, points};
+use crate::input::surface::SolidFile;
+use crate::input::{Folder, ReadError, Refusal, points, solid};
 use peristat_assembly::body::PointBody;
 
 /// The body of a list of points, of this thickness, and the hash of the file.
@@ -31,6 +32,19 @@ pub(crate) fn mesh(
     let bytes = bytes(folder, file, "mesh", max_memory, path, faults)?;
     let mesh = gmsh::read(&bytes).map_err(|error| refuse(file, "mesh", &error, path, faults)).ok()?;
     Some((PointBody::Cloud(mesh.cloud), mesh.curves, blake3::hash(&bytes)))
+}
+
+/// The body in space of a file, and the hash of the file.
+pub(crate) fn solid(
+    folder: &Folder,
+    file: &str,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(SolidFile, blake3::Hash)> {
+    let bytes = bytes(folder, file, "solid", max_memory, path, faults)?;
+    let solid = solid::read(&bytes).map_err(|error| refuse(file, "solid", &error, path, faults)).ok()?;
+    Some((solid, blake3::hash(&bytes)))
 }
 
 fn bytes(

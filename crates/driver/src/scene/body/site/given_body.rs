@@ -1,5 +1,6 @@
 //! The body of a case, its material, mirrors and cracks.
 
+use super::body::BuiltSolid;
 use super::cracks::{self, NamedCrack};
 use super::model_inputs::ModelInputs;
 use super::symmetry::Sides;
@@ -10,7 +11,7 @@ use crate::input::Folder;
 use crate::input::gmsh::Curve;
 use crate::model::{About, Keys, Material, USUAL_HORIZON_RATIO};
 use crate::scene::{horizon, root};
-use peristat_assembly::body::{Face, Outline, PointBody, SquareLattice, Wall};
+use peristat_assembly::body::{Group, Outline, PointBody, SquareLattice, Wall};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
 
 /// The largest horizon ratio: the bonds of a point grow with its square, and what finds their moduli with its fourth power.
@@ -21,6 +22,7 @@ pub(crate) struct GivenBody {
     pub(crate) inputs: ModelInputs,
     pub(crate) outline: Option<Outline>,
     pub(crate) walls: Vec<Wall>,
+    pub(crate) parts: Vec<Group>,
     pub(crate) curves: Vec<Curve>,
     pub(crate) cracks: Vec<NamedCrack>,
 }
@@ -47,8 +49,7 @@ pub(crate) fn read(
     material.iter_mut().for_each(|material| material.set_lattice_angle(angle));
     let usual = material.as_ref().map_or(USUAL_HORIZON_RATIO, |material| material.usual_horizon_ratio());
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
-    let body::Built { mut body, outline, shape, curves, file } = built?;
-    let mut walls = shape.as_ref().map_or(Vec::new(), |shape| shape.walls());
+    let body::Built { mut body, outline, solid, curves, file } = built?;
     if let (PointBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
         && material.as_ref().is_some_and(|material| material.is_revolved())
     {
@@ -59,14 +60,16 @@ pub(crate) fn read(
         Some(material) => material.touches_axis(&asked, (outline.as_ref(), lattice), faults)?,
         None => false,
     };
-    let mut symmetry =
-        symmetry::symmetry(&case.symmetry, Sides::of(outline.as_ref(), &walls), lattice, faults);
+    let sides = Sides::of(outline.as_ref(), solid.as_ref().map(|solid| &solid.sides));
+    let mut symmetry = symmetry::symmetry(&case.symmetry, sides, lattice, faults);
     if let (true, Some(outline), Some(lattice)) = (touches_axis, &outline, lattice) {
         symmetry.add_axis(outline, lattice);
     }
-    let is_mirrored = |face: &&Face| symmetry.replaces(face.name);
-    let mirrored: Vec<Face> = walls.iter().filter_map(Wall::face).filter(is_mirrored).copied().collect();
-    walls.iter_mut().for_each(|wall| wall.mirror(&mirrored));
+    let BuiltSolid { mut walls, parts, .. } = solid.unwrap_or_default();
+    if let PointBody::Solid(lattice) = &body {
+        let faces = symmetry.faces();
+        walls.iter_mut().for_each(|wall| wall.mirror(&faces, lattice));
+    }
     periodic::join(case, outline.as_ref(), lattice, &mut symmetry, faults);
     let (mut material, ratio) = (material?, ratio?);
     if ratio > MOST_RATIO {
@@ -103,7 +106,7 @@ pub(crate) fn read(
     };
     let breaks = case.fracture.is_some() || case.path.is_some();
     let inputs = ModelInputs { body, file, symmetry, bearings: Vec::new(), material, horizon, breaks };
-    Some(GivenBody { inputs, outline, walls, curves, cracks })
+    Some(GivenBody { inputs, outline, walls, parts, curves, cracks })
 }
 
 /// A doubt about the axial forces of a body of revolution whose border completes its families: weights that are linear in the radius

@@ -5,7 +5,7 @@ use crate::case::{self, At, Case};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use crate::scene::words;
 use peristat_assembly::body::{
-    Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
+    Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
 };
 use std::collections::BTreeMap;
 
@@ -19,6 +19,8 @@ pub(crate) struct Ground<'a> {
     pub(crate) outline: Option<&'a Outline>,
     /// The walls of a solid.
     pub(crate) walls: &'a [Wall],
+    /// Parts of a solid that have names.
+    parts: &'a [Group],
     /// Regions of the case, and edges, faces, holes and groups as regions.
     named: BTreeMap<String, Region>,
 }
@@ -45,7 +47,7 @@ impl<'a> Ground<'a> {
     pub(crate) fn new(
         case: &'a Case,
         body: &'a PointBody,
-        (outline, walls): (Option<&'a Outline>, &'a [Wall]),
+        (outline, walls, parts): (Option<&'a Outline>, &'a [Wall], &'a [Group]),
         faults: &mut Faults,
     ) -> Self {
         let mut named = BTreeMap::new();
@@ -62,15 +64,16 @@ impl<'a> Ground<'a> {
         }
         for Wall { name, kind, .. } in walls {
             let (kind, region) = match kind {
-                WallKind::Face(_) => ("a face", SolidRegion::Face { name: name.clone(), depth: None }),
+                WallKind::Face(_) | WallKind::Surface => {
+                    ("a face", SolidRegion::Face { name: name.clone(), depth: None })
+                }
                 WallKind::Cut { .. } => ("a cut", SolidRegion::Cut { name: name.clone() }),
             };
             take(name, kind, Region::Solid(region));
         }
-        if let PointBody::Cloud(cloud) = body {
-            for group in cloud.groups() {
-                take(&group.name, "a group of the mesh", Region::Group { name: group.name.clone() });
-            }
+        let groups = if let PointBody::Cloud(cloud) = body { cloud.groups() } else { parts };
+        for group in groups {
+            take(&group.name, "a group of the mesh", Region::Group { name: group.name.clone() });
         }
         for (name, region) in &case.regions {
             if let Some(kind) = kinds.get(name) {
@@ -83,7 +86,7 @@ impl<'a> Ground<'a> {
                 named.insert(name.clone(), region);
             }
         }
-        let ground = Self { case, body, outline, walls, named };
+        let ground = Self { case, body, outline, walls, parts, named };
         for name in case.regions.keys().filter(|name| !kinds.contains_key(*name)) {
             ground.define(name, &root("regions").key(name), faults);
         }
@@ -138,7 +141,7 @@ impl<'a> Ground<'a> {
                 let hint = match (*kind, known.is_empty()) {
                     ("edge", true) => "edges are those of the bodies `rectangle` and `outline`".to_string(),
                     ("hole", true) => "no hole of the body has a name".into(),
-                    ("group", true) => "groups are those of a body `mesh` with named physical groups".into(),
+                    ("group", true) => "groups are those of a mesh with named physical groups".into(),
                     _ => suggest(name, known.iter().map(String::as_str)),
                 };
                 faults.error(place, format!("there is no {kind} `{name}`")).hint(hint);
@@ -153,8 +156,8 @@ impl<'a> Ground<'a> {
     }
 
     fn select(&self, region: &Region) -> Result<Vec<u32>, RegionError> {
-        Regions { body: self.body, outline: self.outline, walls: self.walls, named: &self.named }
-            .select(region)
+        let Self { body, outline, walls, parts, .. } = *self;
+        Regions { body, outline, walls, parts, named: &self.named }.select(region)
     }
 
     /// `the nearest point is at (1, 2)`.

@@ -29,7 +29,13 @@ impl Interpolation<'_> {
             PointBody::Lattice(lattice) => self.bilinear(lattice, position),
             PointBody::Cloud(cloud) => {
                 let slack = 4.0 * self.body.spacing();
-                let regions = Regions { body: self.body, outline: None, walls: &[], named: &BTreeMap::new() };
+                let regions = Regions {
+                    body: self.body,
+                    outline: None,
+                    walls: &[],
+                    parts: &[],
+                    named: &BTreeMap::new(),
+                };
                 let near = regions.select(&Region::Disc { centre: position, radius: slack });
                 self.in_triangle(cloud.positions(), near.unwrap_or_default(), position)
             }

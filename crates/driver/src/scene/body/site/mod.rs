@@ -19,6 +19,7 @@ pub(crate) mod resultants;
 pub(crate) mod size;
 pub(crate) mod snap;
 pub(crate) mod solid;
+mod solid_file;
 pub(crate) mod specimen;
 pub(crate) mod symmetry;
 pub(crate) mod tips;

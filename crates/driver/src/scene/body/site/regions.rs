@@ -17,11 +17,12 @@ pub(crate) fn converted(
         case::Region::Disc(_) => ("disc", Some(false), "use a `ball` or a `box`"),
         case::Region::HalfPlane(_) => ("half_plane", Some(false), "use a `half_space`"),
         case::Region::Hole(_) => ("hole", Some(false), "use a `ball` or a `box`"),
-        case::Region::Group(_) => ("group", Some(false), "use a `ball` or a `box`"),
         case::Region::Face(_) => ("face", Some(true), "use an `edge`"),
         case::Region::Ball(_) => ("ball", Some(true), "use a `disc`"),
         case::Region::HalfSpace(_) => ("half_space", Some(true), "use a `half_plane`"),
-        case::Region::Corner(_) | case::Region::Box(_) | case::Region::Union(_) => ("", None, ""),
+        case::Region::Corner(_) | case::Region::Box(_) | case::Region::Group(_) | case::Region::Union(_) => {
+            ("", None, "")
+        }
     };
     if of_solid.is_some_and(|of_solid| of_solid != is_solid) {
         let whose = if is_solid { "bodies in the plane" } else { "solids" };

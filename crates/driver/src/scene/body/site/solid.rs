@@ -1,6 +1,6 @@
-//! The points of a solid and its shape.
+//! The points of a block with cuts, and its walls.
 
-use super::body::{PER_POINT, resolves};
+use super::body::{BuiltSolid, PER_POINT, resolves};
 use crate::case::{BallCut, Body, BoreCut, Case, SolidCut};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::memory;
@@ -12,11 +12,11 @@ pub(crate) fn build(
     path: &JsonPath,
     max_memory: Option<u64>,
     faults: &mut Faults,
-) -> Option<(PointBody, SolidShape)> {
+) -> Option<(PointBody, BuiltSolid)> {
     let Body::Block(given) = &case.body else {
         faults
             .error(root("body"), format!("the model `{}` needs a body in space", case.model.name()))
-            .hint("take `block`; `rectangle` and `outline` are for bodies in the plane");
+            .hint("take `block` or `solid`; `rectangle` and `outline` are for bodies in the plane");
         return None;
     };
     let mut shape = match SolidShape::block(given.from, given.size) {
@@ -69,7 +69,11 @@ pub(crate) fn build(
         Ok(if fits { Some(shape.fill(given.spacing)?) } else { None })
     });
     match filled {
-        Ok(lattice) => Some((PointBody::Solid(lattice?), shape)),
+        Ok(lattice) => {
+            let sides = shape.faces().map(|face| Some(face.at));
+            let solid = BuiltSolid { walls: shape.walls(), sides, parts: Vec::new() };
+            Some((PointBody::Solid(lattice?), solid))
+        }
         Err(error) => {
             unfilled(&error, path, faults);
             None

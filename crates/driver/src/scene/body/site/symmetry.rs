@@ -1,7 +1,7 @@
 //! Sides of a body that are mirrors, and beyond which it has images therefore.
 
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
-use peristat_assembly::body::{self, Crack, Edge, Outline, SquareLattice, Wall};
+use peristat_assembly::body::{self, Crack, Edge, Face, Outline, SquareLattice};
 use peristat_assembly::model::plane::Mirrors;
 
 /// The sides that can be mirrors, with the direction in which they look.
@@ -13,23 +13,19 @@ pub(crate) const SIDES: [(&str, [f64; 2]); 4] =
 pub(crate) enum Sides<'a> {
     /// An outline in the plane.
     Edges(&'a Outline),
-    /// A solid, whose faces are the first of its walls.
-    Walls(&'a [Wall]),
+    /// A solid, which may be flat on sides of the box around it, at these positions.
+    Solid(&'a [Option<f64>; 6]),
 }
 
 impl<'a> Sides<'a> {
     /// Those of a body; listed points have none.
-    pub(crate) fn of(outline: Option<&'a Outline>, walls: &'a [Wall]) -> Option<Self> {
-        match (outline, walls) {
-            (Some(outline), _) => Some(Self::Edges(outline)),
-            (None, []) => None,
-            (None, walls) => Some(Self::Walls(walls)),
-        }
+    pub(crate) fn of(outline: Option<&'a Outline>, solid: Option<&'a [Option<f64>; 6]>) -> Option<Self> {
+        outline.map(Self::Edges).or(solid.map(Self::Solid))
     }
 
     /// Their names.
     fn names(self) -> impl Iterator<Item = &'static str> {
-        let count = if matches!(self, Self::Walls(_)) { 6 } else { 4 };
+        let count = if matches!(self, Self::Solid(_)) { 6 } else { 4 };
         body::SIDES.into_iter().take(count)
     }
 
@@ -37,7 +33,7 @@ impl<'a> Sides<'a> {
     fn whole(self, side: usize) -> Option<(String, f64)> {
         match self {
             Self::Edges(outline) => edge_on(outline, side),
-            Self::Walls(walls) => walls.get(side)?.face().map(|face| (face.name.to_string(), face.at)),
+            Self::Solid(sides) => sides[side].map(|at| (body::SIDES[side].to_string(), at)),
         }
     }
 }
@@ -66,7 +62,7 @@ pub(crate) fn symmetry(
     lattice: Option<&SquareLattice>,
     faults: &mut Faults,
 ) -> Symmetry {
-    let is_solid = matches!(sides, Some(Sides::Walls(_)));
+    let is_solid = matches!(sides, Some(Sides::Solid(_)));
     let mut symmetry = Symmetry { is_solid, ..Symmetry::default() };
     for (k, name) in names.iter().enumerate() {
         let path = root("symmetry").index(k);
@@ -93,9 +89,14 @@ pub(crate) fn symmetry(
             continue;
         }
         let Some((edge, at)) = sides.whole(side) else {
-            faults
-                .error(path, format!("the body has no straight edge all along its {name} side"))
-                .hint("a mirror is a whole side of the box around the body");
+            let message = match is_solid {
+                true => format!("the body is not flat on its {name} side"),
+                false => format!("the body has no straight edge all along its {name} side"),
+            };
+            faults.error(path, message).hint(match is_solid {
+                true => "a mirror is a flat side of the box around the body: cut the part in half before it is exported",
+                false => "a mirror is a whole side of the box around the body",
+            });
             continue;
         };
         if symmetry.at[side].replace(at).is_some() {
@@ -169,6 +170,14 @@ impl Symmetry {
         self.edges.extend(self.axis.iter().cloned());
         self.at[0] = Some(at);
         self.mirrors.set_line(0, lattice.columns().start);
+    }
+
+    /// Faces of a solid that are mirrors.
+    pub(crate) fn faces(&self) -> Vec<Face> {
+        let sides = self.at.iter().enumerate().filter(|_| self.is_solid);
+        sides
+            .filter_map(|(side, at)| Some(Face { axis: side / 2, is_high: side % 2 == 1, at: (*at)? }))
+            .collect()
     }
 
     /// Whether an edge lies on a mirror.

@@ -131,7 +131,8 @@ pub(crate) fn fade(
     if context.cracks.iter().any(|c| in_box(c.crack.vertices(), edge.from, inner)) {
         return Err("a crack is within two horizons of the edge");
     }
-    let regions = Regions { body: context.ground.body, outline: None, walls: &[], named: &BTreeMap::new() };
+    let regions =
+        Regions { body: context.ground.body, outline: None, walls: &[], parts: &[], named: &BTreeMap::new() };
     let points = regions.select(&Region::Box { from: edge.from, to: inner }).unwrap_or_default();
     let mut forces: BTreeMap<u32, [f64; 3]> = BTreeMap::new();
     for &p in &points {

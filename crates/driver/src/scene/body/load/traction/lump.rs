@@ -108,7 +108,7 @@ fn nearest(stretch: &Stretch, candidates: &[u32], context: &LoadContext) -> Vec<
     let least = candidates.iter().map(|&p| distance(p)).fold(f64::INFINITY, f64::min);
     if candidates.is_empty() {
         // What holes leave of an edge may have no point of its own.
-        let regions = Regions { body, outline: None, walls: &[], named: &BTreeMap::new() };
+        let regions = Regions { body, outline: None, walls: &[], parts: &[], named: &BTreeMap::new() };
         return regions.select(&Region::Corner { at: stretch.middle }).unwrap_or_default();
     }
     candidates.iter().copied().filter(|&p| distance(p) <= least + tie).collect()
@@ -148,7 +148,7 @@ pub(crate) fn add_resultant(forces: &mut Forces, missing: &Resultant, context: &
     let body = context.ground.body;
     let at = |p: u32| body.place(p as usize);
     if let [(only, _)] = forces[..] {
-        let regions = Regions { body, outline: None, walls: &[], named: &BTreeMap::new() };
+        let regions = Regions { body, outline: None, walls: &[], parts: &[], named: &BTreeMap::new() };
         let near = Region::Disc { centre: at(only), radius: 1.5 * body.spacing() };
         let near = regions.select(&near).unwrap_or_default();
         forces.extend(near.into_iter().filter(|&p| p != only).map(|p| (p, [0.0; 3])));

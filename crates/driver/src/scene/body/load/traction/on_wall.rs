@@ -3,7 +3,8 @@
 //! A traction does its work on the displacement of the border. Where bonds end there, each place of it moves with known points.
 //! Elsewhere the border moves with the two points behind it, continued linearly. Both follow every linear motion, so that force
 //! and moment are exact. On stairs, as round cuts have them, a pressure acts on the sides of the cells: its forces are those on the
-//! round border, as far as cells tell, because their shadows along every axis are the same.
+//! round border, as far as cells tell, because their shadows along every axis are the same. Where a surface says what its area and its
+//! shadows are, the forces have their sums.
 
 use super::wall_value::{self, WallValue};
 use crate::case::Traction;
@@ -13,7 +14,7 @@ use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::sums::BodyLoads;
 use crate::scene::body::site::resultants;
 use nalgebra::Vector3;
-use peristat_assembly::body::{Cell, PointBody, Side, SquareLattice, minus, plus};
+use peristat_assembly::body::{Cell, Patch, PointBody, Side, SquareLattice, WallSide, minus, plus};
 
 /// Arms over spacings that are rounding.
 const ROUNDING: f64 = 1e-9;
@@ -45,12 +46,15 @@ pub(crate) fn resolve(
         return;
     };
     let PointBody::Solid(lattice) = context.ground.body else { return };
-    let sides = wall.sides(lattice);
+    let sides = wall.areas(lattice);
     if sides.is_empty() {
         faults.error(place, format!("nothing is left of the face `{name}`"));
         return;
     }
-    let Some(value) = wall_value::value(load, wall, context, path, faults) else { return };
+    let Some(value) = wall_value::value(load, (wall, lattice), context, path, faults) else { return };
+    if wall.patch().is_some_and(Patch::is_slanted) {
+        warn_of_slanted(name, place.clone(), faults);
+    }
     if let Some(radius) = wall.radius() {
         warn_of_stairs(name, radius / lattice.spacing(), place, faults);
     }
@@ -62,17 +66,17 @@ pub(crate) fn resolve(
 /// Adds what acts on sides of cells; whether some of it lost its arm.
 fn act(
     value: &WallValue,
-    sides: &[Side],
+    sides: &[WallSide],
     lattice: &SquareLattice,
     context: &LoadContext,
     to: &mut BodyLoads,
 ) -> bool {
-    let area = lattice.spacing().powi(2);
+    let whole: f64 = sides.iter().map(|own| own.area).sum();
     let shares = context.model.and_then(|model| model.border_shares());
     let mut has_lost_arm = false;
-    for side in sides {
-        for (at, traction) in value.on(side, lattice, sides.len() as f64 * area) {
-            let force = traction.map(|t| t * area);
+    for own in sides {
+        let side = &own.side;
+        for (at, force) in value.on(own, lattice, whole) {
             let part = |(point, share): (usize, f64)| (point as u32, force.map(|f| share * f));
             // Where the body is too thin for bonds that end on it, the border moves as elsewhere.
             let acts_at = match shares.as_ref().and_then(|shares| shares(at, side.normal())) {
@@ -107,6 +111,16 @@ fn warn_of_stairs(name: &str, cells: f64, place: JsonPath, faults: &mut Faults) 
     );
     faults.warning(place, message).hint(
         "use a smaller spacing, or a body of revolution or a slice in the plane, whose borders are round",
+    );
+}
+
+/// Stairs of a slanted face have its force, and the stresses of stairs.
+fn warn_of_slanted(name: &str, place: JsonPath, faults: &mut Faults) {
+    let message = format!(
+        "cells make stairs of the face `{name}`: the force on it is that of the surface, and stresses beside it are those of stairs"
+    );
+    faults.warning(place, message).hint(
+        "read stresses two spacings from it, or turn the part so that its loaded faces are across axes",
     );
 }
 

@@ -4,7 +4,7 @@ use super::profile::Profile;
 use crate::case::{SpaceAxis, Traction};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::load::context::LoadContext;
-use peristat_assembly::body::{Side, SquareLattice, Wall};
+use peristat_assembly::body::{SIDES, SquareLattice, Wall, WallSide};
 
 /// Places of a side on both halves of an axis, in spacings from its middle: with them cubic functions are integrated exactly.
 const GAUSS: f64 = 0.288_675_134_594_812_9;
@@ -23,19 +23,24 @@ pub(super) enum WallValue {
 }
 
 impl WallValue {
-    /// Places of a side with the force that acts there per area of the side, N/m²; `area` is that of all sides.
-    pub(super) fn on(&self, side: &Side, lattice: &SquareLattice, area: f64) -> Vec<([f64; 3], [f64; 3])> {
-        let middle = side.middle(lattice);
+    /// Places of a side with the force that acts there, N; `whole` is the area of all sides, m².
+    pub(super) fn on(
+        &self,
+        own: &WallSide,
+        lattice: &SquareLattice,
+        whole: f64,
+    ) -> Vec<([f64; 3], [f64; 3])> {
+        let middle = own.side.middle(lattice);
         match *self {
-            Self::Uniform(traction) => vec![(middle, traction)],
-            Self::Pressure(pressure) => vec![(middle, side.normal().map(|n| -n * pressure))],
-            Self::Total(total) => vec![(middle, total.map(|f| f / area))],
+            Self::Uniform(traction) => vec![(middle, traction.map(|t| t * own.area))],
+            Self::Pressure(pressure) => vec![(middle, own.outwards.map(|a| -a * pressure))],
+            Self::Total(total) => vec![(middle, total.map(|f| f * own.area / whole))],
             Self::Along(axis, [from, to], profile) => [-GAUSS, GAUSS]
                 .map(|part| {
                     let mut at = middle;
                     at[axis] += part * lattice.spacing();
                     let value = profile.at((at[axis] - from) / (to - from), [0.0; 2]);
-                    (at, value.map(|t| 0.5 * t))
+                    (at, value.map(|t| 0.5 * t * own.area))
                 })
                 .to_vec(),
         }
@@ -45,7 +50,7 @@ impl WallValue {
 /// What acts, from the one key that says it.
 pub(super) fn value(
     load: &Traction,
-    wall: &Wall,
+    (wall, lattice): (&Wall, &SquareLattice),
     context: &LoadContext,
     path: &JsonPath,
     faults: &mut Faults,
@@ -57,11 +62,11 @@ pub(super) fn value(
         Traction { total: Some(total), .. } => WallValue::Total(context.force(*total, key, &at, faults)?),
         Traction { linear: Some(ends), .. } => {
             let [from, to] = [0, 1].map(|k| context.force(ends[k], key, &at.index(k), faults));
-            along(load.along, wall, Profile::Linear([from?, to?]), context, path, faults)?
+            along(load.along, (wall, lattice), Profile::Linear([from?, to?]), context, path, faults)?
         }
         Traction { parabolic: Some(middle), .. } => {
             let middle = context.force(*middle, key, &at, faults)?;
-            along(load.along, wall, Profile::Parabolic(middle), context, path, faults)?
+            along(load.along, (wall, lattice), Profile::Parabolic(middle), context, path, faults)?
         }
         _ => WallValue::Pressure(load.pressure.unwrap_or(0.0)),
     };
@@ -74,9 +79,10 @@ pub(super) fn value(
 /// The key that says what acts, which must have a meaning on the wall.
 fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Option<&'static str> {
     let is_round = wall.radius().is_some();
-    let values = match is_round {
-        true => "give one of `pressure` and `total`",
-        false => "give one of `uniform`, `pressure`, `total`, `linear` and `parabolic`",
+    let values = match (is_round, wall.face()) {
+        (true, _) => "give one of `pressure` and `total`",
+        (_, None) if wall.patch().is_some() => "give one of `uniform`, `pressure` and `total`",
+        _ => "give one of `uniform`, `pressure`, `total`, `linear` and `parabolic`",
     };
     let given = [
         ("hertz", load.hertz.is_some()),
@@ -97,7 +103,7 @@ fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Op
         }
         [first, second, ..] => (path.key(second), format!("`{first}` and `{second}` are both given"), values),
         [key] if wall.face().is_none() && varies(key) || is_round && key == "uniform" => {
-            (path.key(key), format!("`{key}` is for flat faces of the block"), values)
+            (path.key(key), format!("`{key}` is for flat faces across an axis"), values)
         }
         [key] if load.along.is_some() && !varies(key) => {
             (path.key("along"), format!("`{key}` does not vary along an axis"), "leave it out")
@@ -123,7 +129,7 @@ impl WallValue {
 /// What varies along an axis of a face, from one of its sides to the other.
 fn along(
     axis: Option<SpaceAxis>,
-    wall: &Wall,
+    (wall, lattice): (&Wall, &SquareLattice),
     profile: Profile,
     context: &LoadContext,
     path: &JsonPath,
@@ -140,6 +146,11 @@ fn along(
         faults.error(path.key("along"), "this axis is across the face").hint(hint);
         return None;
     }
-    let ends = [2 * axis, 2 * axis + 1].map(|side| context.ground.walls[side].face().map(|face| face.at));
-    Some(WallValue::Along(axis, [ends[0]?, ends[1]?], profile))
+    let cells = [lattice.columns(), lattice.rows(), lattice.layers()][axis].clone();
+    let box_side = |line: i32| lattice.corner()[axis] + f64::from(line) * lattice.spacing();
+    let wall = |side: usize| context.ground.walls.iter().find(|wall| wall.name == SIDES[side]);
+    let end = |side: usize, line: i32| {
+        wall(side).and_then(Wall::face).map_or_else(|| box_side(line), |face| face.at)
+    };
+    Some(WallValue::Along(axis, [end(2 * axis, cells.start), end(2 * axis + 1, cells.end)], profile))
 }
