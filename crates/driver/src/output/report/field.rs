@@ -2,6 +2,7 @@
 
 use super::pack::{Order, pack};
 use super::{element, number};
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -30,7 +31,7 @@ pub struct Moves<const AXES: usize> {
 /// All fields, as finely as their bytes allow.
 pub(super) fn packed(fields: &[Field], order: &Order, most_bytes: usize) -> Value {
     let packed = |bits: u32| -> (usize, Value) {
-        let all: Vec<Value> = fields.iter().map(|f| pack(&f.values, order, bits)).collect();
+        let all: Vec<Value> = fields.par_iter().map(|f| pack(&f.values, order, bits)).collect();
         let bytes = all.iter().map(|p| p["data"].as_str().map_or(0, str::len)).sum();
         let named = fields
             .iter()

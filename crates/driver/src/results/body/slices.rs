@@ -54,7 +54,7 @@ fn slice(blocks: &Blocks, values: &[f64], axis: usize) -> Slice {
     let from = blocks.place(next)[axis];
     next[axis] += 1;
     let middle = short(0.5 * (from + blocks.place(next)[axis]));
-    Slice { name, note: format!("cells at {name} = {middle}, {seen}; "), patches }
+    Slice { name, note: format!("cells at {name} = {middle}, {seen}; colours of the whole body"), patches }
 }
 
 #[cfg(test)]

@@ -36,12 +36,11 @@ pub(super) fn write(
     let factor = magnification(size_of(scene), range(scene, &size).0[1]);
     let moved = blocks.moved([&u[0], &u[1], &u[2]], factor);
     let draw = |file: &str, label: &str, values: &[f64], note: &str, patches: Vec<Patch>| {
-        let (range, more) = range(scene, values);
         let map = Map {
             title: title.into(),
-            note: format!("{note}{more}"),
+            note: note.into(),
             label: label.into(),
-            range,
+            range: range(scene, values).0,
             patches,
             ..Map::default()
         };
@@ -49,11 +48,12 @@ pub(super) fn write(
     };
     let units = scene.units;
     let label = units.label("displacement", units.length());
-    let note = format!("deformed shape, displacements times {factor}; ");
+    let note = format!("deformed shape, displacements times {factor}; {}", range(scene, &size).1);
     draw("displacement", &label, &size, &note, patches(&blocks, &blocks.means(&size), &moved))?;
     let Some(values) = result.values(scene, FieldName::VonMises) else { return Ok(()) };
     let (label, means) = (units.label("von Mises stress", units.stress()), blocks.means(&values));
-    draw("von_mises", &label, &values, "", patches(&blocks, &means, &|node| blocks.place(node)))?;
+    let note = range(scene, &values).1;
+    draw("von_mises", &label, &values, &note, patches(&blocks, &means, &|node| blocks.place(node)))?;
     slices(&blocks, &means).into_iter().try_for_each(|slice| {
         draw(&format!("von_mises_{}", slice.name), &label, &values, &slice.note, slice.patches)
     })

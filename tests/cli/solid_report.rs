@@ -1,0 +1,151 @@
+//! A solid in `report.html`, as a browser shows it.
+
+use super::browser::Browser;
+use super::report::{assert_drawn, assert_no_faults, column, columns, hovered, open, parsed, solved};
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// The canvas of the figure.
+const CANVAS: &str = "document.querySelector('figure canvas')";
+
+/// A number that differs where pixels of the body, above the colour bar, do.
+fn pixels(browser: &mut Browser) -> Value {
+    browser.value(&format!(
+        "(c => c.getContext('2d').getImageData(0, 0, c.width, c.height - 70).data
+            .reduce((sum, v, k) => (sum * 31 + v * (k % 9973)) % 4294967291, 0))({CANVAS})"
+    ))
+}
+
+/// Chooses a value of a control, as its event tells.
+fn set(browser: &mut Browser, control: &str, value: &str, event: &str) {
+    browser.value(&format!(
+        "(n => {{ n.value = '{value}'; n.dispatchEvent(new Event('{event}')) }})(document.querySelector('{control}'))"
+    ));
+}
+
+fn choose(browser: &mut Browser, field: &str) {
+    let number = browser.value(&format!(
+        "String([...document.querySelector('.field').options].findIndex(o => o.text === '{field}'))"
+    ));
+    let number = number.as_str().unwrap().to_string();
+    set(browser, ".field", &number, "change");
+    browser.wait(&format!("document.querySelector('figure').dataset.ready === '{number}'"));
+}
+
+fn click(browser: &mut Browser, button: &str) {
+    browser.value(&format!("document.querySelector('button{button}').click()"));
+}
+
+/// The point that the words beside the pointer name, and that their value is the one of the table: to half a step of 16 bits, and to
+/// five digits.
+fn assert_told(words: &[String], table: &[(String, Vec<f64>)], field: &str) -> [f64; 3] {
+    let place: Vec<f64> = words[0].split(", ").map(|part| parsed(part.split(' ').nth(1).unwrap())).collect();
+    let axes = ["x", "y", "z"].map(|name| column(table, name));
+    let is_there = |&p: &usize| (0..3).all(|k| (axes[k][p] - place[k]).abs() < 1e-9);
+    let point = (0..axes[0].len()).find(is_there).unwrap_or_else(|| panic!("there is no point at {words:?}"));
+    assert!(words[1].starts_with(&format!("{field} ")), "{words:?}");
+    let (value, values) = (parsed(words[1].split(' ').nth(1).unwrap()), column(table, field));
+    let [low, high] = [f64::min, f64::max].map(|of| values.iter().copied().reduce(of).unwrap());
+    let allowed = (high - low) / 65_535.0 + 1e-4 * values[point].abs();
+    assert!((value - values[point]).abs() <= allowed, "{words:?}: {}", values[point]);
+    [place[0], place[1], place[2]]
+}
+
+fn ball(browser: &mut Browser, folder: &Path) -> Vec<(String, Vec<f64>)> {
+    let out = solved(folder, "solid/hollow_ball.json", &[]);
+    open(browser, &out, 1000);
+    columns(&out.join("fields/step_000.csv"))
+}
+
+#[test]
+fn a_report_of_a_solid_turns_and_comes_back() {
+    let Some(mut browser) = Browser::start() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    ball(&mut browser, folder.path());
+    assert_drawn(&mut browser);
+    browser.value(&format!("{CANVAS}.scrollIntoView({{ block: 'center', behavior: 'instant' }})"));
+    let at = browser
+        .value(&format!("(b => [b.left + b.width / 2, b.top + 200])({CANVAS}.getBoundingClientRect())"));
+    let [x, y] = [0, 1].map(|k| at[k].as_f64().unwrap());
+    let first = pixels(&mut browser);
+    let mut seen = vec![first.clone()];
+    // By the pointer, by keys, by the wheel, by the deformation, and by each of the standard views.
+    browser.drag([x, y], [x + 60.0, y + 30.0]);
+    seen.push(pixels(&mut browser));
+    for key in ["ArrowLeft", "ArrowUp", "+"] {
+        browser.value(&format!("{CANVAS}.dispatchEvent(new KeyboardEvent('keydown', {{ key: '{key}' }}))"));
+        seen.push(pixels(&mut browser));
+    }
+    let wheel = json!({ "type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": -120 });
+    browser.call("Input.dispatchMouseEvent", wheel);
+    seen.push(pixels(&mut browser));
+    for view in ["front", "back", "left", "right", "top", "bottom"] {
+        click(&mut browser, &format!("[value={view}]"));
+        seen.push(pixels(&mut browser));
+    }
+    set(&mut browser, ".scale", "0", "input");
+    assert_eq!(browser.value("document.querySelector('.slides output').value"), "off");
+    seen.push(pixels(&mut browser));
+    for (k, one) in seen.iter().enumerate() {
+        assert!(!seen[..k].contains(one), "picture {k} of {seen:?} is an earlier one");
+    }
+    set(&mut browser, ".scale", "1", "input");
+    browser.value(&format!("{CANVAS}.dispatchEvent(new KeyboardEvent('keydown', {{ key: 'Home' }}))"));
+    assert_eq!(pixels(&mut browser), first);
+    assert_no_faults(&browser);
+}
+
+#[test]
+fn a_report_of_a_solid_answers_on_its_surface_and_inside() {
+    let Some(mut browser) = Browser::start() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let table = ball(&mut browser, folder.path());
+    let mut seen = Vec::new();
+    for (k, field) in ["von_mises", "ux", "stress_xy"].into_iter().enumerate() {
+        choose(&mut browser, field);
+        seen.push(pixels(&mut browser));
+        let words = hovered(&mut browser, "figure", [0.45 + 0.04 * k as f64, 0.45]);
+        assert_told(&words, &table, field);
+    }
+    // From in front a pointer on the body reads its layer at z = 11.5 or on a stair below; where it is cut at 6, that at 5.5.
+    click(&mut browser, "[value=front]");
+    set(&mut browser, ".across", "2", "change");
+    assert_eq!(browser.value("document.querySelector('.depth').nextElementSibling.value"), "z 6 mm");
+    for part in [[0.5, 0.45], [0.42, 0.6], [0.45, 0.5]] {
+        let words = hovered(&mut browser, "figure", part);
+        assert_eq!(assert_told(&words, &table, "stress_xy")[2], 5.5, "{words:?}");
+    }
+    seen.push(pixels(&mut browser));
+    // The other half, seen from behind, shows the other side of the cut.
+    click(&mut browser, ".flip");
+    click(&mut browser, "[value=back]");
+    let words = hovered(&mut browser, "figure", [0.5, 0.45]);
+    assert_eq!(assert_told(&words, &table, "stress_xy")[2], 6.5, "{words:?}");
+    seen.push(pixels(&mut browser));
+    for (k, one) in seen.iter().enumerate() {
+        assert!(!seen[..k].contains(one), "picture {k} of {seen:?} is an earlier one");
+    }
+    // Without a pointer the middle is read.
+    set(&mut browser, ".across", "", "change");
+    browser.value("document.querySelector('.tip').hidden = true");
+    browser.value(&format!("{CANVAS}.dispatchEvent(new KeyboardEvent('keydown', {{ key: 'Enter' }}))"));
+    assert_eq!(browser.value("document.querySelector('.tip').hidden"), false);
+    assert_no_faults(&browser);
+}
+
+#[test]
+fn a_report_of_a_solid_is_drawn_without_webgl() {
+    let Some(mut browser) = Browser::start() else { return };
+    let without = "const get = HTMLCanvasElement.prototype.getContext;
+        HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+            return kind.startsWith('webgl') ? null : get.call(this, kind, ...more);
+        };";
+    browser.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": without }));
+    let folder = tempfile::tempdir().unwrap();
+    let table = ball(&mut browser, folder.path());
+    assert_eq!(browser.value("document.querySelector('.slow').hidden"), false);
+    assert_drawn(&mut browser);
+    let words = hovered(&mut browser, "figure", [0.5, 0.45]);
+    assert_told(&words, &table, "von_mises");
+    assert_no_faults(&browser);
+}
