@@ -2,7 +2,11 @@
 
 use super::browser::Browser;
 use super::report::{assert_drawn, assert_no_faults, column, columns, hovered, open, parsed, solved};
+use super::support::root;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
+use std::fs;
 use std::path::Path;
 
 /// The canvas of the figure.
@@ -148,4 +152,53 @@ fn a_report_of_a_solid_is_drawn_without_webgl() {
     let words = hovered(&mut browser, "figure", [0.5, 0.45]);
     assert_told(&words, &table, "von_mises");
     assert_no_faults(&browser);
+}
+
+#[test]
+fn states_of_a_solid_are_seen_from_one_place() {
+    let Some(mut browser) = Browser::start() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let out = solved(folder.path(), "solid/hollow_block.json", &[]);
+    open(&mut browser, &out, 1000);
+    assert_drawn(&mut browser);
+    let press = |key: &str| {
+        format!(
+            "[...document.querySelectorAll('canvas')].find(c => c.offsetWidth)
+                .dispatchEvent(new KeyboardEvent('keydown', {{ key: '{key}' }}))"
+        )
+    };
+    browser.value(&press("ArrowLeft"));
+    set(&mut browser, ".choose", "0", "change");
+    browser.wait("document.querySelectorAll('.set:not([hidden])').length === 1 && 'ready' in document.querySelector('figure').dataset");
+    assert_drawn(&mut browser);
+    browser.wait(&format!("{CANVAS}.width > 900"));
+    let turned = pixels(&mut browser);
+    browser.value(&press("Home"));
+    assert_ne!(pixels(&mut browser), turned);
+    browser.value(&press("ArrowLeft"));
+    assert_eq!(pixels(&mut browser), turned);
+    assert_no_faults(&browser);
+}
+
+#[test]
+#[ignore = "writes docs/images/solid_report.png"]
+fn the_picture_of_the_gallery() {
+    let Some(mut browser) = Browser::start() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let fine = ["--set", "body.block.spacing=0.25", "--no-estimate"];
+    let out = solved(folder.path(), "solid/hollow_ball.json", &fine);
+    open(&mut browser, &out, 940);
+    set(&mut browser, ".across", "0", "change");
+    set(&mut browser, ".depth", "8", "input");
+    for key in ["ArrowRight", "ArrowUp"] {
+        browser.value(&format!("{CANVAS}.dispatchEvent(new KeyboardEvent('keydown', {{ key: '{key}' }}))"));
+    }
+    let at = browser.value("(b => [b.left + scrollX, b.top + scrollY, b.width, b.height])(document.querySelector('figure').getBoundingClientRect())");
+    let clip = json!({ "x": at[0], "y": at[1], "width": at[2], "height": at[3], "scale": 1 });
+    let picture = browser.call(
+        "Page.captureScreenshot",
+        json!({ "format": "png", "clip": clip, "captureBeyondViewport": true }),
+    );
+    let bytes = STANDARD.decode(picture["data"].as_str().unwrap()).unwrap();
+    fs::write(root().join("docs/images/solid_report.png"), bytes).unwrap();
 }

@@ -146,6 +146,12 @@ fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<(
         components: 1,
         values,
     }));
+    // Means and integrals over a solid weigh its points by it.
+    let volumes: Option<Vec<f64>> = match scene.body() {
+        PointBody::Solid(lattice) => Some((0..lattice.points()).map(|p| lattice.volume(p)).collect()),
+        _ => None,
+    };
+    data.extend(volumes.iter().map(|values| DataArray { name: "volume", components: 1, values }));
     let all = [
         Cells { cell_type: CellType::Quad, connectivity: &cells.quads },
         Cells { cell_type: CellType::Hexahedron, connectivity: &cells.hexahedra },
