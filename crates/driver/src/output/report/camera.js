@@ -20,9 +20,7 @@ function axesOf([around, above]) {
 const dotted = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
 class Camera {
-  // Around the origin, on a box of some half sides.
-  constructor(half) {
-    this.half = half;
+  constructor() {
     this.look('all');
   }
 
@@ -53,9 +51,9 @@ class Camera {
     this.scale /= share;
   }
 
-  // Takes the size of a canvas in pixels.
-  within(width, height) {
-    const reach = [0, 1].map((k) => 2 * this.half.reduce((sum, half, c) => sum + half * Math.abs(this.fitted[k][c]), 0));
+  // Takes the size of a canvas in pixels, and the half sides of a box around the origin, to see.
+  within(width, height, half) {
+    const reach = [0, 1].map((k) => 2 * half.reduce((sum, side, c) => sum + side * Math.abs(this.fitted[k][c]), 0));
     const fit = Math.min((width - 2 * ROOM[0]) / reach[0], (height - 2 * ROOM[1]) / reach[1]);
     this.scale = fit * this.zoom;
     this.middle = [width / 2, height / 2];

@@ -27,7 +27,7 @@ function solid(figure, data) {
   const unit = around(ends, data);
   const box = new Box(...ends, unit, data.length);
   const body = JSON.stringify(data.bricks);
-  const camera = cameras.get(body) ?? new Camera(unit.half);
+  const camera = cameras.get(body) ?? new Camera();
   cameras.set(body, camera);
   const known = [];
   const values = (k) => (known[k] ??= unpack(data.fields[k].packed, of.before));
@@ -72,7 +72,7 @@ function solid(figure, data) {
     });
     if (!ctx) return;
     to = null;
-    camera.within(stage.width, seen);
+    camera.within(stage.width, seen, unit.half);
     const ink = [1, 3, 5].map((at) => parseInt(color('faint').slice(at, at + 2), 16));
     const drawn = { mesh, tints, factor: factor(), lines: box.lines(camera), ink };
     const gpu = graphics();
