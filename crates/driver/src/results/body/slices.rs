@@ -42,8 +42,7 @@ fn slice(blocks: &Blocks, values: &[f64], axis: usize) -> Slice {
     let side = |k: usize, end: i32| if signs[k] > 0.0 { end } else { 1 - end };
     let around = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[a, b]| [side(0, a), side(1, b)]);
     let own = blocks.cells.iter().zip(values).filter(|(cell, _)| cell[axis] == layer);
-    let patch =
-        |(cell, &value): (&Cell, &f64)| Patch { corners: around.map(|ends| corner(*cell, ends)), value };
+    let patch = |(cell, &value): (&Cell, &f64)| Patch::flat(around.map(|ends| corner(*cell, ends)), value);
     let mut patches: Vec<Patch> = own.map(patch).collect();
     patches.sort_by(|a, b| {
         let [a, b] = [a, b].map(|p| p.corners[0]);

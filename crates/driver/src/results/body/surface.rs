@@ -7,7 +7,7 @@ use super::blocks::Blocks;
 use super::plots::{range, size_of};
 use super::slices::slices;
 use crate::case::FieldName;
-use crate::output::plot::{Map, Patch, write_map};
+use crate::output::plot::{Light, Map, Patch, write_map};
 use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::scene::body::BodyScene;
@@ -62,11 +62,12 @@ pub(super) fn write(
 /// Where the corner of a block is, m.
 type Corners<'a> = dyn Fn(Cell) -> [f64; 3] + 'a;
 
-/// The sides that are seen: the step to the block before one, and its corners around, beginning with the nearest.
-const SEEN: [(Cell, [Cell; 4]); 3] = [
-    ([1, 0, 0], [[1, 1, 1], [1, 0, 1], [1, 0, 0], [1, 1, 0]]),
-    ([0, 1, 0], [[1, 1, 1], [1, 1, 0], [0, 1, 0], [0, 1, 1]]),
-    ([0, 0, 1], [[1, 1, 1], [0, 1, 1], [0, 0, 1], [1, 0, 1]]),
+/// The sides that are seen: the step to the block before one, its corners around, beginning with the nearest, and its light, which
+/// comes from above on the left.
+const SEEN: [(Cell, [Cell; 4], Light); 3] = [
+    ([1, 0, 0], [[1, 1, 1], [1, 0, 1], [1, 0, 0], [1, 1, 0]], Light::Low),
+    ([0, 1, 0], [[1, 1, 1], [1, 1, 0], [0, 1, 0], [0, 1, 1]], Light::Full),
+    ([0, 0, 1], [[1, 1, 1], [0, 1, 1], [0, 0, 1], [1, 0, 1]], Light::Half),
 ];
 
 /// Corners that lie behind each other in the picture have the same.
@@ -90,12 +91,15 @@ fn fits(blocks: &Blocks) -> bool {
     2 * (a * b + b * c + c * a) <= MOST
 }
 
+/// A triangle: how near it is, its corners, its block, its light.
+type Seen = (i32, [Cell; 3], usize, Light);
+
 /// The triangles that are seen, each with the value of its block.
 fn patches(blocks: &Blocks, values: &[f64], corners: &Corners) -> Vec<Patch> {
     // By the sum of their shadows, which no two triangles share: the nearest one.
-    let mut seen: HashMap<[i32; 2], (i32, [Cell; 3], usize)> = HashMap::new();
+    let mut seen: HashMap<[i32; 2], Seen> = HashMap::new();
     for (number, &block) in blocks.cells.iter().enumerate() {
-        for (step, around) in SEEN {
+        for (step, around, light) in SEEN {
             if blocks.number(plus(block, step)).is_some() {
                 continue;
             }
@@ -103,18 +107,18 @@ fn patches(blocks: &Blocks, values: &[f64], corners: &Corners) -> Vec<Patch> {
             for triangle in [[a, b, c], [a, c, d]] {
                 let sum = |k: usize| triangle.iter().map(|node| shadow(*node)[k]).sum::<i32>();
                 let near = triangle.iter().map(|node| nearness(*node)).sum::<i32>();
-                let known = seen.entry([sum(0), sum(1)]).or_insert((near, triangle, number));
+                let known = seen.entry([sum(0), sum(1)]).or_insert((near, triangle, number, light));
                 if near > known.0 {
-                    *known = (near, triangle, number);
+                    *known = (near, triangle, number, light);
                 }
             }
         }
     }
-    let mut all: Vec<(i32, [Cell; 3], usize)> = seen.into_values().collect();
+    let mut all: Vec<Seen> = seen.into_values().collect();
     all.sort_unstable();
-    let patch = |(_, [a, b, c], number): (i32, [Cell; 3], usize)| {
+    let patch = |(_, [a, b, c], number, light): Seen| {
         let [a, b, c] = [a, b, c].map(|node| projected(corners(node)));
-        Patch { corners: [a, b, c, c], value: values[number] }
+        Patch { corners: [a, b, c, c], value: values[number], light }
     };
     all.into_iter().map(patch).collect()
 }
@@ -130,6 +134,9 @@ mod tests {
         let values = blocks.means(&[1.0; 24]);
         let seen = patches(&blocks, &values, &|node| blocks.place(node));
         assert_eq!(seen.len(), 2 * (4 * 3 + 3 * 2 + 2 * 4));
+        // Those in front are 4 × 3, those on the right 3 × 2, those above 2 × 4.
+        let of = |light| seen.iter().filter(|p| p.light == light).count();
+        assert_eq!([Light::Half, Light::Low, Light::Full].map(of), [24, 12, 16]);
         // Their area is that of the hexagon: each side of a cell has 0.25·√3/2 in the picture.
         let area = |p: &Patch| {
             let [a, b, c, _] = p.corners;
