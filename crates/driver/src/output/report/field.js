@@ -65,10 +65,15 @@ function bar(stage, ctx, of, top) {
   ctx.lineWidth = 1;
   ctx.textAlign = 'center';
   ctx.textBaseline = 'middle';
+  let free = -Infinity;
   for (const tick of scale.ticks) {
     const x = left + scale.at(tick) * width;
     line(ctx, [[x, top + 10], [x, top + 14]]);
     ctx.stroke();
+    // Long numbers, of values that are nearly one, would lie on each other.
+    const half = ctx.measureText(scale.text(tick)).width / 2;
+    if (x - half < free) continue;
+    free = x + half + 6;
     ctx.fillText(scale.text(tick), x, top + 22);
   }
   ctx.textAlign = 'right';

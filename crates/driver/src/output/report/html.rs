@@ -2,6 +2,7 @@
 
 use super::block::{Bar, Block, Page, Section};
 use super::element::{escaped, paragraph, set, table, tone};
+use super::figures::Figures;
 use super::{chart, map, picture, solid};
 use std::fmt::Write;
 
@@ -10,62 +11,6 @@ const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
 
 const STYLE: &str = include_str!("page.css");
-/// In the order in which they need each other.
-const SCRIPTS: [&str; 7] = [
-    include_str!("number.js"),
-    include_str!("stage.js"),
-    include_str!("field.js"),
-    include_str!("chart.js"),
-    include_str!("map.js"),
-    include_str!("picture.js"),
-    include_str!("page.js"),
-];
-/// What pages with solids have besides, before the last one.
-const OF_SOLIDS: [&str; 7] = [
-    include_str!("camera.js"),
-    include_str!("mesh.js"),
-    include_str!("gl.js"),
-    include_str!("plain.js"),
-    include_str!("axes.js"),
-    include_str!("turn.js"),
-    include_str!("solid.js"),
-];
-
-/// Bytes that the fields of all maps of a page may take: a page is to stay below a megabyte, with solids below two.
-const MAP_BYTES: usize = 760_000;
-const SOLID_BYTES: usize = 1_700_000;
-
-/// How many figures with fields a page has.
-#[derive(Clone, Copy, Debug, Default)]
-struct Figures {
-    maps: usize,
-    solids: usize,
-}
-
-impl Figures {
-    fn add(&mut self, blocks: &[Block]) {
-        for block in blocks {
-            match block {
-                Block::Map(_) => self.maps += 1,
-                Block::Solid(_) => self.solids += 1,
-                Block::Choice(_, sets) => sets.iter().for_each(|(_, blocks)| self.add(blocks)),
-                _ => {}
-            }
-        }
-    }
-
-    /// Bytes that the fields of each may take.
-    fn bytes(self) -> usize {
-        let all = if self.solids > 0 { SOLID_BYTES } else { MAP_BYTES };
-        all / (self.maps + self.solids).max(1)
-    }
-
-    fn scripts(self) -> String {
-        let (last, first) = SCRIPTS.split_last().map_or(("", &[][..]), |(last, first)| (*last, first));
-        let of_solids = if self.solids > 0 { OF_SOLIDS.concat() } else { String::new() };
-        first.concat() + &of_solids + last
-    }
-}
 
 /// The whole page.
 pub(super) fn page(page: &Page) -> String {

@@ -25,6 +25,7 @@ mod block;
 mod chart;
 mod element;
 mod field;
+mod figures;
 mod html;
 mod json;
 mod map;

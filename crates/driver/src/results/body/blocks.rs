@@ -56,10 +56,9 @@ impl<'a> Blocks<'a> {
             let at = blocks.at(place);
             blocks.numbers[at] = 0;
         }
-        let mut next = 0;
-        for (at, number) in blocks.numbers.iter_mut().enumerate().filter(|(_, number)| **number != NONE) {
+        let taken = blocks.numbers.iter_mut().enumerate().filter(|(_, number)| **number != NONE);
+        for (next, (at, number)) in (0..).zip(taken) {
             *number = next;
-            next += 1;
             let (row, [columns, rows, _]) = (at as i32 / size[0], size);
             blocks.cells.push([at as i32 % columns, row % rows, row / rows]);
         }
