@@ -61,6 +61,8 @@ impl Browser {
             ])
             .args(["--no-first-run", "--disable-background-networking", "--disable-component-update"])
             .args(["--disable-sync", "--disable-dev-shm-usage", "--hide-scrollbars"])
+            // WebGL without a graphics card.
+            .arg("--enable-unsafe-swiftshader")
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
@@ -133,17 +135,26 @@ impl Browser {
         self.call("Emulation.setDeviceMetricsOverride", size);
     }
 
-    /// Opens a file, and waits until it is there and every map that is shown has been drawn.
+    /// Opens a file, and waits until it is there and every map or solid that is shown has been drawn.
     pub(crate) fn open(&mut self, file: &Path) {
         self.events.clear();
         self.call("Page.navigate", json!({ "url": format!("file://{}", file.display()) }));
         self.wait("document.readyState === 'complete' && location.protocol === 'file:'");
-        self.wait("[...document.querySelectorAll('figure[data-kind=map]')].every(f => !f.offsetWidth || f.dataset.ready)");
+        self.wait("[...document.querySelectorAll('figure[data-kind=map], figure[data-kind=solid]')].every(f => !f.offsetWidth || f.dataset.ready)");
     }
 
     /// Moves the pointer to a place of the window.
     pub(crate) fn point(&mut self, x: f64, y: f64) {
         self.call("Input.dispatchMouseEvent", json!({ "type": "mouseMoved", "x": x, "y": y }));
+    }
+
+    /// Lets the pointer, its left button held, go from a place to another one.
+    pub(crate) fn drag(&mut self, from: [f64; 2], to: [f64; 2]) {
+        for (kind, [x, y]) in [("mousePressed", from), ("mouseMoved", to), ("mouseReleased", to)] {
+            let button =
+                json!({ "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1 });
+            self.call("Input.dispatchMouseEvent", button);
+        }
     }
 
     /// What was told since the page was opened by one of these methods.

@@ -23,6 +23,7 @@ mod readme;
 mod report;
 mod results_folder;
 mod schema;
+mod solid_report;
 mod study;
 mod support;
 mod together;

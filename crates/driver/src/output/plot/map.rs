@@ -1,20 +1,12 @@
 //! Maps: bodies in the plane as coloured cells, with a colour bar. The SVG is written by hand: cells of one colour share a
 //! path, so that a map stays small.
 
+use super::patch::{Light, Patch, color};
 use super::scale::{Scale, short};
 use crate::output::{atomic, xml};
 use std::fmt::Write;
 use std::io;
 use std::path::Path;
-
-/// A cell with its value.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Patch {
-    /// Corners, around.
-    pub corners: [[f64; 2]; 4],
-    /// Value; a cell of a value that is no number is grey.
-    pub value: f64,
-}
 
 /// A map.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -47,33 +39,6 @@ const FINE: f64 = 10.0;
 /// Number of colours.
 const LEVELS: usize = 48;
 const FONT: &str = "font-family=\"Helvetica, Arial, sans-serif\" fill=\"#333A44\"";
-
-/// The colour map viridis (van der Walt and Smith 2015) at equal steps: even for the eye, also without colours.
-const VIRIDIS: [[u8; 3]; 11] = [
-    [68, 1, 84],
-    [72, 36, 117],
-    [65, 68, 135],
-    [53, 95, 141],
-    [42, 120, 142],
-    [33, 145, 140],
-    [34, 168, 132],
-    [68, 191, 112],
-    [122, 209, 81],
-    [189, 223, 38],
-    [253, 231, 37],
-];
-
-/// The colour at a part of the range, 0 to 1.
-fn color(part: f64) -> String {
-    let at = part.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
-    let low = (at.floor() as usize).min(VIRIDIS.len() - 2);
-    let share = at - low as f64;
-    let mix = |k: usize| {
-        let [a, b] = [low, low + 1].map(|i| f64::from(VIRIDIS[i][k]));
-        (a + share * (b - a)).round() as u8
-    };
-    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
-}
 
 /// From coordinates to tenths of pixels.
 struct View {
@@ -170,11 +135,14 @@ fn cells(svg: &mut String, map: &Map, view: &View, scale: &Scale) {
         true => LEVELS,
         false => (part(scale, map, value) * LEVELS as f64).clamp(0.0, (LEVELS - 1) as f64) as usize,
     };
-    let mut colored = vec![String::new(); LEVELS + 1];
-    paths(&mut colored, view, map.patches.iter().map(|p| (level(p.value), p.corners)));
-    let fill = |k: usize| match k {
+    // Levels in full light, then those in less.
+    const STEP: usize = LEVELS + 1;
+    let mut colored = vec![String::new(); Light::ALL.len() * STEP];
+    let group = |p: &Patch| p.light as usize * STEP + level(p.value);
+    paths(&mut colored, view, map.patches.iter().map(|p| (group(p), p.corners)));
+    let fill = |k: usize| match k % STEP {
         LEVELS => "#B9BFC7".to_string(),
-        k => color((k as f64 + 0.5) / LEVELS as f64),
+        level => color((level as f64 + 0.5) / LEVELS as f64, Light::ALL[k / STEP]),
     };
     let colors = colored.iter().enumerate().map(|(k, path)| (fill(k), path));
     for (fill, path) in std::iter::once(("#E4E7EB".to_string(), &ghost[0])).chain(colors) {
@@ -234,7 +202,7 @@ fn bar(svg: &mut String, map: &Map, scale: &Scale, y: f64) {
             FINE * y,
             FINE * step + 5.0,
             FINE * 12.0,
-            color((k as f64 + 0.5) / LEVELS as f64)
+            color((k as f64 + 0.5) / LEVELS as f64, Light::Full)
         );
     }
     let [low, high] = bounds(scale, map);
@@ -271,7 +239,7 @@ mod tests {
 
     fn square(i: usize, j: usize, value: f64) -> Patch {
         let at = |a: usize, b: usize| [(i + a) as f64, (j + b) as f64];
-        Patch { corners: [at(0, 0), at(1, 0), at(1, 1), at(0, 1)], value }
+        Patch::flat([at(0, 0), at(1, 0), at(1, 1), at(0, 1)], value)
     }
 
     fn map(size: usize, value: impl Fn(usize, usize) -> f64) -> Map {
@@ -316,7 +284,17 @@ mod tests {
     }
 
     #[test]
-    fn colours_run_from_one_end_of_the_table_to_the_other() {
-        assert_eq!([color(0.0), color(0.5), color(1.0)], ["#440154", "#21918c", "#fde725"]);
+    fn sides_in_less_light_have_darker_paths_of_their_own() {
+        let mut map = map(2, |_, _| 1.0);
+        [Light::Full, Light::Half, Light::Low]
+            .into_iter()
+            .zip(&mut map.patches)
+            .for_each(|(l, p)| p.light = l);
+        let svg = render_map(&map).unwrap();
+        for light in Light::ALL {
+            // One value alone is in the middle of the range.
+            let color = color((LEVELS as f64 / 2.0 + 0.5) / LEVELS as f64, light);
+            assert_eq!(svg.matches(&format!("<path fill=\"{color}\"")).count(), 1, "{color}: {svg}");
+        }
     }
 }

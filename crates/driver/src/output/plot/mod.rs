@@ -4,13 +4,15 @@ mod diagram;
 mod draw;
 mod log_log;
 mod map;
+mod patch;
 mod picture;
 mod scale;
 mod thin;
 
 pub use diagram::{Diagram, Series, Style, render, write};
 pub use log_log::{LogLog, PowerLine, render_log_log, write_log_log};
-pub use map::{Map, Patch, render_map, write_map};
+pub use map::{Map, render_map, write_map};
+pub use patch::{Light, Patch};
 pub use picture::{Label, Look, Picture, Shape, write_picture};
 pub(crate) use scale::short;
 pub(crate) use thin::thin;

@@ -1,7 +1,7 @@
 //! What a page is made of.
 
 use super::table::{Table, Tone};
-use super::{Chart, Map, Picture};
+use super::{Chart, Map, Picture, Solid};
 
 /// A report.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -55,6 +55,8 @@ pub enum Block {
     Chart(Chart),
     /// Coloured cells in the plane.
     Map(Map),
+    /// Coloured cells in space.
+    Solid(Solid),
     /// Lines in the plane.
     Picture(Picture),
     /// Text of a fixed pitch.

@@ -166,3 +166,5 @@ function chart(figure, data) {
   stage.listen(find);
   return draw;
 }
+
+kinds.chart = chart;

@@ -2,7 +2,8 @@
 
 use super::block::{Bar, Block, Page, Section};
 use super::element::{escaped, paragraph, set, table, tone};
-use super::{chart, map, picture};
+use super::figures::Figures;
+use super::{chart, map, picture, solid};
 use std::fmt::Write;
 
 /// What a browser may do with the page: nothing but show it.
@@ -10,18 +11,6 @@ const POLICY: &str =
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
 
 const STYLE: &str = include_str!("page.css");
-/// In the order in which they need each other.
-const SCRIPTS: [&str; 6] = [
-    include_str!("number.js"),
-    include_str!("stage.js"),
-    include_str!("chart.js"),
-    include_str!("map.js"),
-    include_str!("picture.js"),
-    include_str!("page.js"),
-];
-
-/// Bytes that the fields of all maps of a page may take: a page is to stay below a megabyte.
-const MAP_BYTES: usize = 760_000;
 
 /// The whole page.
 pub(super) fn page(page: &Page) -> String {
@@ -44,25 +33,16 @@ pub(super) fn page(page: &Page) -> String {
         "</header>\n<main>\n<noscript><p class=\"notice plain\">Charts and maps need JavaScript; \
          every number is in the tables, and in the files beside this one.</p></noscript>\n",
     );
-    let maps = page.sections.iter().map(|s| maps(&s.blocks)).sum::<usize>().max(1);
-    page.sections.iter().for_each(|s| section(&mut out, s, MAP_BYTES / maps));
+    let mut figures = Figures::default();
+    page.sections.iter().for_each(|s| figures.add(&s.blocks));
+    page.sections.iter().for_each(|s| section(&mut out, s, figures.bytes()));
     let _ = writeln!(out, "</main>\n<footer>{}</footer>", escaped(&page.footer));
-    let _ = writeln!(out, "<script>\n'use strict';\n(() => {{\n{}}})();\n</script>", SCRIPTS.concat());
+    let _ = writeln!(out, "<script>\n'use strict';\n(() => {{\n{}}})();\n</script>", figures.scripts());
     out + "</body>\n</html>\n"
 }
 
-/// Number of maps among blocks.
-fn maps(blocks: &[Block]) -> usize {
-    let of = |block: &Block| match block {
-        Block::Map(_) => 1,
-        Block::Choice(_, sets) => sets.iter().map(|(_, blocks)| maps(blocks)).sum(),
-        _ => 0,
-    };
-    blocks.iter().map(of).sum()
-}
-
-/// A section, in which a map may take some bytes.
-fn section(out: &mut String, section: &Section, map_bytes: usize) {
+/// A section, in which a figure with fields may take some bytes.
+fn section(out: &mut String, section: &Section, field_bytes: usize) {
     let title = escaped(&section.title);
     let [begin, end] = match section.folded {
         true => {
@@ -71,22 +51,22 @@ fn section(out: &mut String, section: &Section, map_bytes: usize) {
         false => [format!("<section>\n<h2>{title}</h2>"), "</section>".into()],
     };
     let _ = writeln!(out, "{begin}");
-    blocks(out, &section.blocks, map_bytes);
+    blocks(out, &section.blocks, field_bytes);
     let _ = writeln!(out, "{end}");
 }
 
 /// Blocks from the top; charts that follow each other stand side by side where there is room.
-fn blocks(out: &mut String, blocks: &[Block], map_bytes: usize) {
+fn blocks(out: &mut String, blocks: &[Block], field_bytes: usize) {
     let is_chart = |block: &Block| matches!(block, Block::Chart(_));
     for group in blocks.chunk_by(|a, b| is_chart(a) && is_chart(b)) {
         let [begin, end] = if group.len() > 1 { ["<div class=\"charts\">\n", "</div>\n"] } else { ["", ""] };
         out.push_str(begin);
-        group.iter().for_each(|b| block(out, b, map_bytes));
+        group.iter().for_each(|b| block(out, b, field_bytes));
         out.push_str(end);
     }
 }
 
-fn block(out: &mut String, block: &Block, map_bytes: usize) {
+fn block(out: &mut String, block: &Block, field_bytes: usize) {
     match block {
         Block::Text(text) => paragraph(out, text),
         Block::Notice(of, text) => {
@@ -105,12 +85,13 @@ fn block(out: &mut String, block: &Block, map_bytes: usize) {
         Block::Table(of) => table(out, of),
         Block::Bars(of) => bars(out, of),
         Block::Chart(of) => chart::render(out, of),
-        Block::Map(of) => map::render(out, of, map_bytes),
+        Block::Map(of) => map::render(out, of, field_bytes),
+        Block::Solid(of) => solid::render(out, of, field_bytes),
         Block::Picture(of) => picture::render(out, of),
         Block::Code(text) => {
             let _ = writeln!(out, "<pre tabindex=\"0\">{}</pre>", lines(text));
         }
-        Block::Choice(name, sets) => choice(out, name, sets, map_bytes),
+        Block::Choice(name, sets) => choice(out, name, sets, field_bytes),
     }
 }
 
@@ -134,7 +115,7 @@ fn bars(out: &mut String, bars: &[Bar]) {
 }
 
 /// Sets of blocks and a list to choose from; the last set is shown first.
-fn choice(out: &mut String, name: &str, sets: &[(String, Vec<Block>)], map_bytes: usize) {
+fn choice(out: &mut String, name: &str, sets: &[(String, Vec<Block>)], field_bytes: usize) {
     if sets.len() > 1 {
         let _ = write!(
             out,
@@ -152,7 +133,7 @@ fn choice(out: &mut String, name: &str, sets: &[(String, Vec<Block>)], map_bytes
     for (k, (_, set)) in sets.iter().enumerate() {
         let hidden = if k + 1 == sets.len() { "" } else { " hidden" };
         let _ = writeln!(out, "<div class=\"set\"{hidden}>");
-        blocks(out, set, map_bytes);
+        blocks(out, set, field_bytes);
         out.push_str("</div>\n");
     }
     out.push_str("</div>\n");
@@ -162,7 +143,8 @@ fn choice(out: &mut String, name: &str, sets: &[(String, Vec<Block>)], map_bytes
 mod tests {
     use super::*;
     use crate::output::report::{
-        Axis, Badge, Chart, Column, Field, Look, Map, Picture, Series, Shape, Table, Tone, View,
+        Axis, Badge, Bricks, Chart, Column, Field, Look, Map, Picture, Series, Shape, Solid, Table, Tone,
+        View,
     };
 
     const HOSTILE: &str =
@@ -181,8 +163,17 @@ mod tests {
         };
         let field = Field { name: text(), unit: text(), values: vec![1.0], range: [1.0; 2] };
         let cells = crate::output::report::Cells::Squares { centres: vec![[0.0; 2]], sides: vec![1.0] };
-        let map =
-            Map { title: text(), note: text(), length: text(), cells, fields: vec![field], ..Map::default() };
+        let map = Map {
+            title: text(),
+            note: text(),
+            length: text(),
+            cells,
+            fields: vec![field.clone()],
+            ..Map::default()
+        };
+        let bricks = Bricks { size: [1; 3], sides: [[1.0; 3]; 2], spans: vec![0, 1], ..Bricks::default() };
+        let (title, note, length) = (text(), text(), text());
+        let solid = Solid { title, note, length, bricks, fields: vec![field], moves: None };
         let shape = Shape { name: text(), points: vec![[0.0; 2]], ..Shape::default() };
         let view = View { name: text(), unit: text(), note: text(), shapes: vec![shape], ..View::default() };
         let picture = Picture { title: text(), description: text(), length: text(), views: vec![view] };
@@ -197,6 +188,7 @@ mod tests {
             Block::Bars(vec![Bar { name: text(), value: 1.0, text: text() }]),
             Block::Chart(chart),
             Block::Map(map),
+            Block::Solid(solid),
             Block::Picture(picture),
             Block::Code(text()),
             Block::Choice(text(), vec![(text(), vec![Block::Text(text())]), (text(), Vec::new())]),
@@ -209,9 +201,9 @@ mod tests {
     #[test]
     fn a_hostile_text_is_text_wherever_it_stands() {
         let html = page(&hostile());
-        // Three figures in two sections, and the script of the page: each begins and ends once.
-        assert_eq!(html.matches("</script>").count(), 7);
-        assert_eq!(html.matches("<script").count(), 7);
+        // Four figures in two sections, and the script of the page: each begins and ends once.
+        assert_eq!(html.matches("</script>").count(), 9);
+        assert_eq!(html.matches("<script").count(), 9);
         assert_eq!(html.matches("<!--").count(), 0);
         assert!(!html.contains("<img") && !html.contains("</title><script>"));
     }

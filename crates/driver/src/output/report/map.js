@@ -1,40 +1,5 @@
 // Maps: cells in the plane, coloured by a field, moved by a multiple of their displacements.
 
-// Viridis (van der Walt and Smith 2015) at equal steps.
-const VIRIDIS = [
-  [68, 1, 84], [72, 36, 117], [65, 68, 135], [53, 95, 141], [42, 120, 142], [33, 145, 140], [34, 168, 132],
-  [68, 191, 112], [122, 209, 81], [189, 223, 38], [253, 231, 37],
-];
-const LEVELS = 96;
-
-function viridis(part) {
-  const at = clamp(part, 0, 1) * (VIRIDIS.length - 1);
-  const low = Math.min(Math.floor(at), VIRIDIS.length - 2);
-  const mixed = VIRIDIS[low].map((v, k) => Math.round(v + (at - low) * (VIRIDIS[low + 1][k] - v)));
-  return `rgb(${mixed.join(' ')})`;
-}
-
-// Values of cells from what `pack.rs` made of them.
-async function unpack(packed, before) {
-  const deflated = Uint8Array.from(atob(packed.data), (c) => c.charCodeAt(0));
-  const stream = new Blob([deflated]).stream().pipeThrough(new DecompressionStream('deflate'));
-  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  const count = bytes.length / 2;
-  const steps = new Uint16Array(count);
-  const values = new Float64Array(count);
-  for (let k = 0; k < count; k++) {
-    const folded = bytes[k] | (bytes[count + k] << 8);
-    const [left, below, corner] = [before[3 * k], before[3 * k + 1], before[3 * k + 2]];
-    let foretold = 0;
-    if (left >= 0 && below >= 0 && corner >= 0) foretold = steps[left] + steps[below] - steps[corner];
-    else if (left >= 0) foretold = steps[left];
-    else if (below >= 0) foretold = steps[below];
-    steps[k] = foretold + ((folded >> 1) ^ -(folded & 1));
-    values[k] = packed.low + packed.step * steps[k];
-  }
-  return values;
-}
-
 // Corners of a cell, around from the lower left.
 const AROUND = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
@@ -120,19 +85,14 @@ function map(figure, data) {
   const cells = data.cells.runs ? inRows(data.cells) : inList(data.cells);
   const choice = figure.querySelector('.field');
   const slider = figure.querySelector('.scale');
-  const [BAR, WIDE] = [58, 420];
   const known = [];
   const values = (k) => (known[k] ??= unpack(data.fields[k].packed, cells.before));
   let moved = null, shown = null, seen = null, corners = cells.corners;
 
   // Cells by the level of their colour.
   function levels(of) {
-    const [low, high] = of.range;
     const sorted = Array.from({ length: LEVELS }, () => []);
-    shown.forEach((value, k) => {
-      const part = high > low ? (value - low) / (high - low) : 0.5;
-      sorted[clamp(Math.floor(part * LEVELS), 0, LEVELS - 1)].push(k);
-    });
+    shown.forEach((value, k) => sorted[level(of, value)].push(k));
     return sorted;
   }
 
@@ -153,33 +113,6 @@ function map(figure, data) {
     ctx.stroke();
   }
 
-  function bar(ctx, of, top) {
-    const width = clamp(stage.width - 180, 120, WIDE);
-    const left = (stage.width - width) / 2;
-    for (let k = 0; k < LEVELS; k++) {
-      ctx.fillStyle = viridis((k + 0.5) / LEVELS);
-      ctx.fillRect(left + (k * width) / LEVELS, top, width / LEVELS + 0.5, 10);
-    }
-    const scale = linear(of.range[0], of.range[1], clamp(width / 80, 3, 6));
-    ctx.strokeStyle = color('faint');
-    ctx.fillStyle = color('ink');
-    ctx.lineWidth = 1;
-    ctx.textAlign = 'center';
-    ctx.textBaseline = 'middle';
-    for (const tick of scale.ticks) {
-      const x = left + scale.at(tick) * width;
-      line(ctx, [[x, top + 10], [x, top + 14]]);
-      ctx.stroke();
-      ctx.fillText(scale.text(tick), x, top + 22);
-    }
-    ctx.textAlign = 'right';
-    ctx.fillText(number(of.range[0], 4), left - 8, top + 5);
-    ctx.textAlign = 'left';
-    ctx.fillText(number(of.range[1], 4), left + width + 8, top + 5);
-    ctx.textAlign = 'center';
-    ctx.fillText([of.name, of.unit && `[${of.unit}]`, scale.factor].filter(Boolean).join(' '), stage.width / 2, top + 40);
-  }
-
   function draw() {
     if (!shown) return;
     const factor = slider ? Number(slider.value) * data.moves.factor : 0;
@@ -194,7 +127,7 @@ function map(figure, data) {
     corners = factor ? cells.corners.map((at, k) => at + factor * moved[k]) : cells.corners;
     if (factor) fill(ctx, cells.corners, Array.from({ length: cells.count }, (_, k) => k), color('soft'));
     const of = data.fields[choice.value];
-    levels(of).forEach((list, level) => fill(ctx, corners, list, viridis((level + 0.5) / LEVELS)));
+    levels(of).forEach((list, k) => fill(ctx, corners, list, css(tint(k))));
     if (!factor) {
       for (const points of data.lines) {
         for (const [style, width] of [['#fff', 2.6], ['#333a44', 1.2]]) {
@@ -204,7 +137,7 @@ function map(figure, data) {
         }
       }
     }
-    bar(ctx, of, seen.height + 14);
+    bar(stage, ctx, of, seen.height + 14);
     figure.dataset.ready = choice.value;
   }
 
@@ -222,7 +155,7 @@ function map(figure, data) {
     if (Math.sqrt(least) > Math.max(4, 0.6 * size * seen.scale)) return null;
     const of = data.fields[choice.value];
     const place = ['x', 'y'].map((name, c) => `${name} ${measured(middle(cells.corners, best, c), data.length)}`);
-    return { x: px, y: py, lines: [place.join(', '), `${of.name} ${measured(shown[best], of.unit)}`] };
+    return { x: px, y: py, lines: [place.join(', '), worded(of, shown[best])] };
   }
 
   async function choose() {
@@ -240,3 +173,5 @@ function map(figure, data) {
   choose();
   return draw;
 }
+
+kinds.map = map;

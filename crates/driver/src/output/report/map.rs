@@ -1,10 +1,10 @@
 //! Maps: cells in the plane, coloured by one of several fields, which can be moved by a multiple of two of them.
 
+use super::element;
+use super::field::{self, Field, Moves};
 use super::json::{all, inline, rounded};
-use super::pack::{Order, pack};
-use super::{element, number};
+use super::pack::Order;
 use serde_json::{Value, json};
-use std::fmt::Write;
 
 /// A map.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Map {
     /// What they hold; the first one is shown first.
     pub fields: Vec<Field>,
     /// How they move.
-    pub moves: Option<Moves>,
+    pub moves: Option<Moves<2>>,
     /// Lines over the cells where they have not moved, such as cracks.
     pub lines: Vec<Vec<[f64; 2]>>,
 }
@@ -86,28 +86,6 @@ impl Cells {
     }
 }
 
-/// Values of cells.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Field {
-    /// Name.
-    pub name: String,
-    /// Unit; empty for none.
-    pub unit: String,
-    /// A value per cell; finite.
-    pub values: Vec<f64>,
-    /// Smallest and largest value, at the ends of the colour bar; those of cells that are means may be less far apart.
-    pub range: [f64; 2],
-}
-
-/// How cells move.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Moves {
-    /// Numbers of the fields that are displacements to the right and upwards.
-    pub fields: [usize; 2],
-    /// Factor on them at first; readers may choose from none to twice as much.
-    pub factor: f64,
-}
-
 /// The map as a figure, the fields of which take no more than some bytes, at the price of digits.
 ///
 /// # Panics
@@ -120,45 +98,20 @@ pub(super) fn render(out: &mut String, map: &Map, most_bytes: usize) {
     }
     assert!(map.fields.iter().all(|f| f.values.len() == cells), "a field has a value per cell");
     let moves = map.moves.map(|m| json!({ "fields": m.fields, "factor": rounded(m.factor) }));
+    let fields = field::packed(&map.fields, &map.cells.order(), most_bytes);
     let data = json!({
-        "length": map.length, "cells": map.cells.json(), "fields": fields(map, most_bytes), "moves": moves, "lines": map.lines,
+        "length": map.length, "cells": map.cells.json(), "fields": fields, "moves": moves, "lines": map.lines,
     });
-    element::figure(out, "map", (&map.title, &map.note), &described(map), &inline(&data), &|out| {
-        out.push_str("<div class=\"controls\"><label>Field <select class=\"field\">");
-        map.fields.iter().enumerate().for_each(|(k, f)| {
-            let _ = write!(out, "<option value=\"{k}\">{}</option>", element::escaped(&f.name));
-        });
-        out.push_str("</select></label>");
+    let described = field::described(&map.title, &map.fields);
+    element::figure(out, "map", (&map.title, &map.note), &described, &inline(&data), &|out| {
+        out.push_str("<div class=\"controls\">");
+        field::choice(out, &map.fields);
         if map.moves.is_some() {
             element::slider(out);
         }
         out.push_str("</div>\n");
     });
     out.push_str("</figure>\n");
-}
-
-/// All fields, as finely as their bytes allow.
-fn fields(map: &Map, most_bytes: usize) -> Value {
-    let order = map.cells.order();
-    let packed = |bits: u32| -> (usize, Value) {
-        let all: Vec<Value> = map.fields.iter().map(|f| pack(&f.values, &order, bits)).collect();
-        let bytes = all.iter().map(|p| p["data"].as_str().map_or(0, str::len)).sum();
-        let named =
-            map.fields.iter().zip(all).map(
-                |(f, packed)| json!({ "name": f.name, "unit": f.unit, "range": f.range, "packed": packed }),
-            );
-        (bytes, named.collect())
-    };
-    let fits = [16, 13, 10].into_iter().map(packed).find(|(bytes, _)| *bytes <= most_bytes);
-    fits.unwrap_or_else(|| packed(8)).1
-}
-
-/// The map in words.
-fn described(map: &Map) -> String {
-    let range =
-        |f: &Field| format!("{} from {} to {} {}", f.name, number(f.range[0]), number(f.range[1]), f.unit);
-    let ranges: Vec<String> = map.fields.iter().map(|f| range(f).trim_end().to_string()).collect();
-    element::titled(&map.title, &ranges.join(", "))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
-//! Reports: one HTML file that shows tables, charts, maps and pictures, without any other file and without a network.
+//! Reports: one HTML file that shows tables, charts, maps, solids and pictures, without any other file and without a network.
 //!
 //! A [`Page`] is a title and [`Section`]s of [`Block`]s; it knows no physics. Texts and tables are in the HTML itself;
-//! charts, maps and pictures carry their numbers as JSON and are drawn on canvases by the scripts beside this file. All
+//! charts, maps, solids and pictures carry their numbers as JSON and are drawn on canvases by the scripts beside this file. All
 //! texts are escaped, so that names of users may hold anything.
 //!
 //! ```
@@ -24,19 +24,24 @@
 mod block;
 mod chart;
 mod element;
+mod field;
+mod figures;
 mod html;
 mod json;
 mod map;
 mod number;
 mod pack;
 mod picture;
+mod solid;
 mod table;
 
 pub use block::{Badge, Bar, Block, Page, Section};
 pub use chart::{Axis, Chart, Look, Series, Slope};
-pub use map::{Cells, Field, Map, Moves};
+pub use field::{Field, Moves};
+pub use map::{Cells, Map};
 pub use number::{number, typeset};
 pub use picture::{Part, Picture, Shape, View};
+pub use solid::{Bricks, Solid};
 pub use table::{Cell, Column, Table, Tone};
 
 use super::atomic;

@@ -45,7 +45,7 @@ impl Order {
     }
 
     /// What a cell is likely to be: on the plane through its neighbours, else as one of them.
-    fn foretold(&self, steps: &[u16], cell: usize) -> u16 {
+    pub(super) fn foretold(&self, steps: &[u16], cell: usize) -> u16 {
         let at = |k: Option<u32>| k.map(|k| steps[k as usize]);
         match self.before[cell].map(at) {
             [Some(left), Some(below), Some(corner)] => left.wrapping_add(below).wrapping_sub(corner),

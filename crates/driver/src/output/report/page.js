@@ -1,6 +1,5 @@
 // The page: its figures, what readers choose, light and dark, and printing.
 
-const kinds = { chart, map, picture };
 const drawings = [];
 for (const figure of document.querySelectorAll('figure')) {
   const data = JSON.parse(figure.querySelector('script').textContent);

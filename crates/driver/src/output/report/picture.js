@@ -113,3 +113,5 @@ function picture(figure, data) {
   stage.listen(find);
   return draw;
 }
+
+kinds.picture = picture;

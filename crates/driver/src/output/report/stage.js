@@ -1,5 +1,8 @@
 // What all figures have: a canvas that follows its width and the colours of the page, and words beside the pointer.
 
+// What draws a figure, by its kind.
+const kinds = {};
+
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 
 // A colour of the page by its name in the style sheet.
@@ -17,7 +20,7 @@ class Stage {
   begin(height) {
     const width = this.canvas.parentElement.clientWidth;
     if (!width) return null;
-    const fine = Math.max(1, window.devicePixelRatio || 1);
+    const fine = (this.fine = Math.max(1, window.devicePixelRatio || 1));
     [this.width, this.height] = [width, Math.round(height(width))];
     this.canvas.width = Math.round(width * fine);
     this.canvas.height = Math.round(this.height * fine);
@@ -32,22 +35,23 @@ class Stage {
   listen(find) {
     const show = (event) => {
       const box = this.canvas.getBoundingClientRect();
-      const found = find(event.clientX - box.left, event.clientY - box.top);
-      this.tip.hidden = !found;
-      if (!found) return;
-      const lines = found.lines.map((line) => Object.assign(document.createElement('div'), { textContent: line }));
-      this.tip.replaceChildren(...lines);
-      const { offsetWidth: w, offsetHeight: h } = this.tip;
-      const beside = found.x + 14 + w > this.width ? found.x - 14 - w : found.x + 14;
-      this.tip.style.left = `${clamp(beside, 0, Math.max(0, this.width - w))}px`;
-      this.tip.style.top = `${clamp(found.y - h - 8, 0, Math.max(0, this.height - h))}px`;
+      this.tell(find(event.clientX - box.left, event.clientY - box.top));
     };
     this.canvas.addEventListener('pointermove', show);
     this.canvas.addEventListener('pointerdown', show);
-    this.canvas.addEventListener('pointerleave', () => {
-      this.tip.hidden = true;
-      find(null, null);
-    });
+    this.canvas.addEventListener('pointerleave', () => this.tell(find(null, null)));
+  }
+
+  // Shows words beside a place; nothing if there are none.
+  tell(found) {
+    this.tip.hidden = !found;
+    if (!found) return;
+    const lines = found.lines.map((line) => Object.assign(document.createElement('div'), { textContent: line }));
+    this.tip.replaceChildren(...lines);
+    const { offsetWidth: w, offsetHeight: h } = this.tip;
+    const beside = found.x + 14 + w > this.width ? found.x - 14 - w : found.x + 14;
+    this.tip.style.left = `${clamp(beside, 0, Math.max(0, this.width - w))}px`;
+    this.tip.style.top = `${clamp(found.y - h - 8, 0, Math.max(0, this.height - h))}px`;
   }
 }
 

@@ -1,10 +1,13 @@
-//! The files of a body in the plane: its tables, grids, lines and maps.
+//! The files of a body: its tables, grids, lines, maps and pictures.
 
+mod blocks;
 mod cells;
 mod lines;
 mod plots;
 mod raster;
 mod report;
+mod slices;
+mod solid;
 mod surface;
 
 use super::envelope::Envelope;
@@ -85,7 +88,10 @@ pub(super) fn draw(folder: Option<&Path>, scene: &BodyScene, result: &BodyResult
     if let Some(folder) = folder {
         plots::write(folder, scene, result)?;
     }
-    let mut blocks = vec![Block::Map(report::map(scene, result))];
+    let mut blocks = vec![match scene.body() {
+        PointBody::Solid(lattice) => Block::Solid(solid::solid((scene, lattice), result)),
+        _ => Block::Map(report::map(scene, result)),
+    }];
     if result.recovered.is_some() {
         for (file, diagram) in lines::diagrams(scene, result, &plots::title(scene, result)) {
             if let Some(folder) = folder {
@@ -140,6 +146,12 @@ fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<(
         components: 1,
         values,
     }));
+    // Means and integrals over a solid weigh its points by it.
+    let volumes: Option<Vec<f64>> = match scene.body() {
+        PointBody::Solid(lattice) => Some((0..lattice.points()).map(|p| lattice.volume(p)).collect()),
+        _ => None,
+    };
+    data.extend(volumes.iter().map(|values| DataArray { name: "volume", components: 1, values }));
     let all = [
         Cells { cell_type: CellType::Quad, connectivity: &cells.quads },
         Cells { cell_type: CellType::Hexahedron, connectivity: &cells.hexahedra },

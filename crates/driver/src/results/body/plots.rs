@@ -40,7 +40,7 @@ pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io
             note,
             label: label.into(),
             range,
-            patches: patches.map(|(corners, value)| Patch { corners, value }).collect(),
+            patches: patches.map(|(corners, value)| Patch::flat(corners, value)).collect(),
             lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
             ..Map::default()
         };
@@ -91,7 +91,7 @@ fn displacement(scene: &BodyScene, result: &BodyResult, raster: &Raster, title: 
         note: format!("deformed shape, displacements times {factor}; {note}"),
         label: scene.units.label("displacement", scene.units.length()),
         range,
-        patches: patches.map(|(corners, value)| Patch { corners, value }).collect(),
+        patches: patches.map(|(corners, value)| Patch::flat(corners, value)).collect(),
         ghost: raster.corners().collect(),
         lines: Vec::new(),
     }

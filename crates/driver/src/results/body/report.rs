@@ -17,30 +17,45 @@ const LIMITS: Limits = Limits { blocks: 120_000, along: 1500 };
 /// The map of a state.
 pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
     let raster = Raster::within(scene, LIMITS);
-    let field = |name: &str, unit: &str, values: &[f64]| {
-        let range = scan::extremes(values).map_or([0.0; 2], |ends| ends.map(|point| values[point]));
-        Field { name: name.into(), unit: unit.into(), values: raster.means(values), range }
-    };
-    let named =
-        |f: FieldName| Some(field(f.name(), f.about().unit.label(scene.units), &result.values(scene, f)?));
-    let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
-    let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
-    let size = field("displacement", scene.units.length(), &size);
-    let factor = magnification(size_of(scene), size.range[1]);
-    let mut fields: Vec<Field> = ordered(scene, result).into_iter().filter_map(named).collect();
-    // What a reader sees first stays first.
-    fields.insert(usize::from(!fields.is_empty()), size);
-    let number = |f: FieldName| fields.iter().position(|own| own.name == f.name());
-    let moves = number(FieldName::Ux).zip(number(FieldName::Uy));
+    let (fields, moves) =
+        fields(scene, result, [FieldName::Ux, FieldName::Uy], &|values| raster.means(values));
     Map {
         title: String::new(),
         note: note(scene, &raster),
         length: scene.units.length().into(),
         cells: cells(scene, &raster),
-        moves: moves.map(|(x, y)| Moves { fields: [x, y], factor }),
         fields,
+        moves,
         lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
     }
+}
+
+/// All fields of a state, as means over the cells that are drawn, and how these move along some axes.
+pub(super) fn fields<const AXES: usize>(
+    scene: &BodyScene,
+    result: &BodyResult,
+    axes: [FieldName; AXES],
+    means: &dyn Fn(&[f64]) -> Vec<f64>,
+) -> (Vec<Field>, Option<Moves<AXES>>) {
+    let field = |name: &str, unit: &str, values: &[f64]| {
+        let range = scan::extremes(values).map_or([0.0; 2], |ends| ends.map(|point| values[point]));
+        Field { name: name.into(), unit: unit.into(), values: means(values), range }
+    };
+    let named =
+        |f: FieldName| Some(field(f.name(), f.about().unit.label(scene.units), &result.values(scene, f)?));
+    let u = axes.map(|f| result.values(scene, f).unwrap_or_default());
+    let points = u.iter().map(|u| u.len()).min().unwrap_or(0);
+    let size: Vec<f64> =
+        (0..points).map(|p| u.iter().map(|u| u[p]).fold(0.0, |sum: f64, u| sum.hypot(u))).collect();
+    let size = field("displacement", scene.units.length(), &size);
+    let factor = magnification(size_of(scene), size.range[1]);
+    let mut fields: Vec<Field> = ordered(scene, result).into_iter().filter_map(named).collect();
+    // What a reader sees first stays first.
+    fields.insert(usize::from(!fields.is_empty()), size);
+    let numbers = axes.map(|f| fields.iter().position(|own| own.name == f.name()));
+    let moves = numbers.iter().all(Option::is_some);
+    let moves = moves.then(|| Moves { fields: numbers.map(Option::unwrap_or_default), factor });
+    (fields, moves)
 }
 
 /// The fields of a state, first what tells most: damage where bonds break, the deflection of a shell, else von Mises stress.
@@ -67,9 +82,6 @@ fn note(scene: &BodyScene, raster: &Raster) -> String {
     }
     let ends = "the colour bar ends at the extremes of all points.";
     match (scene.body(), &raster.grid) {
-        (PointBody::Solid(_), _) => {
-            told.push(format!("Every cell is the mean of all points behind it along z; {ends}"));
-        }
         (PointBody::Lattice(_), _) if raster.step > 1 => {
             told.push(format!("Every cell is the mean of {0} × {0} points; {ends}", raster.step));
         }

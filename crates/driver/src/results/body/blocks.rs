@@ -1,0 +1,167 @@
+//! The cells of a solid as a limited number of blocks, for pictures: of a large body a block is several cells.
+
+use peristat_assembly::body::{Cell, SquareLattice, plus};
+
+/// Places of the box around a body, at most, whether there is a block or not.
+const MOST_PLACES: usize = 4_000_000;
+/// Of a place without a block.
+const NONE: u32 = u32::MAX;
+
+/// Blocks of cells, numbered row by row along x, layer by layer along z.
+pub(super) struct Blocks<'a> {
+    lattice: &'a SquareLattice,
+    /// Cells along a side.
+    pub(super) step: i32,
+    /// Number of blocks along the axes.
+    pub(super) size: [i32; 3],
+    /// Number of the block of every place of the box.
+    numbers: Vec<u32>,
+    /// Place of every block.
+    pub(super) cells: Vec<Cell>,
+    /// Block of every point.
+    of: Vec<u32>,
+    counts: Vec<f64>,
+}
+
+impl<'a> Blocks<'a> {
+    /// The smallest blocks of which `fits` says that they are few enough.
+    pub(super) fn new(lattice: &'a SquareLattice, fits: impl Fn(&Self) -> bool) -> Self {
+        let sides = sides(lattice);
+        let has_room =
+            |step: &usize| sides.iter().map(|s| s.div_ceil(*step)).product::<usize>() <= MOST_PLACES;
+        let mut step = (1..).find(has_room).unwrap_or(1) as i32;
+        loop {
+            let blocks = Self::of_step(lattice, step);
+            // A single block cannot be fewer.
+            if fits(&blocks) || blocks.cells.len() < 2 {
+                return blocks;
+            }
+            step += 1;
+        }
+    }
+
+    fn of_step(lattice: &'a SquareLattice, step: i32) -> Self {
+        let size = sides(lattice).map(|s| s.div_ceil(step as usize) as i32);
+        let first = [lattice.columns().start, lattice.rows().start, lattice.layers().start];
+        let numbers = vec![NONE; size.iter().map(|&s| s as usize).product()];
+        let (cells, of) = (Vec::new(), Vec::with_capacity(lattice.points()));
+        let mut blocks = Self { lattice, step, size, numbers, cells, of, counts: Vec::new() };
+        let places = lattice.runs().iter().flat_map(|run| {
+            run.columns.clone().map(move |column| {
+                let cell = run.cell(column);
+                [0, 1, 2].map(|k| (cell[k] - first[k]) / step)
+            })
+        });
+        for place in places.clone() {
+            let at = blocks.at(place);
+            blocks.numbers[at] = 0;
+        }
+        let taken = blocks.numbers.iter_mut().enumerate().filter(|(_, number)| **number != NONE);
+        for (next, (at, number)) in (0..).zip(taken) {
+            *number = next;
+            let (row, [columns, rows, _]) = (at as i32 / size[0], size);
+            blocks.cells.push([at as i32 % columns, row % rows, row / rows]);
+        }
+        blocks.counts = vec![0.0; blocks.cells.len()];
+        for place in places {
+            let number = blocks.numbers[blocks.at(place)];
+            blocks.of.push(number);
+            blocks.counts[number as usize] += 1.0;
+        }
+        blocks
+    }
+
+    /// Where a place of the box stands in their order.
+    fn at(&self, [i, j, k]: Cell) -> usize {
+        ((k * self.size[1] + j) * self.size[0] + i) as usize
+    }
+
+    /// The block at a place, if there is one.
+    pub(super) fn number(&self, place: Cell) -> Option<usize> {
+        let is_in = (0..3).all(|k| (0..self.size[k]).contains(&place[k]));
+        let number = if is_in { self.numbers[self.at(place)] } else { NONE };
+        (number != NONE).then_some(number as usize)
+    }
+
+    /// The mean of values of points in every block.
+    pub(super) fn means(&self, values: &[f64]) -> Vec<f64> {
+        let mut means = vec![0.0; self.counts.len()];
+        self.of.iter().zip(values).for_each(|(&b, v)| means[b as usize] += v / self.counts[b as usize]);
+        means
+    }
+
+    /// Where the corner before a block is, m; blocks at the end may be cut off.
+    pub(super) fn place(&self, node: Cell) -> [f64; 3] {
+        let lattice = self.lattice;
+        let ranges = [lattice.columns(), lattice.rows(), lattice.layers()];
+        let corner = lattice.corner();
+        [0, 1, 2].map(|k| {
+            let line = (ranges[k].start + node[k] * self.step).min(ranges[k].end);
+            corner[k] + f64::from(line) * lattice.spacing()
+        })
+    }
+
+    /// Corners that move with the blocks around them, by some multiple.
+    pub(super) fn moved(&self, u: [&[f64]; 3], factor: f64) -> impl Fn(Cell) -> [f64; 3] + use<'_, 'a> {
+        let means = u.map(|values| self.means(values));
+        move |node| {
+            let around = (0..8).filter_map(|corner| {
+                let step = [0, 1, 2].map(|k| -(corner >> k & 1));
+                self.number(plus(node, step))
+            });
+            let own: Vec<usize> = around.collect();
+            let at = self.place(node);
+            let mean = |k: usize| own.iter().map(|&b| means[k][b]).sum::<f64>() / own.len().max(1) as f64;
+            [0, 1, 2].map(|k| at[k] + factor * mean(k))
+        }
+    }
+
+    /// Numbers of places in their order: without a block, with one, without one, and so on.
+    pub(super) fn spans(&self) -> Vec<usize> {
+        let mut spans = vec![0];
+        for number in &self.numbers {
+            // Those with a block stand second.
+            let is_there = *number != NONE;
+            if is_there == (spans.len() % 2 == 1) {
+                spans.push(0);
+            }
+            if let Some(last) = spans.last_mut() {
+                *last += 1;
+            }
+        }
+        spans
+    }
+}
+
+/// Cells along the axes of the box.
+fn sides(lattice: &SquareLattice) -> [usize; 3] {
+    [lattice.columns().len(), lattice.rows().len(), lattice.layers().len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_are_numbered_along_rows_and_know_their_places_and_points() {
+        // 5 × 3 × 2 cells, one corner of which is missing, in blocks of 2 × 2 × 2.
+        let lattice =
+            SquareLattice::new(0.5, [1.0, 0.0, 0.0], [0..5, 0..3, 0..2], |cell| cell[0] < 4 || cell[1] < 2);
+        let blocks = Blocks::new(&lattice, |blocks| blocks.step == 2);
+        assert_eq!((blocks.size, blocks.cells.len()), ([3, 2, 1], 5));
+        assert_eq!(blocks.cells[2..4], [[2, 0, 0], [0, 1, 0]]);
+        assert_eq!((blocks.number([2, 0, 0]), blocks.number([2, 1, 0])), (Some(2), None));
+        assert_eq!(blocks.spans(), [0, 5, 1]);
+        // The block at the end has half the cells, and is half as long.
+        assert_eq!((blocks.counts[2], blocks.place([3, 2, 1])), (4.0, [3.5, 1.5, 1.0]));
+        let x: Vec<f64> = (0..lattice.points()).map(|p| lattice.position(p)[0]).collect();
+        assert_eq!(blocks.means(&x), [1.5, 2.5, 3.25, 1.5, 2.5]);
+    }
+
+    #[test]
+    fn blocks_are_as_small_as_they_may_be() {
+        let lattice = SquareLattice::cuboid(1.0, [0.0; 3], [10, 10, 10]);
+        let step = |most: usize| Blocks::new(&lattice, |blocks| blocks.cells.len() <= most).step;
+        assert_eq!([1000, 999, 125, 124, 0].map(step), [1, 2, 2, 3, 10]);
+    }
+}
