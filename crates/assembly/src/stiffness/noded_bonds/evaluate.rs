@@ -3,13 +3,15 @@
 use super::NodedBonds;
 use super::number::Number;
 use super::stretches::{Stretch, Walk};
-use std::array::from_fn;
 
 /// Elements that are evaluated at once.
 const TILE: usize = 64;
 
 /// A number of each of them.
 type Tile<T> = [T; TILE];
+
+/// What one end of the bonds of a stretch hangs on, and the shares of nodes.
+type Hung<'a, T> = (&'a [Walk], &'a [T]);
 
 /// Adds `share` times the entries of a walk, `from` its k-th on.
 #[inline(always)]
@@ -85,25 +87,27 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
         }
     }
 
-    /// Adds to the planes of the points the forces of all bonds; `stress` makes of the values at the ends of some bonds of a kind,
-    /// `[end][component]`, what is conjugate to their measures.
+    /// Adds to the planes of the points the forces of all bonds. `stress` makes what is conjugate to the measures of some bonds of a
+    /// kind of the sums of the values at their ends, times these signs.
     pub(super) fn add_all<const Q: usize>(
         &self,
-        u: &[T],
+        (u, signs): (&[T], [f64; 2]),
         force: &mut [T],
-        stress: impl Fn(usize, usize, &[[Tile<T>; Q]; 2]) -> [Tile<T>; M],
+        stress: impl Fn(usize, usize, &[Tile<T>; Q], &mut [Tile<T>; M]),
     ) {
         let nodes = self.of_nodes::<Q>(u);
         let mut on_nodes = vec![T::default(); D * self.node_count];
         pulp::Arch::new().dispatch(
             #[inline(always)]
             || {
+                let (mut sums, mut sigma) = ([[T::default(); TILE]; Q], [[T::default(); TILE]; M]);
                 for stretch in self.bonds.all() {
-                    let kind = stretch.kind as usize;
+                    let hung = self.hung(stretch);
                     for (from, len) in tiles(stretch) {
-                        let ends = self.ends::<Q>(stretch, [u, &nodes], from, len);
-                        let sigma = stress(kind, len, &ends);
-                        self.pull(stretch, &sigma, [force, &mut on_nodes], from, len);
+                        self.sum(&hung, ([u, &nodes], signs.map(T::of)), &mut sums, from, len);
+                        stress(stretch.kind as usize, len, &sums, &mut sigma);
+                        let rows = &self.rows[stretch.kind as usize].0;
+                        self.pull(&hung, (rows, &sigma), [force, &mut on_nodes], from, len);
                     }
                 }
                 self.add_from_nodes(&on_nodes, force);
@@ -111,65 +115,64 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
         );
     }
 
-    /// Values at both ends of some bonds of a stretch.
+    /// Sums of the values at the ends of some bonds of a stretch.
     #[inline(always)]
-    fn ends<const Q: usize>(
+    fn sum<const Q: usize>(
         &self,
-        stretch: &Stretch,
-        [u, nodes]: [&[T]; 2],
+        hung: &[Hung<'_, T>; 2],
+        ([u, nodes], signs): ([&[T]; 2], [T; 2]),
+        sums: &mut [Tile<T>; Q],
         from: usize,
         len: usize,
-    ) -> [[Tile<T>; Q]; 2] {
-        let mut ends = [[[T::default(); TILE]; Q]; 2];
-        for (end, (walks, shares)) in ends.iter_mut().zip(self.hung(stretch)) {
-            for (c, sum) in end.iter_mut().enumerate() {
-                let sum = &mut sum[..len];
+    ) {
+        for (c, sum) in sums.iter_mut().enumerate() {
+            let sum = &mut sum[..len];
+            sum.fill(T::default());
+            for ((walks, shares), sign) in hung.iter().zip(signs) {
                 if shares.is_empty() {
-                    add_entries(sum, T::of(1.0), &u[c * self.points..][..self.points], &walks[0], from);
+                    add_entries(sum, sign, &u[c * self.points..][..self.points], &walks[0], from);
                 }
-                for (walk, share) in walks.iter().zip(shares) {
+                for (walk, share) in walks.iter().zip(*shares) {
                     let plane = &nodes[c * self.node_count..][..self.node_count];
-                    add_entries(sum, *share, plane, walk, from);
+                    add_entries(sum, sign * *share, plane, walk, from);
                 }
             }
         }
-        ends
     }
 
     /// Adds what some bonds of a stretch pull to the planes of points and of nodes.
     #[inline(always)]
     fn pull(
         &self,
-        stretch: &Stretch,
-        sigma: &[Tile<T>; M],
+        hung: &[Hung<'_, T>; 2],
+        (rows, sigma): (&[[T; D]; M], &[Tile<T>; M]),
         [force, on_nodes]: [&mut [T]; 2],
         from: usize,
         len: usize,
     ) {
-        let rows = &self.rows[stretch.kind as usize].0;
+        let mut action: Tile<T> = [T::default(); TILE];
+        let action = &mut action[..len];
         for c in 0..D {
-            let mut action: Tile<T> = [T::default(); TILE];
-            for m in 0..M {
-                for k in 0..len {
-                    action[k] += rows[m][c] * sigma[m][k];
-                }
+            action.fill(T::default());
+            for (row, sigma) in rows.iter().zip(sigma) {
+                action.iter_mut().zip(sigma).for_each(|(action, sigma)| *action += row[c] * *sigma);
             }
-            for ((walks, shares), sign) in self.hung(stretch).into_iter().zip([-1.0, 1.0]) {
-                let action = &action[..len];
+            for ((walks, shares), sign) in hung.iter().zip([-1.0, 1.0].map(T::of)) {
                 if shares.is_empty() {
                     let plane = &mut force[c * self.points..][..self.points];
-                    add_to_entries(plane, T::of(sign), action, &walks[0], from);
+                    add_to_entries(plane, sign, action, &walks[0], from);
                 }
-                for (walk, share) in walks.iter().zip(shares) {
+                for (walk, share) in walks.iter().zip(*shares) {
                     let plane = &mut on_nodes[c * self.node_count..][..self.node_count];
-                    add_to_entries(plane, T::of(sign) * *share, action, walk, from);
+                    add_to_entries(plane, sign * *share, action, walk, from);
                 }
             }
         }
     }
 
     /// What the ends of the bonds of a stretch hang on, with shares where these are nodes.
-    pub(super) fn hung(&self, stretch: &Stretch) -> [(&[Walk], &[T]); 2] {
+    #[inline(always)]
+    pub(super) fn hung(&self, stretch: &Stretch) -> [Hung<'_, T>; 2] {
         let shares = &self.shares[stretch.kind as usize];
         let [first, second] = shares.each_ref().map(|shares| shares.len().max(1));
         let (of_first, of_second) = self.bonds.walks(stretch, first + second).split_at(first);
@@ -178,18 +181,16 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
 
     /// Adds the internal forces of all bonds.
     pub fn add_forces(&self, u: &[T], force: &mut [T]) {
-        self.add_all::<D>(u, force, |kind, len, [first, second]| {
+        self.add_all::<D>((u, [-1.0, 1.0]), force, |kind, len, difference, sigma| {
             let (rows, moduli) = &self.rows[kind];
-            from_fn(|m| {
-                let mut sigma: Tile<T> = [T::default(); TILE];
-                for c in 0..D {
-                    for k in 0..len {
-                        sigma[k] += rows[m][c] * (second[c][k] - first[c][k]);
-                    }
+            for m in 0..M {
+                let sigma = &mut sigma[m][..len];
+                sigma.fill(T::default());
+                for (difference, row) in difference.iter().zip(rows[m]) {
+                    sigma.iter_mut().zip(difference).for_each(|(s, d)| *s += row * *d);
                 }
-                sigma[..len].iter_mut().for_each(|s| *s = moduli[m] * *s);
-                sigma
-            })
+                sigma.iter_mut().for_each(|s| *s = moduli[m] * *s);
+            }
         });
     }
 }

@@ -90,16 +90,14 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
     /// Adds the forces that do the work `Σ t·Q σ` of the bonds with the planes `t` of the points in the middle of their ends, σ
     /// being conjugate to `Qᵀ t`; `shares` are those of the kinds.
     pub fn add_work<const Q: usize>(&self, t: &[f64], shares: &[Mat<Q, M>], force: &mut [f64]) {
-        self.add_all::<Q>(t, force, |kind, len, [first, second]| {
-            let moduli = &self.rows[kind].1;
-            from_fn(|m| {
-                let mut sigma = [0.0; _];
-                for q in 0..Q {
-                    let share = 0.5 * moduli[m] * shares[kind][q][m];
-                    (0..len).for_each(|k| sigma[k] += share * (first[q][k] + second[q][k]));
+        self.add_all::<Q>((t, [0.5; 2]), force, |kind, len, middle, sigma| {
+            for (m, modulus) in self.rows[kind].1.iter().enumerate() {
+                sigma[m][..len].fill(0.0);
+                for (q, middle) in middle.iter().enumerate() {
+                    let share = modulus * shares[kind][q][m];
+                    sigma[m][..len].iter_mut().zip(middle).for_each(|(s, t)| *s += share * t);
                 }
-                sigma
-            })
+            }
         });
     }
 
