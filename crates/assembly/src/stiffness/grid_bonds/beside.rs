@@ -5,90 +5,69 @@
 
 use super::chunks::{Beside, Chunk};
 use super::gather::{Forces, one_side};
+use super::short_row::{ShortRow, Sides};
 use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use std::array::from_fn;
+use std::marker::PhantomData;
 use std::ops::Range;
 
 impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     /// Forces on a chunk without exceptions.
     #[inline(always)]
     pub(super) fn beside(&self, chunk: &Chunk, beside: &Beside, u: &[&[f64]; D], forces: &mut Forces<D>) {
-        let (width, first, [left, right]) = (chunk.width as i32, chunk.first as usize, beside.clip);
-        // Points of the chunk from some step along the row is in a line.
-        let there = |step: i32| (-left - step).max(0)..(width + right - step).min(width);
-        for class in &self.classes {
-            let along = class.step[0];
+        let sides = |(number, class): (usize, &Class<D, M>)| {
             let [above, below] = self.chunks.lines_at(beside, class.step);
-            let above = above.map(|line| (there(along), line as i64 + i64::from(along)));
-            let below = below.map(|line| (there(-along), line as i64 - i64::from(along)));
-            let [up, down] = [&above, &below].map(|side| side.as_ref().map_or(0..0, |side| side.0.clone()));
-            let both = up.start.max(down.start)..up.end.min(down.end);
-            let both = if both.is_empty() { 0..0 } else { both };
-            let at = |side: &Option<(Range<i32>, i64)>, range: &Range<i32>| -> [&[f64]; D] {
-                let from = side.as_ref().map_or(0, |side| (side.1 + i64::from(range.start)) as usize);
-                from_fn(|c| &u[c][from..from + range.len()])
-            };
-            let own = |range: &Range<i32>| -> [&[f64]; D] {
-                let from = first + range.start as usize;
-                from_fn(|c| &u[c][from..from + range.len()])
-            };
-            if !both.is_empty() {
-                let k = both.start as usize;
-                both_sides::<D, M, B>(class, [at(&below, &both), own(&both), at(&above, &both)], k, forces);
-            }
-            for rest in rests(&up, &both) {
-                let k = rest.start as usize;
-                one_side::<D, M, B, false>(class, [&own(&rest), &at(&above, &rest)], None, k, forces);
-            }
-            for rest in rests(&down, &both) {
-                let k = rest.start as usize;
-                one_side::<D, M, B, true>(class, [&at(&below, &rest), &own(&rest)], None, k, forces);
-            }
+            let along = class.step[0];
+            let above = above.map(|line| line as i64 + i64::from(along));
+            let below = below.map(|line| line as i64 - i64::from(along));
+            let class = number as u32;
+            (above.is_some() || below.is_some()).then_some(Sides { class, along, above, below })
+        };
+        let sides: Vec<Sides> = self.classes.iter().enumerate().filter_map(sides).collect();
+        let is_done = pulp::Arch::new().dispatch(ShortRow::<D, M, B> {
+            classes: &self.classes,
+            sides: &sides,
+            u,
+            first: chunk.first as usize,
+            width: chunk.width as usize,
+            clip: beside.clip,
+            reach: self.chunks.reach(),
+            forces,
+            model: PhantomData,
+        });
+        if !is_done {
+            self.few(chunk, beside.clip, &sides, u, forces);
         }
     }
-}
 
-/// What of a range is before and behind a part of it.
-#[inline(always)]
-fn rests(all: &Range<i32>, part: &Range<i32>) -> impl Iterator<Item = Range<i32>> {
-    let two = if part.is_empty() { [all.clone(), 0..0] } else { [all.start..part.start, part.end..all.end] };
-    two.into_iter().filter(|range| !range.is_empty())
-}
-
-/// Forces on some points of a chunk, from the k-th on, with bonds on both sides: those below, their own and those above.
-#[inline(always)]
-fn both_sides<const D: usize, const M: usize, B: BondModel<D, M>>(
-    class: &Class<D, M>,
-    [down, own, up]: [[&[f64]; D]; 3],
-    k: usize,
-    forces: &mut Forces<D>,
-) {
-    let width = own[0].len();
-    let [down, own, up] = [down, own, up].map(|side| side.map(|u| &u[..width]));
-    let forces: [&mut [f64]; D] = forces.each_mut().map(|plane| &mut plane[k..k + width]);
-    for l in 0..width {
-        for m in 0..M {
-            let (mut above, mut below) = (0.0, 0.0);
-            for c in 0..D {
-                if B::DIFFERENCE[m][c] {
-                    above += class.difference[m][c] * (up[c][l] - own[c][l]);
-                    below += class.difference[m][c] * (own[c][l] - down[c][l]);
-                }
-                if B::MEAN[m][c] {
-                    above += class.half_mean[m][c] * (own[c][l] + up[c][l]);
-                    below += class.half_mean[m][c] * (down[c][l] + own[c][l]);
-                }
+    /// The same of a few points.
+    fn few(
+        &self,
+        chunk: &Chunk,
+        [left, right]: [i32; 2],
+        sides: &[Sides],
+        u: &[&[f64]; D],
+        forces: &mut Forces<D>,
+    ) {
+        let (width, first) = (chunk.width as i32, chunk.first as i64);
+        // Points from which a step along the row is in a line.
+        let there = |step: i32| (-left - step).max(0)..(width + right - step).min(width);
+        let at = |number: i64, range: &Range<i32>| -> [&[f64]; D] {
+            let from = (number + i64::from(range.start)) as usize;
+            from_fn(|c| &u[c][from..from + range.len()])
+        };
+        for sides in sides {
+            let class = &self.classes[sides.class as usize];
+            let above = sides.above.map(|number| (number, there(sides.along)));
+            if let Some((number, range)) = above.filter(|of| !of.1.is_empty()) {
+                let ends = [&at(first, &range), &at(number, &range)];
+                one_side::<D, M, B, false>(class, ends, None, range.start as usize, forces);
             }
-            above *= class.modulus[m];
-            below *= class.modulus[m];
-            for c in 0..D {
-                if B::DIFFERENCE[m][c] {
-                    forces[c][l] += class.difference[m][c] * (below - above);
-                }
-                if B::MEAN[m][c] {
-                    forces[c][l] += class.half_mean[m][c] * (below + above);
-                }
+            let below = sides.below.map(|number| (number, there(-sides.along)));
+            if let Some((number, range)) = below.filter(|of| !of.1.is_empty()) {
+                let ends = [&at(number, &range), &at(first, &range)];
+                one_side::<D, M, B, true>(class, ends, None, range.start as usize, forces);
             }
         }
     }

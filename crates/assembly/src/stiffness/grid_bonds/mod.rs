@@ -4,8 +4,10 @@ mod assemble;
 mod beside;
 mod breaking;
 mod chunks;
+
 mod gather;
 mod shares;
+mod short_row;
 mod survey;
 
 pub use chunks::Exception;
