@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// Modules of `peristat-assembly`: each uses only what stands before it.
-const LAYERS: [&str; 11] = [
+const LAYERS: [&str; 12] = [
     "sum",
     "quadrature",
     "recovery",
@@ -17,6 +17,7 @@ const LAYERS: [&str; 11] = [
     "stiffness",
     "model",
     "system",
+    "cubic",
 ];
 
 /// Lines of code of a file up to its tests.

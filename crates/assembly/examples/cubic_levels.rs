@@ -2,7 +2,7 @@
 #![allow(clippy::print_stdout)]
 
 use peristat_assembly::body::SquareLattice;
-use peristat_assembly::cubic::{CubicLevels, CubicSolid, Stencil};
+use peristat_assembly::cubic::{CubicFaces, CubicLevels, CubicSolid, Stencil};
 use peristat_assembly::model::plane::Mirrors;
 use std::hint::black_box;
 use std::time::Instant;
@@ -24,6 +24,8 @@ fn report(side: i32, horizon: i32) {
         stencil: stencil(horizon),
         held: (0..(side * side) as usize).flat_map(|k| (0..3).map(move |c| (k * side as usize, c))).collect(),
         springs: Vec::new(),
+        followers: Vec::new(),
+        faces: CubicFaces::Other,
     };
     let begin = Instant::now();
     let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 10).expect("a coarser level");
@@ -53,7 +55,7 @@ fn report(side: i32, horizon: i32) {
     time("smooth", &mut || fine.smooth(0.1, black_box(&b), &mut w));
     time("restrict", &mut || levels.restrict(0, black_box(&b), &mut correction));
     time("prolong", &mut || levels.prolong_add(0, black_box(&correction), &mut w));
-    time("enter", &mut || drop(levels.enter(black_box(&forces), &mut b)));
+    time("enter", &mut || _ = levels.enter(black_box(&forces), &mut b));
     time("leave", &mut || levels.leave(black_box(&v), norm, &mut u));
     println!();
 }

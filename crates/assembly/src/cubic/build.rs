@@ -1,6 +1,6 @@
 //! What points beside faces have instead of the block of a whole family.
 
-use super::cells::{Cells, SOLID};
+use super::cells::{Cells, FOLLOWING, SOLID};
 use super::stencil::Stencil;
 use crate::bonds::Mat;
 use std::collections::HashMap;
@@ -19,8 +19,12 @@ pub(super) struct Blocks {
 pub(super) struct Block {
     /// `D̂`.
     pub(super) stiffness: Mat<3, 3>,
+    /// What stands in for the operator at the point when it is smoothed.
+    pub(super) smoother: Mat<3, 3>,
     /// One for components that are free, zero for those that rest.
     pub(super) free: [f64; 3],
+    /// Whether a component follows others.
+    pub(super) follows: [bool; 3],
     /// `1/s`, zero for cells that are not of the body.
     pub(super) inverse_scale: f64,
 }
@@ -30,17 +34,21 @@ const OUTSIDE: u32 = 0;
 /// Number of the points that have all bonds.
 pub(super) const WHOLE: u32 = 1;
 
-/// Blocks of all points.
-pub(super) fn blocks(cells: &Cells, stencil: &Stencil) -> Blocks {
+/// Blocks of all points; of the bonds as they are where something else completes families, `is_completed`.
+pub(super) fn blocks(cells: &Cells, stencil: &Stencil, is_completed: bool) -> Blocks {
     let grid = &cells.grid;
     let aways: Vec<isize> = stencil.steps.iter().map(|step| grid.away(*step)).collect();
     let reach = stencil.reach();
     let inner = Inner::new(cells, reach);
     let scale = scales(cells, stencil, &aways, &inner);
-    let outside = Block { stiffness: [[0.0; 3]; 3], free: [0.0; 3], inverse_scale: 0.0 };
-    let whole = Block { stiffness: stencil.whole(), free: [1.0; 3], inverse_scale: 1.0 };
+    let zero = [[0.0; 3]; 3];
+    let outside =
+        Block { stiffness: zero, smoother: zero, free: [0.0; 3], follows: [false; 3], inverse_scale: 0.0 };
+    let all = stencil.whole();
+    let whole =
+        Block { stiffness: all, smoother: all, free: [1.0; 3], follows: [false; 3], inverse_scale: 1.0 };
     let mut blocks = Blocks { of: vec![OUTSIDE; grid.len()], table: vec![outside, whole] };
-    let mut known: HashMap<[u32; 13], u32> = HashMap::new();
+    let mut known: HashMap<([u32; 22], u8), u32> = HashMap::new();
     let deep = inner.shrunk(cells, reach);
     grid.for_each(|_, place| {
         if !cells.is_solid(place) {
@@ -53,18 +61,23 @@ pub(super) fn blocks(cells: &Cells, stencil: &Stencil) -> Blocks {
             return;
         }
         let own = f64::from(scale[place]);
-        let mut stiffness = [[0.0; 3]; 3];
+        let (mut smoother, mut bare) = (zero, zero);
         for (away, block) in aways.iter().zip(&stencil.blocks) {
             let ends = [place.wrapping_add_signed(*away), place.wrapping_add_signed(-*away)];
-            let factor: f64 = ends.into_iter().map(|end| f64::from(scale[end])).sum::<f64>() / own;
-            (0..9).for_each(|k| stiffness[k / 3][k % 3] += factor * block[k / 3][k % 3]);
+            let scales = ends.map(|end| f64::from(scale[end]));
+            add(&mut smoother, own * (scales[0] + scales[1]), block);
+            add(&mut bare, scales.iter().filter(|scale| **scale > 0.0).count() as f64, block);
         }
         if let Some(spring) = spring {
-            (0..9).for_each(|k| stiffness[k / 3][k % 3] += spring[k / 3][k % 3] / (own * own));
+            [&mut smoother, &mut bare].into_iter().for_each(|sum| add(sum, 1.0, spring));
         }
+        let own = if is_completed { 1.0 } else { own };
+        let scaled = smoother.map(|row| row.map(|k| k / (own * own)));
+        let (stiffness, smoother) = if is_completed { (bare, smoother) } else { (scaled, scaled) };
         let free = [0, 1, 2].map(|c| if held & 1 << c == 0 { 1.0 } else { 0.0 });
-        let block = Block { stiffness, free, inverse_scale: 1.0 / own };
-        let number = known.entry(key(&block)).or_insert_with(|| {
+        let follows = [0, 1, 2].map(|c| held & 1 << (FOLLOWING + c) != 0);
+        let block = Block { stiffness, smoother, free, follows, inverse_scale: 1.0 / own };
+        let number = known.entry((key(&block), held)).or_insert_with(|| {
             blocks.table.push(block);
             blocks.table.len() as u32 - 1
         });
@@ -73,10 +86,16 @@ pub(super) fn blocks(cells: &Cells, stencil: &Stencil) -> Blocks {
     blocks
 }
 
+/// `sum += factor · block`
+fn add(sum: &mut Mat<3, 3>, factor: f64, block: &Mat<3, 3>) {
+    (0..9).for_each(|k| sum[k / 3][k % 3] += factor * block[k / 3][k % 3]);
+}
+
 /// Blocks that agree in these bits are one.
-fn key(block: &Block) -> [u32; 13] {
-    let numbers = block.stiffness.as_flattened().iter().chain(&block.free).chain([&block.inverse_scale]);
-    let mut key = [0; 13];
+fn key(block: &Block) -> [u32; 22] {
+    let mats = block.stiffness.as_flattened().iter().chain(block.smoother.as_flattened());
+    let numbers = mats.chain(&block.free).chain([&block.inverse_scale]);
+    let mut key = [0; 22];
     key.iter_mut().zip(numbers).for_each(|(key, number)| *key = (*number as f32).to_bits());
     key
 }

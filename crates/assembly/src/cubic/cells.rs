@@ -6,12 +6,14 @@ use std::collections::HashMap;
 
 /// The bit of a cell that belongs to the body.
 pub(super) const SOLID: u8 = 8;
+/// How far the bits of components that follow others are from those of components that rest.
+pub(super) const FOLLOWING: u8 = 4;
 
 /// The cells of a level.
 #[derive(Clone, Debug)]
 pub(super) struct Cells {
     pub(super) grid: Grid,
-    /// Per place: [`SOLID`], and a bit for each component that rests.
+    /// Per place: [`SOLID`], and a bit for each component that rests or follows others.
     pub(super) state: Vec<u8>,
     /// Springs to the ground, N/m, by place.
     pub(super) springs: HashMap<usize, Mat<3, 3>>,
@@ -43,7 +45,8 @@ impl Cells {
         let mut coarse = Self::new(Grid::new([0, 1, 2].map(halved), rim, mirrored));
         self.grid.for_each(|cell, place| {
             let parent = coarse.grid.at([0, 1, 2].map(|k| ((cell[k] + self.shift[k]) / 2) as i64));
-            coarse.state[parent] |= self.state[place];
+            // What follows others beside a face that is held rests on a coarser grid.
+            coarse.state[parent] |= self.state[place] & 15 | self.state[place] >> FOLLOWING;
             if let Some(spring) = self.springs.get(&place) {
                 coarse.add_spring(parent, spring);
             }

@@ -1,8 +1,10 @@
 //! One level of a cycle.
 
 use super::Planes;
+use super::border::Border;
 use super::build::{self, WHOLE};
-use super::cells::Cells;
+use super::cells::{Cells, SOLID};
+use super::followers::Followers;
 use super::grid::Grid;
 use super::kernel::{Bonds, Finish, LayerSweep, TILE};
 use super::stencil::Stencil;
@@ -14,6 +16,17 @@ use std::array::from_fn;
 
 /// Points below which threads cost more than they bring.
 const FEW: usize = 4096;
+
+/// What is done about the bonds that points beside faces lack.
+#[derive(Clone, Debug)]
+pub(super) enum Faces {
+    /// Nothing.
+    Bare,
+    /// Their other bonds are stiffer.
+    Stiffer,
+    /// Bonds end on the border.
+    Border(Border),
+}
 
 /// What points of a kind have, in 32 bits.
 #[derive(Clone, Copy, Debug)]
@@ -41,15 +54,20 @@ pub struct CubicLevel {
     pub(super) inverse_scale: Vec<f32>,
     /// Entries of vectors that rest, of points.
     held: Vec<u32>,
+    border: Option<Border>,
+    followers: Followers,
 }
 
 impl CubicLevel {
-    pub(super) fn new(cells: Cells, stencil: Stencil) -> Self {
-        let blocks = build::blocks(&cells, &stencil);
+    pub(super) fn new(cells: Cells, stencil: Stencil, faces: Faces, followers: Followers) -> Self {
+        let blocks = build::blocks(&cells, &stencil, !matches!(faces, Faces::Stiffer));
+        let border = if let Faces::Border(border) = faces { Some(border) } else { None };
         let to_32 = |mat: &Mat<3, 3>| mat.map(|row| row.map(|x| x as f32));
         let table = blocks.table.iter().map(|block| {
-            let held = block.free.map(|free| free == 0.0);
-            let inverse = inverse_of(block.stiffness, &held).unwrap_or([[0.0; 3]; 3]);
+            let rests = [0, 1, 2].map(|c| block.free[c] == 0.0 || block.follows[c]);
+            let mut inverse = inverse_of(block.smoother, &rests).unwrap_or([[0.0; 3]; 3]);
+            // What is added there tells the force on what follows.
+            (0..3).filter(|&c| block.follows[c]).for_each(|c| inverse[c][c] = 1.0);
             Block {
                 stiffness: to_32(&block.stiffness),
                 inverse: to_32(&inverse),
@@ -63,10 +81,10 @@ impl CubicLevel {
         let bonds = Bonds::new(&stencil, &cells.grid);
         let mut held = Vec::new();
         cells.grid.for_each(|_, place| {
-            let rests = |c: &usize| cells.is_solid(place) && cells.state[place] & 1 << c != 0;
+            let rests = |c: &usize| cells.state[place] & SOLID != 0 && cells.state[place] & 1 << c != 0;
             held.extend((0..3).filter(rests).map(|c| (c * cells.grid.len() + place) as u32));
         });
-        Self { cells, stencil, bonds, of: blocks.of, table, inverse_scale, held }
+        Self { cells, stencil, bonds, of: blocks.of, table, inverse_scale, held, border, followers }
     }
 
     /// Length of its vectors.
@@ -115,17 +133,33 @@ impl CubicLevel {
     /// Writes `Â v` over `out`.
     pub fn apply(&self, v: &[f32], out: &mut [f32]) {
         self.sweep(v, out, &Apply { level: self, v: self.planes(v) });
+        self.on_border(v, out, |block, f| [0, 1, 2].map(|c| block.free[c] * f[c]));
+        self.hand_over(out);
     }
 
     /// Writes `b − Â v` over `out`.
     pub fn residual(&self, b: &[f32], v: &[f32], out: &mut [f32]) {
         self.sweep(v, out, &Residual { level: self, v: self.planes(v), b: self.planes(b) });
+        self.on_border(v, out, |block, f| [0, 1, 2].map(|c| -block.free[c] * f[c]));
+        self.hand_over(out);
     }
 
     /// Writes `v + keep (v − previous) + scale D̂⁻¹ (b − Â v)` over `previous`.
     pub fn relax(&self, [keep, scale]: [f64; 2], b: &[f32], v: &[f32], previous: &mut [f32]) {
         let step = [keep as f32, scale as f32];
+        let moved =
+            self.followers.entries().map(|k| v[k] + step[0] * (v[k] - previous[k])).collect::<Vec<_>>();
         self.sweep(v, previous, &Relax { level: self, v: self.planes(v), b: self.planes(b), step });
+        self.on_border(v, previous, |block, f| {
+            [0, 1, 2].map(|c| -step[1] * (0..3).map(|d| block.inverse[c][d] * f[d]).sum::<f32>())
+        });
+        let len = self.grid().len();
+        self.followers.for_each_change(previous, &moved, |v, leader, change| {
+            let (c, place) = (leader / len, leader % len);
+            let inverse = &self.table[self.of[place] as usize].inverse;
+            (0..3).for_each(|row| v[row * len + place] += inverse[row][c] * change);
+        });
+        self.complete(previous);
     }
 
     /// `v += scale D̂⁻¹ r`
@@ -141,12 +175,21 @@ impl CubicLevel {
             }
         };
         self.each_layer(v, work);
+        self.complete(v);
+    }
+
+    /// Lays at rest what rests, lets follow what follows others, and completes the images.
+    pub(super) fn complete(&self, v: &mut [f32]) {
+        self.held.iter().for_each(|&entry| v[entry as usize] = 0.0);
+        self.followers.follow(v);
         self.grid().mirror_vector(v);
     }
 
-    /// Lays at rest what rests.
-    pub(super) fn rest(&self, v: &mut [f32]) {
-        self.held.iter().for_each(|&entry| v[entry as usize] = 0.0);
+    /// The same of forces: those on what follows others are handed over.
+    pub(super) fn hand_over(&self, force: &mut [f32]) {
+        self.held.iter().for_each(|&entry| force[entry as usize] = 0.0);
+        self.followers.hand_over(force);
+        self.grid().mirror_vector(force);
     }
 
     fn planes<'a>(&self, v: &'a [f32]) -> Planes<'a> {
@@ -162,7 +205,22 @@ impl CubicLevel {
             Arch::new().dispatch(LayerSweep { bonds: &self.bonds, v, places, out, finish });
         };
         self.each_layer(out, work);
-        self.grid().mirror_vector(out);
+    }
+
+    /// Adds what `part` makes of the forces of the border.
+    fn on_border(&self, v: &[f32], out: &mut [f32], part: impl Fn(&Block, [f32; 3]) -> [f32; 3]) {
+        let grid = self.grid();
+        if let Some(border) = &self.border {
+            border.for_each_force(grid, v, |place, force| {
+                let part = part(&self.table[self.of[place] as usize], force);
+                (0..3).for_each(|c| out[c * grid.len() + place] += part[c]);
+            });
+        }
+    }
+
+    /// Whether its eigenvalues are not those of coarser levels.
+    pub fn is_unlike(&self) -> bool {
+        self.border.is_some()
     }
 
     fn each_layer(&self, out: &mut [f32], work: impl Fn((usize, [&mut [f32]; 3])) + Sync + Send) {

@@ -1,14 +1,17 @@
 //! All levels of a cycle, and the way of vectors to them and back.
 
-use super::cells::{Cells, SOLID};
+use super::border::Border;
+use super::cells::{Cells, FOLLOWING, SOLID};
 use super::coarsest::{self, CoarsestMatrix};
+use super::followers::Followers;
 use super::grid::Grid;
-use super::level::CubicLevel;
+use super::level::{CubicLevel, Faces};
 use super::stencil::Stencil;
 use super::transfer::Transfer;
-use crate::body::SquareLattice;
+use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
 use crate::model::plane::Mirrors;
+use crate::stiffness::NodedBonds;
 
 /// A solid as the levels see it.
 #[derive(Clone, Debug)]
@@ -23,6 +26,24 @@ pub struct CubicSolid<'a> {
     pub held: Vec<(usize, usize)>,
     /// Springs of points to the ground, N/m.
     pub springs: Vec<(usize, Mat<3, 3>)>,
+    /// Components of points that follow those of others, and their shares in them.
+    pub followers: Vec<Follower>,
+    /// What is done about the bonds that points beside faces lack.
+    pub faces: CubicFaces<'a>,
+}
+
+/// A component of a point that follows others: point and component, and those of the others with their shares.
+pub type Follower = ((usize, usize), Vec<((usize, usize), f64)>);
+
+/// What completes the families of points beside faces.
+#[derive(Clone, Copy, Debug)]
+pub enum CubicFaces<'a> {
+    /// Nothing.
+    Bare,
+    /// Bonds that end on the border.
+    Border(&'a NodedBonds<3, 1>),
+    /// Something else, for which bonds are made stiffer.
+    Other,
 }
 
 /// Points that follow each other on the lattice and on the grid.
@@ -53,7 +74,7 @@ impl CubicLevels {
         }
         let unit = solid.stencil.stiffness();
         let stencil = solid.stencil.scaled(1.0 / unit);
-        let (mut cells, pieces) = finest(solid, &stencil)?;
+        let (mut cells, pieces, first) = finest(solid, &stencil)?;
         for (point, spring) in &solid.springs {
             let place = place_of(&pieces, *point)?;
             cells.add_spring(place, &spring.map(|row| row.map(|k| k / unit)));
@@ -62,14 +83,42 @@ impl CubicLevels {
             cells.state[place_of(&pieces, *point)?] |= 1 << component;
         }
         cells.finish();
-        let mut levels = vec![CubicLevel::new(cells, stencil)];
+        let mut followers = Followers::default();
+        for ((point, component), leaders) in &solid.followers {
+            let place = place_of(&pieces, *point)?;
+            let entry = |(point, c): &(usize, usize)| Some(c * cells.grid.len() + place_of(&pieces, *point)?);
+            let leaders = leaders.iter().map(|(of, share)| Some((entry(of)?, *share)));
+            followers
+                .push(component * cells.grid.len() + place, leaders.collect::<Option<Vec<_>>>()?.into_iter());
+            cells.state[place] |= 1 << (FOLLOWING + *component as u8);
+        }
+        let border = |bonds| {
+            let at = |cell: Cell| cells.grid.at([0, 1, 2].map(|k| i64::from(cell[k] - first[k]))) as u32;
+            Border::new(bonds, unit, &|point| {
+                let cell = solid.lattice.cell(point as usize);
+                let (real, signs) = solid.mirrors.image(cell);
+                (at(cell), at(real), signs)
+            })
+        };
+        let faces = match solid.faces {
+            CubicFaces::Bare => Faces::Bare,
+            CubicFaces::Border(bonds) => Faces::Border(border(bonds)),
+            CubicFaces::Other => Faces::Stiffer,
+        };
+        let coarser = if matches!(faces, Faces::Bare) { Faces::Bare } else { Faces::Stiffer };
+        let mut levels = vec![CubicLevel::new(cells, stencil, faces, followers)];
         let mut transfers = Vec::new();
         loop {
             let fine = &levels[levels.len() - 1];
             if is_coarsest(fine.grid().cells, fine.points()) || !fine.cells.can_be_coarser() {
                 break;
             }
-            let coarse = CubicLevel::new(fine.cells.coarser(), fine.stencil.scaled(2.0));
+            let coarse = CubicLevel::new(
+                fine.cells.coarser(),
+                fine.stencil.scaled(2.0),
+                coarser.clone(),
+                Followers::default(),
+            );
             transfers.push(Transfer::new(fine, &coarse));
             levels.push(coarse);
         }
@@ -105,8 +154,7 @@ impl CubicLevels {
                     .for_each(|(b, (f, scale))| *b = (f * per_norm) as f32 * scale);
             }
         }
-        finest.rest(b);
-        finest.grid().mirror_vector(b);
+        finest.hand_over(b);
         norm
     }
 
@@ -154,8 +202,8 @@ fn place_of(pieces: &[Piece], point: usize) -> Option<usize> {
     (along < pieces[k].count as usize).then_some(pieces[k].place as usize + along)
 }
 
-/// The cells of the real points of a solid, and where these are; none without points.
-fn finest(solid: &CubicSolid<'_>, stencil: &Stencil) -> Option<(Cells, Vec<Piece>)> {
+/// The cells of the real points of a solid, where these are, and the first of them along every axis; none without points.
+fn finest(solid: &CubicSolid<'_>, stencil: &Stencil) -> Option<(Cells, Vec<Piece>, Cell)> {
     let (lattice, mirrors) = (solid.lattice, solid.mirrors);
     let mut real = Vec::new();
     for run in lattice.runs() {
@@ -177,12 +225,14 @@ fn finest(solid: &CubicSolid<'_>, stencil: &Stencil) -> Option<(Cells, Vec<Piece
     // Where nothing reaches a plane of symmetry there are no images.
     let mirrored =
         [0, 1, 2].map(|k| [mirrors.lines[k][0] == Some(first[k]), mirrors.lines[k][1] == Some(behind[k])]);
-    let mut cells = Cells::new(Grid::new(sides, stencil.reach().max(2), mirrored));
+    // What moves with images on the border is at most two cells behind those that bonds reach.
+    let beyond = if matches!(solid.faces, CubicFaces::Border(_)) && !mirrors.is_none() { 2 } else { 0 };
+    let mut cells = Cells::new(Grid::new(sides, stencil.reach().max(2) + beyond, mirrored));
     let mut pieces = Vec::with_capacity(real.len());
     for (point, cell, count) in real {
         let place = cells.grid.at([0, 1, 2].map(|k| i64::from(cell[k] - first[k])));
         cells.state[place..place + count].fill(SOLID);
         pieces.push(Piece { point: point as u32, place: place as u32, count: count as u32 });
     }
-    Some((cells, pieces))
+    Some((cells, pieces, first))
 }

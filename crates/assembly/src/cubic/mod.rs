@@ -8,13 +8,15 @@
 //! over half of the offsets d. Cells that are not of the body rest, too. What bodies differ in is D̂, the blocks of the points
 //! beside their faces. Points that lack bonds there are too soft; instead of what completes their families in the model, their
 //! bonds are stiffer: those of points p and q by `s_p s_q`, which is a scaling of the unknowns, `v = s u`, and leaves the stencil
-//! alone. A spacing twice as large doubles all stiffnesses.
+//! alone. Only the finest level has the bonds of the model on its border, where there are such. A spacing twice as large doubles all stiffnesses.
 //!
 //! A preconditioner needs neither more digits nor the exact operator: conjugate gradients correct both.
 
+mod border;
 mod build;
 mod cells;
 mod coarsest;
+mod followers;
 mod grid;
 mod kernel;
 mod level;
@@ -26,7 +28,7 @@ mod transfer;
 
 pub use coarsest::CoarsestMatrix;
 pub use level::CubicLevel;
-pub use levels::{CubicLevels, CubicSolid};
+pub use levels::{CubicFaces, CubicLevels, CubicSolid, Follower};
 pub use stencil::Stencil;
 
 /// Numbers of a vector: three component planes.

@@ -29,6 +29,8 @@ fn levels(mirrors: Mirrors) -> (CubicLevels, SquareLattice) {
         stencil: stencil(),
         held,
         springs: vec![(200, [[4.0, 1.0, 0.0], [1.0, 3.0, 0.0], [0.0, 0.0, 2.0]])],
+        followers: vec![((611, 1), vec![((612, 1), 0.4), ((700, 0), -0.2)])],
+        faces: CubicFaces::Other,
     };
     let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 5).expect("a coarser level");
     (levels, lattice)
@@ -43,7 +45,7 @@ fn arbitrary(level: &CubicLevel, seed: usize) -> Vec<f32> {
             v[c * len + place] = ((place * 7919 + c * 104_729 + seed * 31) % 1009) as f32 / 1009.0 - 0.5;
         }
     });
-    level.grid().mirror_vector(&mut v);
+    level.complete(&mut v);
     v
 }
 
@@ -97,7 +99,8 @@ fn restriction_is_the_transpose_of_interpolation() {
     for mirrors in mirrors() {
         let (levels, _) = levels(mirrors);
         let [fine, coarse] = [&levels.levels()[0], &levels.levels()[1]];
-        let (r, v) = (arbitrary(fine, 5), arbitrary(coarse, 6));
+        let (mut r, v) = (arbitrary(fine, 5), arbitrary(coarse, 6));
+        fine.hand_over(&mut r);
         let (mut down, mut up) = (vec![0.0; v.len()], vec![0.0; r.len()]);
         levels.restrict(0, &r, &mut down);
         levels.prolong_add(0, &v, &mut up);
@@ -127,7 +130,15 @@ fn forces_are_those_of_the_model_but_for_faces() {
     let (lattice, mirrors) = model.lattice().unwrap();
     let stencil = Stencil::new(model.bonds_of_a_point());
     let (unit, n) = (stencil.stiffness(), lattice.points());
-    let solid = CubicSolid { lattice, mirrors, stencil, held: Vec::new(), springs: Vec::new() };
+    let solid = CubicSolid {
+        lattice,
+        mirrors,
+        stencil,
+        held: Vec::new(),
+        springs: Vec::new(),
+        followers: Vec::new(),
+        faces: CubicFaces::Bare,
+    };
     let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 10).expect("a coarser level");
     let finest = &levels.levels()[0];
     let forces = |u: &[f64]| {

@@ -78,8 +78,7 @@ impl Transfer {
             }
         };
         each_layer(grid, out, work);
-        fine.rest(out);
-        grid.mirror_vector(out);
+        fine.complete(out);
     }
 
     /// Writes the transpose of `r`, of the finer level, over `out`.
@@ -113,8 +112,7 @@ impl Transfer {
             }
         };
         each_layer(coarse_grid, out, work);
-        coarse.rest(out);
-        coarse_grid.mirror_vector(out);
+        coarse.hand_over(out);
     }
 }
 

@@ -45,7 +45,8 @@ pub(super) fn cycle<'a, const D: usize>(
     let numbers = [0; 2].map(|_| vec![0.0; entries.len()]);
     let size = levels.levels().last().map_or(0, CubicLevel::size);
     let coarsest = Coarsest { size, factor, entries, images, numbers };
-    let options = MultigridOptions { measured_size: MEASURED, ..MultigridOptions::STANDARD };
+    let measured_size = if levels.levels()[0].is_unlike() { usize::MAX } else { MEASURED };
+    let options = MultigridOptions { measured_size, ..MultigridOptions::STANDARD };
     let size = levels.levels()[0].size();
     let multigrid = Multigrid::new(Levels(levels), Box::new(coarsest), &options);
     Ok((CubicCycle { system, multigrid, vectors: [0; 2].map(|_| vec![0.0; size]) }, fill))

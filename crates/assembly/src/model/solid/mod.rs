@@ -34,6 +34,7 @@ pub(super) use law::{Dilatation, part, reach_of};
 use super::{BodyFields, BodyModel, Component, RigidMotion};
 use crate::body::Cell;
 use crate::bonds::{Mat, Point};
+use crate::stiffness::NodedBonds;
 
 /// Number of components of strain and stress.
 pub const TENSOR: usize = 6;
@@ -77,6 +78,9 @@ pub trait SolidModel: BodyModel {
 
     /// Offsets of half of the bonds of a point, cells, and their stiffnesses, N/m.
     fn bonds_of_a_point(&self) -> Vec<(Cell, f64)>;
+
+    /// Bonds that end on the border.
+    fn bonds_on_border(&self) -> Option<&NodedBonds<3, 1>>;
 
     /// Stiffness of the material, Pa, from strains to stresses.
     fn stiffness(&self) -> Mat<TENSOR, TENSOR>;

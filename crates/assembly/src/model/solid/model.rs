@@ -10,7 +10,7 @@ use crate::body::{Cell, SquareLattice};
 use crate::bonds::{Mat, Point};
 use crate::condition::Equation;
 use crate::model::{BodyFields, BodyModel, Component, Model, ModelSizes, Points, RigidMotion};
-use crate::stiffness::{ConnectedParts, NumberedParts, Term};
+use crate::stiffness::{ConnectedParts, NodedBonds, NumberedParts, Term};
 use std::sync::Arc;
 
 /// A solid on a lattice of cubes with the parameters of its material and its bonds.
@@ -213,6 +213,10 @@ impl<P: SolidMaterial> SolidModel for Solid<P> {
             weight[0] * spacing / squared
         };
         of.offsets.iter().zip(&of.weights).map(|(step, weight)| (*step, stiffness(step, weight))).collect()
+    }
+
+    fn bonds_on_border(&self) -> Option<&NodedBonds<3, 1>> {
+        self.body.border.as_ref().map(|border| &*border.bonds)
     }
 
     fn stiffness(&self) -> Mat<TENSOR, TENSOR> {

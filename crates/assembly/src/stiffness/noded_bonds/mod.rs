@@ -101,14 +101,20 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
         });
     }
 
-    /// The same bonds in 32 bits, of points by other numbers, below `points`.
-    pub fn renumbered(&self, points: usize, number: &dyn Fn(u32) -> u32) -> NodedBonds<D, M, f32> {
+    /// The same bonds in 32 bits, of points by other numbers, below `points`, their moduli times a factor.
+    pub fn renumbered(
+        &self,
+        points: usize,
+        number: &dyn Fn(u32) -> u32,
+        factor: f64,
+    ) -> NodedBonds<D, M, f32> {
         let mut builder = NodedBondsBuilder::new(points);
         for place in self.places() {
             builder.add_node(place.iter().map(|(point, share)| (number(*point), *share)).collect());
         }
         for (shares, (rows, moduli)) in self.shares.iter().zip(&self.rows) {
-            builder.add_kind(NodedKind { shares: shares.clone(), rows: *rows, moduli: *moduli });
+            let moduli = moduli.map(|modulus| factor * modulus);
+            builder.add_kind(NodedKind { shares: shares.clone(), rows: *rows, moduli });
         }
         self.for_each(|kind, [first, second]| {
             let ends = [first, second].into_iter().zip(&self.shares[kind]);

@@ -3,8 +3,9 @@
 use super::levels::{COARSEST_SOLID, is_narrow};
 use crate::scene::body::Conditions;
 use peristat_assembly::bonds::Mat;
-use peristat_assembly::cubic::{CubicLevels, CubicSolid, Stencil};
+use peristat_assembly::cubic::{CubicFaces, CubicLevels, CubicSolid, Follower, Stencil};
 use peristat_assembly::model::plane::Solvable;
+use peristat_assembly::model::solid::SolidEdges;
 use peristat_assembly::system::System;
 
 /// How much stiffer than a point a direction is that a support holds which lies along no axis.
@@ -26,7 +27,7 @@ pub(super) fn levels<const D: usize>(
     let mut along = |point: usize, direction: [f64; 3], stiffness: f64| {
         springs.push((point, direction.map(|a| direction.map(|b| stiffness * a * b))));
     };
-    let mut held = Vec::new();
+    let (mut held, mut followers): (Vec<(usize, usize)>, Vec<Follower>) = Default::default();
     let stiffness = STIFF * stencil.stiffness();
     for row in system.constraints().rows() {
         let (point, component) = (row.unknown % points, row.unknown / points);
@@ -38,7 +39,9 @@ pub(super) fn levels<const D: usize>(
             continue;
         }
         if row.masters.iter().all(|(master, _)| master % points != point) {
-            held.push((point, component));
+            let leaders =
+                row.masters.iter().map(|&(master, share)| ((master % points, master / points), share));
+            followers.push(((point, component), leaders.collect()));
             continue;
         }
         let mut direction = [0.0; 3];
@@ -57,7 +60,12 @@ pub(super) fn levels<const D: usize>(
         spring.shares.iter().for_each(|&(component, share)| direction[component] += share);
         along(spring.point, direction, spring.stiffness);
     }
-    let solid = CubicSolid { lattice, mirrors, stencil, held, springs };
+    let faces = match solid.bonds_on_border() {
+        Some(bonds) => CubicFaces::Border(bonds),
+        None if solid.faces() == SolidEdges::None => CubicFaces::Bare,
+        None => CubicFaces::Other,
+    };
+    let solid = CubicSolid { lattice, mirrors, stencil, held, springs, followers, faces };
     let is_coarsest = |sides: [usize; 3], points: usize| points <= COARSEST_SOLID || is_narrow(sides);
     CubicLevels::new(&solid, &is_coarsest)
 }
