@@ -171,7 +171,7 @@ fn cycles_are_few_and_grow_no_more_than_the_body() {
     for (model, ratio, most) in
         [(bonds(&json!({})), 2.0, 18), (bonds(&json!({})), 3.0, 18), (families(0.3, "border"), 2.0, 20)]
     {
-        // Measured 15 and 17, 14 and 16, 15 and 18.
+        // Measured 15 and 16, 13 and 14, 17 and 18.
         let found = [16, 24].map(|n| iterations(&cube(n, &model, ratio)));
         assert!(found.iter().all(|count| *count <= most), "{ratio}: {found:?}");
     }
@@ -182,27 +182,53 @@ fn cycles_are_few_and_grow_no_more_than_the_body() {
     bar["body"]["block"]["size"] = json!([96, 12, 12]);
     let mut plate = cube(48, &bonds(&json!({})), 2.0);
     plate["body"]["block"]["size"] = json!([48, 48, 6]);
-    // Measured 24, 19 and 27.
-    for (name, case, most) in [("bored", bored, 28), ("bar", bar, 22), ("plate", plate, 32)] {
+    // Measured 19, 26 and 28.
+    for (name, case, most) in [("bored", bored, 22), ("bar", bar, 30), ("plate", plate, 32)] {
         let found = iterations(&case);
         assert!(found <= most, "{name}: {found}");
     }
 }
 
+/// Cubes of ten cells with every treatment of faces, held by faces, by springs, and between planes of symmetry.
+fn variants() -> Vec<Value> {
+    let models = [
+        bonds(&json!({})),
+        bonds(&json!({ "edges": "overlay" })),
+        bonds(&json!({ "edges": "none" })),
+        families(0.3, "border"),
+        families(0.1, "overlay"),
+    ];
+    let each = |model: &Value| {
+        let [held, mut sprung, mut mirrored] = [0; 3].map(|_| cube(10, model, 2.0));
+        let ground = |region: &str, stiffness: f64| json!({ "at": { "region": region }, "ux_spring": stiffness, "uy_spring": 2.0, "uz_spring": stiffness });
+        sprung["supports"] = json!([ground("left", 5e3), ground("top", 10.0)]);
+        mirrored["symmetry"] = json!(["bottom", "front"]);
+        mirrored["body"]["block"]["cuts"] =
+            json!([{ "ball": { "centre": [5.0, 0.0, 10.0], "radius": 3.0 } }]);
+        mirrored["loads"] = json!([{ "traction": { "face": "right", "uniform": [0.1, 0.0, 0.0] } }]);
+        [held, sprung, mirrored]
+    };
+    models.iter().flat_map(each).collect()
+}
+
 /// The cycle and the factor find the same.
 #[test]
 fn solvers_agree() {
-    let model = families(0.3, "border");
-    let of = |solver: &str| {
-        let mut case = cube(10, &model, 2.0);
-        case["solver"] = json!(solver);
-        solved(&case).field(0, "uz").expect("a field").into_owned()
-    };
-    let (exact, scale) = (of("sparse"), 1e-3);
-    for solver in ["multigrid", "pcg"] {
-        let worst = of(solver).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        // 3e-11 measured.
-        assert!(worst < 1e-8 * scale, "{solver}: {worst:e}");
+    for case in variants() {
+        let of = |solver: &str| {
+            let mut case = case.clone();
+            case["solver"] = json!(solver);
+            let found = solved(&case);
+            assert!(solver == "sparse" || found.summary.solver.method != "sparse_cholesky", "{case}");
+            ["ux", "uz"].map(|field| found.field(0, field).expect("a field").into_owned()).concat()
+        };
+        let exact = of("sparse");
+        let scale = exact.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
+        for solver in ["multigrid", "pcg"] {
+            let worst = of(solver).iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            // 1e-10 measured.
+            assert!(worst < 1e-8 * scale, "{solver}: {worst:e} of {scale:e}: {case}");
+        }
     }
 }
 
