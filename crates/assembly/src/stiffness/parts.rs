@@ -37,14 +37,12 @@ impl ConnectedParts {
     /// All points of a range hang together.
     pub fn join_run(&mut self, range: RangeInclusive<usize>) {
         let (first, last) = (*range.start(), *range.end());
-        let mut lowest = self.lowest(first as u32);
-        for point in first + 1..=last {
-            if self.lower[point] as usize == point {
-                self.lower[point] = lowest;
-            } else {
-                self.join(first, point);
-                lowest = self.lowest(first as u32);
-            }
+        let lowest = self.lowest(first as u32);
+        let others = &mut self.lower[first + 1..=last];
+        if others.iter().zip(first as u32 + 1..).all(|(lower, point)| *lower == point) {
+            others.fill(lowest);
+        } else {
+            (first + 1..=last).for_each(|point| self.join(first, point));
         }
     }
 
@@ -60,24 +58,30 @@ impl ConnectedParts {
 
     /// The parts.
     pub fn numbered(self) -> NumberedParts {
-        let mut parts = NumberedParts { spans: Vec::new(), intervals: Vec::new() };
-        let mut labels = self.lower;
-        for point in 0..labels.len() {
-            // Lower points have the numbers of their parts already.
-            let label = match labels[point] as usize {
-                lower if lower == point => {
-                    parts.spans.push([point, point]);
-                    parts.spans.len() as u32 - 1
-                }
-                lower => labels[lower],
-            };
-            labels[point] = label;
-            parts.spans[label as usize][1] = point;
-            if parts.intervals.last().is_none_or(|interval| interval.1 != label) {
-                parts.intervals.push((point as u32, label));
+        let mut lower = self.lower;
+        let (mut spans, mut intervals): (Vec<[usize; 2]>, Vec<(u32, u32)>) = (Vec::new(), Vec::new());
+        let mut lowest = u32::MAX;
+        for point in 0..lower.len() {
+            // Those before lead to the lowest point at once.
+            let own = lower[lower[point] as usize];
+            lower[point] = own;
+            if own == lowest {
+                continue;
             }
+            lowest = own;
+            if let Some((_, before)) = intervals.last() {
+                spans[*before as usize][1] = point - 1;
+            }
+            if own as usize == point {
+                spans.push([point, point]);
+            }
+            let part = spans.partition_point(|span| span[0] < own as usize);
+            intervals.push((point as u32, part as u32));
         }
-        parts
+        if let Some((_, last)) = intervals.last() {
+            spans[*last as usize][1] = lower.len() - 1;
+        }
+        NumberedParts { spans, intervals }
     }
 }
 

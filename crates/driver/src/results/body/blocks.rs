@@ -1,6 +1,7 @@
 //! The cells of a solid as a limited number of blocks, for pictures: of a large body a block is several cells.
 
 use peristat_assembly::body::{Cell, SquareLattice, plus};
+use std::ops::Range;
 
 /// Places of the box around a body, at most, whether there is a block or not.
 const MOST_PLACES: usize = 4_000_000;
@@ -10,6 +11,8 @@ const NONE: u32 = u32::MAX;
 /// Blocks of cells, numbered row by row along x, layer by layer along z.
 pub(super) struct Blocks<'a> {
     lattice: &'a SquareLattice,
+    /// Columns, rows and layers of the lattice.
+    ranges: [Range<i32>; 3],
     /// Cells along a side.
     pub(super) step: i32,
     /// Number of blocks along the axes.
@@ -42,10 +45,11 @@ impl<'a> Blocks<'a> {
 
     fn of_step(lattice: &'a SquareLattice, step: i32) -> Self {
         let size = sides(lattice).map(|s| s.div_ceil(step as usize) as i32);
-        let first = [lattice.columns().start, lattice.rows().start, lattice.layers().start];
+        let ranges = [lattice.columns(), lattice.rows(), lattice.layers()];
+        let first = ranges.each_ref().map(|range| range.start);
         let numbers = vec![NONE; size.iter().map(|&s| s as usize).product()];
         let (cells, of) = (Vec::new(), Vec::with_capacity(lattice.points()));
-        let mut blocks = Self { lattice, step, size, numbers, cells, of, counts: Vec::new() };
+        let mut blocks = Self { lattice, ranges, step, size, numbers, cells, of, counts: Vec::new() };
         let places = lattice.runs().iter().flat_map(|run| {
             run.columns.clone().map(move |column| {
                 let cell = run.cell(column);
@@ -92,12 +96,10 @@ impl<'a> Blocks<'a> {
 
     /// Where the corner before a block is, m; blocks at the end may be cut off.
     pub(super) fn place(&self, node: Cell) -> [f64; 3] {
-        let lattice = self.lattice;
-        let ranges = [lattice.columns(), lattice.rows(), lattice.layers()];
-        let corner = lattice.corner();
+        let corner = self.lattice.corner();
         [0, 1, 2].map(|k| {
-            let line = (ranges[k].start + node[k] * self.step).min(ranges[k].end);
-            corner[k] + f64::from(line) * lattice.spacing()
+            let line = (self.ranges[k].start + node[k] * self.step).min(self.ranges[k].end);
+            corner[k] + f64::from(line) * self.lattice.spacing()
         })
     }
 
