@@ -40,7 +40,7 @@ fn report(side: i32, horizon: i32) {
     let mut correction = vec![0.0; coarse.size()];
     let norm = levels.enter(&forces, &mut b);
     fine.smooth(0.5, &b, &mut v);
-    let mut time = |name: &str, work: &mut dyn FnMut()| {
+    let time = |name: &str, work: &mut dyn FnMut()| {
         let run = || {
             let begin = Instant::now();
             work();

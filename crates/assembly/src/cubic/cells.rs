@@ -35,7 +35,7 @@ impl Cells {
 
     /// Whether the grid has a coarser one: a number of cells between two planes of symmetry that can be halved.
     pub(super) fn can_be_coarser(&self) -> bool {
-        (0..3).all(|k| self.grid.mirrored[k] != [true; 2] || self.grid.cells[k] % 2 == 0)
+        (0..3).all(|k| self.grid.mirrored[k] != [true; 2] || self.grid.cells[k].is_multiple_of(2))
     }
 
     /// The cells of twice the spacing: of the body, and at rest, if any of those that they cover is.

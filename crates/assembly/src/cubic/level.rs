@@ -2,11 +2,12 @@
 
 use super::Planes;
 use super::border::Border;
-use super::build::{self, WHOLE};
+use super::build;
 use super::cells::{Cells, SOLID};
+use super::finish::{Apply, Relax, Residual};
 use super::followers::Followers;
 use super::grid::Grid;
-use super::kernel::{Bonds, Finish, LayerSweep, TILE};
+use super::kernel::{Bonds, Finish, LayerSweep};
 use super::stencil::Stencil;
 use crate::bonds::Mat;
 use crate::system::inverse_of;
@@ -25,18 +26,18 @@ pub(super) enum Faces {
     /// Their other bonds are stiffer.
     Stiffer,
     /// Bonds end on the border.
-    Border(Border),
+    Border(Box<Border>),
 }
 
 /// What points of a kind have, in 32 bits.
 #[derive(Clone, Copy, Debug)]
-struct Block {
-    stiffness: Mat32,
-    inverse: Mat32,
-    free: [f32; 3],
+pub(super) struct Block {
+    pub(super) stiffness: Mat32,
+    pub(super) inverse: Mat32,
+    pub(super) free: [f32; 3],
 }
 
-type Mat32 = [[f32; 3]; 3];
+pub(super) type Mat32 = [[f32; 3]; 3];
 
 /// The stiffness `Â` of a level, its diagonal blocks, and smoothing with their inverses.
 ///
@@ -48,13 +49,13 @@ pub struct CubicLevel {
     pub(super) stencil: Stencil,
     bonds: Bonds,
     /// Per place: number into the table.
-    of: Vec<u32>,
-    table: Vec<Block>,
+    pub(super) of: Vec<u32>,
+    pub(super) table: Vec<Block>,
     /// Per place: `1/s`.
     pub(super) inverse_scale: Vec<f32>,
     /// Entries of vectors that rest, of points.
     held: Vec<u32>,
-    border: Option<Border>,
+    border: Option<Box<Border>>,
     followers: Followers,
 }
 
@@ -228,118 +229,6 @@ impl CubicLevel {
         match self.count() < FEW {
             true => layers.into_iter().for_each(work),
             false => layers.into_par_iter().for_each(work),
-        }
-    }
-
-    /// The block that all points of a tile have.
-    #[inline(always)]
-    fn whole(&self, at: usize, width: usize) -> Option<&Block> {
-        let is_whole = self.of[at..at + width].iter().fold(true, |all, number| all & (*number == WHOLE));
-        is_whole.then(|| &self.table[WHOLE as usize])
-    }
-
-    /// `Â v` at some points, from the pulls of their bonds.
-    #[inline(always)]
-    fn forces(&self, at: usize, width: usize, v: Planes<'_>, pulls: &Pulls) -> Pulls {
-        let own: [&[f32]; 3] = from_fn(|c| &v[c][at..at + width]);
-        let mut forces = [[0.0; TILE]; 3];
-        match self.whole(at, width) {
-            // By symmetry its other entries are zero.
-            Some(block) => {
-                for c in 0..3 {
-                    for k in 0..width {
-                        forces[c][k] = block.stiffness[c][c] * own[c][k] - pulls[c][k];
-                    }
-                }
-            }
-            None => {
-                for k in 0..width {
-                    let Block { stiffness, free, .. } = &self.table[self.of[at + k] as usize];
-                    for c in 0..3 {
-                        let sum: f32 = (0..3).map(|d| stiffness[c][d] * own[d][k]).sum();
-                        forces[c][k] = free[c] * (sum - pulls[c][k]);
-                    }
-                }
-            }
-        }
-        forces
-    }
-
-    /// `b − Â v` at some points.
-    #[inline(always)]
-    fn residuals(&self, at: usize, width: usize, [b, v]: [Planes<'_>; 2], pulls: &Pulls) -> Pulls {
-        let mut r = self.forces(at, width, v, pulls);
-        for c in 0..3 {
-            let b = &b[c][at..at + width];
-            r[c].iter_mut().zip(b).for_each(|(r, b)| *r = b - *r);
-        }
-        r
-    }
-}
-
-type Pulls = [[f32; TILE]; 3];
-
-struct Apply<'a> {
-    level: &'a CubicLevel,
-    v: Planes<'a>,
-}
-
-impl Finish for Apply<'_> {
-    #[inline(always)]
-    fn finish(&self, at: usize, pulls: &Pulls, out: [&mut [f32]; 3]) {
-        let width = out[0].len();
-        let forces = self.level.forces(at, width, self.v, pulls);
-        out.into_iter().zip(&forces).for_each(|(out, f)| out.copy_from_slice(&f[..width]));
-    }
-}
-
-struct Residual<'a> {
-    level: &'a CubicLevel,
-    v: Planes<'a>,
-    b: Planes<'a>,
-}
-
-impl Finish for Residual<'_> {
-    #[inline(always)]
-    fn finish(&self, at: usize, pulls: &Pulls, out: [&mut [f32]; 3]) {
-        let width = out[0].len();
-        let r = self.level.residuals(at, width, [self.b, self.v], pulls);
-        out.into_iter().zip(&r).for_each(|(out, r)| out.copy_from_slice(&r[..width]));
-    }
-}
-
-struct Relax<'a> {
-    level: &'a CubicLevel,
-    v: Planes<'a>,
-    b: Planes<'a>,
-    step: [f32; 2],
-}
-
-impl Finish for Relax<'_> {
-    #[inline(always)]
-    fn finish(&self, at: usize, pulls: &Pulls, mut out: [&mut [f32]; 3]) {
-        let (width, [keep, scale]) = (out[0].len(), self.step);
-        let r = self.level.residuals(at, width, [self.b, self.v], pulls);
-        for (c, out) in out.iter_mut().enumerate() {
-            let v = &self.v[c][at..at + width];
-            out.iter_mut().zip(v).for_each(|(out, v)| *out = v + keep * (v - *out));
-        }
-        match self.level.whole(at, width) {
-            Some(block) => {
-                for (c, out) in out.iter_mut().enumerate() {
-                    let factor = scale * block.inverse[c][c];
-                    out.iter_mut().zip(&r[c]).for_each(|(out, r)| *out += factor * r);
-                }
-            }
-            None => {
-                for k in 0..width {
-                    let inverse = &self.level.table[self.level.of[at + k] as usize].inverse;
-                    for c in 0..3 {
-                        let sum: f32 = (0..3).map(|d| inverse[c][d] * r[d][k]).sum();
-                        out[c][k] += scale * sum;
-                    }
-                }
-            }
         }
     }
 }

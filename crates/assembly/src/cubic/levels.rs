@@ -102,7 +102,7 @@ impl CubicLevels {
         };
         let faces = match solid.faces {
             CubicFaces::Bare => Faces::Bare,
-            CubicFaces::Border(bonds) => Faces::Border(border(bonds)),
+            CubicFaces::Border(bonds) => Faces::Border(Box::new(border(bonds))),
             CubicFaces::Other => Faces::Stiffer,
         };
         let coarser = if matches!(faces, Faces::Bare) { Faces::Bare } else { Faces::Stiffer };

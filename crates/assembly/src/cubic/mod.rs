@@ -16,6 +16,7 @@ mod border;
 mod build;
 mod cells;
 mod coarsest;
+mod finish;
 mod followers;
 mod grid;
 mod kernel;

@@ -286,3 +286,6 @@ impl<const D: usize, const M: usize> Term<D> for NodedBonds<D, M> {
         (self.nodes.stored() + self.bonds.stored()).div_ceil(2)
     }
 }
+
+#[cfg(test)]
+mod tests;
