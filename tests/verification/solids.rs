@@ -232,6 +232,33 @@ fn solvers_agree() {
     }
 }
 
+/// A thin frame in a large box has no cubes to fill it, and a cycle over coarser models or a factor instead.
+#[test]
+fn a_body_in_a_large_box_is_solved_without_filling_it() {
+    let mut case = cube(40, &bonds(&json!({})), 2.0);
+    case["body"]["block"]["cuts"] = json!([{ "block": { "from": [4.0, 4.0, -1.0], "size": [37.0, 37.0, 42.0] } },
+               { "block": { "from": [4.0, -1.0, 4.0], "size": [37.0, 42.0, 37.0] } }]);
+    let of = |solver: &str| {
+        let mut case = case.clone();
+        case["solver"] = json!(solver);
+        solved(&case).field(0, "uz").expect("a field").into_owned()
+    };
+    let (exact, found) = (of("sparse"), of("multigrid"));
+    let scale = exact.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
+    let worst = found.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(worst < 1e-6 * scale, "{worst:e} of {scale:e}");
+}
+
+/// Beyond a Poisson's ratio of 0.48 stresses are off by several percent of the largest, and a warning says so.
+#[test]
+fn a_material_that_hardly_changes_its_volume_is_doubted() {
+    for (poisson_ratio, is_doubted) in [(0.45, false), (0.49, true)] {
+        let found = solved(&cube(4, &families(poisson_ratio, "border"), 2.0));
+        let warned = found.summary.warnings.iter().any(|text| text.contains("hardly changes its volume"));
+        assert_eq!(warned, is_doubted, "{poisson_ratio}: {:?}", found.summary.warnings);
+    }
+}
+
 /// A square cantilever four times as long as high, at three quarters of its length on its axis, against finite elements of 27
 /// nodes that were refined and extrapolated.
 #[test]

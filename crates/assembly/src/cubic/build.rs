@@ -34,8 +34,8 @@ const OUTSIDE: u32 = 0;
 /// Number of the points that have all bonds.
 pub(super) const WHOLE: u32 = 1;
 
-/// Blocks of all points; of the bonds as they are where something else completes families, `is_completed`.
-pub(super) fn blocks(cells: &Cells, stencil: &Stencil, is_completed: bool) -> Blocks {
+/// Blocks of all points; with the bonds as they are, `are_bare`, or stiffer ones beside faces.
+pub(super) fn blocks(cells: &Cells, stencil: &Stencil, are_bare: bool) -> Blocks {
     let grid = &cells.grid;
     let aways: Vec<isize> = stencil.steps.iter().map(|step| grid.away(*step)).collect();
     let reach = stencil.reach();
@@ -71,9 +71,9 @@ pub(super) fn blocks(cells: &Cells, stencil: &Stencil, is_completed: bool) -> Bl
         if let Some(spring) = spring {
             [&mut smoother, &mut bare].into_iter().for_each(|sum| add(sum, 1.0, spring));
         }
-        let own = if is_completed { 1.0 } else { own };
+        let own = if are_bare { 1.0 } else { own };
         let scaled = smoother.map(|row| row.map(|k| k / (own * own)));
-        let (stiffness, smoother) = if is_completed { (bare, smoother) } else { (scaled, scaled) };
+        let (stiffness, smoother) = if are_bare { (bare, smoother) } else { (scaled, scaled) };
         let free = [0, 1, 2].map(|c| if held & 1 << c == 0 { 1.0 } else { 0.0 });
         let follows = [0, 1, 2].map(|c| held & 1 << (FOLLOWING + c) != 0);
         let block = Block { stiffness, smoother, free, follows, inverse_scale: 1.0 / own };
@@ -119,7 +119,6 @@ fn scales(cells: &Cells, stencil: &Stencil, aways: &[isize], inner: &Inner) -> V
         }
         scale[place] = if own > 0.0 { (all / own).sqrt().min(MOST) as f32 } else { MOST as f32 };
     });
-    // A spring of an image is that of its point.
     cells.grid.mirror(&mut scale, |scale, _| scale);
     scale
 }

@@ -2,7 +2,7 @@
 
 use super::Planes;
 use super::border::Border;
-use super::build;
+use super::build::{self, Blocks};
 use super::cells::{Cells, SOLID};
 use super::finish::{Apply, Relax, Residual};
 use super::followers::Followers;
@@ -17,17 +17,6 @@ use std::array::from_fn;
 
 /// Points below which threads cost more than they bring.
 const FEW: usize = 4096;
-
-/// What is done about the bonds that points beside faces lack.
-#[derive(Clone, Debug)]
-pub(super) enum Faces {
-    /// Nothing.
-    Bare,
-    /// Their other bonds are stiffer.
-    Stiffer,
-    /// Bonds end on the border.
-    Border(Box<Border>),
-}
 
 /// What points of a kind have, in 32 bits.
 #[derive(Clone, Copy, Debug)]
@@ -55,14 +44,29 @@ pub struct CubicLevel {
     pub(super) inverse_scale: Vec<f32>,
     /// Entries of vectors that rest, of points.
     held: Vec<u32>,
-    border: Option<Box<Border>>,
+    border: Option<Border>,
     followers: Followers,
 }
 
 impl CubicLevel {
-    pub(super) fn new(cells: Cells, stencil: Stencil, faces: Faces, followers: Followers) -> Self {
-        let blocks = build::blocks(&cells, &stencil, !matches!(faces, Faces::Stiffer));
-        let border = if let Faces::Border(border) = faces { Some(border) } else { None };
+    /// A level whose points beside faces have stiffer bonds.
+    pub(super) fn stiffened(cells: Cells, stencil: Stencil) -> Self {
+        let blocks = build::blocks(&cells, &stencil, false);
+        Self::of_blocks(cells, stencil, blocks)
+    }
+
+    /// A level whose bonds are as they are.
+    pub(super) fn bare(cells: Cells, stencil: Stencil) -> Self {
+        let blocks = build::blocks(&cells, &stencil, true);
+        Self::of_blocks(cells, stencil, blocks)
+    }
+
+    /// Adds bonds on the border, and components that follow others.
+    pub(super) fn with(self, border: Option<Border>, followers: Followers) -> Self {
+        Self { border, followers, ..self }
+    }
+
+    fn of_blocks(cells: Cells, stencil: Stencil, blocks: Blocks) -> Self {
         let to_32 = |mat: &Mat<3, 3>| mat.map(|row| row.map(|x| x as f32));
         let table = blocks.table.iter().map(|block| {
             let rests = [0, 1, 2].map(|c| block.free[c] == 0.0 || block.follows[c]);
@@ -85,7 +89,17 @@ impl CubicLevel {
             let rests = |c: &usize| cells.state[place] & SOLID != 0 && cells.state[place] & 1 << c != 0;
             held.extend((0..3).filter(rests).map(|c| (c * cells.grid.len() + place) as u32));
         });
-        Self { cells, stencil, bonds, of: blocks.of, table, inverse_scale, held, border, followers }
+        Self {
+            cells,
+            stencil,
+            bonds,
+            of: blocks.of,
+            table,
+            inverse_scale,
+            held,
+            border: None,
+            followers: Followers::default(),
+        }
     }
 
     /// Length of its vectors.

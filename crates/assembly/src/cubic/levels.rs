@@ -5,13 +5,16 @@ use super::cells::{Cells, FOLLOWING, SOLID};
 use super::coarsest::{self, CoarsestMatrix};
 use super::followers::Followers;
 use super::grid::Grid;
-use super::level::{CubicLevel, Faces};
+use super::level::CubicLevel;
 use super::stencil::Stencil;
 use super::transfer::Transfer;
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
 use crate::model::plane::Mirrors;
 use crate::stiffness::NodedBonds;
+
+/// Cells of the box around a solid per point, at most.
+const MOST_EMPTY: f64 = 4.0;
 
 /// A solid as the levels see it.
 #[derive(Clone, Debug)]
@@ -67,14 +70,14 @@ pub struct CubicLevels {
 
 impl CubicLevels {
     /// Levels down to the first that `is_coarsest` by its numbers of columns, rows and layers and of its points; none if sides are
-    /// joined, or if that is the first one.
+    /// joined, if that is the first one, or if the solid fills so little of its box that empty cells would be most of the work.
     pub fn new(solid: &CubicSolid<'_>, is_coarsest: &dyn Fn([usize; 3], usize) -> bool) -> Option<Self> {
         if solid.mirrors.joined != [false; 3] {
             return None;
         }
         let unit = solid.stencil.stiffness();
         let stencil = solid.stencil.scaled(1.0 / unit);
-        let (mut cells, pieces, first) = finest(solid, &stencil)?;
+        let (mut cells, pieces, first) = cells_of(solid, &stencil)?;
         for (point, spring) in &solid.springs {
             let place = place_of(&pieces, *point)?;
             cells.add_spring(place, &spring.map(|row| row.map(|k| k / unit)));
@@ -100,25 +103,20 @@ impl CubicLevels {
                 (at(cell), at(real), signs)
             })
         };
-        let faces = match solid.faces {
-            CubicFaces::Bare => Faces::Bare,
-            CubicFaces::Border(bonds) => Faces::Border(Box::new(border(bonds))),
-            CubicFaces::Other => Faces::Stiffer,
+        type Make = fn(Cells, Stencil) -> CubicLevel;
+        let (finest, coarser, border): (Make, Make, _) = match solid.faces {
+            CubicFaces::Bare => (CubicLevel::bare, CubicLevel::bare, None),
+            CubicFaces::Border(bonds) => (CubicLevel::bare, CubicLevel::stiffened, Some(border(bonds))),
+            CubicFaces::Other => (CubicLevel::stiffened, CubicLevel::stiffened, None),
         };
-        let coarser = if matches!(faces, Faces::Bare) { Faces::Bare } else { Faces::Stiffer };
-        let mut levels = vec![CubicLevel::new(cells, stencil, faces, followers)];
+        let mut levels = vec![finest(cells, stencil).with(border, followers)];
         let mut transfers = Vec::new();
         loop {
             let fine = &levels[levels.len() - 1];
             if is_coarsest(fine.grid().cells, fine.points()) || !fine.cells.can_be_coarser() {
                 break;
             }
-            let coarse = CubicLevel::new(
-                fine.cells.coarser(),
-                fine.stencil.scaled(2.0),
-                coarser.clone(),
-                Followers::default(),
-            );
+            let coarse = coarser(fine.cells.coarser(), fine.stencil.scaled(2.0));
             transfers.push(Transfer::new(fine, &coarse));
             levels.push(coarse);
         }
@@ -129,11 +127,6 @@ impl CubicLevels {
     /// The levels.
     pub fn levels(&self) -> &[CubicLevel] {
         &self.levels
-    }
-
-    /// Points of the solid, images among them.
-    pub fn points(&self) -> usize {
-        self.points
     }
 
     /// Writes forces, N, of the solid over a vector of the finest level, per their 2-norm, which is returned.
@@ -202,8 +195,9 @@ fn place_of(pieces: &[Piece], point: usize) -> Option<usize> {
     (along < pieces[k].count as usize).then_some(pieces[k].place as usize + along)
 }
 
-/// The cells of the real points of a solid, where these are, and the first of them along every axis; none without points.
-fn finest(solid: &CubicSolid<'_>, stencil: &Stencil) -> Option<(Cells, Vec<Piece>, Cell)> {
+/// The cells of the real points of a solid, where these are, and the first of them along every axis; none without points, or with
+/// few of them in a large box.
+fn cells_of(solid: &CubicSolid<'_>, stencil: &Stencil) -> Option<(Cells, Vec<Piece>, Cell)> {
     let (lattice, mirrors) = (solid.lattice, solid.mirrors);
     let mut real = Vec::new();
     for run in lattice.runs() {
@@ -223,11 +217,18 @@ fn finest(solid: &CubicSolid<'_>, stencil: &Stencil) -> Option<(Cells, Vec<Piece
     let behind = [most(0)?, most(1)?, most(2)?];
     let sides = [0, 1, 2].map(|k| (behind[k] - first[k]) as usize);
     // Where nothing reaches a plane of symmetry there are no images.
+    let points: usize = real.iter().map(|(_, _, count)| count).sum();
+    let is_sparse = sides.map(|side| side as f64).iter().product::<f64>() > MOST_EMPTY * points as f64;
     let mirrored =
         [0, 1, 2].map(|k| [mirrors.lines[k][0] == Some(first[k]), mirrors.lines[k][1] == Some(behind[k])]);
     // What moves with images on the border is at most two cells behind those that bonds reach.
     let beyond = if matches!(solid.faces, CubicFaces::Border(_)) && !mirrors.is_none() { 2 } else { 0 };
-    let mut cells = Cells::new(Grid::new(sides, stencil.reach().max(2) + beyond, mirrored));
+    let grid = Grid::new(sides, stencil.reach().max(2) + beyond, mirrored);
+    // Entries of vectors are numbered by u32.
+    if is_sparse || u32::try_from(3 * grid.len()).is_err() {
+        return None;
+    }
+    let mut cells = Cells::new(grid);
     let mut pieces = Vec::with_capacity(real.len());
     for (point, cell, count) in real {
         let place = cells.grid.at([0, 1, 2].map(|k| i64::from(cell[k] - first[k])));

@@ -1,4 +1,4 @@
-//! Forces on the short rows of solids: chunks whose neighbours at an offset follow each other, if they are there at all.
+//! Forces on the rows of solids: chunks whose neighbours at an offset follow each other, if they are there at all.
 //!
 //! Rows of a cube are no longer than a chunk, so that hardly any chunk has all of its neighbours. What one lacks are whole lines
 //! beside it, and the ends of those that it has, all alike.
@@ -13,9 +13,16 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
-    /// Forces on a chunk without exceptions.
+    /// Forces on a chunk without exceptions; `all` is room for its bonds.
     #[inline(always)]
-    pub(super) fn beside(&self, chunk: &Chunk, beside: &Beside, u: &[&[f64]; D], forces: &mut Forces<D>) {
+    pub(super) fn beside(
+        &self,
+        chunk: &Chunk,
+        beside: &Beside,
+        u: &[&[f64]; D],
+        all: &mut Vec<Sides>,
+        forces: &mut Forces<D>,
+    ) {
         let sides = |(number, class): (usize, &Class<D, M>)| {
             let [above, below] = self.chunks.lines_at(beside, class.step);
             let along = class.step[0];
@@ -24,10 +31,11 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
             let class = number as u32;
             (above.is_some() || below.is_some()).then_some(Sides { class, along, above, below })
         };
-        let sides: Vec<Sides> = self.classes.iter().enumerate().filter_map(sides).collect();
+        all.clear();
+        all.extend(self.classes.iter().enumerate().filter_map(sides));
         let is_done = pulp::Arch::new().dispatch(ShortRow::<D, M, B> {
             classes: &self.classes,
-            sides: &sides,
+            sides: all,
             u,
             first: chunk.first as usize,
             width: chunk.width as usize,
@@ -37,7 +45,7 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
             model: PhantomData,
         });
         if !is_done {
-            self.few(chunk, beside.clip, &sides, u, forces);
+            self.few(chunk, beside.clip, all, u, forces);
         }
     }
 

@@ -102,8 +102,8 @@ impl Chunks {
                 let columns = from..from + width;
                 let neighbours = chunks.neighbours_of(lattice, run.line(), &columns);
                 // The rows of a plane are long, and most of their chunks have all neighbours.
-                let is_short = neighbours == NONE && !lattice.is_plane();
-                let beside = if is_short { chunks.beside(lattice, run.line(), &columns) } else { None };
+                let beside =
+                    if !lattice.is_plane() { chunks.beside(lattice, run.line(), &columns) } else { None };
                 chunks.all.push(Chunk {
                     first: run.number(from) as u32,
                     line: run.line(),

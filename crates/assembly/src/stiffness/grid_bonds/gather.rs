@@ -7,6 +7,7 @@
 
 use super::chunks::{CHUNK, Chunk};
 use super::shares::measure;
+use super::short_row::Sides;
 use super::{Class, GridBonds};
 use crate::bonds::BondModel;
 use crate::stiffness::TakeForces;
@@ -28,11 +29,12 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
         let u = planes::<D>(u);
         let parts = self.own_parts(planes_mut::<D>(out));
         let work = |(chunks, mut own): (&[Chunk], [&mut [f64]; D])| {
+            let mut sides = Vec::new();
             for chunk in chunks {
                 let mut forces = [[0.0; CHUNK]; D];
                 pulp::Arch::new().dispatch(
                     #[inline(always)]
-                    || self.gather_chunk(chunk, &u, &mut forces),
+                    || self.gather_chunk(chunk, &u, &mut sides, &mut forces),
                 );
                 let width = chunk.width as usize;
                 take(
@@ -49,13 +51,13 @@ impl<const D: usize, const M: usize, B: BondModel<D, M>> GridBonds<D, M, B> {
     }
 
     #[inline(always)]
-    fn gather_chunk(&self, chunk: &Chunk, u: &[&[f64]; D], forces: &mut Forces<D>) {
-        if chunk.is_inner() && chunk.is_plain() && chunk.width as usize == CHUNK {
-            self.inner(chunk, u, forces);
-        } else if let Some(beside) = &chunk.beside
+    fn gather_chunk(&self, chunk: &Chunk, u: &[&[f64]; D], sides: &mut Vec<Sides>, forces: &mut Forces<D>) {
+        if let Some(beside) = &chunk.beside
             && chunk.is_plain()
         {
-            self.beside(chunk, beside, u, forces);
+            self.beside(chunk, beside, u, sides, forces);
+        } else if chunk.is_inner() && chunk.is_plain() && chunk.width as usize == CHUNK {
+            self.inner(chunk, u, forces);
         } else {
             self.ragged(chunk, u, forces);
         }

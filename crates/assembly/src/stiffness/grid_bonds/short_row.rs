@@ -1,4 +1,4 @@
-//! Forces on short rows, in vector registers: those of all bonds of a few points are summed before the next.
+//! Forces on the rows of solids, in vector registers: those of all bonds of a few points are summed before the next.
 //!
 //! At the ends of a row some points lack bonds. They are evaluated as if their other ends were where they would be in memory, and
 //! then count nothing.

@@ -44,8 +44,8 @@ fn forces_and_energies_are_those_of_bonds_one_by_one() {
     assert_eq!((count, bonds.count()), (88 + 59 + 4, 88 + 59 + 4));
     found.iter().zip(&expected).for_each(|(a, b)| assert!((a - b).abs() < 1e-14, "{a} {b}"));
     assert!((bonds.survey(&u).energy - energy).abs() < 1e-13);
-    // 151 bonds and 90 nodes, one by one, would be more than 500.
-    assert!(bonds.stored_factors() < 300, "{}", bonds.stored_factors());
+    // 131 measured; 151 bonds and 90 nodes, one by one, are more than 500.
+    assert!(bonds.stored_factors() < 160, "{}", bonds.stored_factors());
 }
 
 #[test]

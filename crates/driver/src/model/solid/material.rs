@@ -8,7 +8,7 @@ use crate::diagnostic::{Faults, JsonPath, root};
 use crate::units::Units;
 use peristat_assembly::body::{Cell, SquareLattice};
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
-use peristat_assembly::model::solid::{Solid, SolidEdges, SolidMaterial};
+use peristat_assembly::model::solid::{Solid, SolidEdges, SolidMaterial, SolidModel};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -51,6 +51,32 @@ impl<P: SolidParameters> SolidBonds<P> {
     fn edges(&self) -> SolidEdges {
         let mut parameters = self.parameters;
         *parameters.edges()
+    }
+}
+
+/// Bulk over shear modulus from which stresses are doubtful: a Poisson's ratio of 0.48.
+const DOUBTFUL: f64 = 24.0;
+/// Error of the stresses of a bar that is bent, eight cells high, per bulk over shear modulus; of the largest stress.
+const ERROR: f64 = 0.00174;
+
+impl<P: SolidParameters> SolidBonds<P> {
+    /// Adds a warning where the material hardly changes its volume.
+    fn warn_of_volumes(&self, solid: &dyn SolidModel, faults: &mut Faults) {
+        let stiffness = solid.stiffness();
+        let (lame, shear) = (stiffness[0][1], stiffness[3][3]);
+        let bulk_per_shear = lame / shear + 2.0 / 3.0;
+        if bulk_per_shear < DOUBTFUL {
+            return;
+        }
+        let percent = 100.0 * ERROR * bulk_per_shear;
+        faults
+            .warning(
+                root("model").key(self.about().name).key("poisson_ratio"),
+                format!(
+                    "the material hardly changes its volume: in a bar that is bent, eight cells high, stresses are off by {percent:.0} % of the largest"
+                ),
+            )
+            .hint("half the spacing leaves a fourth of that; displacements are better");
     }
 }
 
@@ -147,6 +173,9 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
                     "parts of this body are one cell thick, so that no bonds end on its border: tetrahedra complete its points, and stresses beside loaded edges are wrong by tenths",
                 )
                 .hint("use a smaller spacing: two cells are enough");
+        }
+        if let Some(solid) = on.model.as_solid() {
+            self.warn_of_volumes(solid, faults);
         }
     }
 

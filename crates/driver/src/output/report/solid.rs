@@ -97,7 +97,7 @@ pub(super) fn render(out: &mut String, solid: &Solid, most_bytes: usize) {
     out.push_str("</figure>\n");
 }
 
-/// The cut and the views, and what is told where they are drawn without WebGL.
+/// The controls of the cut and the views, and the note that appears without WebGL.
 const CONTROLS: &str = r#"<label class="cut">Cut <select class="across"><option value="">none</option><option value="0">across x</option>
 <option value="1">across y</option><option value="2">across z</option></select></label>
 <label class="cut"><input type="range" class="depth" min="1" value="1" aria-label="Place of the cut" hidden><output></output></label>

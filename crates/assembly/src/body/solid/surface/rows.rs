@@ -88,7 +88,8 @@ fn on_border(surface: &Surface, grid: &Grid, slack: f64) -> Vec<(u32, i32)> {
     found
 }
 
-/// Columns of a row where it is inside: where it has entered more often than left. Columns where it has left more often are told.
+/// Columns of a row where it is inside: where it has entered more often than left. `is_outside` takes columns where it has left more
+/// often.
 fn inside(
     crossings: &[(u32, Crossing)],
     grid: &Grid,
