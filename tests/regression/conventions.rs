@@ -187,7 +187,8 @@ fn paths_of_a_text_are_found() {
 fn every_path_that_a_document_names_exists() {
     let mut documents = files(&root().join("docs"), ".md");
     documents.extend(
-        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "cases/README.md"].map(|name| root().join(name)),
+        ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "cases/README.md", "bench/README.md"]
+            .map(|name| root().join(name)),
     );
     documents.retain(|document| document.exists());
     for document in documents {

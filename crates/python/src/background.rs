@@ -5,6 +5,7 @@ use peristat::Error;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -14,6 +15,9 @@ use std::time::Duration;
 const TICK: Duration = Duration::from_millis(50);
 /// How long work that was interrupted may take to leave its files in order before the interpreter goes on without it.
 const GRACE: Duration = Duration::from_millis(800);
+
+/// What is said of a panic.
+const NO_RESULT: &str = "the solver ended without a result";
 
 /// Why work has no result.
 pub(crate) enum Failure {
@@ -31,6 +35,25 @@ impl From<Error> for Failure {
 
 /// Whether work is to end.
 pub(crate) type Stop = Arc<AtomicBool>;
+
+/// Does work that is too short to be interrupted, on the thread that asks for it.
+pub(crate) fn at_once<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&Stop) -> Result<T, Failure> + Send,
+) -> PyResult<T> {
+    match py.detach(|| catch_unwind(AssertUnwindSafe(|| work(&Stop::default())))) {
+        Ok(done) => done.map_err(|failure| raised(py, failure)),
+        Err(_) => Err(PyRuntimeError::new_err(NO_RESULT)),
+    }
+}
+
+/// The exception that Python sees.
+fn raised(py: Python<'_>, failure: Failure) -> PyErr {
+    match failure {
+        Failure::Library(error) => exception(py, &error),
+        Failure::Python(error) => error,
+    }
+}
 
 /// Does work in a pool of so many threads, of all cores if not given.
 pub(crate) fn beside<T: Send + 'static>(
@@ -58,13 +81,9 @@ pub(crate) fn beside<T: Send + 'static>(
     let receive = Mutex::new(receive);
     loop {
         match py.detach(|| wait(&receive, TICK)) {
-            Ok(Ok(done)) => return Ok(done),
-            Ok(Err(Failure::Library(error))) => return Err(exception(py, &error)),
-            Ok(Err(Failure::Python(error))) => return Err(error),
+            Ok(done) => return done.map_err(|failure| raised(py, failure)),
             Err(RecvTimeoutError::Timeout) => {}
-            Err(RecvTimeoutError::Disconnected) => {
-                return Err(PyRuntimeError::new_err("the solver ended without a result"));
-            }
+            Err(RecvTimeoutError::Disconnected) => return Err(PyRuntimeError::new_err(NO_RESULT)),
         }
         if let Err(interrupt) = py.check_signals() {
             stop.store(true, Ordering::Relaxed);

@@ -1,6 +1,6 @@
 //! Cases and studies as the Python half hands them over.
 
-use peristat::case;
+use peristat::case::{self, Source};
 use peristat::input::{Folder, Reach};
 use peristat::study::Plan;
 use peristat::{Error, Loaded};
@@ -29,11 +29,21 @@ impl Given {
         if self.allow_outside { Reach::Anywhere } else { Reach::Inside }
     }
 
-    /// The case.
-    pub(crate) fn load(self) -> Result<Loaded, Error> {
-        let folder = Folder::of(&self.file, self.reach());
-        let source = case::from_text(&self.file.display().to_string(), self.text, &self.overrides)?;
-        Loaded::from_source(source, folder, self.max_memory)
+    /// The case as it is read.
+    pub(crate) fn read(&mut self) -> Result<Source, Error> {
+        let text = std::mem::take(&mut self.text);
+        Ok(case::from_text(&self.file.display().to_string(), text, &self.overrides)?)
+    }
+
+    /// The case that was read, resolved.
+    pub(crate) fn resolve(&self, source: Source) -> Result<Loaded, Error> {
+        Loaded::from_source(source, Folder::of(&self.file, self.reach()), self.max_memory)
+    }
+
+    /// The case, read and resolved.
+    pub(crate) fn load(mut self) -> Result<Loaded, Error> {
+        let source = self.read()?;
+        self.resolve(source)
     }
 
     /// The plan of the study.

@@ -105,10 +105,10 @@ impl Weights {
                 let part = lower.start.max(first) - first..lower.end.min(first + CHUNK) - first;
                 match self.chunks[chunk] {
                     PLAIN => true,
-                    start => self.factors[start as usize..]
-                        .chunks_exact(CHUNK)
-                        .take(self.classes.len())
-                        .all(|factors| factors[part.clone()].iter().all(|factor| *factor == 1.0)),
+                    start => (0..self.classes.len()).all(|class| {
+                        let first = start as usize + class * CHUNK;
+                        self.factors[first + part.start..first + part.end].iter().all(|factor| *factor == 1.0)
+                    }),
                 }
             })
     }

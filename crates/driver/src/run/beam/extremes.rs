@@ -50,16 +50,14 @@ impl BeamResult {
 
     /// Smallest and largest value of a field on one line and their positions.
     pub fn extremes_on(&self, field: FieldName, line: usize) -> Option<[(f64, f64); 2]> {
-        let (mut range, x) = (Range::default(), &self.lines[line].x);
-        let mut take = |values: &[f64]| {
-            if let Some(ends) = scan::extremes(values) {
-                range.take(ends.map(|k| (values[k], x.at(k))));
-            }
+        let x = &self.lines[line].x;
+        let located = |values: &[f64], ends: usize| {
+            Some(scan::extremes(values)?.map(|k| (values[k], x.at(k / ends + k % ends))))
         };
-        take(&self.values(field, line)?);
-        if let Some(left) = self.left_values(field, line) {
-            take(&left);
+        // Both ends of every cell, where a field may jump.
+        match self.cells(field, line) {
+            Some(cells) => located(cells.as_flattened(), 2),
+            None => located(&self.values(field, line)?, 1),
         }
-        range.ends()
     }
 }

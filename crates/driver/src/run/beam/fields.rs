@@ -123,13 +123,17 @@ impl BeamResult {
         }
     }
 
-    /// The values of an unknown along a line, as they lie in `u`.
-    fn unknown(&self, field: FieldName, line: usize) -> Option<&[f64]> {
+    /// The values of a field along a line that lie somewhere one after the other.
+    fn stored(&self, field: FieldName, line: usize) -> Option<&[f64]> {
         let fields = &self.lines[line];
         let plane = match field {
             FieldName::W => W,
             FieldName::Phi => PHI,
             FieldName::U => U,
+            FieldName::EnergyDensity => {
+                fields.section.area.as_ref()?.uniform()?;
+                return fields.recovered.as_ref().map(|recovered| &recovered.energy_density[..]);
+            }
             _ => return None,
         };
         self.record.u.get(plane * self.points + fields.first..)?.get(..fields.x.len())
@@ -137,7 +141,7 @@ impl BeamResult {
 
     /// All values of a field along a line.
     pub fn values(&self, field: FieldName, line: usize) -> Option<Cow<'_, [f64]>> {
-        match self.unknown(field, line) {
+        match self.stored(field, line) {
             Some(values) => Some(values.into()),
             None => (0..self.lines[line].x.len()).map(|point| self.value(field, line, point)).collect(),
         }
@@ -167,7 +171,7 @@ impl BeamResult {
     }
 
     /// Section force, or stress from it, at both ends of every cell of a line, seen from inside.
-    fn cells(&self, field: FieldName, line: usize) -> Option<Vec<[f64; 2]>> {
+    pub(super) fn cells(&self, field: FieldName, line: usize) -> Option<Cow<'_, [[f64; 2]]>> {
         let fields = &self.lines[line];
         let forces = &fields.recovered.as_ref()?.forces;
         if !self.fields.contains(&field) {
@@ -184,8 +188,8 @@ impl BeamResult {
             forces.moment.iter().zip(fields.x.windows(2)).enumerate().map(cell).collect()
         };
         match field {
-            FieldName::M => Some(forces.moment.clone()),
-            FieldName::V => Some(forces.shear.clone()),
+            FieldName::M => Some((&forces.moment).into()),
+            FieldName::V => Some((&forces.shear).into()),
             FieldName::N => Some((0..forces.moment.len()).map(axial).collect()),
             FieldName::StressTop => stress(-1.0),
             FieldName::StressBottom => stress(1.0),

@@ -1,9 +1,10 @@
 //! Fixed-end forces: what the loads inside a bond put on its two points.
 
-use super::{BeamLoads, Distributed, EndForces, PointAction, Span};
+use super::{BeamLoads, Distributed, EndForces, Intensity, PointAction, Span};
 use crate::model::timoshenko_beam::Chain;
 use crate::model::timoshenko_beam::chain::pieces;
 use crate::quadrature::GAUSS;
+use std::array::from_fn;
 
 /// Loads that bonds carry.
 struct Carried<'a> {
@@ -37,6 +38,9 @@ pub(in super::super) struct FixedEnd<'a> {
     chain: &'a Chain,
     /// EI and S, where they do not vary.
     plain: Option<(f64, f64)>,
+    /// Per distributed load and class of a uniform line: end forces of loads that fall from one at the start of a bond to zero at its
+    /// end, and the reverse. A load that is straight over a bond is a sum of them.
+    units: Vec<Vec<[EndForces; 2]>>,
     /// Distances from the start at which the stiffness or the loads are not smooth, in order.
     breaks: Vec<f64>,
 }
@@ -55,17 +59,49 @@ impl<'a> FixedEnd<'a> {
         let mut breaks: Vec<f64> = stiffness.breaks().into_iter().chain(places).collect();
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
-        Self { carried, chain, plain: stiffness.plain(), breaks }
+        let plain = stiffness.plain();
+        let units = match plain.filter(|_| chain.is_uniform()) {
+            Some(plain) => carried.distributed.iter().map(|load| units(load, chain, plain)).collect(),
+            None => vec![Vec::new(); carried.distributed.len()],
+        };
+        Self { carried, chain, plain, units, breaks }
+    }
+
+    /// The distributed loads that bonds carry.
+    pub(super) fn distributed(&self) -> &[&'a Distributed] {
+        &self.carried.distributed
+    }
+
+    /// End forces of a distributed load of one per length on the bonds of a class, where they are all alike.
+    pub(super) fn of_unit(&self, number: usize, class: usize) -> Option<EndForces> {
+        let [falling, rising] = self.units[number].get(class)?;
+        Some(from_fn(|k| falling[k] + rising[k]))
     }
 
     /// Forces of all loads inside one bond, weight not included.
     pub(in super::super) fn of(&self, class: usize, lower: usize) -> EndForces {
-        self.end_forces(&self.carried, class, lower)
+        if self.plain.is_none() {
+            return self.by_flexibility(&self.carried, class, lower);
+        }
+        let mut sum = self.of_spread(class, lower).unwrap_or_default();
+        for number in 0..self.carried.distributed.len() {
+            let part = self.of_one(number, class, lower);
+            (0..6).for_each(|k| sum[k] += part[k]);
+        }
+        sum
     }
 
-    /// Forces of one distributed load inside a bond.
-    pub(super) fn of_one(&self, load: &Distributed, class: usize, lower: usize) -> EndForces {
-        self.end_forces(&Carried { distributed: vec![load], point: Vec::new() }, class, lower)
+    /// Forces of one of the distributed loads inside a bond.
+    pub(super) fn of_one(&self, number: usize, class: usize, lower: usize) -> EndForces {
+        let load = self.carried.distributed[number];
+        let ends = [lower, lower + self.chain.weights.step(class)].map(|point| self.chain.position(point));
+        match load.is_linear_over(ends).zip(self.units[number].get(class)) {
+            Some(([qa, qb], [falling, rising])) => from_fn(|k| qa * falling[k] + qb * rising[k]),
+            None => {
+                let carried = Carried { distributed: vec![load], point: Vec::new() };
+                self.end_forces(&carried, class, lower)
+            }
+        }
     }
 
     /// Forces of the concentrated loads that bonds carry, if there are any inside a bond.
@@ -148,4 +184,14 @@ impl<'a> FixedEnd<'a> {
         // The forces on the points are minus those on the bond.
         [-v, -m - half * v, q + v, m - half * v - moment, -n, p + n]
     }
+}
+
+/// End forces of unit loads on the bonds of every class of a uniform line.
+fn units(load: &Distributed, chain: &Chain, (bending, shear): (f64, f64)) -> Vec<[EndForces; 2]> {
+    let unit = |class: usize, start: f64, end: f64| {
+        let span = Span { x: 0.0, ..Span::new(chain, class, 0, bending, shear) };
+        let intensity = Intensity::Linear { start, end };
+        Distributed { from: 0.0, to: span.length, intensity, ..*load }.on(&span)
+    };
+    (0..chain.weights.classes()).map(|class| [unit(class, 1.0, 0.0), unit(class, 0.0, 1.0)]).collect()
 }

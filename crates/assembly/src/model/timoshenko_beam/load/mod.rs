@@ -153,14 +153,29 @@ impl Distributed {
 
     /// `(∫ q, ∫ (b − x) q − ∫ c, ∫ p)` over `[a, b]`.
     fn resultant(&self, a: f64, b: f64) -> [f64; 3] {
-        self.integrate(a, b, |x| match self.along {
-            Along::Transverse => [1.0, b - x, 0.0],
-            Along::Rotation => [0.0, -1.0, 0.0],
-            Along::Axial => [0.0, 0.0, 1.0],
-        })
+        let [sum, lever] = match self.intensity {
+            Intensity::Linear { .. } => self.linear_resultant(a, b),
+            Intensity::Sine { .. } => self.integrate(a, b, |x| [1.0, b - x]),
+        };
+        match self.along {
+            Along::Transverse => [sum, lever, 0.0],
+            Along::Rotation => [0.0, -sum, 0.0],
+            Along::Axial => [0.0, 0.0, sum],
+        }
     }
 
-    fn is_linear_over(&self, a: f64, b: f64) -> Option<[f64; 2]> {
+    /// `(∫ q, ∫ (b − x) q)` over `[a, b]` of a load that is straight where it acts.
+    fn linear_resultant(&self, a: f64, b: f64) -> [f64; 2] {
+        let (start, end) = (a.max(self.from), b.min(self.to));
+        if end <= start {
+            return [0.0; 2];
+        }
+        let (width, [q_start, q_end]) = (end - start, [start, end].map(|x| self.value(x)));
+        let sum = 0.5 * width * (q_start + q_end);
+        [sum, width * width * (2.0 * q_start + q_end) / 6.0 + (b - end) * sum]
+    }
+
+    fn is_linear_over(&self, [a, b]: [f64; 2]) -> Option<[f64; 2]> {
         // Ends of loads and points agree up to rounding.
         let slack = 1e-9 * (b - a);
         let inside = a >= self.from - slack && b <= self.to + slack;

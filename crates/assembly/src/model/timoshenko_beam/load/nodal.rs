@@ -1,8 +1,7 @@
 //! Loads as forces on points.
 
-use super::{BeamLoads, Distributed, EndForces, FixedEnd, Intensity, PointAction, Span};
+use super::{BeamLoads, Distributed, EndForces, FixedEnd, PointAction, Span};
 use crate::model::timoshenko_beam::{Chain, TimoshenkoBeam};
-use std::array::from_fn;
 use std::ops::Range;
 
 /// Points per block: enough to make little of what is done once per block.
@@ -11,20 +10,13 @@ const BLOCK: usize = 1024;
 /// The loads on one line, made ready to be turned into forces on its points.
 pub struct ChainLoads<'a> {
     chain: &'a Chain,
-    lumped: bool,
-    distributed: Vec<Prepared<'a>>,
+    /// Distributed loads that no bond carries.
+    lumped: Vec<&'a Distributed>,
     fixed_end: FixedEnd<'a>,
+    /// Per distributed load that bonds carry: forces (w, φ, u) on a point all of whose bonds are ordinary and carry the same load.
+    interior: Vec<Option<[f64; 3]>>,
     /// Forces of concentrated loads: extended point, component, value.
     nodal: Vec<(usize, usize, f64)>,
-}
-
-/// A distributed load with what it does to the bonds of a uniform line.
-struct Prepared<'a> {
-    load: &'a Distributed,
-    /// Per class: end forces of loads that fall from one at the start of a bond to zero at its end, and the reverse.
-    units: Vec<[EndForces; 2]>,
-    /// Forces (w, φ, u) on a point all of whose bonds are ordinary and carry the same load.
-    interior: Option<[f64; 3]>,
 }
 
 impl BeamLoads {
@@ -48,62 +40,50 @@ impl BeamLoads {
     /// The loads on one line.
     pub fn on_chain<'a>(&'a self, beam: &'a TimoshenkoBeam, number: usize) -> ChainLoads<'a> {
         let chain = &beam.chains()[number];
-        let mine = self.distributed.iter().filter(|load| load.chain == number);
-        let distributed = mine.map(|load| Prepared::new(load, chain)).collect();
+        let mine = self.distributed.iter().filter(|load| self.lumped && load.chain == number);
+        let lumped = mine.collect();
         let mut nodal = Vec::new();
         let fixed_end = FixedEnd::new(self, number, chain);
         for action in self.point.iter().filter(|p| p.chain == number) {
             place(action, chain, &mut nodal);
         }
-        ChainLoads { chain, lumped: self.lumped, distributed, fixed_end, nodal }
+        let interior = (0..fixed_end.distributed().len()).map(|k| interior(&fixed_end, k, chain)).collect();
+        ChainLoads { chain, lumped, fixed_end, interior, nodal }
     }
 }
 
-impl<'a> Prepared<'a> {
-    fn new(load: &'a Distributed, chain: &Chain) -> Self {
-        let Some((bending, shear)) = chain.line().stiffness.plain().filter(|_| chain.is_uniform()) else {
-            return Self { load, units: Vec::new(), interior: None };
-        };
-        // A load that is straight over a bond is the sum of two unit loads, integrated once per class.
-        let unit = |class: usize, start: f64, end: f64| {
-            let span = Span { x: 0.0, ..Span::new(chain, class, 0, bending, shear) };
-            let intensity = Intensity::Linear { start, end };
-            Distributed { from: 0.0, to: span.length, intensity, ..*load }.on(&span)
-        };
-        let classes = chain.weights.classes();
-        let units: Vec<[EndForces; 2]> =
-            (0..classes).map(|class| [unit(class, 1.0, 0.0), unit(class, 0.0, 1.0)]).collect();
-        let interior = load.constant().map(|q| {
-            let ends = |k: usize| -> f64 {
-                let of =
-                    |class: usize| chain.weights.of_class(class) * (units[class][0][k] + units[class][1][k]);
-                q * (0..classes).map(of).sum::<f64>()
-            };
-            [ends(0) + ends(2), ends(1) + ends(3), ends(4) + ends(5)]
-        });
-        Self { load, units, interior }
+/// Forces (w, φ, u) of a load on a point all of whose bonds are ordinary and carry the same load; none of one that varies.
+fn interior(fixed_end: &FixedEnd, number: usize, chain: &Chain) -> Option<[f64; 3]> {
+    let q = fixed_end.distributed()[number].constant()?;
+    let mut forces = [0.0; 3];
+    for class in 0..chain.weights.classes() {
+        let (ends, weight) = (fixed_end.of_unit(number, class)?, chain.weights.of_class(class));
+        let on_point = [ends[0] + ends[2], ends[1] + ends[3], ends[4] + ends[5]];
+        (0..3).for_each(|k| forces[k] += q * weight * on_point[k]);
     }
+    Some(forces)
 }
 
 impl ChainLoads<'_> {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
-        self.distributed.is_empty() && self.nodal.is_empty() && !self.fixed_end.spreads()
+        self.lumped.is_empty() && self.nodal.is_empty() && !self.fixed_end.is_needed()
     }
 
     /// Adds the forces on a range of extended points to planes of as many entries, (w, φ) or (w, φ, u).
     pub fn add_block(&self, range: Range<usize>, planes: &mut [&mut [f64]]) {
-        for prepared in &self.distributed {
-            if self.lumped {
-                self.add_lumped(prepared.load, &range, planes);
-            } else if let Some(interior) =
-                prepared.interior.filter(|_| self.is_interior(prepared.load, &range))
-            {
-                for (plane, value) in planes.iter_mut().zip(interior) {
-                    plane.iter_mut().for_each(|f| *f += value);
+        for load in &self.lumped {
+            self.add_lumped(load, &range, planes);
+        }
+        for (number, (load, interior)) in self.fixed_end.distributed().iter().zip(&self.interior).enumerate()
+        {
+            match interior.filter(|_| self.is_interior(load, &range)) {
+                Some(interior) => {
+                    for (plane, value) in planes.iter_mut().zip(interior) {
+                        plane.iter_mut().for_each(|f| *f += value);
+                    }
                 }
-            } else {
-                self.add_consistent(prepared, &range, planes);
+                None => self.add_consistent(number, load, &range, planes),
             }
         }
         if self.fixed_end.spreads() {
@@ -139,19 +119,20 @@ impl ChainLoads<'_> {
         }
     }
 
-    fn add_consistent(&self, prepared: &Prepared, range: &Range<usize>, planes: &mut [&mut [f64]]) {
-        let (load, chain) = (prepared.load, self.chain);
+    fn add_consistent(
+        &self,
+        number: usize,
+        load: &Distributed,
+        range: &Range<usize>,
+        planes: &mut [&mut [f64]],
+    ) {
+        let chain = self.chain;
         self.each_bond(range, |class, lower, weight| {
             let upper = lower + chain.weights.step(class);
-            let (a, b) = (chain.position(lower), chain.position(upper));
-            if b <= load.from || a >= load.to {
-                return;
+            if chain.position(upper) > load.from && chain.position(lower) < load.to {
+                let ends = self.fixed_end.of_one(number, class, lower);
+                scatter(range, planes, [lower, upper], weight, &ends);
             }
-            let ends = match load.is_linear_over(a, b).zip(prepared.units.get(class)) {
-                Some(([qa, qb], [start, end])) => from_fn(|k| qa * start[k] + qb * end[k]),
-                None => self.fixed_end.of_one(load, class, lower),
-            };
-            scatter(range, planes, [lower, upper], weight, &ends);
         });
     }
 

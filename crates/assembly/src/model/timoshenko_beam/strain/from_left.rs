@@ -1,7 +1,7 @@
 //! From strains to displacements.
 
 use super::sums::{FEW, dot, largest};
-use super::{STRAIN_BLOCK, StrainAction, StrainChecks, StrainForm};
+use super::{StrainAction, StrainChecks, StrainForm};
 use crate::model::timoshenko_beam::{ChainLoads, PHI, W};
 use crate::sum::Sum;
 use std::ops::Range;
@@ -45,7 +45,8 @@ impl<'a> FromLeft<'a> {
         let mut actions = actions.to_vec();
         actions.sort_by_key(|action| action.point);
         let back = form.reach() - 1;
-        let room = |more: usize| [vec![0.0; STRAIN_BLOCK + more], vec![0.0; STRAIN_BLOCK + more]];
+        let block = form.block();
+        let room = |more: usize| [vec![0.0; block + more], vec![0.0; block + more]];
         let [w, phi] = start.map(Sum::of);
         Self {
             form,
@@ -60,14 +61,14 @@ impl<'a> FromLeft<'a> {
             right: room(back),
             rows: room(back),
             force: room(0),
-            width: vec![0.0; STRAIN_BLOCK],
+            width: vec![0.0; block],
             energy: Sum::default(),
             work: Sum::default(),
             checks: StrainChecks::default(),
         }
     }
 
-    /// Takes the strains `(θ, g)` of the next cells, one to [`STRAIN_BLOCK`] of them, in the order of the matrix, and
+    /// Takes the strains `(θ, g)` of the next cells, one to [`STRAIN_BLOCK`](super::STRAIN_BLOCK) of them, in the order of the matrix, and
     /// writes the displacements of their left points.
     pub fn sweep(&mut self, v: &[f64], [w, phi]: [&mut [f64]; 2]) {
         let (count, back) = (w.len(), self.form.reach() - 1);

@@ -1,7 +1,7 @@
 //! Moment and shear force of the cantilever that is clamped at the first point, summed from the last.
 
 use super::sums::{FEW, dot};
-use super::{STRAIN_BLOCK, StrainAction, StrainForm};
+use super::{StrainAction, StrainForm};
 use crate::model::timoshenko_beam::{ChainLoads, PHI, W};
 use crate::sum::Sum;
 use std::ops::Range;
@@ -33,6 +33,11 @@ pub struct FromRight<'a> {
     force: Vec<f64>,
     couple: Vec<f64>,
     width: Vec<f64>,
+    /// Magnitudes of the forces.
+    absolute: Vec<f64>,
+    /// Distances of the points from the first one.
+    arms: Vec<f64>,
+    one: Vec<f64>,
 }
 
 impl<'a> FromRight<'a> {
@@ -44,7 +49,8 @@ impl<'a> FromRight<'a> {
     ) -> Self {
         let mut actions = actions.to_vec();
         actions.sort_by_key(|action| std::cmp::Reverse(action.point));
-        let room = || vec![0.0; STRAIN_BLOCK];
+        let block = form.block();
+        let room = || vec![0.0; block];
         Self {
             form,
             loads,
@@ -56,10 +62,13 @@ impl<'a> FromRight<'a> {
             force: room(),
             couple: room(),
             width: room(),
+            absolute: room(),
+            arms: room(),
+            one: vec![1.0; block],
         }
     }
 
-    /// Writes `(M_c, Q_c)` of the next cells on the left, one to [`STRAIN_BLOCK`] of them, in the order of the matrix.
+    /// Writes `(M_c, Q_c)` of the next cells on the left, one to [`STRAIN_BLOCK`](super::STRAIN_BLOCK) of them, in the order of the matrix.
     pub fn sweep(&mut self, r: &mut [f64]) {
         let count = r.len() / 2;
         let start = self.end - count;
@@ -95,22 +104,18 @@ impl<'a> FromRight<'a> {
         let Some(loads) = self.loads.filter(|loads| !loads.is_empty()) else { return };
         let (force, couple) = (&mut self.force[..count], &mut self.couple[..count]);
         self.form.forces(loads, first, [&mut *force, &mut *couple]);
-        let one = [1.0; STRAIN_BLOCK];
+        let (arms, absolute) = (&mut self.arms[..count], &mut self.absolute[..count]);
         let start = self.form.distance(first);
-        let mut arms = [0.0; STRAIN_BLOCK];
         match &self.form.chain().line().stations {
             None => {
                 let h = self.form.chain().spacing;
-                arms[..count].iter_mut().enumerate().for_each(|(k, arm)| *arm = start + k as f64 * h);
+                arms.iter_mut().enumerate().for_each(|(k, arm)| *arm = start + k as f64 * h);
             }
-            Some(_) => {
-                arms[..count].iter_mut().enumerate().for_each(|(k, arm)| *arm = self.form.distance(first + k))
-            }
+            Some(_) => arms.iter_mut().enumerate().for_each(|(k, arm)| *arm = self.form.distance(first + k)),
         }
-        let mut absolute = [0.0; STRAIN_BLOCK];
         absolute.iter_mut().zip(&*force).for_each(|(a, f)| *a = f.abs());
-        self.size[0] += dot(&absolute[..count], &one[..count]);
-        self.size[1] += dot(&absolute[..count], &arms[..count]);
+        self.size[0] += dot(absolute, &self.one[..count]);
+        self.size[1] += dot(absolute, arms);
         self.size[1] += couple.iter().map(|c| c.abs()).sum::<f64>();
     }
 

@@ -98,6 +98,11 @@ impl<'a> StrainForm<'a> {
         self.chain.points - 1
     }
 
+    /// Cells or points that a sweep takes at most.
+    fn block(&self) -> usize {
+        STRAIN_BLOCK.min(self.chain.points)
+    }
+
     /// The line.
     pub fn chain(&self) -> &'a Chain {
         self.chain

@@ -22,7 +22,8 @@ impl<'a> Passes<'a> {
     pub(super) fn new(form: StrainForm<'a>) -> Result<Self, SolveFailure> {
         let StrainBand { half_bandwidth, runs, values } = form.band();
         let factor = RepeatingCholesky::factor(&RepeatingBand { half_bandwidth, period: 2, runs, values })?;
-        Ok(Self { form, factor, block: vec![0.0; 2 * STRAIN_BLOCK] })
+        let block = vec![0.0; 2 * STRAIN_BLOCK.min(form.cells())];
+        Ok(Self { form, factor, block })
     }
 
     /// The strain form.
