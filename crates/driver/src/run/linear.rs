@@ -72,14 +72,9 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         &self.work.scales
     }
 
-    /// Method, reason and iterations so far.
-    pub fn report(&self) -> &SolverReport {
-        &self.report
-    }
-
-    /// Counters so far.
-    pub fn counters(&self) -> &Counters {
-        &self.counters
+    /// Method, reason, iterations and counters of all that it solved.
+    pub(super) fn into_reports(self) -> (SolverReport, Counters) {
+        (self.report, self.counters)
     }
 
     /// Unknowns under a load (`D` planes) and `motion_factor` times the prescribed motions.

@@ -6,10 +6,9 @@ use super::linear::LinearSolver;
 use super::load::Load;
 use super::method;
 use super::problem::Problem;
-use super::report::{Counters, RunReport, Timing};
+use super::report::{RunReport, Timing};
 use super::scene_sizes::Sizes;
 use super::solved_state::SolvedState;
-use super::solver_report::SolverReport;
 use super::workspace::StateSolution;
 use crate::diagnostic::Faults;
 use peristat_assembly::system::System;
@@ -42,31 +41,40 @@ pub(super) fn solve_states<const D: usize>(
     let begin = Instant::now();
     let coarser = if method::plan(problem) == method::Plan::Cycle { problem.coarser(system) } else { None };
     timing.assemble = begin.elapsed().as_secs_f64();
-    let mut ready = Some(LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?);
-    let (mut report, mut counters) = (SolverReport::default(), Counters::default());
+    let mut solver = LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?;
     let mut load = vec![0.0; system.size()];
-    let mut converged = true;
+    let (mut converged, mut last, mut record_time) = (true, None, 0.0);
+    let mut record = |solved: SolvedState| {
+        let begin = Instant::now();
+        take(solved)?;
+        record_time += begin.elapsed().as_secs_f64();
+        Ok::<(), RunError>(())
+    };
     for state in 0..problem.states() {
-        let Some(solver) = &mut ready else { break };
         load.fill(0.0);
         let motion_factor = problem.add_load(state, &mut load);
         let (mut solution, mut certificate) =
-            certified(problem, system, solver, (&load, motion_factor), &mut timing);
+            certified(problem, system, &mut solver, (&load, motion_factor), &mut timing);
         let is_poor = !certificate.converged || certificate.digits < FEW_DIGITS;
         if is_poor && !solver.has_factor() && method::can_fall_back(problem) {
             solver.fall_back(problem, system, &mut timing)?;
-            (solution, certificate) = certified(problem, system, solver, (&load, motion_factor), &mut timing);
+            (solution, certificate) =
+                certified(problem, system, &mut solver, (&load, motion_factor), &mut timing);
         }
         converged &= certificate.converged;
-        // The factor is the largest thing in memory: the last state is recorded without it.
         if state + 1 == problem.states() {
-            (report, counters) = (solver.report().clone(), solver.counters().clone());
-            ready = None;
+            last = Some((state, solution, certificate));
+        } else {
+            record(SolvedState { state, load: &load, solution, certificate })?;
         }
-        let begin = Instant::now();
-        take(SolvedState { state, load: &load, solution, certificate })?;
-        timing.record += begin.elapsed().as_secs_f64();
     }
+    // The factor and the levels are the largest things in memory: the last state is recorded without them.
+    let (report, mut counters) = solver.into_reports();
+    drop(coarser);
+    if let Some((state, solution, certificate)) = last {
+        record(SolvedState { state, load: &load, solution, certificate })?;
+    }
+    timing.record += record_time;
     counters.bond_evaluations = system.evaluations();
     counters.stored_bond_factors = system.terms().iter().map(|t| t.stored_factors()).sum();
     Ok(RunReport {

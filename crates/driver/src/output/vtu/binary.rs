@@ -6,21 +6,45 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
+use base64::write::EncoderWriter;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use rayon::prelude::*;
+use std::io::{self, Write};
+use std::ops::Range;
 
 /// Bytes of a block before compression.
 const BLOCK: usize = 1 << 20;
 /// Fields hardly shrink further at higher levels, only slower.
 const LEVEL: u8 = 3;
 
-pub(super) fn encode(bytes: &[u8]) -> String {
-    let blocks: Vec<_> = bytes.par_chunks(BLOCK).map(|block| compress_to_vec_zlib(block, LEVEL)).collect();
-    let counts = [blocks.len(), BLOCK, bytes.len() % BLOCK];
+/// Numbers that become bytes block by block, so that they never lie in memory as a whole.
+pub(super) struct Items<'a> {
+    /// How many there are.
+    pub(super) count: usize,
+    /// Bytes of one, a divisor of the size of a block.
+    pub(super) size: usize,
+    /// Bytes of some that follow each other.
+    pub(super) bytes: &'a (dyn Fn(Range<usize>) -> Vec<u8> + Sync),
+}
+
+/// Writes numbers.
+///
+/// # Errors
+/// What `out` reports.
+pub(super) fn encode(out: &mut dyn Write, items: &Items<'_>) -> io::Result<()> {
+    let (count, in_block) = (items.count, BLOCK / items.size);
+    let starts: Vec<usize> = (0..count).step_by(in_block).collect();
+    let block =
+        |&start: &usize| compress_to_vec_zlib(&(items.bytes)(start..count.min(start + in_block)), LEVEL);
+    let blocks: Vec<Vec<u8>> = starts.par_iter().map(block).collect();
+    let counts = [blocks.len(), BLOCK, count * items.size % BLOCK];
     let sizes = counts.into_iter().chain(blocks.iter().map(Vec::len));
     let header: Vec<_> = sizes.flat_map(|size| (size as u64).to_le_bytes()).collect();
     // The header is encoded by itself: a reader needs it to know how much follows.
-    BASE64.encode(header) + &BASE64.encode(blocks.concat())
+    out.write_all(BASE64.encode(header).as_bytes())?;
+    let mut encoder = EncoderWriter::new(out, &BASE64);
+    blocks.iter().try_for_each(|block| encoder.write_all(block))?;
+    encoder.finish().map(drop)
 }
 
 /// Reads what [`encode`] wrote, as a reader of VTK does: first the header, then block by block.
@@ -54,16 +78,23 @@ fn numbers(text: &str) -> Vec<usize> {
 mod tests {
     use super::*;
 
+    fn encoded(bytes: &[u8]) -> String {
+        let mut out = Vec::new();
+        let items = Items { count: bytes.len(), size: 1, bytes: &|range| bytes[range].to_vec() };
+        encode(&mut out, &items).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
     #[test]
     fn whole_and_partial_blocks_and_none_are_read_back() {
         for count in [0, 1, BLOCK - 1, BLOCK, BLOCK + 1, 3 * BLOCK - 7] {
             let bytes: Vec<_> = (0..count).map(|i| (i * i / 7) as u8).collect();
-            assert!(decode(&encode(&bytes)) == bytes, "{count}");
+            assert!(decode(&encoded(&bytes)) == bytes, "{count}");
         }
     }
 
     #[test]
     fn nothing_is_a_header_that_says_so() {
-        assert_eq!(numbers(&encode(&[])), [0, BLOCK, 0]);
+        assert_eq!(numbers(&encoded(&[])), [0, BLOCK, 0]);
     }
 }

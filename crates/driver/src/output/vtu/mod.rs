@@ -4,10 +4,11 @@
 
 mod binary;
 
-use std::io::{self, Write};
-use std::path::Path;
-
 use super::{atomic, xml};
+use binary::Items;
+use std::io::{self, Write};
+use std::ops::Range;
+use std::path::Path;
 
 /// A field: one or more components for each point or cell.
 #[derive(Debug, Clone, Copy)]
@@ -123,32 +124,85 @@ fn check(grid: &Grid<'_>) {
 }
 
 fn topology(out: &mut dyn Write, cells: &[Cells<'_>]) -> io::Result<()> {
-    let connectivity = cells.iter().flat_map(|block| block.connectivity);
-    array(out, "Int64", "connectivity", 1, connectivity.flat_map(|&p| i64::from(p).to_le_bytes()).collect())?;
-    let mut end = 0;
-    let mut offsets = Vec::new();
-    let mut types = Vec::new();
-    for block in cells {
-        types.resize(types.len() + block.len(), block.cell_type as u8);
-        for _ in 0..block.len() {
-            end += block.cell_type.points() as i64;
-            offsets.extend(end.to_le_bytes());
+    let count = cells.iter().map(|block| block.connectivity.len()).sum();
+    let bytes = |range| {
+        let mut bytes = Vec::new();
+        each_part(
+            cells,
+            |block| block.connectivity.len(),
+            range,
+            |block, part, _| {
+                bytes.extend(block.connectivity[part].iter().flat_map(|&p| i64::from(p).to_le_bytes()));
+            },
+        );
+        bytes
+    };
+    array(out, "Int64", ("connectivity", 1), &Items { count, size: 8, bytes: &bytes })?;
+    let count = cells.iter().map(Cells::len).sum();
+    let bytes = |range| {
+        let mut bytes = Vec::new();
+        each_part(
+            cells,
+            |block| block.len(),
+            range,
+            |block, part, before| {
+                let points = block.cell_type.points();
+                let start: usize = before.iter().map(|block| block.connectivity.len()).sum();
+                bytes.extend(part.flat_map(|cell| ((start + (cell + 1) * points) as i64).to_le_bytes()));
+            },
+        );
+        bytes
+    };
+    array(out, "Int64", ("offsets", 1), &Items { count, size: 8, bytes: &bytes })?;
+    let bytes = |range| {
+        let mut bytes = Vec::new();
+        each_part(
+            cells,
+            |block| block.len(),
+            range,
+            |block, part, _| {
+                bytes.resize(bytes.len() + part.len(), block.cell_type as u8);
+            },
+        );
+        bytes
+    };
+    array(out, "UInt8", ("types", 1), &Items { count, size: 1, bytes: &bytes })
+}
+
+/// Visits the blocks that a range of items of all blocks has a part in, with that part and the blocks before.
+fn each_part<'a>(
+    cells: &'a [Cells<'a>],
+    count: impl Fn(&Cells<'_>) -> usize,
+    range: Range<usize>,
+    mut visit: impl FnMut(&Cells<'_>, Range<usize>, &[Cells<'_>]),
+) {
+    let mut first = 0;
+    for (number, block) in cells.iter().enumerate() {
+        let end = first + count(block);
+        let part = range.start.max(first)..range.end.min(end);
+        if !part.is_empty() {
+            visit(block, part.start - first..part.end - first, &cells[..number]);
         }
+        first = end;
     }
-    array(out, "Int64", "offsets", 1, offsets)?;
-    array(out, "UInt8", "types", 1, types)
 }
 
 fn floats(out: &mut dyn Write, field: &DataArray<'_>) -> io::Result<()> {
-    let bytes = field.values.iter().flat_map(|value| value.to_le_bytes()).collect();
-    array(out, "Float64", field.name, field.components, bytes)
+    let bytes = |range: Range<usize>| field.values[range].iter().flat_map(|v| v.to_le_bytes()).collect();
+    let items = Items { count: field.values.len(), size: size_of::<f64>(), bytes: &bytes };
+    array(out, "Float64", (field.name, field.components), &items)
 }
 
-fn array(out: &mut dyn Write, kind: &str, name: &str, components: usize, bytes: Vec<u8>) -> io::Result<()> {
+fn array(
+    out: &mut dyn Write,
+    kind: &str,
+    (name, components): (&str, usize),
+    items: &Items<'_>,
+) -> io::Result<()> {
     let name = xml(name);
     write!(out, "<DataArray type=\"{kind}\" Name=\"{name}\" ")?;
     write!(out, "NumberOfComponents=\"{components}\" format=\"binary\">")?;
-    out.write_all(binary::encode(&bytes).as_bytes())?;
+    binary::encode(out, items)?;
     writeln!(out, "</DataArray>")
 }
 
