@@ -100,7 +100,7 @@ pub struct Case {
     /// What holds the body.
     #[serde(default)]
     pub supports: Vec<Support>,
-    /// Regions of a body in the plane that move as rigid bodies.
+    /// Regions of a body that move as rigid bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub rigid: Vec<Rigid>,
     /// Winkler foundations under a beam.

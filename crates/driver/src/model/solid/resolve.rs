@@ -24,9 +24,9 @@ pub(in super::super) const REFUSED: [Refused; 6] = [
         hint: "model a slice of the body in the plane",
     },
     Refused {
-        key: "rigid",
-        message: "`rigid` is for bodies in the plane",
-        hint: "a region that is held is a support with `ux`, `uy` and `uz`",
+        key: "rigid.bearing",
+        message: "a `bearing` is that of a pin in the plane",
+        hint: "leave `bearing` out: a rigid region bears all around",
     },
     Refused {
         key: "periodic",
