@@ -7,7 +7,7 @@ use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::solid::SolidEdges;
 
 /// Keys that have no meaning for solids yet, with the reason and what to do.
-pub(in super::super) const REFUSED: [Refused; 6] = [
+pub(in super::super) const REFUSED: [Refused; 5] = [
     Refused {
         key: "cracks",
         message: "`cracks` are lines in the plane",
@@ -27,11 +27,6 @@ pub(in super::super) const REFUSED: [Refused; 6] = [
         key: "rigid.bearing",
         message: "a `bearing` is that of a pin in the plane",
         hint: "leave `bearing` out: a rigid region bears all around",
-    },
-    Refused {
-        key: "periodic",
-        message: "`periodic` is for bodies in the plane",
-        hint: "use `symmetry`, or model the whole body",
     },
     Refused {
         key: "stress_intensity",

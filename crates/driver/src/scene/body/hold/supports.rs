@@ -122,7 +122,7 @@ pub(crate) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Sym
     }
     if let Some(name) = region.filter(|name| symmetry.joins(name)) {
         faults
-            .error(path.clone(), format!("the edge `{name}` is joined to the opposite one by `periodic`"))
+            .error(path.clone(), format!("the {side} `{name}` is joined to the opposite one by `periodic`"))
             .hint("no border is there: take another region, or remove `periodic`");
     }
 }
