@@ -160,7 +160,8 @@ fn imbalance(asked: &Resultant, state: &StateResult) -> f64 {
         }
         StateResult::Body(plane) => {
             for (k, r) in plane.reactions.iter().enumerate() {
-                let at = r.centre.or(asked.places.get(k).copied()).unwrap_or_default();
+                let centre = r.centre.map(|centre| centre.parts().0).map(|[x, y, _]| [x, y]);
+                let at = centre.or(asked.places.get(k).copied()).unwrap_or_default();
                 add([r.force_x, r.force_y], r.moment.unwrap_or(0.0), at);
             }
             for mirror in &plane.mirrors {

@@ -61,6 +61,8 @@ mod short_beams;
 mod skipping;
 mod softening_edges;
 mod solid_files;
+mod solid_joined;
+mod solid_rigid;
 mod solid_tractions;
 mod solids;
 mod specimens;

@@ -104,8 +104,8 @@ fn what_holds_rigid_regions_is_in_equilibrium_with_its_moments() {
     let run = solve(&loaded(&json!({ "supports": [], "rigid": [still, moved] })));
     let (mut force, mut moment, mut size) = ([0.0; 2], 0.0, 0.0_f64);
     for reaction in &run.states[0].reactions {
-        let (own, [x, y]) =
-            (reaction.moment.expect("it cannot turn"), reaction.centre.expect("a rigid region"));
+        let (own, ([x, y, _], _)) =
+            (reaction.moment.expect("it cannot turn"), reaction.centre.expect("a rigid region").parts());
         force = [force[0] + reaction.force_x, force[1] + reaction.force_y];
         moment += own + x * reaction.force_y - y * reaction.force_x;
         size = size.max(own.abs());

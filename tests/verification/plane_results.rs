@@ -76,7 +76,7 @@ fn reactions_balance_loads() {
     // What is inclined holds in its own direction only, what is free is not held.
     let (inclined, rigid) = (&result.reactions[1], &result.reactions[2]);
     assert!((inclined.force_y / inclined.force_x - 3.0_f64.sqrt()).abs() < 1e-12);
-    assert_eq!((rigid.force_x, rigid.centre), (0.0, Some([5.0, 4.0])));
+    assert_eq!((rigid.force_x, rigid.centre), (0.0, Some([5.0, 4.0].into())));
     assert!(rigid.moment.unwrap().abs() > 1.0);
     let balance = &summary.states[0].certificate.balance;
     assert!(balance.iter().all(|b| b.relative < 1e-12), "{balance:?}");

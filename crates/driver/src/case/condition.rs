@@ -146,6 +146,15 @@ pub struct PointLoad {
     /// Moment along phi; in the plane where points turn, and the points of a region share it.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub moment: f64,
+    /// Moment about x, on a rigid region of a solid.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub moment_x: f64,
+    /// Moment about y, on a rigid region of a solid.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub moment_y: f64,
+    /// Moment about z, on a rigid region of a solid.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub moment_z: f64,
     /// Shared by the bonds that span it. Otherwise the chain is split at the load, which needs a point there; a load
     /// between points is always shared.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

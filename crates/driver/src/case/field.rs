@@ -25,6 +25,15 @@ pub enum FieldName {
     /// Rotation, rad; in the plane that of a rigid region, or of a point where points turn.
     #[serde(rename = "phi")]
     Phi,
+    /// Rotation of a rigid region of a solid about x, rad.
+    #[serde(rename = "phi_x")]
+    PhiX,
+    /// Rotation of a rigid region of a solid about y, rad.
+    #[serde(rename = "phi_y")]
+    PhiY,
+    /// Rotation of a rigid region of a solid about z, rad.
+    #[serde(rename = "phi_z")]
+    PhiZ,
     /// Bending moment.
     M,
     /// Shear force.
@@ -102,6 +111,15 @@ pub enum FieldName {
     /// rotations of the points of the region.
     #[serde(rename = "reaction_moment")]
     ReactionMoment,
+    /// Moment of what holds a rigid region of a solid, about x through its centre.
+    #[serde(rename = "reaction_moment_x")]
+    ReactionMomentX,
+    /// Moment of what holds a rigid region of a solid, about y through its centre.
+    #[serde(rename = "reaction_moment_y")]
+    ReactionMomentY,
+    /// Moment of what holds a rigid region of a solid, about z through its centre.
+    #[serde(rename = "reaction_moment_z")]
+    ReactionMomentZ,
 }
 
 /// What is known of a field, whatever body has it.
@@ -165,8 +183,10 @@ pub enum Origin {
     Damage,
     /// The faces of a crack.
     Opening,
-    /// What holds the unknown of this name.
+    /// What holds the unknown, or the motion of a rigid region, of this name.
     Reaction(&'static str),
+    /// The rotation of a rigid region of a solid about this axis.
+    Turn(usize),
 }
 
 impl FieldName {
@@ -245,6 +265,9 @@ impl FieldName {
             Self::Uy => ("uy", Length, Unknown),
             Self::Uz => ("uz", Length, Unknown),
             Self::Phi => ("phi", Angle, Unknown),
+            Self::PhiX => ("phi_x", Angle, Turn(0)),
+            Self::PhiY => ("phi_y", Angle, Turn(1)),
+            Self::PhiZ => ("phi_z", Angle, Turn(2)),
             Self::M => ("M", Moment, Beam),
             Self::V => ("V", Force, Beam),
             Self::N => ("N", Force, Beam),
@@ -272,6 +295,9 @@ impl FieldName {
             Self::ReactionY => ("reaction_y", Force, Reaction("uy")),
             Self::ReactionZ => ("reaction_z", Force, Reaction("uz")),
             Self::ReactionMoment => ("reaction_moment", Moment, Reaction("phi")),
+            Self::ReactionMomentX => ("reaction_moment_x", Moment, Reaction("phi_x")),
+            Self::ReactionMomentY => ("reaction_moment_y", Moment, Reaction("phi_y")),
+            Self::ReactionMomentZ => ("reaction_moment_z", Moment, Reaction("phi_z")),
         };
         Field { name, unit, origin }
     }
@@ -288,7 +314,8 @@ impl FieldName {
 
     /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
     pub fn is_recovered(self) -> bool {
-        !matches!(self.about().origin, Origin::Reaction(_) | Origin::Unknown | Origin::Opening)
+        use Origin::{Opening, Reaction, Turn, Unknown};
+        !matches!(self.about().origin, Reaction(_) | Unknown | Opening | Turn(_))
     }
 }
 

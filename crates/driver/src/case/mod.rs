@@ -36,7 +36,7 @@ pub use fracture::{CrackDirection, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
 pub use path::{Path, PathControl, Turn};
-pub use periodic::{Axis, Periodic};
+pub use periodic::Periodic;
 pub use plane_body::{
     CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
     SlotHole,
@@ -88,7 +88,7 @@ pub struct Case {
     /// side of them, and nothing else holds or loads these edges.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub symmetry: Vec<String>,
-    /// Pairs of opposite sides of a body in the plane that are joined: behind one of them the body goes on at the other.
+    /// Pairs of opposite sides of a body that are joined: behind one of them the body goes on at the other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub periodic: Vec<Periodic>,
     /// Cracks of a body in the plane.
@@ -100,7 +100,7 @@ pub struct Case {
     /// What holds the body.
     #[serde(default)]
     pub supports: Vec<Support>,
-    /// Regions of a body in the plane that move as rigid bodies.
+    /// Regions of a body that move as rigid bodies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub rigid: Vec<Rigid>,
     /// Winkler foundations under a beam.

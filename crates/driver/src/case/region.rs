@@ -115,24 +115,37 @@ pub struct HoleRegion {
     pub depth: Option<f64>,
 }
 
-/// A region that moves as a rigid body. What is not prescribed is free: with `ux` and `uy` alone it is a pin that turns.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+/// A region that moves as a rigid body. What is not prescribed is free: with `ux` and `uy` alone it is a pin that turns, in a
+/// solid with `ux`, `uy` and `uz` a ball joint.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rigid {
     /// Name of the region; it cannot share points with another rigid one.
     pub region: String,
     /// What its rotation is about and its displacements are of; the centroid of its points if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub centre: Option<[f64; 2]>,
+    pub centre: Option<Vector>,
     /// Prescribed displacement of the centre along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ux: Option<f64>,
     /// Prescribed displacement of the centre along y.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uy: Option<f64>,
-    /// Prescribed rotation, rad.
+    /// Prescribed displacement of the centre along z, of a solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uz: Option<f64>,
+    /// Prescribed rotation in the plane, rad.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi: Option<f64>,
+    /// Prescribed rotation about x, of a solid, rad.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_x: Option<f64>,
+    /// Prescribed rotation about y, of a solid, rad.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_y: Option<f64>,
+    /// Prescribed rotation about z, of a solid, rad.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_z: Option<f64>,
     /// Where it bears on the rest of the body, like a pin in its hole; everywhere if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bearing: Option<Bearing>,

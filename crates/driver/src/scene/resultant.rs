@@ -35,9 +35,9 @@ impl Resultant {
         self.sizes[1] += size * length(at);
     }
 
-    /// Adds a couple about z, N m.
-    pub fn add_moment(&mut self, moment: f64) {
-        self.moment[2].add(moment);
+    /// Adds a couple about an axis, N m.
+    pub fn add_moment(&mut self, axis: usize, moment: f64) {
+        self.moment[axis].add(moment);
         self.sizes[1] += moment.abs();
     }
 
@@ -79,7 +79,7 @@ mod tests {
         let mut found = Resultant::default();
         found.add([3.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
         found.add([0.0, 1.0, 0.0], [5.0, 0.0, 0.0]);
-        found.add_moment(0.5);
+        found.add_moment(2, 0.5);
         let moment = [0.0, 0.0, -0.5];
         assert_eq!((found.force(), found.moment(), found.sizes()), ([3.0, 1.0, 0.0], moment, [4.0, 11.5]));
         let mut twice = found;

@@ -13,6 +13,13 @@ pub(crate) fn refuse(case: &Case, faults: &mut Faults) {
     for (k, load_case) in case.load_cases.iter().enumerate() {
         of_loads(&load_case.loads, &root("load_cases").index(k).key("loads"), faults);
     }
+    for (k, rigid) in case.rigid.iter().enumerate() {
+        let path = root("rigid").index(k);
+        let turns = [("phi_x", rigid.phi_x), ("phi_y", rigid.phi_y), ("phi_z", rigid.phi_z)];
+        for (key, value) in [("uz", rigid.uz)].into_iter().chain(turns) {
+            tell(key, value.is_some(), &path, faults);
+        }
+    }
     for (k, Probe { at, .. }) in case.probes.iter().enumerate() {
         of_place(at, &root("probes").index(k).key("at"), faults);
     }
@@ -30,7 +37,11 @@ fn of_loads(loads: &[Load], path: &JsonPath, faults: &mut Faults) {
             Load::Point(load) => {
                 let path = path.index(k).key("point");
                 of_place(&load.at, &path.key("at"), faults);
-                tell("force_z", load.force_z != 0.0, &path, faults);
+                let moments =
+                    [("moment_x", load.moment_x), ("moment_y", load.moment_y), ("moment_z", load.moment_z)];
+                for (key, value) in [("force_z", load.force_z)].into_iter().chain(moments) {
+                    tell(key, value != 0.0, &path, faults);
+                }
             }
             Load::Traction(load) => {
                 let path = path.index(k).key("traction");

@@ -7,7 +7,7 @@ use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::solid::SolidEdges;
 
 /// Keys that have no meaning for solids yet, with the reason and what to do.
-pub(in super::super) const REFUSED: [Refused; 6] = [
+pub(in super::super) const REFUSED: [Refused; 5] = [
     Refused {
         key: "cracks",
         message: "`cracks` are lines in the plane",
@@ -24,14 +24,9 @@ pub(in super::super) const REFUSED: [Refused; 6] = [
         hint: "model a slice of the body in the plane",
     },
     Refused {
-        key: "rigid",
-        message: "`rigid` is for bodies in the plane",
-        hint: "a region that is held is a support with `ux`, `uy` and `uz`",
-    },
-    Refused {
-        key: "periodic",
-        message: "`periodic` is for bodies in the plane",
-        hint: "use `symmetry`, or model the whole body",
+        key: "rigid.bearing",
+        message: "a `bearing` is that of a pin in the plane",
+        hint: "leave `bearing` out: a rigid region bears all around",
     },
     Refused {
         key: "stress_intensity",

@@ -11,7 +11,8 @@ use peristat_assembly::system::System;
 /// How much stiffer than a point a direction is that a support holds which lies along no axis.
 const STIFF: f64 = 100.0;
 
-/// Its levels; none of other bodies, or where supports join points with each other.
+/// Its levels; none of other bodies, or where supports or rigid regions that are free to move join points with each other: cubes
+/// that rest below a region tell nothing of how it moves.
 pub(super) fn levels<const D: usize>(
     model: &dyn Solvable<D>,
     conditions: &Conditions,
@@ -21,6 +22,9 @@ pub(super) fn levels<const D: usize>(
     let (lattice, mirrors) = model.lattice()?;
     let stencil = Stencil::new(solid.bonds_of_a_point());
     let points = model.points();
+    if conditions.rigid.iter().any(|rigid| rigid.prescribed.contains(&None)) {
+        return None;
+    }
     let mut images = vec![false; points];
     model.ghosts().iter().for_each(|&ghost| images[ghost as usize] = true);
     let mut springs: Vec<(usize, Mat<3, 3>)> = Vec::new();

@@ -133,7 +133,8 @@ pub(super) fn of_stress(
         | Origin::Energy
         | Origin::Damage
         | Origin::Opening
-        | Origin::Reaction(_) => None,
+        | Origin::Reaction(_)
+        | Origin::Turn(_) => None,
     }
 }
 
@@ -212,7 +213,12 @@ impl BodyResult {
             },
             Origin::Energy => &recovered?.energy_density,
             Origin::Damage => recovered?.damage.as_ref()?,
-            Origin::Strain(..) | Origin::VonMises | Origin::Beam | Origin::Opening | Origin::Reaction(_) => {
+            Origin::Strain(..)
+            | Origin::VonMises
+            | Origin::Beam
+            | Origin::Opening
+            | Origin::Reaction(_)
+            | Origin::Turn(_) => {
                 return None;
             }
         };

@@ -110,7 +110,7 @@ fn models<const D: usize>(
         if !conditions.springs.is_empty() {
             springs.push(Box::new(Springs::new(coarse.points(), conditions.springs.clone())));
         }
-        let equations = conditions.equations(&|point| coarse.place(point));
+        let equations = conditions.equations(&|point| coarse.position(point));
         // Conditions at rest contradict each other nowhere; if they do, there are no coarser levels.
         levels.systems.push(System::new(&*coarse, springs, equations).ok()?);
         coarsest = Some(coarse);

@@ -1,7 +1,8 @@
-//! What supports, rigid regions and lines of symmetry do to a body in the plane.
+//! What supports, rigid regions and lines or planes of symmetry do to a body.
 
+use crate::case::Vector;
 use crate::scene::Resultant;
-use crate::scene::body::{BodyScene, BodySupport};
+use crate::scene::body::{BodyScene, BodySupport, RigidPoints};
 use peristat_assembly::body::SIDES;
 use peristat_assembly::sum::Sum;
 use serde::{Deserialize, Serialize};
@@ -17,10 +18,16 @@ pub struct BodyReaction {
     pub force_x: f64,
     /// Force along y.
     pub force_y: f64,
-    /// Moment, counter-clockwise: about the centre of a rigid region that cannot turn; or, of a support that holds
+    /// Moment about z, in the plane counter-clockwise: about the centre of a rigid region that cannot turn; or, of a support that holds
     /// rotations, the sum of what it does to those of its points, without that of its forces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
+    /// Moment about x through the centre of a rigid region of a solid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moment_x: Option<f64>,
+    /// The same about y.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub moment_y: Option<f64>,
     /// Force across the plane, outwards on a shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub force_w: Option<f64>,
@@ -29,7 +36,7 @@ pub struct BodyReaction {
     pub force_z: Option<f64>,
     /// Centre of a rigid region.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub centre: Option<[f64; 2]>,
+    pub centre: Option<Vector>,
 }
 
 /// Force of the mirrored half on the body, across a line of symmetry.
@@ -45,31 +52,39 @@ pub struct MirrorReaction {
 pub(super) fn of_supports(scene: &BodyScene, multipliers: &[f64], u: &[f64]) -> Vec<BodyReaction> {
     let n = scene.model.points();
     // A solid has a third force whether or not it is held.
-    let (deflects, is_solid) = (scene.model.along(2), scene.body().axes() > 2);
+    let is_solid = scene.body().axes() > 2;
     let of = |support: &BodySupport| {
-        let mut force = [Sum::default(), Sum::default(), Sum::default()];
-        let mut turns = false;
+        let mut sums = [0; 6].map(|_| Sum::default());
+        let mut holds = [false; 6];
         for (equations, shares) in &support.equations {
-            turns |= shares[deflects.unwrap_or(2)] != 0.0;
-            for (sum, share) in force.iter_mut().zip(shares).filter(|(_, share)| **share != 0.0) {
-                multipliers[equations.clone()].iter().for_each(|m| sum.add(share * m));
+            for (motion, share) in shares.iter().enumerate().filter(|(_, share)| **share != 0.0) {
+                holds[motion] = true;
+                multipliers[equations.clone()].iter().for_each(|m| sums[motion].add(share * m));
             }
         }
         for spring in &scene.conditions.springs[support.springs.clone()] {
-            spring.forces(n, u).into_iter().for_each(|(unknown, f)| force[unknown / n].add(-f));
+            for (unknown, force) in spring.forces(n, u) {
+                let of = scene.model.components()[unknown / n];
+                sums[of.axis + if of.is_rotation { 3 } else { 0 }].add(-force);
+            }
         }
         let origin = support.path.to_string();
         let rigid = scene.conditions.rigid.iter().find(|r| r.origin == origin);
-        let along = |axis: usize| scene.model.along(axis).map(|component| force[component].total());
-        let turning = scene.model.turning().map(|(component, _)| force[component].total());
+        let total = |motion: usize| sums[motion].total();
+        let held = |motion: usize| holds[motion].then(|| total(motion));
         BodyReaction {
             place: support.name.clone(),
-            force_x: along(0).unwrap_or(0.0),
-            force_y: along(1).unwrap_or(0.0),
-            moment: turning.or((deflects.is_none()).then(|| force[2].total())).filter(|_| turns),
-            force_w: along(2).filter(|_| turns && !is_solid),
-            force_z: along(2).filter(|_| is_solid),
-            centre: rigid.map(|r| r.centre),
+            force_x: total(0),
+            force_y: total(1),
+            moment: held(5),
+            moment_x: held(3),
+            moment_y: held(4),
+            force_w: held(2).filter(|_| !is_solid),
+            force_z: is_solid.then(|| total(2)),
+            centre: rigid.map(|RigidPoints { centre: [x, y, z], .. }| match is_solid {
+                true => [*x, *y, *z].into(),
+                false => [*x, *y].into(),
+            }),
         }
     };
     scene.supports.iter().map(of).collect()

@@ -1,7 +1,7 @@
-//! Probes and checks on the result of a body in the plane.
+//! Probes and checks on the result of a body.
 
 use super::{BodyResult, hole_fits};
-use crate::case::Origin;
+use crate::case::{FieldName, Origin};
 use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
 use crate::scene::body::{BodyComparison, BodyProbe, BodyScene, Quantity};
 use crate::scene::{Expectation, ExpectationKind};
@@ -46,7 +46,7 @@ fn value(scene: &BodyScene, result: &BodyResult, quantity: &Quantity) -> Option<
         Quantity::Reaction { .. } | Quantity::Opening { .. } => {
             mechanical(scene, quantity, &result.record.u, &result.multipliers)
         }
-        Quantity::Rotation(region) => rotation(scene, result, *region),
+        Quantity::Rotation { field, region } => rotation(scene, result, *field, *region),
         Quantity::StressIntensity(k) => result.intensities.get(*k).copied(),
     }
 }
@@ -78,21 +78,16 @@ pub(super) fn mechanical(
     }
 }
 
-/// Rotation of a rigid region, from the two of its points that are farthest from each other along x or y.
-fn rotation(scene: &BodyScene, result: &BodyResult, region: usize) -> Option<f64> {
-    let points = &scene.conditions.rigid.get(region)?.points;
-    let at = |p: &u32| scene.model.place(*p as usize);
-    let ends = |axis: usize| {
-        let order = |a: &&u32, b: &&u32| at(a)[axis].total_cmp(&at(b)[axis]);
-        let (low, high) = (points.iter().min_by(order)?, points.iter().max_by(order)?);
-        Some((*low as usize, *high as usize, at(high)[axis] - at(low)[axis]))
-    };
-    let (along_x, along_y) = (ends(0)?, ends(1)?);
+/// Rotation of a rigid region, as its points tell it.
+fn rotation(scene: &BodyScene, result: &BodyResult, field: FieldName, region: usize) -> Option<f64> {
+    let axis = if let Origin::Turn(axis) = field.about().origin { axis } else { 2 };
+    let rigid = scene.conditions.rigid.get(region)?;
     let (n, u) = (scene.model.points(), &result.record.u);
-    Some(match along_x.2 >= along_y.2 {
-        true => (u[n + along_x.1] - u[n + along_x.0]) / along_x.2,
-        false => -(u[along_y.1] - u[along_y.0]) / along_y.2,
-    })
+    Some(
+        scene
+            .conditions
+            .rotation(rigid, axis, &|p| scene.model.position(p), &|of| u[of.component * n + of.point]),
+    )
 }
 
 /// Outcomes of the checks that are made on this state.

@@ -22,7 +22,7 @@ impl BeamScene {
             let line = self.beam.chains()[load.chain].line();
             act(&mut sum, line, load.from, (load.along.component(), value));
             if load.along == Along::Transverse {
-                sum.add_moment(first);
+                sum.add_moment(2, first);
             }
         }
         sum
@@ -75,7 +75,7 @@ fn act(sum: &mut Resultant, line: &Line, x: f64, (component, value): (usize, f64
         _ if value == 0.0 => {}
         W => sum.add([-s * value, c * value, 0.0], at),
         U => sum.add([c * value, s * value, 0.0], at),
-        _ => sum.add_moment(value),
+        _ => sum.add_moment(2, value),
     }
 }
 

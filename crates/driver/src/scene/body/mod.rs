@@ -22,7 +22,7 @@ mod tests;
 pub use fail::fracture::BodyFracture;
 pub use hold::conditions::{Conditions, HeldPoints};
 pub use hold::held_edge::HeldEdge;
-pub use hold::rigid::{RIGID_KEYS, RigidPoints};
+pub use hold::rigid::RigidPoints;
 pub use hold::supported::BodySupport;
 pub use hole_ring::HoleRing;
 pub(crate) use hole_ring::is_on;

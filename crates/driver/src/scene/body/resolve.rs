@@ -5,7 +5,7 @@ use super::fail::elastic::Elastic;
 use super::fail::fracture::{self, BodyFracture};
 use super::fail::path;
 use super::hold::held_body::HeldBody;
-use super::hold::{bearing_keys, rigid_mirror, supported, supports};
+use super::hold::{bearing_keys, rigid_keys, rigid_mirror, supported, supports};
 use super::load::context::LoadContext;
 use super::load::{joined_sides, load_cases};
 use super::read::checks;
@@ -100,7 +100,7 @@ impl BodyScene {
             return None;
         }
         let held = supports::held(&ground, &inputs.symmetry, &*inputs.material, faults);
-        let rigid = supports::rigid(&ground, &inputs.symmetry, faults);
+        let rigid = rigid_keys::rigid(&ground, &inputs.symmetry, faults);
         rigid_mirror::check(&rigid, &inputs, faults);
         inputs.bearings = bearing_keys::bearings(case, &rigid, faults);
         let paths: Vec<Crack> = cracks.iter().map(|c| c.crack.clone()).collect();
@@ -167,7 +167,7 @@ impl BodyScene {
             case: case.clone(),
             files: Vec::new(),
             units: case.units,
-            equations: conditions.equations(&|p| built.place(p)),
+            equations: conditions.equations(&|p| built.position(p)),
             load_cases: load_cases
                 .into_iter()
                 .map(|l| l.numbered(&number).with_ends(&joined_sides::forces(case, &*built)))

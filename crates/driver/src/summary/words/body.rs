@@ -58,25 +58,48 @@ pub(super) fn forces(forces: &BodyForces, units: Units) -> Vec<Listing> {
         of_supports.chain(forces.mirrors.iter().map(|m| m.force)).fold(0.0, |a: f64, f| a.max(f.abs()));
     // What is rounding beside the largest force reads as zero.
     let force = |value: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
-    let turns = forces.reactions.iter().any(|r| r.moment.is_some());
-    let has_z =
-        forces.mirrors.iter().any(is_across_z) || forces.reactions.iter().any(|r| r.force_z.is_some());
-    let deflects = has_z || forces.reactions.iter().any(|r| r.force_w.is_some());
+    let of_moments = forces.reactions.iter().flat_map(|r| [r.moment_x, r.moment_y, r.moment]);
+    let turn_size = of_moments.flatten().fold(0.0, |a: f64, m| a.max(m.abs()));
+    let moment = |value: f64| number(if value.abs() < 1e-11 * turn_size { 0.0 } else { value });
+    let any = |of: fn(&BodyReaction) -> Option<f64>| forces.reactions.iter().any(|r| of(r).is_some());
+    let has_z = forces.mirrors.iter().any(is_across_z) || any(|r| r.force_z);
+    let turns = any(|r| r.moment) || any(|r| r.moment_x) || any(|r| r.moment_y);
+    // A column after those of two forces, and whether it has forces.
+    type Column = (&'static str, bool, fn(&BodyReaction) -> Option<f64>);
+    let mut columns: Vec<Column> = Vec::new();
+    match (has_z, any(|r| r.force_w)) {
+        (true, _) => columns.push(("force z", true, |r| r.force_z)),
+        (_, true) => columns.push(("force w", true, |r| r.force_w)),
+        _ => {}
+    }
+    match (has_z, turns) {
+        (_, false) => {}
+        (true, true) => columns.extend::<[Column; 3]>([
+            ("moment x", false, |r| r.moment_x),
+            ("moment y", false, |r| r.moment_y),
+            ("moment z", false, |r| r.moment),
+        ]),
+        (false, true) => columns.push(("moment", false, |r| r.moment)),
+    }
     let row = |r: &BodyReaction| {
-        let place = match r.centre {
-            Some([x, y]) => format!("{} about ({}, {})", r.place, number(x), number(y)),
+        let place = match r.centre.map(|centre| centre.parts()) {
+            Some((at, count)) => {
+                let numbers: Vec<String> = at[..count.min(3)].iter().map(|x| number(*x)).collect();
+                format!("{} about ({})", r.place, numbers.join(", "))
+            }
             None => r.place.clone(),
         };
         let mut cells = vec![place, force(r.force_x), force(r.force_y)];
-        cells.extend(turns.then(|| r.moment.map_or(String::new(), number)));
-        cells.extend(deflects.then(|| r.force_w.or(r.force_z).map_or(String::new(), force)));
+        cells.extend(columns.iter().map(|(_, is_force, of)| {
+            of(r).map_or(String::new(), |value| if *is_force { force(value) } else { moment(value) })
+        }));
         cells
     };
     let mut rows: Vec<Vec<String>> = forces.reactions.iter().take(MOST_ROWS).map(row).collect();
     for mirror in &forces.mirrors {
         let across = force(mirror.force);
         let mut cells = vec![format!("symmetry `{}`", mirror.side)];
-        cells.resize(if turns || deflects { 4 } else { 3 }, String::new());
+        cells.resize(3 + columns.len(), String::new());
         let column = match &*mirror.side {
             "left" | "right" => 1,
             "bottom" | "top" => 2,
@@ -85,16 +108,14 @@ pub(super) fn forces(forces: &BodyForces, units: Units) -> Vec<Listing> {
         cells[column] = across;
         rows.push(cells);
     }
-    let third = match (has_z, deflects) {
-        (true, _) => units.label("force z", "N"),
-        (_, true) => units.label("force w", "N"),
-        _ => units.label("moment", units.moment()),
-    };
     let [x, y] = ["force x", "force y"].map(|name| units.label(name, "N"));
-    let header = ["support", x.as_str(), y.as_str(), third.as_str()];
-    let header = &header[..if turns || deflects { 4 } else { 3 }];
+    let further = columns
+        .iter()
+        .map(|(name, is_force, _)| units.label(name, if *is_force { "N" } else { units.moment() }));
+    let header: Vec<String> = ["support".into(), x, y].into_iter().chain(further).collect();
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let count = forces.reactions.len() + forces.mirrors.len();
-    Listing::new(header, rows, count, "supports").into_iter().collect()
+    Listing::new(&header, rows, count, "supports").into_iter().collect()
 }
 
 /// Whether a plane of symmetry takes forces along z.

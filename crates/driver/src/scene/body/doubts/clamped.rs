@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 
 /// Grips end this close to the sides of a body, in spacings; turned rows are ragged there.
 const RAGGED: f64 = 2.0;
+/// The rotation in the plane among the motions of rigid regions.
+const TURN: usize = 5;
 /// Distances below this part of the spacing are rounding.
 const ROUNDING: f64 = 1e-6;
 
@@ -19,7 +21,7 @@ pub(crate) fn warn(scene: &BodyScene, faults: &mut Faults) {
         return;
     }
     for (k, region) in scene.conditions.rigid.iter().enumerate() {
-        let is_clamped = region.prescribed[2] == Some(0.0) && !meets_mirror(scene, &region.points);
+        let is_clamped = region.prescribed[TURN] == Some(0.0) && !meets_mirror(scene, &region.points);
         if is_clamped && !is_grip(scene, &region.points) {
             let name = scene.case.rigid.get(k).map_or("", |r| r.region.as_str());
             tell(name, root("rigid").index(k).key("phi"), "leave `phi` out, so that it turns", faults);

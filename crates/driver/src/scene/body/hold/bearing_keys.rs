@@ -17,7 +17,7 @@ pub(crate) fn bearings(case: &Case, rigid: &[RigidPoints], faults: &mut Faults) 
         if let (Some((direction, cosine)), Some(region)) = (found, region) {
             bearings.push(Bearing {
                 points: region.points.clone(),
-                centre: region.centre,
+                centre: [region.centre[0], region.centre[1]],
                 direction,
                 cosine,
             });

@@ -1,8 +1,9 @@
-//! What holds a body in the plane, by points: equations for its lattice and for any coarser one are made of it.
+//! What holds a body, by points: equations for its lattice and for any coarser one are made of it.
 
 use super::held_edge::HeldEdge;
 use super::rigid::{Basis, RigidPoints};
 use peristat_assembly::body::SquareLattice;
+use peristat_assembly::bonds::Point;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::stiffness::Spring;
 use std::collections::BTreeMap;
@@ -18,6 +19,8 @@ pub struct Conditions {
     pub springs: Vec<Spring>,
     /// What multiplies rotations to make unknowns of them, m; none where points do not turn.
     pub turning: Option<f64>,
+    /// Along how many axes the points of rigid regions move.
+    pub axes: usize,
 }
 
 /// Points with the same prescribed motion.
@@ -53,20 +56,33 @@ impl Conditions {
     }
 
     /// All equations: of every hold one per point, in their order, then of every rigid region one per prescribed motion,
-    /// in the order of [`RIGID_KEYS`](super::rigid::RIGID_KEYS), then those that make them rigid.
-    pub fn equations(&self, position: &dyn Fn(usize) -> [f64; 2]) -> Vec<Equation> {
+    /// in the order of [`RigidPoints::prescribed`], then those that make them rigid.
+    pub fn equations(&self, position: &dyn Fn(usize) -> Point) -> Vec<Equation> {
         let mut equations: Vec<Equation> = self.holds.iter().flat_map(HeldPoints::equations).collect();
-        let bodies: Vec<Basis> = self.rigid.iter().map(|r| Basis::new(r, self.turning, position)).collect();
+        let moves = (self.turning, self.axes);
+        let bodies: Vec<Basis> = self.rigid.iter().map(|r| Basis::new(r, moves, position)).collect();
         for (rigid, basis) in self.rigid.iter().zip(&bodies) {
             equations.extend(rigid.prescribed_equations(basis));
         }
         for (rigid, basis) in self.rigid.iter().zip(&bodies) {
-            equations.extend(rigid.shape_equations(basis, self.turning.is_some(), position));
+            equations.extend(rigid.shape_equations(basis, position));
         }
         equations
     }
 
-    /// The same on the next coarser lattice, without motion: a coarse point is held where any point in its cell is, it is
+    /// The rotation of one of the rigid regions about an axis, rad, of a state by its unknowns.
+    pub(crate) fn rotation(
+        &self,
+        rigid: &RigidPoints,
+        axis: usize,
+        position: &dyn Fn(usize) -> Point,
+        unknown: &dyn Fn(Unknown) -> f64,
+    ) -> f64 {
+        let basis = Basis::new(rigid, (self.turning, self.axes), position);
+        basis.rotation(axis, 1.0).into_iter().map(|(of, share)| share * unknown(of)).sum()
+    }
+
+    /// What holds the body on the next coarser lattice, without motion: a coarse point is held where any point in its cell is, it is
     /// rigid with all others that hold a point of the same region, and springs add up.
     ///
     /// Points that a lattice does not have are left out; there are none if `coarse` is the coarser one of `fine`.
@@ -103,6 +119,7 @@ impl Conditions {
             rigid: rigid.collect(),
             springs: springs.into_values().collect(),
             turning: self.turning,
+            axes: self.axes,
         }
     }
 
@@ -143,10 +160,11 @@ mod tests {
     use super::*;
     use peristat_assembly::condition::Constraints;
 
-    fn region(lattice: &SquareLattice, prescribed: [Option<f64>; 3]) -> Conditions {
+    fn region(lattice: &SquareLattice, [ux, uy, phi]: [Option<f64>; 3]) -> Conditions {
         let points = (0..lattice.points() as u32).collect();
-        let rigid = RigidPoints { points, centre: [0.7, -0.2], prescribed, origin: "rigid[0]".into() };
-        Conditions { rigid: vec![rigid], ..Default::default() }
+        let prescribed = [ux, uy, None, None, None, phi];
+        let rigid = RigidPoints { points, centre: [0.7, -0.2, 0.0], prescribed, origin: "rigid[0]".into() };
+        Conditions { rigid: vec![rigid], axes: 2, ..Default::default() }
     }
 
     /// Displacements of a rigid motion about a centre.
@@ -163,7 +181,7 @@ mod tests {
             let lattice = SquareLattice::rectangle(0.3, [1.0, 2.0], size);
             let conditions = region(&lattice, [None; 3]);
             let constraints =
-                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.place(p))).unwrap();
+                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.position(p))).unwrap();
             assert_eq!(constraints.rows().len(), 2 * lattice.points() - 3, "{size:?}");
             // What a rigid motion leaves of the equations is rounding.
             let expected = motion(&lattice, [0.3, -0.5, 0.8], [0.1, 0.2]);
@@ -176,13 +194,49 @@ mod tests {
         }
     }
 
+    /// In space three displacements and three rotations are left, whatever the region; of prescribed ones none.
+    #[test]
+    fn a_rigid_region_of_a_solid_moves_by_six_numbers() {
+        let (moved, turn, centre) = ([0.3, -0.5, 0.2], [0.8, -0.3, 0.4], [0.7, -0.2, 9.0]);
+        let value = |k: usize| if k < 3 { moved[k] } else { turn[k - 3] };
+        for (size, held) in [([3, 2, 4], 0), ([1, 2, 5], 3), ([9, 1, 2], 4), ([2, 2, 1], 6)] {
+            let lattice = SquareLattice::cuboid(0.3, [1.0, 2.0, -1.0], size);
+            let points = (0..lattice.points() as u32).collect();
+            // Rotations first.
+            let prescribed = [5, 4, 3, 2, 1, 0].map(|k| (k < held).then_some(k));
+            let prescribed = std::array::from_fn(|k| prescribed[k].map(|_| value(k)));
+            let rigid = RigidPoints { points, centre, prescribed, origin: String::new() };
+            let conditions = Conditions { rigid: vec![rigid.clone()], axes: 3, ..Default::default() };
+            let at = |p: usize| lattice.position(p);
+            let constraints = Constraints::new(lattice.points(), &conditions.equations(&at)).unwrap();
+            assert_eq!(constraints.rows().len(), 3 * lattice.points() + held - 6, "{size:?}");
+            let n = lattice.points();
+            let place = |k: usize| {
+                let [c, next, last] = [k / n, (k / n + 1) % 3, (k / n + 2) % 3];
+                let arm = |axis: usize| at(k % n)[axis] - centre[axis];
+                moved[c] + turn[next] * arm(last) - turn[last] * arm(next)
+            };
+            let expected: Vec<f64> = (0..3 * n).map(place).collect();
+            let mut u = expected.clone();
+            constraints.rows().iter().for_each(|r| u[r.unknown] = f64::NAN);
+            constraints.expand(1.0, &mut u);
+            for (found, expected) in u.iter().zip(&expected) {
+                assert!((found - expected).abs() < 1e-13, "{size:?} {held}: {found} {expected}");
+            }
+            for (axis, turn) in turn.into_iter().enumerate() {
+                let found = conditions.rotation(&rigid, axis, &at, &|of| u[of.component * n + of.point]);
+                assert!((found - turn).abs() < 1e-13, "{size:?} {axis}: {found}");
+            }
+        }
+    }
+
     #[test]
     fn points_that_turn_turn_with_their_region() {
         let (lattice, turning) = (SquareLattice::rectangle(0.3, [1.0, 2.0], [3, 2]), 0.3);
         for prescribed in [[None; 3], [Some(0.1), Some(-0.2), Some(0.4)]] {
             let conditions = Conditions { turning: Some(turning), ..region(&lattice, prescribed) };
             let constraints =
-                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.place(p))).unwrap();
+                Constraints::new(lattice.points(), &conditions.equations(&|p| lattice.position(p))).unwrap();
             let free = prescribed.iter().filter(|p| p.is_none()).count();
             assert_eq!(constraints.rows().len(), 3 * lattice.points() - free);
             let mut expected = motion(&lattice, [0.1, -0.2, 0.4], [0.7, -0.2]);
@@ -200,14 +254,14 @@ mod tests {
     fn prescribed_motions_are_those_of_the_centre() {
         let lattice = SquareLattice::rectangle(0.5, [0.0; 2], [3, 4]);
         let conditions = region(&lattice, [Some(0.1), Some(-0.2), Some(0.3)]);
-        let equations = conditions.equations(&|p| lattice.place(p));
+        let equations = conditions.equations(&|p| lattice.position(p));
         let constraints = Constraints::new(lattice.points(), &equations).unwrap();
         let mut u = vec![0.0; 2 * lattice.points()];
         constraints.expand(1.0, &mut u);
         let expected = motion(&lattice, [0.1, -0.2, 0.3], [0.7, -0.2]);
         assert!(u.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-14), "{u:?} {expected:?}");
         // A pin turns: ux and uy of its centre leave one unknown.
-        let pin = region(&lattice, [Some(0.1), Some(-0.2), None]).equations(&|p| lattice.place(p));
+        let pin = region(&lattice, [Some(0.1), Some(-0.2), None]).equations(&|p| lattice.position(p));
         let rows = Constraints::new(lattice.points(), &pin).unwrap().rows().len();
         assert_eq!(rows, 2 * lattice.points() - 1);
     }

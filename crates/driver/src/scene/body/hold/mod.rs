@@ -6,6 +6,7 @@ pub(crate) mod held_body;
 pub(crate) mod held_border;
 pub(crate) mod held_edge;
 pub(crate) mod rigid;
+pub(crate) mod rigid_keys;
 pub(crate) mod rigid_mirror;
 pub(crate) mod support_keys;
 pub(crate) mod supported;

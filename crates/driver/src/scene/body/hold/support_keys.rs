@@ -25,7 +25,9 @@ pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath,
             support.phi.is_some() && !points_turn,
             match deflects {
                 true => "a shell membrane is held by `ux`, `uy` and `w`",
-                false if is_solid => "points do not turn: hold a face by `ux`, `uy` and `uz`",
+                false if is_solid => {
+                    "points do not turn: hold a face by `ux`, `uy` and `uz`, or list it under `rigid`"
+                }
                 false => "points do not turn: list the region under `rigid` and give its `phi`",
             },
         ),

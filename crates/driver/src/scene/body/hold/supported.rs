@@ -1,7 +1,7 @@
-//! Supports of a body in the plane with their equations and springs.
+//! Supports of a body with their equations and springs.
 
 use super::conditions::Conditions;
-use super::rigid::RigidPoints;
+use super::rigid::{MOTIONS, RigidPoints};
 use super::supports::HeldSupport;
 use crate::diagnostic::{JsonPath, root};
 use crate::scene::body::site::model_inputs::ModelInputs;
@@ -15,9 +15,9 @@ pub struct BodySupport {
     pub name: String,
     /// Where it stands in the case.
     pub path: JsonPath,
-    /// Its equations among those of the scene with how much of the force along x, the force along y and the moment each
+    /// Its equations among those of the scene with how much of the forces along x, y and z and of the moments about them each
     /// multiplier is.
-    pub equations: Vec<(Range<usize>, [f64; 3])>,
+    pub equations: Vec<(Range<usize>, [f64; MOTIONS])>,
     /// Its springs among those of the conditions.
     pub springs: Range<usize>,
 }
@@ -29,15 +29,21 @@ pub(crate) fn conditions(
     inputs: &ModelInputs,
     model: &dyn BodyModel,
 ) -> (Conditions, Vec<BodySupport>) {
-    let mut conditions =
-        Conditions { turning: model.component("phi").map(|(_, phi)| phi.scale), ..Conditions::default() };
+    let mut conditions = Conditions {
+        turning: model.component("phi").map(|(_, phi)| phi.scale),
+        axes: inputs.body.axes(),
+        ..Conditions::default()
+    };
     let (mut supports, mut next) = (Vec::new(), 0);
     for h in held {
         let (holds, springs) = (h.holds(inputs, model), h.spring_list(inputs, model));
         let mut equations = Vec::new();
         for hold in &holds {
-            let [x, y, turn] = hold.direction;
-            let shares = [x, y, turn * model.scale(2)];
+            let mut shares = [0.0; MOTIONS];
+            for (share, component) in hold.direction.iter().zip(model.components()) {
+                let motion = component.axis + if component.is_rotation { 3 } else { 0 };
+                shares[motion] = share * component.scale;
+            }
             equations.push((next..next + hold.points.len(), shares));
             next += hold.points.len();
         }
@@ -49,9 +55,10 @@ pub(crate) fn conditions(
     }
     let end = conditions.springs.len();
     for (k, region) in rigid.into_iter().enumerate() {
-        let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let mut equations = Vec::new();
-        for (_, direction) in region.prescribed.iter().zip(directions).filter(|p| p.0.is_some()) {
+        for motion in (0..MOTIONS).filter(|&motion| region.prescribed[motion].is_some()) {
+            let mut direction = [0.0; MOTIONS];
+            direction[motion] = 1.0;
             equations.push((next..next + 1, direction));
             next += 1;
         }

@@ -1,11 +1,10 @@
-//! Supports of a body in the plane.
+//! Supports of a body.
 
 use super::conditions::HeldPoints;
 use super::held_border::{self, Piece};
 use super::held_edge::{EdgeShares, HeldEdge};
-use super::rigid::RigidPoints;
 use super::support_keys;
-use crate::case::{Rigid, Support};
+use crate::case::Support;
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::model::Material;
 use crate::scene::body::site::boundary::{self, Stretch};
@@ -123,7 +122,7 @@ pub(crate) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Sym
     }
     if let Some(name) = region.filter(|name| symmetry.joins(name)) {
         faults
-            .error(path.clone(), format!("the edge `{name}` is joined to the opposite one by `periodic`"))
+            .error(path.clone(), format!("the {side} `{name}` is joined to the opposite one by `periodic`"))
             .hint("no border is there: take another region, or remove `periodic`");
     }
 }
@@ -218,47 +217,4 @@ fn by_component(direction: [f64; 3], turns: bool, model: &dyn BodyModel) -> [f64
         }
     }
     shares
-}
-
-/// Rigid regions of the case, by numbers of the body.
-pub(crate) fn rigid(ground: &Ground, symmetry: &Symmetry, faults: &mut Faults) -> Vec<RigidPoints> {
-    let mut rigid: Vec<RigidPoints> = Vec::new();
-    for (k, given) in ground.case.rigid.iter().enumerate() {
-        let path = root("rigid").index(k);
-        let place = path.key("region");
-        not_mirrored(Some(&given.region), &place, symmetry, faults);
-        let Some(points) = ground.region(&given.region, &place, faults) else { continue };
-        if points.len() < 2 {
-            faults
-                .error(
-                    place.clone(),
-                    format!("the region `{}` is one point, which is rigid by itself", given.region),
-                )
-                .hint("hold a point by `supports`, or make the region larger than the spacing");
-            continue;
-        }
-        let shared = |r: &&RigidPoints| points.iter().any(|p| r.points.binary_search(p).is_ok());
-        if let Some(other) = rigid.iter().find(shared) {
-            faults
-                .error(
-                    place,
-                    format!("the region `{}` shares points with that of `{}`", given.region, other.origin),
-                )
-                .hint("two rigid bodies that share points are one: take the union of both regions");
-            continue;
-        }
-        rigid.push(resolve_rigid(given, points, ground, &path));
-    }
-    rigid
-}
-
-fn resolve_rigid(given: &Rigid, points: Vec<u32>, ground: &Ground, path: &JsonPath) -> RigidPoints {
-    let centre = given.centre.unwrap_or_else(|| {
-        let area = |p: &u32| ground.body.area(*p as usize);
-        let whole: f64 = points.iter().map(area).sum();
-        let moment =
-            |k: usize| points.iter().map(|p| area(p) * ground.body.place(*p as usize)[k]).sum::<f64>();
-        [moment(0) / whole, moment(1) / whole]
-    });
-    RigidPoints { points, centre, prescribed: [given.ux, given.uy, given.phi], origin: path.to_string() }
 }

@@ -67,7 +67,7 @@ fn of_contact(edge: &Edge, (centre, radius, peak): (f64, f64, f64), context: &Lo
         let [x, y] = edge.normal.map(|n| -peak * a * width * n);
         resultants::add_force(context.material, &mut sum, [x, y, 0.0], in_space(middle));
         let turn = tangent[0] * edge.normal[1] - tangent[1] * edge.normal[0];
-        sum.add_moment(-peak * a * a * across * first * turn);
+        sum.add_moment(2, -peak * a * a * across * first * turn);
     }
     sum
 }

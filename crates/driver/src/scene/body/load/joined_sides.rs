@@ -2,7 +2,7 @@
 
 use super::context::LoadContext;
 use super::sums::Forces;
-use crate::case::{Axis, Case, Periodic};
+use crate::case::{Case, Periodic};
 use crate::scene::body::site::boundary;
 use crate::scene::body::site::symmetry::edge_on;
 use peristat_assembly::model::BodyModel;
@@ -12,7 +12,7 @@ use std::array::from_fn;
 pub(crate) fn forces(case: &Case, model: &dyn BodyModel) -> Forces {
     let Some((lattice, mirrors)) = model.lattice() else { return Vec::new() };
     let of = |given: &Periodic| {
-        let (force, axis) = (given.force?, usize::from(given.along == Axis::Y));
+        let (force, axis) = (given.force?, given.along.number());
         let [first, copy] = mirrors.stretch_points(lattice, axis)?;
         let along = |f: f64| from_fn::<f64, 3, _>(|k| if k == axis { f } else { 0.0 });
         Some([(copy as u32, along(force)), (first as u32, along(-force))])
@@ -22,7 +22,7 @@ pub(crate) fn forces(case: &Case, model: &dyn BodyModel) -> Forces {
 
 /// The stress of the force of the case through joined sides along an axis, Pa.
 pub(crate) fn stress(axis: usize, context: &LoadContext) -> Option<f64> {
-    let is_along = |given: &&Periodic| usize::from(given.along == Axis::Y) == axis;
+    let is_along = |given: &&Periodic| given.along.number() == axis;
     let force = context.ground.case.periodic.iter().find(is_along)?.force?;
     let outline = context.ground.outline?;
     let (edge, _) = edge_on(outline, 2 * axis)?;

@@ -7,6 +7,7 @@ pub(crate) mod joined_sides;
 pub(crate) mod load_cases;
 pub(crate) mod point_load;
 pub(crate) mod pressure;
+pub(crate) mod rigid_moment;
 pub(crate) mod stress_field;
 pub(crate) mod sums;
 pub(crate) mod traction;

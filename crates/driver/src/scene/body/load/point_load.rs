@@ -1,6 +1,7 @@
-//! Forces and moments at places of a body in the plane.
+//! Forces and moments at places of a body.
 
 use super::context::{LoadContext, is_held};
+use super::rigid_moment;
 use super::sums::BodyLoads;
 use crate::case::PointLoad;
 use crate::diagnostic::{Faults, JsonPath};
@@ -33,7 +34,10 @@ pub(crate) fn resolve(
         (
             "moment",
             load.moment != 0.0 && !points_turn,
-            "points do not turn: use two forces, or a `linear` traction on an edge",
+            match is_solid {
+                true => "list a region under `rigid`, and give `moment_x`, `moment_y` or `moment_z` on it",
+                false => "points do not turn: use two forces, or a `linear` traction on an edge",
+            },
         ),
         ("spread", load.spread, "give a region as the place to spread a force"),
     ];
@@ -41,13 +45,16 @@ pub(crate) fn resolve(
         faults.error(path.key(*key), format!("`{key}` is for beams")).hint(*hint);
     }
     let force = [load.force_x, load.force_y, if is_solid { load.force_z } else { load.force }];
-    let along_z = load.force_z != 0.0 && !is_solid;
-    if force == [0.0; 3] && load.moment == 0.0 && !along_z && !foreign.iter().any(|f| f.1) {
+    let couple = [load.moment_x, load.moment_y, load.moment_z];
+    let is_of_solids = load.force_z != 0.0 || couple != [0.0; 3];
+    if force == [0.0; 3] && load.moment == 0.0 && !is_of_solids && !foreign.iter().any(|f| f.1) {
         let keys = match (points_turn, deflects) {
             (true, _) => "give `force_x`, `force_y` or `moment`",
             (_, true) if is_flat => "give `force_x`, `force_y` or `force`",
             (_, true) => "give `force`",
-            _ if is_solid => "give `force_x`, `force_y` or `force_z`",
+            _ if is_solid => {
+                "give `force_x`, `force_y` or `force_z`; on a rigid region `moment_x`, `moment_y` or `moment_z`"
+            }
             _ => "give `force_x` or `force_y`",
         };
         faults.error(path.clone(), "this load is zero").hint(keys);
@@ -70,7 +77,7 @@ pub(crate) fn resolve(
     let at_place = place(load, &shares, context, &at, faults);
     resultants::add_force(context.material, &mut to.asked, force, at_place);
     if points_turn {
-        to.asked.add_moment(load.moment);
+        to.asked.add_moment(2, load.moment);
     }
     if is_fixed {
         faults
@@ -79,6 +86,9 @@ pub(crate) fn resolve(
     }
     if acts {
         to.forces.extend(shares.iter().map(|&(p, share)| (p, force.map(|f| share * f))));
+    }
+    if is_solid && couple != [0.0; 3] {
+        rigid_moment::add(couple, load, &spot.points, context, path, to, faults);
     }
     if load.moment != 0.0 {
         to.moments.extend(shares.iter().map(|&(p, share)| (p, share * load.moment)));

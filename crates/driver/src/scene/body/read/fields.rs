@@ -2,6 +2,7 @@
 
 use crate::case::{Case, FieldName, Origin};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::scene::body::hold::rigid::{self, MOTIONS};
 use crate::scene::words;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::Component;
@@ -32,7 +33,7 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
         }
         Origin::Strain(..) | Origin::Stress(_) => Has::No,
         Origin::VonMises | Origin::Energy => Has::Values,
-        Origin::Beam | Origin::Opening | Origin::Reaction(_) => Has::No,
+        Origin::Beam | Origin::Opening | Origin::Reaction(_) | Origin::Turn(_) => Has::No,
     }
 }
 
@@ -42,26 +43,49 @@ pub(crate) fn answered(model: &dyn BodyModel) -> impl Iterator<Item = FieldName>
 }
 
 /// Forces and moments of supports, in the order of messages.
-const REACTIONS: [FieldName; 5] = [
+const REACTIONS: [FieldName; 8] = [
     FieldName::ReactionX,
     FieldName::ReactionY,
     FieldName::ReactionZ,
     FieldName::ReactionMoment,
+    FieldName::ReactionMomentX,
+    FieldName::ReactionMomentY,
+    FieldName::ReactionMomentZ,
     FieldName::ReactionForce,
 ];
 
-/// The unknown that a reaction holds: its index and what is known of it.
-pub(crate) fn held(reaction: FieldName, model: &dyn BodyModel) -> Option<(usize, Component)> {
-    let Origin::Reaction(component) = reaction.about().origin else { return None };
-    model.component(component)
+/// Rotations of rigid regions of solids.
+const TURNS: [FieldName; 3] = [FieldName::PhiX, FieldName::PhiY, FieldName::PhiZ];
+
+/// What a reaction holds.
+pub(crate) struct Held {
+    /// Its name, such as `ux`.
+    pub(crate) name: &'static str,
+    /// The unknown of points: its index and what is known of it; none of rotations where points do not turn.
+    pub(crate) unknown: Option<(usize, Component)>,
+    /// The motion of rigid regions, among those that they have.
+    pub(crate) motion: Option<usize>,
+}
+
+/// What a reaction holds; none where points have no such unknown, nor a solid rigid regions that move so.
+pub(crate) fn held(reaction: FieldName, model: &dyn BodyModel, case: &Case) -> Option<Held> {
+    let Origin::Reaction(name) = reaction.about().origin else { return None };
+    let (unknown, axes) = (model.component(name), if model.as_solid().is_some() { 3 } else { 2 });
+    let motion = (0..MOTIONS).find(|&motion| rigid::key(motion, axes) == Some(name));
+    let is_turn = axes > 2 && motion.is_some() && !case.rigid.is_empty();
+    (unknown.is_some() || is_turn).then_some(Held { name, unknown, motion })
 }
 
 /// The fields that probes can ask for: those of points, reactions, rotations of rigid regions and openings of cracks.
 pub(crate) fn probed(model: &dyn BodyModel, case: &Case) -> Vec<FieldName> {
-    let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model).is_some());
-    let turns = (model.turning().is_none() && !case.rigid.is_empty()).then_some(FieldName::Phi);
+    let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model, case).is_some());
+    let turns: &[FieldName] = match (model.turning().is_none() && !case.rigid.is_empty(), model.as_solid()) {
+        (false, _) => &[],
+        (true, None) => &[FieldName::Phi],
+        (true, Some(_)) => &TURNS,
+    };
     let opens = (!case.cracks.is_empty() && model.along(0).is_some()).then_some(FieldName::Opening);
-    answered(model).chain(turns).chain(reactions).chain(opens).collect()
+    answered(model).chain(turns.iter().copied()).chain(reactions).chain(opens).collect()
 }
 
 /// Adds the fault of a field that a probe asks for at `path`, and that is none of those that there are.
@@ -74,8 +98,14 @@ pub(crate) fn refuse(
 ) {
     let (name, model) = (field.name(), case.model.name());
     let message = match field {
+        FieldName::Phi if case.model.keys().is_ok_and(|keys| keys.is_solid()) => {
+            "rotations of a solid are `phi_x`, `phi_y` and `phi_z` of a rigid region".into()
+        }
         FieldName::Phi => {
             format!("points of `{model}` do not turn, and no region is rigid: there is no `phi`")
+        }
+        _ if TURNS.contains(&field) && case.rigid.is_empty() => {
+            format!("no region of the body is rigid: there is no `{name}`")
         }
         FieldName::Opening => "`opening` is that of a crack, and there is none".into(),
         _ => format!("`{name}` is no field of `{model}`"),

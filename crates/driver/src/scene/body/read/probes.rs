@@ -1,7 +1,7 @@
-//! Probes of a body in the plane.
+//! Probes of a body.
 
 use super::{fields, opening};
-use crate::case::{FieldName, Probe};
+use crate::case::{FieldName, Origin, Probe};
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::site::interpolate::Weights;
@@ -47,8 +47,13 @@ pub enum Quantity {
         /// Points and shares, which sum to zero.
         weights: Weights,
     },
-    /// Rotation of a rigid region, by its index, rad.
-    Rotation(usize),
+    /// Rotation of a rigid region, rad.
+    Rotation {
+        /// Which one: about z in the plane.
+        field: FieldName,
+        /// Index of the region.
+        region: usize,
+    },
     /// A stress intensity, by its index in the scene.
     StressIntensity(usize),
 }
@@ -60,7 +65,7 @@ impl BodyProbe {
             Quantity::Field { field, .. } => field.name(),
             Quantity::Reaction { field, .. } => field.name(),
             Quantity::Opening { .. } => FieldName::Opening.name(),
-            Quantity::Rotation(_) => FieldName::Phi.name(),
+            Quantity::Rotation { field, .. } => field.name(),
             Quantity::StressIntensity(_) => "stress_intensity",
         }
     }
@@ -99,7 +104,10 @@ fn resolve(
     }
     let is_rigid = |name: &String| case.rigid.iter().any(|r| r.region == *name);
     let points_turn = site.model.component("phi").is_some();
-    if field == FieldName::Phi && (!points_turn || probe.at.region.as_ref().is_some_and(is_rigid)) {
+    let is_turn = matches!(field.about().origin, Origin::Turn(_));
+    let is_phi =
+        || field == FieldName::Phi && (!points_turn || probe.at.region.as_ref().is_some_and(is_rigid));
+    if is_turn || is_phi() {
         return rotation(probe, site, path, faults);
     }
     if field.is_reaction() {
@@ -186,10 +194,12 @@ fn rotation(
             Some(name) => suggest(name, regions()),
             None => format!("write {{ \"region\": \"{}\" }}", regions().next().unwrap_or_default()),
         };
-        faults.error(at, "`phi` is the rotation of a rigid region, and this is none").hint(hint);
+        let field = probe.field.name();
+        faults.error(at, format!("`{field}` is the rotation of a rigid region, and this is none")).hint(hint);
         return None;
     };
-    Some((Quantity::Rotation(k), format!("the region `{}`", rigid[k].region)))
+    let quantity = Quantity::Rotation { field: probe.field, region: k };
+    Some((quantity, format!("the region `{}`", rigid[k].region)))
 }
 
 /// Everything that holds one of the points along the component of the field.
@@ -201,14 +211,14 @@ fn reaction(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Quantity> {
-    let (component, of) = fields::held(field, site.model)?;
-    let unit = of.scale;
+    let of = fields::held(field, site.model, site.ground.case)?;
+    let (component, unit) = of.unknown.map_or((None, 1.0), |(k, unknown)| (Some(k), unknown.scale));
     let mut numbers: Vec<u32> = points.iter().map(|&p| site.inputs.number(site.model, p)).collect();
     numbers.sort_unstable();
     let here = |p: u32| numbers.binary_search(&p).is_ok();
     let (mut equations, mut next) = (Vec::new(), 0);
     for hold in &site.conditions.holds {
-        let share = unit * hold.direction[component];
+        let share = component.map_or(0.0, |component| unit * hold.direction[component]);
         let own = hold.points.iter().enumerate().filter(|(_, p)| share != 0.0 && here(**p));
         equations.extend(own.map(|(k, _)| (next + k, share)));
         next += hold.points.len();
@@ -216,13 +226,14 @@ fn reaction(
     for rigid in &site.conditions.rigid {
         let whole = rigid.points.iter().all(|&p| here(p));
         for (k, _) in rigid.prescribed.iter().enumerate().filter(|p| p.1.is_some()) {
-            if whole && k == component {
+            if whole && of.motion == Some(k) {
                 equations.push((next, 1.0));
             }
             next += 1;
         }
     }
-    let along = |s: &peristat_assembly::stiffness::Spring| s.shares[0].0 == component && here(s.point as u32);
+    let along =
+        |s: &peristat_assembly::stiffness::Spring| Some(s.shares[0].0) == component && here(s.point as u32);
     let springs: Vec<usize> =
         (0..site.conditions.springs.len()).filter(|&k| along(&site.conditions.springs[k])).collect();
     if equations.is_empty() && springs.is_empty() {
@@ -239,6 +250,9 @@ fn reaction(
             "uy" => "along y",
             "uz" => "along z",
             "phi" => "against turning",
+            "phi_x" => "against turning about x",
+            "phi_y" => "against turning about y",
+            "phi_z" => "against turning about z",
             _ => "across the plane",
         };
         faults

@@ -11,14 +11,7 @@ pub(crate) fn check(case: &Case, faults: &mut Faults) {
             !case.foundation.is_empty(),
             "springs under a region are supports with `ux_spring` or `uy_spring`",
         ),
-        (
-            "links",
-            !case.links.is_empty(),
-            match case.body {
-                Body::Block(_) => "a solid holds its points by `supports`",
-                _ => "points that move together are a region under `rigid`",
-            },
-        ),
+        ("links", !case.links.is_empty(), "points that move together are a region under `rigid`"),
     ];
     for (key, _, hint) in keys.iter().filter(|k| k.1) {
         faults.error(root(key), format!("`{key}` is for beams")).hint(*hint);

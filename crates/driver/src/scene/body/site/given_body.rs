@@ -65,12 +65,11 @@ pub(crate) fn read(
     if let (true, Some(outline), Some(lattice)) = (touches_axis, &outline, lattice) {
         symmetry.add_axis(outline, lattice);
     }
+    periodic::join(case, sides, lattice, &mut symmetry, faults);
     let BuiltSolid { mut walls, parts, .. } = solid.unwrap_or_default();
     if let PointBody::Solid(lattice) = &body {
-        let faces = symmetry.faces();
-        walls.iter_mut().for_each(|wall| wall.mirror(&faces, lattice));
+        walls.iter_mut().for_each(|wall| wall.mirror(&symmetry.goes_on, lattice));
     }
-    periodic::join(case, outline.as_ref(), lattice, &mut symmetry, faults);
     let (mut material, ratio) = (material?, ratio?);
     if ratio > MOST_RATIO {
         faults

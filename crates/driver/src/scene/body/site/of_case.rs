@@ -1,7 +1,7 @@
 //! What models are given of a case.
 
 use super::{body, specimen};
-use crate::case::{Axis, Body, Case, RectangleBody};
+use crate::case::{Body, Case, RectangleBody};
 use crate::diagnostic::{Faults, root};
 use crate::model::{Asked, BodyKind, JoinedSides, Keys};
 
@@ -14,10 +14,7 @@ pub(crate) fn asked(case: &Case) -> Asked<'_> {
         }
         _ => BodyKind::Other,
     };
-    let joined = |p: &crate::case::Periodic| JoinedSides {
-        axis: usize::from(p.along == Axis::Y),
-        stretches: p.stretches,
-    };
+    let joined = |p: &crate::case::Periodic| JoinedSides { axis: p.along.number(), stretches: p.stretches };
     Asked {
         body,
         body_path: body::path(case),

@@ -1,14 +1,14 @@
-//! Opposite edges of a body in the plane that are joined.
+//! Opposite sides of a body that are joined.
 
-use super::symmetry::{SIDES, Symmetry, edge_on, line_on};
-use crate::case::{Axis, Case, Periodic};
+use super::symmetry::{Sides, Symmetry, line_on};
+use crate::case::{Case, Periodic};
 use crate::diagnostic::{Faults, JsonPath, root};
-use peristat_assembly::body::{Outline, SquareLattice};
+use peristat_assembly::body::{Face, SIDES, SquareLattice};
 
-/// Adds the joined edges of the case to its mirrors.
+/// Adds the joined sides of the case to its mirrors.
 pub(crate) fn join(
     case: &Case,
-    outline: Option<&Outline>,
+    sides: Option<Sides>,
     lattice: Option<&SquareLattice>,
     symmetry: &mut Symmetry,
     faults: &mut Faults,
@@ -20,11 +20,9 @@ pub(crate) fn join(
     }
     for (k, given) in case.periodic.iter().enumerate() {
         let path = root("periodic").index(k);
-        let (axis, name) = match given.along {
-            Axis::X => (0, "x"),
-            Axis::Y => (1, "y"),
-        };
-        let (Some(outline), Some(lattice)) = (outline, lattice) else {
+        let axis = given.along.number();
+        let name = ["x", "y", "z"][axis];
+        let (Some(sides), Some(lattice)) = (sides, lattice) else {
             faults
                 .error(path, "joined sides need a body that fills a lattice: `rectangle` or `outline`")
                 .hint("take one of these");
@@ -36,6 +34,12 @@ pub(crate) fn join(
             faults.error(path, message).hint("model a body without `periodic`");
             continue;
         }
+        if axis > 1 && !symmetry.is_solid {
+            faults
+                .error(path.key("along"), "a body in the plane has no sides along z")
+                .hint("join the sides along x or y");
+            continue;
+        }
         if std::mem::replace(&mut symmetry.mirrors.joined[axis], true) {
             faults.error(path, format!("the sides along {name} are joined twice"));
             continue;
@@ -43,19 +47,26 @@ pub(crate) fn join(
         symmetry.mirrors.stretches[axis] = given.stretches;
         check_force(case, given, &path, faults);
         for side in [2 * axis, 2 * axis + 1] {
-            let called = SIDES[side].0;
+            let called = SIDES[side];
             if symmetry.at[side].is_some() {
                 faults
                     .error(path.clone(), format!("the {called} side is a mirror by `symmetry`"))
                     .hint("remove one of both");
                 continue;
             }
-            let Some((edge, at)) = edge_on(outline, side) else {
+            let Some((edge, at)) = sides.whole(side) else {
+                let message = match symmetry.is_solid {
+                    true => format!("the body is not flat on its {called} side"),
+                    false => format!("the body has no straight edge all along its {called} side"),
+                };
                 faults
-                    .error(path.clone(), format!("the body has no straight edge all along its {called} side"))
+                    .error(path.clone(), message)
                     .hint("joined sides are whole sides of the box around the body");
                 continue;
             };
+            if symmetry.is_solid {
+                symmetry.goes_on.push(Face { axis, is_high: side % 2 == 1, at });
+            }
             symmetry.joined.push(edge);
             symmetry.mirrors.set_line(side, line_on(lattice, side, at, &path, faults));
         }
@@ -82,6 +93,7 @@ fn check_force(case: &Case, given: &Periodic, path: &JsonPath, faults: &mut Faul
 #[cfg(test)]
 mod tests {
     use super::*;
+    use peristat_assembly::body::Outline;
     use serde_json::json;
 
     fn joined(periodic: &serde_json::Value, symmetry: &mut Symmetry) -> Faults {
@@ -93,7 +105,7 @@ mod tests {
         let outline = Outline::rectangle([0.0; 2], [4.0, 2.0]).unwrap();
         let lattice = outline.fill(1.0).unwrap();
         let mut faults = Faults::default();
-        join(&case, Some(&outline), Some(&lattice), symmetry, &mut faults);
+        join(&case, Some(Sides::Edges(&outline)), Some(&lattice), symmetry, &mut faults);
         faults
     }
 

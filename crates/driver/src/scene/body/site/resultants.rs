@@ -11,7 +11,7 @@ pub(crate) fn add_force(material: &dyn Material, to: &mut Resultant, force: [f64
     match material.cylinder_radius() {
         Some(radius) => {
             to.add([force[0], 0.0, 0.0], [0.0; 3]);
-            to.add_moment(radius * force[1]);
+            to.add_moment(2, radius * force[1]);
         }
         None => to.add(force, at),
     }
@@ -38,7 +38,7 @@ pub(crate) fn resultant(model: &dyn BodyModel, material: &dyn Material, forces: 
         }
         add_force(material, &mut sum, force, at);
         if turn != 0.0 {
-            sum.add_moment(turn);
+            sum.add_moment(2, turn);
         }
     }
     sum

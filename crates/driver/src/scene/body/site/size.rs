@@ -30,7 +30,8 @@ const LISTED: f64 = 98.0;
 const FAMILIES: [f64; 2] = [10_000.0, 3_200.0];
 /// Of a neighbour in a family of its own.
 const NEIGHBOUR: f64 = 180.0;
-/// Of a bond of an image. Measured 49 between four mirrors, with 2 and 480 million of them.
+/// Of a bond of an image. Measured 49 between four mirrors, with 2 and 480 million of them; 56 between joined faces of a solid, with
+/// 64 million.
 const IMAGE: f64 = 50.0;
 /// Of a neighbour on the strip that a held edge of families is known from. Measured 28 with a horizon of 20 spacings.
 const STRIP: f64 = 28.0;
@@ -85,11 +86,12 @@ pub(crate) fn fits(
         _ => OWN * 0.5 * family * near,
     };
     let of_images = match body {
-        PointBody::Lattice(lattice) => {
+        PointBody::Lattice(lattice) | PointBody::Solid(lattice) => {
             let images = images(mirrors, lattice, m);
+            let family = if body.axes() > 2 { family * m * 4.0 / 3.0 } else { family };
             IMAGE * 0.5 * images * family.min(images + points)
         }
-        PointBody::Cloud(_) | PointBody::Solid(_) => 0.0,
+        PointBody::Cloud(_) => 0.0,
     };
     let key = if case.horizon.is_some() { "horizon" } else { "horizon_ratio" };
     let what = format!("bonds over a horizon of {} spacings", tidy(m));
@@ -102,10 +104,10 @@ pub(crate) fn takes_shares(extent: usize, horizon_ratio: f64) -> bool {
     extent as f64 + 2.0 > horizon_ratio
 }
 
-/// Points that are images, about: beyond every line there are as many rows or columns of them as the horizon has, but behind
+/// Points that are images, about: beyond every line there are as many rows, columns or layers of them as the horizon has, but behind
 /// a single one no more than of the body.
 fn images(mirrors: &Mirrors, lattice: &SquareLattice, m: f64) -> f64 {
-    let sides = [lattice.columns().len() as f64, lattice.rows().len() as f64];
+    let sides = [lattice.columns(), lattice.rows(), lattice.layers()].map(|side| side.len() as f64);
     let grown = mirrors.lines.into_iter().zip(sides).map(|(lines, n)| match lines {
         [None, None] => 1.0,
         [Some(_), Some(_)] => 1.0 + 2.0 * m / n,

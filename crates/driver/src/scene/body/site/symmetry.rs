@@ -4,10 +4,6 @@ use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use peristat_assembly::body::{self, Crack, Edge, Face, Outline, SquareLattice};
 use peristat_assembly::model::plane::Mirrors;
 
-/// The sides that can be mirrors, with the direction in which they look.
-pub(crate) const SIDES: [(&str, [f64; 2]); 4] =
-    [("left", [-1.0, 0.0]), ("right", [1.0, 0.0]), ("bottom", [0.0, -1.0]), ("top", [0.0, 1.0])];
-
 /// What has sides.
 #[derive(Clone, Copy)]
 pub(crate) enum Sides<'a> {
@@ -30,7 +26,7 @@ impl<'a> Sides<'a> {
     }
 
     /// The edge or face that is a whole side of the box around the body, and the position of the side.
-    fn whole(self, side: usize) -> Option<(String, f64)> {
+    pub(crate) fn whole(self, side: usize) -> Option<(String, f64)> {
         match self {
             Self::Edges(outline) => edge_on(outline, side),
             Self::Solid(sides) => sides[side].map(|at| (body::SIDES[side].to_string(), at)),
@@ -49,9 +45,11 @@ pub(crate) struct Symmetry {
     pub(crate) is_solid: bool,
     /// Names of the edges or faces on them.
     pub(crate) edges: Vec<String>,
+    /// Faces of a solid behind which it goes on.
+    pub(crate) goes_on: Vec<Face>,
     /// Names of those on the axis of a body of revolution.
     pub(crate) axis: Vec<String>,
-    /// Names of the edges that are joined to the opposite ones.
+    /// Names of the edges or faces that are joined to the opposite ones.
     pub(crate) joined: Vec<String>,
 }
 
@@ -104,6 +102,9 @@ pub(crate) fn symmetry(
             continue;
         }
         symmetry.edges.push(edge);
+        if is_solid {
+            symmetry.goes_on.push(Face { axis: side / 2, is_high: side % 2 == 1, at });
+        }
         let path = root("symmetry").index(k);
         symmetry.mirrors.set_line(side, line_on(lattice, side, at, &path, faults));
     }
@@ -170,14 +171,6 @@ impl Symmetry {
         self.edges.extend(self.axis.iter().cloned());
         self.at[0] = Some(at);
         self.mirrors.set_line(0, lattice.columns().start);
-    }
-
-    /// Faces of a solid that are mirrors.
-    pub(crate) fn faces(&self) -> Vec<Face> {
-        let sides = self.at.iter().enumerate().filter(|_| self.is_solid);
-        sides
-            .filter_map(|(side, at)| Some(Face { axis: side / 2, is_high: side % 2 == 1, at: (*at)? }))
-            .collect()
     }
 
     /// Whether an edge lies on a mirror.

@@ -37,11 +37,11 @@ pub(crate) fn parts(given: &mut CompactTension, plan: &mut Plan) -> Option<Speci
     }
     let pin = |region: &str, side: f64| Rigid {
         region: region.into(),
-        centre: Some([0.0, side * distance]),
+        centre: Some([0.0, side * distance].into()),
         ux: Some(0.0),
         uy: Some(0.5 * side * given.opening),
-        phi: None,
         bearing: Some(Bearing { direction: [0.0, side], half_angle: bearing }),
+        ..Rigid::default()
     };
     let hole = |side: f64| disc([0.0, side * (distance + RIM * spacing)], radius - 0.1 * RIM * spacing);
     let zone = |side: f64| disc([0.0, side * distance], radius + horizon);

@@ -35,11 +35,10 @@ pub(crate) fn parts(given: &mut SingleEdgeBend, plan: &mut Plan) -> Option<Speci
     // The supports slide along x and the load roller does not: by symmetry nothing pushes it, and the body stays where it is.
     let roller = |region: &str, centre: [f64; 2], ux: Option<f64>, uy: f64| Rigid {
         region: region.into(),
-        centre: Some(centre),
+        centre: Some(centre.into()),
         ux,
         uy: Some(uy),
-        phi: None,
-        bearing: None,
+        ..Rigid::default()
     };
     let around = radius + horizon;
     Some(SpecimenParts {
