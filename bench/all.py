@@ -16,6 +16,7 @@ WORK = ROOT / "target" / "bench"
 SOLVE, ASSEMBLY = "crates/solve/src", "crates/assembly/src"
 BAND = [f"{SOLVE}/band*", f"{SOLVE}/pcg*", f"{SOLVE}/repeating*", f"{ASSEMBLY}/stiffness/lattice_bonds"]
 SPARSE = [f"{SOLVE}/sparse*", f"{SOLVE}/dissect*"]
+SOLID = [f"{ASSEMBLY}/cubic", f"{ASSEMBLY}/stiffness/grid_bonds", f"{ASSEMBLY}/model/solid", f"{ASSEMBLY}/model/bond_solid"]
 GRID = [f"{SOLVE}/multigrid*", f"{SOLVE}/hierarchy.rs", f"{ASSEMBLY}/stiffness/grid_bonds", f"{ASSEMBLY}/system"]
 # By name: command, document, and the sources of the kernels that decide on its figures: no more than these, or every
 # table would be older than the code after every commit.
@@ -24,6 +25,7 @@ TABLES = {
     "python": (["bench/python.sh"], README, [*BAND, f"{ASSEMBLY}/model/timoshenko_beam", "crates/python/src"]),
     "direct": (["bench/direct.sh"], README, SPARSE),
     "plate": (["bench/plate.sh"], README, GRID),
+    "solid": (["bench/solid.sh"], README, [*SOLID, f"{ASSEMBLY}/stiffness/grid_families", f"{ASSEMBLY}/model/state_solid"]),
     "fracture": (["bench/fracture.sh"], README, [*SPARSE, f"{ASSEMBLY}/stiffness/grid_bonds", "crates/driver/src/run/fracture"]),
     "pareto": (["bench/pareto.sh"], README, [*BAND, *GRID]),
     "edges": ([sys.executable, "-B", "bench/edges.py"], EDGES, [f"{ASSEMBLY}/model/plane/edges", f"{ASSEMBLY}/model/bond_plane"]),
