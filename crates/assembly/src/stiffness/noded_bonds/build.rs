@@ -43,11 +43,12 @@ impl<const D: usize, const M: usize> NodedBondsBuilder<D, M> {
     /// The bonds, in the order of their kinds and of what they hang on.
     pub fn build<T: Number>(self) -> NodedBonds<D, M, T> {
         let Self { points, nodes, kinds, hung } = self;
-        // Nodes that move with neighbouring points follow each other.
+        // Nodes that move alike with neighbouring points follow each other: those of each side of the body by themselves.
         let mut order: Vec<u32> = (0..nodes.len() as u32).collect();
         order.sort_by(|a, b| {
+            let shares = |node: &u32| nodes[*node as usize].iter().map(|of| of.1.to_bits());
             let points = |node: &u32| nodes[*node as usize].iter().map(|of| of.0);
-            points(a).cmp(points(b))
+            shares(a).cmp(shares(b)).then_with(|| points(a).cmp(points(b)))
         });
         let mut number = vec![0; nodes.len()];
         order.iter().enumerate().for_each(|(k, node)| number[*node as usize] = k as u32);

@@ -44,10 +44,12 @@ fn tiles(stretch: &Stretch) -> impl Iterator<Item = (usize, usize)> + use<> {
 impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
     /// `Q` planes of the values of all nodes, of those of the points.
     pub(super) fn of_nodes<const Q: usize>(&self, u: &[T]) -> Vec<T> {
-        let mut values = vec![T::default(); Q * self.node_count];
+        let values = vec![T::default(); Q * self.node_count];
+        // A closure that gives away what it owns is inlined as a whole, and compiled for the vectors of the processor.
         pulp::Arch::new().dispatch(
             #[inline(always)]
-            || {
+            move || {
+                let mut values = values;
                 for stretch in self.nodes.all() {
                     let shares = &self.node_shares[stretch.kind as usize];
                     let [own, points @ ..] = self.nodes.walks(stretch, shares.len() + 1) else { continue };
@@ -63,12 +65,13 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
                         }
                     }
                 }
+                values
             },
-        );
-        values
+        )
     }
 
     /// Adds to the planes of the points what those of the nodes make of them: the transpose.
+    #[inline(always)]
     fn add_from_nodes(&self, nodes: &[T], out: &mut [T]) {
         for stretch in self.nodes.all() {
             let shares = &self.node_shares[stretch.kind as usize];
@@ -96,10 +99,11 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
         stress: impl Fn(usize, usize, &[Tile<T>; Q], &mut [Tile<T>; M]),
     ) {
         let nodes = self.of_nodes::<Q>(u);
-        let mut on_nodes = vec![T::default(); D * self.node_count];
+        let on_nodes = vec![T::default(); D * self.node_count];
         pulp::Arch::new().dispatch(
             #[inline(always)]
-            || {
+            move || {
+                let mut on_nodes = on_nodes;
                 let (mut sums, mut sigma) = ([[T::default(); TILE]; Q], [[T::default(); TILE]; M]);
                 for stretch in self.bonds.all() {
                     let hung = self.hung(stretch);
@@ -111,6 +115,7 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
                     }
                 }
                 self.add_from_nodes(&on_nodes, force);
+                drop(on_nodes);
             },
         );
     }
@@ -181,16 +186,21 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
 
     /// Adds the internal forces of all bonds.
     pub fn add_forces(&self, u: &[T], force: &mut [T]) {
-        self.add_all::<D>((u, [-1.0, 1.0]), force, |kind, len, difference, sigma| {
-            let (rows, moduli) = &self.rows[kind];
-            for m in 0..M {
-                let sigma = &mut sigma[m][..len];
-                sigma.fill(T::default());
-                for (difference, row) in difference.iter().zip(rows[m]) {
-                    sigma.iter_mut().zip(difference).for_each(|(s, d)| *s += row * *d);
+        self.add_all::<D>(
+            (u, [-1.0, 1.0]),
+            force,
+            #[inline(always)]
+            |kind, len, difference, sigma| {
+                let (rows, moduli) = &self.rows[kind];
+                for m in 0..M {
+                    let sigma = &mut sigma[m][..len];
+                    sigma.fill(T::default());
+                    for (difference, row) in difference.iter().zip(rows[m]) {
+                        sigma.iter_mut().zip(difference).for_each(|(s, d)| *s += row * *d);
+                    }
+                    sigma.iter_mut().for_each(|s| *s = moduli[m] * *s);
                 }
-                sigma.iter_mut().for_each(|s| *s = moduli[m] * *s);
-            }
-        });
+            },
+        );
     }
 }
