@@ -54,6 +54,8 @@ pub(crate) fn run(
 /// Cells of a straight beam that is solved before a thread beside the interpreter would have begun: one of 100 takes 0.1 ms, and to
 /// hand it over half as much.
 const FEW_CELLS: usize = 1000;
+/// Its horizon over its spacing: with 400 such a beam takes minutes.
+const SHORT_HORIZON: f64 = 10.0;
 /// Bytes of its case, which bound its load cases.
 const SHORT: usize = 1 << 16;
 
@@ -61,7 +63,8 @@ const SHORT: usize = 1 << 16;
 fn is_quick(source: &Source) -> bool {
     let Source { case, text, .. } = source;
     let is_short = matches!(&case.body, Body::Line(line) if line.cells <= FEW_CELLS) && text.len() <= SHORT;
-    is_short && !case.is_traced()
+    let is_local = case.horizon.is_none() && case.horizon_ratio.is_none_or(|ratio| ratio <= SHORT_HORIZON);
+    is_short && is_local && !case.is_traced()
 }
 
 fn options(max_memory: Option<u64>) -> RunOptions {

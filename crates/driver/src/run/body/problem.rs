@@ -15,8 +15,9 @@ use peristat_assembly::system::{FreeMotion, System};
 const MOST_OF_SOLID: usize = 5000;
 /// The same where points feel the families of their neighbours: at 5000 it takes 21 s and 1.4 GB.
 const MOST_WITH_FAMILIES: usize = 2500;
-/// Points of a solid, without images, whose factor has twelve digits right where cycles have nine, for a tenth of a second more at
-/// most: a cube of 1000 takes 0.07 and 0.19 s at two and three spacings, cycles 0.03 and 0.15 s.
+/// Points of a solid, without images, whose factor has twelve digits right where cycles have nine, for a third of a second more at
+/// most: a cube of 1000 takes 0.07 and 0.19 s with bonds over two and three spacings, cycles 0.03 and 0.15 s; with families over three
+/// spacings 0.45 and 0.19 s.
 const FEW_OF_SOLID: usize = 1000;
 
 /// A scene with a model of its body: its own one, or one with other cracks. Points, conditions and loads are those of the
