@@ -108,7 +108,8 @@ impl StrainForm<'_> {
         }
     }
 
-    /// Sums the bonds over a cell.
+    /// Sums the bonds over a cell, in a time of the bonds over it: a bond that begins k cells further left couples the
+    /// cell with as many, and its arm to each differs from its own arm by the distance D of the cells.
     fn collect(&self, cell: usize, weight: impl Fn(&Weights, usize, usize) -> f64, columns: &mut [Block]) {
         let weights = &self.chain.weights;
         columns.fill(Block::default());
@@ -120,15 +121,33 @@ impl StrainForm<'_> {
                     continue;
                 }
                 let bond = self.chain.bonds.bond(class, lower);
-                let own = self.arm(class, lower, cell) + bond.eccentricity;
-                for (back, block) in columns.iter_mut().enumerate().take(cell - lower + 1) {
-                    let other = self.arm(class, lower, cell - back) + bond.eccentricity;
-                    let shear = alpha * bond.shear;
-                    block[0][0] += alpha * bond.bending + shear * own * other;
-                    block[0][1] += shear * own;
-                    block[1][0] += shear * other;
-                    block[1][1] += shear;
-                }
+                let arm = self.arm(class, lower, cell) + bond.eccentricity;
+                let [[bending, coupling], [_, shear]] = &mut columns[cell - lower];
+                *bending += alpha * (bond.bending + bond.shear * arm * arm);
+                *coupling += alpha * bond.shear * arm;
+                *shear += alpha * bond.shear;
+            }
+        }
+        let [mut bending, mut coupling, mut shear] = [0.0; 3];
+        for (back, block) in columns.iter_mut().enumerate().rev() {
+            bending += block[0][0];
+            coupling += block[0][1];
+            shear += block[1][1];
+            if back <= cell {
+                let distance = self.distance_back(cell, back);
+                *block = [[bending + distance * coupling, coupling], [coupling + distance * shear, shear]];
+            }
+        }
+    }
+
+    /// Distance of the middle of a cell from that of the cell `back` further left, m.
+    fn distance_back(&self, cell: usize, back: usize) -> f64 {
+        let chain = self.chain;
+        match &chain.bonds {
+            BondTable::Uniform { .. } => back as f64 * chain.spacing,
+            BondTable::Each { .. } => {
+                let apart = |point: usize| chain.position(point) - chain.position(point - back);
+                0.5 * (apart(cell) + apart(cell + 1))
             }
         }
     }
