@@ -48,7 +48,7 @@ fn overrides_change_the_case_that_is_run_and_recorded() {
 fn a_bad_override_says_how_to_write_one() {
     let folder = tempfile::tempdir().unwrap();
     for (overriding, reason) in [
-        ("body.line.cells", "an override has the form path=value"),
+        ("body.line.cells", "no `=` in it: write `--set body.line.cells=VALUE`"),
         ("loads[3].point.force=1", "names element 3 of a list of 1"),
         ("title.more=1", "goes through a value that is neither an object nor a list"),
         ("body.line.cels=24", "unknown key `cels`"),
@@ -187,4 +187,31 @@ fn a_matrix_that_cannot_be_written_stops_the_run_before_its_folder() {
     assert_eq!(outcome.code, 2);
     assert!(outcome.stderr.contains("cannot write no/such/folder/k.mtx"), "{}", outcome.stderr);
     assert_eq!(names(folder.path()), Vec::<String>::new());
+}
+
+#[test]
+fn cases_may_have_comments_and_trailing_commas() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(gallery("cantilever.json")).unwrap();
+    let text = text.replacen('{', "// A beam. { \"title\": 3\n{ /* é,\n ] */", 1);
+    let end = text.rfind('}').unwrap();
+    let text = format!("{},\n// the end\n}} // done", text[..end].trim_end());
+    std::fs::write(folder.path().join("a.jsonc"), &text).unwrap();
+    assert_eq!(run(folder.path(), &["run", "a.jsonc"]).code, 0);
+    let verified = run(folder.path(), &["verify", "."]);
+    assert!(
+        verified.code == 0 && verified.stdout.contains("a.jsonc"),
+        "{}{}",
+        verified.stdout,
+        verified.stderr
+    );
+    // Faults stand where they stand, whatever was commented before them.
+    let line = 1 + text.lines().position(|line| line.contains("\"cells\"")).unwrap();
+    let faulty = text.replace("\"cells\"", "/* how many: */ \"cels\"");
+    let column = 1 + faulty.lines().nth(line - 1).unwrap().find("\"cels\"").unwrap();
+    std::fs::write(folder.path().join("b.json"), faulty).unwrap();
+    let refused = run(folder.path(), &["check", "b.json"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.stderr.contains(&format!("--> b.json:{line}:{column}, at")), "{}", refused.stderr);
+    assert!(refused.stderr.contains("/* how many: */ \"cels\""), "{}", refused.stderr);
 }

@@ -32,7 +32,7 @@ fn same_line(a: &str, b: &str) -> bool {
 #[test]
 fn the_first_command_prints_what_the_readme_shows() {
     let readme = readme();
-    assert!(readme.contains(&format!("\n$ cargo run --release -- run {CASE} --force\n")));
+    assert!(readme.contains(&format!("\n$ cargo run --release -- run {CASE}\n")));
     let case = root().join(CASE).display().to_string();
     let folder = tempfile::tempdir().unwrap();
     let outcome = run(folder.path(), &["run", &case]);

@@ -357,3 +357,32 @@ fn a_file_that_a_killed_run_was_writing_does_not_stand_in_the_way() {
     assert_eq!(again.code, 0, "{}", again.stderr);
     assert!(files(folder.path(), ".part").is_empty());
 }
+
+#[test]
+fn a_finished_run_in_the_folder_of_its_own_name_is_replaced_by_the_next_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = gallery("cantilever.json");
+    let again = |more: &[&str]| run(folder.path(), &[&["run", &case], more].concat());
+    assert_eq!(again(&[]).code, 0);
+    let out = folder.path().join("results/cantilever");
+    fs::write(out.join("fields/step_007.csv"), "").unwrap();
+    assert_eq!(again(&["--set", "body.line.cells=24"]).code, 0);
+    assert_eq!(json(&out.join("case.json"))["body"]["line"]["cells"], 24);
+    assert_eq!(names(&out.join("fields")), ["step_000.csv", "step_000.vtu"]);
+    // Not one of another title, nor beside files of somebody else, nor one that did not end.
+    let refused = again(&["--set", "title=Another"]);
+    assert_eq!(refused.code, 2);
+    assert!(
+        refused.stderr.contains("holds a finished run of `Cantilever under a tip load`"),
+        "{}",
+        refused.stderr
+    );
+    fs::write(out.join("thesis.tex"), "years of work").unwrap();
+    assert!(again(&[]).stderr.contains("thesis.tex"));
+    fs::remove_file(out.join("thesis.tex")).unwrap();
+    fs::remove_file(out.join("summary.json")).unwrap();
+    assert!(again(&[]).stderr.contains("holds an unfinished run"));
+    // A folder that was named is somebody's choice.
+    assert_eq!(solve(folder.path(), "cantilever.json", &[]).code, 0);
+    assert!(solve(folder.path(), "cantilever.json", &[]).stderr.contains("holds a finished run"));
+}

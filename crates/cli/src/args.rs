@@ -76,7 +76,7 @@ pub(super) enum Command {
         #[arg(required = true, value_name = "CASE")]
         cases: Vec<PathBuf>,
         /// Replace a value of the cases, such as `body.line.cells=200`.
-        #[arg(long = "set", value_name = "PATH=VALUE")]
+        #[arg(long = "set", value_name = "PATH=VALUE", value_parser = assignment)]
         overrides: Vec<String>,
     },
     /// Solve cases and run their checks; writes no results.
@@ -143,9 +143,10 @@ pub(super) struct Run {
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
     /// Replace a value of the case, such as `body.line.cells=200`.
-    #[arg(long = "set", value_name = "PATH=VALUE")]
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = assignment)]
     pub(super) overrides: Vec<String>,
-    /// Replace an earlier run in the results folder; other files there stay.
+    /// Replace any earlier run in the results folder; other files there stay. A finished run of the same case in its own
+    /// folder, `results/<name of the case>`, is replaced without.
     #[arg(long)]
     pub(super) force: bool,
     /// Continue the interrupted fracture run in the results folder.
@@ -171,7 +172,7 @@ pub(super) struct Study {
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
     /// Replace a value of the base case, such as `body.line.cells=200`.
-    #[arg(long = "set", value_name = "PATH=VALUE")]
+    #[arg(long = "set", value_name = "PATH=VALUE", value_parser = assignment)]
     pub(super) overrides: Vec<String>,
     /// Use a folder that holds other files, and replace the tables of another study there; finished tasks stay.
     #[arg(long)]
@@ -210,6 +211,14 @@ fn starts() -> PossibleValuesParser {
     values.collect::<Vec<_>>().into()
 }
 
+/// A replaced value of a case.
+fn assignment(text: &str) -> Result<String, String> {
+    match text.contains('=') {
+        true => Ok(text.into()),
+        false => Err(format!("no `=` in it: write `--set {text}=VALUE`")),
+    }
+}
+
 /// A size in bytes, with an optional unit.
 fn size(text: &str) -> Result<u64, String> {
     let text = text.trim();
@@ -242,6 +251,12 @@ mod tests {
         assert_eq!(size("300"), Ok(300));
         assert!(size("3 apples").unwrap_err().contains("apples"));
         assert!(size("GB").is_err());
+    }
+
+    #[test]
+    fn a_replaced_value_has_an_equals_sign() {
+        assert_eq!(assignment("a.b=2"), Ok("a.b=2".into()));
+        assert!(assignment("a.b").unwrap_err().contains("`--set a.b=VALUE`"));
     }
 
     #[test]

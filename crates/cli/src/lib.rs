@@ -9,8 +9,10 @@ mod print;
 mod print_state;
 mod print_study;
 mod progress;
+mod schema;
 mod solve;
 mod study;
+mod tips;
 mod verify;
 mod watched;
 
@@ -39,6 +41,7 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(arguments) => arguments,
         Err(refusal) => {
             // Help and version go to stdout, faults to stderr. If that is closed, the exit code remains.
+            let refusal = tips::with_tip(refusal);
             let _ = refusal.print();
             return if refusal.use_stderr() { USAGE } else { DONE };
         }

@@ -1,7 +1,7 @@
 //! `new`, `list` and `schema`.
 
 use super::args::{Global, Kind};
-use super::{DONE, case_reference, say};
+use super::{DONE, case_reference, say, schema};
 use peristat::Error;
 use peristat::case::Case;
 use peristat::model::{self, Entry};
@@ -175,10 +175,13 @@ pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
 
 /// Prints the JSON Schema of cases or of studies, or what it says as a page.
 pub(super) fn schema(study: bool, markdown: bool) -> Result<u8, Error> {
-    let (schema, head) = match study {
-        true => (schemars::schema_for!(Study), case_reference::STUDIES),
-        false => (schemars::schema_for!(Case), case_reference::CASES),
+    let (mut schema, head) = match study {
+        true => (schema::of::<Study>(), case_reference::STUDIES),
+        false => (schema::of::<Case>(), case_reference::CASES),
     };
+    if !study {
+        schema.insert("defaultSnippets".into(), schema::starts());
+    }
     let schema = schema.to_value();
     say(&if markdown { case_reference::page(&schema, head) } else { format!("{schema:#}\n") })?;
     Ok(DONE)

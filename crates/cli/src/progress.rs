@@ -9,8 +9,10 @@ use peristat::run::path::PathPoint;
 use std::io::{self, IsTerminal};
 use std::time::{Duration, Instant};
 
-/// Time between two lines where there is no terminal.
-const PAUSE: Duration = Duration::from_secs(10);
+/// Time between two lines where there is no terminal: a log of hours stays short.
+const SELDOM: Duration = Duration::from_secs(60);
+/// The same where more is asked for.
+const OFTEN: Duration = Duration::from_secs(10);
 /// Time between two turns of the mark that shows that a long solve is alive.
 const TICK: Duration = Duration::from_millis(200);
 
@@ -20,10 +22,12 @@ pub(super) enum Progress {
     /// Shows nothing.
     #[default]
     Silent,
-    /// A line on stderr every ten seconds.
+    /// A line on stderr now and then.
     Lines {
         /// The last line, or the start.
         last: Instant,
+        /// Time from one to the next.
+        pause: Duration,
     },
     /// A line on the terminal with a mark that turns. How many equilibria there will be is not known, so that there is no
     /// bar to fill.
@@ -46,8 +50,10 @@ impl Progress {
 
     fn choose(global: &Global, terminal: bool) -> Self {
         match (terminal, global.quiet, global.verbose) {
-            (_, true, _) | (false, _, false) => Self::Silent,
-            (false, false, true) => Self::Lines { last: Instant::now() },
+            (_, true, _) => Self::Silent,
+            (false, false, verbose) => {
+                Self::Lines { last: Instant::now(), pause: if verbose { OFTEN } else { SELDOM } }
+            }
             (true, false, _) => {
                 let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
                 if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {wide_msg}") {
@@ -63,8 +69,8 @@ impl Progress {
     pub(super) fn advance(&mut self, event: Advance<'_>) {
         match self {
             Self::Silent => {}
-            Self::Lines { last } => {
-                if last.elapsed() >= PAUSE {
+            Self::Lines { last, pause } => {
+                if last.elapsed() >= *pause {
                     *last = Instant::now();
                     note(&format!("{}\n", line(event)));
                 }
@@ -118,24 +124,24 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_shown_without_a_terminal_unless_it_is_asked_for() {
-        assert!(matches!(chosen(&[], false), Progress::Silent));
+    fn a_log_has_a_line_a_minute_and_more_if_asked_for() {
+        assert!(matches!(chosen(&[], false), Progress::Lines { pause: SELDOM, .. }));
         assert!(matches!(chosen(&["-q"], false), Progress::Silent));
         assert!(matches!(chosen(&["-q"], true), Progress::Silent));
-        assert!(matches!(chosen(&["-v"], false), Progress::Lines { .. }));
+        assert!(matches!(chosen(&["-v"], false), Progress::Lines { pause: OFTEN, .. }));
         assert!(matches!(chosen(&[], true), Progress::Terminal(_)));
         assert!(matches!(Progress::default(), Progress::Silent));
     }
 
     #[test]
-    fn lines_come_one_in_ten_seconds() {
+    fn lines_come_after_a_pause() {
         let mut progress = chosen(&["-v"], false);
-        let Progress::Lines { last: before } = progress else { panic!("{progress:?}") };
+        let Progress::Lines { last: before, pause } = progress else { panic!("{progress:?}") };
         progress.advance(Advance::Break(&Event::default()));
-        assert!(matches!(progress, Progress::Lines { last } if last == before));
-        progress = Progress::Lines { last: before.checked_sub(PAUSE).unwrap() };
+        assert!(matches!(progress, Progress::Lines { last, .. } if last == before));
+        progress = Progress::Lines { last: before.checked_sub(pause).unwrap(), pause };
         progress.advance(Advance::Break(&Event::default()));
-        assert!(matches!(progress, Progress::Lines { last } if last > before));
+        assert!(matches!(progress, Progress::Lines { last, .. } if last > before));
     }
 
     #[test]

@@ -8,7 +8,7 @@ use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use peristat::case;
 use peristat::input::Folder;
 use peristat::output::folder::below;
-use peristat::results::{Claim, Results, Writing, stiffness};
+use peristat::results::{Claim, Replace, Results, Writing, stiffness};
 use peristat::run::{RunOptions, sizes};
 use peristat::study::EstimateEffort;
 use peristat::summary::{Status, Summary};
@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         true => {
             Results::interrupted(&folder, &loaded.scene).map(|(claim, restart)| (claim, Some(restart)))?
         }
-        false => (Claim::new(&folder, arguments.force)?, None),
+        false => (Claim::new(&folder, &replaced(arguments, &loaded))?, None),
     };
     // Faults of the case come before the first file.
     sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
@@ -84,6 +84,15 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         say(&format!("results in {}\n", folder.display()))?;
     }
     Ok(exit_code(&summary))
+}
+
+/// Which earlier runs a run may replace: in the folder of its own name, the one before it.
+fn replaced(arguments: &Run, loaded: &Loaded) -> Replace {
+    match (arguments.force, &arguments.output) {
+        (true, _) => Replace::Anything,
+        (false, None) => Replace::FinishedOf(loaded.scene.case().title.clone()),
+        (false, Some(_)) => Replace::Nothing,
+    }
 }
 
 /// What a run with all its outputs is asked for.

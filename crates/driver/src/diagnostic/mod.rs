@@ -7,6 +7,7 @@
 //! one file at once. Nothing here prints.
 
 mod check;
+mod comments;
 mod data;
 mod excerpt;
 mod fault;
@@ -20,6 +21,7 @@ mod syntax;
 mod words;
 
 pub(crate) use check::{positive, root};
+pub(crate) use comments::without_comments;
 pub use excerpt::{clip, quote};
 pub use fault::{Diagnostic, Faults, Report, Severity};
 pub use parse::{decode, parse};

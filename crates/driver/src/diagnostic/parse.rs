@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::json::{self, Fault};
 use super::path::JsonPath;
-use super::{Diagnostic, Report, data, syntax};
+use super::{Diagnostic, Report, data, syntax, without_comments};
 
 /// The text of a file: UTF-8, without a byte order mark.
 ///
@@ -27,12 +27,13 @@ pub fn decode(file: &str, mut bytes: Vec<u8>) -> Result<String, Report> {
     })
 }
 
-/// Reads a case. `file` is only named in messages.
+/// Reads a case, comments and trailing commas aside. `file` is only named in messages.
 ///
 /// # Errors
 /// The first fault of syntax, or else the first value that does not fit the type.
 pub fn parse<T: DeserializeOwned>(file: &str, text: &str) -> Result<T, Report> {
-    json::read(text).map_err(|fault| Report::of(file, text, diagnose(text, &fault)))
+    let plain = without_comments(text);
+    json::read(&plain).map_err(|fault| Report::of(file, text, diagnose(&plain, &fault)))
 }
 
 /// A fault of syntax comes first, wherever it stands; `serde_json` has the words for it.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::excerpt::{Excerpt, clip, escape};
 use super::locate::{line_and_column, locate};
-use super::{Diagnostic, Report, Severity};
+use super::{Diagnostic, Report, Severity, without_comments};
 
 /// Most faults of a report that are shown.
 const SHOWN: usize = 100;
@@ -46,7 +46,10 @@ impl Report {
     }
 
     fn span(&self, diagnostic: &Diagnostic) -> Option<Range<usize>> {
-        let by_path = || locate(&self.text, &diagnostic.path).map(|place| place.span(&self.text));
+        let by_path = || {
+            let plain = without_comments(&self.text);
+            locate(&plain, &diagnostic.path).map(|place| place.span(&plain))
+        };
         let span = diagnostic.span.clone().or_else(by_path)?;
         (!self.text.is_empty() && self.text.get(span.clone()).is_some()).then_some(span)
     }

@@ -7,6 +7,7 @@ use super::excerpt::quote;
 use super::path::JsonPath;
 
 const NUMBER: &str = "a number has digits on both sides of its point, no leading zero and no `+`";
+const COMMENT: &str = "a comment is `// to the end of the line` or `/* closed */`";
 const COMMA: &str = "is a comma missing before it?";
 
 /// The diagnostic of an error that `serde_json` calls syntax or end of file.
@@ -20,18 +21,12 @@ pub(super) fn diagnose(text: &str, error: &serde_json::Error) -> Diagnostic {
         at = at.saturating_sub(1);
     }
     let mut span = word(text, at);
-    let before = text[..span.start].trim_end();
-    let trailing = before.ends_with(',') && ["}", "]"].contains(&&text[span.clone()]);
     let (message, hint) = if end == 0 {
         span = 0..0;
         ("the file is empty", "`peristat new MODEL` prints a case to begin with")
     } else if error.is_eof() || raw == "invalid number" && span.end == end {
         span = end..end;
         (cut_off(raw), "is it cut off, or is a closing bracket missing?")
-    } else if trailing && ["trailing comma", "expected value", "key must be a string"].contains(&raw) {
-        // The parser stops at the bracket; the fault is the comma before it.
-        span = before.len() - 1..before.len();
-        ("a comma before a closing bracket", "remove it: JSON has no trailing comma")
     } else {
         words(raw, &text[span.clone()])
     };
@@ -62,9 +57,7 @@ fn words(raw: &str, found: &str) -> (&'static str, &'static str) {
         "expected `:`" => ("expected `:` after a key, found {}", ""),
         "expected `,` or `}`" => ("expected `,` or `}`, found {}", COMMA),
         "expected `,` or `]`" => ("expected `,` or `]`, found {}", COMMA),
-        "key must be a string" if ["/", "#"].contains(&found) => {
-            ("expected a key, found {}", "JSON has no comments")
-        }
+        "key must be a string" if ["/", "#"].contains(&found) => ("expected a key, found {}", COMMENT),
         "key must be a string" => ("a key must stand in double quotes", ""),
         "trailing characters" => ("text after the end of the case", "a bracket too many?"),
         "invalid escape" => ("invalid escape in a string", "a backslash is written `\\\\`"),
@@ -83,7 +76,7 @@ fn value_words(found: &str) -> (&'static str, &'static str) {
     match found {
         "}" | "]" | "," | ":" => ("a value is missing before {}", ""),
         "'" => ("expected a value, found {}", "strings stand in double quotes"),
-        "/" | "#" => ("expected a value, found {}", "JSON has no comments"),
+        "/" | "#" => ("expected a value, found {}", COMMENT),
         _ if not_finite => ("{} is not a JSON number", "write a finite number"),
         _ if number.starts_with(|c: char| c == '.' || c.is_ascii_digit()) => {
             ("{} is not a JSON number", NUMBER)
@@ -132,13 +125,15 @@ mod tests {
             : 3, => : tru, | `tru` is not a JSON value | tru
             : 3, => : , | a value is missing before `,` | ,
             : 3, => : 'a', | expected a value, found `'` | '
-            : 3, => : // no comment | expected a value, found `/` | /
+            : 3, => : # no comment | expected a value, found `#` | #
+            : 3, => : /* no end | expected a value, found `/` | /
             "cells" => cells | a key must stand in double quotes | cells
             : 3, => 3, | expected `:` after a key, found `3` | 3
             3, "cells" => 3 "cells" | expected `,` or `}`, found `"` | "
             0, 1] => 0 1] | expected `,` or `]`, found `1` | 1
-            0, 1] => 0, 1, ] | a comma before a closing bracket | ,
-            "a" } => "a", } | a comma before a closing bracket | ,
+            0, 1] => 0, 1,, ] | a value is missing before `,` | ,
+            [0, 0, 1] => [,] | a value is missing before `,` | ,
+            : 8, => : 8,, | a key must stand in double quotes | ,
             "a" } => "a" } x | text after the end of the case | x
             "a" } => "a\q" } | invalid escape in a string | q
             "#,

@@ -12,6 +12,24 @@ use std::path::{Path, PathBuf};
 /// Name of the file that marks a folder as written by peristat; whoever writes into the folder holds a lock on it.
 pub const MARK: &str = ".peristat";
 
+/// Which earlier runs a run may replace.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Replace {
+    /// None.
+    Nothing,
+    /// A finished one of the case of this title, in a folder that holds nothing else.
+    FinishedOf(String),
+    /// Any, whatever else the folder holds.
+    Anything,
+}
+
+impl Replace {
+    /// Anything if it is forced, else nothing.
+    pub fn forced(force: bool) -> Self {
+        if force { Self::Anything } else { Self::Nothing }
+    }
+}
+
 /// A folder that one run writes into, and no other one until this is dropped. If nothing came of it, it leaves no folder.
 #[derive(Debug)]
 pub struct Claim {
@@ -22,14 +40,14 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// A folder that is made for a run, or is empty; with `force` one that holds something else, too.
+    /// A folder that is made for a run, is empty, or holds a run that may be replaced.
     ///
     /// # Errors
-    /// The folder holds an earlier run or something that peristat did not write, another run writes into it, or it cannot
+    /// The folder holds another run or something that peristat did not write, another run writes into it, or it cannot
     /// be made; each but the last with a hint.
-    pub fn new(folder: &Path, force: bool) -> io::Result<Self> {
+    pub fn new(folder: &Path, replace: &Replace) -> io::Result<Self> {
         if !folder.join(MARK).exists() {
-            vacant(folder, force)?;
+            vacant(folder, replace)?;
         }
         let is_new = !folder.exists();
         let describe = |error: io::Error| {
@@ -38,7 +56,7 @@ impl Claim {
         fs::create_dir_all(folder).map_err(describe)?;
         let claim = Self { folder: folder.into(), is_new, _mark: mark(folder)? };
         // What is in a folder is certain only when nobody else writes there.
-        vacant(folder, force)?;
+        vacant(folder, replace)?;
         Ok(claim)
     }
 
@@ -94,7 +112,7 @@ fn refuse<T>(message: String) -> io::Result<T> {
 }
 
 /// Whether a run may write into a folder without loss: it is not there, empty, or given up.
-fn vacant(folder: &Path, force: bool) -> io::Result<()> {
+fn vacant(folder: &Path, replace: &Replace) -> io::Result<()> {
     let place = folder.display();
     if folder.exists() && !folder.is_dir() {
         return refuse(format!("{place} is a file, not a folder\nhint: choose a folder with `-o`"));
@@ -106,7 +124,7 @@ fn vacant(folder: &Path, force: bool) -> io::Result<()> {
             "{place} holds a folder `{name}`, where a file of this name belongs\nhint: choose another folder with `-o`"
         ));
     }
-    if !folder.exists() || force {
+    if !folder.exists() || *replace == Replace::Anything {
         return Ok(());
     }
     if let Some(name) = foreign(folder)? {
@@ -118,9 +136,15 @@ fn vacant(folder: &Path, force: bool) -> io::Result<()> {
     if !names_in(folder)?.iter().any(|name| name != MARK && !is_leftover(name)) {
         return Ok(());
     }
-    let state = if has("summary.json") { "a finished" } else { "an unfinished" };
-    let of = title(folder).map_or(String::new(), |title| format!(" of `{title}`"));
-    let resume = match has(restart::FILE) && !has("summary.json") {
+    let (finished, title) = (has("summary.json"), title(folder));
+    if finished
+        && matches!((replace, &title), (Replace::FinishedOf(case), Some(title)) if plain(case) == *title)
+    {
+        return Ok(());
+    }
+    let state = if finished { "a finished" } else { "an unfinished" };
+    let of = title.map_or(String::new(), |title| format!(" of `{title}`"));
+    let resume = match has(restart::FILE) && !finished {
         true => "; `peristat run` goes on with it if `--resume` is added",
         false => "",
     };

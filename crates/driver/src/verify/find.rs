@@ -1,5 +1,6 @@
 //! Which files of a folder are cases.
 
+use crate::diagnostic::without_comments;
 use crate::input::file;
 use crate::results::MARK;
 use serde::de::IgnoredAny;
@@ -9,7 +10,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// How the names of studies end, which lie beside cases.
-const STUDY: &str = ".study.json";
+const STUDY: [&str; 2] = [".study.json", ".study.jsonc"];
 /// Keys that a case cannot do without.
 const CASE: [&str; 3] = ["title", "model", "body"];
 
@@ -35,7 +36,7 @@ pub(super) fn collect(path: &Path, all: bool, files: &mut Vec<PathBuf>) -> io::R
             if !entry.is_symlink() && name != "invalid" && (all || name != "bench") {
                 collect(&entry, all, files)?;
             }
-        } else if entry.is_file() && name.ends_with(".json") {
+        } else if entry.is_file() && [".json", ".jsonc"].iter().any(|end| name.ends_with(end)) {
             files.push(entry);
         }
     }
@@ -44,13 +45,15 @@ pub(super) fn collect(path: &Path, all: bool, files: &mut Vec<PathBuf>) -> io::R
 
 /// What a JSON file is, if it is no case. One that cannot be read or is no JSON is a case with faults.
 pub(super) fn other_than_case(path: &Path, max_memory: Option<u64>) -> Option<&'static str> {
-    if path.to_string_lossy().ends_with(STUDY) {
+    if STUDY.iter().any(|end| path.to_string_lossy().ends_with(end)) {
         return Some("study");
     }
     let bytes = file::read(path, max_memory).ok()?;
-    let Ok(keys) = serde_json::from_slice::<HashMap<String, IgnoredAny>>(&bytes) else {
+    let text = String::from_utf8_lossy(&bytes);
+    let plain = without_comments(&text);
+    let Ok(keys) = serde_json::from_str::<HashMap<String, IgnoredAny>>(&plain) else {
         // A list, say.
-        return serde_json::from_slice::<IgnoredAny>(&bytes).is_ok().then_some("no case");
+        return serde_json::from_str::<IgnoredAny>(&plain).is_ok().then_some("no case");
     };
     let has = |key: &&str| keys.contains_key(*key);
     if ["properties", "$defs"].iter().any(has) {
