@@ -68,7 +68,9 @@ fn solved(case: &Value, count: usize, folder: &Path, is_written: bool) -> Result
     write(&path, &case.to_string());
     let loaded = Loaded::read(&path, &[], Some(MEMORY))?;
     let mut results = match is_written {
-        true => Some(Results::begin(&Claim::new(&folder.join("results"), &Replace::Anything)?, &loaded.scene)?),
+        true => {
+            Some(Results::begin(&Claim::new(&folder.join("results"), &Replace::Anything)?, &loaded.scene)?)
+        }
         false => None,
     };
     let options = RunOptions { recover: is_written, max_memory: Some(MEMORY), compare: true };

@@ -63,7 +63,8 @@ fn a_spinning_shaft_converges_with_the_square_of_the_spacing() {
             "body": { "rectangle": { "size": [1, spacing], "spacing": spacing } },
             "periodic": [{ "along": "y" }],
             "supports": [{ "at": { "x": 0.5 * spacing, "y": 0.5 * spacing }, "uy": 0 }],
-            "loads": [{ "body_force": { "spin": 1 } }]
+            "density": 1,
+            "loads": [{ "spin": { "omega": 1 } }]
         }));
         errors(&run, |[r, _]| [0.2228571428571429 * r - 0.0928571428571429 * r.powi(3), 0.0])[0]
     };

@@ -9,7 +9,7 @@ use peristat::reference;
 use peristat::study::Study;
 use serde_json::json;
 
-const LOADS: [(&str, &str); 15] = [
+const LOADS: [(&str, &str); 17] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -31,9 +31,11 @@ const LOADS: [(&str, &str); 15] = [
         "traction",
         "a force per area on an edge or hole in the plane, or on a face or in a cut of a solid: uniform, linear, parabolic, pressure, total, or hertz, the pressure of a contact; depth is how far inwards it fades",
     ),
+    ("body_force", "a force per volume on a region, or its total"),
+    ("gravity", "the weight of a material of some density, of beams, too; g in the units of the case"),
     (
-        "body_force",
-        "a force per volume on a region, or its total; of bodies of revolution spin, the inertia ρ ω² of turning about the axis",
+        "spin",
+        "the inertia of a body of some density that turns: omega or rpm, about a point, of a solid along an axis",
     ),
     ("pressure", "a force per area outwards on a shell, the same all around or a cosine of it"),
     ("symmetry", "edges or faces that are mirrors"),

@@ -62,6 +62,33 @@ impl Units {
         if self == Self::Dimensionless { number.into() } else { format!("{number} {unit}") }
     }
 
+    /// Unit of mass per volume.
+    pub fn density(self) -> &'static str {
+        match self {
+            Self::MetreNewtonPascal => "kg/m³",
+            Self::MillimetreNewtonMegapascal => "t/mm³",
+            Self::Dimensionless => "",
+        }
+    }
+
+    /// Standard acceleration of gravity; none of numbers without units.
+    pub fn gravity(self) -> Option<f64> {
+        match self {
+            Self::MetreNewtonPascal => Some(9.806_65),
+            Self::MillimetreNewtonMegapascal => Some(9_806.65),
+            Self::Dimensionless => None,
+        }
+    }
+
+    /// Densities between which solids lie, from foams to heavy metals; none of numbers without units.
+    pub fn usual_densities(self) -> Option<RangeInclusive<f64>> {
+        match self {
+            Self::MetreNewtonPascal => Some(1.0..=3e4),
+            Self::MillimetreNewtonMegapascal => Some(1e-12..=3e-8),
+            Self::Dimensionless => None,
+        }
+    }
+
     /// Young's moduli between which materials lie; none of numbers without units.
     pub fn usual_moduli(self) -> Option<RangeInclusive<f64>> {
         match self {

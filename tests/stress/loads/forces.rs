@@ -1,7 +1,7 @@
 //! Forces on points and on volumes.
 
 use super::bodies;
-use super::medium::Medium;
+use super::medium::{DENSITY, Medium};
 use super::{Across, Asked, Loaded, holds, origin};
 use crate::stress::row::Row;
 use serde_json::{Value, json};
@@ -41,11 +41,23 @@ pub(super) fn rows(medium: &Medium) -> Vec<Row> {
             }
         }
         if medium.is_revolved() {
-            let mut load = json!({ "spin": 2.0 });
+            let mut load = json!({ "omega": 2.0 });
             region.iter().for_each(|name| load["region"] = json!(name));
-            let asked = Asked { size: 2.0 * volume * middle[0], ..Asked::default() };
-            loads.push((format!("spin on {region:?}"), json!({ "body_force": load }), asked));
+            let asked = Asked { size: 4.0 * DENSITY * volume * middle[0], ..Asked::default() };
+            loads.push((format!("spin on {region:?}"), json!({ "spin": load }), asked));
+        } else {
+            let mut load = json!({ "omega": 2.0, "about": [1.0, -3.0] });
+            region.iter().for_each(|name| load["region"] = json!(name));
+            let mut asked = Asked::default();
+            let out = [middle[0] - 1.0, middle[1] + 3.0];
+            asked.add(out.map(|r| 4.0 * DENSITY * volume * r), middle);
+            loads.push((format!("spin on {region:?}"), json!({ "spin": load }), asked));
         }
+        let mut load = json!({ "along": [0.0, -3.0], "acceleration": 7.0 });
+        region.iter().for_each(|name| load["region"] = json!(name));
+        let mut asked = Asked::default();
+        asked.add([0.0, -7.0 * DENSITY * volume], middle);
+        loads.push((format!("gravity on {region:?}"), json!({ "gravity": load }), asked));
     }
     if !medium.is_turned {
         // Of a region the points share the force: it acts in their middle.

@@ -3,6 +3,9 @@
 use super::asked::Across;
 use serde_json::{Value, json};
 
+/// Mass per volume.
+pub(super) const DENSITY: f64 = 0.5;
+
 /// A model as a case writes it.
 #[derive(Clone, Debug)]
 pub(super) struct Medium {
@@ -59,7 +62,7 @@ impl Medium {
 
     /// The start of a case.
     pub(super) fn case(&self, body: &Value) -> Value {
-        json!({ "model": { self.model: self.keys }, "body": body, "supports": [], "rigid": [], "loads": [] })
+        json!({ "model": { self.model: self.keys }, "density": DENSITY, "body": body, "supports": [], "rigid": [], "loads": [] })
     }
 }
 

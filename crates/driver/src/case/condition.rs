@@ -1,6 +1,6 @@
 //! Supports, links and loads of a case.
 
-use super::{BodyForce, Pressure, Traction};
+use super::{BodyForce, Gravity, Pressure, Spin, Traction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -118,6 +118,10 @@ pub enum Load {
     Traction(Traction),
     /// A force on the points of a region in the plane.
     BodyForce(BodyForce),
+    /// The weight of the body.
+    Gravity(Gravity),
+    /// The inertia of a body that turns about an axis.
+    Spin(Spin),
     /// A pressure on a shell.
     Pressure(Pressure),
 }

@@ -9,6 +9,7 @@ mod foundation;
 mod fracture;
 mod frame;
 mod grading;
+mod mass_load;
 mod path;
 mod periodic;
 mod plane_body;
@@ -35,6 +36,7 @@ pub use foundation::Foundation;
 pub use fracture::{CrackDirection, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
+pub use mass_load::{Gravity, Spin};
 pub use path::{Path, PathControl, Turn};
 pub use periodic::Periodic;
 pub use plane_body::{
@@ -74,6 +76,9 @@ pub struct Case {
     pub units: Units,
     /// What the body is made of: a beam, a plate or a shell, with its material.
     pub model: Model,
+    /// Mass per volume of the material, > 0, for `gravity` and `spin`: kg/m³ in `m-N-Pa`, t/mm³ in `mm-N-MPa`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub density: Option<f64>,
     /// Geometry and discretisation.
     pub body: Body,
     /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side; of listed points the

@@ -69,7 +69,7 @@ pub struct Hertz {
     pub peak: f64,
 }
 
-/// A force on every point of a region; `density`, `total` or `spin`.
+/// A force on every point of a region; `density` or `total`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BodyForce {
@@ -82,7 +82,4 @@ pub struct BodyForce {
     /// Force along x and y, and z where points move along it, shared by volume.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub total: Option<Vector>,
-    /// Of a body of revolution that turns about its axis: force per volume outwards per distance from the axis, `ρ ω²`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub spin: Option<f64>,
 }

@@ -187,8 +187,6 @@ pub(crate) mod hints {
     pub(crate) const PLANE: &str = "bond_plane";
     /// For bonds that soften.
     pub(crate) const SOFTENING: &str = "bond_plane";
-    /// For bodies that turn about an axis.
-    pub(crate) const TURNING: &str = "axisymmetric";
     /// For thin cylinders.
     pub(crate) const SHELLS: &str = "shell_membrane";
     /// For bodies in space.

@@ -9,6 +9,7 @@ mod files;
 mod fingerprint;
 pub mod fracture;
 mod horizon;
+mod mass;
 mod numbers;
 pub mod path;
 mod probes;
@@ -58,6 +59,7 @@ impl Scene {
         let folder = &folder.into();
         let mut faults = Faults::default();
         numbers::check(&case, &mut faults);
+        mass::check(&case, &mut faults);
         check_title(&case.title, &mut faults);
         let resolved = match case.model.keys().map_err(Clone::clone) {
             Ok(_) => {

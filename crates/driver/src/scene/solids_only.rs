@@ -48,7 +48,11 @@ fn of_loads(loads: &[Load], path: &JsonPath, faults: &mut Faults) {
                 tell("face", load.face.is_some(), &path, faults);
                 tell("along", load.along.is_some(), &path, faults);
             }
-            Load::Distributed(_) | Load::BodyForce(_) | Load::Pressure(_) => {}
+            Load::Distributed(_)
+            | Load::BodyForce(_)
+            | Load::Gravity(_)
+            | Load::Spin(_)
+            | Load::Pressure(_) => {}
         }
     }
 }

@@ -113,6 +113,9 @@ fn intensity(
 fn scaled(intensity: Intensity, share: f64) -> Intensity {
     match intensity {
         Intensity::Linear { start, end } => Intensity::Linear { start: share * start, end: share * end },
+        Intensity::Parabola { start, middle, end } => {
+            Intensity::Parabola { start: share * start, middle: share * middle, end: share * end }
+        }
         Intensity::Sine { amplitude, half_waves } => {
             Intensity::Sine { amplitude: share * amplitude, half_waves }
         }

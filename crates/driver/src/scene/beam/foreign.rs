@@ -59,7 +59,8 @@ pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
         Load::Traction(_) => "traction",
         Load::BodyForce(_) => "body_force",
         Load::Pressure(_) => "pressure",
-        Load::Point(_) | Load::Distributed(_) => return,
+        Load::Spin(_) => "spin",
+        Load::Point(_) | Load::Distributed(_) | Load::Gravity(_) => return,
     };
     faults
         .error(path.key(key), format!("`{key}` is for bodies in the plane"))

@@ -3,8 +3,9 @@
 use super::model_path::beam_path;
 use super::place::Layout;
 use super::resolved_loads::ResolvedLoads;
+use super::section::Resolved;
 use super::state::State;
-use super::{distributed_load, point_load};
+use super::{distributed_load, point_load, weight};
 use crate::case::{Case, Load, LoadSharing};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::Beam;
@@ -16,6 +17,7 @@ pub(super) fn load_cases(
     case: &Case,
     model: &mut Beam,
     layout: &Layout,
+    sections: Option<&[Resolved]>,
     faults: &mut Faults,
 ) -> Vec<ResolvedLoads> {
     let on_springs = !case.foundation.is_empty();
@@ -49,7 +51,11 @@ pub(super) fn load_cases(
                 Load::Point(load) => {
                     point_load::add(load, layout, &path.index(k).key("point"), &mut resolved, faults)
                 }
-                Load::Traction(_) | Load::BodyForce(_) | Load::Pressure(_) => {
+                Load::Gravity(load) => {
+                    let path = path.index(k).key("gravity");
+                    weight::add(load, (case, layout), sections, &path, &mut resolved, faults);
+                }
+                Load::Traction(_) | Load::BodyForce(_) | Load::Pressure(_) | Load::Spin(_) => {
                     super::foreign::refuse(load, &path.index(k), faults)
                 }
                 Load::Distributed(load) => {

@@ -35,6 +35,7 @@ mod statics;
 mod support_keys;
 mod supports;
 mod warnings;
+mod weight;
 
 pub use checks::BeamComparison;
 pub use frame_layout::{EndOfMember, FrameLayout, JointLayout, MemberLayout};

@@ -128,7 +128,8 @@ impl BeamScene {
         let (held, ends) = supports::held(case, &layout, faults);
         let beds = foundation::beds(case, &layout, faults);
         let bars = links::bars(case, &layout, faults);
-        let cases = loads::load_cases(case, model, &layout, faults);
+        let sections = material.as_ref().map(|(_, sections)| &sections[..]);
+        let cases = loads::load_cases(case, model, &layout, sections, faults);
         let splits = body::splits(&layout, &held, &bars, &cases);
         let (parameters, resolved) = material?;
         let stiffness: Vec<&SectionStiffness> = resolved.iter().map(|r| &r.stiffness).collect();

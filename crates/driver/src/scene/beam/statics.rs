@@ -84,6 +84,10 @@ fn moments(load: &Distributed) -> (f64, f64) {
     let length = load.to - load.from;
     let (value, first) = match load.intensity {
         Intensity::Linear { start, end } => (0.5 * (start + end), (start + 2.0 * end) / 6.0),
+        // Simpson's rule is exact for them.
+        Intensity::Parabola { start, middle, end } => {
+            ((start + 4.0 * middle + end) / 6.0, (2.0 * middle + end) / 6.0)
+        }
         Intensity::Sine { amplitude, half_waves } => {
             let waves = f64::from(half_waves) * PI;
             // cos nπ is 1 or −1.

@@ -26,6 +26,15 @@ pub enum Intensity {
         /// Value at the end.
         end: f64,
     },
+    /// The parabola through the values at the start, the middle and the end of the load.
+    Parabola {
+        /// Value at the start.
+        start: f64,
+        /// Value in the middle.
+        middle: f64,
+        /// Value at the end.
+        end: f64,
+    },
     /// `amplitude · sin(half_waves π (x − from)/(to − from))`.
     Sine {
         /// Largest value.
@@ -106,6 +115,9 @@ impl Distributed {
         match self.intensity {
             Intensity::Linear { start, end } if start == end => start,
             Intensity::Linear { start, end } => start + (end - start) * z,
+            Intensity::Parabola { start, middle, end } => {
+                start * (1.0 - z) * (1.0 - 2.0 * z) + middle * 4.0 * z * (1.0 - z) + end * z * (2.0 * z - 1.0)
+            }
             Intensity::Sine { amplitude, half_waves } => amplitude * (f64::from(half_waves) * PI * z).sin(),
         }
     }
@@ -127,7 +139,7 @@ impl Distributed {
         }
         // A sixteenth of a wave per rule leaves an error below rounding.
         let pieces = match self.intensity {
-            Intensity::Linear { .. } => 1,
+            Intensity::Linear { .. } | Intensity::Parabola { .. } => 1,
             Intensity::Sine { half_waves, .. } => {
                 (8.0 * f64::from(half_waves) * (b - a) / (self.to - self.from)).ceil() as usize
             }
@@ -155,7 +167,7 @@ impl Distributed {
     fn resultant(&self, a: f64, b: f64) -> [f64; 3] {
         let [sum, lever] = match self.intensity {
             Intensity::Linear { .. } => self.linear_resultant(a, b),
-            Intensity::Sine { .. } => self.integrate(a, b, |x| [1.0, b - x]),
+            Intensity::Parabola { .. } | Intensity::Sine { .. } => self.integrate(a, b, |x| [1.0, b - x]),
         };
         match self.along {
             Along::Transverse => [sum, lever, 0.0],
@@ -193,6 +205,9 @@ impl BeamLoads {
         for load in &mut loads.distributed {
             match &mut load.intensity {
                 Intensity::Linear { start, end } => (*start, *end) = (factor * *start, factor * *end),
+                Intensity::Parabola { start, middle, end } => {
+                    [start, middle, end].into_iter().for_each(|value| *value *= factor);
+                }
                 Intensity::Sine { amplitude, .. } => *amplitude *= factor,
             }
         }

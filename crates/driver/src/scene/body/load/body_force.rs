@@ -6,10 +6,9 @@ use super::sums::{BodyLoads, Forces};
 use super::traction::lump;
 use crate::case::BodyForce;
 use crate::diagnostic::{Faults, JsonPath};
-use crate::model::hints;
 use crate::scene::body::site::resultants;
 
-/// Forces per volume, or altogether, on a body or a region, or those of a spin.
+/// Forces per volume, or altogether, on a body or a region.
 pub(crate) fn resolve(
     load: &BodyForce,
     context: &LoadContext,
@@ -17,15 +16,12 @@ pub(crate) fn resolve(
     to: &mut BodyLoads,
     faults: &mut Faults,
 ) {
-    if let Some(value) = load.spin {
-        return spin(value, load, context, path, to, faults);
-    }
     let (value, is_total) = match (load.density, load.total) {
         (Some(density), None) => (context.force(density, "density", &path.key("density"), faults), false),
         (None, Some(total)) => (context.force(total, "total", &path.key("total"), faults), true),
         (None, None) => {
-            faults.error(path.clone(), "neither `density` nor `total` nor `spin` is given").hint(
-                "`density` is a force per volume, such as that of gravity; `total` the force on all points together",
+            faults.error(path.clone(), "neither `density` nor `total` is given").hint(
+                "`density` is a force per volume, `total` the force on all points together; weight is the load `gravity`",
             );
             return;
         }
@@ -40,7 +36,20 @@ pub(crate) fn resolve(
     if value == [0.0; 3] {
         faults.error(path.clone(), "this load is zero");
     }
-    let points = match &load.region {
+    act(value, is_total, load.region.as_ref(), context, path, to, faults);
+}
+
+/// A force on the body or a region, per volume or in all.
+pub(super) fn act(
+    value: [f64; 3],
+    is_total: bool,
+    region: Option<&String>,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    let points = match region {
         Some(name) => match context.ground.region(name, &path.key("region"), faults) {
             Some(points) => Some(points),
             None => return,
@@ -93,39 +102,4 @@ fn on_body(value: [f64; 3], is_total: bool, context: &LoadContext, to: &mut Body
         forces.iter_mut().for_each(|f| f.1 = f.1.map(|f| unit / found * f));
     }
     to.forces.extend(forces);
-}
-
-/// The inertia of a body that turns about its axis.
-fn spin(
-    value: f64,
-    load: &BodyForce,
-    context: &LoadContext,
-    path: &JsonPath,
-    to: &mut BodyLoads,
-    faults: &mut Faults,
-) {
-    if !context.material.is_revolved() {
-        faults
-            .error(path.key("spin"), "`spin` is for bodies of revolution, which have an axis")
-            .hint(format!("use the model `{}`", hints::TURNING));
-        return;
-    }
-    if load.density.is_some() || load.total.is_some() {
-        faults
-            .error(path.key("spin"), "`spin` stands beside another body force")
-            .hint("give each a `body_force` of its own");
-        return;
-    }
-    if value == 0.0 {
-        faults.error(path.clone(), "this load is zero");
-    }
-    match &load.region {
-        None => to.spin += value,
-        Some(name) => {
-            let points = context.ground.region(name, &path.key("region"), faults).unwrap_or_default();
-            let radius = |p: u32| context.ground.body.place(p as usize)[0];
-            let force = |&p: &u32| (p, [value * radius(p) * context.volume(p), 0.0, 0.0]);
-            to.forces.extend(points.iter().map(force));
-        }
-    }
 }

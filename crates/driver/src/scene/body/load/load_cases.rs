@@ -3,7 +3,7 @@
 use super::context::LoadContext;
 use super::sums::BodyLoads;
 use super::traction::{add, on_wall, resolve};
-use super::{asked, body_force, point_load, pressure};
+use super::{asked, body_force, mass, point_load, pressure};
 use crate::case::Load;
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::scene::body::site::ground::Ground;
@@ -23,6 +23,10 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
                 Load::BodyForce(load) => {
                     body_force::resolve(load, context, &path.key("body_force"), &mut resolved, faults)
                 }
+                Load::Gravity(load) => {
+                    mass::gravity(load, context, &path.key("gravity"), &mut resolved, faults)
+                }
+                Load::Spin(load) => mass::spin(load, context, &path.key("spin"), &mut resolved, faults),
                 Load::Traction(load) if !context.ground.walls.is_empty() => {
                     on_wall::resolve(load, context, &path.key("traction"), &mut resolved, faults)
                 }

@@ -5,6 +5,7 @@ pub(crate) mod body_force;
 pub(crate) mod context;
 pub(crate) mod joined_sides;
 pub(crate) mod load_cases;
+mod mass;
 pub(crate) mod point_load;
 pub(crate) mod pressure;
 pub(crate) mod rigid_moment;

@@ -34,6 +34,9 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
     let mut of_load = |load: &Load| match load {
         Load::Point(load) => at(&load.at.region),
         Load::BodyForce(load) => load.region.as_ref().map_or(0.0, |_| at(&load.region)),
+        Load::Gravity(load) => load.region.as_ref().map_or(0.0, |_| at(&load.region)),
+        // Every point has a force of its own.
+        Load::Spin(load) => load.region.as_ref().map_or(ground.body.points() as f64, |_| at(&load.region)),
         Load::Traction(load) => at(&load.border().map(|(_, name)| name.to_string())),
         Load::Distributed(_) | Load::Pressure(_) => 0.0,
     };

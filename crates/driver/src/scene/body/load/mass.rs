@@ -1,0 +1,136 @@
+//! Weight of a body and the inertia of one that turns.
+
+use super::asked;
+use super::body_force;
+use super::context::LoadContext;
+use super::sums::BodyLoads;
+use crate::case::{Gravity, SpaceAxis, Spin};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::scene::body::site::resultants;
+use crate::scene::mass;
+
+/// The weight of the body or a region of it.
+pub(crate) fn gravity(
+    load: &Gravity,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    let Some(along) = context.force(load.along, "along", &path.key("along"), faults) else { return };
+    let is_shell = context.material.has("w") && context.material.has("ux");
+    if (context.material.is_revolved() && along[0] != 0.0) || (is_shell && along[1..] != [0.0; 2]) {
+        let axis = if is_shell { "x, [1, 0, 0] or [-1, 0, 0]" } else { "y, [0, 1] or [0, -1]" };
+        faults
+            .error(path.key("along"), "weight across the axis is not the same all around it")
+            .hint(format!("the axis of this body is along {axis}"));
+        return;
+    }
+    let Some(weight) = mass::weight(context.ground.case, load, along, path, faults) else { return };
+    body_force::act(weight, false, load.region.as_ref(), context, path, to, faults);
+}
+
+/// The inertia of a body that turns.
+pub(crate) fn spin(
+    load: &Spin,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    let value = mass::spin(context.ground.case, load, path, faults);
+    let is_revolved = context.material.is_revolved();
+    let Some((centre, across)) = axis(load, context, path, faults) else { return };
+    let Some(value) = value else { return };
+    let points = match &load.region {
+        Some(name) => match context.ground.region(name, &path.key("region"), faults) {
+            Some(points) => points,
+            None => return,
+        },
+        None if is_revolved => {
+            to.spin += value;
+            return;
+        }
+        None => (0..context.ground.body.points() as u32).collect(),
+    };
+    // Cells that do not fill the body have its mass all the same.
+    let share = match &load.region {
+        None => {
+            let volume: f64 = points.iter().map(|&p| context.volume(p)).sum();
+            asked::of_body([1.0, 0.0, 0.0], context).sizes()[0] / volume
+        }
+        Some(_) => 1.0,
+    };
+    for p in points {
+        let at = context.ground.body.position(p as usize);
+        let scale = value * share * context.volume(p);
+        let force = std::array::from_fn(|k| if across[k] { scale * (at[k] - centre[k]) } else { 0.0 });
+        if !is_revolved {
+            resultants::add_force(context.material, &mut to.asked, force, at);
+        }
+        to.forces.push((p, force));
+    }
+}
+
+/// A point of the axis, and whether distances from it are along x, y and z.
+fn axis(
+    load: &Spin,
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<([f64; 3], [bool; 3])> {
+    let material = context.material;
+    let [is_plane, is_solid] = [material.has("uy"), material.has("uz")];
+    if material.is_revolved() {
+        for (key, _) in
+            [("about", load.about.is_some()), ("axis", load.axis.is_some())].iter().filter(|k| k.1)
+        {
+            faults.error(
+                path.key(*key),
+                format!("`{key}` is not needed: a body of revolution turns about its own axis"),
+            );
+        }
+        return Some(([0.0; 3], [true, false, false]));
+    }
+    if !is_plane || material.has("w") {
+        faults
+            .error(path.clone(), "`spin` is for bodies of revolution, bodies in the plane and solids")
+            .hint("of a shell that turns about its axis it is a `pressure`: density times thickness times ω² times radius");
+        return None;
+    }
+    let Some((about, count)) = load.about.map(|about| about.parts()) else {
+        faults.error(path.clone(), "`about`, a position on the axis, is missing").hint(if is_solid {
+            "such as `\"about\": [0, 0, 0], \"axis\": \"z\"`"
+        } else {
+            "such as `\"about\": [0, 0]`; the axis stands on the plane"
+        });
+        return None;
+    };
+    if count != if is_solid { 3 } else { 2 } {
+        let s = if count == 1 { "" } else { "s" };
+        let here = if is_solid {
+            "in a solid have 3, along x, y and z"
+        } else {
+            "in the plane have 2, along x and y"
+        };
+        faults.error(path.key("about"), format!("`about` has {count} number{s}, and positions {here}"));
+        return None;
+    }
+    let along = match (is_solid, load.axis) {
+        (true, Some(axis)) => match axis {
+            SpaceAxis::X => 0,
+            SpaceAxis::Y => 1,
+            SpaceAxis::Z => 2,
+        },
+        (false, None) => 2,
+        (true, None) => {
+            faults.error(path.clone(), "`axis` is missing").hint("\"x\", \"y\" or \"z\"");
+            return None;
+        }
+        (false, Some(_)) => {
+            faults.error(path.key("axis"), "`axis` is for solids").hint("in the plane the axis stands on it");
+            return None;
+        }
+    };
+    Some((about, std::array::from_fn(|k| k != along)))
+}
