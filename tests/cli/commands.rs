@@ -79,7 +79,7 @@ fn lists_sizes_and_verdicts_are_json_for_machines() {
         serde_json::from_str(&outcome.stdout).unwrap()
     };
     let list = parse(&["list", "--json"]);
-    assert_eq!(list.as_object().unwrap().len(), 6);
+    assert_eq!(list.as_object().unwrap().len(), 12);
     assert_eq!(parse(&["list", "references", "--json"])["references"], list["references"]);
     let sizes = parse(&["check", "cases/beam/cantilever.json", "--json"]);
     assert_eq!(sizes[0]["sizes"]["points"], 97);

@@ -106,7 +106,7 @@ pub(super) enum Command {
         #[arg(value_parser = starts())]
         model: String,
     },
-    /// List models, loads, references and solvers.
+    /// List what cases can say: models, bodies, loads, fields and more.
     List {
         /// List this kind only.
         #[arg(value_enum)]
@@ -193,8 +193,20 @@ pub(super) struct Study {
 pub(super) enum Kind {
     /// Models with their bond laws and end treatments, calibrations and edge treatments.
     Models,
+    /// Bodies: what a model can be the material of.
+    Bodies,
+    /// Sections of beams.
+    Sections,
+    /// Rolled steel sections by name.
+    Profiles,
     /// Loads and supports.
     Loads,
+    /// Fields that probes read.
+    Fields,
+    /// Keys of a probe.
+    Probes,
+    /// What results can be compared with.
+    Checks,
     /// How bodies break: strategies and critical strains.
     Fracture,
     /// Bond laws that soften, and controls of paths.

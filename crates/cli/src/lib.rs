@@ -14,6 +14,7 @@ mod solve;
 mod study;
 mod tips;
 mod verify;
+mod vocabulary;
 mod watched;
 
 use args::{Arguments, Color, Command, Global};

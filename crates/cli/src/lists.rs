@@ -1,9 +1,9 @@
 //! `new`, `list` and `schema`.
 
 use super::args::{Global, Kind};
-use super::{DONE, case_reference, say, schema};
+use super::{DONE, case_reference, say, schema, vocabulary};
 use peristat::Error;
-use peristat::case::Case;
+use peristat::case::{Case, Rolled};
 use peristat::model::{self, Entry};
 use peristat::reference;
 use peristat::study::Study;
@@ -133,7 +133,13 @@ fn entries(kind: Kind) -> Vec<(String, String)> {
     };
     match kind {
         Kind::Models => model::TABLE.iter().flat_map(of_model).collect(),
+        Kind::Bodies => vocabulary::of("Body"),
+        Kind::Sections => vocabulary::of("Section"),
+        Kind::Profiles => Rolled::names().map(|name| (name.into(), String::new())).collect(),
         Kind::Loads => own(&LOADS),
+        Kind::Fields => vocabulary::of("FieldName"),
+        Kind::Probes => vocabulary::of("Probe"),
+        Kind::Checks => vocabulary::of("Check"),
         Kind::Fracture => own(&FRACTURE),
         Kind::Path => own(&PATH),
         Kind::References => reference::TABLE.iter().map(|r| (r.name.into(), r.about.into())).collect(),
@@ -145,7 +151,13 @@ fn entries(kind: Kind) -> Vec<(String, String)> {
 pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
     let all = [
         (Kind::Models, "models"),
+        (Kind::Bodies, "bodies"),
+        (Kind::Sections, "sections"),
+        (Kind::Profiles, "profiles"),
         (Kind::Loads, "loads"),
+        (Kind::Fields, "fields"),
+        (Kind::Probes, "probes"),
+        (Kind::Checks, "checks"),
         (Kind::Fracture, "fracture"),
         (Kind::Path, "path"),
         (Kind::References, "references"),
@@ -167,7 +179,8 @@ pub(super) fn list(kind: Option<Kind>, global: &Global) -> Result<u8, Error> {
         let width = list.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
         text += &format!("{name}\n");
         for (name, about) in list {
-            text += &format!("  {name:<width$}  {about}\n");
+            text += format!("  {name:<width$}  {about}").trim_end();
+            text.push('\n');
         }
         text.push('\n');
     }

@@ -29,6 +29,15 @@ impl Units {
         }
     }
 
+    /// A millimetre in its unit of length; none of numbers without units.
+    pub fn millimetre(self) -> Option<f64> {
+        match self {
+            Self::MetreNewtonPascal => Some(1e-3),
+            Self::MillimetreNewtonMegapascal => Some(1.0),
+            Self::Dimensionless => None,
+        }
+    }
+
     /// Unit of force.
     pub fn force(self) -> &'static str {
         if self == Self::Dimensionless { "" } else { "N" }

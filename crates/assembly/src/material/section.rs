@@ -1,5 +1,6 @@
 //! Cross-sections of beams.
 
+use super::Rolled;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use thiserror::Error;
@@ -38,7 +39,12 @@ pub enum Section {
         web: f64,
         /// Thickness of each flange.
         flange: f64,
+        /// Radius of the fillets between web and flanges; none if not given.
+        #[serde(default, skip_serializing_if = "is_zero")]
+        fillet: f64,
     },
+    /// Rolled steel section by its name, such as `IPE 270`, bent about its strong axis.
+    Rolled(Rolled),
     /// Any section, by its properties.
     General {
         /// Area.
@@ -51,6 +57,15 @@ pub enum Section {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         height: Option<f64>,
     },
+}
+
+/// A number without the digits that rounding left.
+fn tidy(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 /// Where the shear correction factor comes from.
@@ -92,7 +107,7 @@ pub enum SectionError {
         value: f64,
     },
     /// A wall, web or flange does not fit into the outline.
-    #[error("`{name}` must be at most {limit} to fit into the outline, found {value}")]
+    #[error("`{name}` must be at most {} to fit into the outline, found {value}", tidy(*limit))]
     DoesNotFit {
         /// Key of the dimension.
         name: &'static str,
@@ -107,7 +122,7 @@ pub enum SectionError {
 }
 
 impl Section {
-    /// Area, second moment, κ and height.
+    /// Area, second moment, κ and height, those of a rolled section in millimetres.
     ///
     /// # Errors
     /// [`SectionError`] names the dimension at fault by its key.
@@ -143,9 +158,12 @@ impl Section {
             Self::Rectangle { width, height } => vec![("width", width), ("height", height)],
             Self::Circle { diameter } => vec![("diameter", diameter)],
             Self::Tube { diameter, wall } => vec![("diameter", diameter), ("wall", wall)],
-            Self::I { width, height, web, flange } => {
-                vec![("width", width), ("height", height), ("web", web), ("flange", flange)]
+            Self::I { width, height, web, flange, fillet } => {
+                let mut all = vec![("width", width), ("height", height), ("web", web), ("flange", flange)];
+                all.extend((fillet != 0.0).then_some(("fillet", fillet)));
+                all
             }
+            Self::Rolled(rolled) => rolled.section(1.0).dimensions(),
             Self::General { area, second_moment, kappa, height } => {
                 let mut all = vec![("area", area), ("second_moment", second_moment), ("kappa", kappa)];
                 all.extend(height.map(|h| ("height", h)));
@@ -157,9 +175,11 @@ impl Section {
     fn limits(&self) -> Vec<(&'static str, f64, f64)> {
         match *self {
             Self::Tube { diameter, wall } => vec![("wall", wall, diameter / 2.0)],
-            Self::I { width, height, web, flange } => {
-                vec![("web", web, width), ("flange", flange, height / 2.0)]
-            }
+            Self::I { width, height, web, flange, fillet } => vec![
+                ("web", web, width),
+                ("flange", flange, height / 2.0),
+                ("fillet", fillet, (height / 2.0 - flange).min((width - web) / 2.0).max(0.0)),
+            ],
             _ => Vec::new(),
         }
     }
@@ -175,12 +195,18 @@ impl Section {
                 let (sum, difference) = (d * d + inner * inner, 4.0 * wall * (d - wall));
                 (PI * difference / 4.0, PI * difference * sum / 64.0, Some(d))
             }
-            Self::I { width: b, height: h, web, flange } => {
+            Self::I { width: b, height: h, web, flange, fillet: r } => {
                 let clear = h - 2.0 * flange;
                 let arm = h / 2.0 - flange / 2.0;
                 let flanges = 2.0 * (b * flange.powi(3) / 12.0 + b * flange * arm * arm);
-                (2.0 * b * flange + clear * web, flanges + web * clear.powi(3) / 12.0, Some(h))
+                // Area, first and second moment of what a quarter of a circle leaves of a square, about a side of it.
+                let (a, s, i) = (1.0 - PI / 4.0, 5.0 / 6.0 - PI / 4.0, 1.0 - 5.0 * PI / 16.0);
+                let [corner, two] = [clear / 2.0, r * r];
+                let fillets = 4.0 * two * (corner * corner * a - 2.0 * corner * r * s + two * i);
+                let area = 2.0 * b * flange + clear * web + 4.0 * two * a;
+                (area, flanges + web * clear.powi(3) / 12.0 + fillets, Some(h))
             }
+            Self::Rolled(rolled) => rolled.section(1.0).geometry(),
             Self::General { area, second_moment, height, .. } => (area, second_moment, height),
         }
     }
@@ -191,6 +217,7 @@ impl Section {
             Self::Circle { .. } => 9.0 / 10.0,
             Self::Tube { .. } => 1.0 / 2.0,
             Self::I { height, web, .. } => web * height / self.geometry().0,
+            Self::Rolled(rolled) => rolled.section(1.0).classical(),
             Self::General { kappa, .. } => kappa,
         }
     }
@@ -205,7 +232,8 @@ impl Section {
                 let (s, q) = ((1.0 + m * m).powi(2), m * m);
                 6.0 * (1.0 + nu) * s / ((7.0 + 6.0 * nu) * s + (20.0 + 12.0 * nu) * q)
             }
-            Self::I { width, height, web, flange } => {
+            Self::Rolled(rolled) => rolled.section(1.0).cowper(nu)?,
+            Self::I { width, height, web, flange, .. } => {
                 // Thin-walled I: h between the flange centres, m = 2 b t_f / (h t_w), n = b / h.
                 let h = height - flange;
                 let (m, n) = (2.0 * width * flange / (h * web), width / h);
@@ -249,11 +277,11 @@ mod tests {
 
     #[test]
     fn an_i_without_recess_is_a_rectangle() {
-        let i = Section::I { width: 0.1, height: 0.3, web: 0.1, flange: 0.02 };
+        let i = Section::I { width: 0.1, height: 0.3, web: 0.1, flange: 0.02, fillet: 0.0 };
         let r = properties(Section::Rectangle { width: 0.1, height: 0.3 });
         assert!((properties(i).second_moment / r.second_moment - 1.0).abs() < 1e-14);
         // IPE 200 without its root fillets: I = 1846 cm⁴ (1943 cm⁴ with them), web h t_w / A = 0.4088.
-        let ipe = Section::I { width: 0.1, height: 0.2, web: 0.0056, flange: 0.0085 };
+        let ipe = Section::I { width: 0.1, height: 0.2, web: 0.0056, flange: 0.0085, fillet: 0.0 };
         let p = properties(ipe);
         assert!((p.second_moment - 1.8456e-5).abs() < 1e-8, "{}", p.second_moment);
         // 2·0.1·0.0085 + 0.183·0.0056.
@@ -300,7 +328,7 @@ mod tests {
         let half = kappa(Section::Tube { diameter: 0.4, wall: 0.1 });
         assert!((half - 7.8 * 1.5625 / (8.8 * 1.5625 + 23.6 * 0.25)).abs() < 1e-15, "{half}");
         // Thin-walled I with m = 2 and n = 1/2: 10·1.3·49/(1476 + 0.3·1403 + 45 + 0.3·65).
-        let i = Section::I { width: 0.1, height: 0.22, web: 0.01, flange: 0.02 };
+        let i = Section::I { width: 0.1, height: 0.22, web: 0.01, flange: 0.02, fillet: 0.0 };
         assert!((kappa(i) - 637.0 / 1961.4).abs() < 1e-14, "{}", kappa(i));
     }
 

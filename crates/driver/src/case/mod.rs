@@ -39,6 +39,7 @@ pub use grading::Grading;
 pub use mass_load::{Gravity, Spin};
 pub use path::{Path, PathControl, Turn};
 pub use periodic::Periodic;
+pub use peristat_assembly::material::Rolled;
 pub use plane_body::{
     CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
     SlotHole,

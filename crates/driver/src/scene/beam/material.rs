@@ -6,6 +6,7 @@ use crate::case::{Body, Case, Frame, Member};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::model::Beam;
+use crate::units::Units;
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid,
     bond_law::{self, BondLaw},
@@ -29,8 +30,11 @@ pub(super) fn material(
         beam.shear_correction.get_or_insert_default();
     }
     let sections: Option<Vec<Resolved>> = match &case.body {
-        Body::Frame(frame) => of_members(beam, frame, &path, faults),
-        _ => lines.iter().map(|l| stiffness(beam, usable(l.length), &path, &path, faults)).collect(),
+        Body::Frame(frame) => of_members(beam, frame, case.units, &path, faults),
+        _ => lines
+            .iter()
+            .map(|l| stiffness(beam, case.units, usable(l.length), &path, &path, faults))
+            .collect(),
     };
     let peculiarity = sections.iter().flatten().find_map(Resolved::peculiarity);
     let law = law(beam, peculiarity, &path, faults);
@@ -48,16 +52,22 @@ fn usable(length: f64) -> f64 {
 }
 
 /// Sections of the members of a frame.
-fn of_members(beam: &Beam, frame: &Frame, path: &JsonPath, faults: &mut Faults) -> Option<Vec<Resolved>> {
+fn of_members(
+    beam: &Beam,
+    frame: &Frame,
+    units: Units,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Vec<Resolved>> {
     let joint = |name: &str| frame.joints.iter().find(|j| j.name == name);
     let of = |(k, member): (usize, &Member)| {
         let ends = joint(&member.from).zip(joint(&member.to));
         let length = usable(ends.map_or(1.0, |(a, b)| (b.x - a.x).hypot(b.y - a.y)));
         match with_own_section(beam, member) {
-            None => stiffness(beam, length, path, path, faults),
+            None => stiffness(beam, units, length, path, path, faults),
             Some(beam) => {
                 let own = root("body").key("frame").key("members").index(k);
-                stiffness(&beam, length, path, &own, faults)
+                stiffness(&beam, units, length, path, &own, faults)
             }
         }
     };

@@ -8,6 +8,7 @@ mod taper;
 use crate::diagnostic::{Faults, JsonPath, positive};
 use crate::model::Beam;
 use crate::scene::numbers;
+use crate::units::Units;
 use peristat_assembly::material::{Profile, SectionStiffness};
 
 /// What is known of the sections of a line, by the distance from its start.
@@ -66,6 +67,7 @@ impl Resolved {
 /// member with a section of its own.
 pub(super) fn stiffness(
     beam: &Beam,
+    units: Units,
     length: f64,
     path: &JsonPath,
     own: &JsonPath,
@@ -77,7 +79,7 @@ pub(super) fn stiffness(
     let resolved = match (&beam.section, &beam.stiffness, &beam.power_law) {
         (_, Some(stiffness), _) => given::resolve(stiffness, length, &own.key("stiffness"), faults),
         (_, _, Some(law)) => power_law::resolve(beam, law, path, own, faults),
-        (Some(section), ..) => shape::resolve(beam, *section, length, [path, own], faults),
+        (Some(section), ..) => shape::resolve(beam, units, *section, length, [path, own], faults),
         (None, None, None) => {
             faults
                 .error(own.clone(), "`section` is missing")

@@ -4,16 +4,32 @@ use super::taper::{self, Taper};
 use super::{Resolved, SectionAlong, scaled, shear_modulus};
 use crate::diagnostic::{Faults, JsonPath, positive};
 use crate::model::Beam;
+use crate::units::Units;
 use peristat_assembly::material::{Profile, Section, SectionError, SectionProperties, SectionStiffness};
+
+/// A section with its lengths in the units of a case.
+fn in_units(section: Section, units: Units, path: &JsonPath, faults: &mut Faults) -> Option<Section> {
+    let Section::Rolled(rolled) = section else { return Some(section) };
+    if units.millimetre().is_none() {
+        faults
+            .error(path.key("rolled"), format!("`{}` has millimetres, and this case no units", rolled.name()))
+            .hint("set `units` to \"mm-N-MPa\" or \"m-N-Pa\"");
+    }
+    units.millimetre().map(|millimetre| rolled.section(millimetre))
+}
 
 /// Sections of a shape, which may vary linearly to that at the end.
 pub(super) fn resolve(
     beam: &Beam,
+    units: Units,
     section: Section,
     length: f64,
     [path, own]: [&JsonPath; 2],
     faults: &mut Faults,
 ) -> Option<Resolved> {
+    let section = in_units(section, units, &own.key("section"), faults);
+    let end_section = beam.end_section.map(|end| in_units(end, units, &own.key("end_section"), faults));
+    let (section, end_section) = (section?, end_section.map_or(Some(None), |end| end.map(Some))?);
     let e = match beam.youngs_modulus {
         Some(e) => positive(e, "youngs_modulus", path.key("youngs_modulus"), faults).then_some(e),
         None => {
@@ -31,7 +47,7 @@ pub(super) fn resolve(
         found.map_err(|error| section_fault(section, key, &error, [path, own], faults)).ok()
     };
     let start = properties(section, "section");
-    let taper = match beam.end_section {
+    let taper = match end_section {
         None => start.map(|s| Taper::uniform(&s)),
         Some(end) if end == section => start.map(|s| Taper::uniform(&s)),
         Some(end) => {

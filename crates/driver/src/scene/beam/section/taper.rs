@@ -96,6 +96,7 @@ pub(super) fn shape(section: Section) -> &'static str {
         Section::Circle { .. } => "circle",
         Section::Tube { .. } => "tube",
         Section::I { .. } => "i",
+        Section::Rolled(_) => "rolled",
         Section::General { .. } => "general",
     }
 }
