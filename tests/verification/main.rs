@@ -51,6 +51,7 @@ mod plane_solvers;
 mod plausibility;
 mod polygons;
 mod reactions;
+mod reduced_probes;
 mod ring_borders;
 mod ring_tractions;
 mod section_forces;

@@ -10,6 +10,7 @@ mod law;
 mod line_points;
 mod problem;
 mod reaction;
+mod reduced;
 mod skipped;
 mod strain;
 mod twin;

@@ -3,7 +3,7 @@
 use super::checks::BeamComparison;
 use super::frame_layout::FrameLayout;
 use super::links::RigidBar;
-use super::probes::ProbePoint;
+use super::probes::BeamProbe;
 use super::section::SectionAlong;
 use super::state::State;
 use super::supports::HeldPoint;
@@ -57,7 +57,7 @@ pub struct BeamScene {
     /// How to solve.
     pub solver: Solver,
     /// Values to report.
-    pub probes: Vec<ProbePoint>,
+    pub probes: Vec<BeamProbe>,
     /// How it breaks, if it does.
     pub fracture: Option<FractureScene<CriticalStrains>>,
     /// What the results must be.

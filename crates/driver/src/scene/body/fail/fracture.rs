@@ -69,6 +69,13 @@ pub(crate) fn resolve(
 pub(crate) fn check_load(load: &str, case: &Case, path: &JsonPath, faults: &mut Faults) {
     use FieldName::{Opening, ReactionX, ReactionY, Ux, Uy};
     let probe = case.probes.iter().find(|p| p.name == load);
+    if let Some(of) = probe.and_then(|p| p.of) {
+        let what = of.words(probe.map_or("", |p| p.field.name()));
+        faults
+            .error(path.clone(), format!("the probe `{load}` is the {what} of many points, which is no load"))
+            .hint("leave `of` out of the probe");
+        return;
+    }
     if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy | Opening)) {
         let message = format!("the probe `{load}` is one of `{}`, which is no load", probe.field.name());
         faults
