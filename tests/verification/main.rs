@@ -50,6 +50,7 @@ mod plane_results;
 mod plane_solvers;
 mod plausibility;
 mod polygons;
+mod probes_between;
 mod reactions;
 mod reduced_probes;
 mod ring_borders;

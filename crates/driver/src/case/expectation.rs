@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct Probe {
     /// Name, unique.
     pub name: String,
-    /// Where: a point of the grid, a joint, a place in the plane or a region. M, V and N are those to its right, at the right
+    /// Where: a position on a beam, for reactions a point of its grid; a joint, a place in the plane or a region. M, V and N are those to its right, at the right
     /// end those to its left; of a region it is the mean of its points, of an edge of those half a spacing inside it, of reactions
     /// the sum. With `of` a region or a member, or left out for the whole body.
     #[serde(default, skip_serializing_if = "At::is_nowhere")]

@@ -1,5 +1,6 @@
 //! Running beams and frames: what solving one, or breaking it, needs beside the common run, and the fields recovered.
 
+mod between;
 mod collect;
 mod comparison;
 mod exact_state;

@@ -1,7 +1,7 @@
 //! Probes and checks on the result of a beam.
 
 use super::comparison::Compared;
-use super::{BeamResult, reduced};
+use super::{BeamResult, between, reduced};
 use crate::case::FRACTURE_FACTS;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
@@ -48,6 +48,10 @@ fn read(scene: &BeamScene, result: &BeamResult, probe: &BeamProbe) -> Option<Rea
         ProbeSite::Point(p) => {
             let value = result.value(probe.field, p.local.0, p.local.1)?;
             Some(Reading { value, x: Some(p.x), place: p.place.clone(), extent: None })
+        }
+        ProbeSite::Between(at) => {
+            let value = between::value(scene, result, probe.field, at)?;
+            Some(Reading { value, x: Some(at.x), place: at.place.clone(), extent: None })
         }
         ProbeSite::Lines { of, lines, place } => {
             let found = reduced::read(result, probe.field, *of, lines)?;

@@ -42,7 +42,7 @@ pub use frame_layout::{EndOfMember, FrameLayout, JointLayout, MemberLayout};
 pub use holds::{Hold, How, Motion};
 pub use links::RigidBar;
 pub use place::Place;
-pub use probes::{BeamProbe, ProbePoint, ProbeSite};
+pub use probes::{BeamProbe, BetweenPoints, ProbePoint, ProbeSite};
 pub use scene::BeamScene;
 pub use section::SectionAlong;
 pub use state::State;

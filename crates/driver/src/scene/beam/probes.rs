@@ -27,6 +27,8 @@ pub struct BeamProbe {
 pub enum ProbeSite {
     /// On a point.
     Point(ProbePoint),
+    /// Between two points.
+    Between(BetweenPoints),
     /// At all points of some lines.
     Lines {
         /// What is made of their values.
@@ -63,6 +65,19 @@ pub struct ProbePoint {
     pub place: Option<String>,
 }
 
+/// A place between two points.
+#[derive(Clone, Debug)]
+pub struct BetweenPoints {
+    /// Line.
+    pub line: usize,
+    /// The real point before it.
+    pub before: usize,
+    /// Position on its line.
+    pub x: f64,
+    /// What the user calls the place, on a frame.
+    pub place: Option<String>,
+}
+
 /// What the resolution of probes looks at.
 pub(super) struct Context<'a> {
     pub(super) model: &'a Beam,
@@ -71,6 +86,8 @@ pub(super) struct Context<'a> {
     pub(super) held: &'a [HeldPoint],
     pub(super) sections: &'a [SectionAlong],
     pub(super) has_axial: bool,
+    /// Whether its bonds can break.
+    pub(super) breaks: bool,
 }
 
 /// Probes of the case.
@@ -82,13 +99,13 @@ pub(super) fn probes(case: &Case, context: &Context, faults: &mut Faults) -> Vec
 fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<BeamProbe> {
     let site = match probe.of {
         Some(of) => reduced::resolve(probe, of, context, path, faults)?,
-        None => ProbeSite::Point(on_point(probe, context, path, faults)?),
+        None => at_place(probe, context, path, faults)?,
     };
     Some(BeamProbe { name: probe.name.clone(), field: probe.field, site })
 }
 
-/// The point that answers for a probe.
-fn on_point(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<ProbePoint> {
+/// The point that answers for a probe, or the two around it.
+fn at_place(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<ProbeSite> {
     let layout = context.layout;
     let at = path.key("at");
     let spot = frame_place::find(&probe.at, layout, &at, "the probe", faults)?;
@@ -98,6 +115,19 @@ fn on_point(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faul
         FramePlace::On(Place::Point { chain, point }) => (chain, point),
         FramePlace::On(place) => {
             let x = probe.at.x.unwrap_or(0.0);
+            // Bonds that break between two points leave no element.
+            let reads_points = probe.field.is_reaction() || context.breaks;
+            if let Some(before) = layout.lines[place.chain()].before(x).filter(|_| !reads_points) {
+                let line = place.chain();
+                let knows = needs_section(probe.field, &context.sections[line], context.model, path, faults);
+                let place = layout.frame.is_some().then(|| layout.words(spot, x));
+                return (fits && knows).then_some(ProbeSite::Between(BetweenPoints {
+                    line,
+                    before,
+                    x,
+                    place,
+                }));
+            }
             layout.needs_point(place.chain(), x, &at.key("x"), "the probe", faults);
             return None;
         }
@@ -115,12 +145,12 @@ fn on_point(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faul
             .error(at, format!("there is no support {place}, so there is no reaction"))
             .hint(format!("supports on points are at {}", held.join(", ")));
     }
-    Some(ProbePoint {
+    Some(ProbeSite::Point(ProbePoint {
         local: (chain, k),
         point,
         x,
         place: layout.frame.is_some().then(|| layout.words(spot, x)),
-    })
+    }))
 }
 
 /// The fields that probes can ask for.

@@ -157,6 +157,7 @@ impl BeamScene {
             held: &held,
             sections: &sections,
             has_axial,
+            breaks: case.fracture.is_some(),
         };
         let probes = probes::probes(case, &context, faults);
         let context = fracture::Context { beam: &beam, sections: &sections, probes: &probes };
