@@ -20,7 +20,7 @@ fn solve(cells: usize, changes: &Value, fields: &[&str], places: &[f64]) -> (Sol
         "supports": [{ "at": { "x": 0.0 }, "w": 0.0, "phi": 0.0, "ux": 0.0 }],
         "probes": probes
     });
-    for (key, value) in changes.as_object().unwrap() {
+    for (key, value) in changes.as_object().expect("keys of a case") {
         case[key] = value.clone();
     }
     let solved = peristat::solve_text(&format!("{case:#}")).expect("a case that can be solved");

@@ -11,13 +11,14 @@ use std::path::Path;
 /// A case of the gallery.
 fn gallery_case(file: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(file);
-    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+    let text = fs::read_to_string(path).expect("a case of the gallery");
+    serde_json::from_str(&text).expect("a case")
 }
 
 /// Solves a case with other probes, which are named by their numbers, and without checks.
 fn solve(mut case: Value, probes: &Value) -> Solved {
     let mut probes = probes.clone();
-    for (k, probe) in probes.as_array_mut().unwrap().iter_mut().enumerate() {
+    for (k, probe) in probes.as_array_mut().expect("a list").iter_mut().enumerate() {
         probe["name"] = json!(k.to_string());
     }
     case["probes"] = probes;
@@ -46,11 +47,11 @@ fn assert_uniaxial(case: Value, region: &Value, field: &str, stress: f64, volume
         { "field": "von_mises", "of": "mean" }
     ]);
     if !region.is_null() {
-        asked.as_array_mut().unwrap().iter_mut().for_each(|probe| probe["at"] = region.clone());
+        asked.as_array_mut().expect("a list").iter_mut().for_each(|probe| probe["at"] = region.clone());
     }
     let found = solve(case, &asked).summary.probes;
     let values: Vec<f64> = found.iter().map(|probe| probe.value).collect();
-    assert_near(found[0].extent.unwrap(), volume, 1e-12);
+    assert_near(found[0].extent.expect("a volume"), volume, 1e-12);
     let expected = [stress * volume, stress, stress, 0.0, stress / 2.0, stress * volume / 3.0, stress];
     for (k, (found, expected)) in values.iter().zip(expected).enumerate() {
         // 4e-11 is found in the tube, rounding in others.
