@@ -209,14 +209,14 @@ fn faults_of_a_study_are_told_at_their_place() {
 #[test]
 fn faults_of_all_tasks_are_told_before_one_is_solved() {
     let folder = tempfile::tempdir().unwrap();
-    // Two places between points, which only a grid shows, and a support that leaves the beam free.
+    // Two supports between points, which only a grid shows, and one that leaves the beam free.
     let changes = json!({
-        "vary": [{ "probes[0].at.x": [1.0, 0.3, 0.7] }, { "supports[0].phi": [0.0, null] }], "exact": []
+        "vary": [{ "supports[0].at.x": [0.0, 0.3, 0.7] }, { "supports[0].phi": [0.0, null] }], "exact": []
     });
     let file = study(folder.path(), &changes);
     let outcome = run(folder.path(), &["study", &file]);
     assert_eq!(outcome.code, 2, "{}", outcome.stderr);
-    // The tasks of (1.0, held) are sound; of the others, 0.3 and 0.7 are on no grid of 24, 48 or 96 cells.
+    // The tasks of (0.0, held) are sound; of the others, 0.3 and 0.7 are on no grid of 24, 48 or 96 cells.
     for told in [
         "tasks 4 to 6 of 18",
         "free to rotate",

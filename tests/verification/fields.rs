@@ -10,7 +10,7 @@ fn names() -> Vec<String> {
     let schema = serde_json::to_value(schemars::schema_for!(FieldName)).expect("a schema");
     let values = schema["oneOf"].as_array().expect("a list of names");
     let names: Vec<String> = values.iter().map(|v| v["const"].as_str().expect("a name").into()).collect();
-    assert_eq!(names.len(), 38);
+    assert_eq!(names.len(), 44);
     names
 }
 
@@ -37,6 +37,16 @@ const STRESSES: [&str; 9] = [
     "energy_density",
 ];
 
+/// Fields that are found on demand; solids do not have the last one.
+const ON_DEMAND: [&str; 6] = [
+    "principal_stress_1",
+    "principal_stress_2",
+    "principal_stress_3",
+    "max_shear",
+    "hydrostatic",
+    "principal_direction",
+];
+
 const TURNS: [&str; 3] = ["phi_x", "phi_y", "phi_z"];
 
 fn body(name: &str, model: Value, others: &[&'static str], hidden: &[&'static str]) -> Model {
@@ -48,8 +58,8 @@ fn body(name: &str, model: Value, others: &[&'static str], hidden: &[&'static st
     });
     let places = vec![json!({ "x": 0.5, "y": 2.5 }), json!({ "region": "left" })];
     let answered = ["ux", "uy", "damage", "reaction_x", "reaction_y"];
-    let answered = answered.iter().chain(&STRESSES).chain(others).copied().collect();
-    Model { case, places, answered, hidden: hidden.to_vec() }
+    let answered = answered.iter().chain(&STRESSES).chain(&ON_DEMAND).chain(others).copied().collect();
+    Model { case, places, answered, hidden: [hidden, &ON_DEMAND].concat() }
 }
 
 fn models() -> Vec<Model> {
@@ -118,8 +128,9 @@ fn solid(name: &str) -> Model {
     let places = vec![json!({ "x": 0.5, "y": 2.5, "z": 1.5 }), json!({ "region": "left" })];
     let others = ["ux", "uy", "uz", "damage", "reaction_x", "reaction_y", "reaction_z"];
     let across = ["strain_zz", "strain_xz", "strain_yz", "stress_xz", "stress_yz"];
-    let answered = STRESSES.iter().chain(&others).chain(&across).copied().collect();
-    Model { case, places, answered, hidden: vec!["damage"] }
+    let on_demand = &ON_DEMAND[..5];
+    let answered = STRESSES.iter().chain(&others).chain(&across).chain(on_demand).copied().collect();
+    Model { case, places, answered, hidden: [&["damage"], on_demand].concat() }
 }
 
 fn beams() -> [Model; 3] {

@@ -61,6 +61,15 @@ impl Units {
         }
     }
 
+    /// Unit of stress intensity.
+    pub fn stress_intensity(self) -> &'static str {
+        match self {
+            Self::MetreNewtonPascal => "Pa √m",
+            Self::MillimetreNewtonMegapascal => "MPa √mm",
+            Self::Dimensionless => "",
+        }
+    }
+
     /// A name with a unit behind it, such as `shear force V [N]`.
     pub fn label(self, name: &str, unit: &str) -> String {
         if self == Self::Dimensionless { name.into() } else { format!("{name} [{unit}]") }

@@ -75,6 +75,11 @@ impl Solved {
         self.solved.unit(name)
     }
 
+    /// The unit of a probe; None if there is no such probe.
+    fn probe_unit(&self, name: &str) -> Option<String> {
+        self.solved.probe_unit(name)
+    }
+
     /// Values of a field of a state at all points, not to be written.
     #[allow(unsafe_code)]
     fn field<'py>(slf: Bound<'py, Self>, state: usize, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {

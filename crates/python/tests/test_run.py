@@ -42,6 +42,27 @@ def test_fields_are_arrays_at_points() -> None:
     assert "800 points" in repr(result)
 
 
+def test_principal_stresses_and_numbers_of_all_points_have_units() -> None:
+    asked = {"peak": ("principal_stress_1", "largest"), "virial": ("stress_xx", "integral"), "mean": ("ux", "mean")}
+    probes = [{"name": name, "field": field, "of": of} for name, (field, of) in asked.items()]
+    result = peristat.run({**STRIP, "probes": probes, "checks": []})
+    assert np.abs(result.field("principal_stress_1") - 100).max() < 1e-9
+    assert np.abs(result.field("principal_direction")).max() < 1e-9
+    assert result.unit("max_shear") == "MPa" and "max_shear" not in result.fields()
+    assert [str(result.probes[name].unit) for name in asked] == ["MPa", "N mm", "mm"]
+    # The stress times 40 x 20 mm and a thickness of one; the displacement of the middle.
+    assert result.probes["virial"] == pytest.approx(80000, rel=1e-9)
+    assert result.probes["mean"] == pytest.approx(20 / 700, rel=1e-9)
+    found = {probe["name"]: probe for probe in result.summary["probes"]}
+    assert {"x", "y", "of"} <= found["peak"].keys() and found["virial"]["extent"] == pytest.approx(800)
+
+
+def test_stress_intensities_are_probes_with_a_unit() -> None:
+    case = json.loads((CASES / "plate/edge_crack.json").read_text())
+    name = case["stress_intensity"][0]["name"]
+    assert peristat.run(case).probes[name].unit == "MPa √mm"
+
+
 def test_a_path_a_text_and_a_dictionary_are_the_same_case(tmp_path: Path) -> None:
     file = tmp_path / "strip.json"
     file.write_text(json.dumps(STRIP))

@@ -35,6 +35,13 @@ pub struct At {
     pub member: Option<String>,
 }
 
+impl At {
+    /// Whether it names no place at all.
+    pub fn is_nowhere(&self) -> bool {
+        *self == Self::default()
+    }
+}
+
 /// What holds a point or the points of a region: prescribed values, springs to the ground, or one of each.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

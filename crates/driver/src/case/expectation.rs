@@ -11,11 +11,52 @@ use serde::{Deserialize, Serialize};
 pub struct Probe {
     /// Name, unique.
     pub name: String,
-    /// Where: a point of the grid, a joint, a place in the plane or a region. M, V and N are those to its right, at the right
-    /// end those to its left; of a region it is the mean by volume, of reactions the sum.
+    /// Where: a position on a beam, for reactions a point of its grid; a joint, a place in the plane or a region. M, V and N are those to its right, at the right
+    /// end those to its left; of a region it is the mean of its points, of an edge of those half a spacing inside it, of reactions
+    /// the sum. With `of` a region or a member, or left out for the whole body.
+    #[serde(default, skip_serializing_if = "At::is_nowhere")]
     pub at: At,
     /// What.
     pub field: FieldName,
+    /// What is made of the values at all points of a region, a member or the whole body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<Reduction>,
+}
+
+/// What is made of the values of a field at many points. An extreme is that of the points, or of both ends of the cells of a
+/// beam: nothing is extrapolated to an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Reduction {
+    /// The largest value, and where it is.
+    Largest,
+    /// The smallest value, and where it is.
+    Smallest,
+    /// The largest magnitude, without its sign, and where it is.
+    LargestMagnitude,
+    /// The mean over the volume, along beams over the length.
+    Mean,
+    /// The integral over the volume, in the unit of the field times that of a volume; along beams over the length.
+    Integral,
+}
+
+impl Reduction {
+    /// Whether it finds a value at a place.
+    pub fn is_extreme(self) -> bool {
+        matches!(self, Self::Largest | Self::Smallest | Self::LargestMagnitude)
+    }
+
+    /// What it makes of a field in words, such as `largest ux`.
+    pub fn words(self, field: &str) -> String {
+        let before = match self {
+            Self::Largest => "largest",
+            Self::Smallest => "smallest",
+            Self::LargestMagnitude => "largest magnitude of",
+            Self::Mean => "mean",
+            Self::Integral => "integral of",
+        };
+        format!("{before} {field}")
+    }
 }
 
 /// What a result must be. A check is made on the last load step, on `load_case` if that is given.

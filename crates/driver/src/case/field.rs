@@ -1,6 +1,6 @@
-//! Fields of results: their names, units and sources.
+//! Fields of results and their names.
 
-use super::Units;
+use super::about_field::{Field, Origin, Unit};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -85,6 +85,24 @@ pub enum FieldName {
     /// Von Mises stress.
     #[serde(rename = "von_mises")]
     VonMises,
+    /// Largest principal stress of the three-dimensional stress, that across the plane included.
+    #[serde(rename = "principal_stress_1")]
+    PrincipalStress1,
+    /// Middle principal stress.
+    #[serde(rename = "principal_stress_2")]
+    PrincipalStress2,
+    /// Smallest principal stress, the largest compression.
+    #[serde(rename = "principal_stress_3")]
+    PrincipalStress3,
+    /// Angle from the x axis to the direction of the larger principal stress in the plane, rad, above −π/2 and at most π/2.
+    #[serde(rename = "principal_direction")]
+    PrincipalDirection,
+    /// Largest shear stress on any plane through the point: half of the largest less the smallest principal stress.
+    #[serde(rename = "max_shear")]
+    MaxShear,
+    /// Mean of the three normal stresses, tension positive.
+    #[serde(rename = "hydrostatic")]
+    Hydrostatic,
     /// Opening of a crack at a position on it, in the plane: the displacement of its upper face less that of the lower one,
     /// normal to it, of a crack along y of the right one less the left one. Both faces are extrapolated from two rows.
     #[serde(rename = "opening")]
@@ -122,73 +140,6 @@ pub enum FieldName {
     ReactionMomentZ,
 }
 
-/// What is known of a field, whatever body has it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Field {
-    /// The name in case files and tables.
-    pub name: &'static str,
-    /// Its unit.
-    pub unit: Unit,
-    /// What it follows from.
-    pub origin: Origin,
-}
-
-/// The unit of a field.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
-    /// A length.
-    Length,
-    /// Radians.
-    Angle,
-    /// None.
-    One,
-    /// A stress; a strain energy per volume is one, too.
-    Stress,
-    /// A force.
-    Force,
-    /// A force times a length.
-    Moment,
-}
-
-impl Unit {
-    /// Its label in the units of a case.
-    pub fn label(self, units: Units) -> &'static str {
-        match self {
-            Self::Length => units.length(),
-            Self::Angle => "rad",
-            Self::One => "",
-            Self::Stress => units.stress(),
-            Self::Force => units.force(),
-            Self::Moment => units.moment(),
-        }
-    }
-}
-
-/// What a field follows from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Origin {
-    /// The unknown of this name, or in frames those of the members.
-    Unknown,
-    /// The bonds of a beam.
-    Beam,
-    /// The component of the strains of this name, such as `xy`, and what multiplies it.
-    Strain(&'static str, f64),
-    /// The component of the stresses of this name; `zz` of bodies in the plane is that across it.
-    Stress(&'static str),
-    /// The stresses: von Mises.
-    VonMises,
-    /// The energies of the bonds.
-    Energy,
-    /// The bonds that are cut.
-    Damage,
-    /// The faces of a crack.
-    Opening,
-    /// What holds the unknown, or the motion of a rigid region, of this name.
-    Reaction(&'static str),
-    /// The rotation of a rigid region of a solid about this axis.
-    Turn(usize),
-}
-
 impl FieldName {
     /// The fields that every point of a line has, in the order of tables.
     const LINE: [Self; 7] =
@@ -223,7 +174,8 @@ impl FieldName {
     ];
 
     /// The fields that points of bodies have, in the order of tables; `phi` where they turn, `w` where they move across the plane.
-    pub const BODY: [Self; 20] = [
+    /// Those that follow from the stresses of a point behind `von_mises` are found on demand, and no table has them.
+    pub const BODY: [Self; 26] = [
         Self::Ux,
         Self::Uy,
         Self::Uz,
@@ -242,6 +194,12 @@ impl FieldName {
         Self::StressYz,
         Self::StressZz,
         Self::VonMises,
+        Self::PrincipalStress1,
+        Self::PrincipalStress2,
+        Self::PrincipalStress3,
+        Self::PrincipalDirection,
+        Self::MaxShear,
+        Self::Hydrostatic,
         Self::EnergyDensity,
         Self::Damage,
     ];
@@ -287,6 +245,12 @@ impl FieldName {
             Self::StressYz => ("stress_yz", Unit::Stress, Origin::Stress("yz")),
             Self::StressZz => ("stress_zz", Unit::Stress, Origin::Stress("zz")),
             Self::VonMises => ("von_mises", Unit::Stress, VonMises),
+            Self::PrincipalStress1 => ("principal_stress_1", Unit::Stress, Principal(0)),
+            Self::PrincipalStress2 => ("principal_stress_2", Unit::Stress, Principal(1)),
+            Self::PrincipalStress3 => ("principal_stress_3", Unit::Stress, Principal(2)),
+            Self::PrincipalDirection => ("principal_direction", Angle, PrincipalDirection),
+            Self::MaxShear => ("max_shear", Unit::Stress, MaxShear),
+            Self::Hydrostatic => ("hydrostatic", Unit::Stress, Hydrostatic),
             Self::Opening => ("opening", Length, Opening),
             Self::Damage => ("damage", One, Damage),
             Self::EnergyDensity => ("energy_density", Unit::Stress, Energy),

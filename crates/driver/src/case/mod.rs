@@ -1,5 +1,6 @@
 //! A case as its author wrote it: the JSON types, nothing resolved, nothing checked beyond their shape.
 
+mod about_field;
 mod body;
 mod condition;
 mod expectation;
@@ -24,14 +25,15 @@ mod vector;
 
 pub use crate::model::{Critical, LoadSharing, Model, Pressure};
 pub use crate::units::Units;
+pub use about_field::{Field, Origin, Unit};
 pub use body::{Body, Line};
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
     Sine, Steps, Support,
 };
-pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Value};
+pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Reduction, Value};
 pub use facts::{FRACTURE_FACTS, PATH_FACTS};
-pub use field::{Field, FieldName, Origin, Unit};
+pub use field::FieldName;
 pub use foundation::Foundation;
 pub use fracture::{CrackDirection, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};

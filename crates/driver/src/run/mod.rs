@@ -23,6 +23,7 @@ pub mod path;
 mod prepare;
 mod problem;
 mod range;
+mod reducer;
 mod refine;
 mod report;
 mod resultants;

@@ -1,6 +1,7 @@
 //! Probes and checks on results: values against what they should be.
 
 use super::scan;
+use crate::case::Reduction;
 use crate::scene::{Expectation, ExpectationKind};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -26,8 +27,14 @@ pub struct ProbeResult {
     pub place: Option<String>,
     /// Name of the field, or `stress_intensity`.
     pub field: Cow<'static, str>,
+    /// What is made of the values of many points; an extreme is at the position.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<Reduction>,
     /// Value.
     pub value: f64,
+    /// Volume that a mean or an integral is taken over, of beams a length.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub extent: Option<f64>,
     /// On a hole, what of the displacements around it the fields miss that give the value, as a share.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub misfit: Option<f64>,

@@ -18,6 +18,12 @@ pub(super) fn probes<P>(
         if !names.insert(&probe.name) {
             faults.error(path.key("name"), format!("there are two probes `{}`", probe.name));
         }
+        if probe.at.is_nowhere() && probe.of.is_none() {
+            faults.error(path, "no place is given").hint(
+                "write where it is as `at`, or as `of` what is made of all points: `largest`, `smallest`, `largest_magnitude`, `mean` or `integral`",
+            );
+            continue;
+        }
         probes.extend(resolve(probe, &path, faults));
     }
     probes

@@ -2,6 +2,7 @@
 
 use super::order::ROUNDING;
 use super::plan::Task;
+use crate::case::Reduction;
 use crate::input::Folder;
 use crate::run::beam::ExactState;
 use crate::run::{Certificate, ProbeResult, RunOptions, taking};
@@ -116,6 +117,11 @@ fn named(name: &str, state: &StateSummary, summary: &Summary) -> String {
     if summary.states.len() > 1 { format!("{name} [{}]", state.name) } else { name.into() }
 }
 
+/// What the value of a probe is over one of its field: of an integral the volume or the length.
+fn weight(probe: &ProbeResult) -> f64 {
+    if probe.of == Some(Reduction::Integral) { probe.extent.unwrap_or(1.0) } else { 1.0 }
+}
+
 /// Probes, or of beams without any the largest displacements, and stored energies of all states.
 pub(super) fn quantities(summary: &Summary) -> Vec<Quantity> {
     let new = |name: &str, state: usize, field: &str, value: f64, scale: f64| Quantity {
@@ -139,10 +145,11 @@ pub(super) fn quantities(summary: &Summary) -> Vec<Quantity> {
             let scale = scales
                 .entry(&probe.field)
                 .or_insert_with(|| state.extremes.get(&probe.field).map_or(0.0, largest));
-            *scale = scale.max(probe.value.abs());
+            *scale = scale.max(probe.value.abs() / weight(probe));
         }
         for probe in own {
-            probes.push(new(&probe.name, k, &probe.field, probe.value, scales[&*probe.field]));
+            let scale = scales[&*probe.field] * weight(probe);
+            probes.push(new(&probe.name, k, &probe.field, probe.value, scale));
         }
         for (field, extremes) in &state.extremes {
             if has_largest && DISPLACEMENTS.contains(&field.as_ref()) {

@@ -81,7 +81,9 @@ pub(super) fn state(
         }),
         certificate: result.record.certificate.clone(),
     };
-    (state, probes(scene, result), checks(scene, result))
+    let probes = probes(scene, result);
+    let checks = checks(scene, result, &probes);
+    (state, probes, checks)
 }
 
 /// The model of a beam and its derived numbers.

@@ -95,7 +95,9 @@ pub(super) fn state(
         }),
         certificate: result.record.certificate.clone(),
     };
-    (state, probes(scene, result), checks(scene, result))
+    let probes = probes(scene, result);
+    let checks = checks(scene, result, &probes);
+    (state, probes, checks)
 }
 
 /// The model of a body and its derived numbers.

@@ -82,7 +82,8 @@ class Result:
     @cached_property
     def probes(self) -> dict[str, Value]:
         """Values of the probes in the last state, by name."""
-        return {probe["name"]: Value(probe["value"], self.unit(probe["field"])) for probe in self.summary["probes"]}
+        unit = self._solved.probe_unit
+        return {probe["name"]: Value(probe["value"], unit(probe["name"]) or "") for probe in self.summary["probes"]}
 
     @property
     def states(self) -> list[str]:

@@ -53,7 +53,7 @@ impl LineFields {
 
     /// Normal stress at an extreme fibre, that on the side of −w if `sign` is 1, under a moment and an axial force at a
     /// position of the line; on a jump of the section that on the side of `towards`.
-    fn stress(&self, sign: f64, [m, n]: [f64; 2], x: f64, towards: f64) -> Option<f64> {
+    pub(super) fn stress(&self, sign: f64, [m, n]: [f64; 2], x: f64, towards: f64) -> Option<f64> {
         let bending = sign * m * self.section.stress_per_moment(x - self.from, towards - self.from)?;
         let stretching = if n == 0.0 { 0.0 } else { n / self.section.area.as_ref()?.value(x - self.from) };
         Some(bending + stretching)

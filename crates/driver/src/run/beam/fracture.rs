@@ -98,8 +98,10 @@ where
     fn load(&self, u: &[f64], multipliers: &[f64]) -> f64 {
         let scene = self.problem.scene;
         let (probe, n) = (&scene.probes[self.fracture.load], scene.beam.points());
-        let unknown = |component: usize| u.get(component * n + probe.point).copied().unwrap_or(0.0);
-        let held = || reaction::forces(scene, multipliers, u).into_iter().filter(|h| h.point == probe.point);
+        // Others are refused.
+        let Some(point) = probe.point().map(|p| p.point) else { return 0.0 };
+        let unknown = |component: usize| u.get(component * n + point).copied().unwrap_or(0.0);
+        let held = || reaction::forces(scene, multipliers, u).into_iter().filter(|h| h.point == point);
         match probe.field {
             FieldName::W => unknown(W),
             FieldName::Phi => unknown(PHI),

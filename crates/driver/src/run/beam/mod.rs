@@ -1,5 +1,6 @@
 //! Running beams and frames: what solving one, or breaking it, needs beside the common run, and the fields recovered.
 
+mod between;
 mod collect;
 mod comparison;
 mod exact_state;
@@ -10,6 +11,7 @@ mod law;
 mod line_points;
 mod problem;
 mod reaction;
+mod reduced;
 mod skipped;
 mod strain;
 mod twin;

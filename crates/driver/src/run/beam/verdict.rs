@@ -1,34 +1,76 @@
 //! Probes and checks on the result of a beam.
 
-use super::BeamResult;
 use super::comparison::Compared;
+use super::{BeamResult, between, reduced};
 use crate::case::FRACTURE_FACTS;
 use crate::case::FieldName;
 use crate::reference::{Field, Solution};
+use crate::run::reducer::Reduced;
 use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
 use crate::scene::Expectation;
-use crate::scene::beam::{BeamComparison, BeamScene, ProbePoint};
+use crate::scene::beam::{BeamComparison, BeamProbe, BeamScene, ProbeSite};
+use crate::units::number;
 
 /// Values of all probes on one state.
 pub(crate) fn probes(scene: &BeamScene, result: &BeamResult) -> Vec<ProbeResult> {
-    let probe = |p: &ProbePoint| {
+    let probe = |p: &BeamProbe| {
+        let Reading { value, x, place, extent } = read(scene, result, p)?;
         Some(ProbeResult {
             name: p.name.clone(),
             state: result.record.name.clone(),
-            x: Some(p.x),
+            x,
             y: None,
             z: None,
-            place: p.place.clone(),
+            place,
             field: p.field.name().into(),
-            value: result.value(p.field, p.local.0, p.local.1)?,
+            of: p.reduction(),
+            value,
+            extent,
             misfit: None,
         })
     };
     scene.probes.iter().filter_map(probe).collect()
 }
 
-/// Outcomes of the checks that are made on this state.
-pub(crate) fn checks(scene: &BeamScene, result: &BeamResult) -> Vec<CheckResult> {
+/// What a probe finds.
+struct Reading {
+    value: f64,
+    /// Position on its line, unless it is that of lines as a whole.
+    x: Option<f64>,
+    /// Place in words, on a frame or of lines as a whole.
+    place: Option<String>,
+    /// Length that a mean or an integral is taken over.
+    extent: Option<f64>,
+}
+
+fn read(scene: &BeamScene, result: &BeamResult, probe: &BeamProbe) -> Option<Reading> {
+    match &probe.site {
+        ProbeSite::Point(p) => {
+            let value = result.value(probe.field, p.local.0, p.local.1)?;
+            Some(Reading { value, x: Some(p.x), place: p.place.clone(), extent: None })
+        }
+        ProbeSite::Between(at) => {
+            let value = between::value(scene, result, probe.field, at)?;
+            Some(Reading { value, x: Some(at.x), place: at.place.clone(), extent: None })
+        }
+        ProbeSite::Lines { of, lines, place } => {
+            let found = reduced::read(result, probe.field, *of, lines)?;
+            let member = |(line, x): (usize, f64)| {
+                let frame = scene.frame.as_ref()?;
+                Some(format!("member `{}` at x = {}", frame.members[line].name, number(x)))
+            };
+            let place = match found.place {
+                Some(at) => member(at),
+                None => Some(place.clone()),
+            };
+            let Reduced { value, extent, .. } = found;
+            Some(Reading { value, x: found.place.map(|at| at.1), place, extent })
+        }
+    }
+}
+
+/// Outcomes of the checks that are made on this state, with what its probes found.
+pub(crate) fn checks(scene: &BeamScene, result: &BeamResult, probes: &[ProbeResult]) -> Vec<CheckResult> {
     // Which equilibrium of a beam that breaks is the last is known only after it.
     let breaks = scene.fracture.is_some();
     let mine: Vec<&Expectation<BeamComparison>> =
@@ -37,7 +79,7 @@ pub(crate) fn checks(scene: &BeamScene, result: &BeamResult) -> Vec<CheckResult>
     let fact = |name: &&str| result.record.facts.as_ref()?.value(name);
     let probed = |probe: usize| {
         let found = match scene.probes.get(probe) {
-            Some(p) => result.value(p.field, p.local.0, p.local.1),
+            Some(p) => probes.iter().find(|found| found.name == p.name).map(|found| found.value),
             None => FRACTURE_FACTS.get(probe - scene.probes.len()).and_then(fact),
         };
         found.unwrap_or(f64::NAN)
@@ -45,7 +87,8 @@ pub(crate) fn checks(scene: &BeamScene, result: &BeamResult) -> Vec<CheckResult>
     let bounded = |probe: usize| {
         let right = probed(probe);
         let Some(p) = scene.probes.get(probe) else { return right };
-        let left = result.left_values(p.field, p.local.0).map(|values| values[p.local.1]);
+        let Some([line, point]) = p.point().map(|p| [p.local.0, p.local.1]) else { return right };
+        let left = result.left_values(p.field, line).map(|values| values[point]);
         left.filter(|left| left.abs() > right.abs()).unwrap_or(right)
     };
     let check = |expectation: &Expectation<BeamComparison>| {

@@ -1,10 +1,11 @@
 //! Results of one state of a body in the plane.
 
+use super::of_stress::{component, of_stress};
 use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
-use crate::scene::body::{BodyScene, Has, HoleRing, Weights, of_points};
+use crate::scene::body::{BodyScene, Has, HoleRing, of_points};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::recovery::hole::HoleFit;
@@ -98,46 +99,6 @@ pub(super) fn collect(
     BodyResult { hole_fits, ..BodyResult::new((scene, &*scene.model), record, forces, intensities, recover) }
 }
 
-/// Index of a component of strains and stresses among those of a model.
-fn component(model: &dyn BodyModel, name: &str) -> Option<usize> {
-    model.tensor_components().iter().position(|component| *component == name)
-}
-
-/// Von Mises stress of the components that a model has, with the stress across the plane, unless that is one of them.
-fn von_mises(model: &dyn BodyModel, stress: [f64; TENSOR], across: f64) -> f64 {
-    let of = |name: &str| component(model, name).map_or(0.0, |k| stress[k]);
-    let z = component(model, "zz").map_or(across, |k| stress[k]);
-    let [x, y] = [of("xx"), of("yy")];
-    let squares = (x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x);
-    let shear: f64 = [of("xy"), of("xz"), of("yz")].iter().map(|s| s * s).sum();
-    (0.5 * squares + 3.0 * shear).sqrt()
-}
-
-/// A field that follows from the stresses of a point and the one across the plane; none of others.
-pub(super) fn of_stress(
-    origin: Origin,
-    model: &dyn BodyModel,
-    stress: [f64; TENSOR],
-    across: f64,
-) -> Option<f64> {
-    match origin {
-        Origin::Strain(name, factor) => {
-            let component = component(model, name)?;
-            Some(factor * model.strains_of(stress, across)[component])
-        }
-        Origin::VonMises => Some(von_mises(model, stress, across)),
-        Origin::Stress("zz") => Some(component(model, "zz").map_or(across, |k| stress[k])),
-        Origin::Stress(name) => Some(stress[component(model, name)?]),
-        Origin::Unknown
-        | Origin::Beam
-        | Origin::Energy
-        | Origin::Damage
-        | Origin::Opening
-        | Origin::Reaction(_)
-        | Origin::Turn(_) => None,
-    }
-}
-
 impl BodyResult {
     /// The result of a solution, with the forces that hold the equations of the scene and the relations of its model, the
     /// loads, and their resultant as it was asked for.
@@ -215,6 +176,10 @@ impl BodyResult {
             Origin::Damage => recovered?.damage.as_ref()?,
             Origin::Strain(..)
             | Origin::VonMises
+            | Origin::Principal(_)
+            | Origin::PrincipalDirection
+            | Origin::MaxShear
+            | Origin::Hydrostatic
             | Origin::Beam
             | Origin::Opening
             | Origin::Reaction(_)
@@ -252,7 +217,7 @@ impl BodyResult {
     }
 
     /// Value of a field as a sum over points. What is no linear function of the stresses is that of the summed stresses.
-    pub fn value(&self, scene: &BodyScene, field: FieldName, weights: &Weights) -> Option<f64> {
+    pub fn value(&self, scene: &BodyScene, field: FieldName, weights: &[(u32, f64)]) -> Option<f64> {
         let sum = |values: &[f64]| weights.iter().map(|&(p, w)| w * values[p as usize]).sum::<f64>();
         if let Some((kept, divisor)) = self.kept(scene, field) {
             return Some(sum(kept) / divisor);
@@ -268,54 +233,5 @@ impl BodyResult {
             false => sum(&recovered.across),
         };
         of_stress(origin, &*scene.model, stress, across)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use peristat_assembly::body::SquareLattice;
-    use peristat_assembly::model::bond_plane::{
-        BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
-    };
-    use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
-    use std::sync::Arc;
-
-    fn model(youngs_modulus: f64, state: PlaneState) -> BondPlane {
-        let parameters = PlaneParameters {
-            material: PlaneMaterial { youngs_modulus, thickness: 1.0, state },
-            horizon_ratio: 2.0,
-            influence: Influence::Constant,
-            calibration: Calibration::Matched,
-            volume_factor: VolumeFactor::Full,
-            edges: Edges::None,
-        };
-        let lattice = Arc::new(SquareLattice::rectangle(1.0, [0.0; 2], [3, 3]));
-        BondPlane::on_lattice(lattice, Mirrors::NONE, parameters, &[]).unwrap()
-    }
-
-    #[test]
-    fn von_mises_is_that_of_the_three_dimensional_stress() {
-        let stress = model(1.0, PlaneState::Stress);
-        let von_mises = |model: &BondPlane, [x, y, xy]: [f64; 3]| {
-            let stress = [x, y, xy, 0.0, 0.0, 0.0];
-            von_mises(model, stress, model.across_of(stress))
-        };
-        assert_eq!(von_mises(&stress, [-3.0, 0.0, 0.0]), 3.0);
-        assert!((von_mises(&stress, [0.0, 0.0, 2.0]) - 12.0_f64.sqrt()).abs() < 1e-15);
-        // Equal biaxial stress 1 with σ_zz = 1/2: the deviator is that of a uniaxial stress of 1/2.
-        assert_eq!(von_mises(&model(1.0, PlaneState::Strain), [1.0, 1.0, 0.0]), 0.5);
-    }
-
-    #[test]
-    fn strains_are_components_of_the_tensor() {
-        let model = model(3.0, PlaneState::Stress);
-        let at = |field: FieldName, [x, y, xy]: [f64; 3]| {
-            of_stress(field.about().origin, &model, [x, y, xy, 0.0, 0.0, 0.0], 0.0).unwrap()
-        };
-        assert!((at(FieldName::StrainXx, [3.0, 0.0, 0.0]) - 1.0).abs() < 1e-15);
-        assert!((at(FieldName::StrainYy, [3.0, 0.0, 0.0]) + 1.0 / 3.0).abs() < 1e-15);
-        // ε_xy = σ_xy/(2G), 2G = E/(1 + ν) = 9/4.
-        assert!((at(FieldName::StrainXy, [0.0, 0.0, 9.0]) - 4.0).abs() < 1e-14);
     }
 }

@@ -1,7 +1,7 @@
 //! Stresses on round holes, from fields fitted to the points around them.
 
 use super::BodyResult;
-use super::fields::of_stress;
+use super::of_stress::of_stress;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::scene::body::{BodyProbe, BodyScene, Quantity, is_on};
 use peristat_assembly::recovery::hole::HoleFit;

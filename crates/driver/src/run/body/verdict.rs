@@ -1,6 +1,6 @@
 //! Probes and checks on the result of a body.
 
-use super::{BodyResult, hole_fits};
+use super::{BodyResult, hole_fits, reduced};
 use crate::case::{FieldName, Origin};
 use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
 use crate::scene::body::{BodyComparison, BodyProbe, BodyScene, Quantity};
@@ -15,28 +15,46 @@ pub(super) fn is_recovered(expectation: &Expectation<BodyComparison>) -> bool {
 /// Values of all probes on one state.
 pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult> {
     let probe = |p: &BodyProbe| {
-        let (value, misfit) = read(scene, result, p)?;
+        let Reading { value, misfit, position, extent } = read(scene, result, p)?;
         Some(ProbeResult {
             name: p.name.clone(),
             state: result.record.name.clone(),
-            x: p.position.map(|at| at[0]),
-            y: p.position.map(|at| at[1]),
-            z: p.position.filter(|_| scene.body().axes() > 2).map(|at| at[2]),
-            place: p.position.is_none().then(|| p.place.clone()),
+            x: position.map(|at| at[0]),
+            y: position.map(|at| at[1]),
+            z: position.filter(|_| scene.body().axes() > 2).map(|at| at[2]),
+            place: position.is_none().then(|| p.place.clone()),
             field: p.field_name().into(),
+            of: p.reduction(),
             value,
+            extent,
             misfit,
         })
     };
     scene.probes.iter().filter_map(probe).collect()
 }
 
-/// What a probe finds, on a hole with the misfit of the fields around it.
-fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) -> Option<(f64, Option<f64>)> {
-    match hole_fits::read(scene, result, probe) {
-        Some((value, misfit)) => Some((value, Some(misfit))),
-        None => Some((value(scene, result, &probe.quantity)?, None)),
+/// What a probe finds.
+struct Reading {
+    value: f64,
+    /// On a hole, the misfit of the fields around it.
+    misfit: Option<f64>,
+    /// Where it is, unless that is a region or a crack.
+    position: Option<[f64; 3]>,
+    /// Volume that a mean or an integral is taken over.
+    extent: Option<f64>,
+}
+
+fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) -> Option<Reading> {
+    let reading = |value: f64, misfit| Reading { value, misfit, position: probe.position, extent: None };
+    if let Some((value, misfit)) = hole_fits::read(scene, result, probe) {
+        return Some(reading(value, Some(misfit)));
     }
+    let Quantity::Reduced { field, of, points } = &probe.quantity else {
+        return Some(reading(value(scene, result, &probe.quantity)?, None));
+    };
+    let found = reduced::read(scene, result, *field, *of, points.as_deref())?;
+    let position = found.place.map(|point| scene.body().position(point));
+    Some(Reading { value: found.value, misfit: None, position, extent: found.extent })
 }
 
 /// What is found away from holes.
@@ -48,6 +66,7 @@ fn value(scene: &BodyScene, result: &BodyResult, quantity: &Quantity) -> Option<
         }
         Quantity::Rotation { field, region } => rotation(scene, result, *field, *region),
         Quantity::StressIntensity(k) => result.intensities.get(*k).copied(),
+        Quantity::Reduced { .. } => None,
     }
 }
 
@@ -90,8 +109,8 @@ fn rotation(scene: &BodyScene, result: &BodyResult, field: FieldName, region: us
     )
 }
 
-/// Outcomes of the checks that are made on this state.
-pub(crate) fn checks(scene: &BodyScene, result: &BodyResult) -> Vec<CheckResult> {
+/// Outcomes of the checks that are made on this state, with what its probes found.
+pub(crate) fn checks(scene: &BodyScene, result: &BodyResult, probes: &[ProbeResult]) -> Vec<CheckResult> {
     // Which equilibrium of a body that breaks is the last is known only after it.
     let breaks = scene.case.is_traced();
     let mine = scene.expectations.iter().filter(|e| breaks || e.state == result.record.index);
@@ -99,7 +118,7 @@ pub(crate) fn checks(scene: &BodyScene, result: &BodyResult) -> Vec<CheckResult>
     let fact = |name: &String| result.record.facts.as_ref()?.value(name);
     let probed = |k: usize| {
         let found = match scene.probes.get(k) {
-            Some(probe) => read(scene, result, probe).map(|found| found.0),
+            Some(probe) => probes.iter().find(|found| found.name == probe.name).map(|found| found.value),
             None => names.get(k - scene.probes.len()).and_then(fact),
         };
         found.unwrap_or(f64::NAN)

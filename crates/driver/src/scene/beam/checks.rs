@@ -4,7 +4,7 @@ use super::baseline;
 use super::facts::facts;
 use super::foundation::Bed;
 use super::links::RigidBar;
-use super::probes::ProbePoint;
+use super::probes::BeamProbe;
 use super::state::State;
 use super::supports::HeldPoint;
 use crate::case::{Baseline, Case, ClosedForm, FieldName};
@@ -43,7 +43,7 @@ pub enum BeamComparison {
 
 impl Expectation<BeamComparison> {
     /// Whether it needs fields recovered from the bonds.
-    pub fn is_recovered(&self, probes: &[ProbePoint]) -> bool {
+    pub fn is_recovered(&self, probes: &[BeamProbe]) -> bool {
         match &self.kind {
             ExpectationKind::Value { probe, .. } | ExpectationKind::Limit { probe, .. } => {
                 probes.get(*probe).is_some_and(|p| p.field.is_recovered())
@@ -76,7 +76,7 @@ pub(super) struct Context<'a> {
 pub(super) fn expectations(
     case: &Case,
     context: &Context,
-    probes: &[ProbePoint],
+    probes: &[BeamProbe],
     faults: &mut Faults,
 ) -> Vec<Expectation<BeamComparison>> {
     let states: Vec<&str> = context.states.iter().map(|s| s.name.as_str()).collect();

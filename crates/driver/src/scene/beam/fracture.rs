@@ -2,7 +2,7 @@
 
 use super::model_path::beam_path;
 use super::place::Layout;
-use super::probes::ProbePoint;
+use super::probes::BeamProbe;
 use super::section::SectionAlong;
 use crate::case::FRACTURE_FACTS;
 use crate::case::{Case, Check, Fracture};
@@ -16,7 +16,7 @@ use peristat_assembly::model::timoshenko_beam::{CriticalStrain, CriticalStrains,
 pub(super) struct Context<'a> {
     pub(super) beam: &'a TimoshenkoBeam,
     pub(super) sections: &'a [SectionAlong],
-    pub(super) probes: &'a [ProbePoint],
+    pub(super) probes: &'a [BeamProbe],
 }
 
 /// Names of all that checks can ask for, of a beam that breaks.
@@ -81,6 +81,12 @@ pub(super) fn resolve(
         faults
             .error(path.key("load"), format!("`{}` does not stand for the load", field.name()))
             .hint("take a probe of a reaction or of a displacement");
+    }
+    if let Some(of) = load.and_then(BeamProbe::reduction) {
+        let what = of.words(load.map_or("", |p| p.field.name()));
+        faults
+            .error(path.key("load"), format!("the {what} of many points does not stand for the load"))
+            .hint("leave `of` out of the probe");
     }
     let critical = critical(fracture, context, &path.key("critical"), faults)?;
     let names: Vec<&str> = context.probes.iter().map(|p| p.name.as_str()).collect();

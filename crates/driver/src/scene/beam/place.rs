@@ -128,6 +128,12 @@ impl LayoutLine {
         (self.coordinate(x).round().max(0.0) as usize).min(self.points() - 1)
     }
 
+    /// The point before a position that has points on both sides.
+    pub(super) fn before(&self, x: f64) -> Option<usize> {
+        let below = self.coordinate(x).floor();
+        (below >= 0.0 && below + 1.0 < self.points() as f64).then_some(below as usize)
+    }
+
     /// Position of a point.
     pub(super) fn position(&self, point: usize) -> f64 {
         if let Some(stations) = &self.stations {

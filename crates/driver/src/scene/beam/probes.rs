@@ -2,25 +2,77 @@
 
 use super::frame_place::{self, FramePlace};
 use super::place::{Layout, Place};
+use super::reduced;
 use super::section::SectionAlong;
 use super::supports::HeldPoint;
-use crate::case::{Case, FieldName, Probe};
+use crate::case::{Case, FieldName, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::model::Beam;
 use crate::scene::words;
+use std::ops::Range;
 
-/// A probe on a point.
+/// A value to report.
 #[derive(Clone, Debug)]
-pub struct ProbePoint {
+pub struct BeamProbe {
     /// Name.
     pub name: String,
     /// Field.
     pub field: FieldName,
+    /// Where it is read.
+    pub site: ProbeSite,
+}
+
+/// Where a probe is read.
+#[derive(Clone, Debug)]
+pub enum ProbeSite {
+    /// On a point.
+    Point(ProbePoint),
+    /// Between two points.
+    Between(BetweenPoints),
+    /// At all points of some lines.
+    Lines {
+        /// What is made of their values.
+        of: Reduction,
+        /// The lines.
+        lines: Range<usize>,
+        /// What the user calls them.
+        place: String,
+    },
+}
+
+impl BeamProbe {
+    /// The point that it is read on, if that is one.
+    pub fn point(&self) -> Option<&ProbePoint> {
+        if let ProbeSite::Point(point) = &self.site { Some(point) } else { None }
+    }
+
+    /// What it makes of many points, if it does.
+    pub fn reduction(&self) -> Option<Reduction> {
+        if let ProbeSite::Lines { of, .. } = self.site { Some(of) } else { None }
+    }
+}
+
+/// The point of a probe.
+#[derive(Clone, Debug)]
+pub struct ProbePoint {
     /// Line and real point on it.
     pub local: (usize, usize),
     /// Number of the point.
     pub point: usize,
     /// Position of the point on its line.
+    pub x: f64,
+    /// What the user calls the place, on a frame.
+    pub place: Option<String>,
+}
+
+/// A place between two points.
+#[derive(Clone, Debug)]
+pub struct BetweenPoints {
+    /// Line.
+    pub line: usize,
+    /// The real point before it.
+    pub before: usize,
+    /// Position on its line.
     pub x: f64,
     /// What the user calls the place, on a frame.
     pub place: Option<String>,
@@ -34,15 +86,26 @@ pub(super) struct Context<'a> {
     pub(super) held: &'a [HeldPoint],
     pub(super) sections: &'a [SectionAlong],
     pub(super) has_axial: bool,
+    /// Whether its bonds can break.
+    pub(super) breaks: bool,
 }
 
 /// Probes of the case.
-pub(super) fn probes(case: &Case, context: &Context, faults: &mut Faults) -> Vec<ProbePoint> {
+pub(super) fn probes(case: &Case, context: &Context, faults: &mut Faults) -> Vec<BeamProbe> {
     let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| resolve(probe, context, path, faults);
     crate::scene::probes::probes(case, resolve, faults)
 }
 
-fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<ProbePoint> {
+fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<BeamProbe> {
+    let site = match probe.of {
+        Some(of) => reduced::resolve(probe, of, context, path, faults)?,
+        None => at_place(probe, context, path, faults)?,
+    };
+    Some(BeamProbe { name: probe.name.clone(), field: probe.field, site })
+}
+
+/// The point that answers for a probe, or the two around it.
+fn at_place(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Faults) -> Option<ProbeSite> {
     let layout = context.layout;
     let at = path.key("at");
     let spot = frame_place::find(&probe.at, layout, &at, "the probe", faults)?;
@@ -52,6 +115,19 @@ fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Fault
         FramePlace::On(Place::Point { chain, point }) => (chain, point),
         FramePlace::On(place) => {
             let x = probe.at.x.unwrap_or(0.0);
+            // Bonds that break between two points leave no element.
+            let reads_points = probe.field.is_reaction() || context.breaks;
+            if let Some(before) = layout.lines[place.chain()].before(x).filter(|_| !reads_points) {
+                let line = place.chain();
+                let knows = needs_section(probe.field, &context.sections[line], context.model, path, faults);
+                let place = layout.frame.is_some().then(|| layout.words(spot, x));
+                return (fits && knows).then_some(ProbeSite::Between(BetweenPoints {
+                    line,
+                    before,
+                    x,
+                    place,
+                }));
+            }
             layout.needs_point(place.chain(), x, &at.key("x"), "the probe", faults);
             return None;
         }
@@ -69,14 +145,12 @@ fn resolve(probe: &Probe, context: &Context, path: &JsonPath, faults: &mut Fault
             .error(at, format!("there is no support {place}, so there is no reaction"))
             .hint(format!("supports on points are at {}", held.join(", ")));
     }
-    Some(ProbePoint {
-        name: probe.name.clone(),
-        field: probe.field,
+    Some(ProbeSite::Point(ProbePoint {
         local: (chain, k),
         point,
         x,
         place: layout.frame.is_some().then(|| layout.words(spot, x)),
-    })
+    }))
 }
 
 /// The fields that probes can ask for.
@@ -91,7 +165,7 @@ fn probed(on_frame: bool, has_axial: bool) -> Vec<FieldName> {
 }
 
 /// Whether a field exists on a body of this kind.
-fn fits_body(field: FieldName, context: &Context, path: &JsonPath, faults: &mut Faults) -> bool {
+pub(super) fn fits_body(field: FieldName, context: &Context, path: &JsonPath, faults: &mut Faults) -> bool {
     use FieldName::{N, ReactionForce, ReactionX, ReactionY, U, Ux, Uy};
     let on_frame = context.layout.frame.is_some();
     let there_are = probed(on_frame, context.has_axial);
@@ -158,23 +232,23 @@ fn of_joint(
     }
 }
 
-/// A fault for a field that needs to know more of the section than the case says.
-fn needs_section(
+/// Whether the case says what a field needs to know of the section; a fault if not.
+pub(super) fn needs_section(
     field: FieldName,
     section: &SectionAlong,
     model: &Beam,
     path: &JsonPath,
     faults: &mut Faults,
-) {
+) -> bool {
     let (needs, missing) = match field {
         FieldName::StressTop | FieldName::StressBottom => {
             ("the height of the section", !section.has_stress())
         }
         FieldName::EnergyDensity => ("the area of the section", section.area.is_none()),
-        _ => return,
+        _ => return true,
     };
     if !missing {
-        return;
+        return true;
     }
     let (needs, hint) = match (field, &model.stiffness, &model.power_law) {
         (_, _, Some(_)) => ("a section of one modulus", "stresses are M z / I only there: probe `M` instead"),
@@ -185,4 +259,5 @@ fn needs_section(
         _ => (needs, "give `height` with the general section"),
     };
     faults.error(path.key("field"), format!("`{}` needs {needs}", field.name())).hint(hint);
+    false
 }

@@ -3,7 +3,7 @@
 use super::checks::BeamComparison;
 use super::frame_layout::FrameLayout;
 use super::links::RigidBar;
-use super::probes::ProbePoint;
+use super::probes::BeamProbe;
 use super::section::SectionAlong;
 use super::state::State;
 use super::supports::HeldPoint;
@@ -57,7 +57,7 @@ pub struct BeamScene {
     /// How to solve.
     pub solver: Solver,
     /// Values to report.
-    pub probes: Vec<ProbePoint>,
+    pub probes: Vec<BeamProbe>,
     /// How it breaks, if it does.
     pub fracture: Option<FractureScene<CriticalStrains>>,
     /// What the results must be.
@@ -158,6 +158,7 @@ impl BeamScene {
             held: &held,
             sections: &sections,
             has_axial,
+            breaks: case.fracture.is_some(),
         };
         let probes = probes::probes(case, &context, faults);
         let context = fracture::Context { beam: &beam, sections: &sections, probes: &probes };

@@ -109,7 +109,8 @@ pub fn probes<'a>(
     let fitted = probes.clone().any(|p| p.misfit.is_some());
     let row = |p: &ProbeResult| {
         let place = p.place.clone().or_else(|| Some(position(p.x?, p.y, p.z))).unwrap_or_default();
-        let mut cells = vec![p.name.clone(), p.state.clone(), p.field.to_string(), place, value(p.value)];
+        let field = p.of.map_or_else(|| p.field.to_string(), |of| of.words(&p.field));
+        let mut cells = vec![p.name.clone(), p.state.clone(), field, place, value(p.value)];
         cells.extend(fitted.then(|| p.misfit.map_or(String::new(), |misfit| format!("{misfit:.1e}"))));
         cells
     };

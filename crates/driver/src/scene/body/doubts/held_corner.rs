@@ -93,8 +93,18 @@ fn asked(scene: &BodyScene, [x, y]: [f64; 2]) -> Option<String> {
     let reach = scene.horizon() * (1.0 + 1e-9);
     let is_near = |at: [f64; 3]| (at[0] - x).abs() <= reach && (at[1] - y).abs() <= reach;
     let by_probe = scene.probes.iter().find(|probe| {
-        let of_stress = matches!(&probe.quantity, Quantity::Field { field, .. } if field.is_recovered());
-        of_stress && probe.position.is_some_and(is_near)
+        if !probe.is_recovered() {
+            return false;
+        }
+        match &probe.quantity {
+            // Means and integrals have a limit.
+            Quantity::Reduced { of, .. } if !of.is_extreme() => false,
+            Quantity::Reduced { points: Some(points), .. } => {
+                points.iter().any(|&p| is_near(scene.body().position(p as usize)))
+            }
+            Quantity::Reduced { points: None, .. } => true,
+            _ => probe.position.is_some_and(is_near),
+        }
     });
     let by_line =
         scene.lines.iter().find(|l| l.points.iter().any(|p| p.weights.is_some() && is_near(p.position)));

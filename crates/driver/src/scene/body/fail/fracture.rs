@@ -69,12 +69,32 @@ pub(crate) fn resolve(
 pub(crate) fn check_load(load: &str, case: &Case, path: &JsonPath, faults: &mut Faults) {
     use FieldName::{Opening, ReactionX, ReactionY, Ux, Uy};
     let probe = case.probes.iter().find(|p| p.name == load);
+    if refuse_reduced(load, "load", case, path, faults) {
+        return;
+    }
     if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy | Opening)) {
         let message = format!("the probe `{load}` is one of `{}`, which is no load", probe.field.name());
         faults
             .error(path.clone(), message)
             .hint("use a probe of `reaction_x` or `reaction_y`, or of `ux` or `uy` where forces are given");
     }
+}
+
+/// Whether a probe makes one number of many points, which takes fields of every equilibrium; a fault if so. `what` it is to be.
+pub(crate) fn refuse_reduced(
+    name: &str,
+    what: &str,
+    case: &Case,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> bool {
+    let probe = case.probes.iter().find(|p| p.name == name);
+    let Some((of, field)) = probe.and_then(|p| Some((p.of?, p.field.name()))) else { return false };
+    let found = of.words(field);
+    faults
+        .error(path.clone(), format!("the probe `{name}` is the {found} of many points, which is no {what}"))
+        .hint("leave `of` out of the probe");
+    true
 }
 
 /// Faults of directions, of which none may be known by a name among the `taken` ones.

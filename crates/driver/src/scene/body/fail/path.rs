@@ -1,6 +1,6 @@
 //! How the bonds of a body in the plane soften, and how it is followed.
 
-use super::fracture::check_load;
+use super::fracture::{check_load, refuse_reduced};
 use crate::case::{PATH_FACTS, Path};
 use crate::diagnostic::Faults;
 use crate::model::hints;
@@ -37,6 +37,9 @@ pub(crate) fn resolve(
     let gripped = site.conditions.gripped_points().filter(|&p| p < site.ground.body.points());
     gripped.for_each(|p| exempt[p] = true);
     check_load(&path.load, case, &place.key("load"), faults);
+    if let Some(opening) = &path.opening {
+        refuse_reduced(opening, "opening", case, &place.key("opening"), faults);
+    }
     let bonds = site.inputs.material.soften(&site.inputs.on_ground(case), faults)?;
     fracture::check_probes(case, &PATH_FACTS, faults);
     path::resolve(path, Softening { bonds, exempt }, probes, faults)

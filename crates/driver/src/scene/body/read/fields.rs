@@ -12,8 +12,8 @@ use peristat_assembly::model::Component;
 pub(crate) enum Has {
     /// They do not.
     No,
-    /// It is zero by the nature of the body: it is answered, but no table shows it.
-    Zero,
+    /// It is answered, but no table shows it: it is zero by the nature of the body, or found on demand.
+    Unlisted,
     /// It varies.
     Values,
 }
@@ -23,16 +23,21 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
     let or = |is_there: bool, otherwise: Has| if is_there { Has::Values } else { otherwise };
     match field.about().origin {
         Origin::Unknown => or(model.component(field.name()).is_some(), Has::No),
-        Origin::Damage => or(is_damaged, Has::Zero),
+        Origin::Damage => or(is_damaged, Has::Unlisted),
         Origin::Strain(name, _) | Origin::Stress(name) if model.tensor_components().contains(&name) => {
             Has::Values
         }
         // That across a section follows from the others, or is zero.
         Origin::Stress("zz") => {
-            or(model.is_revolved() || model.across_of([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) != 0.0, Has::Zero)
+            or(model.is_revolved() || model.across_of([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) != 0.0, Has::Unlisted)
         }
         Origin::Strain(..) | Origin::Stress(_) => Has::No,
         Origin::VonMises | Origin::Energy => Has::Values,
+        Origin::Principal(_) | Origin::MaxShear | Origin::Hydrostatic => Has::Unlisted,
+        Origin::PrincipalDirection => {
+            let is_there = model.as_solid().is_none() && model.tensor_components().contains(&"xy");
+            if is_there { Has::Unlisted } else { Has::No }
+        }
         Origin::Beam | Origin::Opening | Origin::Reaction(_) | Origin::Turn(_) => Has::No,
     }
 }

@@ -6,3 +6,4 @@ pub(crate) mod formula;
 pub(crate) mod opening;
 pub(crate) mod outputs;
 pub(crate) mod probes;
+pub(crate) mod reduced;

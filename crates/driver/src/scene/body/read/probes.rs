@@ -1,7 +1,7 @@
 //! Probes of a body.
 
-use super::{fields, opening};
-use crate::case::{FieldName, Origin, Probe};
+use super::{fields, opening, reduced};
+use crate::case::{FieldName, Origin, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::site::interpolate::Weights;
@@ -30,6 +30,15 @@ pub enum Quantity {
         field: FieldName,
         /// Points and shares.
         weights: Weights,
+    },
+    /// What is made of the values of a field at many points.
+    Reduced {
+        /// The field.
+        field: FieldName,
+        /// What is made of it.
+        of: Reduction,
+        /// Points of the body; all if none are given.
+        points: Option<Vec<u32>>,
     },
     /// What supports do to the body.
     Reaction {
@@ -62,7 +71,7 @@ impl BodyProbe {
     /// Name of the field in case files, or `stress_intensity`.
     pub fn field_name(&self) -> &'static str {
         match &self.quantity {
-            Quantity::Field { field, .. } => field.name(),
+            Quantity::Field { field, .. } | Quantity::Reduced { field, .. } => field.name(),
             Quantity::Reaction { field, .. } => field.name(),
             Quantity::Opening { .. } => FieldName::Opening.name(),
             Quantity::Rotation { field, .. } => field.name(),
@@ -72,7 +81,12 @@ impl BodyProbe {
 
     /// Whether it needs stresses.
     pub fn is_recovered(&self) -> bool {
-        matches!(&self.quantity, Quantity::Field { field, .. } if field.is_recovered())
+        matches!(&self.quantity, Quantity::Field { field, .. } | Quantity::Reduced { field, .. } if field.is_recovered())
+    }
+
+    /// What it makes of many points, if it does.
+    pub fn reduction(&self) -> Option<Reduction> {
+        if let Quantity::Reduced { of, .. } = self.quantity { Some(of) } else { None }
     }
 }
 
@@ -98,6 +112,9 @@ fn resolve(
     if !there_are.contains(&field) {
         fields::refuse(field, &there_are, case, path.key("field"), faults);
         return None;
+    }
+    if let Some(of) = probe.of {
+        return reduced::resolve(probe, of, site, path, faults);
     }
     if field == FieldName::Opening {
         return opening::resolve(probe, site, &at, faults);
