@@ -42,6 +42,7 @@ fn load_cases(chain: usize, from: f64) -> Vec<BeamLoads> {
         spread(0.0, 2.0, Along::Transverse, linear(1.5, 1.5)),
         spread(0.0, 2.0, Along::Transverse, linear(1.0, -2.0)),
         spread(0.31, 1.47, Along::Transverse, linear(0.4, 2.0)),
+        spread(0.1, 1.8, Along::Transverse, Intensity::Parabola { start: 0.5, middle: 2.0, end: -1.0 }),
         spread(0.2, 1.9, Along::Transverse, Intensity::Sine { amplitude: 3.0, half_waves: 3 }),
         spread(0.13, 1.6, Along::Rotation, linear(0.7, -0.2)),
         spread(0.05, 2.0, Along::Axial, linear(1.0, 0.6)),
@@ -80,6 +81,15 @@ fn section_forces(loads: &BeamLoads, x: f64, with_end: bool) -> [f64; 3] {
             Intensity::Linear { start, end } => {
                 let slope = (end - start) / length;
                 (start * t + slope * t * t / 2.0, start * t * t / 2.0 + slope * t.powi(3) / 6.0)
+            }
+            Intensity::Parabola { start, middle, end } => {
+                // q = start + b z + c z² of the place z on (0, 1).
+                let (b, c) = (4.0 * middle - 3.0 * start - end, 2.0 * (start - 2.0 * middle + end));
+                let z = t / length;
+                (
+                    length * z * (start + b * z / 2.0 + c * z * z / 3.0),
+                    length * length * z * z * (start / 2.0 + b * z / 6.0 + c * z * z / 12.0),
+                )
             }
             Intensity::Sine { amplitude, half_waves } => {
                 let wave = f64::from(half_waves) * std::f64::consts::PI / length;
