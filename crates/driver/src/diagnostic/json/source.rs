@@ -50,11 +50,10 @@ impl<'de> Source<'de> {
         }
     }
 
-    /// An object, or a list of what it holds in the order of its type.
+    /// An object; the order of what a type holds is nobody's business, so that a list is none.
     pub(super) fn structure<V: Visitor<'de>>(&mut self, visitor: V) -> Result<V::Value, Fault> {
         match self.token()? {
             Token::Object => self.object(visitor),
-            Token::List => self.list(visitor),
             other => Err(misfit(&other, &visitor)),
         }
     }
