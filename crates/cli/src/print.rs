@@ -67,7 +67,7 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
         listing(&mut out, &envelope);
     }
     if !summary.probes.is_empty() && !is_traced {
-        listing(&mut out, &words::probes(summary.probes.iter(), &|value| format!("{value:?}")));
+        listing(&mut out, &words::probes(summary.probes.iter(), &words::digits));
     }
     if !summary.checks.is_empty() {
         let _ = write!(out, "\n{}", checks(&summary.checks));

@@ -1,6 +1,6 @@
 //! What a program reads from a solved case: its points, their volumes, and fields by name.
 
-use crate::case::{FieldName, Reduction};
+use crate::case::FieldName;
 use crate::run::StateResult;
 use crate::scene::Scene;
 use crate::summary::Summary;
@@ -69,20 +69,9 @@ impl Solved {
         Some(field.about().unit.label(self.scene.case().units))
     }
 
-    /// The unit of a probe in the units of the case: that of its field, of an integral that of the field times a volume, along beams
-    /// times a length. `None` if there is no probe of this name.
-    pub fn probe_unit(&self, name: &str) -> Option<String> {
-        let probe = self.summary.probes.iter().find(|probe| probe.name == name)?;
-        let units = self.scene.case().units;
-        let Ok(field) = serde_json::from_value::<FieldName>(probe.field.as_ref().into()) else {
-            return Some(units.stress_intensity().into());
-        };
-        let unit = field.about().unit;
-        Some(match (probe.of, &self.scene) {
-            (Some(Reduction::Integral), Scene::Beam(_)) => unit.times_length(1, units),
-            (Some(Reduction::Integral), Scene::Body(_)) => unit.times_length(3, units),
-            _ => unit.label(units).into(),
-        })
+    /// The unit of a probe in the units of the case; empty where it has none. `None` if there is no probe of this name.
+    pub fn probe_unit(&self, name: &str) -> Option<&str> {
+        self.summary.probes.iter().find(|probe| probe.name == name).map(|probe| &*probe.unit)
     }
 
     /// Positions `[x, y, z]` of all points, in the unit of length of the case; z is zero but in solids. A shell is unrolled: y runs

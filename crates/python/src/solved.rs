@@ -76,7 +76,7 @@ impl Solved {
     }
 
     /// The unit of a probe; None if there is no such probe.
-    fn probe_unit(&self, name: &str) -> Option<String> {
+    fn probe_unit(&self, name: &str) -> Option<&str> {
         self.solved.probe_unit(name)
     }
 

@@ -1,8 +1,9 @@
 //! Probes and checks on results: values against what they should be.
 
 use super::scan;
-use crate::case::Reduction;
+use crate::case::{FieldName, Reduction};
 use crate::scene::{Expectation, ExpectationKind};
+use crate::units::Units;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
@@ -32,12 +33,25 @@ pub struct ProbeResult {
     pub of: Option<Reduction>,
     /// Value.
     pub value: f64,
+    /// Its unit in the units of the case: that of the field, of an integral that of the field times a volume, along beams times a
+    /// length; empty where it has none.
+    #[serde(default, skip_serializing_if = "str::is_empty")]
+    pub unit: Cow<'static, str>,
     /// Volume that a mean or an integral is taken over, of beams a length.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub extent: Option<f64>,
     /// On a hole, what of the displacements around it the fields miss that give the value, as a share.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub misfit: Option<f64>,
+}
+
+/// The unit of a field that a probe reads; an integral is over lengths to some power.
+pub(super) fn unit(field: FieldName, of: Option<Reduction>, power: i32, units: Units) -> Cow<'static, str> {
+    let unit = field.about().unit;
+    match of {
+        Some(Reduction::Integral) => unit.times_length(power, units).into(),
+        _ => unit.label(units).into(),
+    }
 }
 
 /// The outcome of one check.

@@ -25,6 +25,7 @@ pub(crate) fn probes(scene: &BeamScene, result: &BeamResult) -> Vec<ProbeResult>
             field: p.field.name().into(),
             of: p.reduction(),
             value,
+            unit: verdict::unit(p.field, p.reduction(), 1, scene.units),
             extent,
             misfit: None,
         })

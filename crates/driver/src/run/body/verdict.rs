@@ -26,6 +26,10 @@ pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult>
             field: p.field_name().into(),
             of: p.reduction(),
             value,
+            unit: match p.field() {
+                Some(field) => verdict::unit(field, p.reduction(), 3, scene.units),
+                None => scene.units.stress_intensity().into(),
+            },
             extent,
             misfit,
         })

@@ -1,6 +1,6 @@
 //! Estimated errors of the discretisation in words.
 
-use super::{Listing, MOST_ROWS, number};
+use super::{Listing, MOST_ROWS, digits, number};
 use crate::summary::{Estimate, Estimates, Grids, Summary};
 
 /// A multiple of the spacing: `3`, `1/3`.
@@ -39,5 +39,5 @@ fn row(e: &Estimate) -> Vec<String> {
     // Digits of rounding say nothing.
     let error = if e.settled { "rounding".into() } else { format!("{:.1e}", e.error) };
     let relative = e.relative.filter(|_| !e.settled).map_or(String::new(), |r| format!("{r:.1e}"));
-    vec![e.name.clone(), format!("{:?}", e.value), error, relative, e.basis.clone()]
+    vec![e.name.clone(), digits(e.value), error, relative, e.basis.clone()]
 }

@@ -17,6 +17,7 @@ pub use crate::model::Fact;
 pub use crate::units::number;
 
 use super::{Forces, Located, ModelSummary, StateSummary, Summary};
+use crate::diagnostic::tidy;
 use crate::run::{CheckResult, ProbeResult};
 use crate::units::Units;
 
@@ -101,7 +102,12 @@ pub fn envelope(summary: &Summary) -> Option<Listing> {
     (!rows.is_empty()).then(|| Listing::whole(&header, rows))
 }
 
-/// Probed values, with as many digits as `value` gives them.
+/// A number with the twelve digits that are not of rounding.
+pub fn digits(value: f64) -> String {
+    tidy(value)
+}
+
+/// Probed values with their units, with as many digits as `value` gives them.
 pub fn probes<'a>(
     probes: impl Iterator<Item = &'a ProbeResult> + Clone,
     value: &dyn Fn(f64) -> String,
@@ -110,7 +116,13 @@ pub fn probes<'a>(
     let row = |p: &ProbeResult| {
         let place = p.place.clone().or_else(|| Some(position(p.x?, p.y, p.z))).unwrap_or_default();
         let field = p.of.map_or_else(|| p.field.to_string(), |of| of.words(&p.field));
-        let mut cells = vec![p.name.clone(), p.state.clone(), field, place, value(p.value)];
+        let mut cells = vec![
+            p.name.clone(),
+            p.state.clone(),
+            field,
+            place,
+            format!("{} {}", value(p.value), p.unit).trim_end().into(),
+        ];
         cells.extend(fitted.then(|| p.misfit.map_or(String::new(), |misfit| format!("{misfit:.1e}"))));
         cells
     };

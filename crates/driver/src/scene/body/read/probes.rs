@@ -68,15 +68,21 @@ pub enum Quantity {
 }
 
 impl BodyProbe {
+    /// Its field, unless it is a stress intensity.
+    pub fn field(&self) -> Option<FieldName> {
+        match &self.quantity {
+            Quantity::Field { field, .. }
+            | Quantity::Reduced { field, .. }
+            | Quantity::Reaction { field, .. }
+            | Quantity::Rotation { field, .. } => Some(*field),
+            Quantity::Opening { .. } => Some(FieldName::Opening),
+            Quantity::StressIntensity(_) => None,
+        }
+    }
+
     /// Name of the field in case files, or `stress_intensity`.
     pub fn field_name(&self) -> &'static str {
-        match &self.quantity {
-            Quantity::Field { field, .. } | Quantity::Reduced { field, .. } => field.name(),
-            Quantity::Reaction { field, .. } => field.name(),
-            Quantity::Opening { .. } => FieldName::Opening.name(),
-            Quantity::Rotation { field, .. } => field.name(),
-            Quantity::StressIntensity(_) => "stress_intensity",
-        }
+        self.field().map_or("stress_intensity", FieldName::name)
     }
 
     /// Whether it needs stresses.
