@@ -97,7 +97,7 @@ fn a_case_that_needs_too_much_memory_is_refused_before_anything_is_written() {
     assert_eq!(outcome.code, 2);
     assert!(outcome.stderr.starts_with("error: ") && outcome.stderr.contains("memory"), "{}", outcome.stderr);
     assert!(!folder.path().join("out").exists());
-    let enough = run(folder.path(), &["run", &case, "--max-memory", "20MB", "-o", "out"]);
+    let enough = run(folder.path(), &["run", &case, "--max-memory", "23MB", "-o", "out"]);
     assert_eq!(enough.code, 0, "{}", enough.stderr);
     assert_eq!(run(folder.path(), &["run", &case, "--max-memory", "3 apples"]).code, 2);
 }

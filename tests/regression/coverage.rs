@@ -42,7 +42,9 @@ fn visit(root: &Value, schema: &Value, name: &str, value: &Value, found: &mut BT
             visit(root, inner, &format!("{name}.{key}"), value, found);
         }
     }
-    let names = schema["enum"].as_array().into_iter().flatten().chain(schema.get("const"));
+    let is_table = name == "Rolled";
+    let names =
+        schema["enum"].as_array().filter(|_| !is_table).into_iter().flatten().chain(schema.get("const"));
     for named in names.filter(|named| *named == value) {
         found.insert(format!("{name} {named}"));
     }
@@ -63,7 +65,9 @@ fn every_key_and_every_named_value_occurs_in_a_case() {
     let schema = schemars::schema_for!(Case).to_value();
     let mut known = BTreeSet::new();
     spots(&schema, "Case", &mut known);
-    for (name, definition) in schema["$defs"].as_object().unwrap() {
+    // The names of a table are not the words of a case.
+    let definitions = schema["$defs"].as_object().unwrap().iter().filter(|(name, _)| *name != "Rolled");
+    for (name, definition) in definitions {
         spots(definition, name, &mut known);
     }
     assert!(known.len() > 100, "the schema has only {} spots", known.len());

@@ -89,6 +89,20 @@ pub enum Origin {
     MaxShear,
     /// The stresses: their mean.
     Hydrostatic,
+    /// The stresses, turned into the axes of the fibres: along, across, shear.
+    FibreStress(usize),
+    /// The strains, turned into the axes of the fibres: along, across, half the shear.
+    FibreStrain(usize),
+    /// Stresses and strengths in the axes of the fibres.
+    TsaiHill,
+    /// The same.
+    TsaiWu,
+    /// The same, of the fibres.
+    HashinFibre,
+    /// The same, of the matrix.
+    HashinMatrix,
+    /// Stresses and strengths, with fibres or without.
+    Utilisation,
     /// The energies of the bonds.
     Energy,
     /// The bonds that are cut.

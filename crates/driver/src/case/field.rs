@@ -103,6 +103,39 @@ pub enum FieldName {
     /// Mean of the three normal stresses, tension positive.
     #[serde(rename = "hydrostatic")]
     Hydrostatic,
+    /// Normal stress along the fibres.
+    #[serde(rename = "stress_11")]
+    Stress11,
+    /// Normal stress across the fibres.
+    #[serde(rename = "stress_22")]
+    Stress22,
+    /// Shear stress along and across the fibres.
+    #[serde(rename = "stress_12")]
+    Stress12,
+    /// Normal strain along the fibres.
+    #[serde(rename = "strain_11")]
+    Strain11,
+    /// Normal strain across the fibres.
+    #[serde(rename = "strain_22")]
+    Strain22,
+    /// Shear strain ε_12, half the change of the right angle between the fibres and what is across.
+    #[serde(rename = "strain_12")]
+    Strain12,
+    /// Index of Tsai and Hill, 1 where fibres or matrix fail; needs `strengths`, as those that follow.
+    #[serde(rename = "tsai_hill")]
+    TsaiHill,
+    /// Index of Tsai and Wu, 1 at failure.
+    #[serde(rename = "tsai_wu")]
+    TsaiWu,
+    /// Index of Hashin for the fibres, 1 at failure.
+    #[serde(rename = "hashin_fibre")]
+    HashinFibre,
+    /// Index of Hashin for the matrix, 1 at failure.
+    #[serde(rename = "hashin_matrix")]
+    HashinMatrix,
+    /// Share of the strength that is used, proportional to the load: von Mises stress over `yield_stress`, with fibres by the criterion of Tsai and Wu.
+    #[serde(rename = "utilisation")]
+    Utilisation,
     /// Opening of a crack at a position on it, in the plane: the displacement of its upper face less that of the lower one,
     /// normal to it, of a crack along y of the right one less the left one. Both faces are extrapolated from two rows.
     #[serde(rename = "opening")]
@@ -141,69 +174,6 @@ pub enum FieldName {
 }
 
 impl FieldName {
-    /// The fields that every point of a line has, in the order of tables.
-    const LINE: [Self; 7] =
-        [Self::W, Self::Phi, Self::M, Self::V, Self::StressTop, Self::StressBottom, Self::EnergyDensity];
-
-    /// The same where the line has axial unknowns.
-    const STRETCHED: [Self; 9] = [
-        Self::W,
-        Self::Phi,
-        Self::U,
-        Self::M,
-        Self::V,
-        Self::N,
-        Self::StressTop,
-        Self::StressBottom,
-        Self::EnergyDensity,
-    ];
-
-    /// The fields that every point of a frame has, in the order of tables.
-    const FRAME: [Self; 11] = [
-        Self::Ux,
-        Self::Uy,
-        Self::W,
-        Self::U,
-        Self::Phi,
-        Self::N,
-        Self::V,
-        Self::M,
-        Self::StressTop,
-        Self::StressBottom,
-        Self::EnergyDensity,
-    ];
-
-    /// The fields that points of bodies have, in the order of tables; `phi` where they turn, `w` where they move across the plane.
-    /// Those that follow from the stresses of a point behind `von_mises` are found on demand, and no table has them.
-    pub const BODY: [Self; 26] = [
-        Self::Ux,
-        Self::Uy,
-        Self::Uz,
-        Self::W,
-        Self::Phi,
-        Self::StrainXx,
-        Self::StrainYy,
-        Self::StrainZz,
-        Self::StrainXy,
-        Self::StrainXz,
-        Self::StrainYz,
-        Self::StressXx,
-        Self::StressYy,
-        Self::StressXy,
-        Self::StressXz,
-        Self::StressYz,
-        Self::StressZz,
-        Self::VonMises,
-        Self::PrincipalStress1,
-        Self::PrincipalStress2,
-        Self::PrincipalStress3,
-        Self::PrincipalDirection,
-        Self::MaxShear,
-        Self::Hydrostatic,
-        Self::EnergyDensity,
-        Self::Damage,
-    ];
-
     /// The fields that every point of a beam has, in the order of tables.
     pub fn of_beam(on_frame: bool, has_axial: bool) -> &'static [Self] {
         match (on_frame, has_axial) {
@@ -251,6 +221,17 @@ impl FieldName {
             Self::PrincipalDirection => ("principal_direction", Angle, PrincipalDirection),
             Self::MaxShear => ("max_shear", Unit::Stress, MaxShear),
             Self::Hydrostatic => ("hydrostatic", Unit::Stress, Hydrostatic),
+            Self::Stress11 => ("stress_11", Unit::Stress, FibreStress(0)),
+            Self::Stress22 => ("stress_22", Unit::Stress, FibreStress(1)),
+            Self::Stress12 => ("stress_12", Unit::Stress, FibreStress(2)),
+            Self::Strain11 => ("strain_11", One, FibreStrain(0)),
+            Self::Strain22 => ("strain_22", One, FibreStrain(1)),
+            Self::Strain12 => ("strain_12", One, FibreStrain(2)),
+            Self::TsaiHill => ("tsai_hill", One, TsaiHill),
+            Self::TsaiWu => ("tsai_wu", One, TsaiWu),
+            Self::HashinFibre => ("hashin_fibre", One, HashinFibre),
+            Self::HashinMatrix => ("hashin_matrix", One, HashinMatrix),
+            Self::Utilisation => ("utilisation", One, Utilisation),
             Self::Opening => ("opening", Length, Opening),
             Self::Damage => ("damage", One, Damage),
             Self::EnergyDensity => ("energy_density", Unit::Stress, Energy),

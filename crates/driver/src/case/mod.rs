@@ -6,6 +6,7 @@ mod condition;
 mod expectation;
 mod facts;
 mod field;
+mod field_lists;
 mod foundation;
 mod fracture;
 mod frame;
@@ -21,6 +22,7 @@ mod refine;
 mod region;
 mod solid_body;
 mod specimen;
+mod strengths;
 mod vector;
 
 pub use crate::model::{Critical, LoadSharing, Model, Pressure};
@@ -56,6 +58,7 @@ pub use region::{
 };
 pub use solid_body::{BallCut, BlockBody, BlockCut, BoreCut, SolidBody, SolidCut, SpaceAxis};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
+pub use strengths::Strengths;
 pub use vector::Vector;
 
 use schemars::JsonSchema;
@@ -82,6 +85,9 @@ pub struct Case {
     /// Mass per volume of the material, > 0, for `gravity` and `spin`: kg/m³ in `m-N-Pa`, t/mm³ in `mm-N-MPa`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub density: Option<f64>,
+    /// Strengths of the material, for fields such as `utilisation` on bodies in the plane and solids.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strengths: Option<Strengths>,
     /// Geometry and discretisation.
     pub body: Body,
     /// Horizon over spacing, δ/h, >= 1; on a graded grid the number of neighbours on each side; of listed points the

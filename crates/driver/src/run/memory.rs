@@ -8,8 +8,8 @@ use peristat_assembly::condition::{Constraints, Equation};
 use peristat_assembly::model::ModelSizes;
 use peristat_solve::{Method, Profile, choose};
 
-/// Memory of the program itself, bytes.
-const PROGRAM: usize = 17_500_000;
+/// Memory of the program itself, bytes, and of what its allocator leaves between pieces.
+const PROGRAM: usize = 20_000_000;
 /// Memory of threads and of what they keep, bytes, where points spread in a plane.
 const THREADS: usize = 3_000_000;
 /// Memory of the fields of a point and of what is written of them, bytes: along lines, and in a plane.

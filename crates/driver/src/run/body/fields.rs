@@ -1,11 +1,11 @@
 //! Results of one state of a body in the plane.
 
-use super::of_stress::{component, of_stress};
+use super::of_stress::{Medium, component, of_stress};
 use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
-use crate::scene::body::{BodyScene, Has, HoleRing, of_points};
+use crate::scene::body::{BodyScene, Has, HoleRing, Says, of_points};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::recovery::hole::HoleFit;
@@ -148,7 +148,7 @@ impl BodyResult {
             points: scene.model.points(),
             shown: FieldName::BODY
                 .into_iter()
-                .filter(|&field| of_points(field, model, scene.is_damaged()) == Has::Values)
+                .filter(|&field| of_points(field, model, scene.is_damaged(), Says::default()) == Has::Values)
                 .collect(),
             multipliers,
         }
@@ -180,6 +180,13 @@ impl BodyResult {
             | Origin::PrincipalDirection
             | Origin::MaxShear
             | Origin::Hydrostatic
+            | Origin::FibreStress(_)
+            | Origin::FibreStrain(_)
+            | Origin::TsaiHill
+            | Origin::TsaiWu
+            | Origin::HashinFibre
+            | Origin::HashinMatrix
+            | Origin::Utilisation
             | Origin::Beam
             | Origin::Opening
             | Origin::Reaction(_)
@@ -204,11 +211,12 @@ impl BodyResult {
         if origin == Origin::Damage {
             return Some(vec![0.0; scene.body().points()].into());
         }
+        let medium = Medium::of(scene);
         let at = |p: usize| {
             let stress = recovered.at(|values| values[p]);
             let across = recovered.across.get(p).copied();
             let across = across.unwrap_or_else(|| scene.model.across_of(stress));
-            of_stress(origin, &*scene.model, stress, across)
+            of_stress(origin, medium, stress, across)
         };
         match whole {
             true => (0..self.points).map(at).collect(),
@@ -232,6 +240,6 @@ impl BodyResult {
             true => scene.model.across_of(stress),
             false => sum(&recovered.across),
         };
-        of_stress(origin, &*scene.model, stress, across)
+        of_stress(origin, Medium::of(scene), stress, across)
     }
 }

@@ -1,7 +1,7 @@
 //! Stresses on round holes, from fields fitted to the points around them.
 
 use super::BodyResult;
-use super::of_stress::of_stress;
+use super::of_stress::{Medium, of_stress};
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use crate::scene::body::{BodyProbe, BodyScene, Quantity, is_on};
 use peristat_assembly::recovery::hole::HoleFit;
@@ -23,7 +23,7 @@ pub(super) fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) ->
     let [x, y, shear] = fit.at(place).stress;
     let stress = [x, y, shear, 0.0, 0.0, 0.0];
     let across = scene.model.across_of(stress);
-    Some((of_stress(field.about().origin, &*scene.model, stress, across)?, fit.residual()))
+    Some((of_stress(field.about().origin, Medium::of(scene), stress, across)?, fit.residual()))
 }
 
 /// Adds a warning for every hole whose fields miss much of the displacements around it.

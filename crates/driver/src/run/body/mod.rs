@@ -3,6 +3,7 @@
 
 mod crack_front;
 mod cubes;
+mod failure;
 mod fields;
 mod fracture;
 mod gradient;

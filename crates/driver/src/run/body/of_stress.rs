@@ -1,9 +1,45 @@
 //! What follows from the stresses of a point: strains, equivalent and principal stresses.
 
-use crate::case::Origin;
+use super::failure;
+use crate::case::{Origin, Strengths};
+use crate::scene::body::BodyScene;
 use nalgebra::{Matrix3, SymmetricEigen};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
+
+/// What makes fields of stresses.
+#[derive(Clone, Copy)]
+pub(super) struct Medium<'a> {
+    pub(super) model: &'a dyn BodyModel,
+    /// Angle of the fibres from x, rad.
+    pub(super) fibre_angle: Option<f64>,
+    pub(super) strengths: Option<&'a Strengths>,
+}
+
+impl<'a> Medium<'a> {
+    /// That of a scene.
+    pub(super) fn of(scene: &'a BodyScene) -> Self {
+        Self {
+            model: &*scene.model,
+            fibre_angle: scene.material().fibres().map(|fibres| fibres.angle),
+            strengths: scene.case.strengths.as_ref(),
+        }
+    }
+
+    /// Stresses in the axes of the fibres.
+    fn fibre_stress(&self, [x, y, xy, ..]: [f64; TENSOR]) -> Option<[f64; 3]> {
+        self.fibre_angle.map(|angle| failure::in_fibre_axes([x, y, xy], angle))
+    }
+
+    /// The index of a criterion.
+    fn index(
+        &self,
+        criterion: fn([f64; 3], &Strengths) -> Option<f64>,
+        stress: [f64; TENSOR],
+    ) -> Option<f64> {
+        criterion(self.fibre_stress(stress)?, self.strengths?)
+    }
+}
 
 /// Index of a component of strains and stresses among those of a model.
 pub(super) fn component(model: &dyn BodyModel, name: &str) -> Option<usize> {
@@ -44,12 +80,8 @@ fn principal(s: &Matrix3<f64>) -> [f64; 3] {
 }
 
 /// A field that follows from the stresses of a point and the one across the plane; none of others.
-pub(super) fn of_stress(
-    origin: Origin,
-    model: &dyn BodyModel,
-    stress: [f64; TENSOR],
-    across: f64,
-) -> Option<f64> {
+pub(super) fn of_stress(origin: Origin, medium: Medium, stress: [f64; TENSOR], across: f64) -> Option<f64> {
+    let model = medium.model;
     match origin {
         Origin::Strain(name, factor) => {
             let component = component(model, name)?;
@@ -67,6 +99,19 @@ pub(super) fn of_stress(
             // A shear of −0 would turn it by half a turn.
             Some(0.5 * (2.0 * s[(0, 1)] + 0.0).atan2(s[(0, 0)] - s[(1, 1)]))
         }
+        Origin::FibreStress(k) => Some(medium.fibre_stress(stress)?[k]),
+        Origin::FibreStrain(k) => {
+            let [x, y, gamma, ..] = model.strains_of(stress, across);
+            Some(failure::in_fibre_axes([x, y, 0.5 * gamma], medium.fibre_angle?)[k])
+        }
+        Origin::TsaiHill => medium.index(failure::tsai_hill, stress),
+        Origin::TsaiWu => medium.index(failure::tsai_wu, stress),
+        Origin::HashinFibre => medium.index(failure::hashin_fibre, stress),
+        Origin::HashinMatrix => medium.index(failure::hashin_matrix, stress),
+        Origin::Utilisation => match medium.fibre_angle {
+            Some(_) => medium.index(failure::utilisation, stress),
+            None => Some(von_mises(&tensor(model, stress, across)) / medium.strengths?.yield_stress?),
+        },
         Origin::Stress("zz") => Some(component(model, "zz").map_or(across, |k| stress[k])),
         Origin::Stress(name) => Some(stress[component(model, name)?]),
         Origin::Unknown
@@ -106,7 +151,8 @@ mod tests {
     /// What follows from the stresses in a plane.
     fn of(model: &BondPlane, field: FieldName, [x, y, xy]: [f64; 3]) -> f64 {
         let stress = [x, y, xy, 0.0, 0.0, 0.0];
-        of_stress(field.about().origin, model, stress, model.across_of(stress)).unwrap()
+        let medium = Medium { model, fibre_angle: None, strengths: None };
+        of_stress(field.about().origin, medium, stress, model.across_of(stress)).unwrap()
     }
 
     #[test]

@@ -20,6 +20,11 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
             "places on beams are written by `x`, or by `joint` and `member`",
         ),
         ("rigid", !case.rigid.is_empty(), "points of a beam that move together are joined by `links`"),
+        (
+            "strengths",
+            case.strengths.is_some(),
+            "put a `limit` on a probe of `stress_top` or `stress_bottom`",
+        ),
         ("lines", !case.lines.is_empty(), "all points of a beam are written anyway"),
         ("path", case.path.is_some(), "beams do not soften: `fracture` breaks their bonds"),
         ("stress_intensity", !case.stress_intensity.is_empty(), &*intensities),

@@ -28,7 +28,7 @@ pub use hole_ring::HoleRing;
 pub(crate) use hole_ring::is_on;
 pub use load::sums::BodyLoads;
 pub use read::checks::BodyComparison;
-pub(crate) use read::fields::{Has, of_points};
+pub(crate) use read::fields::{Has, Says, of_points};
 pub use read::outputs::{Intensity, LinePoint, OutputLine};
 pub use read::probes::{BodyProbe, Quantity};
 pub use scene::{BodyScene, BodyState};

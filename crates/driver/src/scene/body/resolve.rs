@@ -9,8 +9,10 @@ use super::hold::{bearing_keys, rigid_keys, rigid_mirror, supported, supports};
 use super::load::context::LoadContext;
 use super::load::{joined_sides, load_cases};
 use super::read::checks;
+use super::read::fields::Says;
 use super::read::outputs::{self, Intensity, OutputLine};
 use super::read::probes::{self, BodyProbe, Quantity};
+use super::read::strengths;
 use super::scene::{BodyScene, BodyState};
 use super::site::ground::Ground;
 use super::site::interpolate::Interpolation;
@@ -149,6 +151,7 @@ impl BodyScene {
             held: &held,
             conditions: &conditions,
         };
+        strengths::check(case, &*inputs.material, faults);
         let Readings { probes, lines, intensities } = Readings::new(&site, max_memory, faults);
         let names: Vec<&str> = probes.iter().map(|p| p.name.as_str()).collect();
         let Failure { fracture, path, facts } = Failure::new(&site, traced, &names, faults);
@@ -157,7 +160,7 @@ impl BodyScene {
         let state_names: Vec<&str> = states.iter().map(|s| s.name.as_str()).collect();
         let expectations = checks::expectations(
             case,
-            (&inputs.body, &*built),
+            (&inputs.body, &*built, Says::of(case, &*inputs.material)),
             &state_names,
             &names,
             (folder, max_memory),

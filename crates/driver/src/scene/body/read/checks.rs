@@ -1,5 +1,6 @@
 //! Checks of a body.
 
+use super::fields::Says;
 use super::{fields, formula};
 use crate::case::{Baseline, Case, FieldName, Formula};
 use crate::diagnostic::{Faults, JsonPath};
@@ -28,14 +29,14 @@ pub struct BodyComparison {
 /// Checks of the case on a body with its model; states and probes by their names.
 pub(crate) fn expectations(
     case: &Case,
-    (body, model): (&PointBody, &dyn BodyModel),
+    (body, model, says): (&PointBody, &dyn BodyModel, Says),
     states: &[&str],
     probes: &[&str],
     (folder, max_memory): (&Folder, Option<u64>),
     faults: &mut Faults,
 ) -> Vec<Expectation<BodyComparison>> {
     let is_field = |field: FieldName, path: &JsonPath, faults: &mut Faults| {
-        let there_are: Vec<FieldName> = fields::answered(model).collect();
+        let there_are: Vec<FieldName> = fields::answered(model, says).collect();
         let is_there = there_are.contains(&field);
         if !is_there {
             let (name, model) = (field.name(), case.model.name());

@@ -2,6 +2,7 @@
 
 use crate::case::{Case, FieldName, Origin};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::model::Material;
 use crate::scene::body::hold::rigid::{self, MOTIONS};
 use crate::scene::words;
 use peristat_assembly::model::BodyModel;
@@ -18,8 +19,22 @@ pub(crate) enum Has {
     Values,
 }
 
+/// What a case says of its material beyond what a model needs.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Says {
+    has_fibres: bool,
+    has_strengths: bool,
+}
+
+impl Says {
+    /// What a case says of a material.
+    pub(crate) fn of(case: &Case, material: &dyn Material) -> Self {
+        Self { has_fibres: material.fibres().is_some(), has_strengths: case.strengths.is_some() }
+    }
+}
+
 /// How the points of a body have a field; of a damaged one bonds are cut, or can fail.
-pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: bool) -> Has {
+pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: bool, says: Says) -> Has {
     let or = |is_there: bool, otherwise: Has| if is_there { Has::Values } else { otherwise };
     match field.about().origin {
         Origin::Unknown => or(model.component(field.name()).is_some(), Has::No),
@@ -38,13 +53,27 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
             let is_there = model.as_solid().is_none() && model.tensor_components().contains(&"xy");
             if is_there { Has::Unlisted } else { Has::No }
         }
+        Origin::FibreStress(_) | Origin::FibreStrain(_) if says.has_fibres => Has::Unlisted,
+        Origin::TsaiHill | Origin::TsaiWu | Origin::HashinFibre | Origin::HashinMatrix
+            if says.has_fibres && says.has_strengths =>
+        {
+            Has::Unlisted
+        }
+        Origin::Utilisation if says.has_strengths => Has::Unlisted,
+        Origin::FibreStress(_)
+        | Origin::FibreStrain(_)
+        | Origin::TsaiHill
+        | Origin::TsaiWu
+        | Origin::HashinFibre
+        | Origin::HashinMatrix
+        | Origin::Utilisation => Has::No,
         Origin::Beam | Origin::Opening | Origin::Reaction(_) | Origin::Turn(_) => Has::No,
     }
 }
 
 /// The fields that points have, whether zero or not, in the order of tables.
-pub(crate) fn answered(model: &dyn BodyModel) -> impl Iterator<Item = FieldName> {
-    FieldName::BODY.into_iter().filter(move |&field| of_points(field, model, false) != Has::No)
+pub(crate) fn answered(model: &dyn BodyModel, says: Says) -> impl Iterator<Item = FieldName> {
+    FieldName::BODY.into_iter().filter(move |&field| of_points(field, model, false, says) != Has::No)
 }
 
 /// Forces and moments of supports, in the order of messages.
@@ -82,7 +111,7 @@ pub(crate) fn held(reaction: FieldName, model: &dyn BodyModel, case: &Case) -> O
 }
 
 /// The fields that probes can ask for: those of points, reactions, rotations of rigid regions and openings of cracks.
-pub(crate) fn probed(model: &dyn BodyModel, case: &Case) -> Vec<FieldName> {
+pub(crate) fn probed(model: &dyn BodyModel, case: &Case, says: Says) -> Vec<FieldName> {
     let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model, case).is_some());
     let turns: &[FieldName] = match (model.turning().is_none() && !case.rigid.is_empty(), model.as_solid()) {
         (false, _) => &[],
@@ -90,7 +119,13 @@ pub(crate) fn probed(model: &dyn BodyModel, case: &Case) -> Vec<FieldName> {
         (true, Some(_)) => &TURNS,
     };
     let opens = (!case.cracks.is_empty() && model.along(0).is_some()).then_some(FieldName::Opening);
-    answered(model).chain(turns.iter().copied()).chain(reactions).chain(opens).collect()
+    answered(model, says).chain(turns.iter().copied()).chain(reactions).chain(opens).collect()
+}
+
+/// Whether a field judges stresses by strengths.
+fn needs_strengths(field: FieldName) -> bool {
+    use Origin::{HashinFibre, HashinMatrix, TsaiHill, TsaiWu, Utilisation};
+    matches!(field.about().origin, TsaiHill | TsaiWu | HashinFibre | HashinMatrix | Utilisation)
 }
 
 /// Adds the fault of a field that a probe asks for at `path`, and that is none of those that there are.
@@ -111,6 +146,9 @@ pub(crate) fn refuse(
         }
         _ if TURNS.contains(&field) && case.rigid.is_empty() => {
             format!("no region of the body is rigid: there is no `{name}`")
+        }
+        _ if needs_strengths(field) && case.strengths.is_none() => {
+            format!("`{name}` needs the `strengths` of the material, beside `model`")
         }
         FieldName::Opening => "`opening` is that of a crack, and there is none".into(),
         _ => format!("`{name}` is no field of `{model}`"),

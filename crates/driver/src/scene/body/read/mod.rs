@@ -7,3 +7,4 @@ pub(crate) mod opening;
 pub(crate) mod outputs;
 pub(crate) mod probes;
 pub(crate) mod reduced;
+pub(crate) mod strengths;

@@ -1,5 +1,6 @@
 //! Probes of a body.
 
+use super::fields::Says;
 use super::{fields, opening, reduced};
 use crate::case::{FieldName, Origin, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath, suggest};
@@ -114,7 +115,7 @@ fn resolve(
 ) -> Option<(Quantity, String)> {
     let (at, field) = (path.key("at"), probe.field);
     let (ground, case) = (site.ground, site.ground.case);
-    let there_are = fields::probed(site.model, case);
+    let there_are = fields::probed(site.model, case, Says::of(case, &*site.inputs.material));
     if !there_are.contains(&field) {
         fields::refuse(field, &there_are, case, path.key("field"), faults);
         return None;

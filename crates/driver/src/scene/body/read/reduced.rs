@@ -1,6 +1,6 @@
 //! Probes of what is made of a field over a region or the whole body.
 
-use super::fields;
+use super::fields::{self, Says};
 use super::probes::Quantity;
 use crate::case::{FieldName, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath};
@@ -33,7 +33,8 @@ pub(super) fn resolve(
         return None;
     }
     let fits = |field: &FieldName| *field != FieldName::PrincipalDirection;
-    let there_are: Vec<FieldName> = fields::answered(site.model).filter(fits).collect();
+    let there_are: Vec<FieldName> =
+        fields::answered(site.model, Says::of(ground.case, &*site.inputs.material)).filter(fits).collect();
     if !there_are.contains(&field) {
         faults
             .error(
