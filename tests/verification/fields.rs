@@ -10,7 +10,7 @@ fn names() -> Vec<String> {
     let schema = serde_json::to_value(schemars::schema_for!(FieldName)).expect("a schema");
     let values = schema["oneOf"].as_array().expect("a list of names");
     let names: Vec<String> = values.iter().map(|v| v["const"].as_str().expect("a name").into()).collect();
-    assert_eq!(names.len(), 44);
+    assert_eq!(names.len(), 55);
     names
 }
 
@@ -47,6 +47,21 @@ const ON_DEMAND: [&str; 6] = [
     "principal_direction",
 ];
 
+/// Fields of a material with fibres and strengths.
+const OF_FIBRES: [&str; 11] = [
+    "stress_11",
+    "stress_22",
+    "stress_12",
+    "strain_11",
+    "strain_22",
+    "strain_12",
+    "tsai_hill",
+    "tsai_wu",
+    "hashin_fibre",
+    "hashin_matrix",
+    "utilisation",
+];
+
 const TURNS: [&str; 3] = ["phi_x", "phi_y", "phi_z"];
 
 fn body(name: &str, model: Value, others: &[&'static str], hidden: &[&'static str]) -> Model {
@@ -74,9 +89,16 @@ fn models() -> Vec<Model> {
         &flat,
     );
     turning.case["supports"][0]["phi"] = json!(0);
+    turning.case["strengths"] = json!({ "fibre_tension": 1500, "fibre_compression": 900, "matrix_tension": 40,
+        "matrix_compression": 200, "shear": 70 });
+    turning.answered.extend(OF_FIBRES);
+    turning.hidden.extend(OF_FIBRES);
     let mut ring =
         body("axisymmetric", json!({ "youngs_modulus": 7e4, "poisson_ratio": 0.3 }), &[], &["damage"]);
     ring.case["body"]["rectangle"]["from"] = json!([4, 0]);
+    ring.case["strengths"] = json!({ "yield_stress": 240 });
+    ring.answered.push("utilisation");
+    ring.hidden.push("utilisation");
     ring.places[0] = json!({ "x": 4.5, "y": 2.5 });
     let mut shell = body(
         "shell_membrane",
