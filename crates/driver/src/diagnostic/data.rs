@@ -55,12 +55,19 @@ fn misspelt(noun: &str, name: &str, allowed: &[&str]) -> Diagnostic {
     let nearest = allowed.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
     let mut diagnostic = Diagnostic::error(JsonPath::default(), format!("unknown {noun} {}", quote(name)));
     diagnostic.hint(match nearest {
+        _ if OF_TIME.contains(&plain.as_str()) && !allowed.contains(&plain.as_str()) => {
+            "nothing depends on time: loads rise by `steps`, `fracture` or `path`".to_string()
+        }
         None => "nothing is allowed here".to_string(),
         Some(known) if likeness(&known) > ALIKE => format!("did you mean `{known}`?"),
         Some(_) => format!("allowed here: `{}`", allowed.join("`, `")),
     });
     diagnostic
 }
+
+/// What dynamics has and statics has not.
+const OF_TIME: [&str; 8] =
+    ["time", "dt", "time_step", "duration", "end_time", "velocity", "damping", "initial_velocity"];
 
 /// What other programs call stresses and strains.
 const OTHER_WORDS: [(&str, &str); 6] = [
@@ -135,10 +142,7 @@ fn string_at<'a>(text: &'a str, place: Option<&Place>) -> &'a str {
 }
 
 fn list_length(found: &str, expected: &str) -> String {
-    match last_word(expected).parse::<usize>() {
-        Ok(n) => format!("expected a list of {n} values, found {found}"),
-        Err(_) => format!("the list has too many values: {found}"),
-    }
+    format!("expected a list of {} values, found {found}", last_word(expected))
 }
 
 fn last_word(text: &str) -> &str {
@@ -198,6 +202,14 @@ mod tests {
             "timoshenko_beam" => "Timoshenko-Beam" | unknown key `Timoshenko-Beam` | "Timoshenko-Beam" | did you mean `timoshenko_beam`?
             "#,
         );
+    }
+
+    #[test]
+    fn what_depends_on_time_is_told_so() {
+        for name in ["time", "Time-Step", "velocity"] {
+            let hint = super::misspelt("key", name, &["title", "units"]).hint.unwrap_or_default();
+            assert!(hint.contains("nothing depends on time"), "{name}: {hint}");
+        }
     }
 
     #[test]
@@ -265,7 +277,7 @@ mod tests {
         check(
             r#"
             [0, 0, 1] => [0, 0] | expected a list of 3 values, found 2 | "direction"
-            [0, 0, 1] => [0, 0, 1, 2] | the list has too many values: 4 | "direction"
+            [0, 0, 1] => [0, 0, 1, 2] | expected a list of 3 values, found 4 | "direction"
             [0, 0, 1] => 7 | expected a list of 3 values, found 7 | 7
             "#,
         );

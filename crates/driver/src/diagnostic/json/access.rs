@@ -35,7 +35,10 @@ impl<'a, 'de> Elements<'a, 'de> {
         }
         match self.count == wanted {
             true => Ok(()),
-            false => Err(Fault::invalid_length(self.count, &"fewer elements in array")),
+            false => {
+                let expected = format!("an array of length {wanted}");
+                Err(Fault::invalid_length(self.count, &expected.as_str()))
+            }
         }
     }
 }

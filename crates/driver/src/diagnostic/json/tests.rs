@@ -34,7 +34,16 @@ fn agree(text: &str) {
     {
         let theirs = theirs.to_string();
         let theirs = theirs.rsplit_once(" at line ").map(|(words, _)| words);
-        assert_eq!(expected(ours.misfit()), expected(theirs), "{text}");
+        // Of a list that is too long `serde_json` does not say how many it wants.
+        match expected(theirs) {
+            Some("fewer elements in array") => {
+                assert!(
+                    expected(ours.misfit()).is_some_and(|it| it.starts_with("an array of length")),
+                    "{text}"
+                );
+            }
+            theirs => assert_eq!(expected(ours.misfit()), theirs, "{text}"),
+        }
     }
 }
 
