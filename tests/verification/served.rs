@@ -1,6 +1,6 @@
 //! What a program reads from a solved case by name is what the tables of a run say, for all models.
 
-use peristat::results::{Claim, Replace, Results};
+use peristat::results::{Claim, Results};
 use peristat::run::RunOptions;
 use peristat::{FieldError, Loaded, Solved};
 use std::collections::BTreeMap;
@@ -42,7 +42,7 @@ fn solved(name: &str, folder: &Path) -> Solved {
     let loaded = Loaded::read(&file, &[], None).expect("a case");
     let options = RunOptions { recover: true, max_memory: None, compare: false };
     let solved = loaded.solve(&options).expect("a case that can be solved");
-    let claim = Claim::new(folder, &Replace::Anything).expect("a folder");
+    let claim = Claim::new(folder, true, None).expect("a folder");
     let mut results = Results::begin(&claim, &solved.scene).expect("a folder");
     let ends = [0, solved.states.len() - 1];
     for k in ends {

@@ -145,8 +145,8 @@ pub(super) struct Run {
     /// Replace a value of the case, such as `body.line.cells=200`.
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = assignment)]
     pub(super) overrides: Vec<String>,
-    /// Replace any earlier run in the results folder; other files there stay. A finished run of the same case in its own
-    /// folder, `results/<name of the case>`, is replaced without.
+    /// Replace any earlier run in the results folder; other files there stay. A finished run of the same case file is replaced
+    /// without.
     #[arg(long)]
     pub(super) force: bool,
     /// Continue the interrupted fracture run in the results folder.

@@ -8,7 +8,7 @@ use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
 use peristat::case;
 use peristat::input::Folder;
 use peristat::output::folder::below;
-use peristat::results::{Claim, Replace, Results, Writing, stiffness};
+use peristat::results::{Claim, Results, Writing, stiffness};
 use peristat::run::{RunOptions, sizes};
 use peristat::study::EstimateEffort;
 use peristat::summary::{Status, Summary};
@@ -32,11 +32,12 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
             below(Path::new(""), &Path::new("results").join(arguments.case.file_stem().unwrap_or_default()))?
         }
     };
+    let case = arguments.case.canonicalize().ok();
     let (claim, restart) = match arguments.resume {
         true => {
             Results::interrupted(&folder, &loaded.scene).map(|(claim, restart)| (claim, Some(restart)))?
         }
-        false => (Claim::new(&folder, &replaced(arguments, &loaded))?, None),
+        false => (Claim::new(&folder, arguments.force, case.as_deref())?, None),
     };
     // Faults of the case come before the first file.
     sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
@@ -84,15 +85,6 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         say(&format!("results in {}\n", folder.display()))?;
     }
     Ok(exit_code(&summary))
-}
-
-/// Which earlier runs a run may replace: in the folder of its own name, the one before it.
-fn replaced(arguments: &Run, loaded: &Loaded) -> Replace {
-    match (arguments.force, &arguments.output) {
-        (true, _) => Replace::Anything,
-        (false, None) => Replace::FinishedOf(loaded.scene.case().title.clone()),
-        (false, Some(_)) => Replace::Nothing,
-    }
 }
 
 /// What a run with all its outputs is asked for.

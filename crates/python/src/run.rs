@@ -7,7 +7,7 @@ use crate::solved::Solved;
 use crate::states::{Equilibrium, States};
 use peristat::Error;
 use peristat::case::{Body, Source};
-use peristat::results::{Claim, Replace, Results, Writing};
+use peristat::results::{Claim, Results, Writing};
 use peristat::run::{RunError, RunOptions, sizes};
 use peristat::study::EstimateEffort;
 use pyo3::prelude::*;
@@ -88,7 +88,7 @@ fn solve(
             restart = Some(found);
             claim
         } else {
-            Claim::new(&folder, &Replace::forced(force)).map_err(Error::Io)?
+            Claim::new(&folder, force, None).map_err(Error::Io)?
         };
         // Faults of the case come before the first file.
         sizes(&loaded.scene, &options(max_memory)).map_err(|error| loaded.explain(error))?;

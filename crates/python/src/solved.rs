@@ -5,7 +5,7 @@ use crate::error::{exception, json};
 use crate::states::Equilibrium;
 use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArray2};
-use peristat::results::{Claim, Replace, Writing};
+use peristat::results::{Claim, Writing};
 use peristat::run::Sink;
 use pyo3::exceptions::{PyKeyError, PyRuntimeError};
 use pyo3::prelude::*;
@@ -107,7 +107,7 @@ impl Solved {
         }
         // In a pool that a process has for itself.
         let write = move || {
-            let mut writing = Writing::new(scene, Claim::new(&folder, &Replace::forced(force))?);
+            let mut writing = Writing::new(scene, Claim::new(&folder, force, None)?);
             states.iter().try_for_each(|state| writing.state(state))?;
             self.curve.iter().try_for_each(|at| writing.advance(at.as_advance(), None))?;
             writing.finish(summary)

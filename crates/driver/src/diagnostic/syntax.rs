@@ -50,14 +50,19 @@ fn cut_off(raw: &str) -> &'static str {
 
 /// A message with `{}` for the word found, and a hint or an empty text.
 fn words(raw: &str, found: &str) -> (&'static str, &'static str) {
+    let is_comment = ["/", "#"].contains(&found);
     match raw {
         "expected value" | "expected ident" => value_words(found),
         "invalid number" => ("{} is not a JSON number", NUMBER),
         "number out of range" => ("number out of range: {}", "the largest is about 1.8e308"),
+        "expected `:`" if is_comment => ("expected `:` after a key, found {}", COMMENT),
+        "expected `,` or `}`" if is_comment => ("expected `,` or `}`, found {}", COMMENT),
+        "expected `,` or `]`" if is_comment => ("expected `,` or `]`, found {}", COMMENT),
+        "trailing characters" if is_comment => ("text after the end of the case", COMMENT),
         "expected `:`" => ("expected `:` after a key, found {}", ""),
         "expected `,` or `}`" => ("expected `,` or `}`, found {}", COMMA),
         "expected `,` or `]`" => ("expected `,` or `]`, found {}", COMMA),
-        "key must be a string" if ["/", "#"].contains(&found) => ("expected a key, found {}", COMMENT),
+        "key must be a string" if is_comment => ("expected a key, found {}", COMMENT),
         "key must be a string" => ("a key must stand in double quotes", ""),
         "trailing characters" => ("text after the end of the case", "a bracket too many?"),
         "invalid escape" => ("invalid escape in a string", "a backslash is written `\\\\`"),
@@ -126,7 +131,9 @@ mod tests {
             : 3, => : , | a value is missing before `,` | ,
             : 3, => : 'a', | expected a value, found `'` | '
             : 3, => : # no comment | expected a value, found `#` | #
-            : 3, => : /* no end | expected a value, found `/` | /
+            : 3, => : /* no end | expected a value, found `/` | / | a comment is `// to the end of the line` or `/* closed */`
+            : 3, => : 3 # a | expected `,` or `}`, found `#` | # | a comment is `// to the end of the line` or `/* closed */`
+            "a" } => "a" } /* a | text after the end of the case | / | a comment is `// to the end of the line` or `/* closed */`
             "cells" => cells | a key must stand in double quotes | cells
             : 3, => 3, | expected `:` after a key, found `3` | 3
             3, "cells" => 3 "cells" | expected `,` or `}`, found `"` | "

@@ -1,7 +1,7 @@
 //! Locks on files, which end with their process, however it ends.
 
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, ErrorKind};
+use std::io::{self, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
 /// Who else may hold a lock at the same time.
@@ -20,7 +20,7 @@ const TRIES: usize = 1000;
 #[derive(Debug)]
 pub struct Lock {
     path: PathBuf,
-    _file: File,
+    file: File,
 }
 
 impl Lock {
@@ -41,10 +41,21 @@ impl Lock {
             }
             // Whoever held it may have removed the file since it was opened: its lock would be of nothing.
             if is_at(&file, path) {
-                return Ok(Some(Self { path: path.into(), _file: file }));
+                return Ok(Some(Self { path: path.into(), file }));
             }
         }
         Err(io::Error::other("it is removed again and again"))
+    }
+
+    /// Replaces what is in the file.
+    ///
+    /// # Errors
+    /// What the file system reports.
+    pub fn write(&self, text: &str) -> io::Result<()> {
+        let mut file = &self.file;
+        file.set_len(0)?;
+        file.rewind()?;
+        file.write_all(text.as_bytes())
     }
 
     /// The file.

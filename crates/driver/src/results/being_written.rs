@@ -64,6 +64,7 @@ impl Results {
     pub fn begin(claim: &Claim, scene: &Scene) -> io::Result<Self> {
         let folder = claim.folder();
         clear(folder)?;
+        claim.sign()?;
         write_case(folder, scene)?;
         claim::PARTS.iter().try_for_each(|part| output::folder::make(&folder.join(part)))?;
         Ok(Self {

@@ -12,52 +12,48 @@ use std::path::{Path, PathBuf};
 /// Name of the file that marks a folder as written by peristat; whoever writes into the folder holds a lock on it.
 pub const MARK: &str = ".peristat";
 
-/// Which earlier runs a run may replace.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Replace {
-    /// None.
-    Nothing,
-    /// A finished one of the case of this title, in a folder that holds nothing else.
-    FinishedOf(String),
-    /// Any, whatever else the folder holds.
-    Anything,
-}
-
-impl Replace {
-    /// Anything if it is forced, else nothing.
-    pub fn forced(force: bool) -> Self {
-        if force { Self::Anything } else { Self::Nothing }
-    }
-}
-
 /// A folder that one run writes into, and no other one until this is dropped. If nothing came of it, it leaves no folder.
 #[derive(Debug)]
 pub struct Claim {
     folder: PathBuf,
     /// Whether the folder was made for this.
     is_new: bool,
-    _mark: Lock,
+    /// The case file that the run is of, as the mark names it; empty if it is of none.
+    case: String,
+    mark: Lock,
 }
 
 impl Claim {
-    /// A folder that is made for a run, is empty, or holds a run that may be replaced.
+    /// A folder that is made for a run, is empty, or holds a finished run of the same case file; with `force` one that holds
+    /// something else, too.
     ///
     /// # Errors
     /// The folder holds another run or something that peristat did not write, another run writes into it, or it cannot
     /// be made; each but the last with a hint.
-    pub fn new(folder: &Path, replace: &Replace) -> io::Result<Self> {
+    pub fn new(folder: &Path, force: bool, case: Option<&Path>) -> io::Result<Self> {
+        let case = case.map_or(String::new(), |case| case.display().to_string());
+        let marked = fs::read_to_string(folder.join(MARK));
+        let is_same = !case.is_empty() && marked.is_ok_and(|marked| marked == case);
         if !folder.join(MARK).exists() {
-            vacant(folder, replace)?;
+            vacant(folder, force, is_same)?;
         }
         let is_new = !folder.exists();
         let describe = |error: io::Error| {
             io::Error::new(error.kind(), format!("cannot write {}: {error}", folder.display()))
         };
         fs::create_dir_all(folder).map_err(describe)?;
-        let claim = Self { folder: folder.into(), is_new, _mark: mark(folder)? };
+        let claim = Self { folder: folder.into(), is_new, case, mark: mark(folder)? };
         // What is in a folder is certain only when nobody else writes there.
-        vacant(folder, replace)?;
+        vacant(folder, force, is_same)?;
         Ok(claim)
+    }
+
+    /// Writes into the mark which case file the run is of that the folder is about to hold.
+    ///
+    /// # Errors
+    /// What the file system reports.
+    pub(super) fn sign(&self) -> io::Result<()> {
+        self.mark.write(&self.case)
     }
 
     /// A folder that a run has written into.
@@ -65,7 +61,7 @@ impl Claim {
     /// # Errors
     /// Another run writes into it; the mark cannot be opened.
     pub(super) fn again(folder: &Path) -> io::Result<Self> {
-        Ok(Self { folder: folder.into(), is_new: false, _mark: mark(folder)? })
+        Ok(Self { folder: folder.into(), is_new: false, case: String::new(), mark: mark(folder)? })
     }
 
     /// The folder.
@@ -112,7 +108,7 @@ fn refuse<T>(message: String) -> io::Result<T> {
 }
 
 /// Whether a run may write into a folder without loss: it is not there, empty, or given up.
-fn vacant(folder: &Path, replace: &Replace) -> io::Result<()> {
+fn vacant(folder: &Path, force: bool, is_same: bool) -> io::Result<()> {
     let place = folder.display();
     if folder.exists() && !folder.is_dir() {
         return refuse(format!("{place} is a file, not a folder\nhint: choose a folder with `-o`"));
@@ -124,7 +120,7 @@ fn vacant(folder: &Path, replace: &Replace) -> io::Result<()> {
             "{place} holds a folder `{name}`, where a file of this name belongs\nhint: choose another folder with `-o`"
         ));
     }
-    if !folder.exists() || *replace == Replace::Anything {
+    if !folder.exists() || force {
         return Ok(());
     }
     if let Some(name) = foreign(folder)? {
@@ -136,14 +132,12 @@ fn vacant(folder: &Path, replace: &Replace) -> io::Result<()> {
     if !names_in(folder)?.iter().any(|name| name != MARK && !is_leftover(name)) {
         return Ok(());
     }
-    let (finished, title) = (has("summary.json"), title(folder));
-    if finished
-        && matches!((replace, &title), (Replace::FinishedOf(case), Some(title)) if plain(case) == *title)
-    {
+    let finished = has("summary.json");
+    if finished && is_same {
         return Ok(());
     }
     let state = if finished { "a finished" } else { "an unfinished" };
-    let of = title.map_or(String::new(), |title| format!(" of `{title}`"));
+    let of = title(folder).map_or(String::new(), |title| format!(" of `{title}`"));
     let resume = match has(restart::FILE) && !finished {
         true => "; `peristat run` goes on with it if `--resume` is added",
         false => "",

@@ -21,6 +21,6 @@ mod writing;
 
 pub use being_written::{Results, finite};
 pub(crate) use claim::plain;
-pub use claim::{Claim, MARK, Replace};
+pub use claim::{Claim, MARK};
 pub(crate) use files::sweep;
 pub use writing::Writing;

@@ -7,7 +7,7 @@ pub use outcome::{Found, Outcome, PASSED, SLOW, UNCHECKED};
 
 use crate::input::{Folder, Reach};
 use crate::output::folder::below;
-use crate::results::{Claim, Replace, Writing};
+use crate::results::{Claim, Writing};
 use crate::run::{RunOptions, taking};
 use crate::workers::side_by_side;
 use crate::{Error, Loaded, case};
@@ -96,7 +96,7 @@ fn found(file: &Path, request: &Request) -> Result<Found, Error> {
     let options = RunOptions { recover: request.output.is_some(), max_memory, compare: true };
     let summary = match &request.output {
         Some(folder) => {
-            let claim = Claim::new(&below(folder, &inside(file))?, &Replace::forced(request.force))?;
+            let claim = Claim::new(&below(folder, &inside(file))?, request.force, None)?;
             let mut writing = Writing::new(&loaded.scene, claim);
             let summary = loaded.run(&options, None, &mut writing)?;
             writing.finish(&summary)?;

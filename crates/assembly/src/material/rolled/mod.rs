@@ -16,10 +16,15 @@ struct Shape {
 }
 
 impl Rolled {
-    /// The rolled section of a name.
+    /// The rolled section of a name; `HE 300 B` is `HEB 300`.
     pub fn of(name: &str) -> Option<Self> {
         let plain = |name: &str| name.split_whitespace().collect::<String>().to_uppercase();
-        TABLE.iter().find(|shape| plain(shape.name) == plain(name)).map(Self)
+        let mut wanted = plain(name);
+        let series = wanted.chars().next_back().filter(|series| "ABM".contains(*series));
+        if let Some((size, series)) = wanted.strip_prefix("HE").zip(series) {
+            wanted = format!("HE{series}{}", size.trim_end_matches(series));
+        }
+        TABLE.iter().find(|shape| plain(shape.name) == wanted).map(Self)
     }
 
     /// All names.

@@ -113,5 +113,9 @@ fn areas_and_second_moments_are_those_of_the_tables() {
 fn blanks_and_case_do_not_matter() {
     assert_eq!(Rolled::of("hea200").map(Rolled::name), Some("HEA 200"));
     assert_eq!(Rolled::of("IPE  80"), Rolled::of("ipe80"));
-    assert_eq!(Rolled::of("IPE 271"), None);
+    assert_eq!(Rolled::of("HE 300 B").map(Rolled::name), Some("HEB 300"));
+    assert_eq!(Rolled::of("he100m").map(Rolled::name), Some("HEM 100"));
+    for name in ["IPE 271", "HE 300", "HEB", "B", ""] {
+        assert_eq!(Rolled::of(name), None, "{name}");
+    }
 }

@@ -3,7 +3,6 @@
 use super::*;
 use crate::Loaded;
 use crate::case::{Critical, Fracture};
-use crate::results::Replace;
 use crate::run::Advance;
 use crate::run::fracture::Event;
 use crate::run::{RunOptions, StateResult, taking};
@@ -75,7 +74,7 @@ fn go_on(results: &mut Results, scene: &Scene, states: &[StateResult], which: st
 
 /// A folder that is new or has been forced upon.
 fn begin(folder: &Path, scene: &Scene) -> Results {
-    Results::begin(&Claim::new(folder, &Replace::Anything).unwrap(), scene).unwrap()
+    Results::begin(&Claim::new(folder, true, None).unwrap(), scene).unwrap()
 }
 
 /// Names and contents of all files.
@@ -158,7 +157,7 @@ fn a_resumed_run_leaves_the_same_files_as_one_that_was_not_interrupted() {
     fs::write(parts.join("fields/.abc.part"), "half").unwrap();
     fs::write(parts.join(".def.part"), "half").unwrap();
     assert!(parts.join("fields/step_002_across.csv").exists());
-    let refused = Claim::new(&parts, &Replace::Nothing).unwrap_err().to_string();
+    let refused = Claim::new(&parts, false, None).unwrap_err().to_string();
     assert!(refused.contains("holds an unfinished run of `plate`\nhint: "), "{refused}");
     // What was edited is not believed.
     let history = fs::read_to_string(parts.join("history.csv")).unwrap();

@@ -20,17 +20,17 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
             "places on beams are written by `x`, or by `joint` and `member`",
         ),
         ("rigid", !case.rigid.is_empty(), "points of a beam that move together are joined by `links`"),
-        (
-            "strengths",
-            case.strengths.is_some(),
-            "put a `limit` on a probe of `stress_top` or `stress_bottom`",
-        ),
         ("lines", !case.lines.is_empty(), "all points of a beam are written anyway"),
         ("path", case.path.is_some(), "beams do not soften: `fracture` breaks their bonds"),
         ("stress_intensity", !case.stress_intensity.is_empty(), &*intensities),
     ];
     for (key, _, hint) in keys.iter().filter(|k| k.1) {
         faults.error(root(key), format!("`{key}` is for bodies in the plane")).hint(*hint);
+    }
+    if case.strengths.is_some() {
+        faults
+            .error(root("strengths"), "`strengths` judge the stresses of plates, shells and solids")
+            .hint("put a `limit` on a probe of `stress_top` or `stress_bottom`");
     }
     // Which ones solve for a beam that breaks is said elsewhere.
     if case.fracture.is_none() && matches!(case.solver, Solver::Multigrid | Solver::Pcg) {

@@ -8,6 +8,7 @@ use crate::case::{Gravity, SpaceAxis, Spin};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::site::resultants;
 use crate::scene::mass;
+use peristat_assembly::body::SIDES;
 
 /// The weight of the body or a region of it.
 pub(crate) fn gravity(
@@ -26,6 +27,15 @@ pub(crate) fn gravity(
             .hint(format!("the axis of this body is along {axis}"));
         return;
     }
+    for (axis, side, _) in mirrors(context).filter(|&(axis, ..)| along[axis] != 0.0) {
+        let key = ["ux", "uy", "uz"][axis];
+        faults
+            .warning(
+                path.key("along"),
+                format!("the mirror `{side}` stands across the weight: behind it things fall the other way"),
+            )
+            .hint(format!("where a body rests on its side, hold it: {{ \"at\": {{ \"region\": \"{side}\" }}, \"{key}\": 0 }}"));
+    }
     let Some(weight) = mass::weight(context.ground.case, load, along, path, faults) else { return };
     body_force::act(weight, false, load.region.as_ref(), context, path, to, faults);
 }
@@ -41,6 +51,9 @@ pub(crate) fn spin(
     let value = mass::spin(context.ground.case, load, path, faults);
     let is_revolved = context.material.is_revolved();
     let Some((centre, across)) = axis(load, context, path, faults) else { return };
+    if !fits(centre, across, context, path, faults) {
+        return;
+    }
     let Some(value) = value else { return };
     let points = match &load.region {
         Some(name) => match context.ground.region(name, &path.key("region"), faults) {
@@ -70,6 +83,46 @@ pub(crate) fn spin(
         }
         to.forces.push((p, force));
     }
+}
+
+/// Mirrors: the axis across them, their names and their positions. The axis of a body of revolution is none.
+fn mirrors(context: &LoadContext) -> impl Iterator<Item = (usize, &'static str, f64)> {
+    let is_axis = move |side: usize| side == 0 && context.material.is_revolved();
+    let at = context.symmetry.at.iter().enumerate().filter(move |(side, _)| !is_axis(*side));
+    at.filter_map(|(side, at)| Some((side / 2, SIDES[side], (*at)?)))
+}
+
+/// Whether joined sides fit to a spin; mirrors beside its axis get a warning.
+fn fits(
+    centre: [f64; 3],
+    across: [bool; 3],
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> bool {
+    let beside = |&(axis, _, at): &(usize, &str, f64)| {
+        across[axis] && (centre[axis] - at).abs() > 1e-9 * (centre[axis].abs() + at.abs())
+    };
+    for (_, side, _) in mirrors(context).filter(beside) {
+        faults
+            .warning(
+                path.clone(),
+                format!(
+                    "the axis does not lie in the mirror `{side}`: behind it the body turns about another one"
+                ),
+            )
+            .hint("leave the mirror out, or put it on the axis");
+    }
+    let joined = (0..3).find(|&axis| across[axis] && context.symmetry.mirrors.joined[axis]);
+    if let Some(axis) = joined {
+        faults
+            .error(
+                path.clone(),
+                format!("sides joined along {} have no distance from the axis", ["x", "y", "z"][axis]),
+            )
+            .hint("a body that repeats itself can turn about an axis along that direction only");
+    }
+    joined.is_none()
 }
 
 /// A point of the axis, and whether distances from it are along x, y and z.
