@@ -4,7 +4,7 @@ use super::plots::size_of;
 use super::raster::{Grid, Limits, Raster};
 use crate::case::FieldName;
 use crate::output::plot::short;
-use crate::output::report::{Cells, Field, Map, Moves};
+use crate::output::report::{Cells, Field, Map, Moves, number};
 use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::run::scan;
@@ -13,10 +13,14 @@ use peristat_assembly::body::{Crack, PointBody};
 
 /// Cells of a map: as many as fields of them fit into the report.
 const LIMITS: Limits = Limits { blocks: 120_000, along: 1500 };
+/// Those of a map of several states.
+const OF_STATES: Limits = Limits { blocks: 40_000, along: 1000 };
 
 /// The map of a state.
 pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
-    let raster = Raster::within(scene, LIMITS);
+    let has_states = scene.case.is_traced() || scene.states.len() > 1;
+    let raster = Raster::within(scene, if has_states { OF_STATES } else { LIMITS });
+    let grown = raster.between(&result.parted(scene));
     let (fields, moves) =
         fields(scene, result, [FieldName::Ux, FieldName::Uy], &|values| raster.means(values));
     Map {
@@ -27,6 +31,18 @@ pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
         fields,
         moves,
         lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
+        grown: grown.into_iter().map(|[cell, side]| [cell, side, result.record.index]).collect(),
+        state: (result.record.index, state_name(scene, result)),
+        before: Vec::new(),
+    }
+}
+
+/// What a state is called, with its load factor where it has one of its own.
+fn state_name(scene: &BodyScene, result: &BodyResult) -> String {
+    let record = &result.record;
+    match scene.case.is_traced() || scene.case.steps.is_some() {
+        true => format!("{}, load factor {}", record.name, number(record.load_factor)),
+        false => record.name.clone(),
     }
 }
 
