@@ -7,7 +7,10 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Bytes that the states before the last one may take.
-const MOST_BYTES: usize = 2_000_000;
+const MOST_BYTES: usize = 2_100_000;
+
+/// How many times as far as in the state in the middle a body moves only where pieces have come off.
+const COME_OFF: f64 = 20.0;
 
 /// A state of a map before the last one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -29,8 +32,8 @@ pub struct Frames {
     bytes: usize,
     /// Smallest and largest values of the fields in all states.
     ranges: Vec<[f64; 2]>,
-    /// The smallest factor on displacements, none before anything has moved.
-    factor: Option<f64>,
+    /// The factors on displacements of all states that have moved.
+    factors: Vec<f64>,
     /// The first states in which sides had come apart, by cell and side.
     grown: BTreeMap<[usize; 2], usize>,
     /// The last state, not packed yet.
@@ -53,7 +56,7 @@ impl Frames {
             kept: Vec::new(),
             bytes: 0,
             ranges: Vec::new(),
-            factor: None,
+            factors: Vec::new(),
             grown: BTreeMap::new(),
             last: None,
         }
@@ -67,7 +70,7 @@ impl Frames {
             *own = [own[0].min(*low), own[1].max(*high)];
         }
         if let Some(moves) = map.moves.filter(|m| m.fields.iter().any(|&k| map.fields[k].range != [0.0; 2])) {
-            self.factor = Some(self.factor.map_or(moves.factor, |factor| factor.min(moves.factor)));
+            self.factors.push(moves.factor);
         }
         for &[cell, side, state] in &map.grown {
             self.grown.entry([cell, side]).or_insert(state);
@@ -100,13 +103,21 @@ impl Frames {
     pub fn map(self) -> Option<Map> {
         let mut map = self.last?;
         map.fields.iter_mut().zip(&self.ranges).for_each(|(field, range)| field.range = *range);
-        if let (Some(moves), Some(factor)) = (&mut map.moves, self.factor) {
+        if let (Some(moves), Some(factor)) = (&mut map.moves, common(self.factors)) {
             moves.factor = factor;
         }
         map.grown = self.grown.into_iter().map(|([cell, side], state)| [cell, side, state]).collect();
         map.before = self.kept;
         Some(map)
     }
+}
+
+/// The factor on displacements of all states: that of the one that has moved most. But pieces that have come off move so far
+/// that nothing else would be seen to move; then it is that of the state in the middle.
+fn common(mut factors: Vec<f64>) -> Option<f64> {
+    factors.sort_by(f64::total_cmp);
+    let (least, middle) = (*factors.first()?, factors[factors.len() / 2]);
+    Some(if least < middle / COME_OFF { middle } else { least })
 }
 
 #[cfg(test)]
@@ -170,6 +181,13 @@ mod tests {
         assert_eq!(map.moves.map(|m| m.factor), Some(250.0));
         assert_eq!(map.grown, [[50, 1, 1], [51, 1, 2], [52, 1, 3], [53, 1, 4]]);
         assert_eq!(map.before.iter().map(|f| f.state).collect::<Vec<_>>(), [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn a_piece_that_has_come_off_does_not_scale_the_others() {
+        assert_eq!(common(vec![50.0, 20.0, 10.0]), Some(10.0));
+        assert_eq!(common(vec![50.0, 20.0, 0.5]), Some(20.0));
+        assert_eq!(common(Vec::new()), None);
     }
 
     #[test]

@@ -97,17 +97,18 @@ function view(lists, width, tallest) {
   return { scale, height, x: (x) => left + scale * (x - low[0]), y: (y) => height + 2 - scale * (y - low[1]) };
 }
 
-// A box around corners, also where these move by the most of any state.
+// A box around corners, also where these move by the most of any state, but for pieces that fly off.
 function reached(corners, { moves, fields }) {
   const box = [Infinity, Infinity, -Infinity, -Infinity];
   corners.forEach((value, k) => {
     box[k & 1] = Math.min(box[k & 1], value);
     box[2 + (k & 1)] = Math.max(box[2 + (k & 1)], value);
   });
+  const most = 0.2 * Math.hypot(box[2] - box[0], box[3] - box[1]);
   moves?.fields.forEach((k, c) => {
-    const [low, high] = fields[k].range;
-    box[c] += 2 * moves.factor * Math.min(0, low);
-    box[2 + c] += 2 * moves.factor * Math.max(0, high);
+    const [low, high] = fields[k].range.map((end) => clamp(2 * moves.factor * end, -most, most));
+    box[c] += Math.min(0, low);
+    box[2 + c] += Math.max(0, high);
   });
   return box;
 }
@@ -156,11 +157,16 @@ function map(figure, data) {
       return seen.height + BAR + 14;
     });
     if (!ctx) return;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(0, 0, stage.width, seen.height + 4);
+    ctx.clip();
     corners = factor ? cells.corners.map((at, k) => at + factor * moved[k]) : cells.corners;
     if (factor) fill(ctx, cells.corners, Array.from({ length: cells.count }, (_, k) => k), color('soft'));
     const of = data.fields[choice.value];
     levels(of).forEach((list, k) => fill(ctx, corners, list, css(tint(k))));
     cracks(ctx, factor);
+    ctx.restore();
     bar(stage, ctx, of, seen.height + 14);
     [figure.dataset.ready, figure.dataset.state] = [choice.value, shown.state];
   }
@@ -215,6 +221,8 @@ function map(figure, data) {
   if (shots.length > 1) {
     runThrough(figure, shots, (next) => {
       shot = next;
+      // What the pointer was told is of another state.
+      stage.tell(null);
       return choose();
     });
   }

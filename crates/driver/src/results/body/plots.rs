@@ -1,5 +1,6 @@
 //! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage.
 
+use super::apart::Side;
 use super::raster::Raster;
 use super::surface;
 use crate::case::FieldName;
@@ -9,7 +10,7 @@ use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
 use crate::scene::words;
-use peristat_assembly::body::{Crack, PointBody};
+use peristat_assembly::body::PointBody;
 use std::io;
 use std::path::Path;
 
@@ -26,7 +27,7 @@ pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io
     let apart = raster.between(&result.parted(scene));
     let corners: Vec<_> = raster.corners().collect();
     let given = scene.cracks.iter().map(|c| c.crack.vertices().to_vec());
-    let grown = apart.iter().map(|&side| Raster::side(side, &corners).to_vec());
+    let grown = apart.iter().filter_map(|&side| raster.faces(side, &corners).into_iter().next());
     let lines: Vec<Vec<[f64; 2]>> = given.chain(grown).collect();
     write_map(&folder.join("displacement.svg"), &displacement(scene, result, (&raster, &apart), &title))?;
     let stress = scene.units.label("von Mises stress", scene.units.stress());
@@ -86,16 +87,16 @@ pub(super) fn size_of(scene: &BodyScene) -> f64 {
 fn displacement(
     scene: &BodyScene,
     result: &BodyResult,
-    (raster, apart): (&Raster, &[[usize; 2]]),
+    (raster, apart): (&Raster, &[Side]),
     title: &str,
 ) -> Map {
     let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
     let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
     let (range, note) = range(scene, &size);
     let factor = magnification(size_of(scene), range[1]);
-    let cracks: Vec<Crack> = scene.cracks.iter().map(|c| c.crack.clone()).collect();
-    let corners = raster.deformed(&[raster.means(&ux), raster.means(&uy)], factor, (&cracks, apart));
-    let lines = apart.iter().map(|&side| Raster::side(side, &corners).to_vec()).collect();
+    let apart = [raster.torn(&scene.crack_paths()), apart.to_vec()].concat();
+    let corners = raster.deformed(&[raster.means(&ux), raster.means(&uy)], factor, &apart);
+    let lines = apart.iter().flat_map(|&side| raster.faces(side, &corners)).collect();
     let patches = corners.into_iter().zip(raster.means(&size));
     Map {
         title: title.into(),

@@ -2,8 +2,7 @@
 //! many listed points a square with all points in it.
 
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Crack, PointBody};
-use std::collections::{BTreeMap, HashSet};
+use peristat_assembly::body::PointBody;
 use std::ops::Range;
 
 /// How many blocks there are, and along a side, at most.
@@ -17,7 +16,7 @@ pub(super) struct Limits {
 const DRAWN: Limits = Limits { blocks: 25_600, along: 400 };
 
 /// From the lower left corner of a block to all of them, around.
-const AROUND: [[i32; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
+pub(super) const AROUND: [[i32; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
 /// Blocks of a body.
 #[derive(Debug)]
@@ -25,7 +24,7 @@ pub(super) struct Raster {
     /// Corners of every block, around from the lower left, row by row.
     pub(super) blocks: Vec<[[f64; 2]; 4]>,
     /// Block of every point of the body.
-    of: Vec<u32>,
+    pub(super) of: Vec<u32>,
     counts: Vec<f64>,
     /// Numbers of blocks by columns and rows; none where every point is a block of its own.
     pub(super) grid: Option<Grid>,
@@ -145,68 +144,6 @@ impl Raster {
         [0, 1].map(|k| 0.5 * (self.blocks[block][0][k] + self.blocks[block][2][k]))
     }
 
-    /// Sides of blocks along which most pairs of neighbours across them are among some: the block, and 0 for its side on
-    /// the right, 1 for that above.
-    pub(super) fn between(&self, pairs: &[[usize; 2]]) -> Vec<[usize; 2]> {
-        let Some(grid) = &self.grid else { return Vec::new() };
-        let mut counts: BTreeMap<[usize; 2], usize> = BTreeMap::new();
-        for pair in pairs {
-            let [mut a, mut b] = pair.map(|point| self.of[point] as usize);
-            if a > b {
-                (a, b) = (b, a);
-            }
-            let ([i, j], [k, l]) = (grid.cells[a], grid.cells[b]);
-            match [k - i, l - j] {
-                [1, 0] => *counts.entry([a, 0]).or_default() += 1,
-                [0, 1] => *counts.entry([a, 1]).or_default() += 1,
-                _ => {}
-            }
-        }
-        counts.into_iter().filter(|(_, count)| 2 * count >= self.step).map(|(side, _)| side).collect()
-    }
-
-    /// Ends of a side of a block, from the corners of all.
-    pub(super) fn side([block, side]: [usize; 2], corners: &[[[f64; 2]; 4]]) -> [[f64; 2]; 2] {
-        let around = corners[block];
-        [around[if side == 0 { 1 } else { 3 }], around[2]]
-    }
-
-    /// Corners of all blocks moved by `factor` times the displacements, means over the blocks. A corner moves with the mean
-    /// of the blocks around it that neither a crack nor a side of `apart` separates from its own.
-    pub(super) fn deformed(
-        &self,
-        mean: &[Vec<f64>; 2],
-        factor: f64,
-        (cracks, apart): (&[Crack], &[[usize; 2]]),
-    ) -> Vec<[[f64; 2]; 4]> {
-        let mut all: Vec<[[f64; 2]; 4]> = self.corners().collect();
-        let apart: HashSet<[usize; 2]> = apart.iter().copied().collect();
-        // The neighbour along a row or a column, if it hangs together with the block.
-        let joined = |block: usize, [i, j]: [i32; 2]| {
-            let other = self.beside(block, [i, j])?;
-            let side = [block.min(other), usize::from(j != 0)];
-            (other == block || !apart.contains(&side)).then_some(other)
-        };
-        for (block, corners) in all.iter_mut().enumerate() {
-            for (corner, [right, up]) in corners.iter_mut().zip(AROUND) {
-                let (mut sum, mut count) = ([0.0; 2], 0.0);
-                for [i, j] in AROUND.map(|[i, j]| [right - i, up - j]) {
-                    // To the block across the corner along one side or the other.
-                    let ways = [[[i, 0], [0, j]], [[0, j], [i, 0]]];
-                    let found = ways.into_iter().find_map(|[a, b]| joined(joined(block, a)?, b));
-                    let Some(other) = found else { continue };
-                    let (a, b) = (self.middle(block), self.middle(other));
-                    if other == block || !cracks.iter().any(|c| c.cuts(a, b, 0.0)) {
-                        (0..2).for_each(|k| sum[k] += mean[k][other]);
-                        count += 1.0;
-                    }
-                }
-                (0..2).for_each(|k| corner[k] += factor * sum[k] / count);
-            }
-        }
-        all
-    }
-
     /// The block at an offset from another one; itself at none.
     pub(super) fn beside(&self, block: usize, [i, j]: [i32; 2]) -> Option<usize> {
         if [i, j] == [0, 0] {
@@ -221,11 +158,11 @@ impl Raster {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     /// A grid of 3 × 2 blocks of four points each.
-    fn raster() -> Raster {
+    pub(in super::super) fn raster() -> Raster {
         let cells = (0..4).flat_map(|j| (0..6).map(move |i| [i / 2, j / 2]));
         Raster::on_grid([3, 2], cells, &|node| node.map(f64::from))
     }
@@ -244,37 +181,5 @@ mod tests {
         // Points 0, 1, 6, 7 are in the first block.
         assert_eq!(raster.means(&values), [3.5, 5.5, 7.5, 15.5, 17.5, 19.5]);
         assert_eq!(raster.blocks[4], [[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]]);
-    }
-
-    #[test]
-    fn a_side_is_one_along_which_most_neighbours_are_parted() {
-        // Points 6 to 8 of the second row, and 12 to 14 above them; and 1 and 2 beside each other.
-        let raster = Raster { step: 2, ..raster() };
-        let found = raster.between(&[[6, 12], [13, 7], [8, 14], [1, 2], [0, 1]]);
-        assert_eq!(found, [[0, 0], [0, 1], [1, 1]]);
-        let single = Raster { step: 4, ..raster };
-        assert_eq!(single.between(&[[6, 12], [13, 7], [8, 14], [1, 2], [0, 1]]), [[0, 1]]);
-        let corners: Vec<_> = single.corners().collect();
-        assert_eq!(Raster::side([0, 1], &corners), [[0.0, 1.0], [1.0, 1.0]]);
-    }
-
-    #[test]
-    fn corners_move_with_their_neighbours_but_not_across_a_crack() {
-        let raster = raster();
-        let up = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
-        let moved = |cracks: &[Crack], apart: &[[usize; 2]]| {
-            raster.deformed(&[vec![0.0; 6], up.clone()], 2.0, (cracks, apart))
-        };
-        let whole = moved(&[], &[]);
-        assert_eq!((whole[0][2], whole[4][0], whole[4][2]), ([1.0, 2.0], [1.0, 2.0], [2.0, 4.0]));
-        let crack = Crack::new(vec![[-1.0, 1.0], [4.0, 1.0]]).unwrap();
-        let grown = [[0, 1], [1, 1], [2, 1]];
-        for open in [moved(&[crack], &[]), moved(&[], &grown)] {
-            assert_eq!((open[0][2], open[4][0]), ([1.0, 1.0], [1.0, 3.0]));
-        }
-        // Around the end of what has grown the body hangs together.
-        let tip = moved(&[], &grown[..1]);
-        assert_eq!((tip[0][2], tip[4][0]), (whole[0][2], whole[4][0]));
-        assert_eq!((tip[0][3], tip[3][0]), ([0.0, 1.0], [0.0, 3.0]));
     }
 }

@@ -4,12 +4,12 @@ use super::plots::size_of;
 use super::raster::{Grid, Limits, Raster};
 use crate::case::FieldName;
 use crate::output::plot::short;
-use crate::output::report::{Cells, Field, Map, Moves, number};
+use crate::output::report::{Cells, Field, Map, Moves};
 use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Crack, PointBody};
+use peristat_assembly::body::PointBody;
 
 /// Cells of a map: as many as fields of them fit into the report.
 const LIMITS: Limits = Limits { blocks: 120_000, along: 1500 };
@@ -41,7 +41,7 @@ pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
 fn state_name(scene: &BodyScene, result: &BodyResult) -> String {
     let record = &result.record;
     match scene.case.is_traced() || scene.case.steps.is_some() {
-        true => format!("{}, load factor {}", record.name, number(record.load_factor)),
+        true => format!("{}, load factor {}", record.name, short(record.load_factor)),
         false => record.name.clone(),
     }
 }
@@ -126,7 +126,7 @@ fn cells(scene: &BodyScene, raster: &Raster) -> Cells {
         }
     }
     let size = [grid.columns as usize, grid.rows as usize];
-    Cells::Grid { origin, sides, size, last, runs, torn: torn(scene, raster) }
+    Cells::Grid { origin, sides, size, last, runs, torn: raster.torn(&scene.crack_paths()) }
 }
 
 /// Corner and sides of the first block, whether it is there or not, and the parts of the last ones.
@@ -152,20 +152,4 @@ fn layout(scene: &BodyScene, raster: &Raster, grid: &Grid) -> ([f64; 2], [[f64; 
             (origin, sides, [1.0; 2])
         }
     }
-}
-
-/// Blocks that a crack parts from that on the right, 0, or above, 1.
-fn torn(scene: &BodyScene, raster: &Raster) -> Vec<[usize; 2]> {
-    let cracks: Vec<&Crack> = scene.cracks.iter().map(|c| &c.crack).collect();
-    if cracks.is_empty() {
-        return Vec::new();
-    }
-    let is_torn = |&[block, side]: &[usize; 2]| {
-        let beside = raster.beside(block, if side == 0 { [1, 0] } else { [0, 1] });
-        beside.is_some_and(|other| {
-            let (a, b) = (raster.middle(block), raster.middle(other));
-            cracks.iter().any(|crack| crack.cuts(a, b, 0.0))
-        })
-    };
-    (0..raster.blocks.len()).flat_map(|block| [[block, 0], [block, 1]]).filter(is_torn).collect()
 }
