@@ -28,13 +28,13 @@ pub struct Moves<const AXES: usize> {
     pub factor: f64,
 }
 
-/// All fields, as finely as their bytes allow.
+/// All fields, as finely as their bytes allow; with no bytes at once as coarsely as they ever are.
 pub(super) fn packed(fields: &[Field], order: &Order, most_bytes: usize) -> Vec<Packed> {
     let packed = |bits: u32| -> Vec<Packed> {
         fields.par_iter().map(|field| pack(&field.values, order, bits)).collect()
     };
     let fits = |all: &Vec<Packed>| bytes(all) <= most_bytes;
-    [16, 13, 10].into_iter().map(packed).find(fits).unwrap_or_else(|| packed(8))
+    [16, 13, 10].into_iter().filter(|_| most_bytes > 0).map(packed).find(fits).unwrap_or_else(|| packed(8))
 }
 
 /// Bytes that packed fields take.

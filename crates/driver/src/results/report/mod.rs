@@ -24,7 +24,7 @@ const MOST_POINTS: usize = 120_000;
 const MOST_DRAWN: usize = 1600;
 
 /// What a report keeps of all states.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Recorded {
     /// Maps of a body in the plane.
     maps: Frames,

@@ -119,7 +119,7 @@ fn results(summary: &Summary, Found { map, stride, states: figures }: Found) -> 
     let of_map = match stride {
         1 => format!("The map has all {states} states"),
         _ => format!(
-            "Of {states} states the map has every {stride}th and the last one, so that the page stays small"
+            "Of {states} states the map has one in {stride}, and the last one, so that the page stays small"
         ),
     };
     let told = match (&map, shown < states) {
