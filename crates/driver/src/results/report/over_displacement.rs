@@ -2,13 +2,11 @@
 
 use crate::case::{Case, FieldName, Probe};
 use crate::output::report::{Axis, Chart, Look, Series};
-use crate::results::being_written::HISTORY;
 
 /// A curve of fewer states says nothing.
 const FEWEST: usize = 3;
 
-/// The chart; `history` has a row per state, in which the values of the probes follow some other columns. `marked` if rings
-/// follow the states.
+/// The chart; `history` has a row per state, which ends with the values of all probes. `marked` if rings follow the states.
 pub(super) fn chart(case: &Case, history: &[Vec<f64>], marked: bool) -> Option<Chart> {
     let load = match (&case.fracture, &case.path) {
         (Some(fracture), _) => &fracture.load,
@@ -18,12 +16,13 @@ pub(super) fn chart(case: &Case, history: &[Vec<f64>], marked: bool) -> Option<C
     };
     let probe = |is: &dyn Fn(&Probe) -> bool| case.probes.iter().position(is);
     let (x, y) = (probe(&|p| is_displacement(p.field))?, probe(&|p| p.name == *load)?);
-    let width = HISTORY.len() + case.probes.len();
-    if history.len() < FEWEST || x == y || history.iter().any(|row| row.len() != width) {
+    let values = |row: &Vec<f64>| {
+        row.len().checked_sub(case.probes.len()).map(|first| (row[first + x], row[first + y]))
+    };
+    let points: Vec<(f64, f64)> = history.iter().map_while(values).collect();
+    if points.len() < FEWEST || x == y {
         return None;
     }
-    let points: Vec<(f64, f64)> =
-        history.iter().map(|row| (row[HISTORY.len() + x], row[HISTORY.len() + y])).collect();
     let axis = |k: usize| {
         let probe: &Probe = &case.probes[k];
         Axis::linear(case.units.label(&probe.name, probe.field.about().unit.label(case.units)))
