@@ -21,6 +21,7 @@ mod outside;
 mod plane_folder;
 mod readme;
 mod report;
+mod report_states;
 mod results_folder;
 mod schema;
 mod solid_report;

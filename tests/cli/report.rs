@@ -268,7 +268,7 @@ fn a_report_of_a_hundred_thousand_points_is_below_a_megabyte() {
 }
 
 #[test]
-fn several_states_are_there_to_choose_from_and_of_many_the_last() {
+fn several_states_are_there_to_choose_from_and_of_many_the_tables_of_the_last() {
     let folder = tempfile::tempdir().unwrap();
     let out = solved(folder.path(), "beam/load_cases.json", &[]);
     let states = json(&out.join("summary.json"))["states"].as_array().unwrap().len();
@@ -277,7 +277,7 @@ fn several_states_are_there_to_choose_from_and_of_many_the_last() {
     let out = solved(folder.path(), "plate/breaking_batch.json", &[]);
     let report = fs::read_to_string(out.join("report.html")).unwrap();
     assert_eq!(report.matches("<div class=\"set\"").count(), 1);
-    assert!(report.contains("states this is the last one"));
+    assert!(report.contains("the tables below it are those of the last one"));
     let Some(mut browser) = Browser::start() else { return };
     solved(folder.path(), "beam/load_cases.json", &[]);
     open(&mut browser, &folder.path().join("out"), 800);

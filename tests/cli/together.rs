@@ -35,7 +35,7 @@ fn a_second_run_into_a_folder_is_refused_for_as_long_as_the_first_lives() {
     signal("CONT", &first);
     assert!(first.wait().unwrap().success());
     assert_same(&folder.path().join("out"), &folder.path().join("whole"));
-    let refused = solve(folder.path(), &breaking(), &["-o", "out"]);
+    let refused = run(folder.path(), &["run", "out.json", "-o", "out"]);
     assert!(refused.code == 2 && refused.stderr.contains("out holds a finished run of `Plate that breaks`"));
 
     fs::remove_dir_all(folder.path().join("out")).unwrap();

@@ -46,6 +46,23 @@ impl AnyCurve {
         }
     }
 
+    /// The row of the equilibrium of a state that is about to be written: of a body that breaks it follows, of one that
+    /// softens it has been told.
+    pub(super) fn row(&self) -> usize {
+        match self {
+            Self::Break(curve) => curve.rows(),
+            Self::Path(curve) => curve.rows().saturating_sub(1),
+        }
+    }
+
+    /// Number of equilibria.
+    pub(super) fn rows(&self) -> usize {
+        match self {
+            Self::Break(curve) => curve.rows(),
+            Self::Path(curve) => curve.rows(),
+        }
+    }
+
     /// Draws it.
     ///
     /// # Errors

@@ -90,7 +90,7 @@ impl Results {
         self.files.extend(fields(record.index));
         // Which equilibrium is the last of a body that breaks is known only after it: any may be.
         let is_last = self.curve.is_some() || record.index + 1 == scene.states();
-        let is_drawn = is_last || self.report.shows_all();
+        let is_drawn = is_last || self.report.draws_all();
         let (plots, share) = (is_last.then(|| self.folder.join("plots")), self.report.shown());
         let (probes, figures) = match (scene, result) {
             (Scene::Beam(scene), StateResult::Beam(result)) => {
@@ -112,7 +112,7 @@ impl Results {
             }
         }
         if let Some(figures) = figures {
-            self.report.take(record.index, figures);
+            self.report.take(record.index, self.curve.as_ref().map_or(0, AnyCurve::row), figures);
         }
         self.steps.push(step(scene, record.index, record.load_factor));
         self.history.push(history_row(record.index, record.load_factor, &probes));
@@ -142,7 +142,8 @@ impl Results {
         let Some(restart) = restart else { return Ok(()) };
         let begin = Instant::now();
         if ends || self.due.is_none_or(|due| due <= begin) {
-            restart::write(&self.folder.join(restart::FILE), &restart(), &self.digests)?;
+            let kept = (&self.digests[..], &self.report.recorded());
+            restart::write(&self.folder.join(restart::FILE), &restart(), kept)?;
             let end = Instant::now();
             let pause = (end - begin).saturating_mul(SELDOM);
             self.due = Some(end.checked_add(pause).unwrap_or(end + Duration::from_secs(60)));
@@ -160,7 +161,7 @@ impl Results {
             let message = format!("`{file}` was removed while the run went on\nhint: run the case again");
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
         }
-        let page = self.report.page(summary, case, self.curve.as_ref());
+        let page = self.report.page(summary, case, (self.curve.as_ref(), &self.history));
         crate::output::report::write(&self.folder.join(report::FILE), &page)?;
         let text = serde_json::to_string_pretty(summary)?;
         atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())?;

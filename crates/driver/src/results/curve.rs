@@ -41,6 +41,11 @@ impl Curve {
         Ok(Self { file, events: events.to_vec(), reached })
     }
 
+    /// Number of rows.
+    pub(super) fn rows(&self) -> usize {
+        self.events.len()
+    }
+
     /// Adds an equilibrium.
     ///
     /// # Errors

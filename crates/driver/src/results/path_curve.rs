@@ -47,6 +47,11 @@ impl PathCurve {
         Ok(Self { file, points: Vec::new(), probes, opening })
     }
 
+    /// Number of rows.
+    pub(super) fn rows(&self) -> usize {
+        self.points.len()
+    }
+
     /// Adds a state.
     ///
     /// # Errors

@@ -1,10 +1,11 @@
 //! `restart.bin`: what a run goes on from.
 //!
 //! The file is `peristat restart\n`, the version of its content, the length of that (both little-endian), the BLAKE3 hash of
-//! the content, and the content itself in the format of `postcard`: what the solution goes on from, and the digests of the
-//! tables and grids that were written before.
+//! the content, and the content itself in the format of `postcard`: what the solution goes on from, the digests of the
+//! tables and grids that were written before, and what the report keeps of their states.
 
 use super::digest::Digest;
+use super::report::Recorded;
 use crate::input::file;
 use crate::output::atomic;
 use crate::run::fracture::Restart;
@@ -16,15 +17,22 @@ pub(super) const FILE: &str = "restart.bin";
 
 const MAGIC: &[u8; 17] = b"peristat restart\n";
 /// To be raised with every change of the content, what a summary says of states among it.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 const HASH: usize = blake3::OUT_LEN;
+
+/// What a run goes on from, digests of tables and grids, and what the report keeps.
+type Content = (Restart, Vec<Digest>, Recorded);
 
 /// Writes what a run goes on from in place of an older file.
 ///
 /// # Errors
 /// What the file system reports; the older file is then unchanged.
-pub(super) fn write(path: &Path, restart: &Restart, digests: &[Digest]) -> io::Result<()> {
-    let content = postcard::to_stdvec(&(restart, digests)).map_err(io::Error::other)?;
+pub(super) fn write(
+    path: &Path,
+    restart: &Restart,
+    (digests, recorded): (&[Digest], &Recorded),
+) -> io::Result<()> {
+    let content = postcard::to_stdvec(&(restart, digests, recorded)).map_err(io::Error::other)?;
     atomic::replace(path, |file| {
         file.write_all(MAGIC)?;
         file.write_all(&VERSION.to_le_bytes())?;
@@ -38,7 +46,7 @@ pub(super) fn write(path: &Path, restart: &Restart, digests: &[Digest]) -> io::R
 ///
 /// # Errors
 /// [`ErrorKind::InvalidData`] if the file is another one, of another version, or damaged; what the file system reports.
-pub(super) fn read(path: &Path) -> io::Result<(Restart, Vec<Digest>)> {
+pub(super) fn read(path: &Path) -> io::Result<Content> {
     let bytes = file::read(path, None).map_err(|refusal| refusal.reason);
     bytes.and_then(|bytes| decode(&bytes).map_err(Into::into)).map_err(|reason| {
         let message = format!(
@@ -49,7 +57,7 @@ pub(super) fn read(path: &Path) -> io::Result<(Restart, Vec<Digest>)> {
     })
 }
 
-fn decode(bytes: &[u8]) -> Result<(Restart, Vec<Digest>), &'static str> {
+fn decode(bytes: &[u8]) -> Result<Content, &'static str> {
     const DAMAGED: &str = "is damaged";
     let rest = bytes.strip_prefix(MAGIC).ok_or("is not a restart of peristat")?;
     let (version, rest) = rest.split_first_chunk().ok_or(DAMAGED)?;
@@ -110,9 +118,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(FILE);
         let digests = digests(folder.path());
-        write(&path, &Restart::default(), &[]).unwrap();
-        write(&path, &restart(), &digests).unwrap();
-        let (found, kept) = read(&path).unwrap();
+        write(&path, &Restart::default(), (&[], &Recorded::default())).unwrap();
+        write(&path, &restart(), (&digests, &Recorded::default())).unwrap();
+        let (found, kept, _) = read(&path).unwrap();
         assert_eq!((&found, &kept[..]), (&restart(), &digests[..]));
         for (found, expected) in found.unit.iter().zip(restart().unit) {
             assert_eq!(found.to_bits(), expected.to_bits());
@@ -125,7 +133,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(FILE);
         let digests = digests(folder.path());
-        write(&path, &restart(), &digests).unwrap();
+        write(&path, &restart(), (&digests, &Recorded::default())).unwrap();
         let whole = fs::read(&path).unwrap();
         for length in 0..whole.len() {
             assert!(decode(&whole[..length]).is_err(), "{length} of {}", whole.len());
@@ -142,7 +150,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(FILE);
         let digests = digests(folder.path());
-        write(&path, &restart(), &digests).unwrap();
+        write(&path, &restart(), (&digests, &Recorded::default())).unwrap();
         let whole = fs::read(&path).unwrap();
         assert_eq!(decode(b"{}"), Err("is not a restart of peristat"));
         for place in MAGIC.len()..whole.len() {

@@ -51,7 +51,7 @@ impl Results {
         if !path.exists() {
             return nothing();
         }
-        let (restart, digests) = restart::read(&path)?;
+        let (restart, digests, _) = restart::read(&path)?;
         if restart.case != scene.fingerprint()? {
             let reason = format!(
                 "the run in {place} is of another case, or the case or peristat has been changed since"
@@ -80,6 +80,7 @@ impl Results {
     /// The folder cannot be read or written.
     pub fn resume(claim: &Claim, scene: &Scene, restart: &Restart) -> io::Result<Self> {
         let folder = claim.folder();
+        let (_, _, recorded) = restart::read(&folder.join(restart::FILE))?;
         // Titles, checks and lines may have changed.
         write_case(folder, scene)?;
         // What is in the tables may have been edited: the restart knows.
@@ -104,7 +105,7 @@ impl Results {
             history,
             envelope: None,
             curve: Some(AnyCurve::Break(Curve::begin(folder, &restart.events)?)),
-            report: Report::new(scene),
+            report: Report::resume(scene, recorded),
             due: None,
         };
         results.write_collection()?;

@@ -92,6 +92,7 @@ fn chart(diagram: LogLog, name: &str, with_slopes: bool) -> Option<Block> {
     };
     Some(Block::Chart(Chart {
         slopes: if with_slopes { slopes.collect() } else { Vec::new() },
+        marks: Vec::new(),
         series: lines
             .iter()
             .map(|line| report::Series {

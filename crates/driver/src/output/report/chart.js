@@ -111,6 +111,17 @@ function chart(figure, data) {
     ctx.fillText('1', (a[0] + b[0]) / 2, b[1] + 10);
   }
 
+  // Where the state stands that the page shows.
+  function ring(ctx, [x, y]) {
+    [ctx.strokeStyle, ctx.lineWidth] = [color('faint'), 1];
+    line(ctx, [[x, place.top], [x, place.bottom]]);
+    ctx.stroke();
+    [ctx.fillStyle, ctx.strokeStyle, ctx.lineWidth] = [color('paper'), color('ink'), 2];
+    dot(ctx, x, y, 5);
+    ctx.fill();
+    ctx.stroke();
+  }
+
   function draw() {
     const ctx = stage.begin((width) => clamp(0.44 * width, 230, 380));
     if (!ctx) return;
@@ -122,6 +133,7 @@ function chart(figure, data) {
     all.forEach((s, k) => strokes(ctx, s, k));
     ctx.restore();
     data.slopes.forEach((s) => slope(ctx, s));
+    if (data.marks[states.shown]) ring(ctx, place.to(data.marks[states.shown]));
     if (hovered) {
       ctx.fillStyle = color('paper');
       ctx.lineWidth = 2;
@@ -164,6 +176,7 @@ function chart(figure, data) {
   }
 
   stage.listen(find);
+  if (data.marks.length) states.follow(draw);
   return draw;
 }
 

@@ -27,6 +27,8 @@ pub struct Chart {
     pub series: Vec<Series>,
     /// Triangles that show an order of convergence; both axes must be logarithmic.
     pub slopes: Vec<Slope>,
+    /// Where the states of the page stand, by their number: a ring follows the one that is shown.
+    pub marks: Vec<(f64, f64)>,
 }
 
 /// An axis.
@@ -146,6 +148,7 @@ pub(super) fn render(out: &mut String, chart: &Chart) {
         "y": axis(&chart.y),
         "series": lines.iter().map(line).collect::<Vec<_>>(),
         "slopes": chart.slopes.iter().filter(|_| is_log).map(slope).collect::<Vec<_>>(),
+        "marks": chart.marks.iter().map(|m| [m.0, m.1].map(rounded)).collect::<Vec<_>>(),
     });
     element::figure(
         out,

@@ -98,6 +98,15 @@ pub(super) fn slider(out: &mut String) {
     );
 }
 
+/// A slider over states, the last of which has a number, and a button that plays them; the script writes the state beside it.
+pub(super) fn states(out: &mut String, last: usize) {
+    let _ = write!(
+        out,
+        "<label class=\"states\">State <input type=\"range\" class=\"state\" min=\"0\" max=\"{last}\" step=\"1\" value=\"{last}\"></label> \
+         <button type=\"button\" class=\"play\">play</button> <output class=\"told\" aria-live=\"polite\"></output>"
+    );
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

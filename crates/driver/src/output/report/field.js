@@ -25,8 +25,8 @@ function level({ range: [low, high] }, value) {
 }
 
 // A value of a field in words, with no more digits than its packing kept.
-function worded(of, value) {
-  const kept = of.packed.step ? 2 + Math.floor(Math.log10(Math.abs(value) / of.packed.step)) : 5;
+function worded(of, value, { step } = of.packed) {
+  const kept = step ? 2 + Math.floor(Math.log10(Math.abs(value) / step)) : 5;
   return `${of.name} ${measured(value, of.unit, clamp(kept, 1, 5))}`;
 }
 

@@ -1,6 +1,6 @@
 //! Fields of maps and of solids: what cells hold, of which readers choose one.
 
-use super::pack::{Order, pack};
+use super::pack::{Order, Packed, pack};
 use super::{element, number};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -28,19 +28,25 @@ pub struct Moves<const AXES: usize> {
     pub factor: f64,
 }
 
-/// All fields, as finely as their bytes allow.
-pub(super) fn packed(fields: &[Field], order: &Order, most_bytes: usize) -> Value {
-    let packed = |bits: u32| -> (usize, Value) {
-        let all: Vec<Value> = fields.par_iter().map(|f| pack(&f.values, order, bits)).collect();
-        let bytes = all.iter().map(|p| p["data"].as_str().map_or(0, str::len)).sum();
-        let named = fields
-            .iter()
-            .zip(all)
-            .map(|(f, packed)| json!({ "name": f.name, "unit": f.unit, "range": f.range, "packed": packed }));
-        (bytes, named.collect())
+/// All fields, as finely as their bytes allow; with no bytes at once as coarsely as they ever are.
+pub(super) fn packed(fields: &[Field], order: &Order, most_bytes: usize) -> Vec<Packed> {
+    let packed = |bits: u32| -> Vec<Packed> {
+        fields.par_iter().map(|field| pack(&field.values, order, bits)).collect()
     };
-    let fits = [16, 13, 10].into_iter().map(packed).find(|(bytes, _)| *bytes <= most_bytes);
-    fits.unwrap_or_else(|| packed(8)).1
+    let fits = |all: &Vec<Packed>| bytes(all) <= most_bytes;
+    [16, 13, 10].into_iter().filter(|_| most_bytes > 0).map(packed).find(fits).unwrap_or_else(|| packed(8))
+}
+
+/// Bytes that packed fields take.
+pub(super) fn bytes(all: &[Packed]) -> usize {
+    all.iter().map(|packed| packed.data.len()).sum()
+}
+
+/// Fields with what they were packed into.
+pub(super) fn json(fields: &[Field], packed: &[Packed]) -> Value {
+    let both = fields.iter().zip(packed);
+    both.map(|(f, packed)| json!({ "name": f.name, "unit": f.unit, "range": f.range, "packed": packed }))
+        .collect()
 }
 
 /// Cells and their fields in words.

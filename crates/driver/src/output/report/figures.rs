@@ -3,11 +3,12 @@
 use super::block::Block;
 
 /// In the order in which they need each other.
-const SCRIPTS: [&str; 7] = [
+const SCRIPTS: [&str; 8] = [
     include_str!("number.js"),
     include_str!("stage.js"),
     include_str!("field.js"),
     include_str!("chart.js"),
+    include_str!("states.js"),
     include_str!("map.js"),
     include_str!("picture.js"),
     include_str!("page.js"),
@@ -23,7 +24,8 @@ const OF_SOLIDS: [&str; 7] = [
     include_str!("solid.js"),
 ];
 
-/// Bytes that the fields of all maps of a page may take: a page is to stay below a megabyte, with solids below two.
+/// Bytes that the fields of all maps of a page may take, each of its last state: a page is to stay below a megabyte, with solids
+/// below two, with earlier states below three.
 const MAP_BYTES: usize = 760_000;
 const SOLID_BYTES: usize = 1_700_000;
 

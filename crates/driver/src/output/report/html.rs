@@ -160,6 +160,7 @@ mod tests {
             y: Axis::log(HOSTILE),
             series: vec![Series { label: text(), look: Look::Dots, points: vec![(1.0, 2.0)] }; 2],
             slopes: Vec::new(),
+            marks: Vec::new(),
         };
         let field = Field { name: text(), unit: text(), values: vec![1.0], range: [1.0; 2] };
         let cells = crate::output::report::Cells::Squares { centres: vec![[0.0; 2]], sides: vec![1.0] };

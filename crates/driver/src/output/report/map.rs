@@ -2,6 +2,7 @@
 
 use super::element;
 use super::field::{self, Field, Moves};
+use super::frames::Frame;
 use super::json::{all, inline, rounded};
 use super::pack::Order;
 use serde_json::{Value, json};
@@ -23,6 +24,12 @@ pub struct Map {
     pub moves: Option<Moves<2>>,
     /// Lines over the cells where they have not moved, such as cracks.
     pub lines: Vec<Vec<[f64; 2]>>,
+    /// Sides along which cells have come apart: the cell, the side as in `torn`, and the number of the first such state.
+    pub grown: Vec<[usize; 3]>,
+    /// Number of the state that it shows, and what that is called.
+    pub state: (usize, String),
+    /// States before, in their order.
+    pub before: Vec<Frame>,
 }
 
 /// Cells of a map.
@@ -66,7 +73,7 @@ impl Cells {
         }
     }
 
-    fn order(&self) -> Order {
+    pub(super) fn order(&self) -> Order {
         match self {
             Self::Grid { size, runs, .. } => Order::of_runs(size[0], runs),
             Self::Squares { centres, .. } => Order::of_list(centres.len()),
@@ -98,9 +105,11 @@ pub(super) fn render(out: &mut String, map: &Map, most_bytes: usize) {
     }
     assert!(map.fields.iter().all(|f| f.values.len() == cells), "a field has a value per cell");
     let moves = map.moves.map(|m| json!({ "fields": m.fields, "factor": rounded(m.factor) }));
-    let fields = field::packed(&map.fields, &map.cells.order(), most_bytes);
+    let packed = field::packed(&map.fields, &map.cells.order(), most_bytes);
     let data = json!({
-        "length": map.length, "cells": map.cells.json(), "fields": fields, "moves": moves, "lines": map.lines,
+        "length": map.length, "cells": map.cells.json(), "fields": field::json(&map.fields, &packed), "moves": moves,
+        "lines": map.lines, "grown": map.grown, "before": map.before,
+        "state": { "state": map.state.0, "name": map.state.1 },
     });
     let described = field::described(&map.title, &map.fields);
     element::figure(out, "map", (&map.title, &map.note), &described, &inline(&data), &|out| {
@@ -108,6 +117,9 @@ pub(super) fn render(out: &mut String, map: &Map, most_bytes: usize) {
         field::choice(out, &map.fields);
         if map.moves.is_some() {
             element::slider(out);
+        }
+        if !map.before.is_empty() {
+            element::states(out, map.before.len());
         }
         out.push_str("</div>\n");
     });

@@ -3,10 +3,19 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
 
 /// How hard to deflate: the next levels take far longer for a few percent.
 const LEVEL: u8 = 4;
+
+/// Values that take few bytes.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Packed {
+    /// The smallest value, and the step between two of them.
+    low: f64,
+    step: f64,
+    pub(super) data: String,
+}
 
 /// Cells that stand before others of their field, by which these are foretold: to the left, below, and left below.
 pub(super) struct Order {
@@ -56,7 +65,7 @@ impl Order {
 }
 
 /// Values, one per cell, in steps of their range over `2^bits − 1`.
-pub(super) fn pack(values: &[f64], order: &Order, bits: u32) -> Value {
+pub(super) fn pack(values: &[f64], order: &Order, bits: u32) -> Packed {
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let most = f64::from((1_u32 << bits) - 1);
@@ -74,7 +83,7 @@ pub(super) fn pack(values: &[f64], order: &Order, bits: u32) -> Value {
         [small[cell], large[cell]] = folded.to_le_bytes();
     }
     let deflated = miniz_oxide::deflate::compress_to_vec_zlib(&bytes, LEVEL);
-    json!({ "low": low, "step": step, "data": STANDARD.encode(deflated) })
+    Packed { low, step, data: STANDARD.encode(deflated) }
 }
 
 #[cfg(test)]
@@ -82,9 +91,9 @@ mod tests {
     use super::*;
 
     /// What `map.js` does.
-    fn unpack(packed: &Value, order: &Order) -> Vec<f64> {
-        let [low, step] = ["low", "step"].map(|key| packed[key].as_f64().unwrap());
-        let deflated = STANDARD.decode(packed["data"].as_str().unwrap()).unwrap();
+    fn unpack(packed: &Packed, order: &Order) -> Vec<f64> {
+        let (low, step) = (packed.low, packed.step);
+        let deflated = STANDARD.decode(&packed.data).unwrap();
         let bytes = miniz_oxide::inflate::decompress_to_vec_zlib(&deflated).unwrap();
         let (small, large) = bytes.split_at(bytes.len() / 2);
         let mut steps = Vec::new();
@@ -104,7 +113,7 @@ mod tests {
             for scale in [1.0, -1e-300, 1e300] {
                 let values: Vec<f64> = (0..18).map(|k| scale * (f64::from(k) * 1.7).sin()).collect();
                 let packed = pack(&values, &order, 16);
-                let half = 0.51 * packed["step"].as_f64().unwrap();
+                let half = 0.51 * packed.step;
                 for (found, expected) in unpack(&packed, &order).iter().zip(&values) {
                     assert!((found - expected).abs() <= half, "{found} {expected}");
                 }
@@ -120,7 +129,7 @@ mod tests {
         let at = |k: usize| ((k % 300) as f64 / 40.0).sin() * ((k / 300) as f64 / 90.0).cos();
         let values: Vec<f64> = (0..90_000).map(at).collect();
         let packed = pack(&values, &Order::of_runs(300, &runs), 16);
-        let length = packed["data"].as_str().unwrap().len();
+        let length = packed.data.len();
         assert!(length < 60_000, "{length} bytes of 180 000");
     }
 }

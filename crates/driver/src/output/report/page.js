@@ -18,8 +18,27 @@ const redraw = () => drawings.forEach((draw) => draw());
 for (const select of document.querySelectorAll('.choose')) {
   const sets = [...select.closest('.choice').children].filter((child) => child.matches('.set'));
   const show = () => sets.forEach((set, k) => (set.hidden = k !== Number(select.value)));
-  select.addEventListener('change', show);
+  select.addEventListener('change', () => {
+    show();
+    // Where there is a map of states, it has all that the list has.
+    if (states.shown !== null) states.show(Number(select.value), follow);
+  });
+  function follow(state) {
+    if (!select.options[state]) return;
+    select.value = state;
+    show();
+  }
+  states.follow(follow);
   show();
+}
+
+// Tables that are wider than the window say so.
+for (const box of document.querySelectorAll('.scroll')) {
+  const hint = Object.assign(document.createElement('p'), { className: 'note more', textContent: 'more columns →', hidden: true });
+  box.before(hint);
+  const tell = () => (hint.hidden = box.scrollLeft + box.clientWidth >= box.scrollWidth - 2);
+  box.addEventListener('scroll', tell);
+  new ResizeObserver(tell).observe(box);
 }
 
 const root = document.documentElement;

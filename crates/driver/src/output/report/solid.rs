@@ -76,10 +76,11 @@ pub(super) fn render(out: &mut String, solid: &Solid, most_bytes: usize) {
     }
     assert!(solid.fields.iter().all(|f| f.values.len() == count), "a field has a value per brick");
     let Bricks { origin, sides, size, spans } = &solid.bricks;
+    let packed = field::packed(&solid.fields, &solid.bricks.order(), most_bytes);
     let data = json!({
         "length": solid.length,
         "bricks": { "origin": origin, "sides": sides, "size": size, "spans": spans },
-        "fields": field::packed(&solid.fields, &solid.bricks.order(), most_bytes),
+        "fields": field::json(&solid.fields, &packed),
         "moves": solid.moves.map(|m| json!({ "fields": m.fields, "factor": rounded(m.factor) })),
     });
     let described = format!(
@@ -138,7 +139,7 @@ mod tests {
         };
         let values: Vec<f64> = (0..64_000).map(wave).collect();
         let packed = pack(&values, &bricks.order(), 10);
-        let length = packed["data"].as_str().unwrap().len();
+        let length = packed.data.len();
         assert!(length < 40_000, "{length} bytes of 64 000 values");
     }
 

@@ -9,6 +9,20 @@ const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 const color = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 const series = (k) => color(`c${(k % 6) + 1}`);
 
+// The state that the page shows, by its number: maps, curves and lists follow each other.
+const states = {
+  shown: null,
+  followers: [],
+  follow(follower) {
+    this.followers.push(follower);
+  },
+  show(state, from) {
+    if (state === this.shown) return;
+    this.shown = state;
+    this.followers.forEach((follower) => follower !== from && follower(state));
+  },
+};
+
 class Stage {
   constructor(figure) {
     this.canvas = figure.querySelector('canvas');

@@ -1,5 +1,6 @@
 //! The files of a body: its tables, grids, lines, maps and pictures.
 
+mod apart;
 mod blocks;
 mod cells;
 mod lines;

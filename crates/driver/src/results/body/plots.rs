@@ -1,5 +1,6 @@
 //! Maps of a state of a body in the plane: displacement on the deformed shape, von Mises stress, damage.
 
+use super::apart::Side;
 use super::raster::Raster;
 use super::surface;
 use crate::case::FieldName;
@@ -9,7 +10,7 @@ use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
 use crate::scene::words;
-use peristat_assembly::body::{Crack, PointBody};
+use peristat_assembly::body::PointBody;
 use std::io;
 use std::path::Path;
 
@@ -23,7 +24,12 @@ pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io
         return surface::write(folder, (scene, lattice), result, &title);
     }
     let raster = Raster::new(scene);
-    write_map(&folder.join("displacement.svg"), &displacement(scene, result, &raster, &title))?;
+    let apart = raster.between(&result.parted(scene));
+    let corners: Vec<_> = raster.corners().collect();
+    let given = scene.cracks.iter().map(|c| c.crack.vertices().to_vec());
+    let grown = apart.iter().filter_map(|&side| raster.faces(side, &corners).into_iter().next());
+    let lines: Vec<Vec<[f64; 2]>> = given.chain(grown).collect();
+    write_map(&folder.join("displacement.svg"), &displacement(scene, result, (&raster, &apart), &title))?;
     let stress = scene.units.label("von Mises stress", scene.units.stress());
     let deflection = scene.units.label("w, outwards", scene.units.length());
     let fields = [
@@ -41,7 +47,7 @@ pub(super) fn write(folder: &Path, scene: &BodyScene, result: &BodyResult) -> io
             label: label.into(),
             range,
             patches: patches.map(|(corners, value)| Patch::flat(corners, value)).collect(),
-            lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
+            lines: lines.clone(),
             ..Map::default()
         };
         write_map(&folder.join(format!("{file}.svg")), &map)?;
@@ -78,13 +84,19 @@ pub(super) fn size_of(scene: &BodyScene) -> f64 {
 }
 
 /// The magnitude of the displacement on the deformed shape.
-fn displacement(scene: &BodyScene, result: &BodyResult, raster: &Raster, title: &str) -> Map {
+fn displacement(
+    scene: &BodyScene,
+    result: &BodyResult,
+    (raster, apart): (&Raster, &[Side]),
+    title: &str,
+) -> Map {
     let [ux, uy] = [FieldName::Ux, FieldName::Uy].map(|f| result.values(scene, f).unwrap_or_default());
     let size: Vec<f64> = ux.iter().zip(&uy[..]).map(|(x, y)| x.hypot(*y)).collect();
     let (range, note) = range(scene, &size);
     let factor = magnification(size_of(scene), range[1]);
-    let cracks: Vec<Crack> = scene.cracks.iter().map(|c| c.crack.clone()).collect();
-    let corners = raster.deformed(&[raster.means(&ux), raster.means(&uy)], factor, &cracks);
+    let apart = [raster.torn(&scene.crack_paths()), apart.to_vec()].concat();
+    let corners = raster.deformed(&[raster.means(&ux), raster.means(&uy)], factor, &apart);
+    let lines = apart.iter().flat_map(|&side| raster.faces(side, &corners)).collect();
     let patches = corners.into_iter().zip(raster.means(&size));
     Map {
         title: title.into(),
@@ -93,6 +105,6 @@ fn displacement(scene: &BodyScene, result: &BodyResult, raster: &Raster, title: 
         range,
         patches: patches.map(|(corners, value)| Patch::flat(corners, value)).collect(),
         ghost: raster.corners().collect(),
-        lines: Vec::new(),
+        lines,
     }
 }

@@ -2,7 +2,7 @@
 //! many listed points a square with all points in it.
 
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Crack, PointBody};
+use peristat_assembly::body::PointBody;
 use std::ops::Range;
 
 /// How many blocks there are, and along a side, at most.
@@ -16,7 +16,7 @@ pub(super) struct Limits {
 const DRAWN: Limits = Limits { blocks: 25_600, along: 400 };
 
 /// From the lower left corner of a block to all of them, around.
-const AROUND: [[i32; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
+pub(super) const AROUND: [[i32; 2]; 4] = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
 /// Blocks of a body.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ pub(super) struct Raster {
     /// Corners of every block, around from the lower left, row by row.
     pub(super) blocks: Vec<[[f64; 2]; 4]>,
     /// Block of every point of the body.
-    of: Vec<u32>,
+    pub(super) of: Vec<u32>,
     counts: Vec<f64>,
     /// Numbers of blocks by columns and rows; none where every point is a block of its own.
     pub(super) grid: Option<Grid>,
@@ -144,27 +144,6 @@ impl Raster {
         [0, 1].map(|k| 0.5 * (self.blocks[block][0][k] + self.blocks[block][2][k]))
     }
 
-    /// Corners of all blocks moved by `factor` times the displacements, means over the blocks. A corner moves with the mean
-    /// of the blocks around it that no crack separates from its own.
-    pub(super) fn deformed(&self, mean: &[Vec<f64>; 2], factor: f64, cracks: &[Crack]) -> Vec<[[f64; 2]; 4]> {
-        let mut all: Vec<[[f64; 2]; 4]> = self.corners().collect();
-        for (block, corners) in all.iter_mut().enumerate() {
-            for (corner, [right, up]) in corners.iter_mut().zip(AROUND) {
-                let (mut sum, mut count) = ([0.0; 2], 0.0);
-                for [i, j] in AROUND {
-                    let Some(other) = self.beside(block, [right - i, up - j]) else { continue };
-                    let (a, b) = (self.middle(block), self.middle(other));
-                    if other == block || !cracks.iter().any(|c| c.cuts(a, b, 0.0)) {
-                        (0..2).for_each(|k| sum[k] += mean[k][other]);
-                        count += 1.0;
-                    }
-                }
-                (0..2).for_each(|k| corner[k] += factor * sum[k] / count);
-            }
-        }
-        all
-    }
-
     /// The block at an offset from another one; itself at none.
     pub(super) fn beside(&self, block: usize, [i, j]: [i32; 2]) -> Option<usize> {
         if [i, j] == [0, 0] {
@@ -179,11 +158,11 @@ impl Raster {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     /// A grid of 3 × 2 blocks of four points each.
-    fn raster() -> Raster {
+    pub(in super::super) fn raster() -> Raster {
         let cells = (0..4).flat_map(|j| (0..6).map(move |i| [i / 2, j / 2]));
         Raster::on_grid([3, 2], cells, &|node| node.map(f64::from))
     }
@@ -202,17 +181,5 @@ mod tests {
         // Points 0, 1, 6, 7 are in the first block.
         assert_eq!(raster.means(&values), [3.5, 5.5, 7.5, 15.5, 17.5, 19.5]);
         assert_eq!(raster.blocks[4], [[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]]);
-    }
-
-    #[test]
-    fn corners_move_with_their_neighbours_but_not_across_a_crack() {
-        let raster = raster();
-        let up = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
-        let moved = |cracks: &[Crack]| raster.deformed(&[vec![0.0; 6], up.clone()], 2.0, cracks);
-        let whole = moved(&[]);
-        assert_eq!((whole[0][2], whole[4][0], whole[4][2]), ([1.0, 2.0], [1.0, 2.0], [2.0, 4.0]));
-        let crack = Crack::new(vec![[-1.0, 1.0], [4.0, 1.0]]).unwrap();
-        let open = moved(&[crack]);
-        assert_eq!((open[0][2], open[4][0]), ([1.0, 1.0], [1.0, 3.0]));
     }
 }

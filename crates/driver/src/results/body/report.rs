@@ -9,14 +9,18 @@ use crate::results::factor::magnification;
 use crate::run::body::BodyResult;
 use crate::run::scan;
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::{Crack, PointBody};
+use peristat_assembly::body::PointBody;
 
 /// Cells of a map: as many as fields of them fit into the report.
 const LIMITS: Limits = Limits { blocks: 120_000, along: 1500 };
+/// Those of a map of several states.
+const OF_STATES: Limits = Limits { blocks: 40_000, along: 1000 };
 
 /// The map of a state.
 pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
-    let raster = Raster::within(scene, LIMITS);
+    let has_states = scene.case.is_traced() || scene.states.len() > 1;
+    let raster = Raster::within(scene, if has_states { OF_STATES } else { LIMITS });
+    let grown = raster.between(&result.parted(scene));
     let (fields, moves) =
         fields(scene, result, [FieldName::Ux, FieldName::Uy], &|values| raster.means(values));
     Map {
@@ -27,6 +31,18 @@ pub(super) fn map(scene: &BodyScene, result: &BodyResult) -> Map {
         fields,
         moves,
         lines: scene.cracks.iter().map(|c| c.crack.vertices().to_vec()).collect(),
+        grown: grown.into_iter().map(|[cell, side]| [cell, side, result.record.index]).collect(),
+        state: (result.record.index, state_name(scene, result)),
+        before: Vec::new(),
+    }
+}
+
+/// What a state is called, with its load factor where it has one of its own.
+fn state_name(scene: &BodyScene, result: &BodyResult) -> String {
+    let record = &result.record;
+    match scene.case.is_traced() || scene.case.steps.is_some() {
+        true => format!("{}, load factor {}", record.name, short(record.load_factor)),
+        false => record.name.clone(),
     }
 }
 
@@ -110,7 +126,7 @@ fn cells(scene: &BodyScene, raster: &Raster) -> Cells {
         }
     }
     let size = [grid.columns as usize, grid.rows as usize];
-    Cells::Grid { origin, sides, size, last, runs, torn: torn(scene, raster) }
+    Cells::Grid { origin, sides, size, last, runs, torn: raster.torn(&scene.crack_paths()) }
 }
 
 /// Corner and sides of the first block, whether it is there or not, and the parts of the last ones.
@@ -136,20 +152,4 @@ fn layout(scene: &BodyScene, raster: &Raster, grid: &Grid) -> ([f64; 2], [[f64; 
             (origin, sides, [1.0; 2])
         }
     }
-}
-
-/// Blocks that a crack parts from that on the right, 0, or above, 1.
-fn torn(scene: &BodyScene, raster: &Raster) -> Vec<[usize; 2]> {
-    let cracks: Vec<&Crack> = scene.cracks.iter().map(|c| &c.crack).collect();
-    if cracks.is_empty() {
-        return Vec::new();
-    }
-    let is_torn = |&[block, side]: &[usize; 2]| {
-        let beside = raster.beside(block, if side == 0 { [1, 0] } else { [0, 1] });
-        beside.is_some_and(|other| {
-            let (a, b) = (raster.middle(block), raster.middle(other));
-            cracks.iter().any(|crack| crack.cuts(a, b, 0.0))
-        })
-    };
-    (0..raster.blocks.len()).flat_map(|block| [[block, 0], [block, 1]]).filter(is_torn).collect()
 }

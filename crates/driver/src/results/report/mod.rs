@@ -1,31 +1,47 @@
 //! `report.html`: what a run has found, to be read by people.
 
+mod over_displacement;
 mod sections;
 
 use super::any_curve::AnyCurve;
 use crate::case::{Case, Units};
 use crate::output::plot::{Diagram, Style, thin};
-use crate::output::report::{Axis, Badge, Block, Chart, Look, Page, Series, Tone};
+use crate::output::report::{Axis, Badge, Block, Chart, Frames, Look, Page, Series, Tone};
 use crate::scene::Scene;
 use crate::summary::{Status, Summary};
+use peristat_assembly::body::PointBody;
+use sections::Found;
+use serde::{Deserialize, Serialize};
 
 /// Name of the file.
 pub(super) const FILE: &str = "report.html";
 
-/// States of which all figures are shown, at most: more would be a long list and a large file.
+/// States of which all figures, not only maps, are shown, at most: more would be a long list and a large file.
 const MOST_STATES: usize = 12;
 /// Points of all states that are shown, at most.
 const MOST_POINTS: usize = 120_000;
 /// Points of a line of a chart that are kept.
 const MOST_DRAWN: usize = 1600;
 
+/// What a report keeps of all states.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Recorded {
+    /// Maps of a body in the plane.
+    maps: Frames,
+    /// Rows in the table of equilibria, by state.
+    rows: Vec<usize>,
+}
+
 /// The figures of the states of a run, collected as they come.
 #[derive(Debug)]
 pub(super) struct Report {
-    /// Number of states that are shown.
+    /// Number of states of which all figures are shown.
     shown: usize,
+    /// Whether there are maps, which show all states however many there are.
+    has_maps: bool,
     /// Number of a state among those of the summary, and its figures.
     states: Vec<(usize, Vec<Block>)>,
+    recorded: Recorded,
 }
 
 impl Report {
@@ -39,8 +55,27 @@ impl Report {
                 15 * scene.beam.chains().iter().map(|c| c.points).sum::<usize>().min(MOST_DRAWN)
             }
         };
-        let all = !scene.case().is_traced() && states <= MOST_STATES && states * cost <= MOST_POINTS;
-        Self { shown: if all { states } else { 1 }, states: Vec::new() }
+        let is_traced = scene.case().is_traced();
+        let all = !is_traced && states <= MOST_STATES && states * cost <= MOST_POINTS;
+        let has_maps = match scene {
+            Scene::Body(scene) => !matches!(scene.body(), PointBody::Solid(_)),
+            Scene::Beam(_) => false,
+        };
+        let maps = Frames::new((!is_traced).then_some(states));
+        let recorded = Recorded { maps, rows: Vec::new() };
+        Self { shown: if all { states } else { 1 }, has_maps, states: Vec::new(), recorded }
+    }
+
+    /// Goes on from what was kept of earlier states.
+    pub(super) fn resume(scene: &Scene, recorded: Recorded) -> Self {
+        Self { recorded, ..Self::new(scene) }
+    }
+
+    /// What is kept of the states so far, as there will be a later one.
+    pub(super) fn recorded(&self) -> Recorded {
+        let mut recorded = self.recorded.clone();
+        recorded.maps.settle();
+        recorded
     }
 
     /// How many states share the report.
@@ -48,13 +83,22 @@ impl Report {
         self.shown
     }
 
-    /// Whether a state is shown, besides the last one.
-    pub(super) fn shows_all(&self) -> bool {
-        self.shown > 1
+    /// Whether a state is drawn, besides the last one.
+    pub(super) fn draws_all(&self) -> bool {
+        self.shown > 1 || self.has_maps
     }
 
-    /// Takes the figures of a state; they replace those of another one where only one is shown.
-    pub(super) fn take(&mut self, state: usize, figures: Vec<Block>) {
+    /// Takes the figures of a state, which stands in a row of the table of equilibria; but for its map they replace those of
+    /// another one where only one is shown.
+    pub(super) fn take(&mut self, state: usize, row: usize, mut figures: Vec<Block>) {
+        figures.retain_mut(|figure| match figure {
+            Block::Map(map) => {
+                self.recorded.maps.take(std::mem::take(map));
+                false
+            }
+            _ => true,
+        });
+        self.recorded.rows.push(row);
         if self.states.len() == self.shown {
             self.states.remove(0);
         }
@@ -62,7 +106,18 @@ impl Report {
     }
 
     /// The report of a finished run.
-    pub(super) fn page(self, summary: &Summary, case: &Case, curve: Option<&AnyCurve>) -> Page {
+    pub(super) fn page(
+        self,
+        summary: &Summary,
+        case: &Case,
+        (curve, history): (Option<&AnyCurve>, &[Vec<f64>]),
+    ) -> Page {
+        let Recorded { maps, rows } = self.recorded;
+        let stride = maps.stride();
+        let map = maps.map();
+        // Rings on curves follow the states of a map.
+        let rows = if map.is_some() { rows } else { Vec::new() };
+        let curves = curve.map_or_else(Vec::new, |curve| sections::curves(case, curve, history, &rows));
         let (text, tone) = match summary.status {
             Status::Passed if summary.checks.is_empty() => ("solved", Tone::Good),
             Status::Passed => ("passed", Tone::Good),
@@ -73,7 +128,7 @@ impl Report {
             title: summary.title.clone(),
             about: case.about.clone().unwrap_or_default(),
             badge: Some(Badge { text: text.into(), tone }),
-            sections: sections::all(summary, case, curve, self.states),
+            sections: sections::all(summary, case, curves, Found { map, stride, states: self.states }),
             footer: format!("peristat {}, numbers in {}", summary.version, unit_words(case)),
         }
     }

@@ -1,9 +1,9 @@
 //! The parts of a report, from the top: what decides, what was found, what it rests on, and what it took.
 
 use super::super::any_curve::AnyCurve;
-use super::chart;
+use super::{chart, over_displacement};
 use crate::case::Case;
-use crate::output::report::{Bar, Block, Cell, Column, Section, Table, Tone, number, typeset};
+use crate::output::report::{Bar, Block, Cell, Chart, Column, Map, Section, Table, Tone, number, typeset};
 use crate::run::Certificate;
 use crate::summary::words::{self, Fact, Listing};
 use crate::summary::{StateSummary, Status, Summary};
@@ -11,18 +11,35 @@ use crate::summary::{StateSummary, Status, Summary};
 /// Probed values of all states that are listed, at most; of more those of the last state.
 const MOST_PROBES: usize = 60;
 
-/// All sections; `figures` are those of states by their number.
-pub(super) fn all(
-    summary: &Summary,
-    case: &Case,
-    curve: Option<&AnyCurve>,
-    figures: Vec<(usize, Vec<Block>)>,
-) -> Vec<Section> {
+/// Figures of states.
+pub(super) struct Found {
+    /// All states of a body in the plane.
+    pub(super) map: Option<Map>,
+    /// Every how many states the map shows one.
+    pub(super) stride: usize,
+    /// Other figures of states by their number.
+    pub(super) states: Vec<(usize, Vec<Block>)>,
+}
+
+/// What the equilibria are drawn as; `rows` are those of the states among them.
+pub(super) fn curves(case: &Case, curve: &AnyCurve, history: &[Vec<f64>], rows: &[usize]) -> Vec<Chart> {
+    let charts = curve.diagrams(case).into_iter().map(|diagram| {
+        let points = diagram.series.first().map_or(&[][..], |series| &series.points);
+        // A curve may begin before the first equilibrium, where nothing acts.
+        let before = points.len().checked_sub(curve.rows());
+        let mark = |row: &usize| before.and_then(|before| points.get(before + row).copied());
+        let marks = rows.iter().map_while(mark).collect();
+        Chart { marks, ..chart("", diagram) }
+    });
+    charts.chain(over_displacement::chart(case, history, !rows.is_empty())).collect()
+}
+
+/// All sections.
+pub(super) fn all(summary: &Summary, case: &Case, curves: Vec<Chart>, figures: Found) -> Vec<Section> {
     let mut all = vec![checks(summary)];
     all.push(Section::new("Model", vec![facts(words::model(summary))]));
     if let Some(told) = words::course(summary) {
-        let curves = curve.map_or_else(Vec::new, |curve| curve.diagrams(case)).into_iter();
-        let curves = curves.map(|diagram| Block::Chart(chart("", diagram)));
+        let curves = curves.into_iter().map(Block::Chart);
         let title = if summary.path.is_some() { "Path" } else { "Breaking" };
         all.push(Section::new(title, curves.chain([facts(told)]).collect()));
     }
@@ -96,13 +113,25 @@ fn checks(summary: &Summary) -> Section {
 }
 
 /// The figures and tables of states, and their envelope.
-fn results(summary: &Summary, figures: Vec<(usize, Vec<Block>)>) -> Vec<Block> {
+fn results(summary: &Summary, Found { map, stride, states: figures }: Found) -> Vec<Block> {
     let mut blocks = Vec::new();
     let (shown, states) = (figures.len(), summary.states.len());
-    if shown < states {
-        blocks
-            .push(Block::Text(format!("Of {states} states this is the last one; `fields` has all of them.")));
-    }
+    let of_map = match stride {
+        1 => format!("The map has all {states} states"),
+        _ => format!(
+            "Of {states} states the map has one in {stride}, and the last one, so that the page stays small"
+        ),
+    };
+    let told = match (&map, shown < states) {
+        (None, false) => None,
+        (None, true) => Some(format!("Of {states} states this is the last one; `fields` has all of them.")),
+        (Some(_), false) => (stride > 1).then(|| format!("{of_map}; `fields` has all of them.")),
+        (Some(_), true) => Some(format!(
+            "{of_map}; the tables below it are those of the last one. `fields` has all of them."
+        )),
+    };
+    blocks.extend(told.map(Block::Text));
+    blocks.extend(map.map(Block::Map));
     let sets = figures.into_iter().filter_map(|(index, mut set)| {
         let state = summary.states.get(index)?;
         set.extend(listed(words::extremes(state)));

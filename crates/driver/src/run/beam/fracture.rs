@@ -126,7 +126,14 @@ where
         Vec::new()
     }
 
-    fn result(&mut self, solved: SolvedState, name: String, load_factor: f64, facts: Facts) -> StateResult {
+    fn result(
+        &mut self,
+        solved: SolvedState,
+        name: String,
+        load_factor: f64,
+        facts: Facts,
+        _broken: &[u64],
+    ) -> StateResult {
         let BrokenBeam { scene, beam } = &self.problem;
         let loads = scene.states[0].loads.scaled(load_factor);
         let state = State { name, load_factor, motion_factor: load_factor, loads };

@@ -68,12 +68,24 @@ pub struct BodyResult {
     pub intensities: Vec<f64>,
     /// Fields around the holes on which probes ask for stresses.
     pub(super) hole_fits: Vec<HoleFit>,
+    /// Neighbours on the lattice of the model whose bond has broken.
+    pub(super) parted: Vec<[usize; 2]>,
     /// Number of points of the model.
     points: usize,
     /// The fields that its points have, but for those that are zero everywhere by the nature of the body.
     shown: Vec<FieldName>,
     /// Forces that hold the equations of the scene, in their order.
     pub(super) multipliers: Vec<f64>,
+}
+
+/// Those of the pairs of points of bonds that are neighbours along a row or a column; none of a cloud.
+pub(super) fn parted(model: &dyn BodyModel, bonds: impl Iterator<Item = [usize; 2]>) -> Vec<[usize; 2]> {
+    let Some((lattice, _)) = model.lattice() else { return Vec::new() };
+    let are_neighbours = |ends: &[usize; 2]| {
+        let [a, b] = ends.map(|point| lattice.cell(point));
+        a.iter().zip(b).map(|(a, b)| a.abs_diff(b)).sum::<u32>() == 1
+    };
+    bonds.filter(are_neighbours).collect()
 }
 
 /// Collects the result of a state; `intensities` are those of all states, by stress intensity, `rings` are around holes.
@@ -145,6 +157,7 @@ impl BodyResult {
             mirrors,
             intensities,
             hole_fits: Vec::new(),
+            parted: Vec::new(),
             points: scene.model.points(),
             shown: FieldName::BODY
                 .into_iter()
@@ -195,6 +208,17 @@ impl BodyResult {
             }
         };
         Some((values, 1.0))
+    }
+
+    /// Neighbours of the body on its lattice whose bond has broken, images left out.
+    pub fn parted(&self, scene: &BodyScene) -> Vec<[usize; 2]> {
+        let ghosts = scene.model.ghosts();
+        // Where a point stands among those of the body.
+        let number = |point: usize| match ghosts.binary_search(&(point as u32)) {
+            Ok(_) => None,
+            Err(before) => Some(point - before),
+        };
+        self.parted.iter().filter_map(|&[a, b]| Some([number(a)?, number(b)?])).collect()
     }
 
     /// Values of a field at the points of the body, images left out.

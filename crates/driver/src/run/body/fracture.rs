@@ -1,6 +1,6 @@
 //! Bodies in the plane that break.
 
-use super::fields::BodyResult;
+use super::fields::{BodyResult, parted};
 use super::verdict;
 use crate::run::body::BodyProblem;
 use crate::run::fracture::{BreakingBody, Facts};
@@ -65,19 +65,27 @@ impl<const D: usize> BreakingBody<D> for BreakingPlane<'_, D> {
         facts
     }
 
-    fn result(&mut self, solved: SolvedState, name: String, load_factor: f64, facts: Facts) -> StateResult {
+    fn result(
+        &mut self,
+        solved: SolvedState,
+        name: String,
+        load_factor: f64,
+        facts: Facts,
+        broken: &[u64],
+    ) -> StateResult {
         let SolvedState { state: index, solution, certificate, load, .. } = solved;
         let record = StateRecord { index, name, load_factor, u: solution.u, certificate, facts: Some(facts) };
         let (scene, model) = (self.problem.scene, &*self.problem.model);
         let mut asked = Resultant::default();
         asked.add_multiple(load_factor, &scene.asked(&scene.states[0]));
-        let result = BodyResult::new(
+        let mut result = BodyResult::new(
             (scene, model),
             record,
             (solution.multipliers, load, asked),
             Vec::new(),
             self.recover,
         );
+        result.parted = parted(model, broken.iter().map(|&bond| model.ends(bond)));
         StateResult::Body(result)
     }
 }

@@ -1,6 +1,6 @@
 //! Bodies in the plane whose bonds soften.
 
-use super::fields::{BodyResult, Recovered};
+use super::fields::{BodyResult, Recovered, parted};
 use super::intensity::ALONG_X;
 use super::{crack_front, grips, verdict};
 use crate::run::body::BodyProblem;
@@ -110,6 +110,9 @@ impl SofteningBody<2> for SofteningPlane<'_> {
         if self.recover {
             result.recovered = Some(recovered(model, bonds, answers));
         }
+        let list = bonds.list().iter().zip(bonds.history()).enumerate();
+        let broken = list.filter(|(k, (_, history))| bonds.law(*k).is_broken(history));
+        result.parted = parted(model, broken.map(|(_, (bond, _))| bond.points.map(|p| p as usize)));
         StateResult::Body(result)
     }
 }

@@ -176,7 +176,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let facts = Facts::of(&self.events, self.body.facts(&self.broken));
         let solved = SolvedState { state: self.recorded, load: &load, solution, certificate };
         let name = format!("equilibrium {}", self.events.len() - 1);
-        let mut result = self.body.result(solved, name, load_factor, facts);
+        let mut result = self.body.result(solved, name, load_factor, facts, &self.broken);
         // Only now: fields are those of the parts without strain.
         self.islands.place(&mut result.record_mut().u);
         sink.take(result)?;

@@ -32,8 +32,15 @@ pub(in super::super) trait BreakingBody<const D: usize> {
     /// What is reported of the broken bonds beside their number, by name.
     fn facts(&self, broken: &[u64]) -> Vec<(String, f64)>;
 
-    /// The result of an equilibrium at a load factor.
-    fn result(&mut self, solved: SolvedState, name: String, load_factor: f64, facts: Facts) -> StateResult;
+    /// The result of an equilibrium at a load factor, with the bonds that have broken before.
+    fn result(
+        &mut self,
+        solved: SolvedState,
+        name: String,
+        load_factor: f64,
+        facts: Facts,
+        broken: &[u64],
+    ) -> StateResult;
 }
 
 /// What is known of a body that breaks at one of its equilibria, by name: what checks can ask for.

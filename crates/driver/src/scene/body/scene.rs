@@ -108,6 +108,11 @@ impl BodyScene {
         (0..self.model.points()).filter(move |&p| ghosts.binary_search(&(p as u32)).is_err())
     }
 
+    /// The paths of all cracks.
+    pub fn crack_paths(&self) -> Vec<&Crack> {
+        self.cracks.iter().map(|named| &named.crack).collect()
+    }
+
     /// The points that are images in lines of symmetry.
     pub fn images(&self) -> impl Iterator<Item = usize> + '_ {
         let ghosts = self.model.ghosts().iter().map(|&ghost| ghost as usize);
