@@ -196,7 +196,7 @@ fn extremes_and_integrals_along_members_follow_from_statics() {
     assert_eq!((found[2].place.as_deref(), found[2].extent), (Some("member `beam`"), Some(4.0)));
     // The columns balance each other.
     assert_near(found[6].value, -3.361135316818125, 1e-10);
-    assert_eq!(solved.probe_unit("2").as_deref(), Some(""));
+    assert_eq!(solved.probe_unit("2"), Some(""));
 }
 
 #[test]
@@ -213,7 +213,7 @@ fn both_sides_of_a_jump_count() {
     assert_near(value[1], -4.0, 1e-11);
     // A triangle of −F L/4.
     assert_near(value[2], -8.0 * length * length / 8.0, 1e-11);
-    assert_eq!(solved.probe_unit("2").as_deref(), Some("N m²"));
+    assert_eq!(solved.probe_unit("2"), Some("N m²"));
 }
 
 #[test]
