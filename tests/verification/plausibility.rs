@@ -77,3 +77,42 @@ fn numbers_without_units_are_not_doubted() {
 fn tips_of_cracks_are_left_out() {
     assert!(doubts("plate/crack_tips", &[]).is_empty());
 }
+
+/// Warnings that hold some words.
+fn told(case: &str, overrides: &[&str], words: &str) -> usize {
+    case_warnings(case, overrides).iter().filter(|text| text.contains(words)).count()
+}
+
+#[test]
+fn weight_and_spin_across_mirrors_are_told() {
+    let across = "stands across the weight";
+    assert_eq!(told("solid/own_weight", &["checks=[]"], across), 0);
+    // Beyond `left` a weight along x acts the other way, beyond `back` not.
+    let sideways = ["loads[0].gravity.along=[1,-1,0]", "checks=[]"];
+    assert_eq!(told("solid/own_weight", &sideways, across), 1);
+    let beside = "does not lie in the mirror";
+    assert_eq!(told("plate/spinning_ring", &["checks=[]"], beside), 0);
+    assert_eq!(told("plate/spinning_ring", &["loads[0].spin.about=[1,0]", "checks=[]"], beside), 1);
+    assert_eq!(told("solid/spinning_bar", &["checks=[]"], beside), 0);
+    // About x the mirrors `bottom` and `back` have to hold the axis, about z `left` and `bottom`.
+    let moved = "loads[0].spin.about=[1,2,3]";
+    assert_eq!(told("solid/spinning_bar", &[moved, "checks=[]"], beside), 2);
+    assert_eq!(told("solid/spinning_bar", &[moved, "loads[0].spin.axis=x", "checks=[]"], beside), 2);
+}
+
+#[test]
+fn a_density_that_no_material_has_is_told() {
+    let unusual = "is an unusual density";
+    assert_eq!(told("beam/own_weight", &["checks=[]"], unusual), 0);
+    // Kilograms in a case in millimetres, and the other way round.
+    assert_eq!(told("axisymmetric/spinning", &["density=7850", "checks=[]"], unusual), 1);
+    assert_eq!(told("beam/own_weight", &["density=7.85e-9", "checks=[]"], unusual), 1);
+    assert_eq!(
+        told(
+            "beam/own_weight",
+            &["density=7.85e-9", "units=none", "loads[0].gravity.acceleration=9.81", "checks=[]"],
+            unusual
+        ),
+        0
+    );
+}

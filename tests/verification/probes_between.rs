@@ -103,3 +103,36 @@ fn members_of_frames_answer_in_both_axes() {
     // The density of energy is linear between points, and that of bending a parabola: 1.4 % is found.
     assert!((on[4].value - between[4].value).abs() < 0.02 * on[4].value);
 }
+
+#[test]
+fn section_forces_beside_loads_off_the_grid_are_those_of_statics() {
+    // A force at 1.1/4 of a span, 13 cells; a triangle of load over a part; a couple; a pull; between supports.
+    let at = 0.275;
+    let supports = json!([{ "at": { "x": 0.0 }, "w": 0.0, "ux": 0.0 }, { "at": { "x": 1.0 }, "w": 0.0 }]);
+    let places = [0.2625, at, 0.2875, 0.5, 0.7];
+    let of = |load: Value| {
+        solve(13, &json!({ "supports": supports, "loads": [load] }), &["M", "V", "N"], &places).1
+    };
+    let check = |found: Vec<Vec<f64>>, exact: &dyn Fn(f64) -> [f64; 3]| {
+        for (x, found) in places.into_iter().zip(found) {
+            for (found, exact) in found.iter().zip(exact(x)) {
+                // 1e-15 is found.
+                assert!((found - exact).abs() < 1e-12, "at {x}: {found} is not {exact}");
+            }
+        }
+    };
+    let (left, right) = (FORCE * (1.0 - at), FORCE * at);
+    check(of(json!({ "point": { "at": { "x": at }, "force": FORCE, "axial": 2.0 } })), &|x| match x < at {
+        true => [-left * x, left, 2.0],
+        false => [-right * (1.0 - x), -right, 0.0],
+    });
+    check(of(json!({ "point": { "at": { "x": at }, "moment": FORCE } })), &|x| {
+        [FORCE * x - if x < at { 0.0 } else { FORCE }, -FORCE, 0.0]
+    });
+    // q = 2 (x - 0.25) from 0.25 to 1: resultant 0.5625 at 0.75.
+    let load = json!({ "distributed": { "from": 0.25, "force": { "linear": [0.0, 1.5] } } });
+    check(of(load), &|x| {
+        let (r, z) = (0.5625 * 0.25, (x - 0.25_f64).max(0.0));
+        [-r * x + z.powi(3) / 3.0, r - z * z, 0.0]
+    });
+}

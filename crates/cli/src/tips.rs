@@ -31,8 +31,8 @@ fn tip(word: &str) -> Option<String> {
         letters
     };
     let commands = Arguments::command();
-    let meant = commands.get_subcommands().map(|command| command.get_name());
-    let meant = meant.into_iter().find(|name| sorted(name) == sorted(word))?;
+    let mut names = commands.get_subcommands().map(|command| command.get_name());
+    let meant = names.find(|name| sorted(name) == sorted(word))?;
     Some(format!("a similar subcommand exists: `{meant}`"))
 }
 

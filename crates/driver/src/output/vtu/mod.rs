@@ -124,66 +124,48 @@ fn check(grid: &Grid<'_>) {
 }
 
 fn topology(out: &mut dyn Write, cells: &[Cells<'_>]) -> io::Result<()> {
-    let count = cells.iter().map(|block| block.connectivity.len()).sum();
-    let bytes = |range| {
-        let mut bytes = Vec::new();
-        each_part(
-            cells,
-            |block| block.connectivity.len(),
-            range,
-            |block, part, _| {
-                bytes.extend(block.connectivity[part].iter().flat_map(|&p| i64::from(p).to_le_bytes()));
-            },
-        );
-        bytes
-    };
-    array(out, "Int64", ("connectivity", 1), &Items { count, size: 8, bytes: &bytes })?;
-    let count = cells.iter().map(Cells::len).sum();
-    let bytes = |range| {
-        let mut bytes = Vec::new();
-        each_part(
-            cells,
-            |block| block.len(),
-            range,
-            |block, part, before| {
-                let points = block.cell_type.points();
-                let start: usize = before.iter().map(|block| block.connectivity.len()).sum();
-                bytes.extend(part.flat_map(|cell| ((start + (cell + 1) * points) as i64).to_le_bytes()));
-            },
-        );
-        bytes
-    };
-    array(out, "Int64", ("offsets", 1), &Items { count, size: 8, bytes: &bytes })?;
-    let bytes = |range| {
-        let mut bytes = Vec::new();
-        each_part(
-            cells,
-            |block| block.len(),
-            range,
-            |block, part, _| {
-                bytes.resize(bytes.len() + part.len(), block.cell_type as u8);
-            },
-        );
-        bytes
-    };
-    array(out, "UInt8", ("types", 1), &Items { count, size: 1, bytes: &bytes })
+    let nodes = |block: &Cells<'_>| block.connectivity.len();
+    let connectivity = of_parts(cells, nodes, |block, part, _, bytes| {
+        bytes.extend(block.connectivity[part].iter().flat_map(|&p| i64::from(p).to_le_bytes()));
+    });
+    let offsets = of_parts(
+        cells,
+        |block| block.len(),
+        |block, part, before, bytes| {
+            let (points, start) = (block.cell_type.points(), before.iter().map(nodes).sum::<usize>());
+            bytes.extend(part.flat_map(|cell| ((start + (cell + 1) * points) as i64).to_le_bytes()));
+        },
+    );
+    let types = of_parts(
+        cells,
+        |block| block.len(),
+        |block, part, _, bytes| {
+            bytes.resize(bytes.len() + part.len(), block.cell_type as u8);
+        },
+    );
+    let [all, count] = [cells.iter().map(nodes).sum(), cells.iter().map(Cells::len).sum()];
+    array(out, "Int64", ("connectivity", 1), &Items { count: all, size: 8, bytes: &connectivity })?;
+    array(out, "Int64", ("offsets", 1), &Items { count, size: 8, bytes: &offsets })?;
+    array(out, "UInt8", ("types", 1), &Items { count, size: 1, bytes: &types })
 }
 
-/// Visits the blocks that a range of items of all blocks has a part in, with that part and the blocks before.
-fn each_part<'a>(
+/// The bytes of a range of items of all blocks, each part of a block added by `add`, which also gets the blocks before.
+fn of_parts<'a>(
     cells: &'a [Cells<'a>],
-    count: impl Fn(&Cells<'_>) -> usize,
-    range: Range<usize>,
-    mut visit: impl FnMut(&Cells<'_>, Range<usize>, &[Cells<'_>]),
-) {
-    let mut first = 0;
-    for (number, block) in cells.iter().enumerate() {
-        let end = first + count(block);
-        let part = range.start.max(first)..range.end.min(end);
-        if !part.is_empty() {
-            visit(block, part.start - first..part.end - first, &cells[..number]);
+    items: impl Fn(&Cells<'_>) -> usize,
+    add: impl Fn(&Cells<'_>, Range<usize>, &[Cells<'_>], &mut Vec<u8>),
+) -> impl Fn(Range<usize>) -> Vec<u8> {
+    move |range| {
+        let (mut bytes, mut first) = (Vec::new(), 0);
+        for (number, block) in cells.iter().enumerate() {
+            let end = first + items(block);
+            let part = range.start.max(first)..range.end.min(end);
+            if !part.is_empty() {
+                add(block, part.start - first..part.end - first, &cells[..number], &mut bytes);
+            }
+            first = end;
         }
-        first = end;
+        bytes
     }
 }
 

@@ -5,7 +5,8 @@ use crate::case::FieldName;
 use crate::scene::beam::{BeamScene, BetweenPoints};
 
 /// Value of a field between two points; none where it was not recovered or does not exist. Displacements are those of the
-/// element with the section in its middle, without what a load on it adds; the moment has the slope −V at both ends.
+/// element with the section in its middle, without what a load on it adds. Section forces are statics from the point before;
+/// where loads act on points alone, the moment has the slope −V at both ends.
 pub(super) fn value(
     scene: &BeamScene,
     result: &BeamResult,
@@ -29,10 +30,22 @@ pub(super) fn value(
         let softness = compliance.shear / (compliance.bending * length * length);
         Some(element(ends(FieldName::W)?, ends(FieldName::Phi)?, length, softness, q))
     };
-    let moment = || Some(hermite(inside(FieldName::M)?, inside(FieldName::V)?.map(|v| -v * length), q));
+    let loads = &scene.states[result.record.index].loads;
+    let [force, lever, axial] = loads.carried_between(at.line, [x[0], at.x]);
+    let section = |field: FieldName, carried: f64| {
+        let ends = inside(field)?;
+        Some(if loads.lumped { linear(ends) } else { ends[0] - carried })
+    };
+    let moment = || {
+        let [m, v] = [inside(FieldName::M)?, inside(FieldName::V)?];
+        Some(match loads.lumped {
+            true => hermite(m, v.map(|v| -v * length), q),
+            false => m[0] - v[0] * (at.x - x[0]) + lever,
+        })
+    };
     let stress = |sign: f64| {
-        let axial = result.fields().contains(&FieldName::N).then(|| inside(FieldName::N)).flatten();
-        fields.stress(sign, [moment()?, axial.map_or(0.0, linear)], at.x, x[1])
+        let n = result.fields().contains(&FieldName::N).then(|| section(FieldName::N, axial)).flatten();
+        fields.stress(sign, [moment()?, n.unwrap_or(0.0)], at.x, x[1])
     };
     let along = || ends(FieldName::U).map_or(0.0, linear);
     let [c, s] = fields.direction;
@@ -43,7 +56,8 @@ pub(super) fn value(
         FieldName::Uy => Some(s * along() + c * bent()?[0]),
         FieldName::U | FieldName::EnergyDensity => ends(field).map(linear),
         FieldName::M => moment(),
-        FieldName::V | FieldName::N => inside(field).map(linear),
+        FieldName::V => section(field, force),
+        FieldName::N => section(field, axial),
         FieldName::StressTop => stress(-1.0),
         FieldName::StressBottom => stress(1.0),
         _ => None,

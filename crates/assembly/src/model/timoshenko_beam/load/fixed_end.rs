@@ -12,7 +12,15 @@ struct Carried<'a> {
     point: Vec<&'a PointAction>,
 }
 
-impl Carried<'_> {
+impl<'a> Carried<'a> {
+    /// Those of a line.
+    fn of(loads: &'a BeamLoads, chain: usize) -> Self {
+        Self {
+            distributed: loads.distributed.iter().filter(|l| !loads.lumped && l.chain == chain).collect(),
+            point: loads.point.iter().filter(|p| p.spread && p.chain == chain).collect(),
+        }
+    }
+
     /// As [`FixedEnd::resultant`].
     fn resultant(&self, a: f64, b: f64, with_end: bool) -> [f64; 3] {
         let mut sum = [0.0; 3];
@@ -29,6 +37,14 @@ impl Carried<'_> {
             }
         }
         sum
+    }
+}
+
+impl BeamLoads {
+    /// `[∫ q, ∫ (b − x) q − ∫ c, ∫ p]` of what bonds of a line carry inside `[a, b]`, m, with the concentrated loads at `b`: N, N m
+    /// and N. What these take from V, add to M and take from N between two sections that have no point between them.
+    pub fn carried_between(&self, chain: usize, [a, b]: [f64; 2]) -> [f64; 3] {
+        Carried::of(self, chain).resultant(a, b, true)
     }
 }
 
@@ -49,10 +65,7 @@ impl<'a> FixedEnd<'a> {
     /// The loads that bonds of a line carry.
     pub(in super::super) fn new(loads: &'a BeamLoads, number: usize, chain: &'a Chain) -> Self {
         let stiffness = &chain.line().stiffness;
-        let carried = Carried {
-            distributed: loads.distributed.iter().filter(|l| !loads.lumped && l.chain == number).collect(),
-            point: loads.point.iter().filter(|p| p.spread && p.chain == number).collect(),
-        };
+        let carried = Carried::of(loads, number);
         // Section forces jump under concentrated loads, and bend where distributed ones begin and end.
         let ends = carried.distributed.iter().flat_map(|l| [l.from, l.to]);
         let places = carried.point.iter().map(|p| p.x).chain(ends).map(|x| x - chain.line().from);

@@ -101,7 +101,7 @@ fn fits(
     faults: &mut Faults,
 ) -> bool {
     let beside = |&(axis, _, at): &(usize, &str, f64)| {
-        across[axis] && (centre[axis] - at).abs() > 1e-9 * (centre[axis].abs() + at.abs())
+        across[axis] && (centre[axis] - at).abs() > 1e-6 * context.horizon
     };
     for (_, side, _) in mirrors(context).filter(beside) {
         faults

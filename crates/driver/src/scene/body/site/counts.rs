@@ -13,7 +13,7 @@ const MOTION: f64 = 380.0;
 /// Of a spring on a point.
 const SPRING: f64 = 150.0;
 /// Of a force on a point.
-const FORCE: f64 = size_of::<(u32, [f64; 2])>() as f64;
+const FORCE: f64 = size_of::<(u32, [f64; 3])>() as f64;
 /// Of a point of a probe.
 const SHARE: f64 = size_of::<(u32, f64)>() as f64;
 /// Of a value that is expected at a point.
