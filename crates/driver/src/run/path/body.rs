@@ -33,6 +33,8 @@ pub(super) struct Body<const D: usize> {
     positions: Option<Vec<[f64; 2]>>,
     /// Median of the diagonal of the elastic stiffness, N/m.
     pub(super) stiffness_scale: f64,
+    /// Which matrix is factored: every factorisation counts it up.
+    pub(super) generation: u64,
     pub(super) counters: Counters,
     pub(super) timing: Timing,
 }
@@ -96,6 +98,7 @@ impl<const D: usize> Body<D> {
             factor,
             positions,
             stiffness_scale,
+            generation: 0,
             counters,
             timing,
         };
@@ -217,6 +220,7 @@ impl<const D: usize> Body<D> {
             let value = &mut values[place as usize];
             *value = if *value == 0.0 { self.stiffness_scale } else { *value + lift };
         }
+        self.generation += 1;
         self.counters.factorisations += 1;
         let done = self.factor.refactor(&self.matrix);
         self.counters.factor_bytes = self.factor.bytes();

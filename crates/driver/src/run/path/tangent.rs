@@ -23,6 +23,8 @@ const MOST_PASSES: usize = 6;
 pub(super) struct Tangent<const D: usize> {
     /// Stiffness of every bond in the factor; empty if there is none.
     factored: Vec<f64>,
+    /// When that was factored: others factor with the same body.
+    generation: u64,
     /// The indefinite factor, once one was needed.
     indefinite: Option<SparseIndefinite>,
     is_definite: bool,
@@ -35,6 +37,7 @@ impl<const D: usize> Tangent<D> {
     pub(super) fn new(size: usize) -> Self {
         Self {
             factored: Vec::new(),
+            generation: 0,
             indefinite: None,
             is_definite: true,
             changes: LowRank::new(size),
@@ -126,7 +129,7 @@ impl<const D: usize> Tangent<D> {
         state: &State<D>,
         stiffness: &[f64],
     ) -> Result<bool, SolveFailure> {
-        if self.factored.len() == stiffness.len() {
+        if self.factored.len() == stiffness.len() && self.generation == body.generation {
             let differs = |k: &usize| stiffness[*k] != self.factored[*k];
             let fresh: Vec<usize> = (0..stiffness.len())
                 .filter(|k| differs(k) && !self.columns.contains_key(&(*k as u32)))
@@ -141,7 +144,7 @@ impl<const D: usize> Tangent<D> {
         if !self.is_definite && !self.factor_indefinite(body)? {
             return Ok(false);
         }
-        self.factored = stiffness.to_vec();
+        (self.factored, self.generation) = (stiffness.to_vec(), body.generation);
         Ok(true)
     }
 
