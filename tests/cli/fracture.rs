@@ -1,4 +1,4 @@
-//! Runs of bodies that break, as a user stops, kills and resumes them.
+//! Runs of bodies that break or soften, as a user stops, kills and resumes them.
 
 use super::support::{Outcome, json, names, report_without_times, run};
 use serde_json::{Value, json};
@@ -114,6 +114,18 @@ fn so_does_a_run_in_load_steps() {
     let mut steps = case();
     (steps["fracture"]["strategy"], steps["fracture"]["increment"]) = (json!("batch"), json!(0.005));
     killed_again_and_again(&steps);
+}
+
+#[test]
+fn so_do_runs_along_paths() {
+    let mut path = case();
+    path.as_object_mut().unwrap().remove("fracture");
+    path["model"]["bond_plane"]["bond_law"] =
+        json!({ "bilinear": { "yield_stretch": 0.003, "failure_stretch": 0.006 } });
+    for control in ["event", "displacement"] {
+        path["path"] = json!({ "load": "pull", "control": control, "increment": 0.005, "record_every": 7 });
+        killed_again_and_again(&path);
+    }
 }
 
 fn killed_again_and_again(case: &Value) {

@@ -333,11 +333,11 @@ fn a_folder_of_the_user_with_the_name_of_a_file_is_left_alone() {
 }
 
 #[test]
-fn only_a_run_of_a_body_that_breaks_is_resumed() {
+fn only_a_run_of_a_body_that_breaks_or_softens_is_resumed() {
     let folder = tempfile::tempdir().unwrap();
     let refused = solve(folder.path(), "cantilever.json", &["--resume"]);
     assert_eq!(refused.code, 2);
-    let message = "error: only a run with `fracture` can be resumed\n\
+    let message = "error: only a run with `fracture` or `path` can be resumed\n\
                    hint: leave out `--resume` to run the case\n";
     assert_eq!(refused.stderr, message);
     let both = solve(folder.path(), "cantilever.json", &["--resume", "--force"]);

@@ -8,7 +8,7 @@ use peristat::case::{self, Case};
 use peristat::diagnostic::decode;
 use peristat::input::{Folder, Reach, gmsh, points};
 use peristat::results::{Claim, Results, finite};
-use peristat::run::{Advance, RunOptions, Sink, StateResult, fracture::Restart};
+use peristat::run::{Advance, Restart, RunOptions, Sink, StateResult};
 use peristat::scene::Scene;
 use proptest::prelude::*;
 use serde_json::{Value, json};

@@ -3,8 +3,8 @@
 use crate::support::{refusal, relative, scene};
 use peristat::case::FieldName;
 use peristat::run::beam::{self, BeamResult};
-use peristat::run::fracture::{Event, Restart};
-use peristat::run::{Advance, RunOptions, RunReport, Sink, StateResult};
+use peristat::run::fracture::Event;
+use peristat::run::{Advance, Restart, RunOptions, RunReport, Sink, StateResult};
 use serde_json::{Value, json};
 use std::io;
 

@@ -4,9 +4,8 @@
 //! numbers are of an independent Python implementation of the same lattice, law and pins, to their printed digits.
 
 use crate::support::plane::scene;
-use peristat::run::fracture::Restart;
 use peristat::run::path::{PathPoint, PathReport};
-use peristat::run::{Advance, RunOptions, Sink, StateResult, body};
+use peristat::run::{Advance, Restart, RunOptions, Sink, StateResult, body};
 use serde_json::{Value, json};
 use std::io;
 
@@ -60,6 +59,7 @@ fn follow(case: &Value) -> Followed {
     let report = body::run_softening(
         &scene,
         &RunOptions { recover: false, max_memory: None, compare: false },
+        None,
         &mut told,
     );
     let report = report.unwrap_or_else(|error| panic!("{error}: {case}"));

@@ -1,8 +1,8 @@
 //! Bodies in the plane that break: what energies must do, what is known in closed form, what holds nothing any more.
 
 use peristat::case::from_text;
-use peristat::run::fracture::{Event, FractureReport, Restart};
-use peristat::run::{Advance, RunOptions, RunReport, Sink, StateResult, run};
+use peristat::run::fracture::{Event, FractureReport};
+use peristat::run::{Advance, Restart, RunOptions, RunReport, Sink, StateResult, run};
 use peristat::scene::Scene;
 use serde_json::{Value, json};
 use std::io;

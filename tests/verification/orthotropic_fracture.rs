@@ -3,8 +3,8 @@
 //! Numbers without another source are of an independent NumPy implementation of the same model, 5 digits and more.
 
 use crate::support::plane::{probe, refusal, scene};
-use peristat::run::fracture::{Event, FractureReport, Restart};
-use peristat::run::{Advance, RunOptions, Sink, StateResult, body};
+use peristat::run::fracture::{Event, FractureReport};
+use peristat::run::{Advance, Restart, RunOptions, Sink, StateResult, body};
 use serde_json::{Value, json};
 use std::io;
 

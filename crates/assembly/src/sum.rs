@@ -1,10 +1,11 @@
 //! Sums that keep their digits.
 
+use serde::{Deserialize, Serialize};
 use std::ops::Neg;
 
 /// Compensated sum (Knuth): what rounding takes from it is kept beside it, so that the rounding of a million terms is far
 /// below that of their sum.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Sum {
     high: f64,
     low: f64,

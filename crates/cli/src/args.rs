@@ -149,7 +149,7 @@ pub(super) struct Run {
     /// without.
     #[arg(long)]
     pub(super) force: bool,
-    /// Continue the interrupted fracture run in the results folder.
+    /// Continue the interrupted run of a body that breaks or softens in the results folder.
     #[arg(long, conflicts_with = "force")]
     pub(super) resume: bool,
     /// Estimate the discretisation error of every probe from a finer grid as well; this costs more than the run itself.

@@ -57,9 +57,9 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     }
     let writing = Writing::new(&loaded.scene, claim);
     // What cannot be resumed is better killed by the first signal.
-    let (progress, interrupt) = match loaded.scene.case().fracture {
-        Some(_) => (Progress::new(global), Interrupt::listen(global.quiet)?),
-        None => (Progress::Silent, Interrupt::default()),
+    let (progress, interrupt) = match loaded.scene.case().is_traced() {
+        true => (Progress::new(global), Interrupt::listen(global.quiet)?),
+        false => (Progress::Silent, Interrupt::default()),
     };
     let effort = match (arguments.estimate, arguments.no_estimate) {
         (true, _) => EstimateEffort::FromFiner,

@@ -3,8 +3,7 @@
 use super::interrupt::Interrupt;
 use super::progress::Progress;
 use peristat::results::Writing;
-use peristat::run::fracture::Restart;
-use peristat::run::{Advance, Sink, StateResult};
+use peristat::run::{Advance, Restart, Sink, StateResult};
 use std::io;
 
 /// A sink that writes a results folder under the eyes of its user.

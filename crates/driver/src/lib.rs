@@ -53,8 +53,7 @@ pub use solved::{FieldError, Solved};
 
 use diagnostic::{Diagnostic, Faults, Report, Severity};
 use input::{Folder, Reach};
-use run::fracture::Restart;
-use run::{Advance, RunError, RunOptions, Sink, StateResult, taking};
+use run::{Advance, Restart, RunError, RunOptions, Sink, StateResult, taking};
 use scene::Scene;
 use std::io;
 use std::path::Path;
@@ -169,7 +168,7 @@ impl Loaded {
         Ok(Solved { scene: self.scene, summary, states })
     }
 
-    /// Solves every state; `sink` gets each result as it comes. A body that breaks goes on from `resume`.
+    /// Solves every state; `sink` gets each result as it comes. A body that breaks or softens goes on from `resume`.
     ///
     /// # Errors
     /// [`enum@Error`]; a failed check or a state that did not converge is an outcome, not an error.
@@ -183,9 +182,11 @@ impl Loaded {
             Some(restart) => Collector::restore(&self.scene, &restart.summaries).map_err(io::Error::from)?,
             None => Collector::default(),
         };
-        let breaks = self.scene.case().fracture.is_some();
-        let fingerprint =
-            if breaks { self.scene.fingerprint().map_err(io::Error::from)? } else { String::new() };
+        let fingerprint = if self.scene.case().is_traced() {
+            self.scene.fingerprint().map_err(io::Error::from)?
+        } else {
+            String::new()
+        };
         let mut collecting = Collecting { scene: &self.scene, fingerprint, collector, sink };
         let report = run::run(&self.scene, options, resume, &mut collecting).map_err(|e| self.explain(e))?;
         let mut warnings = warning_texts(self.scene.warnings(), &self.file);

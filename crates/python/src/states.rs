@@ -2,9 +2,9 @@
 
 use crate::background::Stop;
 use peristat::results::Writing;
-use peristat::run::fracture::{Event, Restart};
+use peristat::run::fracture::Event;
 use peristat::run::path::PathPoint;
-use peristat::run::{Advance, Sink, StateResult};
+use peristat::run::{Advance, Restart, Sink, StateResult};
 use pyo3::prelude::*;
 use serde::Serialize;
 use std::io;

@@ -82,6 +82,15 @@ impl<const D: usize, L: Law> HistoryBonds<D, L> {
         &self.history
     }
 
+    /// Takes over what bonds like these remembered.
+    ///
+    /// # Panics
+    /// They are not as many.
+    pub fn set_history(&mut self, history: Vec<L::History>) {
+        assert_eq!(history.len(), self.bonds.len(), "every bond has a memory");
+        self.history = history;
+    }
+
     /// Points and their shares in the difference of the displacements of the ends of a bond; they sum to zero.
     pub fn shares(&self, bond: usize) -> impl Iterator<Item = (u32, f64)> + '_ {
         let (plain, placed) = match self.ends.shares(bond) {

@@ -12,7 +12,7 @@ pub const FRACTURE_FACTS: [&str; 7] = [
 ];
 
 /// Of every body that softens, in their order.
-pub const PATH_FACTS: [&str; 17] = [
+pub const PATH_FACTS: [&str; 18] = [
     "first_yield_load_factor",
     "first_yield_load",
     "peak_load_factor",
@@ -27,6 +27,7 @@ pub const PATH_FACTS: [&str; 17] = [
     "work_identity",
     "steps",
     "snap_back_steps",
+    "branch_load_factor",
     "refused_steps",
     "broken_bonds",
     "island_points",

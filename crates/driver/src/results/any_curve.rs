@@ -4,7 +4,7 @@ use super::curve::Curve;
 use super::path_curve::PathCurve;
 use crate::case::Case;
 use crate::output::plot::Diagram;
-use crate::run::Advance;
+use crate::run::{Advance, RestartFrom};
 use crate::scene::Scene;
 use std::io;
 use std::path::Path;
@@ -28,9 +28,23 @@ impl AnyCurve {
         Ok(if case.fracture.is_some() {
             Some(Self::Break(Curve::begin(folder, &[])?))
         } else if let Some(path) = &case.path {
-            Some(Self::Path(PathCurve::begin(folder, case, path)?))
+            Some(Self::Path(PathCurve::begin(folder, case, path, &[])?))
         } else {
             None
+        })
+    }
+
+    /// Goes on with the table of what was found before a restart, if it is one of the case.
+    ///
+    /// # Errors
+    /// What the file system reports.
+    pub(super) fn resume(folder: &Path, case: &Case, from: &RestartFrom) -> io::Result<Option<Self>> {
+        Ok(match (from, &case.path) {
+            (RestartFrom::Break(kept), _) => Some(Self::Break(Curve::begin(folder, &kept.events)?)),
+            (RestartFrom::Path(kept), Some(path)) => {
+                Some(Self::Path(PathCurve::begin(folder, case, path, &kept.points)?))
+            }
+            (RestartFrom::Path(_), None) => None,
         })
     }
 
@@ -43,15 +57,6 @@ impl AnyCurve {
             (Self::Break(curve), Advance::Break(event)) => curve.add(event),
             (Self::Path(curve), Advance::Path(point)) => curve.add(point),
             _ => unreachable!("a scene has equilibria of its own kind"),
-        }
-    }
-
-    /// The row of the equilibrium of a state that is about to be written: of a body that breaks it follows, of one that
-    /// softens it has been told.
-    pub(super) fn row(&self) -> usize {
-        match self {
-            Self::Break(curve) => curve.rows(),
-            Self::Path(curve) => curve.rows().saturating_sub(1),
         }
     }
 

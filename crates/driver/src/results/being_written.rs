@@ -9,8 +9,7 @@ use super::report::Report;
 use super::{beam, body, curve, report, restart};
 use crate::case::Case;
 use crate::output::{self, atomic, csv, pvd};
-use crate::run::fracture::Restart;
-use crate::run::{Advance, ProbeResult, StateResult};
+use crate::run::{Advance, ProbeResult, Restart, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
 use std::fs;
@@ -106,13 +105,13 @@ impl Results {
             }
             _ => unreachable!("a scene has results of its own kind"),
         };
-        if scene.case().fracture.is_some() {
+        if scene.case().is_traced() {
             for file in fields(record.index) {
                 self.digests.push(Digest::of(&self.folder.join(file))?);
             }
         }
         if let Some(figures) = figures {
-            self.report.take(record.index, self.curve.as_ref().map_or(0, AnyCurve::row), figures);
+            self.report.take(record.index, self.curve.as_ref().map_or(0, AnyCurve::rows), figures);
         }
         self.steps.push(step(scene, record.index, record.load_factor));
         self.history.push(history_row(record.index, record.load_factor, &probes));

@@ -2,15 +2,16 @@
 
 use super::curve::FILE;
 use crate::case::{Case, FieldName, Path as CasePath, Probe};
+use crate::output::atomic;
 use crate::output::plot::{self, Diagram, Series, Style};
 use crate::run::path::PathPoint;
 use std::fmt::Write as _;
-use std::fs::File;
+use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::Path;
 
 const HEADER: &str = "step,load_factor,load,work,stored,dissipated,balance,identity,changed,softened,broken,\
-    island_points,iterations,blended,refused,factorisations,residual,crack_growth,stress_intensity,j_integral";
+    island_points,iterations,blended,refused,factorisations,residual,negative_eigenvalues,crack_growth,stress_intensity,j_integral";
 
 /// The table, open, with all of its rows.
 #[derive(Debug)]
@@ -30,21 +31,29 @@ fn has_column(probe: &Probe) -> bool {
 }
 
 impl PathCurve {
-    /// Begins the table, and keeps it open.
+    /// Writes the table of the states so far, and keeps it open for those to come.
     ///
     /// # Errors
     /// What the file system reports.
-    pub(super) fn begin(folder: &Path, case: &Case, path: &CasePath) -> io::Result<Self> {
+    pub(super) fn begin(
+        folder: &Path,
+        case: &Case,
+        path: &CasePath,
+        points: &[PathPoint],
+    ) -> io::Result<Self> {
         let probes: Vec<usize> = (0..case.probes.len()).filter(|&k| has_column(&case.probes[k])).collect();
-        let mut header = HEADER.to_string();
+        let mut text = HEADER.to_string();
         for &k in &probes {
             let name = case.probes[k].name.replace([',', '"'], " ");
-            let _ = write!(header, ",{name}");
+            let _ = write!(text, ",{name}");
         }
-        let mut file = File::create_new(folder.join(FILE))?;
-        file.write_all((header + "\n").as_bytes())?;
+        text.push('\n');
+        points.iter().for_each(|point| text.push_str(&row(point, &probes)));
+        let file = folder.join(FILE);
+        atomic::write_atomically(&file, text.as_bytes())?;
+        let file = OpenOptions::new().append(true).open(&file)?;
         let opening = path.opening.as_ref().and_then(|name| case.probes.iter().position(|p| p.name == *name));
-        Ok(Self { file, points: Vec::new(), probes, opening })
+        Ok(Self { file, points: points.to_vec(), probes, opening })
     }
 
     /// Number of rows.
@@ -59,34 +68,7 @@ impl PathCurve {
     pub(super) fn add(&mut self, point: &PathPoint) -> io::Result<()> {
         self.points.push(point.clone());
         // One write, so that a reader finds whole rows.
-        self.file.write_all(self.row(point).as_bytes())
-    }
-
-    fn row(&self, p: &PathPoint) -> String {
-        let mut row = format!("{},{:?},{:?}", p.step, p.load_factor, p.load);
-        for value in [p.work, p.stored, p.dissipated, p.balance, p.identity] {
-            let _ = write!(row, ",{value:?}");
-        }
-        for count in [
-            p.changed,
-            p.softened,
-            p.broken,
-            p.island_points,
-            p.iterations,
-            p.blended,
-            p.refused,
-            p.factorisations,
-        ] {
-            let _ = write!(row, ",{count}");
-        }
-        let _ = write!(row, ",{:?}", p.residual);
-        for value in [p.crack_growth, p.stress_intensity, p.j_integral] {
-            row.push(',');
-            value.iter().for_each(|v| _ = write!(row, "{v:?}"));
-        }
-        self.probes.iter().for_each(|&k| _ = write!(row, ",{:?}", p.probes[k]));
-        row.push('\n');
-        row
+        self.file.write_all(row(point, &self.probes).as_bytes())
     }
 
     /// Draws the load, the energies, and what is known of the crack.
@@ -153,6 +135,35 @@ impl PathCurve {
         let unit = if is_force { "N" } else { case.units.length() };
         case.units.label(name, unit)
     }
+}
+
+/// A row of the table; `probes` are those with a column.
+fn row(p: &PathPoint, probes: &[usize]) -> String {
+    let mut row = format!("{},{:?},{:?}", p.step, p.load_factor, p.load);
+    for value in [p.work, p.stored, p.dissipated, p.balance, p.identity] {
+        let _ = write!(row, ",{value:?}");
+    }
+    for count in [
+        p.changed,
+        p.softened,
+        p.broken,
+        p.island_points,
+        p.iterations,
+        p.blended,
+        p.refused,
+        p.factorisations,
+    ] {
+        let _ = write!(row, ",{count}");
+    }
+    let _ = write!(row, ",{:?},", p.residual);
+    p.negative_eigenvalues.iter().for_each(|n| _ = write!(row, "{n}"));
+    for value in [p.crack_growth, p.stress_intensity, p.j_integral] {
+        row.push(',');
+        value.iter().for_each(|v| _ = write!(row, "{v:?}"));
+    }
+    probes.iter().for_each(|&k| _ = write!(row, ",{:?}", p.probes[k]));
+    row.push('\n');
+    row
 }
 
 /// A line of a diagram: its label and its values.

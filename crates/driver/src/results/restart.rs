@@ -8,7 +8,7 @@ use super::digest::Digest;
 use super::report::Recorded;
 use crate::input::file;
 use crate::output::atomic;
-use crate::run::fracture::Restart;
+use crate::run::Restart;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
@@ -17,7 +17,7 @@ pub(super) const FILE: &str = "restart.bin";
 
 const MAGIC: &[u8; 17] = b"peristat restart\n";
 /// To be raised with every change of the content, what a summary says of states among it.
-const VERSION: u32 = 3;
+const VERSION: u32 = 4;
 const HASH: usize = blake3::OUT_LEN;
 
 /// What a run goes on from, digests of tables and grids, and what the report keeps.
@@ -78,27 +78,33 @@ fn decode(bytes: &[u8]) -> Result<Content, &'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::fracture::Event;
+    use crate::run::RestartFrom;
+    use crate::run::fracture::{BreakRestart, Event};
     use std::fs;
 
     fn restart() -> Restart {
         let values = [0.1, -0.0, 1.0 / 3.0, 5e-324, f64::MAX, -1e-7, 2.0_f64.powi(60) + 256.0];
         let event = Event { step: 3, solve: 70_000, load: 0.1 + 0.2, balance: -1e-300, ..Event::default() };
-        Restart {
-            case: "abc".into(),
+        let from = BreakRestart {
             events: vec![Event::default(), event],
             broken: vec![7, u64::MAX, 0],
             factored: 2,
             unit: values.to_vec(),
             frozen: vec![(12, values[2])],
-            recorded: 4,
             step: 3,
             right_hand_sides: 7,
             pcg_iterations: 81,
             target: 1.0e-9 / 3.0,
             load_factor: 1.1,
-            summaries: "[[],[]]".into(),
-        }
+        };
+        let from = RestartFrom::Break(Box::new(from));
+        Restart { case: "abc".into(), summaries: "[[],[]]".into(), recorded: 4, from }
+    }
+
+    /// One of nothing.
+    fn empty() -> Restart {
+        let from = RestartFrom::Break(Box::default());
+        Restart { case: String::new(), summaries: String::new(), recorded: 0, from }
     }
 
     /// Those of two files.
@@ -118,13 +124,15 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(FILE);
         let digests = digests(folder.path());
-        write(&path, &Restart::default(), (&[], &Recorded::default())).unwrap();
+        write(&path, &empty(), (&[], &Recorded::default())).unwrap();
         write(&path, &restart(), (&digests, &Recorded::default())).unwrap();
         let (found, kept, _) = read(&path).unwrap();
         assert_eq!((&found, &kept[..]), (&restart(), &digests[..]));
-        for (found, expected) in found.unit.iter().zip(restart().unit) {
-            assert_eq!(found.to_bits(), expected.to_bits());
-        }
+        let unit = |restart: &Restart| match &restart.from {
+            RestartFrom::Break(kept) => kept.unit.iter().map(|u| u.to_bits()).collect::<Vec<u64>>(),
+            RestartFrom::Path(_) => panic!("it breaks"),
+        };
+        assert_eq!(unit(&found), unit(&restart()));
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 

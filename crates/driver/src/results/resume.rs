@@ -3,14 +3,12 @@
 use super::any_curve::AnyCurve;
 use super::being_written::{Results, history_row};
 use super::claim::{Claim, MARK};
-use super::curve::Curve;
 use super::digest::Digest;
 use super::files::{fields, is_leftover, lost, names_in, step, step_name, sweep, write_case};
 use super::report::Report;
 use super::restart;
 use crate::output;
-use crate::run::ProbeResult;
-use crate::run::fracture::Restart;
+use crate::run::{ProbeResult, Restart};
 use crate::scene::Scene;
 use crate::summary::Collector;
 use std::collections::BTreeSet;
@@ -31,8 +29,8 @@ impl Results {
         let refuse =
             |kind, reason: String, hint: &str| Err(io::Error::new(kind, format!("{reason}\nhint: {hint}")));
         let place = folder.display();
-        if scene.case().fracture.is_none() {
-            let reason = "only a run with `fracture` can be resumed".to_string();
+        if !scene.case().is_traced() {
+            let reason = "only a run with `fracture` or `path` can be resumed".to_string();
             return refuse(ErrorKind::InvalidInput, reason, "leave out `--resume` to run the case");
         }
         let nothing = || {
@@ -104,7 +102,7 @@ impl Results {
             steps,
             history,
             envelope: None,
-            curve: Some(AnyCurve::Break(Curve::begin(folder, &restart.events)?)),
+            curve: AnyCurve::resume(folder, scene.case(), &restart.from)?,
             report: Report::resume(scene, recorded),
             due: None,
         };

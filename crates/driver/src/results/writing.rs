@@ -2,8 +2,7 @@
 
 use super::being_written::{Results, finite};
 use super::claim::Claim;
-use crate::run::fracture::Restart;
-use crate::run::{Advance, Sink, StateResult};
+use crate::run::{Advance, Restart, Sink, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
 use std::io;

@@ -26,7 +26,7 @@ pub enum RunError {
     #[error("interrupted")]
     Interrupted,
     /// There is a restart to go on from, but the scene is not solved in events.
-    #[error("only a run of a body that breaks can be resumed")]
+    #[error("only a run of a body that breaks or softens can be resumed")]
     NotResumable,
     /// There is a restart to go on from, but it is of another body.
     #[error("the restart does not fit the body")]

@@ -8,7 +8,7 @@ use super::solver_report::SolverReport;
 use crate::diagnostic::Faults;
 
 /// How often expensive things were done.
-#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Counters {
     /// Numeric factorisations.
     pub factorisations: usize,

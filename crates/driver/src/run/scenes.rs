@@ -1,16 +1,16 @@
 //! Running a scene, whatever its body.
 
 use super::error::RunError;
-use super::fracture::Restart;
 use super::options::RunOptions;
 use super::report::RunReport;
+use super::restart::Restart;
 use super::scene_sizes::Sizes;
 use super::sink::Sink;
 use super::state::StateResult;
 use super::{beam, body};
 use crate::scene::Scene;
 
-/// Solves every state of a scene and hands its result to `sink` as it comes; a body that breaks goes on from `resume`.
+/// Solves every state of a scene and hands its result to `sink` as it comes; one that breaks or softens goes on from `resume`.
 ///
 /// # Errors
 /// [`RunError`]; a state that did not converge is no error but an outcome in the report.
@@ -24,9 +24,7 @@ pub fn run(
     match scene {
         Scene::Beam(scene) if scene.fracture.is_some() => beam::run_breaking(scene, options, resume, sink),
         Scene::Body(scene) if scene.fracture.is_some() => body::run_breaking(scene, options, resume, sink),
-        Scene::Body(scene) if scene.path.is_some() && resume.is_none() => {
-            body::run_softening(scene, options, sink)
-        }
+        Scene::Body(scene) if scene.path.is_some() => body::run_softening(scene, options, resume, sink),
         _ if resume.is_some() => Err(RunError::NotResumable),
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),
         Scene::Body(scene) => body::run(scene, options, &mut |result| sink.take(StateResult::Body(result))),

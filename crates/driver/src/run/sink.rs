@@ -1,8 +1,9 @@
 //! Where the results of a run go.
 
 use super::StateResult;
-use super::fracture::{Event, Restart};
+use super::fracture::Event;
 use super::path::PathPoint;
+use super::restart::Restart;
 use std::io;
 
 /// A state in equilibrium that was found on the way.

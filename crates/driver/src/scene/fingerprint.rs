@@ -4,12 +4,12 @@ use super::Scene;
 
 /// Keys of a case that change no equilibrium: words, and what is made of results.
 const WORDS: [&str; 6] = ["$schema", "title", "about", "lines", "checks", "slow"];
-/// Keys of `fracture` that say only how long to go on and what to write.
-const EXTENT: [&str; 3] = ["stop_below", "max_solves", "record_every"];
+/// Keys of `fracture` and `path` that say only how long to go on and what to write.
+const EXTENT: [&str; 4] = ["stop_below", "max_solves", "max_steps", "record_every"];
 
 impl Scene {
     /// A hash, as hexadecimal digits, of all that the equilibria and the columns of `history.csv` depend on: equal for two
-    /// cases that differ in their titles, checks and lines, or in how long their bodies break, only. Another version of
+    /// cases that differ in their titles, checks and lines, or in how far their bodies break or soften, only. Another version of
     /// this program has another one: it may find other equilibria.
     ///
     /// # Errors
@@ -32,8 +32,9 @@ impl Scene {
         let mut case = serde_json::to_value(self.case())?;
         if let Some(case) = case.as_object_mut() {
             WORDS.iter().for_each(|key| drop(case.shift_remove(*key)));
-            if let Some(fracture) = case.get_mut("fracture").and_then(|f| f.as_object_mut()) {
-                EXTENT.iter().for_each(|key| drop(fracture.shift_remove(*key)));
+            for part in ["fracture", "path"] {
+                let Some(part) = case.get_mut(part).and_then(|part| part.as_object_mut()) else { continue };
+                EXTENT.iter().for_each(|key| drop(part.shift_remove(*key)));
             }
         }
         Ok(case)

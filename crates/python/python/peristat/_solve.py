@@ -63,7 +63,7 @@ def run(
     `estimate=True` asks for errors of discretisation from a finer grid, `False` for none; otherwise those are made that are cheap.
 
     `output` names a folder that results are written to while the case is solved, as the command writes it: `force` replaces an earlier run
-    there, `resume` goes on with a run of a body that breaks which was interrupted (`Result.states` are then those of this call). Ctrl-C ends
+    there, `resume` goes on with an interrupted run of a body that breaks or softens (`Result.states` are then those of this call). Ctrl-C ends
     the call within a second; a solve that has begun goes on unseen to its end. `allow_outside` lets the case name files outside its folder,
     which is the working directory for a dictionary. A failed check is no exception: see `Result.status`.
 

@@ -33,6 +33,26 @@ pub struct Answer<const D: usize> {
 }
 
 impl<const D: usize> Answer<D> {
+    /// Numbers in it beside the direction.
+    pub const SCALARS: usize = 5;
+
+    /// All numbers in it, the direction first.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> + use<D> {
+        let scalars = [self.elongation, self.force, self.tangent, self.secant, self.turning];
+        self.direction.into_iter().chain(scalars)
+    }
+
+    /// The answer of such [`Self::numbers`].
+    ///
+    /// # Panics
+    /// They are not `D` and [`Self::SCALARS`].
+    #[must_use]
+    pub fn of_numbers(numbers: &[f64]) -> Self {
+        let (direction, scalars) = numbers.split_at(D);
+        let &[elongation, force, tangent, secant, turning] = scalars else { panic!("as many as there are") };
+        Self { direction: from_fn(|c| direction[c]), elongation, force, tangent, secant, turning }
+    }
+
     /// At rest.
     pub(super) const REST: Self =
         Self { direction: [0.0; D], elongation: 0.0, force: 0.0, tangent: 0.0, secant: 0.0, turning: 0.0 };

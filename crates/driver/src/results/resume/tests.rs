@@ -4,8 +4,8 @@ use super::*;
 use crate::Loaded;
 use crate::case::{Critical, Fracture};
 use crate::run::Advance;
-use crate::run::fracture::Event;
-use crate::run::{RunOptions, StateResult, taking};
+use crate::run::fracture::{BreakRestart, Event};
+use crate::run::{RestartFrom, RunOptions, StateResult, taking};
 use std::time::{Duration, Instant};
 
 /// A plate with a crack and a line, of which three steps stand for equilibria as it breaks, and their results.
@@ -56,10 +56,12 @@ fn restart(scene: &Scene, recorded: &[StateResult]) -> Restart {
     recorded.iter().for_each(|state| collector.take(scene, state));
     Restart {
         case: scene.fingerprint().unwrap(),
-        events: (0..recorded.len()).map(event).collect(),
-        recorded: recorded.len(),
         summaries: collector.save(),
-        ..Restart::default()
+        recorded: recorded.len(),
+        from: RestartFrom::Break(Box::new(BreakRestart {
+            events: (0..recorded.len()).map(event).collect(),
+            ..BreakRestart::default()
+        })),
     }
 }
 
@@ -190,7 +192,9 @@ fn a_finished_run_has_its_curve_and_nothing_to_go_on_with() {
     assert!(["load_curve.svg", "energy.svg"].iter().all(|name| plots.iter().any(|n| n == name)));
     assert!(out.join("curve.csv").exists() && !out.join("restart.bin").exists());
     assert!(refused(&loaded.scene).contains("is finished\nhint: add `--force` in place of"));
-    assert!(refused(&unbroken.scene).starts_with("only a run with `fracture` can be resumed\nhint: "));
+    assert!(
+        refused(&unbroken.scene).starts_with("only a run with `fracture` or `path` can be resumed\nhint: ")
+    );
 }
 
 #[test]

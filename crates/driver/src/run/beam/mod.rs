@@ -25,8 +25,8 @@ pub use line_points::LinePoints;
 pub use reaction::{JointReaction, Reaction};
 pub(crate) use verdict::{checks, probes};
 
-use super::fracture::Restart;
 use super::prepare::prepare_within;
+use super::restart::Restart;
 use super::{RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, memory, solve_states};
 use crate::scene::beam::BeamScene;
 use fracture::BreakingBeam;

@@ -28,7 +28,7 @@ pub(crate) use gradient::{Steepest, steepest};
 pub use reaction::{BodyReaction, MirrorReaction};
 pub(crate) use verdict::{checks, probes};
 
-use super::fracture::Restart;
+use super::restart::Restart;
 use super::{Counters, RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, prepare, solve_states};
 use crate::diagnostic::Faults;
 use crate::model::{AnyBody, with_body};
@@ -105,6 +105,7 @@ pub fn run_breaking(
 pub fn run_softening(
     scene: &BodyScene,
     options: &RunOptions,
+    resume: Option<Restart>,
     sink: &mut dyn Sink,
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
@@ -120,7 +121,7 @@ pub fn run_softening(
     let (elastic, front, softened) = ([0.0; 2], None, Vec::new());
     let mut body = SofteningPlane { problem, path, recover, intensity, elastic, front, softened };
     body.front = crack_front::Front::new(scene, &super::path::SofteningBody::bonds(&body));
-    let mut report = super::path::run(&mut body, prepared, sink)?;
+    let mut report = super::path::run(&mut body, prepared, resume, sink)?;
     report.skipped = skipped::skipped(scene, &report, recover);
     add(&mut report.counters, &found.counters);
     report.timing.solve += found.seconds;

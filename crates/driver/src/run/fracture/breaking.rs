@@ -1,12 +1,13 @@
 //! A body that breaks: what of it is left, what has gone, and where it is.
 
+use super::super::restart::{Restart, RestartFrom};
 use super::super::{RunError, Sink, SolvedState, Timing};
 use super::ending::Ending;
 use super::islands::Islands;
 use super::ledger::Ledger;
 use super::problem::{BreakingBody, Facts};
 use super::unit::{Outcome, Unit};
-use super::{Event, Restart};
+use super::{BreakRestart, Event};
 use crate::case::Strategy;
 use peristat_assembly::model::Breakable;
 use peristat_assembly::system::System;
@@ -80,7 +81,12 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
 
     /// From a restart: with the factor that there was, of the matrix that was analysed, so that all goes on to the last bit
     /// as if it had not stopped.
-    pub(super) fn resume(body: &'a mut P, system: System<D>, restart: Restart) -> Result<Self, RunError> {
+    pub(super) fn resume(
+        body: &'a mut P,
+        system: System<D>,
+        recorded: usize,
+        restart: BreakRestart,
+    ) -> Result<Self, RunError> {
         restart.fits(system.size(), body.model().bond_numbers())?;
         let (factored, later) = restart.broken.split_at(restart.factored);
         let mut all = Self::new(body, system)?;
@@ -95,7 +101,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         let last = restart.events.last().copied().unwrap_or_default();
         all.ledger = Ledger::resume(last.work, last.released, last.bond_energy, restart.load_factor);
         (all.events, all.broken, all.factored) = (restart.events, restart.broken, restart.factored);
-        (all.recorded, all.step) = (restart.recorded, restart.step);
+        (all.recorded, all.step) = (recorded, restart.step);
         Ok(all)
     }
 
@@ -145,19 +151,18 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     }
 
     pub(super) fn restart(&self, load_factor: f64) -> Restart {
-        let mut restart = Restart {
+        let mut restart = BreakRestart {
             events: self.events.clone(),
             broken: self.broken.clone(),
             factored: self.factored,
             unit: self.unit.u.clone(),
             frozen: self.islands.frozen().to_vec(),
-            recorded: self.recorded,
             step: self.step,
             load_factor,
-            ..Restart::default()
+            ..BreakRestart::default()
         };
         self.unit.save(&mut restart);
-        restart
+        Restart::new(self.recorded, RestartFrom::Break(Box::new(restart)))
     }
 
     /// Certifies the present equilibrium and hands it on.

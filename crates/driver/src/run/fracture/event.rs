@@ -43,9 +43,7 @@ pub struct Event {
 
 /// What it takes to go on from an equilibrium of a body that breaks.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Restart {
-    /// The case, [`crate::scene::Scene::fingerprint`]; a run leaves it empty, [`crate::Loaded::run`] fills it in.
-    pub case: String,
+pub struct BreakRestart {
     /// The equilibria so far.
     pub events: Vec<Event>,
     /// The bonds that are broken, in the order in which they broke.
@@ -56,8 +54,6 @@ pub struct Restart {
     pub unit: Vec<f64>,
     /// Unknowns of parts that have come off, with their values.
     pub frozen: Vec<(u64, f64)>,
-    /// Number of states that were recorded.
-    pub recorded: usize,
     /// Load step.
     pub step: usize,
     /// Load factor.
@@ -68,11 +64,9 @@ pub struct Restart {
     pub pcg_iterations: usize,
     /// The residual that is asked for, 2-norm.
     pub target: f64,
-    /// What the summary says of the recorded states; filled in likewise.
-    pub summaries: String,
 }
 
-impl Restart {
+impl BreakRestart {
     /// Whether this can be of a body with so many unknowns and bond numbers.
     ///
     /// # Errors
@@ -92,19 +86,19 @@ mod tests {
 
     #[test]
     fn a_restart_of_another_body_does_not_fit() {
-        let fitting = Restart {
+        let fitting = BreakRestart {
             broken: vec![7, 0],
             factored: 2,
             unit: vec![0.0; 6],
             frozen: vec![(5, 0.1)],
-            ..Restart::default()
+            ..BreakRestart::default()
         };
         fitting.fits(6, 8).unwrap();
         let misfits = [
             fitting.fits(7, 8),
             fitting.fits(6, 7),
-            Restart { factored: 3, ..fitting.clone() }.fits(6, 8),
-            Restart { frozen: vec![(6, 0.1)], ..fitting.clone() }.fits(6, 8),
+            BreakRestart { factored: 3, ..fitting.clone() }.fits(6, 8),
+            BreakRestart { frozen: vec![(6, 0.1)], ..fitting.clone() }.fits(6, 8),
         ];
         for misfit in misfits {
             assert!(matches!(misfit, Err(RunError::Misfit)));

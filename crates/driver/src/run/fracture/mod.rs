@@ -13,7 +13,7 @@ mod steps;
 mod tests;
 mod unit;
 
-pub use event::{Event, Restart};
+pub use event::{BreakRestart, Event};
 pub use problem::Facts;
 pub use report::FractureReport;
 

@@ -1,11 +1,12 @@
 //! From equilibrium to equilibrium.
 
+use super::super::restart::{Restart, RestartFrom};
 use super::super::{Advance, RunError, RunReport, Sink, Sizes};
+use super::Event;
 use super::breaking::Breaking;
 use super::choice::Next;
 use super::ending::Ending;
 use super::problem::BreakingBody;
-use super::{Event, Restart};
 use peristat_assembly::system::System;
 
 /// Work of the load over that of all loads and motions, below which it is rounding.
@@ -22,7 +23,10 @@ pub(in super::super) fn run<const D: usize, P: BreakingBody<D>>(
     sink: &mut dyn Sink,
 ) -> Result<RunReport, RunError> {
     let mut breaking = match resume {
-        Some(restart) => Breaking::resume(body, system, restart)?,
+        Some(Restart { recorded, from: RestartFrom::Break(restart), .. }) => {
+            Breaking::resume(body, system, recorded, *restart)?
+        }
+        Some(_) => return Err(RunError::Misfit),
         None => Breaking::begin(body, system)?,
     };
     if let Some(last) = breaking.events.last() {

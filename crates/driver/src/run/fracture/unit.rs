@@ -6,7 +6,7 @@ use super::super::load::Load;
 use super::super::solve_failure::SolveFailure;
 use super::super::workspace::{StateSolution, Workspace, jump, jump_energy};
 use super::super::{Counters, Problem, Timing};
-use super::Restart;
+use super::BreakRestart;
 use super::ledger::UnitEnergy;
 use peristat_assembly::system::System;
 use peristat_solve::PcgStatus;
@@ -137,7 +137,7 @@ impl<const D: usize> Unit<D> {
     }
 
     /// Goes on with the displacements at hand after the equilibria of another run.
-    pub(super) fn resume(&mut self, system: &System<D>, restart: &Restart) {
+    pub(super) fn resume(&mut self, system: &System<D>, restart: &BreakRestart) {
         if let Some(last) = restart.events.last() {
             self.counters.factorisations = last.factorisations;
             self.residual = last.residual;
@@ -149,7 +149,7 @@ impl<const D: usize> Unit<D> {
     }
 
     /// Says what of it a restart needs, beside the displacements.
-    pub(super) fn save(&self, restart: &mut Restart) {
+    pub(super) fn save(&self, restart: &mut BreakRestart) {
         restart.right_hand_sides = self.counters.right_hand_sides;
         restart.pcg_iterations = self.counters.pcg_iterations;
         restart.target = self.target;

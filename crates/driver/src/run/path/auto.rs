@@ -6,6 +6,7 @@ use super::course::Course;
 use super::displacement::Displacement;
 use super::dissipation::Dissipation;
 use super::event::Events;
+use super::kept::Memory;
 use crate::case::PathControl;
 use crate::scene::path::PathScene;
 use peristat_assembly::stiffness::Kinematics;
@@ -25,6 +26,26 @@ impl<const D: usize> Chosen<D> {
     pub(super) fn new(scene: &PathScene, course: &Course<D>) -> Self {
         let (name, reason) = scene.chosen();
         Self { control: make(name, scene, course), name, reason, is_auto: scene.control == PathControl::Auto }
+    }
+
+    /// Goes on as another run did.
+    ///
+    /// # Errors
+    /// Its memory is of another kind, or a matrix has no factor.
+    pub(super) fn resume(
+        scene: &PathScene,
+        course: &mut Course<D>,
+        (name, reason): (PathControl, String),
+        memory: Memory,
+    ) -> Result<Self, RunError> {
+        let mut control = make(name, scene, course);
+        control.recall(course, memory)?;
+        Ok(Self { control, name, reason, is_auto: scene.control == PathControl::Auto })
+    }
+
+    /// What the control remembers.
+    pub(super) fn memory(&self, course: &Course<D>) -> Memory {
+        self.control.memory(course)
     }
 
     /// A next state; where there is none, another control is tried.

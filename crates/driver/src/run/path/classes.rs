@@ -2,6 +2,7 @@
 
 use super::course::Course;
 use peristat_assembly::law::Law;
+use serde::{Deserialize, Serialize};
 
 /// How near to its limit a bond is at it, over its yield stretch.
 const AT_LIMIT: f64 = 1e-9;
@@ -10,8 +11,8 @@ const AT_LIMIT: f64 = 1e-9;
 const MOST_TRIES: usize = 30;
 
 /// Where a bond is on its law.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum At {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum At {
     /// On an elastic piece.
     Inside,
     /// Where it flows in tension.

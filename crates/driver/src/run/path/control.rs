@@ -3,6 +3,7 @@
 use super::super::RunError;
 use super::body::State;
 use super::course::Course;
+use super::kept::Memory;
 use super::point::Cost;
 pub(super) use crate::scene::path::Goal;
 
@@ -27,4 +28,13 @@ pub(super) trait Control<const D: usize> {
 
     /// The state of the last step was committed, or the path turns.
     fn committed(&mut self, _course: &mut Course<D>, _turns: bool) {}
+
+    /// What it remembers between two steps.
+    fn memory(&self, course: &Course<D>) -> Memory;
+
+    /// Remembers what another of its kind did.
+    ///
+    /// # Errors
+    /// The memory is of another kind, or a matrix has no factor.
+    fn recall(&mut self, course: &mut Course<D>, memory: Memory) -> Result<(), RunError>;
 }

@@ -2,6 +2,7 @@
 
 use super::super::solve_failure::SolveFailure;
 use super::body::{Body, State, norm};
+use super::kept::PathRestart;
 use super::point::{Cost, PathPoint};
 use peristat_assembly::law::Law;
 use peristat_assembly::stiffness::Kinematics;
@@ -76,6 +77,24 @@ impl<const D: usize> Course<D> {
         })
     }
 
+    /// Goes on from what was kept, which must fit.
+    pub(super) fn resume(&mut self, kept: &PathRestart) {
+        self.body.bonds.set_history(kept.history.clone());
+        if kept.history.iter().any(|bond| bond.broken) {
+            self.find_islands();
+        }
+        self.state = State::kept(kept.state.clone());
+        self.points.clone_from(&kept.points);
+        [self.work, self.inner_work] = kept.work;
+        self.largest_work = kept.largest_work;
+        self.accepted = kept.points.len() - 1;
+    }
+
+    /// Work of loads and motions, that of the forces of bonds, and the largest one so far.
+    pub(super) fn works(&self) -> ([Sum; 2], f64) {
+        ([self.work, self.inner_work], self.largest_work)
+    }
+
     /// Commits a state in equilibrium. Returns what is known of it but for its probes.
     pub(super) fn accept(&mut self, state: State<D>, cost: Cost) -> PathPoint {
         self.add_work(&state);
@@ -141,6 +160,7 @@ impl<const D: usize> Course<D> {
             iterations: cost.effort.iterations,
             blended: cost.effort.blended,
             refused: cost.refused,
+            negative_eigenvalues: cost.negative,
             factorisations: self.body.counters.factorisations,
             // Nothing drives a body without motions and loads.
             residual: if self.reference > 0.0 { self.state.norm() / self.reference } else { 0.0 },

@@ -4,6 +4,7 @@ use super::super::RunError;
 use super::body::State;
 use super::control::{Control, Goal, Load, Step};
 use super::course::Course;
+use super::kept::{Memory, Steps};
 use super::newton::Effort;
 use super::point::Cost;
 
@@ -28,6 +29,29 @@ pub(super) struct Displacement<const D: usize> {
 impl<const D: usize> Displacement<D> {
     pub(super) fn new(increment: f64) -> Self {
         Self { increment, step: increment, last: None, before: None }
+    }
+
+    /// What it remembers.
+    pub(super) fn steps(&self) -> Steps {
+        Steps { step: self.step, last: self.last.clone(), before: self.before.clone() }
+    }
+
+    /// Remembers what another one did.
+    pub(super) fn recall_steps(&mut self, steps: Steps) {
+        Steps { step: self.step, last: self.last, before: self.before } = steps;
+    }
+
+    /// Makes the next step half as long; whether that is one.
+    pub(super) fn shorten(&mut self) -> bool {
+        let shorter = 0.5 * self.step;
+        let is_one = shorter >= LEAST * self.increment;
+        self.step = if is_one { shorter } else { self.increment };
+        is_one
+    }
+
+    /// Unknowns per load factor along the last step.
+    pub(super) fn direction(&self, course: &Course<D>) -> Vec<f64> {
+        self.last.as_ref().unwrap_or(&course.elastic).clone()
     }
 
     /// The state at a load factor, and whether it is in equilibrium.
@@ -90,7 +114,6 @@ impl<const D: usize> Control<D> for Displacement<D> {
             let is_last = left.abs() <= self.step * (1.0 + 1e-9);
             let to = if is_last { end } else { from + self.step * left.signum() };
             if let Some(state) = self.try_at(course, to, &mut cost.effort)? {
-                self.step = (2.0 * self.step).min(self.increment);
                 let Some(target) = target else { return Ok(Step::To(state, cost, is_last)) };
                 let signs = [load(course, &course.state), load(course, &state)].map(|p| p > target);
                 if signs[0] == signs[1] {
@@ -110,6 +133,7 @@ impl<const D: usize> Control<D> for Displacement<D> {
     }
 
     fn committed(&mut self, course: &mut Course<D>, turns: bool) {
+        self.step = (2.0 * self.step).min(self.increment);
         let here = (course.state.u.clone(), course.state.load_factor);
         let before = self.before.replace(here);
         let elastic = turns || before.is_none();
@@ -117,5 +141,15 @@ impl<const D: usize> Control<D> for Displacement<D> {
             let grown = course.state.load_factor - load_factor;
             course.state.u.iter().zip(&u).map(|(now, before)| (now - before) / grown).collect()
         });
+    }
+
+    fn memory(&self, _course: &Course<D>) -> Memory {
+        Memory::Displacement(self.steps())
+    }
+
+    fn recall(&mut self, _course: &mut Course<D>, memory: Memory) -> Result<(), RunError> {
+        let Memory::Displacement(steps) = memory else { return Err(RunError::Misfit) };
+        self.recall_steps(steps);
+        Ok(())
     }
 }

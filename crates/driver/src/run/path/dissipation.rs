@@ -2,16 +2,25 @@
 //!
 //! The bonds that softened in the last step are to dissipate a given energy τ more, in linear approximation:
 //! `w·(e − e_n) = τ` with `w = k ξ dD/ds`. The bordered system is solved by two solutions with the stiffness of the bonds.
+//!
+//! As long as few bonds soften, steps of the load factor lead on. One that would dissipate more than it may is made
+//! shorter, and where none is short enough the body snaps back: then the bonds that are about to soften drive it, `e_n`
+//! being no less than where they begin.
+
+mod approach;
 
 use super::super::RunError;
 use super::body::{Body, State};
 use super::control::{Control, Goal, Load, Step};
 use super::course::Course;
 use super::displacement::Displacement;
+use super::kept::{Dissipated, Memory};
 use super::newton::{Effort, TOLERANCE};
 use super::point::Cost;
 use super::tangent::Tangent;
+use approach::{dissipates, softens_at};
 use peristat_assembly::law::Law;
+use peristat_assembly::stiffness::Answer;
 
 /// Bonds that have to soften in a step before their energy drives the next one.
 const ENOUGH: usize = 8;
@@ -21,6 +30,8 @@ const ITERATIONS: [usize; 2] = [25, 6];
 const GROWTH: f64 = 1.5;
 /// The smallest step over the largest one.
 const LEAST: f64 = 1.0 / 256.0;
+/// Energy that a step of the load factor may dissipate over that of a step of energy.
+const JUMPS: f64 = 2.0;
 /// Parts of a correction that are tried.
 const PARTS: [f64; 4] = [1.0, 0.5, 0.25, 0.1];
 /// How much of the last step a predictor may be.
@@ -35,6 +46,8 @@ pub(super) struct Dissipation<const D: usize> {
     /// Largest energy of a step, J, and that of the next one.
     largest: f64,
     energy: f64,
+    /// How many bonds have to soften in a step to drive the next one.
+    fewest: usize,
     /// Force that dissipates the energy, per bond; none as long as too few soften.
     weights: Option<Vec<f64>>,
     /// Unknowns, load factor and damage of the bonds in the state before.
@@ -51,6 +64,7 @@ impl<const D: usize> Dissipation<D> {
             tangent: Tangent::new(course.body.system.size()),
             largest: energy,
             energy,
+            fewest: ENOUGH,
             weights: None,
             before: None,
             last: None,
@@ -65,7 +79,7 @@ impl<const D: usize> Dissipation<D> {
         effort: &mut Effort,
     ) -> Result<Option<State<D>>, RunError> {
         let Some((unknowns, grown)) = &self.last else { return Ok(None) };
-        let start: Vec<f64> = course.state.answers.bonds.iter().map(|a| a.elongation).collect();
+        let start = Self::starts(course, weights);
         let mut state = course.state.clone();
         let rates = course.body.bonds.elongation_rates(&state.answers.bonds, unknowns);
         let would: f64 = weights.iter().zip(&rates).map(|(w, r)| w * r).sum();
@@ -79,7 +93,8 @@ impl<const D: usize> Dissipation<D> {
             let lack = self.lack(weights, &state, &start);
             let norm = state.norm();
             if norm <= TOLERANCE * reference && lack.abs() <= MET * self.energy {
-                return Ok(Some(state));
+                // Others may have softened much more than those that were asked.
+                return Ok((dissipates(course, &state) <= JUMPS * self.largest).then_some(state));
             }
             if norm.is_nan() || norm > 1e6 * reference {
                 return Ok(None);
@@ -107,6 +122,16 @@ impl<const D: usize> Dissipation<D> {
             state = next;
         }
         Ok(None)
+    }
+
+    /// Elongations from which weighted ones dissipate: the committed ones, or where bonds begin to soften.
+    fn starts(course: &Course<D>, weights: &[f64]) -> Vec<f64> {
+        let bonds = &course.body.bonds;
+        let of = |(k, answer): (usize, &Answer<D>)| match weights[k] {
+            0.0 => answer.elongation,
+            _ => answer.elongation.max(softens_at(bonds, k)),
+        };
+        course.state.answers.bonds.iter().enumerate().map(of).collect()
     }
 
     /// What the weighted elongations lack of the energy.
@@ -158,7 +183,7 @@ impl<const D: usize> Dissipation<D> {
     }
 
     /// What bonds that have softened since the last step dissipate per elongation.
-    fn weights(course: &Course<D>, before: &[f64]) -> Option<Vec<f64>> {
+    fn weights(course: &Course<D>, before: &[f64], fewest: usize) -> Option<Vec<f64>> {
         let bonds = &course.body.bonds;
         let mut count = 0;
         let weight = |(k, before): (usize, &f64)| {
@@ -170,16 +195,15 @@ impl<const D: usize> Dissipation<D> {
             bond.stiffness * bond.length * law.dissipation_rate()
         };
         let weights: Vec<f64> = before.iter().enumerate().map(weight).collect();
-        (count >= ENOUGH).then_some(weights)
+        (count >= fewest).then_some(weights)
     }
 }
 
 impl<const D: usize> Control<D> for Dissipation<D> {
     fn step(&mut self, course: &mut Course<D>, goal: Goal, load: Load<D>) -> Result<Step<D>, RunError> {
         let mut cost = Cost::default();
-        let (Some(weights), Goal::LoadFactor(end)) = (self.weights.clone(), goal) else {
-            return self.start.step(course, goal, load);
-        };
+        let Goal::LoadFactor(end) = goal else { return self.start.step(course, goal, load) };
+        let Some(weights) = self.weights.clone() else { return self.approach(course, goal, load) };
         loop {
             if let Some(state) = self.solve(course, &weights, &mut cost.effort)? {
                 if cost.effort.iterations <= ITERATIONS[1] {
@@ -191,6 +215,7 @@ impl<const D: usize> Control<D> for Dissipation<D> {
                     // The last step ends where it was asked to.
                     return self.start.step(course, goal, load);
                 }
+                cost.negative = self.tangent.negative_eigenvalues();
                 return Ok(Step::To(state, cost, false));
             }
             cost.refused += 1;
@@ -198,7 +223,7 @@ impl<const D: usize> Control<D> for Dissipation<D> {
             if self.energy < LEAST * self.largest {
                 self.energy = self.largest;
                 self.weights = None;
-                return self.start.step(course, goal, load);
+                return self.approach(course, goal, load);
             }
         }
     }
@@ -212,9 +237,28 @@ impl<const D: usize> Control<D> for Dissipation<D> {
         let before = self.before.replace(now);
         self.weights = None;
         if let Some((u, load_factor, damage)) = before.filter(|_| !turns) {
-            self.weights = Self::weights(course, &damage);
+            self.weights = Self::weights(course, &damage, self.fewest);
             let moved = course.state.u.iter().zip(&u).map(|(now, before)| now - before).collect();
             self.last = Some((moved, course.state.load_factor - load_factor));
         }
+    }
+
+    fn memory(&self, _course: &Course<D>) -> Memory {
+        Memory::Dissipation(Dissipated {
+            energy: self.energy,
+            fewest: self.fewest,
+            weights: self.weights.clone(),
+            before: self.before.clone(),
+            last: self.last.clone(),
+            start: self.start.steps(),
+        })
+    }
+
+    fn recall(&mut self, _course: &mut Course<D>, memory: Memory) -> Result<(), RunError> {
+        let Memory::Dissipation(kept) = memory else { return Err(RunError::Misfit) };
+        self.start.recall_steps(kept.start);
+        (self.energy, self.fewest, self.weights) = (kept.energy, kept.fewest, kept.weights);
+        (self.before, self.last) = (kept.before, kept.last);
+        Ok(())
     }
 }

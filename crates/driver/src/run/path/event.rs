@@ -4,18 +4,20 @@
 //! limit either flow on or unload; which ones do is found by trying, beginning with what went on before. The load factor
 //! may fall: what a body does that snaps back, and no control of motions can follow, is part of the path.
 
+mod reach;
+
 use super::super::RunError;
 use super::classes::{At, Guess, guesses};
 use super::control::{Control, Goal, Load, Step};
 use super::course::Course;
 use super::displacement::Displacement;
+use super::kept::{Memory, Traced};
 use super::newton::Effort;
 use super::point::Cost;
 use super::tangent::Tangent;
 use peristat_assembly::law::Law;
+use reach::Pending;
 
-/// Events that are nearer to each other than this part of the way to the first count as one: symmetric bodies stay so.
-const MERGED: f64 = 1e-9;
 /// Dissipated energy per load factor over that of the last direction, below which another direction is looked for.
 const FALLEN: f64 = 0.02;
 /// Rate of a bond over that of the unknowns, below which it is rounding.
@@ -42,16 +44,6 @@ pub(super) struct Events<const D: usize> {
     rescue: Displacement<D>,
 }
 
-/// Outcome of an advance to the next event.
-struct Pending {
-    /// Bonds that reach a limit or a bend, and how.
-    reached: Vec<(u32, At)>,
-    /// Bonds that flowed.
-    flowing: Vec<u32>,
-    failed: Vec<u32>,
-    sign: f64,
-}
-
 /// A direction of the path: rates per way travelled.
 struct Direction {
     sign: f64,
@@ -59,6 +51,8 @@ struct Direction {
     /// Rates of the elongations of all bonds.
     rates: Vec<f64>,
     flowing: Vec<u32>,
+    /// Negative eigenvalues of the stiffness along it.
+    negative: Option<usize>,
     /// Rates that are rounding.
     noise: f64,
 }
@@ -153,7 +147,8 @@ impl<const D: usize> Events<D> {
                 // That all bonds unload away from the goal is no path.
                 let flows = flowing.iter().any(|&k| rates[k as usize].abs() > noise);
                 let goes_on = flows || self.on.is_empty() || along > 0.0;
-                return Ok(goes_on.then_some(Direction { sign, unknowns, rates, flowing, noise }));
+                let negative = self.tangent.negative_eigenvalues();
+                return Ok(goes_on.then_some(Direction { sign, unknowns, rates, flowing, negative, noise }));
             }
             let worst = wrong.iter().map(|w| w.1).fold(0.0, f64::max);
             for &(bond, _) in wrong.iter().filter(|w| w.1 >= flips * worst) {
@@ -176,61 +171,6 @@ impl<const D: usize> Events<D> {
         direction.flowing.iter().filter(|&&k| self.at[k as usize] == At::Upper).map(of).sum()
     }
 
-    /// How far bonds let the path go in a direction, and what happens there.
-    fn reach(&self, course: &Course<D>, direction: &Direction, most: f64) -> (f64, Pending) {
-        let bonds = &course.body.bonds;
-        let mut events: Vec<(f64, u32, Option<At>)> = Vec::new();
-        for (k, bond) in bonds.list().iter().enumerate() {
-            let (rate, history) = (direction.rates[k] / bond.length, &bonds.history()[k]);
-            if direction.rates[k].abs() <= direction.noise || history.broken {
-                continue;
-            }
-            let (stretch, law) = (course.stretch(k), bonds.law(k));
-            let mut event = |to: f64, at: Option<At>| {
-                let way = ((to - stretch) / rate).max(0.0);
-                if way.is_finite() {
-                    events.push((way, k as u32, at));
-                }
-            };
-            if self.at[k].is_limit() {
-                let flows = direction.flowing.binary_search(&(k as u32)).is_ok();
-                if flows && self.at[k] == At::Upper {
-                    event(law.failure(history), None);
-                }
-                // A bond that unloads leaves its limit; its next one is behind it.
-                let piece = law.piece(stretch, history);
-                if !flows && rate < 0.0 && piece.lower > f64::NEG_INFINITY {
-                    event(piece.lower, Some(if piece.flows_below { At::Lower } else { At::Below }));
-                }
-                continue;
-            }
-            let piece = law.piece(self.at[k].beside(stretch), history);
-            if rate > 0.0 {
-                match piece.bend < piece.upper {
-                    true => event(piece.bend, Some(At::Above)),
-                    false => event(piece.upper, Some(At::Upper)),
-                }
-            } else if piece.lower > f64::NEG_INFINITY {
-                event(piece.lower, Some(if piece.flows_below { At::Lower } else { At::Below }));
-            }
-        }
-        let way = events.iter().map(|e| e.0).fold(most, f64::min);
-        let here = way * (1.0 + MERGED) + f64::MIN_POSITIVE;
-        let mut pending = Pending {
-            reached: Vec::new(),
-            failed: Vec::new(),
-            flowing: direction.flowing.clone(),
-            sign: direction.sign,
-        };
-        for (_, bond, at) in events.into_iter().filter(|e| e.0 <= here) {
-            match at {
-                Some(at) => pending.reached.push((bond, at)),
-                None => pending.failed.push(bond),
-            }
-        }
-        (way, pending)
-    }
-
     /// A step of the load factor where no direction is consistent; limits are found anew from what it changed.
     fn rescue(&mut self, course: &mut Course<D>, goal: Goal, load: Load<D>) -> Result<Step<D>, RunError> {
         self.pending = None;
@@ -249,6 +189,7 @@ impl<const D: usize> Control<D> for Events<D> {
         let Some(direction) = self.direction(course, goal_sign, &mut cost.effort)? else {
             return self.rescue(course, goal, load);
         };
+        cost.negative = direction.negative;
         let most = match goal {
             _ if direction.sign != goal_sign => f64::INFINITY,
             Goal::LoadFactor(end) => (end - from).abs(),
@@ -313,5 +254,28 @@ impl<const D: usize> Control<D> for Events<D> {
             .collect();
         self.on.sort_unstable();
         self.on.dedup();
+    }
+
+    fn memory(&self, course: &Course<D>) -> Memory {
+        let (factored, changed) = self.tangent.factored(&course.body);
+        Memory::Event(Traced {
+            at: self.at.clone(),
+            on: self.on.clone(),
+            sign: self.sign,
+            dissipated: self.dissipated,
+            turned: self.turned,
+            factored,
+            changed,
+            rescue: self.rescue.steps(),
+        })
+    }
+
+    fn recall(&mut self, course: &mut Course<D>, memory: Memory) -> Result<(), RunError> {
+        let Memory::Event(kept) = memory else { return Err(RunError::Misfit) };
+        self.tangent.factor_again(course, (kept.factored, &kept.changed))?;
+        (self.at, self.on) = (kept.at, kept.on);
+        (self.sign, self.dissipated, self.turned) = (kept.sign, kept.dissipated, kept.turned);
+        self.rescue.recall_steps(kept.rescue);
+        Ok(())
     }
 }

@@ -28,6 +28,7 @@ pub(super) fn facts(points: &[PathPoint]) -> Facts {
         Some(largest(|p| p.identity)),
         Some(points.len().saturating_sub(1) as f64),
         Some(back as f64),
+        points.windows(2).find(|p| p[1].is_branched()).map(|p| p[0].load_factor),
         Some(points.iter().map(|p| p.refused).sum::<usize>() as f64),
         Some(last.broken as f64),
         Some(last.island_points as f64),

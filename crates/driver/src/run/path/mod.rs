@@ -13,6 +13,7 @@ mod dissipation;
 mod ending;
 mod event;
 mod facts;
+mod kept;
 mod newton;
 mod point;
 mod problem;
@@ -22,6 +23,7 @@ mod tangent;
 #[cfg(test)]
 mod tests;
 
+pub use kept::PathRestart;
 pub use point::PathPoint;
 pub use report::PathReport;
 

@@ -1,10 +1,10 @@
 //! What is reported of every state of a body on its path.
 
 use super::newton::Effort;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A state in equilibrium: a row of `curve.csv`. Energies are sums since the start.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PathPoint {
     /// Number, from 0.
     pub step: usize,
@@ -44,6 +44,9 @@ pub struct PathPoint {
     pub factorisations: usize,
     /// Residual over the reference force.
     pub residual: f64,
+    /// Negative eigenvalues of the stiffness along the step, where the control knows them: a turn of the load factor
+    /// explains one, and the path branches where there are more.
+    pub negative_eigenvalues: Option<usize>,
     /// Whether the step went away from where the path is to turn: a snap-back.
     pub is_back: bool,
     /// How far the crack has grown, m, from the damage of the bonds that cross the line ahead of its tip.
@@ -54,10 +57,19 @@ pub struct PathPoint {
     pub j_integral: Option<f64>,
 }
 
+impl PathPoint {
+    /// Whether the path has gone by a branch: it is not stable in more directions than its turns explain.
+    pub fn is_branched(&self) -> bool {
+        self.negative_eigenvalues.is_some_and(|negative| negative > usize::from(self.is_back))
+    }
+}
+
 /// What a step has cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Cost {
     pub(super) effort: Effort,
     /// Steps that were tried and refused.
     pub(super) refused: usize,
+    /// Negative eigenvalues of the stiffness along the step, where known.
+    pub(super) negative: Option<usize>,
 }

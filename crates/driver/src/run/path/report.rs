@@ -63,6 +63,16 @@ fn warnings<const D: usize>(course: &Course<D>, scene: &PathScene) -> Faults {
             )
             .hint("\"control\": \"event\" follows the path exactly, snap-backs too; or take a smaller `increment`");
     }
+    if let Some(pair) = course.points.windows(2).find(|pair| pair[1].is_branched()) {
+        let (at, beyond) = (&pair[0], &pair[1]);
+        let more = beyond.negative_eigenvalues.unwrap_or(0);
+        faults
+            .warning(
+                path.clone(),
+                format!("the path branches at the load factor {:.4}: beyond, the stiffness has {more} negative eigenvalues, and a turn of the load explains {}", at.load_factor, usize::from(beyond.is_back)),
+            )
+            .hint("what follows is in equilibrium, but a test may take another branch; a crack or a hole that breaks the symmetry chooses one");
+    }
     let turn = course.body.bonds.largest_turn(&course.state.u);
     let seen = 0.5 * turn * turn / scene.law.yield_stretch();
     if scene.kinematics == Kinematics::Linear && seen > TURNED {

@@ -2,6 +2,7 @@
 
 use super::super::certificate::{self, Certificate, Seen};
 use super::super::measures::ratio;
+use super::super::restart::{Restart, RestartFrom};
 use super::super::scan;
 use super::super::workspace::StateSolution;
 use super::super::{Advance, RunError, RunReport, Sink, Sizes, SolvedState};
@@ -11,17 +12,23 @@ use super::control::{Goal, Step};
 use super::course::Course;
 use super::ending::Ending;
 use super::facts::facts;
+use super::kept::PathRestart;
 use super::newton::TOLERANCE;
 use super::point::PathPoint;
 use super::problem::SofteningBody;
 use super::report::report;
+use crate::scene::path::PathScene;
 use peristat_assembly::system::System;
 use std::time::Instant;
 
 /// A run along a path.
 struct Run<'a, const D: usize, P> {
     body: &'a mut P,
+    scene: PathScene,
     course: Course<D>,
+    chosen: Chosen<D>,
+    /// The place where the path turns next, by number.
+    turn: usize,
     recorded: usize,
     /// Largest displacement of a recorded state so far: back at none, there is still a scale.
     farthest: f64,
@@ -29,13 +36,14 @@ struct Run<'a, const D: usize, P> {
     seconds: f64,
 }
 
-/// Follows the path of a prepared problem, and hands its states on.
+/// Follows the path of a prepared problem from rest or from where another run was interrupted, and hands its states on.
 ///
 /// # Errors
-/// [`RunError`]: the stiffness has no factor, a result cannot be taken, the run was interrupted.
+/// [`RunError`]: the stiffness has no factor, the restart does not fit, a result cannot be taken, the run was interrupted.
 pub(in super::super) fn run<const D: usize, P: SofteningBody<D>>(
     body: &mut P,
     (system, sizes): (System<D>, Sizes),
+    resume: Option<Restart>,
     sink: &mut dyn Sink,
 ) -> Result<RunReport, RunError> {
     let mut loads = vec![0.0; system.size()];
@@ -44,73 +52,89 @@ pub(in super::super) fn run<const D: usize, P: SofteningBody<D>>(
     let softening = Body::new(system, body.bonds(), loads, positions)?;
     let scene = body.path().clone();
     let course = Course::new(softening, scene.increment)?;
-    let mut chosen = Chosen::new(&scene, &course);
     let (unit, work) = &course.unit;
     let elastic = body.probes(&unit.u, &course.body.multipliers(unit))[scene.load];
     body.set_elastic(elastic, *work);
-    let mut run = Run { body, course, recorded: 0, farthest: 0.0, seconds: 0.0 };
-    let rest = run.course.at_rest();
-    run.tell(rest, 1.0, sink)?;
-    let mut ending = Ending::Arrived;
-    'turns: for (number, &goal) in scene.turns.iter().enumerate() {
-        loop {
-            let from = run.course.state.load_factor;
-            let towards = match goal {
-                Goal::LoadFactor(to) => (to - from).signum(),
-                Goal::Load(_) => -1.0,
-            };
-            let load = |course: &Course<D>, state: &State<D>| {
-                let multipliers = course.body.multipliers(state);
-                run.body.probes(&state.u, &multipliers)[run.body.path().load]
-            };
-            let Step::To(state, cost, arrived) = chosen.step(&scene, &mut run.course, goal, &load)? else {
-                ending = Ending::Stuck;
-                break 'turns;
-            };
-            let point = run.course.accept(state, cost);
-            let is_last = number + 1 == scene.turns.len();
-            chosen.committed(&mut run.course, arrived && !is_last);
-            run.tell(point, towards * (run.course.state.load_factor - from), sink)?;
-            if let Some(end) = run.ending() {
-                ending = end;
-                break 'turns;
-            }
-            if arrived {
-                if !is_last {
-                    run.record(sink)?;
-                }
-                break;
-            }
-            if run.course.accepted.is_multiple_of(scene.record_every) {
-                run.record(sink)?;
-            }
-            if sink.is_interrupted() {
-                return Err(RunError::Interrupted);
-            }
-        }
+    let chosen = Chosen::new(&scene, &course);
+    let mut run = Run { body, scene, course, chosen, turn: 0, recorded: 0, farthest: 0.0, seconds: 0.0 };
+    match resume {
+        Some(Restart { recorded, from: RestartFrom::Path(kept), .. }) => run.resume(recorded, *kept)?,
+        Some(_) => return Err(RunError::Misfit),
+        None => run.begin(sink)?,
     }
-    run.record(sink)?;
-    let Run { course, seconds, .. } = run;
+    let ending = loop {
+        if let Some(ending) = run.step(sink)? {
+            break ending;
+        }
+    };
+    let Run { course, scene, chosen, seconds, .. } = run;
     Ok(report(course, &scene, &chosen, (sizes, ending), seconds))
 }
 
 impl<const D: usize, P: SofteningBody<D>> Run<'_, D, P> {
-    /// Tells of a committed state, `along` being positive where it came on its way.
-    fn tell(&mut self, mut point: PathPoint, along: f64, sink: &mut dyn Sink) -> Result<(), RunError> {
+    /// Tells of the state of rest.
+    fn begin(&mut self, sink: &mut dyn Sink) -> Result<(), RunError> {
+        let rest = self.course.at_rest();
+        self.push(rest, 1.0);
+        self.tell(None, sink)
+    }
+
+    /// Goes to the next state, tells of it, and says whether the run ends there.
+    fn step(&mut self, sink: &mut dyn Sink) -> Result<Option<Ending>, RunError> {
+        let Some(&goal) = self.scene.turns.get(self.turn) else { return Ok(Some(Ending::Arrived)) };
+        let from = self.course.state.load_factor;
+        let towards = match goal {
+            Goal::LoadFactor(to) => (to - from).signum(),
+            Goal::Load(_) => -1.0,
+        };
+        let (body, load) = (&*self.body, self.scene.load);
+        let load = |course: &Course<D>, state: &State<D>| {
+            let multipliers = course.body.multipliers(state);
+            body.probes(&state.u, &multipliers)[load]
+        };
+        let Step::To(state, cost, arrived) = self.chosen.step(&self.scene, &mut self.course, goal, &load)?
+        else {
+            self.record(sink)?;
+            return Ok(Some(Ending::Stuck));
+        };
+        let point = self.course.accept(state, cost);
+        self.turn += usize::from(arrived);
+        let is_last = self.turn == self.scene.turns.len();
+        self.chosen.committed(&mut self.course, arrived && !is_last);
+        self.push(point, towards * (self.course.state.load_factor - from));
+        let ending = self.ending();
+        if ending.is_some() || arrived || self.course.accepted.is_multiple_of(self.scene.record_every) {
+            self.record(sink)?;
+        }
+        self.tell(ending, sink)?;
+        match ending {
+            None if sink.is_interrupted() => Err(RunError::Interrupted),
+            ending => Ok(ending),
+        }
+    }
+
+    /// Adds a committed state to the path, `along` being positive where it came on its way.
+    fn push(&mut self, mut point: PathPoint, along: f64) {
         let state = &self.course.state;
         let multipliers = self.course.body.multipliers(state);
         point.probes = self.body.probes(&state.u, &multipliers);
-        point.load = point.probes[self.body.path().load];
+        point.load = point.probes[self.scene.load];
         point.is_back = along < 0.0;
         self.body.measure(&self.course.body.bonds, &mut point);
-        sink.advance(Advance::Path(&point), None)?;
         self.course.points.push(point);
+    }
+
+    /// Tells of the last state, and what it takes to go on from there.
+    fn tell(&self, ending: Option<Ending>, sink: &mut dyn Sink) -> Result<(), RunError> {
+        let Some(point) = self.course.points.last() else { return Ok(()) };
+        let restart = || self.restart();
+        sink.advance(Advance::Path(point), ending.is_none().then_some(&restart))?;
         Ok(())
     }
 
     /// Whether the run ends at the last state although the path goes on.
     fn ending(&self) -> Option<Ending> {
-        let scene = self.body.path();
+        let scene = &self.scene;
         let load = |p: &PathPoint| p.load.abs();
         let peak = self.course.points.iter().map(load).fold(0.0, f64::max);
         let last = self.course.points.last()?;
@@ -119,8 +143,40 @@ impl<const D: usize, P: SofteningBody<D>> Run<'_, D, P> {
         } else if self.course.accepted >= scene.max_steps {
             Some(Ending::MostSteps)
         } else {
-            None
+            (self.turn == scene.turns.len()).then_some(Ending::Arrived)
         }
+    }
+
+    /// Goes on from what another run kept.
+    fn resume(&mut self, recorded: usize, kept: PathRestart) -> Result<(), RunError> {
+        let body = &self.course.body;
+        kept.fits::<D>(body.system.size(), body.bonds.list().len(), self.scene.turns.len())?;
+        self.course.resume(&kept);
+        let control = (kept.control, kept.reason);
+        self.chosen = Chosen::resume(&self.scene, &mut self.course, control, kept.memory)?;
+        self.course.body.counters = kept.counters;
+        (self.turn, self.recorded, self.farthest) = (kept.turn, recorded, kept.farthest);
+        Ok(())
+    }
+
+    /// What it takes to go on from the last state.
+    fn restart(&self) -> Restart {
+        let course = &self.course;
+        let (work, largest_work) = course.works();
+        let kept = PathRestart {
+            points: course.points.clone(),
+            turn: self.turn,
+            farthest: self.farthest,
+            state: course.state.keep(),
+            history: course.body.bonds.history().to_vec(),
+            work,
+            largest_work,
+            counters: course.body.counters.clone(),
+            control: self.chosen.name,
+            reason: self.chosen.reason.clone(),
+            memory: self.chosen.memory(course),
+        };
+        Restart::new(self.recorded, RestartFrom::Path(Box::new(kept)))
     }
 
     /// Certifies the last state and hands it on.

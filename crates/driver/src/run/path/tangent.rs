@@ -167,6 +167,48 @@ impl<const D: usize> Tangent<D> {
         body.timing.solve += begin.elapsed().as_secs_f64();
     }
 
+    /// Negative eigenvalues of the stiffness at hand; none where it has no factor.
+    pub(super) fn negative_eigenvalues(&mut self) -> Option<usize> {
+        let of_factor = match (&self.indefinite, self.is_definite) {
+            (_, true) => 0,
+            (Some(factor), false) => factor.negative_pivots(),
+            (None, false) => return None,
+        };
+        Some(self.changes.negative_eigenvalues(of_factor))
+    }
+
+    /// Stiffness of the bonds in the factor, if it is still there, and the bonds that have columns, in their order.
+    pub(super) fn factored(&self, body: &Body<D>) -> (Vec<f64>, Vec<u32>) {
+        if self.generation != body.generation {
+            return (Vec::new(), Vec::new());
+        }
+        let mut changed: Vec<(usize, u32)> =
+            self.columns.iter().map(|(&bond, &index)| (index, bond)).collect();
+        changed.sort_unstable();
+        (self.factored.clone(), changed.into_iter().map(|c| c.1).collect())
+    }
+
+    /// Factors what another run has, and adds columns in the order in which that one did.
+    ///
+    /// # Errors
+    /// There is no such factor.
+    pub(super) fn factor_again(
+        &mut self,
+        course: &mut Course<D>,
+        (factored, changed): (Vec<f64>, &[u32]),
+    ) -> Result<(), RunError> {
+        if factored.is_empty() {
+            return Ok(());
+        }
+        let (body, state) = (&mut course.body, &course.state);
+        if !self.adapt(body, state, &factored)? {
+            return Err(RunError::Misfit);
+        }
+        let changed: Vec<usize> = changed.iter().map(|&bond| bond as usize).collect();
+        self.change(body, state, &factored, &changed);
+        Ok(())
+    }
+
     fn forget(&mut self) {
         self.factored.clear();
         self.columns.clear();

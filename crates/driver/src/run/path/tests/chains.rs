@@ -25,18 +25,54 @@ fn a_chain_that_snaps_back_is_traced_to_its_end() {
     }
 }
 
-/// Ten chains at once, as dissipation takes eight bonds to drive it: it begins with steps of motions, and where nothing
-/// softens before the body snaps back it jumps with them. That is reported.
+/// The bonds that are about to soften drive steps of energy where no step of motions is short enough not to jump: the path
+/// is that of the events, with nothing lost.
 #[test]
-fn dissipation_tells_of_a_jump_that_it_was_too_late_for() {
-    let ran = solve(&controlled(&chains(10), "dissipation", 0.1));
-    let [yielding, failing] = CHAIN.0;
-    let unit = 10.0 * chain_stiffness() * yielding * yielding;
-    // To 9.6 yield stretches, and the triangle of the step of 1.2 that jumps.
-    let work = 0.05 * 9.6 * 9.6 + 0.5 * 1.2 * 0.96;
-    assert!((ran.last().work / unit - work).abs() < 1e-8, "{}", ran.last().work / unit);
-    assert!((ran.last().dissipated / unit - 0.5 * failing / yielding).abs() < 1e-9);
-    assert!(!ran.report.warnings.is_empty());
+fn dissipation_begins_before_the_first_snap_back() {
+    for rows in [1, 10] {
+        let case = with(&chains(rows), "/path/energy_increment", 0.05.into());
+        let ran = solve(&controlled(&case, "dissipation", 0.1));
+        let [yielding, failing] = CHAIN.0;
+        let peak = rows as f64 * chain_stiffness() * yielding;
+        // Where it softens, N/N_y = n at the displacement 9 n + 3 - 2 n of the end, in yield stretches.
+        let backs: Vec<&PathPoint> = ran.points.iter().filter(|p| p.is_back).collect();
+        assert!(ran.report.converged && backs.len() > 20, "{}", backs.len());
+        for p in backs {
+            // Measured: 1.3e-10, as residuals have a tolerance.
+            let lack = p.load_factor * PULLED - (3.0 + 7.0 * p.load / peak);
+            assert!(lack.abs() < 1e-9, "{p:?}");
+            assert_eq!(p.negative_eigenvalues, Some(rows));
+        }
+        let dissipated = 0.5 * peak * failing;
+        assert!((ran.last().dissipated / dissipated - 1.0).abs() < 1e-12);
+        // Measured: 5e-6 with one row, where a step straddles the peak.
+        assert!(ran.largest(|p| p.balance) < 2e-5);
+    }
+}
+
+/// One chain that snaps back can do nothing else; of ten any could do so alone.
+#[test]
+fn paths_tell_where_they_branch() {
+    for (rows, branch) in [(1, None), (10, Some(CHAIN.1 / PULLED))] {
+        for control in ["event", "dissipation"] {
+            let case = with(&controlled(&chains(rows), control, 0.1), "/path/energy_increment", 0.05.into());
+            let ran = solve(&case);
+            let found = ran.path().facts.get("branch_load_factor").and_then(Value::as_f64);
+            assert_eq!(found.is_some(), branch.is_some(), "{rows} {control}");
+            // Steps of energy begin at most a step of motions before the peak.
+            let near = if control == "event" { 1e-12 } else { 0.1 / 64.0 };
+            assert!(
+                found.zip(branch).is_none_or(|(f, b)| f <= b * (1.0 + 1e-12) && b - f <= near),
+                "{found:?}"
+            );
+            let warned = ran.report.warnings.clone().into_report("case", "").to_string();
+            assert_eq!(
+                warned.contains("the path branches at the load factor 0.8"),
+                branch.is_some(),
+                "{warned}"
+            );
+        }
+    }
 }
 
 /// Steps of motions cannot follow: the chain jumps, and what it had stored beyond its toughness is lost.
@@ -68,6 +104,8 @@ fn all_controls_follow_the_same_path() {
     // The first bond yields at 0.187, the peak is at 0.298. From 0.354 on the traced path is not stable: it keeps the
     // symmetry of the plate, and steps of motions leave it.
     assert!(event.peak().load_factor < 0.3 && event.last().broken > 0);
+    let branch = event.path().facts["branch_load_factor"].as_f64().unwrap();
+    assert!((branch - 0.354).abs() < 5e-4, "{branch}");
     // Measured: 4.4e-4, 6.5e-5 and 5.0e-6, as steps straddle the places where bonds begin to unload.
     for (increment, bound) in [(0.02, 6e-4), (0.005, 1e-4), (0.00125, 1e-5)] {
         let ran = solve(&controlled(&plate(), "displacement", increment));
@@ -77,9 +115,9 @@ fn all_controls_follow_the_same_path() {
         let found = deviation(&ran, &event, 0.35);
         assert!(found < bound, "{increment}: {found:e}");
     }
-    // Steps of dissipated energy do not leave the traced path: 2.3e-2, 1.8e-4 and 8e-5 to its end, among them the error of
+    // Steps of dissipated energy do not leave the traced path: 7.5e-3, 4.3e-4 and 7.6e-5 to its end, among them the error of
     // the line between two events where the load falls from one to the next.
-    for (energy, bound) in [(0.25, 4e-2), (0.05, 4e-4), (0.01, 2e-4)] {
+    for (energy, bound) in [(0.25, 1e-2), (0.05, 6e-4), (0.01, 1e-4)] {
         let case = with(&controlled(&plate(), "dissipation", 0.005), "/path/energy_increment", energy.into());
         let ran = solve(&case);
         assert!(ran.report.converged && ran.last().load_factor == 1.0);
@@ -103,9 +141,11 @@ fn dissipation_follows_a_plate_that_snaps_back() {
         worst = worst.max((lack - before).abs() / work);
         backs += 1;
     }
-    // Measured: 115 steps, and 6.7e-6 of the work, the error of steps of this size.
+    // Measured: 1158 steps, 187 of them back, and 2.0e-6 of the work, the error of steps of this size. At one place no step
+    // is found and the body jumps: 5.3e-3.
     assert!(backs > 50, "{backs}");
-    assert!(worst < 2e-5, "{worst:e}");
+    assert!(worst < 4e-6, "{worst:e}");
+    assert!(ran.largest(|p| p.balance) < 8e-3);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod chains;
 mod plates;
+mod restarts;
 mod steps;
 
 use super::body::Body;
@@ -36,11 +37,7 @@ impl Sink for Told {
         Ok(())
     }
 
-    fn advance(
-        &mut self,
-        advance: Advance<'_>,
-        _: Option<&dyn Fn() -> run::fracture::Restart>,
-    ) -> io::Result<()> {
+    fn advance(&mut self, advance: Advance<'_>, _: Option<&dyn Fn() -> run::Restart>) -> io::Result<()> {
         let Advance::Path(point) = advance else { panic!("a path") };
         self.points.push(point.clone());
         Ok(())
