@@ -27,5 +27,6 @@ mod schema;
 mod solid_report;
 mod study;
 mod support;
+mod tidy;
 mod together;
 mod verify;

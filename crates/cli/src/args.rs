@@ -100,6 +100,15 @@ pub(super) enum Command {
     },
     /// Solve a case on many discretisations: orders of convergence and extrapolated values.
     Study(Study),
+    /// Lay cases and studies out tidily, in place; comments and numbers stay as they are written.
+    Fmt {
+        /// Case and study files; `-` tidies stdin to stdout.
+        #[arg(required = true, value_name = "CASE")]
+        cases: Vec<PathBuf>,
+        /// Change nothing; say which files are not tidy, and exit with 1 if there are any.
+        #[arg(long)]
+        check: bool,
+    },
     /// Print a starting case.
     New {
         /// The model, or the kind of body.

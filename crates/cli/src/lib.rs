@@ -12,6 +12,7 @@ mod progress;
 mod schema;
 mod solve;
 mod study;
+mod tidy;
 mod tips;
 mod verify;
 mod vocabulary;
@@ -66,6 +67,7 @@ fn dispatch(command: Command, global: &Global) -> Result<u8, Error> {
             verify::verify(&request, junit.as_deref(), global)
         }
         Command::Study(request) => study::study(&request, global),
+        Command::Fmt { cases, check } => tidy::fmt(&cases, check, global),
         Command::New { model } => lists::new(&model),
         Command::List { kind } => lists::list(kind, global),
         Command::Schema { study, markdown } => lists::schema(study, markdown),
