@@ -115,14 +115,17 @@ fn a_new_case_runs_as_it_is() {
 
 #[test]
 fn the_first_case_of_a_newcomer_is_the_one_of_the_gallery() {
-    let new = run(&root(), &["new", "timoshenko_beam"]).stdout;
-    assert_eq!(new, fs::read_to_string(gallery("cantilever.json")).unwrap());
-    let frame = run(&root(), &["new", "plane_frame"]).stdout;
-    assert_eq!(frame, fs::read_to_string(root().join("cases/frame/steel_portal.json")).unwrap());
-    let plane = run(&root(), &["new", "bond_plane"]).stdout;
-    assert_eq!(plane, fs::read_to_string(root().join("cases/plate/steel_plate.json")).unwrap());
-    let fibres = run(&root(), &["new", "beam_bond_orthotropic"]).stdout;
-    assert_eq!(fibres, fs::read_to_string(root().join("cases/orthotropic/plate_with_hole.json")).unwrap());
+    for (name, file) in [
+        ("timoshenko_beam", "beam/cantilever.json"),
+        ("plane_frame", "frame/steel_portal.json"),
+        ("bond_plane", "plate/steel_plate.json"),
+        ("beam_bond_orthotropic", "orthotropic/plate_with_hole.json"),
+    ] {
+        let new = run(&root(), &["new", name]).stdout;
+        let of_gallery = fs::read_to_string(root().join("cases").join(file)).unwrap();
+        let (first, rest) = of_gallery.split_once('\n').unwrap();
+        assert_eq!(new, format!("{first}\n  \"$schema\": \"case.schema.json\",\n{rest}"), "{file}");
+    }
 }
 
 #[test]

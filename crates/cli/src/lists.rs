@@ -9,6 +9,9 @@ use peristat::reference;
 use peristat::study::Study;
 use serde_json::json;
 
+/// The file of the schema, for editors.
+const SCHEMA: &str = "case.schema.json";
+
 const LOADS: [(&str, &str); 17] = [
     (
         "point",
@@ -113,9 +116,10 @@ const SOLVERS: [(&str, &str); 6] = [
     ),
 ];
 
-/// Prints a starting case.
+/// Prints a starting case, which names the schema that `schema` prints as the guide saves it: beside the case.
 pub(super) fn new(name: &str) -> Result<u8, Error> {
-    say(model::start(name).unwrap_or_default())?;
+    let case = model::start(name).unwrap_or_default();
+    say(&case.replacen('{', &format!("{{\n  \"$schema\": \"{SCHEMA}\","), 1))?;
     Ok(DONE)
 }
 
