@@ -51,8 +51,13 @@ pub(crate) fn solve(folder: &Path, case: &Value, more: &[&str]) -> Outcome {
 
 /// The run in `out`, to be stopped; it goes on with what is there, if there is anything to go on with.
 pub(crate) fn spawn(folder: &Path) -> Child {
+    spawn_with(folder, &[])
+}
+
+/// The same with options.
+pub(crate) fn spawn_with(folder: &Path, options: &[&str]) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_peristat"));
-    command.current_dir(folder).args(["run", "breaking.json", "-o", "out"]);
+    command.current_dir(folder).args(["run", "breaking.json", "-o", "out"]).args(options);
     if folder.join("out/restart.bin").exists() {
         command.arg("--resume");
     } else if folder.join("out").exists() {

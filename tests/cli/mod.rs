@@ -7,6 +7,7 @@ mod clusters;
 mod commands;
 mod disk;
 mod faults;
+mod field_files;
 mod fracture;
 mod hostile_input;
 mod limits;

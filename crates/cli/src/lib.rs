@@ -2,6 +2,7 @@
 
 mod args;
 mod case_reference;
+mod choices;
 mod interrupt;
 mod lists;
 mod manual;
@@ -18,7 +19,8 @@ mod verify;
 mod vocabulary;
 mod watched;
 
-use args::{Arguments, Color, Command, Global};
+use args::{Arguments, Command, Global};
+use choices::Color;
 use clap::{CommandFactory, Parser};
 use peristat::Error;
 use peristat::run::RunError;

@@ -1,6 +1,7 @@
 //! `new`, `list` and `schema`.
 
-use super::args::{Global, Kind};
+use super::args::Global;
+use super::choices::Kind;
 use super::{DONE, case_reference, say, schema, vocabulary};
 use peristat::Error;
 use peristat::case::{Case, Rolled};

@@ -55,7 +55,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         }
         stiffness::write(&loaded, file)?;
     }
-    let writing = Writing::new(&loaded.scene, claim);
+    let writing = Writing::new(&loaded.scene, claim).with_fields(arguments.field_files());
     // What cannot be resumed is better killed by the first signal.
     let (progress, interrupt) = match loaded.scene.case().fracture {
         Some(_) => (Progress::new(global), Interrupt::listen(global.quiet)?),
