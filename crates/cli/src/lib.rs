@@ -6,6 +6,7 @@ mod choices;
 mod interrupt;
 mod lists;
 mod manual;
+mod model_fields;
 mod print;
 mod print_state;
 mod print_study;

@@ -2,7 +2,7 @@
 
 use super::args::Global;
 use super::choices::Kind;
-use super::{DONE, case_reference, say, schema, vocabulary};
+use super::{DONE, case_reference, model_fields, say, schema, vocabulary};
 use peristat::Error;
 use peristat::case::{Case, Rolled};
 use peristat::model::{self, Entry};
@@ -201,6 +201,9 @@ pub(super) fn schema(study: bool, markdown: bool) -> Result<u8, Error> {
     };
     if !study {
         schema.insert("defaultSnippets".into(), schema::starts());
+    }
+    if !study && !markdown {
+        model_fields::add(&mut schema)?;
     }
     let schema = schema.to_value();
     say(&if markdown { case_reference::page(&schema, head) } else { format!("{schema:#}\n") })?;
