@@ -156,7 +156,14 @@ pub(crate) fn interrupted(folder: &Path, case: &Value, rows: usize) -> String {
     let ended = child.wait_with_output().unwrap();
     assert_eq!((ended.status.code(), ended.status.signal()), (Some(130), None));
     let out = folder.join("out");
-    assert!(!out.join("summary.json").exists() && out.join("restart.bin").exists());
+    let summary = json(&out.join("summary.json"));
+    assert_eq!(summary["status"], "interrupted");
+    let how_far = format!("after {} equilibria", summary["fracture"]["solves"]);
+    assert_eq!(summary["interrupted"], how_far.as_str());
+    let report = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(report.contains(&format!("Interrupted {how_far}")) && out.join("restart.bin").exists());
+    let anew = solve(folder, case, &["-o", "out"]);
+    assert_eq!(anew.code, 2, "it is not replaced unasked: {}", anew.stdout);
     String::from_utf8_lossy(&ended.stderr).into_owned()
 }
 

@@ -10,6 +10,7 @@ mod faults;
 mod field_files;
 mod fracture;
 mod hostile_input;
+mod interrupted;
 mod language_server;
 mod limits;
 mod links;

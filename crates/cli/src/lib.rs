@@ -144,9 +144,6 @@ fn complain(error: &Error, global: &Global) {
                 "error: {error}\nhint: use fewer cells or a shorter horizon, or raise `--max-memory`\n"
             ));
         }
-        Error::Run(error @ RunError::Interrupted) => {
-            note(&format!("{error}\nhint: the same command with `--resume` goes on from here\n"));
-        }
         Error::Run(error @ RunError::Misfit) => {
             note(&format!(
                 "error: {error}\nhint: add `--force` in place of `--resume` to run the case anew\n"

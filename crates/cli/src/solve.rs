@@ -4,7 +4,7 @@ use super::args::{Global, Run};
 use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::watched::Watched;
-use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
+use super::{DONE, FAILED, INTERRUPTED, USAGE, colored, complain, note, print, say};
 use peristat::case;
 use peristat::input::Folder;
 use peristat::output::folder::below;
@@ -56,10 +56,12 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         stiffness::write(&loaded, file)?;
     }
     let writing = Writing::new(&loaded.scene, claim).with_fields(arguments.field_files());
-    // What cannot be resumed is better killed by the first signal.
-    let (progress, interrupt) = match loaded.scene.case().fracture {
-        Some(_) => (Progress::new(global), Interrupt::listen(global.quiet)?),
-        None => (Progress::Silent, Interrupt::default()),
+    let case = loaded.scene.case();
+    let progress = if case.fracture.is_some() { Progress::new(global) } else { Progress::Silent };
+    // What has nothing to show on the way is better killed by the first signal.
+    let interrupt = match case.is_traced() || loaded.scene.states() > 1 {
+        true => Interrupt::listen(global.quiet)?,
+        false => Interrupt::default(),
     };
     let effort = match (arguments.estimate, arguments.no_estimate) {
         (true, _) => EstimateEffort::FromFiner,
@@ -71,6 +73,10 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         watched.writing.resume(restart)?;
     }
     let mut summary = loaded.run(&with_fields(global), restart, &mut watched)?;
+    if summary.status == Status::Interrupted {
+        watched.writing.finish(&summary)?;
+        return interrupted(&loaded, &summary, &folder, global);
+    }
     loaded.add_estimate(&mut summary, effort, global.max_memory);
     watched.writing.finish(&summary)?;
     if !global.quiet {
@@ -87,6 +93,24 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     Ok(exit_code(&summary))
 }
 
+/// Tells of a run that was interrupted what there is of it.
+fn interrupted(loaded: &Loaded, summary: &Summary, folder: &Path, global: &Global) -> Result<u8, Error> {
+    if global.json {
+        say(&print::json(summary))?;
+    } else if !global.quiet {
+        say(&format!(
+            "interrupted {}, results so far in {}\n",
+            summary.interrupted.as_deref().unwrap_or_default(),
+            folder.display()
+        ))?;
+    }
+    note(match loaded.scene.case().fracture {
+        Some(_) => "interrupted\nhint: the same command with `--resume` goes on from here\n",
+        None => "interrupted\n",
+    });
+    Ok(INTERRUPTED)
+}
+
 /// What a run with all its outputs is asked for.
 fn with_fields(global: &Global) -> RunOptions {
     RunOptions { recover: true, max_memory: global.max_memory, compare: true }
@@ -97,6 +121,7 @@ fn exit_code(summary: &Summary) -> u8 {
     match summary.status {
         Status::Passed => DONE,
         Status::CheckFailed | Status::NotConverged => FAILED,
+        Status::Interrupted => INTERRUPTED,
     }
 }
 

@@ -10,6 +10,7 @@ use peristat::case::{Body, Source};
 use peristat::results::{Claim, Results, Writing};
 use peristat::run::{RunError, RunOptions, sizes};
 use peristat::study::EstimateEffort;
+use peristat::summary::Status;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -111,6 +112,12 @@ fn solve(
         return Err(Failure::Library(Error::Run(RunError::Interrupted)));
     }
     let mut summary = summary?;
+    if summary.status == Status::Interrupted {
+        if let Some(writing) = writing {
+            writing.finish(&summary).map_err(Error::Io)?;
+        }
+        return Err(Failure::Library(Error::Run(RunError::Interrupted)));
+    }
     let effort = match estimate {
         None => EstimateEffort::Cheap,
         Some(true) => EstimateEffort::FromFiner,

@@ -14,7 +14,7 @@ use crate::output::{self, atomic, csv, pvd};
 use crate::run::fracture::Restart;
 use crate::run::{Advance, ProbeResult, StateResult};
 use crate::scene::Scene;
-use crate::summary::Summary;
+use crate::summary::{Status, Summary};
 use std::fs;
 use std::io;
 use std::path::PathBuf;
@@ -157,12 +157,16 @@ impl Results {
         Ok(())
     }
 
-    /// Writes `report.html` and then `summary.json`; there is nothing left to go on with.
+    /// Writes `report.html` and then `summary.json`; there is nothing left to go on with, but of an interrupted run.
     ///
     /// # Errors
     /// The folder cannot be written, or someone has removed what was written into it.
     pub fn finish(self, summary: &Summary, case: &Case) -> io::Result<()> {
+        let is_interrupted = summary.status == Status::Interrupted;
         self.draw_curve(case)?;
+        if let Some(envelope) = self.envelope.as_ref().filter(|_| is_interrupted) {
+            envelope.write(&self.folder.join("envelope.csv"))?;
+        }
         if let Some(file) = self.lost() {
             let message = format!("`{file}` was removed while the run went on\nhint: run the case again");
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
@@ -171,6 +175,9 @@ impl Results {
         crate::output::report::write(&self.folder.join(report::FILE), &page)?;
         let text = serde_json::to_string_pretty(summary)?;
         atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())?;
+        if is_interrupted {
+            return Ok(());
+        }
         if self.files.is_empty() {
             // One that holds something stays.
             let _ = fs::remove_dir(self.folder.join("fields"));

@@ -20,8 +20,16 @@ pub(super) const OWN: [&str; 11] = [
     "plots",
     report::FILE,
     restart::FILE,
-    "summary.json",
+    SUMMARY,
 ];
+
+/// What is written last.
+pub(super) const SUMMARY: &str = "summary.json";
+
+/// Whether a folder holds a run that nothing can go on with: one that is done, or was interrupted and left no restart.
+pub(super) fn is_finished(folder: &Path) -> bool {
+    folder.join(SUMMARY).exists() && !folder.join(restart::FILE).exists()
+}
 
 /// A column of a table.
 pub(super) type Column = (&'static str, Vec<f64>);

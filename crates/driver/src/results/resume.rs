@@ -4,10 +4,10 @@ use super::any_curve::AnyCurve;
 use super::being_written::{Results, history_row};
 use super::claim::{Claim, MARK};
 use super::curve::Curve;
-use super::files::{is_leftover, lost, names_in, step, step_name, sweep, write_case};
+use super::files::{SUMMARY, is_finished, is_leftover, lost, names_in, step, step_name, sweep, write_case};
 use super::kept::FieldFiles;
 use super::report::Report;
-use super::restart;
+use super::{report, restart};
 use crate::output;
 use crate::run::ProbeResult;
 use crate::run::fracture::Restart;
@@ -44,7 +44,7 @@ impl Results {
             return nothing();
         }
         let claim = Claim::again(folder)?;
-        if folder.join("summary.json").exists() {
+        if is_finished(folder) {
             return refuse(ErrorKind::AlreadyExists, format!("the run in {place} is finished"), ANEW);
         }
         let path = folder.join(restart::FILE);
@@ -76,6 +76,12 @@ impl Results {
     pub fn resume(claim: &Claim, scene: &Scene, restart: &Restart, kept: FieldFiles) -> io::Result<Self> {
         let folder = claim.folder();
         let (_, digests, recorded) = restart::read(&folder.join(restart::FILE))?;
+        // What was told of the run so far.
+        for name in [report::FILE, SUMMARY].map(|name| folder.join(name)) {
+            if name.exists() {
+                fs::remove_file(name)?;
+            }
+        }
         // Titles, checks and lines may have changed.
         write_case(folder, scene)?;
         // What is in the tables may have been edited: the restart knows.

@@ -32,7 +32,7 @@ struct Run<'a, const D: usize, P> {
 /// Follows the path of a prepared problem, and hands its states on.
 ///
 /// # Errors
-/// [`RunError`]: the stiffness has no factor, a result cannot be taken, the run was interrupted.
+/// [`RunError`]: the stiffness has no factor, a result cannot be taken.
 pub(in super::super) fn run<const D: usize, P: SofteningBody<D>>(
     body: &mut P,
     (system, sizes): (System<D>, Sizes),
@@ -85,11 +85,15 @@ pub(in super::super) fn run<const D: usize, P: SofteningBody<D>>(
                 run.record(sink)?;
             }
             if sink.is_interrupted() {
-                return Err(RunError::Interrupted);
+                ending = Ending::Interrupted;
+                break 'turns;
             }
         }
     }
-    run.record(sink)?;
+    // One that was interrupted may have recorded it.
+    if ending != Ending::Interrupted || !run.course.accepted.is_multiple_of(scene.record_every) {
+        run.record(sink)?;
+    }
     let Run { course, seconds, .. } = run;
     Ok(report(course, &scene, &chosen, (sizes, ending), seconds))
 }
