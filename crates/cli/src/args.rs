@@ -1,7 +1,7 @@
 //! The command line.
 
 use super::choices::{Color, Files, Kind, States, assignment, size, starts};
-use clap::{ArgGroup, Args, Parser, Subcommand};
+use clap::{ArgGroup, Args, Parser, Subcommand, ValueHint};
 use peristat::input::Reach;
 use peristat::results::FieldFiles;
 use std::path::PathBuf;
@@ -62,7 +62,7 @@ pub(super) enum Command {
     /// Build cases and estimate their size without solving them.
     Check {
         /// Case files.
-        #[arg(required = true, value_name = "CASE")]
+        #[arg(required = true, value_name = "CASE", value_hint = ValueHint::FilePath)]
         cases: Vec<PathBuf>,
         /// Replace a value of the cases, such as `body.line.cells=200`.
         #[arg(long = "set", value_name = "PATH=VALUE", value_parser = assignment)]
@@ -72,7 +72,7 @@ pub(super) enum Command {
     #[command(group(ArgGroup::new("written").args(["junit", "output"]).multiple(true)))]
     Verify {
         /// Case files and folders of them; `cases` if none is given.
-        #[arg(value_name = "PATH")]
+        #[arg(value_name = "PATH", value_hint = ValueHint::FilePath)]
         paths: Vec<PathBuf>,
         /// Include cases marked slow and those in `bench` folders.
         #[arg(long)]
@@ -92,7 +92,7 @@ pub(super) enum Command {
     /// Lay cases and studies out tidily, in place; comments and numbers stay as they are written.
     Fmt {
         /// Case and study files; `-` tidies stdin to stdout.
-        #[arg(required = true, value_name = "CASE")]
+        #[arg(required = true, value_name = "CASE", value_hint = ValueHint::FilePath)]
         cases: Vec<PathBuf>,
         /// Change nothing; say which files are not tidy, and exit with 1 if there are any.
         #[arg(long)]
@@ -136,6 +136,7 @@ pub(super) enum Command {
 #[derive(Debug, Args)]
 pub(super) struct Run {
     /// Case file.
+    #[arg(value_hint = ValueHint::FilePath)]
     pub(super) case: PathBuf,
     /// Results folder; `results/<name of the case>` if not given.
     #[arg(short, long, value_name = "DIR")]
@@ -162,6 +163,9 @@ pub(super) struct Run {
     /// Files that the fields of a state are written as.
     #[arg(long, value_enum, value_name = "FILES", default_value = "both")]
     pub(super) field_files: Files,
+    /// Show the report when the run has ended.
+    #[arg(long)]
+    pub(super) open: bool,
     /// Write the assembled stiffness, before supports, as a Matrix Market file.
     #[arg(long, value_name = "FILE")]
     pub(super) write_matrix: Option<PathBuf>,
@@ -182,6 +186,7 @@ impl Run {
 #[derive(Debug, Args)]
 pub(super) struct Study {
     /// Study file.
+    #[arg(value_hint = ValueHint::FilePath)]
     pub(super) study: PathBuf,
     /// Folder of the study; `results/<name of the study>` if not given. Tasks that are finished in it are not solved again.
     #[arg(short, long, value_name = "DIR")]
@@ -192,6 +197,9 @@ pub(super) struct Study {
     /// Use a folder that holds other files, and replace the tables of another study there; finished tasks stay.
     #[arg(long)]
     pub(super) force: bool,
+    /// Show the report when the study has ended.
+    #[arg(long, conflicts_with_all = ["plan", "task"])]
+    pub(super) open: bool,
     /// List the tasks and solve nothing.
     #[arg(long, conflicts_with_all = ["task", "collect"])]
     pub(super) plan: bool,

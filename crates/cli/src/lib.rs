@@ -3,6 +3,7 @@
 mod args;
 mod case_reference;
 mod choices;
+mod completions;
 mod interrupt;
 mod lists;
 mod manual;
@@ -17,12 +18,13 @@ mod study;
 mod tidy;
 mod tips;
 mod verify;
+mod viewer;
 mod vocabulary;
 mod watched;
 
 use args::{Arguments, Command, Global};
 use choices::Color;
-use clap::{CommandFactory, Parser};
+use clap::Parser;
 use peristat::Error;
 use peristat::run::RunError;
 use peristat::study::TaskFaults;
@@ -74,7 +76,7 @@ fn dispatch(command: Command, global: &Global) -> Result<u8, Error> {
         Command::New { model } => lists::new(&model),
         Command::List { kind } => lists::list(kind, global),
         Command::Schema { study, markdown } => lists::schema(study, markdown),
-        Command::Completions { shell } => completions(shell),
+        Command::Completions { shell } => completions::completions(shell),
         Command::Man { output } => manual::man(output.as_deref()),
     }
 }
@@ -95,13 +97,6 @@ fn failed(error: &Error, global: &Global) -> u8 {
         Error::Run(RunError::Interrupted) => INTERRUPTED,
         _ => USAGE,
     }
-}
-
-fn completions(shell: clap_complete::Shell) -> Result<u8, Error> {
-    let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Arguments::command(), "peristat", &mut script);
-    say(&String::from_utf8_lossy(&script))?;
-    Ok(DONE)
 }
 
 /// Writes to stdout; a reader that went away is no error.

@@ -4,7 +4,7 @@ use super::args::{Global, Run};
 use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::watched::Watched;
-use super::{DONE, FAILED, INTERRUPTED, USAGE, colored, complain, note, print, say};
+use super::{DONE, FAILED, INTERRUPTED, USAGE, colored, complain, note, print, say, viewer};
 use peristat::case;
 use peristat::input::Folder;
 use peristat::output::folder::below;
@@ -63,11 +63,6 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         true => Interrupt::listen(global.quiet)?,
         false => Interrupt::default(),
     };
-    let effort = match (arguments.estimate, arguments.no_estimate) {
-        (true, _) => EstimateEffort::FromFiner,
-        (_, true) => EstimateEffort::Nothing,
-        _ => EstimateEffort::Cheap,
-    };
     let mut watched = Watched { writing, progress, interrupt };
     if let Some(restart) = &restart {
         watched.writing.resume(restart)?;
@@ -77,7 +72,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         watched.writing.finish(&summary)?;
         return interrupted(&loaded, &summary, &folder, global);
     }
-    loaded.add_estimate(&mut summary, effort, global.max_memory);
+    loaded.add_estimate(&mut summary, effort(arguments), global.max_memory);
     watched.writing.finish(&summary)?;
     if !global.quiet {
         // Those of the case have been shown.
@@ -90,7 +85,19 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         say(&print::summary(&summary, global.verbose))?;
         say(&format!("results in {}\n", folder.display()))?;
     }
+    if arguments.open {
+        viewer::show(&folder);
+    }
     Ok(exit_code(&summary))
+}
+
+/// How much the run may spend on estimates of its errors.
+fn effort(arguments: &Run) -> EstimateEffort {
+    match (arguments.estimate, arguments.no_estimate) {
+        (true, _) => EstimateEffort::FromFiner,
+        (_, true) => EstimateEffort::Nothing,
+        _ => EstimateEffort::Cheap,
+    }
 }
 
 /// Tells of a run that was interrupted what there is of it.
