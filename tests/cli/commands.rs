@@ -218,3 +218,16 @@ fn cases_may_have_comments_and_trailing_commas() {
     assert!(refused.stderr.contains(&format!("--> b.json:{line}:{column}, at")), "{}", refused.stderr);
     assert!(refused.stderr.contains("/* how many: */ \"cels\""), "{}", refused.stderr);
 }
+
+#[test]
+fn check_says_what_bounds_the_equilibria_of_a_body_that_breaks_or_softens() {
+    for (case, told) in [
+        ("cases/plate/breaking_batch.json", "at most 5000 equilibria, by `fracture.max_solves`"),
+        ("cases/ductile/notched_strip.json", "at most 2000 equilibria, by `path.max_steps`"),
+    ] {
+        let outcome = run(&root(), &["check", case]);
+        assert!(outcome.stdout.ends_with(&format!("{case}: {told}\n")), "{}", outcome.stdout);
+        let json: Value = serde_json::from_str(&run(&root(), &["check", case, "--json"]).stdout).unwrap();
+        assert!(json[0]["equilibria_at_most"].as_u64().unwrap() >= 2000);
+    }
+}

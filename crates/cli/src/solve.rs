@@ -5,7 +5,7 @@ use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::watched::Watched;
 use super::{DONE, FAILED, INTERRUPTED, USAGE, colored, complain, note, print, say, viewer};
-use peristat::case;
+use peristat::case::{self, Case};
 use peristat::input::Folder;
 use peristat::output::folder::below;
 use peristat::results::{Claim, Results, Writing, stiffness};
@@ -139,6 +139,13 @@ fn warn(loaded: &Loaded, global: &Global) {
     }
 }
 
+/// How many equilibria a body that breaks or softens may take, and the key that bounds them: how many it will is known only
+/// with them.
+fn bound(case: &Case) -> Option<(usize, &'static str)> {
+    let breaks = case.fracture.as_ref().and_then(|f| Some((f.max_solves?, "fracture.max_solves")));
+    breaks.or_else(|| case.path.as_ref().and_then(|p| Some((p.max_steps?, "path.max_steps"))))
+}
+
 /// Builds cases and says how large they are.
 pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) -> Result<u8, Error> {
     let mut code = DONE;
@@ -146,7 +153,8 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     for path in cases {
         let estimated = load(path, overrides, global).and_then(|loaded| {
             warn(&loaded, global);
-            sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))
+            let sizes = sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
+            Ok((sizes, bound(loaded.scene.case())))
         });
         if estimated.is_err() {
             code = USAGE;
@@ -155,7 +163,10 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     }
     if global.json {
         let list = all.iter().map(|(case, found)| match found {
-            Ok(sizes) => serde_json::json!({ "case": case, "sizes": sizes }),
+            Ok((sizes, Some((most, _)))) => {
+                serde_json::json!({ "case": case, "sizes": sizes, "equilibria_at_most": most })
+            }
+            Ok((sizes, None)) => serde_json::json!({ "case": case, "sizes": sizes }),
             Err(error) => {
                 serde_json::json!({ "case": case, "error": error.text(), "faults": error.records() })
             }
@@ -163,15 +174,20 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
         say(&format!("{:#}\n", serde_json::Value::from(list.collect::<Vec<_>>())))?;
         return Ok(code);
     }
-    let mut built = Vec::new();
+    let (mut built, mut bounds) = (Vec::new(), String::new());
     for (case, found) in all {
         match found {
-            Ok(sizes) => built.push((case, sizes)),
+            Ok((sizes, bound)) => {
+                if let Some((most, key)) = bound {
+                    bounds += &format!("{case}: at most {most} equilibria, by `{key}`\n");
+                }
+                built.push((case, sizes));
+            }
             Err(error) => complain(&error, global),
         }
     }
     if !global.quiet && !built.is_empty() {
-        say(&print::sizes(&built))?;
+        say(&format!("{}{bounds}", print::sizes(&built)))?;
     }
     Ok(code)
 }
