@@ -115,14 +115,17 @@ fn a_new_case_runs_as_it_is() {
 
 #[test]
 fn the_first_case_of_a_newcomer_is_the_one_of_the_gallery() {
-    let new = run(&root(), &["new", "timoshenko_beam"]).stdout;
-    assert_eq!(new, fs::read_to_string(gallery("cantilever.json")).unwrap());
-    let frame = run(&root(), &["new", "plane_frame"]).stdout;
-    assert_eq!(frame, fs::read_to_string(root().join("cases/frame/steel_portal.json")).unwrap());
-    let plane = run(&root(), &["new", "bond_plane"]).stdout;
-    assert_eq!(plane, fs::read_to_string(root().join("cases/plate/steel_plate.json")).unwrap());
-    let fibres = run(&root(), &["new", "beam_bond_orthotropic"]).stdout;
-    assert_eq!(fibres, fs::read_to_string(root().join("cases/orthotropic/plate_with_hole.json")).unwrap());
+    for (name, file) in [
+        ("timoshenko_beam", "beam/cantilever.json"),
+        ("plane_frame", "frame/steel_portal.json"),
+        ("bond_plane", "plate/steel_plate.json"),
+        ("beam_bond_orthotropic", "orthotropic/plate_with_hole.json"),
+    ] {
+        let new = run(&root(), &["new", name]).stdout;
+        let of_gallery = fs::read_to_string(root().join("cases").join(file)).unwrap();
+        let (first, rest) = of_gallery.split_once('\n').unwrap();
+        assert_eq!(new, format!("{first}\n  \"$schema\": \"case.schema.json\",\n{rest}"), "{file}");
+    }
 }
 
 #[test]
@@ -214,4 +217,17 @@ fn cases_may_have_comments_and_trailing_commas() {
     assert_eq!(refused.code, 2);
     assert!(refused.stderr.contains(&format!("--> b.json:{line}:{column}, at")), "{}", refused.stderr);
     assert!(refused.stderr.contains("/* how many: */ \"cels\""), "{}", refused.stderr);
+}
+
+#[test]
+fn check_says_what_bounds_the_equilibria_of_a_body_that_breaks_or_softens() {
+    for (case, told) in [
+        ("cases/plate/breaking_batch.json", "at most 5000 equilibria, by `fracture.max_solves`"),
+        ("cases/ductile/notched_strip.json", "at most 2000 equilibria, by `path.max_steps`"),
+    ] {
+        let outcome = run(&root(), &["check", case]);
+        assert!(outcome.stdout.ends_with(&format!("{case}: {told}\n")), "{}", outcome.stdout);
+        let json: Value = serde_json::from_str(&run(&root(), &["check", case, "--json"]).stdout).unwrap();
+        assert!(json[0]["equilibria_at_most"].as_u64().unwrap() >= 2000);
+    }
 }

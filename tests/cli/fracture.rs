@@ -51,8 +51,13 @@ pub(crate) fn solve(folder: &Path, case: &Value, more: &[&str]) -> Outcome {
 
 /// The run in `out`, to be stopped; it goes on with what is there, if there is anything to go on with.
 pub(crate) fn spawn(folder: &Path) -> Child {
+    spawn_with(folder, &[])
+}
+
+/// The same with options.
+pub(crate) fn spawn_with(folder: &Path, options: &[&str]) -> Child {
     let mut command = Command::new(env!("CARGO_BIN_EXE_peristat"));
-    command.current_dir(folder).args(["run", "breaking.json", "-o", "out"]);
+    command.current_dir(folder).args(["run", "breaking.json", "-o", "out"]).args(options);
     if folder.join("out/restart.bin").exists() {
         command.arg("--resume");
     } else if folder.join("out").exists() {
@@ -163,7 +168,14 @@ pub(crate) fn interrupted(folder: &Path, case: &Value, rows: usize) -> String {
     let ended = child.wait_with_output().unwrap();
     assert_eq!((ended.status.code(), ended.status.signal()), (Some(130), None));
     let out = folder.join("out");
-    assert!(!out.join("summary.json").exists() && out.join("restart.bin").exists());
+    let summary = json(&out.join("summary.json"));
+    assert_eq!(summary["status"], "interrupted");
+    let how_far = format!("after {} equilibria", summary["fracture"]["solves"]);
+    assert_eq!(summary["interrupted"], how_far.as_str());
+    let report = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(report.contains(&format!("Interrupted {how_far}")) && out.join("restart.bin").exists());
+    let anew = solve(folder, case, &["-o", "out"]);
+    assert_eq!(anew.code, 2, "it is not replaced unasked: {}", anew.stdout);
     String::from_utf8_lossy(&ended.stderr).into_owned()
 }
 

@@ -32,9 +32,19 @@ fn the_manual_has_a_page_for_every_command() {
     let outcome = run(folder.path(), &["man", "-o", "man1"]);
     assert_eq!((outcome.code, outcome.stdout.as_str()), (0, ""));
     let pages = names(&folder.path().join("man1"));
-    for command in
-        ["", "-check", "-completions", "-list", "-man", "-new", "-run", "-schema", "-study", "-verify"]
-    {
+    for command in [
+        "",
+        "-check",
+        "-completions",
+        "-fmt",
+        "-list",
+        "-man",
+        "-new",
+        "-run",
+        "-schema",
+        "-study",
+        "-verify",
+    ] {
         assert!(pages.contains(&format!("peristat{command}.1")), "{command}: {pages:?}");
     }
     let page = fs::read_to_string(folder.path().join("man1/peristat-run.1")).unwrap();

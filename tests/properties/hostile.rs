@@ -7,7 +7,7 @@ use peristat::Loaded;
 use peristat::case::{self, Case};
 use peristat::diagnostic::decode;
 use peristat::input::{Folder, Reach, gmsh, points};
-use peristat::results::{Claim, Results, finite};
+use peristat::results::{Claim, FieldFiles, Results, finite};
 use peristat::run::{Advance, Restart, RunOptions, Sink, StateResult};
 use peristat::scene::Scene;
 use proptest::prelude::*;
@@ -39,7 +39,7 @@ impl Checking<'_> {
     fn results(&mut self) -> io::Result<Option<&mut Results>> {
         if let (Some(folder), None) = (self.folder, &self.results) {
             let claim = Claim::new(folder, true, None)?;
-            self.results = Some(Results::begin(&claim, self.scene)?);
+            self.results = Some(Results::begin(&claim, self.scene, FieldFiles::default())?);
         }
         Ok(self.results.as_mut())
     }

@@ -1,7 +1,7 @@
 //! Solving a row and weighing what it says of itself.
 
 use crate::stress::row::{Kind, Resultant, Row, Wish};
-use peristat::results::{Claim, Results, finite};
+use peristat::results::{Claim, FieldFiles, Results, finite};
 use peristat::run::{RunOptions, StateResult, taking};
 use peristat::summary::{Status, Summary};
 use peristat::{Error, Loaded};
@@ -68,7 +68,11 @@ fn solved(case: &Value, count: usize, folder: &Path, is_written: bool) -> Result
     write(&path, &case.to_string());
     let loaded = Loaded::read(&path, &[], Some(MEMORY))?;
     let mut results = match is_written {
-        true => Some(Results::begin(&Claim::new(&folder.join("results"), true, None)?, &loaded.scene)?),
+        true => Some(Results::begin(
+            &Claim::new(&folder.join("results"), true, None)?,
+            &loaded.scene,
+            FieldFiles::default(),
+        )?),
         false => None,
     };
     let options = RunOptions { recover: is_written, max_memory: Some(MEMORY), compare: true };

@@ -1,6 +1,6 @@
 //! What a program reads from a solved case by name is what the tables of a run say, for all models.
 
-use peristat::results::{Claim, Results};
+use peristat::results::{Claim, FieldFiles, Results};
 use peristat::run::RunOptions;
 use peristat::{FieldError, Loaded, Solved};
 use std::collections::BTreeMap;
@@ -43,7 +43,7 @@ fn solved(name: &str, folder: &Path) -> Solved {
     let options = RunOptions { recover: true, max_memory: None, compare: false };
     let solved = loaded.solve(&options).expect("a case that can be solved");
     let claim = Claim::new(folder, true, None).expect("a folder");
-    let mut results = Results::begin(&claim, &solved.scene).expect("a folder");
+    let mut results = Results::begin(&claim, &solved.scene, FieldFiles::default()).expect("a folder");
     let ends = [0, solved.states.len() - 1];
     for k in ends {
         results.take(&solved.scene, &solved.states[k]).expect("a state is written");

@@ -1,9 +1,9 @@
 //! The command line.
 
-use clap::builder::{PossibleValue, PossibleValuesParser};
-use clap::{ArgGroup, Args, Parser, Subcommand, ValueEnum};
+use super::choices::{Color, Files, Kind, States, assignment, size, starts};
+use clap::{ArgGroup, Args, Parser, Subcommand, ValueHint};
 use peristat::input::Reach;
-use peristat::model;
+use peristat::results::FieldFiles;
 use std::path::PathBuf;
 
 /// Implicit static peridynamics: beams, frames, plates, bodies of revolution, shells and solids.
@@ -54,17 +54,6 @@ impl Global {
     }
 }
 
-/// When to colour messages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Color {
-    /// On a terminal.
-    Auto,
-    /// Always.
-    Always,
-    /// Never.
-    Never,
-}
-
 /// Commands.
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -73,7 +62,7 @@ pub(super) enum Command {
     /// Build cases and estimate their size without solving them.
     Check {
         /// Case files.
-        #[arg(required = true, value_name = "CASE")]
+        #[arg(required = true, value_name = "CASE", value_hint = ValueHint::FilePath)]
         cases: Vec<PathBuf>,
         /// Replace a value of the cases, such as `body.line.cells=200`.
         #[arg(long = "set", value_name = "PATH=VALUE", value_parser = assignment)]
@@ -83,7 +72,7 @@ pub(super) enum Command {
     #[command(group(ArgGroup::new("written").args(["junit", "output"]).multiple(true)))]
     Verify {
         /// Case files and folders of them; `cases` if none is given.
-        #[arg(value_name = "PATH")]
+        #[arg(value_name = "PATH", value_hint = ValueHint::FilePath)]
         paths: Vec<PathBuf>,
         /// Include cases marked slow and those in `bench` folders.
         #[arg(long)]
@@ -100,6 +89,15 @@ pub(super) enum Command {
     },
     /// Solve a case on many discretisations: orders of convergence and extrapolated values.
     Study(Study),
+    /// Lay cases and studies out tidily, in place; comments and numbers stay as they are written.
+    Fmt {
+        /// Case and study files; `-` tidies stdin to stdout.
+        #[arg(required = true, value_name = "CASE", value_hint = ValueHint::FilePath)]
+        cases: Vec<PathBuf>,
+        /// Change nothing; say which files are not tidy, and exit with 1 if there are any.
+        #[arg(long)]
+        check: bool,
+    },
     /// Print a starting case.
     New {
         /// The model, or the kind of body.
@@ -138,6 +136,7 @@ pub(super) enum Command {
 #[derive(Debug, Args)]
 pub(super) struct Run {
     /// Case file.
+    #[arg(value_hint = ValueHint::FilePath)]
     pub(super) case: PathBuf,
     /// Results folder; `results/<name of the case>` if not given.
     #[arg(short, long, value_name = "DIR")]
@@ -158,15 +157,36 @@ pub(super) struct Run {
     /// Skip the error estimate from coarser grids.
     #[arg(long, conflicts_with = "estimate")]
     pub(super) no_estimate: bool,
+    /// States whose fields at all points are written as files; lines, probes and the report are written anyway.
+    #[arg(long, value_enum, value_name = "STATES", default_value = "all")]
+    pub(super) fields: States,
+    /// Files that the fields of a state are written as.
+    #[arg(long, value_enum, value_name = "FILES", default_value = "both")]
+    pub(super) field_files: Files,
+    /// Show the report when the run has ended.
+    #[arg(long)]
+    pub(super) open: bool,
     /// Write the assembled stiffness, before supports, as a Matrix Market file.
     #[arg(long, value_name = "FILE")]
     pub(super) write_matrix: Option<PathBuf>,
+}
+
+impl Run {
+    /// The files of fields that are asked for.
+    pub(super) fn field_files(&self) -> FieldFiles {
+        FieldFiles {
+            states: self.fields.into(),
+            tables: self.field_files != Files::Vtu,
+            grids: self.field_files != Files::Csv,
+        }
+    }
 }
 
 /// Options of `study`.
 #[derive(Debug, Args)]
 pub(super) struct Study {
     /// Study file.
+    #[arg(value_hint = ValueHint::FilePath)]
     pub(super) study: PathBuf,
     /// Folder of the study; `results/<name of the study>` if not given. Tasks that are finished in it are not solved again.
     #[arg(short, long, value_name = "DIR")]
@@ -177,6 +197,9 @@ pub(super) struct Study {
     /// Use a folder that holds other files, and replace the tables of another study there; finished tasks stay.
     #[arg(long)]
     pub(super) force: bool,
+    /// Show the report when the study has ended.
+    #[arg(long, conflicts_with_all = ["plan", "task"])]
+    pub(super) open: bool,
     /// List the tasks and solve nothing.
     #[arg(long, conflicts_with_all = ["task", "collect"])]
     pub(super) plan: bool,
@@ -188,88 +211,9 @@ pub(super) struct Study {
     pub(super) collect: bool,
 }
 
-/// What can be listed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Kind {
-    /// Models with their bond laws and end treatments, calibrations and edge treatments.
-    Models,
-    /// Bodies: what a model can be the material of.
-    Bodies,
-    /// Sections of beams.
-    Sections,
-    /// Rolled steel sections by name.
-    Profiles,
-    /// Loads and supports.
-    Loads,
-    /// Fields that probes read.
-    Fields,
-    /// Keys of a probe.
-    Probes,
-    /// What results can be compared with.
-    Checks,
-    /// How bodies break: strategies and critical strains.
-    Fracture,
-    /// Bond laws that soften, and controls of paths.
-    Path,
-    /// Closed forms of beams for checks.
-    References,
-    /// Solvers.
-    Solvers,
-}
-
-/// The cases to begin with.
-fn starts() -> PossibleValuesParser {
-    let values = model::starts().map(|start| PossibleValue::new(start.name).help(start.about));
-    values.collect::<Vec<_>>().into()
-}
-
-/// A replaced value of a case.
-fn assignment(text: &str) -> Result<String, String> {
-    match text.contains('=') {
-        true => Ok(text.into()),
-        false => Err(format!("no `=` in it: write `--set {text}=VALUE`")),
-    }
-}
-
-/// A size in bytes, with an optional unit.
-fn size(text: &str) -> Result<u64, String> {
-    let text = text.trim();
-    let end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
-    let number: f64 =
-        text[..end].parse().map_err(|_| "a size is a number with a unit, such as 500MB".to_string())?;
-    let factor = match text[end..].trim().to_ascii_lowercase().as_str() {
-        "" | "b" => 1.0,
-        "k" | "kb" => 1e3,
-        "m" | "mb" => 1e6,
-        "g" | "gb" => 1e9,
-        "kib" => 1024.0,
-        "mib" => 1024.0 * 1024.0,
-        "gib" => 1024.0 * 1024.0 * 1024.0,
-        other => {
-            return Err(format!("`{other}` is no unit of memory: use B, kB, MB, GB, kiB, MiB or GiB"));
-        }
-    };
-    Ok((number * factor) as u64)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn sizes_have_decimal_and_binary_units() {
-        assert_eq!(size("1.5 GB"), Ok(1_500_000_000));
-        assert_eq!(size("2kiB"), Ok(2048));
-        assert_eq!(size("300"), Ok(300));
-        assert!(size("3 apples").unwrap_err().contains("apples"));
-        assert!(size("GB").is_err());
-    }
-
-    #[test]
-    fn a_replaced_value_has_an_equals_sign() {
-        assert_eq!(assignment("a.b=2"), Ok("a.b=2".into()));
-        assert!(assignment("a.b").unwrap_err().contains("`--set a.b=VALUE`"));
-    }
 
     #[test]
     fn the_command_line_is_consistent() {

@@ -2,9 +2,12 @@
 
 mod args;
 mod case_reference;
+mod choices;
+mod completions;
 mod interrupt;
 mod lists;
 mod manual;
+mod model_fields;
 mod print;
 mod print_state;
 mod print_study;
@@ -12,13 +15,16 @@ mod progress;
 mod schema;
 mod solve;
 mod study;
+mod tidy;
 mod tips;
 mod verify;
+mod viewer;
 mod vocabulary;
 mod watched;
 
-use args::{Arguments, Color, Command, Global};
-use clap::{CommandFactory, Parser};
+use args::{Arguments, Command, Global};
+use choices::Color;
+use clap::Parser;
 use peristat::Error;
 use peristat::run::RunError;
 use peristat::study::TaskFaults;
@@ -66,10 +72,11 @@ fn dispatch(command: Command, global: &Global) -> Result<u8, Error> {
             verify::verify(&request, junit.as_deref(), global)
         }
         Command::Study(request) => study::study(&request, global),
+        Command::Fmt { cases, check } => tidy::fmt(&cases, check, global),
         Command::New { model } => lists::new(&model),
         Command::List { kind } => lists::list(kind, global),
         Command::Schema { study, markdown } => lists::schema(study, markdown),
-        Command::Completions { shell } => completions(shell),
+        Command::Completions { shell } => completions::completions(shell),
         Command::Man { output } => manual::man(output.as_deref()),
     }
 }
@@ -90,13 +97,6 @@ fn failed(error: &Error, global: &Global) -> u8 {
         Error::Run(RunError::Interrupted) => INTERRUPTED,
         _ => USAGE,
     }
-}
-
-fn completions(shell: clap_complete::Shell) -> Result<u8, Error> {
-    let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Arguments::command(), "peristat", &mut script);
-    say(&String::from_utf8_lossy(&script))?;
-    Ok(DONE)
 }
 
 /// Writes to stdout; a reader that went away is no error.
@@ -138,9 +138,6 @@ fn complain(error: &Error, global: &Global) {
             note(&format!(
                 "error: {error}\nhint: use fewer cells or a shorter horizon, or raise `--max-memory`\n"
             ));
-        }
-        Error::Run(error @ RunError::Interrupted) => {
-            note(&format!("{error}\nhint: the same command with `--resume` goes on from here\n"));
         }
         Error::Run(error @ RunError::Misfit) => {
             note(&format!(

@@ -1,13 +1,17 @@
 //! `new`, `list` and `schema`.
 
-use super::args::{Global, Kind};
-use super::{DONE, case_reference, say, schema, vocabulary};
+use super::args::Global;
+use super::choices::Kind;
+use super::{DONE, case_reference, model_fields, say, schema, vocabulary};
 use peristat::Error;
 use peristat::case::{Case, Rolled};
 use peristat::model::{self, Entry};
 use peristat::reference;
 use peristat::study::Study;
 use serde_json::json;
+
+/// The file of the schema, for editors.
+const SCHEMA: &str = "case.schema.json";
 
 const LOADS: [(&str, &str); 17] = [
     (
@@ -113,9 +117,10 @@ const SOLVERS: [(&str, &str); 6] = [
     ),
 ];
 
-/// Prints a starting case.
+/// Prints a starting case, which names the schema that `schema` prints as the guide saves it: beside the case.
 pub(super) fn new(name: &str) -> Result<u8, Error> {
-    say(model::start(name).unwrap_or_default())?;
+    let case = model::start(name).unwrap_or_default();
+    say(&case.replacen('{', &format!("{{\n  \"$schema\": \"{SCHEMA}\","), 1))?;
     Ok(DONE)
 }
 
@@ -196,6 +201,9 @@ pub(super) fn schema(study: bool, markdown: bool) -> Result<u8, Error> {
     };
     if !study {
         schema.insert("defaultSnippets".into(), schema::starts());
+    }
+    if !study && !markdown {
+        model_fields::add(&mut schema)?;
     }
     let schema = schema.to_value();
     say(&if markdown { case_reference::page(&schema, head) } else { format!("{schema:#}\n") })?;

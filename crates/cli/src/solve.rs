@@ -4,8 +4,8 @@ use super::args::{Global, Run};
 use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::watched::Watched;
-use super::{DONE, FAILED, USAGE, colored, complain, note, print, say};
-use peristat::case;
+use super::{DONE, FAILED, INTERRUPTED, USAGE, colored, complain, note, print, say, viewer};
+use peristat::case::{self, Case};
 use peristat::input::Folder;
 use peristat::output::folder::below;
 use peristat::results::{Claim, Results, Writing, stiffness};
@@ -55,23 +55,24 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         }
         stiffness::write(&loaded, file)?;
     }
-    let writing = Writing::new(&loaded.scene, claim);
-    // What cannot be resumed is better killed by the first signal.
-    let (progress, interrupt) = match loaded.scene.case().is_traced() {
-        true => (Progress::new(global), Interrupt::listen(global.quiet)?),
-        false => (Progress::Silent, Interrupt::default()),
-    };
-    let effort = match (arguments.estimate, arguments.no_estimate) {
-        (true, _) => EstimateEffort::FromFiner,
-        (_, true) => EstimateEffort::Nothing,
-        _ => EstimateEffort::Cheap,
+    let writing = Writing::new(&loaded.scene, claim).with_fields(arguments.field_files());
+    let case = loaded.scene.case();
+    let progress = if case.is_traced() { Progress::new(global) } else { Progress::Silent };
+    // What has nothing to show on the way is better killed by the first signal.
+    let interrupt = match case.is_traced() || loaded.scene.states() > 1 {
+        true => Interrupt::listen(global.quiet)?,
+        false => Interrupt::default(),
     };
     let mut watched = Watched { writing, progress, interrupt };
     if let Some(restart) = &restart {
         watched.writing.resume(restart)?;
     }
     let mut summary = loaded.run(&with_fields(global), restart, &mut watched)?;
-    loaded.add_estimate(&mut summary, effort, global.max_memory);
+    if summary.status == Status::Interrupted {
+        watched.writing.finish(&summary)?;
+        return interrupted(&loaded, &summary, &folder, global);
+    }
+    loaded.add_estimate(&mut summary, effort(arguments), global.max_memory);
     watched.writing.finish(&summary)?;
     if !global.quiet {
         // Those of the case have been shown.
@@ -84,7 +85,37 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
         say(&print::summary(&summary, global.verbose))?;
         say(&format!("results in {}\n", folder.display()))?;
     }
+    if arguments.open {
+        viewer::show(&folder);
+    }
     Ok(exit_code(&summary))
+}
+
+/// How much the run may spend on estimates of its errors.
+fn effort(arguments: &Run) -> EstimateEffort {
+    match (arguments.estimate, arguments.no_estimate) {
+        (true, _) => EstimateEffort::FromFiner,
+        (_, true) => EstimateEffort::Nothing,
+        _ => EstimateEffort::Cheap,
+    }
+}
+
+/// Tells of a run that was interrupted what there is of it.
+fn interrupted(loaded: &Loaded, summary: &Summary, folder: &Path, global: &Global) -> Result<u8, Error> {
+    if global.json {
+        say(&print::json(summary))?;
+    } else if !global.quiet {
+        say(&format!(
+            "interrupted {}, results so far in {}\n",
+            summary.interrupted.as_deref().unwrap_or_default(),
+            folder.display()
+        ))?;
+    }
+    note(match loaded.scene.case().is_traced() {
+        true => "interrupted\nhint: the same command with `--resume` goes on from here\n",
+        false => "interrupted\n",
+    });
+    Ok(INTERRUPTED)
 }
 
 /// What a run with all its outputs is asked for.
@@ -97,6 +128,7 @@ fn exit_code(summary: &Summary) -> u8 {
     match summary.status {
         Status::Passed => DONE,
         Status::CheckFailed | Status::NotConverged => FAILED,
+        Status::Interrupted => INTERRUPTED,
     }
 }
 
@@ -107,6 +139,13 @@ fn warn(loaded: &Loaded, global: &Global) {
     }
 }
 
+/// How many equilibria a body that breaks or softens may take, and the key that bounds them: how many it will is known only
+/// with them.
+fn bound(case: &Case) -> Option<(usize, &'static str)> {
+    let breaks = case.fracture.as_ref().and_then(|f| Some((f.max_solves?, "fracture.max_solves")));
+    breaks.or_else(|| case.path.as_ref().and_then(|p| Some((p.max_steps?, "path.max_steps"))))
+}
+
 /// Builds cases and says how large they are.
 pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) -> Result<u8, Error> {
     let mut code = DONE;
@@ -114,7 +153,8 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     for path in cases {
         let estimated = load(path, overrides, global).and_then(|loaded| {
             warn(&loaded, global);
-            sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))
+            let sizes = sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
+            Ok((sizes, bound(loaded.scene.case())))
         });
         if estimated.is_err() {
             code = USAGE;
@@ -123,7 +163,10 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
     }
     if global.json {
         let list = all.iter().map(|(case, found)| match found {
-            Ok(sizes) => serde_json::json!({ "case": case, "sizes": sizes }),
+            Ok((sizes, Some((most, _)))) => {
+                serde_json::json!({ "case": case, "sizes": sizes, "equilibria_at_most": most })
+            }
+            Ok((sizes, None)) => serde_json::json!({ "case": case, "sizes": sizes }),
             Err(error) => {
                 serde_json::json!({ "case": case, "error": error.text(), "faults": error.records() })
             }
@@ -131,15 +174,20 @@ pub(super) fn check(cases: &[PathBuf], overrides: &[String], global: &Global) ->
         say(&format!("{:#}\n", serde_json::Value::from(list.collect::<Vec<_>>())))?;
         return Ok(code);
     }
-    let mut built = Vec::new();
+    let (mut built, mut bounds) = (Vec::new(), String::new());
     for (case, found) in all {
         match found {
-            Ok(sizes) => built.push((case, sizes)),
+            Ok((sizes, bound)) => {
+                if let Some((most, key)) = bound {
+                    bounds += &format!("{case}: at most {most} equilibria, by `{key}`\n");
+                }
+                built.push((case, sizes));
+            }
             Err(error) => complain(&error, global),
         }
     }
     if !global.quiet && !built.is_empty() {
-        say(&print::sizes(&built))?;
+        say(&format!("{}{bounds}", print::sizes(&built)))?;
     }
     Ok(code)
 }

@@ -2,7 +2,7 @@
 
 use super::args::{Global, Study};
 use super::interrupt::Interrupt;
-use super::{DONE, FAILED, INTERRUPTED, complain_of_tasks, note, print_study, say};
+use super::{DONE, FAILED, INTERRUPTED, complain_of_tasks, note, print_study, say, viewer};
 use peristat::Error;
 use peristat::output::folder::below;
 use peristat::output::lock::Hold;
@@ -46,6 +46,9 @@ pub(super) fn study(request: &Study, global: &Global) -> Result<u8, Error> {
     } else if !global.quiet {
         say(&print_study::findings(&findings, global.verbose))?;
         say(&format!("results in {}\n", folder.display()))?;
+    }
+    if request.open {
+        viewer::show(&folder);
     }
     Ok(if findings.passed() { DONE } else { FAILED })
 }

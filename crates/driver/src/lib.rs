@@ -206,7 +206,13 @@ struct Collecting<'a> {
 impl Sink for Collecting<'_> {
     fn take(&mut self, result: StateResult) -> io::Result<()> {
         self.collector.take(self.scene, &result);
-        self.sink.take(result)
+        let is_last = result.record().index + 1 == self.scene.states();
+        self.sink.take(result)?;
+        // One that breaks or softens asks between its equilibria.
+        match self.sink.is_interrupted() && !is_last && !self.scene.case().is_traced() {
+            true => Err(io::ErrorKind::Interrupted.into()),
+            false => Ok(()),
+        }
     }
 
     fn advance(&mut self, event: Advance<'_>, restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {

@@ -10,6 +10,7 @@ use peristat::case::{Body, Source};
 use peristat::results::{Claim, Results, Writing};
 use peristat::run::{RunError, RunOptions, sizes};
 use peristat::study::EstimateEffort;
+use peristat::summary::Status;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -97,8 +98,7 @@ fn solve(
     if let (Some(writing), Some(restart)) = (&mut writing, &restart) {
         writing.resume(restart).map_err(Error::Io)?;
     }
-    let past = restart.as_ref().map_or(Vec::new(), |restart| restart.events.clone());
-    let curve = past.into_iter().map(Equilibrium::Break).collect();
+    let curve = restart.as_ref().map_or(Vec::new(), |restart| Equilibrium::before(&restart.from));
     let is_asked = loaded.scene.case().is_traced();
     let mut states =
         States { kept: Vec::new(), curve, writing, on_state, stop, is_asked, ended: false, raised: None };
@@ -111,6 +111,12 @@ fn solve(
         return Err(Failure::Library(Error::Run(RunError::Interrupted)));
     }
     let mut summary = summary?;
+    if summary.status == Status::Interrupted {
+        if let Some(writing) = writing {
+            writing.finish(&summary).map_err(Error::Io)?;
+        }
+        return Err(Failure::Library(Error::Run(RunError::Interrupted)));
+    }
     let effort = match estimate {
         None => EstimateEffort::Cheap,
         Some(true) => EstimateEffort::FromFiner,

@@ -4,7 +4,7 @@ use crate::background::Stop;
 use peristat::results::Writing;
 use peristat::run::fracture::Event;
 use peristat::run::path::PathPoint;
-use peristat::run::{Advance, Restart, Sink, StateResult};
+use peristat::run::{Advance, Restart, RestartFrom, Sink, StateResult};
 use pyo3::prelude::*;
 use serde::Serialize;
 use std::io;
@@ -21,6 +21,14 @@ pub(crate) enum Equilibrium {
 }
 
 impl Equilibrium {
+    /// Those before a restart.
+    pub(crate) fn before(from: &RestartFrom) -> Vec<Self> {
+        match from {
+            RestartFrom::Break(kept) => kept.events.iter().copied().map(Self::Break).collect(),
+            RestartFrom::Path(kept) => kept.points.iter().cloned().map(|p| Self::Path(Box::new(p))).collect(),
+        }
+    }
+
     /// The same as sinks take it.
     pub(crate) fn as_advance(&self) -> Advance<'_> {
         match self {

@@ -5,13 +5,15 @@ use super::claim::{self, Claim};
 use super::digest::Digest;
 use super::envelope::Envelope;
 use super::files::{clear, fields, lost, step, step_name, write_case};
+use super::kept::{FieldFiles, FieldStates};
 use super::report::Report;
+use super::restart::Kept;
 use super::{beam, body, curve, report, restart};
 use crate::case::Case;
 use crate::output::{self, atomic, csv, pvd};
 use crate::run::{Advance, ProbeResult, Restart, StateResult};
 use crate::scene::Scene;
-use crate::summary::Summary;
+use crate::summary::{Status, Summary};
 use std::fs;
 use std::io;
 use std::path::PathBuf;
@@ -24,10 +26,14 @@ const SELDOM: u32 = 20;
 #[derive(Debug)]
 pub struct Results {
     pub(super) folder: PathBuf,
+    pub(super) kept: FieldFiles,
     /// Files of states.
     pub(super) files: Vec<String>,
-    /// Those of their tables and grids, where a run can be resumed.
-    pub(super) digests: Vec<Digest>,
+    /// The tables and grids that a run can be resumed with: none that a later state takes the place of.
+    pub(super) digests: Vec<Kept>,
+    /// Those of the latest state.
+    pub(super) latest: Vec<String>,
+    /// States in the collection, with their grids.
     pub(super) steps: Vec<(f64, String)>,
     pub(super) history: Vec<Vec<f64>>,
     pub(super) envelope: Option<Envelope>,
@@ -60,7 +66,7 @@ impl Results {
     ///
     /// # Errors
     /// The folder cannot be written.
-    pub fn begin(claim: &Claim, scene: &Scene) -> io::Result<Self> {
+    pub fn begin(claim: &Claim, scene: &Scene, kept: FieldFiles) -> io::Result<Self> {
         let folder = claim.folder();
         clear(folder)?;
         claim.sign()?;
@@ -68,8 +74,10 @@ impl Results {
         claim::PARTS.iter().try_for_each(|part| output::folder::make(&folder.join(part)))?;
         Ok(Self {
             folder: folder.into(),
+            kept,
             files: Vec::new(),
             digests: Vec::new(),
+            latest: Vec::new(),
             steps: Vec::new(),
             history: Vec::new(),
             envelope: scene.has_envelope().then(Envelope::default),
@@ -86,34 +94,32 @@ impl Results {
     pub fn take(&mut self, scene: &Scene, result: &StateResult) -> io::Result<()> {
         let record = result.record();
         let name = step_name(record.index);
-        self.files.extend(fields(record.index));
         // Which equilibrium is the last of a body that breaks is known only after it: any may be.
         let is_last = self.curve.is_some() || record.index + 1 == scene.states();
         let is_drawn = is_last || self.report.draws_all();
+        let kept = self.kept.of(is_last);
         let (plots, share) = (is_last.then(|| self.folder.join("plots")), self.report.shown());
         let (probes, figures) = match (scene, result) {
             (Scene::Beam(scene), StateResult::Beam(result)) => {
-                beam::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
+                beam::write(&self.folder, &name, scene, result, (kept, self.envelope.as_mut()))?;
                 let draw = || beam::draw(plots.as_deref(), scene, result, share);
                 (crate::run::beam::probes(scene, result), is_drawn.then(draw).transpose()?)
             }
             (Scene::Body(scene), StateResult::Body(result)) => {
-                body::write(&self.folder, &name, scene, result, self.envelope.as_mut())?;
+                body::write(&self.folder, &name, scene, result, (kept, self.envelope.as_mut()))?;
                 self.files.extend(scene.lines.iter().map(|line| format!("fields/{name}_{}.csv", line.name)));
                 let draw = || body::draw(plots.as_deref(), scene, result);
                 (crate::run::body::probes(scene, result), is_drawn.then(draw).transpose()?)
             }
             _ => unreachable!("a scene has results of its own kind"),
         };
-        if scene.case().is_traced() {
-            for file in fields(record.index) {
-                self.digests.push(Digest::of(&self.folder.join(file))?);
-            }
-        }
+        self.keep(fields(record.index, kept).collect(), scene)?;
         if let Some(figures) = figures {
             self.report.take(record.index, self.curve.as_ref().map_or(0, AnyCurve::rows), figures);
         }
-        self.steps.push(step(scene, record.index, record.load_factor));
+        if kept.grids {
+            self.steps.push(step(scene, record.index, record.load_factor));
+        }
         self.history.push(history_row(record.index, record.load_factor, &probes));
         self.write_collection()?;
         self.write_history(&probes)?;
@@ -150,12 +156,16 @@ impl Results {
         Ok(())
     }
 
-    /// Writes `report.html` and then `summary.json`; there is nothing left to go on with.
+    /// Writes `report.html` and then `summary.json`; there is nothing left to go on with, but of an interrupted run.
     ///
     /// # Errors
     /// The folder cannot be written, or someone has removed what was written into it.
     pub fn finish(self, summary: &Summary, case: &Case) -> io::Result<()> {
+        let is_interrupted = summary.status == Status::Interrupted;
         self.draw_curve(case)?;
+        if let Some(envelope) = self.envelope.as_ref().filter(|_| is_interrupted) {
+            envelope.write(&self.folder.join("envelope.csv"))?;
+        }
         if let Some(file) = self.lost() {
             let message = format!("`{file}` was removed while the run went on\nhint: run the case again");
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
@@ -164,6 +174,13 @@ impl Results {
         crate::output::report::write(&self.folder.join(report::FILE), &page)?;
         let text = serde_json::to_string_pretty(summary)?;
         atomic::write_atomically(&self.folder.join("summary.json"), format!("{text}\n").as_bytes())?;
+        if is_interrupted {
+            return Ok(());
+        }
+        if self.files.is_empty() {
+            // One that holds something stays.
+            let _ = fs::remove_dir(self.folder.join("fields"));
+        }
         match fs::remove_file(self.folder.join(restart::FILE)) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
             _ => Ok(()),
@@ -174,7 +191,8 @@ impl Results {
     fn lost(&self) -> Option<String> {
         let curve = self.curve.as_ref().map(|_| curve::FILE);
         let envelope = self.envelope.as_ref().map(|_| "envelope.csv");
-        let tables = ["case.json", "fields.pvd", "history.csv"].into_iter().chain(curve).chain(envelope);
+        let grids = (!self.steps.is_empty()).then_some("fields.pvd");
+        let tables = ["case.json", "history.csv"].into_iter().chain(grids).chain(curve).chain(envelope);
         lost(&self.folder, tables.map(String::from).chain(self.files.iter().cloned()))
     }
 
@@ -185,7 +203,27 @@ impl Results {
         }
     }
 
+    /// Takes the tables and grids of a state; where only the last state has any, those of the one before go.
+    fn keep(&mut self, files: Vec<String>, scene: &Scene) -> io::Result<()> {
+        if self.kept.states == FieldStates::Last {
+            let past = std::mem::take(&mut self.latest);
+            self.files.retain(|file| !past.contains(file));
+            self.steps.retain(|(_, grid)| !past.contains(grid));
+            past.iter().try_for_each(|file| fs::remove_file(self.folder.join(file)))?;
+        } else if scene.case().is_traced() {
+            for file in &files {
+                self.digests.push((file.clone(), Digest::of(&self.folder.join(file))?));
+            }
+        }
+        self.files.extend(files.iter().cloned());
+        self.latest = files;
+        Ok(())
+    }
+
     pub(super) fn write_collection(&self) -> io::Result<()> {
+        if self.steps.is_empty() {
+            return Ok(());
+        }
         let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();
         pvd::write(&self.folder.join("fields.pvd"), &steps)
     }

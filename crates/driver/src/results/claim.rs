@@ -1,6 +1,6 @@
 //! Which folders a run may write into, and that no two write into one at once.
 
-use super::files::{OWN, is_leftover, names_in};
+use super::files::{OWN, is_finished, is_leftover, names_in};
 use super::{inputs, restart};
 use crate::input::file;
 use crate::output::lock::{Hold, Lock};
@@ -132,7 +132,7 @@ fn vacant(folder: &Path, force: bool, is_same: bool) -> io::Result<()> {
     if !names_in(folder)?.iter().any(|name| name != MARK && !is_leftover(name)) {
         return Ok(());
     }
-    let finished = has("summary.json");
+    let finished = is_finished(folder);
     if finished && is_same {
         return Ok(());
     }

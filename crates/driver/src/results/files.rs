@@ -1,5 +1,6 @@
 //! The files of a run: their names, and clearing them away.
 
+use super::kept::FieldFiles;
 use super::{claim, curve, inputs, report, restart};
 use crate::output::{atomic, csv};
 use crate::scene::{INPUTS, Scene};
@@ -19,8 +20,16 @@ pub(super) const OWN: [&str; 11] = [
     "plots",
     report::FILE,
     restart::FILE,
-    "summary.json",
+    SUMMARY,
 ];
+
+/// What is written last.
+pub(super) const SUMMARY: &str = "summary.json";
+
+/// Whether a folder holds a run that nothing can go on with: one that is done, or was interrupted and left no restart.
+pub(super) fn is_finished(folder: &Path) -> bool {
+    folder.join(SUMMARY).exists() && !folder.join(restart::FILE).exists()
+}
 
 /// A column of a table.
 pub(super) type Column = (&'static str, Vec<f64>);
@@ -61,9 +70,9 @@ pub(super) fn clear(folder: &Path) -> io::Result<()> {
     sweep(folder)
 }
 
-/// The table and the grid of a state.
-pub(super) fn fields(index: usize) -> [String; 2] {
-    ["csv", "vtu"].map(|extension| format!("fields/{}.{extension}", step_name(index)))
+/// The table and the grid of a state, as far as they are written.
+pub(super) fn fields(index: usize, files: FieldFiles) -> impl Iterator<Item = String> {
+    files.extensions().map(move |extension| format!("fields/{}.{extension}", step_name(index)))
 }
 
 /// The first of some files that is not in a folder.
@@ -82,7 +91,7 @@ pub(super) fn step_name(index: usize) -> String {
 }
 
 /// A state in the collection: its time, which is the load factor of a step, the number of a load case or equilibrium; and
-/// its file.
+/// its grid.
 pub(super) fn step(scene: &Scene, index: usize, load_factor: f64) -> (f64, String) {
     let time = if scene.case().steps.is_some() { load_factor } else { index as f64 };
     (time, format!("fields/{}.vtu", step_name(index)))

@@ -1,8 +1,8 @@
 //! `restart.bin`: what a run goes on from.
 //!
 //! The file is `peristat restart\n`, the version of its content, the length of that (both little-endian), the BLAKE3 hash of
-//! the content, and the content itself in the format of `postcard`: what the solution goes on from, the digests of the
-//! tables and grids that were written before, and what the report keeps of their states.
+//! the content, and the content itself in the format of `postcard`: what the solution goes on from, the names and digests
+//! of the tables and grids that were written before, and what the report keeps of their states.
 
 use super::digest::Digest;
 use super::report::Recorded;
@@ -20,8 +20,11 @@ const MAGIC: &[u8; 17] = b"peristat restart\n";
 const VERSION: u32 = 4;
 const HASH: usize = blake3::OUT_LEN;
 
-/// What a run goes on from, digests of tables and grids, and what the report keeps.
-type Content = (Restart, Vec<Digest>, Recorded);
+/// A table or grid that was written before.
+pub(super) type Kept = (String, Digest);
+
+/// What a run goes on from, tables and grids, and what the report keeps.
+type Content = (Restart, Vec<Kept>, Recorded);
 
 /// Writes what a run goes on from in place of an older file.
 ///
@@ -30,7 +33,7 @@ type Content = (Restart, Vec<Digest>, Recorded);
 pub(super) fn write(
     path: &Path,
     restart: &Restart,
-    (digests, recorded): (&[Digest], &Recorded),
+    (digests, recorded): (&[Kept], &Recorded),
 ) -> io::Result<()> {
     let content = postcard::to_stdvec(&(restart, digests, recorded)).map_err(io::Error::other)?;
     atomic::replace(path, |file| {
@@ -108,13 +111,13 @@ mod tests {
     }
 
     /// Those of two files.
-    fn digests(folder: &Path) -> Vec<Digest> {
+    fn digests(folder: &Path) -> Vec<Kept> {
         let of = |text: &str| {
             let path = folder.join("field");
             fs::write(&path, text).unwrap();
             let digest = Digest::of(&path).unwrap();
             fs::remove_file(&path).unwrap();
-            digest
+            (format!("fields/{text}"), digest)
         };
         vec![of(""), of("x,y\n")]
     }

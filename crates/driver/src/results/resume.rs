@@ -3,10 +3,10 @@
 use super::any_curve::AnyCurve;
 use super::being_written::{Results, history_row};
 use super::claim::{Claim, MARK};
-use super::digest::Digest;
-use super::files::{fields, is_leftover, lost, names_in, step, step_name, sweep, write_case};
+use super::files::{SUMMARY, is_finished, is_leftover, lost, names_in, step, step_name, sweep, write_case};
+use super::kept::FieldFiles;
 use super::report::Report;
-use super::restart;
+use super::{report, restart};
 use crate::output;
 use crate::run::{ProbeResult, Restart};
 use crate::scene::Scene;
@@ -42,7 +42,7 @@ impl Results {
             return nothing();
         }
         let claim = Claim::again(folder)?;
-        if folder.join("summary.json").exists() {
+        if is_finished(folder) {
             return refuse(ErrorKind::AlreadyExists, format!("the run in {place} is finished"), ANEW);
         }
         let path = folder.join(restart::FILE);
@@ -57,15 +57,10 @@ impl Results {
             let hint = "resume it with the `case.json` in that folder, or add `--force` in place of `--resume` to run the case anew";
             return refuse(ErrorKind::InvalidInput, reason, hint);
         }
-        let files = || (0..restart.recorded).flat_map(fields);
-        if let Some(file) = lost(folder, files()) {
+        if let Some(file) = lost(folder, digests.iter().map(|(file, _)| file.clone())) {
             return refuse(ErrorKind::NotFound, format!("{place} has lost `{file}`"), ANEW);
         }
-        let changed = files().enumerate().find(|(k, file)| {
-            let digest = digests.get(*k);
-            digest.is_none_or(|digest| !digest.is_of(&folder.join(file)))
-        });
-        if let Some((_, file)) = changed {
+        if let Some((file, _)) = digests.iter().find(|(file, digest)| !digest.is_of(&folder.join(file))) {
             let reason = format!("`{file}` in {place} has been changed since it was written");
             return refuse(ErrorKind::InvalidData, reason, ANEW);
         }
@@ -76,9 +71,15 @@ impl Results {
     ///
     /// # Errors
     /// The folder cannot be read or written.
-    pub fn resume(claim: &Claim, scene: &Scene, restart: &Restart) -> io::Result<Self> {
+    pub fn resume(claim: &Claim, scene: &Scene, restart: &Restart, kept: FieldFiles) -> io::Result<Self> {
         let folder = claim.folder();
-        let (_, _, recorded) = restart::read(&folder.join(restart::FILE))?;
+        let (_, digests, recorded) = restart::read(&folder.join(restart::FILE))?;
+        // What was told of the run so far.
+        for name in [report::FILE, SUMMARY].map(|name| folder.join(name)) {
+            if name.exists() {
+                fs::remove_file(name)?;
+            }
+        }
         // Titles, checks and lines may have changed.
         write_case(folder, scene)?;
         // What is in the tables may have been edited: the restart knows.
@@ -87,18 +88,20 @@ impl Results {
         let row =
             |(index, (factor, probes)): (usize, &(f64, &[ProbeResult]))| history_row(index, *factor, probes);
         let history: Vec<Vec<f64>> = states.iter().enumerate().map(row).collect();
-        let steps = history.iter().enumerate().map(|(index, row)| step(scene, index, row[1])).collect();
-        remove_later(&folder.join("fields"), restart.recorded)?;
+        let files: BTreeSet<String> = digests.iter().map(|(file, _)| file.clone()).collect();
+        let steps = history.iter().enumerate().map(|(index, row)| step(scene, index, row[1]));
+        let steps = steps.filter(|(_, grid)| files.contains(grid)).collect();
+        remove_others(&folder.join("fields"), restart.recorded, &files)?;
         output::folder::make(&folder.join("plots"))?;
         sweep(folder)?;
         ["fields", "plots"].iter().try_for_each(|part| sweep(&folder.join(part)))?;
         // Lines may have been others.
-        let files: Vec<String> = (0..restart.recorded).flat_map(fields).collect();
-        let digests = files.iter().map(|file| Digest::of(&folder.join(file)));
         let results = Self {
             folder: folder.into(),
-            digests: digests.collect::<io::Result<_>>()?,
-            files,
+            kept,
+            digests,
+            files: files.into_iter().collect(),
+            latest: Vec::new(),
             steps,
             history,
             envelope: None,
@@ -114,13 +117,17 @@ impl Results {
     }
 }
 
-/// Removes the files of all states but the first ones, and those that were being written.
-fn remove_later(fields: &Path, recorded: usize) -> io::Result<()> {
+/// Removes the files of all states but the first ones, of these the tables and grids that the run does not go on with, and
+/// what was being written.
+fn remove_others(fields: &Path, recorded: usize, kept: &BTreeSet<String>) -> io::Result<()> {
     output::folder::make(fields)?;
-    let kept: BTreeSet<String> = (0..recorded).map(step_name).collect();
+    let states: BTreeSet<String> = (0..recorded).map(step_name).collect();
     for name in names_in(fields)? {
         let state = name.split(['.', '_']).take(2).collect::<Vec<_>>().join("_");
-        if is_leftover(&name) || (name.starts_with("step_") && !kept.contains(&state)) {
+        let is_line = name.split(['.', '_']).count() > 3;
+        let is_kept =
+            if is_line { states.contains(&state) } else { kept.contains(&format!("fields/{name}")) };
+        if is_leftover(&name) || (name.starts_with("step_") && !is_kept) {
             fs::remove_file(fields.join(name))?;
         }
     }

@@ -2,6 +2,7 @@
 
 use super::being_written::{Results, finite};
 use super::claim::Claim;
+use super::kept::FieldFiles;
 use crate::run::{Advance, Restart, Sink, StateResult};
 use crate::scene::Scene;
 use crate::summary::Summary;
@@ -12,13 +13,20 @@ use std::io;
 pub struct Writing<'a> {
     scene: &'a Scene,
     claim: Claim,
+    kept: FieldFiles,
     results: Option<Results>,
 }
 
 impl<'a> Writing<'a> {
     /// Writes a scene into a folder, where an earlier run stays until the first result.
     pub fn new(scene: &'a Scene, claim: Claim) -> Self {
-        Self { scene, claim, results: None }
+        Self { scene, claim, kept: FieldFiles::default(), results: None }
+    }
+
+    /// The same with other files of fields than all.
+    #[must_use]
+    pub fn with_fields(self, kept: FieldFiles) -> Self {
+        Self { kept, ..self }
     }
 
     /// Goes on with what is in the folder.
@@ -26,7 +34,7 @@ impl<'a> Writing<'a> {
     /// # Errors
     /// The folder cannot be read or written.
     pub fn resume(&mut self, restart: &Restart) -> io::Result<()> {
-        let results = Results::resume(&self.claim, self.scene, restart).map_err(|e| self.at(e))?;
+        let results = Results::resume(&self.claim, self.scene, restart, self.kept).map_err(|e| self.at(e))?;
         self.results = Some(results);
         Ok(())
     }
@@ -80,7 +88,7 @@ impl<'a> Writing<'a> {
     fn results(&mut self) -> io::Result<&mut Results> {
         let begun = match self.results.take() {
             Some(results) => results,
-            None => Results::begin(&self.claim, self.scene).map_err(|e| self.at(e))?,
+            None => Results::begin(&self.claim, self.scene, self.kept).map_err(|e| self.at(e))?,
         };
         Ok(self.results.insert(begun))
     }

@@ -67,5 +67,5 @@ pub use state::StateResult;
 pub use state_record::StateRecord;
 pub use verdict::{CheckResult, ProbeResult};
 
-use right_hand_sides::solve_states;
+use right_hand_sides::{goes_on, solve_states};
 use solved_state::SolvedState;

@@ -62,6 +62,8 @@ pub struct RunReport {
     pub warnings: Faults,
     /// Whether every state converged.
     pub converged: bool,
+    /// Whether the run was asked to end before it was done.
+    pub is_interrupted: bool,
     /// How the body broke.
     pub fracture: Option<FractureReport>,
     /// How the body went along its path.

@@ -12,6 +12,7 @@ use super::solved_state::SolvedState;
 use super::workspace::StateSolution;
 use crate::diagnostic::Faults;
 use peristat_assembly::system::System;
+use std::io;
 use std::time::Instant;
 
 /// Solution of a load and a factor on prescribed motions, with its certificate.
@@ -31,11 +32,20 @@ pub(super) fn certified<const D: usize>(
     (solution, certificate)
 }
 
+/// Whether there is to be a next state after one was taken.
+pub(super) fn goes_on(taken: io::Result<()>) -> Result<bool, RunError> {
+    match taken {
+        Ok(()) => Ok(true),
+        Err(error) if error.kind() == io::ErrorKind::Interrupted => Ok(false),
+        Err(error) => Err(error.into()),
+    }
+}
+
 /// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`.
 pub(super) fn solve_states<const D: usize>(
     problem: &dyn Problem<D>,
     (system, sizes): (&System<D>, Sizes),
-    take: &mut dyn FnMut(SolvedState) -> std::io::Result<()>,
+    take: &mut dyn FnMut(SolvedState) -> io::Result<()>,
 ) -> Result<RunReport, RunError> {
     let mut timing = Timing::default();
     let begin = Instant::now();
@@ -43,12 +53,12 @@ pub(super) fn solve_states<const D: usize>(
     timing.assemble = begin.elapsed().as_secs_f64();
     let mut solver = LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?;
     let mut load = vec![0.0; system.size()];
-    let (mut converged, mut last, mut record_time) = (true, None, 0.0);
+    let (mut converged, mut last, mut record_time, mut is_interrupted) = (true, None, 0.0, false);
     let mut record = |solved: SolvedState| {
         let begin = Instant::now();
-        take(solved)?;
+        let goes_on = goes_on(take(solved));
         record_time += begin.elapsed().as_secs_f64();
-        Ok::<(), RunError>(())
+        goes_on
     };
     for state in 0..problem.states() {
         load.fill(0.0);
@@ -64,8 +74,9 @@ pub(super) fn solve_states<const D: usize>(
         converged &= certificate.converged;
         if state + 1 == problem.states() {
             last = Some((state, solution, certificate));
-        } else {
-            record(SolvedState { state, load: &load, solution, certificate })?;
+        } else if !record(SolvedState { state, load: &load, solution, certificate })? {
+            is_interrupted = true;
+            break;
         }
     }
     // The factor and the levels are the largest things in memory: the last state is recorded without them.
@@ -85,6 +96,7 @@ pub(super) fn solve_states<const D: usize>(
         skipped: Vec::new(),
         warnings: Faults::default(),
         converged,
+        is_interrupted,
         fracture: None,
         path: None,
         exact: None,

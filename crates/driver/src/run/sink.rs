@@ -20,7 +20,8 @@ pub trait Sink {
     /// Takes the result of a state.
     ///
     /// # Errors
-    /// The result cannot be taken, for instance written; the run ends with this error.
+    /// The result cannot be taken, for instance written; the run ends with this error. One of the kind
+    /// [`io::ErrorKind::Interrupted`] is none: the result is taken, and the run ends after it.
     fn take(&mut self, result: StateResult) -> io::Result<()>;
 
     /// An equilibrium of a body that breaks or softens was found; `restart` makes what it takes to go on from there, with as many
@@ -32,7 +33,7 @@ pub trait Sink {
         Ok(())
     }
 
-    /// Whether the run is to end after the current equilibrium, with [`super::RunError::Interrupted`].
+    /// Whether the run is to end after the current equilibrium or state.
     fn is_interrupted(&self) -> bool {
         false
     }

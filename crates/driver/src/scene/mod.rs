@@ -24,7 +24,7 @@ pub use expectation::{Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
 pub use resultant::{Counted, Resultant};
 
-use crate::case::Case;
+use crate::case::{Case, FieldName};
 use crate::diagnostic::{Faults, Report, root};
 use crate::input::Folder;
 
@@ -100,6 +100,14 @@ impl Scene {
         match self {
             Self::Beam(scene) => scene.states.len(),
             Self::Body(scene) => scene.states.len(),
+        }
+    }
+
+    /// The fields that probes of some case with the same model can ask for.
+    pub fn askable(&self) -> Vec<FieldName> {
+        match self {
+            Self::Beam(_) => BeamScene::askable(),
+            Self::Body(scene) => scene.askable(),
         }
     }
 

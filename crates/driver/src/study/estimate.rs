@@ -83,7 +83,7 @@ impl Loaded {
         if self.scene.case().is_traced() {
             return Err("bodies that break or soften jump from state to state".into());
         }
-        if summary.status == Status::NotConverged {
+        if matches!(summary.status, Status::NotConverged | Status::Interrupted) {
             return Err("a state did not converge".into());
         }
         let exact = of_exact(summary);

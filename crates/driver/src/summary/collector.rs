@@ -87,6 +87,7 @@ impl Collector {
         // States before a restart are known from it alone.
         let converged = report.converged && self.states.iter().all(|s| s.certificate.converged);
         let status = match (converged, self.checks.iter().all(|c| c.passed)) {
+            _ if report.is_interrupted => Status::Interrupted,
             (false, _) => Status::NotConverged,
             (true, false) => Status::CheckFailed,
             (true, true) => Status::Passed,
@@ -98,6 +99,7 @@ impl Collector {
         let envelope = if scene.has_envelope() { envelope(&self.states) } else { BTreeMap::new() };
         Summary {
             status,
+            interrupted: report.is_interrupted.then(|| how_far(&report, self.states.len(), scene.states())),
             title: scene.case().title.clone(),
             units: scene.case().units,
             model,
@@ -119,6 +121,15 @@ impl Collector {
             peak_memory_bytes: memory::peak(),
             version: env!("CARGO_PKG_VERSION"),
         }
+    }
+}
+
+/// How far a run came that was interrupted.
+fn how_far(report: &RunReport, states: usize, all: usize) -> String {
+    match (&report.fracture, &report.path) {
+        (Some(fracture), _) => format!("after {} equilibria", fracture.solves),
+        (_, Some(path)) => format!("after {} steps", path.steps),
+        _ => format!("after {states} of {all} states"),
     }
 }
 

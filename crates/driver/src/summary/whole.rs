@@ -23,6 +23,8 @@ pub enum Status {
     CheckFailed,
     /// A state did not converge.
     NotConverged,
+    /// The run was asked to end before it was done; all is of the run so far.
+    Interrupted,
 }
 
 /// Everything about a finished run but the fields.
@@ -30,6 +32,9 @@ pub enum Status {
 pub struct Summary {
     /// How it ended.
     pub status: Status,
+    /// How far a run came that was interrupted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interrupted: Option<String>,
     /// Title of the case.
     pub title: String,
     /// Units of all numbers.

@@ -52,6 +52,7 @@ impl Outcome {
                 Status::Passed => PASSED,
                 Status::CheckFailed => "FAILED",
                 Status::NotConverged => "NOT CONVERGED",
+                Status::Interrupted => "INTERRUPTED",
             },
         }
     }

@@ -9,6 +9,7 @@ pub(super) use columns::fields;
 
 use super::envelope::Envelope;
 use super::files::{Column, write_table};
+use super::kept::FieldFiles;
 use super::report::chart;
 use crate::case::FieldName;
 use crate::output::plot;
@@ -31,7 +32,7 @@ const ENVELOPE: [FieldName; 8] = [
     FieldName::N,
 ];
 
-/// Writes the fields of a state as a table and as a grid, and widens the envelope by them.
+/// Writes the fields of a state as a table and as a grid, where these are kept, and widens the envelope by them.
 ///
 /// # Errors
 /// The folder cannot be written.
@@ -40,13 +41,17 @@ pub(super) fn write(
     name: &str,
     scene: &BeamScene,
     result: &BeamResult,
-    envelope: Option<&mut Envelope>,
+    (kept, envelope): (FieldFiles, Option<&mut Envelope>),
 ) -> io::Result<()> {
     let (places, left) = (columns::places(scene, result), columns::left(scene, result));
     let fields: Vec<Column> = fields(result).collect();
     let file = |extension: &str| folder.join("fields").join(format!("{name}.{extension}"));
-    write_table(&file("csv"), places.iter().chain(&fields).chain(&left))?;
-    write_grid(&file("vtu"), &fields, result)?;
+    if kept.tables {
+        write_table(&file("csv"), places.iter().chain(&fields).chain(&left))?;
+    }
+    if kept.grids {
+        write_grid(&file("vtu"), &fields, result)?;
+    }
     if let Some(envelope) = envelope {
         envelope.place(places);
         widen(envelope, result);

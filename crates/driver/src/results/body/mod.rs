@@ -13,7 +13,7 @@ mod surface;
 
 use super::envelope::Envelope;
 use super::files;
-
+use super::kept::FieldFiles;
 use super::report::chart;
 use crate::case::FieldName;
 use crate::output::csv;
@@ -46,7 +46,7 @@ const ENVELOPE: [FieldName; 12] = [
     FieldName::VonMises,
 ];
 
-/// Writes the fields of a state as a table and as a grid, and along lines, and widens the envelope by them.
+/// Writes the fields of a state as a table and as a grid, where these are kept, and along lines, and widens the envelope by them.
 ///
 /// # Errors
 /// The folder cannot be written.
@@ -55,7 +55,7 @@ pub(super) fn write(
     name: &str,
     scene: &BodyScene,
     result: &BodyResult,
-    envelope: Option<&mut Envelope>,
+    (kept, envelope): (FieldFiles, Option<&mut Envelope>),
 ) -> io::Result<()> {
     let file = |name: &str, extension: &str| folder.join("fields").join(format!("{name}.{extension}"));
     let fields: Vec<Column> =
@@ -66,7 +66,9 @@ pub(super) fn write(
         .map(|(name, values)| (*name, values.as_slice()))
         .chain(fields.iter().map(|(name, values)| (*name, &values[..])))
         .collect();
-    csv::write(&file(name, "csv"), &columns)?;
+    if kept.tables {
+        csv::write(&file(name, "csv"), &columns)?;
+    }
     if let Some(envelope) = envelope {
         for field in ENVELOPE {
             if let Some((_, values)) = fields.iter().find(|f| f.0 == field.name()) {
@@ -77,7 +79,9 @@ pub(super) fn write(
     } else {
         drop(places);
     }
-    write_grid(&file(name, "vtu"), scene, &fields)?;
+    if kept.grids {
+        write_grid(&file(name, "vtu"), scene, &fields)?;
+    }
     lines::write(&|line: &str| file(&format!("{name}_{line}"), "csv"), scene, result)
 }
 

@@ -123,6 +123,7 @@ impl Report {
             Status::Passed => ("passed", Tone::Good),
             Status::CheckFailed => ("check failed", Tone::Bad),
             Status::NotConverged => ("not converged", Tone::Bad),
+            Status::Interrupted => ("interrupted", Tone::Bad),
         };
         Page {
             title: summary.title.clone(),

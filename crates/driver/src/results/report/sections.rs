@@ -93,6 +93,10 @@ fn checks(summary: &Summary) -> Section {
         let text = "Not converged: the certificate shows how far it is. Do not use these numbers.";
         blocks.push(Block::Notice(Tone::Bad, text.into()));
     }
+    if let Some(how_far) = &summary.interrupted {
+        let text = format!("Interrupted {how_far}: all that is shown is of the run so far.");
+        blocks.push(Block::Notice(Tone::Bad, text));
+    }
     if summary.checks.is_empty() {
         blocks.push(Block::Text("The case has no checks.".into()));
     } else {

@@ -76,7 +76,7 @@ fn go_on(results: &mut Results, scene: &Scene, states: &[StateResult], which: st
 
 /// A folder that is new or has been forced upon.
 fn begin(folder: &Path, scene: &Scene) -> Results {
-    Results::begin(&Claim::new(folder, true, None).unwrap(), scene).unwrap()
+    Results::begin(&Claim::new(folder, true, None).unwrap(), scene, FieldFiles::default()).unwrap()
 }
 
 /// Names and contents of all files.
@@ -105,12 +105,12 @@ fn a_run_is_not_resumed_through_a_link() {
     for part in ["fields", "plots"] {
         fs::rename(out.join(part), &aside).unwrap();
         std::os::unix::fs::symlink(&aside, out.join(part)).unwrap();
-        let error = Results::resume(&claim, scene, &found).unwrap_err();
+        let error = Results::resume(&claim, scene, &found, FieldFiles::default()).unwrap_err();
         assert!(error.to_string().contains("is a link"), "{error}");
         fs::remove_file(out.join(part)).unwrap();
         fs::rename(&aside, out.join(part)).unwrap();
     }
-    Results::resume(&claim, scene, &found).unwrap();
+    Results::resume(&claim, scene, &found, FieldFiles::default()).unwrap();
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn a_run_of_which_a_field_was_changed_is_not_resumed() {
     go_on(&mut begin(&out, scene), scene, &states, 0..1);
     // A second equilibrium after a resumption.
     let (claim, found) = Results::interrupted(&out, scene).unwrap();
-    go_on(&mut Results::resume(&claim, scene, &found).unwrap(), scene, &states, 1..2);
+    go_on(&mut Results::resume(&claim, scene, &found, FieldFiles::default()).unwrap(), scene, &states, 1..2);
     drop(claim);
     for file in ["step_000.csv", "step_000.vtu", "step_001.csv", "step_001.vtu"] {
         let path = out.join("fields").join(file);
@@ -169,7 +169,7 @@ fn a_resumed_run_leaves_the_same_files_as_one_that_was_not_interrupted() {
     assert_eq!(found, restart(scene, &states[..1]));
     let running = Results::interrupted(&parts, scene).unwrap_err().to_string();
     assert!(running.contains("another peristat is writing into"), "{running}");
-    let mut second = Results::resume(&claim, scene, &found).unwrap();
+    let mut second = Results::resume(&claim, scene, &found, FieldFiles::default()).unwrap();
     assert!(!parts.join("fields/step_001.vtu").exists() && parts.join("fields/step_000.vtu").exists());
     go_on(&mut second, scene, &states, 1..3);
     assert!(contents(&whole) == contents(&parts));
@@ -212,7 +212,7 @@ fn another_case_and_a_damaged_folder_are_refused_and_a_new_title_is_not() {
     };
     change(&mut loaded, &|f| (f.max_solves, f.record_every) = (Some(7), Some(1)));
     let (claim, restart) = Results::interrupted(&out, &loaded.scene).unwrap();
-    Results::resume(&claim, &loaded.scene, &restart).unwrap();
+    Results::resume(&claim, &loaded.scene, &restart, FieldFiles::default()).unwrap();
     drop(claim);
     assert!(fs::read_to_string(out.join("case.json")).unwrap().contains("\"title\": \"another\""));
 

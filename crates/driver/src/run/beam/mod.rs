@@ -88,7 +88,9 @@ pub fn run_breaking(
         true => break_beam::<3>(scene, options, resume, sink)?,
         false => break_beam::<2>(scene, options, resume, sink)?,
     };
-    report.timing.compare = law::warn_of_intact(scene, options, &mut report.warnings);
+    if !report.is_interrupted {
+        report.timing.compare = law::warn_of_intact(scene, options, &mut report.warnings);
+    }
     report.skipped = skipped::skipped(scene, &report, recover);
     Ok(report)
 }

@@ -126,7 +126,9 @@ pub fn run_softening(
     add(&mut report.counters, &found.counters);
     report.timing.solve += found.seconds;
     grips::tell(scene, &body.softened, &mut report.warnings);
-    softness::tell(scene, options, &mut report);
+    if !report.is_interrupted {
+        softness::tell(scene, options, &mut report);
+    }
     Ok(report)
 }
 
@@ -143,7 +145,9 @@ fn break_body<const D: usize>(
     let mut breaking = BreakingPlane { problem, fracture, recover: options.recover };
     let mut report = super::fracture::run(&mut breaking, prepared, resume, sink)?;
     report.skipped = skipped::skipped(scene, &report, options.recover);
-    softness::tell(scene, options, &mut report);
+    if !report.is_interrupted {
+        softness::tell(scene, options, &mut report);
+    }
     Ok(report)
 }
 

@@ -18,6 +18,8 @@ pub(super) enum Ending {
     Lost,
     /// As many equilibria as were asked for.
     MostSolves,
+    /// Somebody asked for it.
+    Interrupted,
 }
 
 impl Ending {
@@ -34,6 +36,7 @@ impl Ending {
             Self::CameOff => "nothing carries the load any more",
             Self::Lost => "no equilibrium was found: the solver did not converge",
             Self::MostSolves => "as many equilibria as allowed were found",
+            Self::Interrupted => "the run was interrupted",
         }
     }
 }

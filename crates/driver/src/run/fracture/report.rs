@@ -65,6 +65,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
             skipped: Vec::new(),
             warnings,
             converged: self.converged,
+            is_interrupted: ending == Ending::Interrupted,
             path: None,
             exact: None,
             fracture: Some(FractureReport {

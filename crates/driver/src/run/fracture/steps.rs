@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-9;
 /// Breaks the bonds of a prepared problem, and hands equilibria on.
 ///
 /// # Errors
-/// [`RunError`]: the stiffness has no factor, a result cannot be taken, the run was interrupted.
+/// [`RunError`]: the stiffness has no factor, a result cannot be taken.
 pub(in super::super) fn run<const D: usize, P: BreakingBody<D>>(
     body: &mut P,
     (system, sizes): (System<D>, Sizes),
@@ -85,7 +85,7 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
         // Until the next solve.
         self.unit.iterations = 0;
         match ending {
-            None if sink.is_interrupted() => Err(RunError::Interrupted),
+            None if sink.is_interrupted() => Ok(Some(Ending::Interrupted)),
             ending => Ok(ending),
         }
     }

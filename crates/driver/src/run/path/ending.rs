@@ -11,6 +11,8 @@ pub(super) enum Ending {
     MostSteps,
     /// No equilibrium was found.
     Stuck,
+    /// Somebody asked for it.
+    Interrupted,
 }
 
 impl Ending {
@@ -26,6 +28,7 @@ impl Ending {
             Self::LoadGone => "the load fell below its part of the peak",
             Self::MostSteps => "as many steps as allowed were made",
             Self::Stuck => "no equilibrium was found beyond this state",
+            Self::Interrupted => "the run was interrupted",
         }
     }
 }

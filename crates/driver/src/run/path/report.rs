@@ -118,6 +118,7 @@ pub(super) fn report<const D: usize>(
         skipped: Vec::new(),
         warnings,
         converged: ending != Ending::Stuck,
+        is_interrupted: ending == Ending::Interrupted,
         fracture: None,
         exact: None,
         path: Some(PathReport {

@@ -39,7 +39,7 @@ struct Run<'a, const D: usize, P> {
 /// Follows the path of a prepared problem from rest or from where another run was interrupted, and hands its states on.
 ///
 /// # Errors
-/// [`RunError`]: the stiffness has no factor, the restart does not fit, a result cannot be taken, the run was interrupted.
+/// [`RunError`]: the stiffness has no factor, the restart does not fit, a result cannot be taken.
 pub(in super::super) fn run<const D: usize, P: SofteningBody<D>>(
     body: &mut P,
     (system, sizes): (System<D>, Sizes),
@@ -108,7 +108,7 @@ impl<const D: usize, P: SofteningBody<D>> Run<'_, D, P> {
         }
         self.tell(ending, sink)?;
         match ending {
-            None if sink.is_interrupted() => Err(RunError::Interrupted),
+            None if sink.is_interrupted() => Ok(Some(Ending::Interrupted)),
             ending => Ok(ending),
         }
     }

@@ -164,6 +164,17 @@ fn probed(on_frame: bool, has_axial: bool) -> Vec<FieldName> {
     [FieldName::of_beam(on_frame, has_axial), reactions].concat()
 }
 
+/// The fields that probes of some line or frame can ask for.
+pub(super) fn askable() -> Vec<FieldName> {
+    let mut all = probed(false, true);
+    for field in probed(true, true).into_iter().chain(probed(false, false)) {
+        if !all.contains(&field) {
+            all.push(field);
+        }
+    }
+    all
+}
+
 /// Whether a field exists on a body of this kind.
 pub(super) fn fits_body(field: FieldName, context: &Context, path: &JsonPath, faults: &mut Faults) -> bool {
     use FieldName::{N, ReactionForce, ReactionX, ReactionY, U, Ux, Uy};

@@ -83,6 +83,11 @@ fn equations(
 }
 
 impl BeamScene {
+    /// The fields that probes of some line or frame can ask for.
+    pub(in crate::scene) fn askable() -> Vec<FieldName> {
+        probes::askable()
+    }
+
     /// Resolves a case of a beam. `folder` is where files that the case names are looked for, `faults` are those found so
     /// far; `max_memory` is in bytes.
     ///

@@ -7,11 +7,12 @@ use super::hold::supported::BodySupport;
 use super::load::sums::BodyLoads;
 use super::motions;
 use super::read::checks::BodyComparison;
+use super::read::fields;
 use super::read::outputs::{self, Intensity, OutputLine};
 use super::read::probes::BodyProbe;
 use super::site::cracks::NamedCrack;
 use super::site::model_inputs::ModelInputs;
-use crate::case::{Case, Solver, Units};
+use crate::case::{Case, FieldName, Solver, Units};
 use crate::diagnostic::Faults;
 use crate::model::{AnyBody, HeldRegion, Material, Refusal, Resolved};
 use crate::scene::expectation::Expectation;
@@ -95,6 +96,11 @@ impl BodyScene {
     pub(crate) fn elastic(&self) -> Option<Self> {
         let Elastic { case, folder, max_memory } = &**self.elastic.as_ref()?;
         Self::new(case.clone(), folder, *max_memory, Faults::default()).ok()
+    }
+
+    /// The fields that probes of some case with this model can ask for.
+    pub(in crate::scene) fn askable(&self) -> Vec<FieldName> {
+        fields::askable(&*self.model, self.material())
     }
 
     /// Whether bonds are cut or can fail.

@@ -12,7 +12,7 @@ pub(super) use memory::estimate as memory;
 pub(super) use plan::chosen;
 
 use crate::run::{
-    Counters, Problem, RunError, RunReport, Sizes, SolveFailure, SolvedState, SolverReport, Timing,
+    Counters, Problem, RunError, RunReport, Sizes, SolveFailure, SolvedState, SolverReport, Timing, goes_on,
 };
 use crate::scene::beam::BeamScene;
 use peristat_assembly::model::Model;
@@ -54,7 +54,7 @@ where
     let mut solver =
         StrainSolver::new(parts.beam, parts.form, system.constraints(), &scene.springs, &mut timing)?;
     let mut load = vec![0.0; if recover { system.size() } else { 0 }];
-    let mut converged = true;
+    let (mut converged, mut is_interrupted) = (true, false);
     for (state, &(loads, motion_factor)) in parts.states.iter().enumerate() {
         if recover {
             load.fill(0.0);
@@ -73,8 +73,11 @@ where
         timing.certify += begin.elapsed().as_secs_f64();
         converged &= certificate.converged;
         let begin = Instant::now();
-        take(SolvedState { state, load: &load, solution, certificate })?;
+        is_interrupted = !goes_on(take(SolvedState { state, load: &load, solution, certificate }))?;
         timing.record += begin.elapsed().as_secs_f64();
+        if is_interrupted {
+            break;
+        }
     }
     let counters = Counters {
         factorisations: 1,
@@ -103,6 +106,7 @@ where
         skipped: Vec::new(),
         warnings: Default::default(),
         converged,
+        is_interrupted,
         fracture: None,
         exact: None,
     })

@@ -102,23 +102,32 @@ pub(crate) struct Held {
 }
 
 /// What a reaction holds; none where points have no such unknown, nor a solid rigid regions that move so.
-pub(crate) fn held(reaction: FieldName, model: &dyn BodyModel, case: &Case) -> Option<Held> {
+pub(crate) fn held(reaction: FieldName, model: &dyn BodyModel, has_rigid: bool) -> Option<Held> {
     let Origin::Reaction(name) = reaction.about().origin else { return None };
     let (unknown, axes) = (model.component(name), if model.as_solid().is_some() { 3 } else { 2 });
     let motion = (0..MOTIONS).find(|&motion| rigid::key(motion, axes) == Some(name));
-    let is_turn = axes > 2 && motion.is_some() && !case.rigid.is_empty();
+    let is_turn = axes > 2 && motion.is_some() && has_rigid;
     (unknown.is_some() || is_turn).then_some(Held { name, unknown, motion })
 }
 
 /// The fields that probes can ask for: those of points, reactions, rotations of rigid regions and openings of cracks.
 pub(crate) fn probed(model: &dyn BodyModel, case: &Case, says: Says) -> Vec<FieldName> {
-    let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model, case).is_some());
-    let turns: &[FieldName] = match (model.turning().is_none() && !case.rigid.is_empty(), model.as_solid()) {
+    of_probes(model, (!case.rigid.is_empty(), !case.cracks.is_empty()), says)
+}
+
+/// The fields that probes of a case can ask for which has this model and whatever gives fields: rigid regions, cracks, strengths.
+pub(crate) fn askable(model: &dyn BodyModel, material: &dyn Material) -> Vec<FieldName> {
+    of_probes(model, (true, true), Says { has_fibres: material.fibres().is_some(), has_strengths: true })
+}
+
+fn of_probes(model: &dyn BodyModel, (has_rigid, has_cracks): (bool, bool), says: Says) -> Vec<FieldName> {
+    let reactions = REACTIONS.into_iter().filter(|&reaction| held(reaction, model, has_rigid).is_some());
+    let turns: &[FieldName] = match (model.turning().is_none() && has_rigid, model.as_solid()) {
         (false, _) => &[],
         (true, None) => &[FieldName::Phi],
         (true, Some(_)) => &TURNS,
     };
-    let opens = (!case.cracks.is_empty() && model.along(0).is_some()).then_some(FieldName::Opening);
+    let opens = (has_cracks && model.along(0).is_some()).then_some(FieldName::Opening);
     answered(model, says).chain(turns.iter().copied()).chain(reactions).chain(opens).collect()
 }
 
