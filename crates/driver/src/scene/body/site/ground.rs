@@ -1,13 +1,14 @@
 //! Regions and places of a body by the names that a case gives them.
 
+use super::border_names::{self, List};
 use super::regions;
-use crate::case::{self, At, Case};
+use crate::case::{self, At, Case, Names};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use crate::scene::words;
 use peristat_assembly::body::{
-    Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
+    BorderMember, Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A body with everything on it that has a name.
 pub(crate) struct Ground<'a> {
@@ -23,6 +24,10 @@ pub(crate) struct Ground<'a> {
     parts: &'a [Group],
     /// Regions of the case, and edges, faces, holes and groups as regions.
     named: BTreeMap<String, Region>,
+    /// Names among them that no hint tells: chords, lists and the whole border.
+    aside: BTreeSet<String>,
+    /// Lists that have their faults already.
+    refused: BTreeSet<String>,
 }
 
 /// A place that was found.
@@ -56,8 +61,19 @@ impl<'a> Ground<'a> {
             named.insert(name.to_string(), region);
             kinds.insert(name.to_string(), kind);
         };
+        let mut aside = BTreeMap::new();
+        let on_border = |name: &str| Region::Edge { name: name.into(), depth: None };
         for edge in outline.map_or(&[][..], Outline::edges) {
-            take(&edge.name, "an edge", Region::Edge { name: edge.name.clone(), depth: None });
+            match edge.is_chord {
+                true => drop(aside.insert(edge.name.clone(), on_border(&edge.name))),
+                false => take(&edge.name, "an edge", on_border(&edge.name)),
+            }
+        }
+        for group in outline.map_or(&[][..], Outline::groups) {
+            match group.is_known {
+                true => take(&group.name, "an edge", on_border(&group.name)),
+                false => drop(aside.insert(group.name.clone(), on_border(&group.name))),
+            }
         }
         for name in outline.map_or(&[][..], Outline::holes).iter().filter_map(|h| h.name.as_ref()) {
             take(name, "a hole", Region::Hole { name: name.clone(), depth: None });
@@ -86,7 +102,10 @@ impl<'a> Ground<'a> {
                 named.insert(name.clone(), region);
             }
         }
-        let ground = Self { case, body, outline, walls, parts, named };
+        let hidden = aside.keys().cloned().collect();
+        named.extend(aside);
+        let mut ground = Self { case, body, outline, walls, parts, named, aside: hidden, refused: BTreeSet::new() };
+        ground.join_lists(faults);
         for name in case.regions.keys().filter(|name| !kinds.contains_key(*name)) {
             ground.define(name, &root("regions").key(name), faults);
         }
@@ -95,7 +114,55 @@ impl<'a> Ground<'a> {
 
     /// Names of all regions.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
-        self.named.keys().map(String::as_str)
+        self.named.keys().filter(|name| !self.aside.contains(*name)).map(String::as_str)
+    }
+
+    /// The name of a region, if there is such a one.
+    pub(crate) fn own_name(&self, name: &str) -> Option<&str> {
+        self.named.get_key_value(name).map(|(own, _)| own.as_str())
+    }
+
+    /// Edges of the outline that names have, by the names of the edges; the whole border has none that is worth a fault.
+    pub(crate) fn edges_of(&self, names: &Names) -> Vec<String> {
+        let mut found = Vec::new();
+        for name in names.each() {
+            match self.outline.and_then(|outline| Some((outline, outline.members(name)?))) {
+                Some((outline, _)) if border_names::is_whole(name, outline) => {}
+                Some((outline, members)) => {
+                    let edges = members.into_iter().filter(|m| matches!(m, BorderMember::Edge(_)));
+                    found.extend(edges.filter_map(|m| outline.straight(m)).map(|edge| edge.name));
+                }
+                None => found.push(name.clone()),
+            }
+        }
+        found
+    }
+
+    /// Lists of places as regions, where they are no parts of the border alone.
+    fn join_lists(&mut self, faults: &mut Faults) {
+        for List { path, names, is_place } in border_names::lists(self.case) {
+            if !is_place || self.named.contains_key(&**names) {
+                continue;
+            }
+            let mut is_fine = true;
+            for (k, name) in names.each().iter().enumerate() {
+                if !self.named.contains_key(name) {
+                    is_fine = false;
+                    if !self.case.regions.contains_key(name) {
+                        faults
+                            .error(path.index(k), format!("there is no region `{name}`"))
+                            .hint(suggest(name, self.names()));
+                    }
+                }
+            }
+            match is_fine {
+                true => {
+                    self.named.insert(names.to_string(), Region::Union { of: names.each().to_vec() });
+                    self.aside.insert(names.to_string());
+                }
+                false => drop(self.refused.insert(names.to_string())),
+            }
+        }
     }
 
     /// Number of points of the region of a name; none where it cannot be made.
@@ -120,8 +187,8 @@ impl<'a> Ground<'a> {
         }
     }
 
-    fn refuse(&self, error: &RegionError, name: &str, path: &JsonPath, faults: &mut Faults) {
-        let place = match (&self.case.regions[name], error) {
+    fn refuse(&self, error: &RegionError, region: &str, path: &JsonPath, faults: &mut Faults) {
+        let place = match (&self.case.regions[region], error) {
             (case::Region::Edge(_), RegionError::Unknown { .. }) => path.key("edge").key("name"),
             (case::Region::Face(_), RegionError::Unknown { .. }) => path.key("face").key("name"),
             (case::Region::Face(_), _) => path.key("face").key("depth"),
@@ -138,11 +205,12 @@ impl<'a> Ground<'a> {
         };
         match error {
             RegionError::Unknown { kind, name, known } => {
+                let (name, place) = self.missing(name, &self.case.regions[region], place);
                 let hint = match (*kind, known.is_empty()) {
                     ("edge", true) => "edges are those of the bodies `rectangle` and `outline`".to_string(),
                     ("hole", true) => "no hole of the body has a name".into(),
                     ("group", true) => "groups are those of a mesh with named physical groups".into(),
-                    _ => suggest(name, known.iter().map(String::as_str)),
+                    _ => suggest(&name, known.iter().map(String::as_str)),
                 };
                 faults.error(place, format!("there is no {kind} `{name}`")).hint(hint);
             }
@@ -152,6 +220,16 @@ impl<'a> Ground<'a> {
             error => {
                 faults.error(place, error.to_string());
             }
+        }
+    }
+
+    /// The first name of a list that is unknown, and its place.
+    fn missing(&self, name: &str, region: &case::Region, place: JsonPath) -> (String, JsonPath) {
+        let case::Region::Edge(edge) = region else { return (name.into(), place) };
+        let is_unknown = |name: &String| self.outline.is_none_or(|outline| outline.members(name).is_none());
+        match edge.name.each().iter().position(is_unknown) {
+            Some(k) if edge.name.is_list() => (edge.name.each()[k].clone(), place.index(k)),
+            _ => (name.into(), place),
         }
     }
 
@@ -181,7 +259,7 @@ impl<'a> Ground<'a> {
     pub(crate) fn region(&self, name: &str, path: &JsonPath, faults: &mut Faults) -> Option<Vec<u32>> {
         let Some(region) = self.named.get(name) else {
             // A region that could not be made has its fault already.
-            if !self.case.regions.contains_key(name) {
+            if !self.case.regions.contains_key(name) && !self.refused.contains(name) {
                 faults
                     .error(path.clone(), format!("there is no region `{name}`"))
                     .hint(suggest(name, self.names()));

@@ -2,9 +2,11 @@
 
 pub(crate) mod bearing;
 pub(crate) mod body;
+pub(crate) mod border_names;
 pub(crate) mod boundary;
 pub(crate) mod counts;
 pub(crate) mod cracks;
+mod drawn;
 pub(crate) mod files;
 pub(crate) mod foreign;
 pub(crate) mod given_body;
