@@ -118,16 +118,38 @@ impl Ellipse {
         [self.arc.centre[0] + c * x - s * y, self.arc.centre[1] + s * x + c * y]
     }
 
-    /// Its start, its end and positions between, of which chords are this far from it at most.
+    /// Its start, its end and positions between, of which chords are this far from it at most. Quarters end on chords: arcs that
+    /// reach farthest to a side do so with a vertex.
     pub(super) fn chords(&self, deviation: f64) -> Vec<Point> {
         let Arc { radius, start, sweep, .. } = self.arc;
         let largest = radius.abs().max(self.across.abs());
-        // At least eight chords go around, and as many into every quarter.
+        // At least eight chords go around.
         let step = (2.0 * (1.0 - (deviation / largest).min(1.0)).acos()).clamp(1e-9, PI / 4.0);
-        let quarters = (sweep.abs() / (0.5 * PI) - 1e-9).ceil().max(1.0);
-        let count = (quarters * (sweep.abs() / (quarters * step) - 1e-9).ceil().max(1.0)).min(MOST);
-        (0..=count as usize).map(|k| self.at(start + sweep * (k as f64 / count))).collect()
+        let mut points = vec![self.at(start)];
+        for ends in quarters(start, start + sweep).windows(2) {
+            let angle = ends[1] - ends[0];
+            let count = (angle.abs() / step - 1e-9).ceil().clamp(1.0, MOST);
+            points.extend((1..=count as usize).map(|k| self.at(ends[0] + angle * (k as f64 / count))));
+        }
+        points
     }
+}
+
+/// An angle, those of quarters behind it and another one; quarters next to an end are left out.
+fn quarters(start: f64, end: f64) -> Vec<f64> {
+    const QUARTER: f64 = 0.5 * PI;
+    const NEAR: f64 = 1e-6;
+    let (low, high) = (start.min(end) + NEAR, start.max(end) - NEAR);
+    let first = (low / QUARTER).ceil();
+    // More than eight quarters are none of an arc.
+    let between = (0..8).map(|k| (first + f64::from(k)) * QUARTER).filter(|angle| *angle <= high);
+    let mut all = vec![start];
+    all.extend(between);
+    if end < start {
+        all[1..].reverse();
+    }
+    all.push(end);
+    all
 }
 
 /// A curve of Bézier by its four positions, as chords.

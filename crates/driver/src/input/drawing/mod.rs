@@ -12,6 +12,8 @@ mod strokes;
 mod svg;
 mod svg_shape;
 
+#[cfg(test)]
+mod tests;
 
 use super::ReadError;
 use super::gmsh::{self, Part};

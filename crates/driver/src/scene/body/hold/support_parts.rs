@@ -9,6 +9,7 @@ use crate::scene::body::site::boundary::{self, is_left_out};
 use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::symmetry::Symmetry;
 use peristat_assembly::body::{BorderMember, Edge, PointBody};
+use std::collections::BTreeSet;
 
 /// How edges of a body are held.
 type Holding<'a> = (&'a Symmetry, &'a dyn Material, &'a EdgeShares<'a>);
@@ -25,17 +26,26 @@ pub(super) fn parts(whole: HeldSupport, names: &Names, ground: &Ground, holding:
     {
         return vec![whole.on(name, ground, material, shares)];
     }
-    let mut held = Vec::new();
+    let (mut held, mut taken) = (Vec::new(), BTreeSet::new());
     for name in names.each() {
-        match is_one(name) {
-            true => held.push(whole.along(points(name, ground), Vec::new()).on(name, ground, material, shares)),
-            false => held.extend(group(&whole, name, ground, holding)),
+        let found = match is_one(name) {
+            true => vec![(whole.along(points(name, ground), Vec::new()), Some(name.clone()))],
+            false => group(&whole, name, ground, holding),
+        };
+        for (mut part, edge) in found {
+            // A point in a corner is held once: what holds the points beside it along both edges says the rest.
+            part.points.retain(|point| taken.insert(*point));
+            held.push(match edge {
+                Some(edge) => part.on(&edge, ground, material, shares),
+                None => part,
+            });
         }
     }
     // Springs alone, which know the points of the whole.
-    if !whole.springs.is_empty() {
-        held.push(whole.springs_alone());
+    if !whole.has_springs() {
+        return held;
     }
+    held.push(whole.springs_alone());
     held
 }
 
@@ -43,8 +53,8 @@ fn points(name: &str, ground: &Ground) -> Vec<u32> {
     ground.region(name, &Default::default(), &mut Faults::default()).unwrap_or_default()
 }
 
-/// A support of a group of parts of the border.
-fn group(whole: &HeldSupport, name: &str, ground: &Ground, (symmetry, material, shares): Holding) -> Vec<HeldSupport> {
+/// A support of a group of parts of the border, with the edges that are held on their lines.
+fn group(whole: &HeldSupport, name: &str, ground: &Ground, (symmetry, material, shares): Holding) -> Vec<(HeldSupport, Option<String>)> {
     let (Some(outline), PointBody::Lattice(lattice)) = (ground.outline, ground.body) else { return Vec::new() };
     let members = outline.members(name).unwrap_or_default().into_iter();
     let members = members.filter(|member| !is_left_out(name, *member, ground, symmetry));
@@ -54,18 +64,12 @@ fn group(whole: &HeldSupport, name: &str, ground: &Ground, (symmetry, material, 
         is_held.then_some(edge)
     };
     let (straight, others): (Vec<BorderMember>, Vec<BorderMember>) = members.partition(|m| on_line(m).is_some());
-    let mut held = Vec::new();
-    let mut taken: Vec<u32> = Vec::new();
-    for edge in straight.iter().filter_map(on_line) {
-        let own = points(&edge.name, ground);
-        taken.extend(&own);
-        held.push(whole.along(own, Vec::new()).on(&edge.name, ground, material, shares));
-    }
+    let edges = straight.iter().filter_map(on_line);
+    let mut held: Vec<_> =
+        edges.map(|edge| (whole.along(points(&edge.name, ground), Vec::new()), Some(edge.name))).collect();
     if !others.is_empty() {
-        taken.sort_unstable();
-        let own = points(name, ground).into_iter().filter(|p| taken.binary_search(p).is_err()).collect();
         let border = others.iter().flat_map(|member| boundary::stretches_of(*member, ground)).collect();
-        held.push(whole.along(own, border));
+        held.push((whole.along(points(name, ground), border), None));
     }
     held
 }

@@ -113,6 +113,10 @@ impl HeldSupport {
         Self { points, border, springs: Vec::new(), ..self.clone() }
     }
 
+    pub(super) fn has_springs(&self) -> bool {
+        !self.springs.is_empty()
+    }
+
     /// Its springs alone.
     pub(super) fn springs_alone(self) -> Self {
         Self { motions: Vec::new(), ..self }
