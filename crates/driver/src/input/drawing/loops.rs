@@ -164,7 +164,8 @@ fn explain(error: &PolygonError, strokes: &[Stroke]) -> ReadError {
     match *error {
         PolygonError::Crosses { first, second } => {
             let (first, second) = (line(first), line(second));
-            ReadError::at(second, format!("the outline crosses or touches itself, at a line of line {first}"))
+            let met = if first == second { String::new() } else { format!(", at what line {first} draws") };
+            ReadError::at(second, format!("the outline crosses or touches itself{met}"))
                 .hint("a border has no crossings: trim lines where they meet")
         }
         ref other => ReadError::at(strokes[0].line, format!("a closed line bounds nothing: {other}")),

@@ -86,6 +86,7 @@ pub(crate) fn build(
             let plan = drawn::plan(b, folder, &path, max_memory, faults)?;
             let snap = Snap::new(&[], &plan.vertices, &plan.holes);
             let made = Outline::curved(snap.positions(&plan.vertices), &plan.sides);
+            let made = made.map_err(|error| drawn::by_sides(error, &plan.sides));
             let mut outline = cut(made, (&plan.holes, plan.file.map(|_| plan.drawn), &snap), &path, faults)?;
             plan.name(b, &mut outline, &path, faults);
             drawn = Some(plan);

@@ -7,7 +7,9 @@ use crate::input::Folder;
 use crate::input::drawing::curve::Arc;
 use crate::input::drawing::{Drawing, DrawnHole};
 use crate::input::gmsh::Part;
-use peristat_assembly::body::{BORDER, BorderMember, Group, Outline, Polygon, SquareLattice};
+use peristat_assembly::body::{
+    BORDER, BorderMember, Group, Outline, OutlineError, Polygon, PolygonError, SquareLattice,
+};
 
 /// How far chords are from their curve at most, spacings.
 const DEVIATION: f64 = 0.01;
@@ -121,6 +123,26 @@ impl Plan {
     /// Points of the named parts of a mesh.
     pub(super) fn groups(&self, lattice: &SquareLattice) -> Vec<Group> {
         self.parts.iter().map(|part| Group { name: part.name.clone(), points: points(part, lattice) }).collect()
+    }
+}
+
+/// A fault of an outline by the numbers of its sides.
+pub(super) fn by_sides(error: OutlineError, sides: &[usize]) -> OutlineError {
+    let side = |edge: usize| {
+        let mut ends = sides.iter().scan(0, |end, count| {
+            *end += count;
+            Some(*end)
+        });
+        ends.position(|end| edge <= end).map_or(edge, |k| k + 1)
+    };
+    match error {
+        OutlineError::Polygon(PolygonError::Crosses { first, second }) => {
+            PolygonError::Crosses { first: side(first), second: side(second) }.into()
+        }
+        OutlineError::Polygon(PolygonError::Repeated { vertex, next }) => {
+            PolygonError::Repeated { vertex: side(vertex), next: side(next) }.into()
+        }
+        other => other,
     }
 }
 
