@@ -2,7 +2,7 @@
 
 use super::super::ReadError;
 use super::ends::Ends;
-use super::strokes::{Circle, Stroke, Strokes};
+use super::strokes::{Circle, Stroke, Strokes, UNTOLD};
 use super::{Drawing, DrawnHole, Loop};
 use peristat_assembly::body::{BorderMember, Polygon, PolygonError};
 use std::collections::BTreeMap;
@@ -12,6 +12,9 @@ use std::f64::consts::PI;
 const MEET: f64 = 1e-6;
 /// Lines go straight on if they turn by less, rad.
 const STRAIGHT: f64 = 1e-9;
+
+/// Chords of a mesh that turn by less are those of a curve, rad.
+const CORNER: f64 = PI / 6.0;
 
 /// A loop with its strokes.
 struct Ring {
@@ -143,7 +146,12 @@ fn together(a: &Stroke, b: &Stroke) -> Option<Stroke> {
             return Some(Stroke { points: vec![from, to], ..a.clone() });
         }
     }
-    let is_curve = a.curve.is_some() && a.curve == b.curve;
+    let [d, e] = [way(&a.points[a.points.len() - 2..]), way(&b.points)];
+    let turn = (d[0] * e[1] - d[1] * e[0]).atan2(d[0] * e[0] + d[1] * e[1]);
+    let is_curve = match a.curve {
+        Some(UNTOLD) => a.curve == b.curve && turn.abs() < CORNER,
+        curve => curve.is_some() && curve == b.curve,
+    };
     is_curve.then(|| {
         let points = a.points.iter().chain(&b.points[1..]).copied().collect();
         Stroke { points, ..a.clone() }

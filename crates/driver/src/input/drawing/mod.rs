@@ -19,7 +19,7 @@ use super::ReadError;
 use super::gmsh::{self, Part};
 use curve::Arc;
 use peristat_assembly::body::BorderMember;
-use strokes::{Stroke, Strokes};
+use strokes::{Stroke, Strokes, UNTOLD};
 
 /// A closed line.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,6 +90,7 @@ pub fn read(bytes: &[u8], deviation: f64) -> Result<Drawing, ReadError> {
 fn of_mesh(border: gmsh::Border) -> Result<(Strokes, Vec<Part>), ReadError> {
     let mut strokes = Strokes::default();
     for gmsh::BorderSide { ends, line, curve, names } in border.sides {
+        let curve = curve.or(Some(UNTOLD));
         strokes.add(Stroke { points: ends.to_vec(), names, line, curve })?;
     }
     Ok((strokes, border.parts))

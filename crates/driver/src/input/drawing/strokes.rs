@@ -24,6 +24,9 @@ pub(crate) struct Circle {
     pub(crate) line: usize,
 }
 
+/// The number of curves of which a mesh tells nothing: Gmsh saves those in physical groups alone.
+pub(crate) const UNTOLD: i64 = i64::MIN;
+
 /// All lines of a drawing.
 #[derive(Debug, Default)]
 pub(crate) struct Strokes {
