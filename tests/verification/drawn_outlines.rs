@@ -13,8 +13,10 @@ use std::path::Path;
 fn solved(case: &Value, (name, text): (&str, &str)) -> Solved {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join(name), text).expect("a file");
-    let source = case::from_text("case", case.to_string(), &[]).unwrap_or_else(|r| panic!("{}", r.render(false)));
-    let loaded = Loaded::from_source(source, folder.path().into(), None).unwrap_or_else(|error| panic!("{error}"));
+    let source =
+        case::from_text("case", case.to_string(), &[]).unwrap_or_else(|r| panic!("{}", r.render(false)));
+    let loaded =
+        Loaded::from_source(source, folder.path().into(), None).unwrap_or_else(|error| panic!("{error}"));
     let options = RunOptions { recover: true, max_memory: None, compare: false };
     loaded.solve(&options).unwrap_or_else(|error| panic!("{error}"))
 }
@@ -41,7 +43,9 @@ fn balance(found: &Solved) -> [[f64; 2]; 2] {
 
 /// A plate 8 by 4 in DXF, its lines in any order, with a hole of radius 0.8 if it is asked for.
 fn dxf(hole: bool) -> String {
-    let line = |layer: &str, [x, y, u, v]: [f64; 4]| format!("0\nLINE\n8\n{layer}\n10\n{x}\n20\n{y}\n11\n{u}\n21\n{v}\n");
+    let line = |layer: &str, [x, y, u, v]: [f64; 4]| {
+        format!("0\nLINE\n8\n{layer}\n10\n{x}\n20\n{y}\n11\n{u}\n21\n{v}\n")
+    };
     let mut text = "0\nSECTION\n2\nENTITIES\n".to_string();
     text += &line("right", [8.0, 4.0, 8.0, 0.0]);
     text += &line("flanks", [0.0, 0.0, 8.0, 0.0]);
@@ -110,7 +114,8 @@ fn pulled(model: &Value, body: Value) -> Value {
 #[test]
 fn a_plate_from_a_file_in_tension_has_one_stress() {
     for model in models() {
-        let files = [("plate.msh", mesh(), 1.0), ("plate.dxf", dxf(false), 1.0), ("plate.svg", svg(false), 0.1)];
+        let files =
+            [("plate.msh", mesh(), 1.0), ("plate.dxf", dxf(false), 1.0), ("plate.svg", svg(false), 0.1)];
         for (name, text, scale) in files {
             let body = json!({ "outline": { "file": name, "spacing": 0.2, "scale": scale } });
             let found = values(&solved(&pulled(&model, body), (name, &text)));
@@ -195,7 +200,8 @@ fn pressure_all_around_arcs_and_holes_is_one_stress() {
 
 #[test]
 fn tractions_on_several_edges_and_half_holes_have_the_force_that_is_asked() {
-    let file = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/plate/lug.dxf")).expect("a file");
+    let file = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/plate/lug.dxf"))
+        .expect("a file");
     for model in models() {
         let case = |loads: Value| {
             json!({ "title": "lug", "units": "mm-N-MPa", "model": model,
@@ -247,7 +253,9 @@ fn several_edges_are_held_as_one_by_one_and_springs_are_shared() {
             "probes": [ { "name": "u", "at": { "x": 4, "y": 2 }, "field": "ux" }, { "name": "v", "at": { "x": 4, "y": 2 }, "field": "uy" } ] })
     };
     let together = case(json!([{ "at": { "region": ["left", "right"] }, "ux": 0, "uy": 0 }]));
-    let apart = case(json!([{ "at": { "region": "left" }, "ux": 0, "uy": 0 }, { "at": { "region": "right" }, "ux": 0, "uy": 0 }]));
+    let apart = case(
+        json!([{ "at": { "region": "left" }, "ux": 0, "uy": 0 }, { "at": { "region": "right" }, "ux": 0, "uy": 0 }]),
+    );
     let [a, b] = [together, apart].map(|case| values(&written(&case)));
     a.iter().zip(&b).for_each(|(a, b)| assert!((a / b - 1.0).abs() < 1e-10, "{a} {b}"));
     // A force of 3 by 32 on springs of 1000 moves all by as much, and the strain beside it is small.

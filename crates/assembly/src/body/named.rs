@@ -130,7 +130,9 @@ mod tests {
         let names: Vec<&str> = outline.border_names().collect();
         assert_eq!(names, ["edge_1", "edge_2", "edge_4", "edge_5", "edge_3", "window"]);
         assert_eq!(outline.members("edge_3"), Some(vec![BorderMember::Edge(2), BorderMember::Edge(3)]));
-        assert!(outline.calls("edge_3", &outline.edges()[2]) && !outline.calls("edge_3", &outline.edges()[1]));
+        assert!(
+            outline.calls("edge_3", &outline.edges()[2]) && !outline.calls("edge_3", &outline.edges()[1])
+        );
         assert_eq!(outline.members("window"), Some(vec![BorderMember::Hole(0)]));
         assert_eq!(outline.members("roof"), None);
     }

@@ -53,8 +53,7 @@ impl Arc {
         let (half, d) = (0.5 * sweep, [to[0] - from[0], to[1] - from[1]]);
         // From the middle of the chord to the centre, in chords.
         let off = 0.5 / half.tan();
-        let centre =
-            [0.5 * (from[0] + to[0]) - off * d[1], 0.5 * (from[1] + to[1]) + off * d[0]];
+        let centre = [0.5 * (from[0] + to[0]) - off * d[1], 0.5 * (from[1] + to[1]) + off * d[0]];
         let start = (from[1] - centre[1]).atan2(from[0] - centre[0]);
         Self { centre, radius: (from[0] - centre[0]).hypot(from[1] - centre[1]), start, sweep }
     }
@@ -100,10 +99,8 @@ impl Ellipse {
         let square = (x / a).powi(2) + (y / b).powi(2);
         let share = ((1.0 / square - 1.0).max(0.0)).sqrt() * if large == grows { -1.0 } else { 1.0 };
         let [cx, cy] = [share * a * y / b, -share * b * x / a];
-        let centre = [
-            cos * cx - sin * cy + 0.5 * (from[0] + to[0]),
-            sin * cx + cos * cy + 0.5 * (from[1] + to[1]),
-        ];
+        let centre =
+            [cos * cx - sin * cy + 0.5 * (from[0] + to[0]), sin * cx + cos * cy + 0.5 * (from[1] + to[1])];
         let start = ((y - cy) / b).atan2((x - cx) / a);
         let end = ((-y - cy) / b).atan2((-x - cx) / a);
         let sweep = if grows { (end - start).rem_euclid(TAU) } else { -(start - end).rem_euclid(TAU) };

@@ -30,7 +30,9 @@ pub(super) fn read(bytes: &[u8], deviation: f64) -> Result<Strokes, ReadError> {
     let mut open: Option<Polyline> = None;
     for entity in entities(bytes)? {
         if let Some((_, hint)) = REFUSED.iter().find(|(kind, _)| *kind == entity.kind) {
-            return Err(ReadError::at(entity.line, format!("entities `{}` are not read", entity.kind)).hint(hint));
+            return Err(
+                ReadError::at(entity.line, format!("entities `{}` are not read", entity.kind)).hint(hint)
+            );
         }
         match entity.kind {
             "LINE" => {
@@ -72,7 +74,8 @@ pub(super) fn read(bytes: &[u8], deviation: f64) -> Result<Strokes, ReadError> {
 /// The entities of the model.
 fn entities(bytes: &[u8]) -> Result<Vec<Entity<'_>>, ReadError> {
     let mut pairs = Pairs::new(bytes);
-    let (mut found, mut is_named, mut is_inside, mut has_section) = (Vec::<Entity>::new(), false, false, false);
+    let (mut found, mut is_named, mut is_inside, mut has_section) =
+        (Vec::<Entity>::new(), false, false, false);
     while let Some(pair) = pairs.next()? {
         match (pair.code, pair.value) {
             (0, "SECTION") => is_named = true,
@@ -90,7 +93,8 @@ fn entities(bytes: &[u8]) -> Result<Vec<Entity<'_>>, ReadError> {
             _ => {}
         }
     }
-    let missing = || ReadError::whole("has no section `ENTITIES`").hint("export the drawing again, as DXF in ASCII");
+    let missing =
+        || ReadError::whole("has no section `ENTITIES`").hint("export the drawing again, as DXF in ASCII");
     // Lines of the paper are no part of the model.
     found.retain(|entity| entity.bits(67) == 0);
     if has_section { Ok(found) } else { Err(missing()) }

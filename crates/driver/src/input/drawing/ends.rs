@@ -48,12 +48,22 @@ impl Ends {
             match strokes_here.len() {
                 2 => {}
                 1 => {
-                    return Err(ReadError::at(line(0), format!("the outline is open at ({x}, {y}): nothing goes on there"))
-                        .hint("join the ends of its lines; they meet if they are a millionth of the drawing apart"));
+                    return Err(ReadError::at(
+                        line(0),
+                        format!("the outline is open at ({x}, {y}): nothing goes on there"),
+                    )
+                    .hint(
+                        "join the ends of its lines; they meet if they are a millionth of the drawing apart",
+                    ));
                 }
                 count => {
-                    return Err(ReadError::at(line(2), format!("{count} lines end at ({x}, {y}), the first one in line {}", line(0)))
-                        .hint("an outline has two at every corner: remove lines that are no border, or drawn twice"));
+                    return Err(ReadError::at(
+                        line(2),
+                        format!("{count} lines end at ({x}, {y}), the first one in line {}", line(0)),
+                    )
+                    .hint(
+                        "an outline has two at every corner: remove lines that are no border, or drawn twice",
+                    ));
                 }
             }
         }

@@ -52,7 +52,9 @@ pub(super) fn drawing(strokes: Strokes) -> Result<Drawing, ReadError> {
     let ends = Ends::new(&strokes, within)?;
     let mut rings = Vec::new();
     for walk in ends.loops() {
-        rings.push(Ring::new(walk.into_iter().map(|(k, backwards)| walked(&strokes[k], backwards)).collect())?);
+        rings.push(Ring::new(
+            walk.into_iter().map(|(k, backwards)| walked(&strokes[k], backwards)).collect(),
+        )?);
     }
     let area = |k: &usize| rings[*k].polygon.area();
     let largest = (0..rings.len()).max_by(|a, b| area(a).total_cmp(&area(b))).unwrap_or(0);
@@ -129,7 +131,11 @@ fn vertices(strokes: &[Stroke]) -> Vec<[f64; 2]> {
 fn signed_area(vertices: &[[f64; 2]]) -> f64 {
     let o = vertices.first().copied().unwrap_or_default();
     let next = vertices.iter().skip(1);
-    vertices.iter().zip(next).map(|(a, b)| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0])).sum()
+    vertices
+        .iter()
+        .zip(next)
+        .map(|(a, b)| (a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]))
+        .sum()
 }
 
 /// Two strokes that follow each other as one: where a line goes straight on, and where both are parts of a curve.

@@ -67,7 +67,9 @@ pub fn read(bytes: &[u8], deviation: f64) -> Result<Drawing, ReadError> {
         _ if gmsh::is_mesh(bytes) => of_mesh(gmsh::read_border(bytes)?)?,
         [b'<', ..] => (svg::read(bytes, deviation)?, Vec::new()),
         _ if text.starts_with(b"AutoCAD Binary DXF") => {
-            return Err(ReadError::whole("is a binary DXF file, ASCII is read").hint("save it as DXF in ASCII"));
+            return Err(
+                ReadError::whole("is a binary DXF file, ASCII is read").hint("save it as DXF in ASCII")
+            );
         }
         [b'0' | b'9', ..] => (dxf::read(bytes, deviation)?, Vec::new()),
         _ => {

@@ -46,8 +46,11 @@ impl Strokes {
         }
         self.positions += stroke.points.len();
         if self.positions > MOST {
-            return Err(ReadError::at(stroke.line, format!("the curves up to here have more than {MOST} chords"))
-                .hint("use a larger spacing: chords are a hundredth of it from their curve"));
+            return Err(ReadError::at(
+                stroke.line,
+                format!("the curves up to here have more than {MOST} chords"),
+            )
+            .hint("use a larger spacing: chords are a hundredth of it from their curve"));
         }
         self.strokes.push(stroke);
         Ok(())

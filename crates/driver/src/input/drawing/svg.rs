@@ -54,7 +54,8 @@ impl Axes {
     pub(super) fn scale(&self) -> Option<f64> {
         let [a, b, c, d, ..] = self.by;
         let scale = a.hypot(b);
-        let is_same = (c.hypot(d) - scale).abs() <= 1e-9 * scale && (a * c + b * d).abs() <= 1e-9 * scale * scale;
+        let is_same =
+            (c.hypot(d) - scale).abs() <= 1e-9 * scale && (a * c + b * d).abs() <= 1e-9 * scale * scale;
         is_same.then_some(scale)
     }
 }
@@ -66,11 +67,14 @@ pub(super) fn line(node: Node) -> usize {
 
 /// Reads the lines of a drawing.
 pub(super) fn read(bytes: &[u8], deviation: f64) -> Result<Strokes, ReadError> {
-    let text = std::str::from_utf8(bytes).map_err(|_| ReadError::whole("is no UTF-8 text").hint("save the SVG as UTF-8"))?;
+    let text = std::str::from_utf8(bytes)
+        .map_err(|_| ReadError::whole("is no UTF-8 text").hint("save the SVG as UTF-8"))?;
     check_depth(bytes)?;
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(text, options)
-        .map_err(|error| ReadError::at(error.pos().row as usize, format!("the XML is broken: {error}")))?;
+    let document = Document::parse_with_options(text, options).map_err(|error| {
+        ReadError::at(error.pos().row as usize, format!("the XML is broken: {error}"))
+            .hint("export the drawing again")
+    })?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
         return Err(ReadError::at(line(root), format!("expected `svg`, found `{}`", root.tag_name().name())));
@@ -84,7 +88,8 @@ pub(super) fn read(bytes: &[u8], deviation: f64) -> Result<Strokes, ReadError> {
             continue;
         }
         if name == "use" {
-            return Err(ReadError::at(line(node), "elements `use` are not read").hint("unlink clones before the export"));
+            return Err(ReadError::at(line(node), "elements `use` are not read")
+                .hint("unlink clones before the export"));
         }
         let axes = match node.attribute("transform") {
             Some(text) => axes.then(Transform::from_str(text).map_err(|error| {
@@ -111,7 +116,10 @@ fn check_depth(bytes: &[u8]) -> Result<(), ReadError> {
             _ => {}
         }
         if depth > DEEPEST {
-            return Err(ReadError::at(row, format!("elements are more than {DEEPEST} deep within each other")));
+            return Err(ReadError::at(
+                row,
+                format!("elements are more than {DEEPEST} deep within each other"),
+            ));
         }
     }
     Ok(())
@@ -125,7 +133,9 @@ fn upwards(root: Node) -> Result<Axes, ReadError> {
             let view = ViewBox::from_str(text).map_err(|_| broken("viewBox"))?;
             [view.x, view.y + view.h]
         }
-        None => [0.0, root.attribute("height").and_then(|h| h.trim_end_matches("px").parse().ok()).unwrap_or(0.0)],
+        None => {
+            [0.0, root.attribute("height").and_then(|h| h.trim_end_matches("px").parse().ok()).unwrap_or(0.0)]
+        }
     };
     Ok(Axes { by: [1.0, 0.0, 0.0, -1.0, -corner[0], corner[1]] })
 }

@@ -49,8 +49,9 @@ impl Shape<'_, '_> {
     fn number(&self, key: &str, otherwise: Option<f64>) -> Result<f64, ReadError> {
         let Some(text) = self.node.attribute(key) else {
             let kind = self.node.tag_name().name();
-            return otherwise
-                .ok_or_else(|| ReadError::at(line(self.node), format!("the `{kind}` has no attribute `{key}`")));
+            return otherwise.ok_or_else(|| {
+                ReadError::at(line(self.node), format!("the `{kind}` has no attribute `{key}`"))
+            });
         };
         let value = text.trim().trim_end_matches("px").parse::<f64>().ok().filter(|x| x.is_finite());
         value.ok_or_else(|| {
@@ -73,13 +74,18 @@ impl Shape<'_, '_> {
     fn rectangle(&self, to: &mut Strokes) -> Result<(), ReadError> {
         let [x, y] = [self.number("x", Some(0.0))?, self.number("y", Some(0.0))?];
         let [w, h] = [self.number("width", None)?, self.number("height", None)?];
-        let rx = self.number("rx", Some(f64::NAN)).or_else(|e| if self.node.has_attribute("rx") { Err(e) } else { Ok(0.0) })?;
-        let ry = self.number("ry", Some(f64::NAN)).or_else(|e| if self.node.has_attribute("ry") { Err(e) } else { Ok(0.0) })?;
+        let rx = self
+            .number("rx", Some(f64::NAN))
+            .or_else(|e| if self.node.has_attribute("rx") { Err(e) } else { Ok(0.0) })?;
+        let ry = self
+            .number("ry", Some(f64::NAN))
+            .or_else(|e| if self.node.has_attribute("ry") { Err(e) } else { Ok(0.0) })?;
         // One radius is both.
         let [rx, ry] = [if rx.is_nan() { ry } else { rx }, if ry.is_nan() { rx } else { ry }];
         let clean = |r: f64, side: f64| if r.is_nan() { 0.0 } else { r.clamp(0.0, (0.5 * side).max(0.0)) };
         let (rx, ry) = (clean(rx, w), clean(ry, h));
-        let corners = [[x, y, 1.0, 1.0], [x + w, y, -1.0, 1.0], [x + w, y + h, -1.0, -1.0], [x, y + h, 1.0, -1.0]];
+        let corners =
+            [[x, y, 1.0, 1.0], [x + w, y, -1.0, 1.0], [x + w, y + h, -1.0, -1.0], [x, y + h, 1.0, -1.0]];
         for k in 0..4 {
             let ([ax, ay, ai, aj], [bx, by, bi, bj]) = (corners[k], corners[(k + 1) % 4]);
             let is_flat = k % 2 == 0;
@@ -114,9 +120,8 @@ impl Shape<'_, '_> {
         let text = self.node.attribute("d").unwrap_or_default();
         let mut pen = Pen::default();
         for segment in PathParser::from(text) {
-            let segment = segment.map_err(|error| {
-                ReadError::at(line(self.node), format!("the path is broken: {error}"))
-            })?;
+            let segment = segment
+                .map_err(|error| ReadError::at(line(self.node), format!("the path is broken: {error}")))?;
             if let Some(points) = pen.chords(segment, self.deviation) {
                 self.add(points, to)?;
             }
@@ -185,7 +190,8 @@ impl Pen {
             }
             S::EllipticalArc { abs, rx, ry, x_axis_rotation, large_arc, sweep, x, y } => {
                 let end = place(abs, x, y);
-                let arc = Ellipse::of_svg([from, end], [rx, ry], x_axis_rotation.to_radians(), (large_arc, sweep));
+                let arc =
+                    Ellipse::of_svg([from, end], [rx, ry], x_axis_rotation.to_radians(), (large_arc, sweep));
                 (end, arc.map(|arc| ended(arc.chords(deviation), from, end)))
             }
         };

@@ -58,8 +58,19 @@ fn lines_in_any_order_and_direction_are_a_loop_with_the_names_of_layers() {
 fn bulges_arcs_circles_and_paths_are_the_same_shape() {
     // A stadium 4 by 2 with a hole.
     let polyline: &[(i32, &str)] = &[
-        (8, "rim"), (90, "4"), (70, "1"), (10, "1"), (20, "0"), (10, "3"), (20, "0"), (42, "1"),
-        (10, "3"), (20, "2"), (10, "1"), (20, "2"), (42, "1"),
+        (8, "rim"),
+        (90, "4"),
+        (70, "1"),
+        (10, "1"),
+        (20, "0"),
+        (10, "3"),
+        (20, "0"),
+        (42, "1"),
+        (10, "3"),
+        (20, "2"),
+        (10, "1"),
+        (20, "2"),
+        (42, "1"),
     ];
     let circle: &[(i32, &str)] = &[(8, "bore"), (10, "2"), (20, "1"), (40, "0.5")];
     let by_bulge = drawn(&dxf(&[("LWPOLYLINE", polyline), ("CIRCLE", circle)]));
@@ -95,11 +106,9 @@ fn bulges_arcs_circles_and_paths_are_the_same_shape() {
 
 #[test]
 fn transforms_and_shapes_of_svg_are_where_they_are_drawn() {
-    let found = drawn(&svg(
-        "<defs><rect width='1' height='1'/></defs>
+    let found = drawn(&svg("<defs><rect width='1' height='1'/></defs>
          <g transform='translate(2 1)'><rect id='plate' width='8' height='6'/>
-         <g transform='scale(2)'><polygon points='1,1 2,1 1,2'/></g></g>",
-    ));
+         <g transform='scale(2)'><polygon points='1,1 2,1 1,2'/></g></g>"));
     assert_eq!(found.border.vertices, [[2.0, 3.0], [10.0, 3.0], [10.0, 9.0], [2.0, 9.0]]);
     let DrawnHole::Loop(hole) = &found.holes[0] else { panic!("a loop") };
     assert_eq!(hole.vertices, [[4.0, 5.0], [6.0, 7.0], [4.0, 7.0]]);
@@ -127,7 +136,10 @@ fn faults_say_the_line_and_what_is_wrong() {
         (svg("<path d='M0 0H4V4H0Z M0 0L4 4'/>"), "3 lines end at"),
         (svg("<path d='M0 0L4 4V0L0 4Z'/>"), "crosses or touches itself"),
         (svg(&(square(0.0) + &square(6.0))), "line 3: there is a second outline beside that of line 2"),
-        (svg(&(square(0.0) + "<circle cx='2' cy='2' r='1.5'/><circle cx='2' cy='2' r='1'/>")), "is in the hole of line 3"),
+        (
+            svg(&(square(0.0) + "<circle cx='2' cy='2' r='1.5'/><circle cx='2' cy='2' r='1'/>")),
+            "is in the hole of line 3",
+        ),
         (svg("<text>plate</text>"), "has no closed line"),
         (svg("<use href='#a'/>"), "line 2: elements `use` are not read"),
         (svg("<rect width='4mm' height='4'/>"), "expected a number of `width`, found `4mm`"),

@@ -17,8 +17,8 @@ mod tests;
 use super::ReadError;
 use super::lines::Lines;
 use super::surface::SolidFile;
-use peristat_assembly::body::Cloud;
 pub use border::{Border, BorderSide, Part};
+use peristat_assembly::body::Cloud;
 use sections::Raw;
 
 /// A side of an element on a curve; the element is on its left.

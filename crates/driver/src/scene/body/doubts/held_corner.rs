@@ -63,9 +63,8 @@ fn has_one_stress(scene: &BodyScene) -> bool {
 /// The ends of edges that are held and that are ends of free edges, too.
 fn corners(scene: &BodyScene) -> Vec<Corner<'_>> {
     let Some(outline) = scene.outline() else { return Vec::new() };
-    let named = |edge: &Edge| {
-        scene.case.supports.iter().filter(|s| is_at(&s.at, edge, outline)).collect::<Vec<_>>()
-    };
+    let named =
+        |edge: &Edge| scene.case.supports.iter().filter(|s| is_at(&s.at, edge, outline)).collect::<Vec<_>>();
     let symmetry = &scene.inputs.symmetry;
     // Where bonds end on the border, so do the points that hold an edge.
     let is_exact = scene.model.edges() == Some(Edges::Border);

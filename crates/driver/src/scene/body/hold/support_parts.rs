@@ -15,10 +15,18 @@ use std::collections::BTreeSet;
 type Holding<'a> = (&'a Symmetry, &'a dyn Material, &'a EdgeShares<'a>);
 
 /// A support by what its names call; springs are shared by all of its points.
-pub(super) fn parts(whole: HeldSupport, names: &Names, ground: &Ground, holding: Holding) -> Vec<HeldSupport> {
+pub(super) fn parts(
+    whole: HeldSupport,
+    names: &Names,
+    ground: &Ground,
+    holding: Holding,
+) -> Vec<HeldSupport> {
     let (_, material, shares) = holding;
     let is_one = |name: &str| match ground.outline.and_then(|outline| outline.members(name)) {
-        Some(members) => members.len() == 1 && ground.outline.is_some_and(|o| o.edge(name).is_some() || o.hole(name).is_some()),
+        Some(members) => {
+            members.len() == 1
+                && ground.outline.is_some_and(|o| o.edge(name).is_some() || o.hole(name).is_some())
+        }
         None => true,
     };
     if let [name] = names.each()
@@ -54,8 +62,15 @@ fn points(name: &str, ground: &Ground) -> Vec<u32> {
 }
 
 /// A support of a group of parts of the border, with the edges that are held on their lines.
-fn group(whole: &HeldSupport, name: &str, ground: &Ground, (symmetry, material, shares): Holding) -> Vec<(HeldSupport, Option<String>)> {
-    let (Some(outline), PointBody::Lattice(lattice)) = (ground.outline, ground.body) else { return Vec::new() };
+fn group(
+    whole: &HeldSupport,
+    name: &str,
+    ground: &Ground,
+    (symmetry, material, shares): Holding,
+) -> Vec<(HeldSupport, Option<String>)> {
+    let (Some(outline), PointBody::Lattice(lattice)) = (ground.outline, ground.body) else {
+        return Vec::new();
+    };
     let members = outline.members(name).unwrap_or_default().into_iter();
     let members = members.filter(|member| !is_left_out(name, *member, ground, symmetry));
     let on_line = |member: &BorderMember| -> Option<Edge> {
@@ -63,7 +78,8 @@ fn group(whole: &HeldSupport, name: &str, ground: &Ground, (symmetry, material, 
         let is_held = material.cylinder_radius().is_some() || HeldEdge::new(&edge, lattice, shares).is_some();
         is_held.then_some(edge)
     };
-    let (straight, others): (Vec<BorderMember>, Vec<BorderMember>) = members.partition(|m| on_line(m).is_some());
+    let (straight, others): (Vec<BorderMember>, Vec<BorderMember>) =
+        members.partition(|m| on_line(m).is_some());
     let edges = straight.iter().filter_map(on_line);
     let mut held: Vec<_> =
         edges.map(|edge| (whole.along(points(&edge.name, ground), Vec::new()), Some(edge.name))).collect();

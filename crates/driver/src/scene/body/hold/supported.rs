@@ -57,7 +57,9 @@ pub(crate) fn conditions(
                 last.equations.extend(equations);
                 last.springs.end = springs.end;
             }
-            None => supports.push(BodySupport { name: h.name.clone(), path: h.path.clone(), equations, springs }),
+            None => {
+                supports.push(BodySupport { name: h.name.clone(), path: h.path.clone(), equations, springs })
+            }
         }
     }
     let end = conditions.springs.len();

@@ -89,7 +89,13 @@ pub(crate) fn held(
 
 impl HeldSupport {
     /// The same on what a name calls, if that is one edge, one hole, one face, or a region.
-    pub(super) fn on(mut self, name: &str, ground: &Ground, material: &dyn Material, shares: &EdgeShares) -> Self {
+    pub(super) fn on(
+        mut self,
+        name: &str,
+        ground: &Ground,
+        material: &dyn Material,
+        shares: &EdgeShares,
+    ) -> Self {
         self.border = border(name, ground);
         if let PointBody::Solid(lattice) = ground.body {
             let wall = ground.walls.iter().find(|wall| wall.name == *name);

@@ -1,5 +1,6 @@
 //! The points of a body and its border.
 
+use super::drawn::Plan;
 use super::snap::Snap;
 use super::{border_names, boundary, drawn, files, solid, solid_file};
 use crate::case::{Body, Case, Hole};
@@ -119,6 +120,19 @@ pub(crate) fn build(
         }
     };
     border_names::give(case, &mut outline);
+    fill((case, keys), (outline, spacing), drawn, max_memory, faults)
+}
+
+/// An outline filled with points.
+fn fill(
+    (case, keys): (&Case, &dyn Keys),
+    (outline, spacing): (Outline, f64),
+    drawn: Option<Plan>,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Built> {
+    let path = path(case);
+    let before = drawn.as_ref().map_or(0, |plan| plan.drawn);
     let key = match (outline.is_rectangle(), is_from_file(case)) {
         (true, _) => "from",
         (_, true) => "file",
@@ -130,7 +144,7 @@ pub(crate) fn build(
     let filled = outline.cells(spacing, keys.lattice_angle()).and_then(|cells| {
         let box_points = f64::from(cells[0]) * f64::from(cells[1]);
         let fits = fits(&outline, box_points, max_memory, &path, faults)
-            && boundary::fits(&outline, spacing, max_memory, (&path, drawn.as_ref().map_or(0, |p: &drawn::Plan| p.drawn)), faults);
+            && boundary::fits(&outline, spacing, max_memory, (&path, before), faults);
         Ok(if fits { Some(outline.fill_turned(spacing, keys.lattice_angle())?) } else { None })
     });
     match filled {
@@ -146,7 +160,7 @@ pub(crate) fn build(
                 (_, Some(plan)) => &plan.holes,
                 _ => &[],
             };
-            unfilled(&error, (holes, drawn.as_ref().map_or(0, |plan| plan.drawn)), &path, faults);
+            unfilled(&error, (holes, before), &path, faults);
             None
         }
     }
@@ -296,10 +310,7 @@ fn unfilled(error: &FillError, (holes, drawn): (&[Hole], usize), path: &JsonPath
                 None => "this hole".into(),
             };
             faults
-                .error(
-                    place,
-                    format!("no cell has its centre in {called}: it would do nothing"),
-                )
+                .error(place, format!("no cell has its centre in {called}: it would do nothing"))
                 .hint("use a smaller spacing; a hole needs several cells to be one");
         }
     }

@@ -72,3 +72,19 @@ pub(crate) fn is_whole(name: &str, outline: &Outline) -> bool {
     let is_aside = |name: &str| outline.groups().iter().any(|group| group.name == name && !group.is_known);
     [ALL, OUTER].contains(&name) && is_aside(name)
 }
+
+/// Edges of the outline that names have, by the names of the edges; the whole border has none that is worth a fault.
+pub(crate) fn edges_of(outline: Option<&Outline>, names: &Names) -> Vec<String> {
+    let mut found = Vec::new();
+    for name in names.each() {
+        match outline.and_then(|outline| Some((outline, outline.members(name)?))) {
+            Some((outline, _)) if is_whole(name, outline) => {}
+            Some((outline, members)) => {
+                let edges = members.into_iter().filter(|m| matches!(m, BorderMember::Edge(_)));
+                found.extend(edges.filter_map(|m| outline.straight(m)).map(|edge| edge.name));
+            }
+            None => found.push(name.clone()),
+        }
+    }
+    found
+}

@@ -36,7 +36,9 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
         Load::BodyForce(load) => load.region.as_ref().map_or(0.0, |_| at(load.region.as_deref())),
         Load::Gravity(load) => load.region.as_ref().map_or(0.0, |_| at(load.region.as_deref())),
         // Every point has a force of its own.
-        Load::Spin(load) => load.region.as_ref().map_or(ground.body.points() as f64, |_| at(load.region.as_deref())),
+        Load::Spin(load) => {
+            load.region.as_ref().map_or(ground.body.points() as f64, |_| at(load.region.as_deref()))
+        }
         Load::Traction(load) => at(load.border().map(|(_, name)| name)),
         Load::Distributed(_) | Load::Pressure(_) => 0.0,
     };

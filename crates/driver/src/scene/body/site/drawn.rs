@@ -80,7 +80,9 @@ impl Plan {
             names.iter().find(is_it).map(|(name, _)| name.clone())
         };
         let hole = |(k, hole): (usize, DrawnHole)| match hole {
-            DrawnHole::Circle { centre, radius } => Hole::Circle(CircleHole { name: name(k), centre, radius }),
+            DrawnHole::Circle { centre, radius } => {
+                Hole::Circle(CircleHole { name: name(k), centre, radius })
+            }
             DrawnHole::Loop(hole) => Hole::Polygon(PolygonHole { name: name(k), vertices: hole.vertices }),
         };
         let mut holes: Vec<Hole> = holes.into_iter().enumerate().map(hole).collect();
@@ -92,7 +94,13 @@ impl Plan {
     }
 
     /// Gives an outline the names of the drawing, and those of the case.
-    pub(super) fn name(&self, given: &OutlineBody, outline: &mut Outline, path: &JsonPath, faults: &mut Faults) {
+    pub(super) fn name(
+        &self,
+        given: &OutlineBody,
+        outline: &mut Outline,
+        path: &JsonPath,
+        faults: &mut Faults,
+    ) {
         for (name, members) in &self.names {
             outline.name(name, members.clone());
         }
@@ -122,7 +130,10 @@ impl Plan {
 
     /// Points of the named parts of a mesh.
     pub(super) fn groups(&self, lattice: &SquareLattice) -> Vec<Group> {
-        self.parts.iter().map(|part| Group { name: part.name.clone(), points: points(part, lattice) }).collect()
+        self.parts
+            .iter()
+            .map(|part| Group { name: part.name.clone(), points: points(part, lattice) })
+            .collect()
     }
 }
 
@@ -225,7 +236,10 @@ fn arc(from: [f64; 2], to: &ArcTo, path: &JsonPath, faults: &mut Faults) -> Opti
             if start.max(end) == 0.0 || (start - end).abs() > SAME * start.max(end) {
                 let [start, end] = [start, end].map(tidy);
                 faults
-                    .error(path.key("centre"), format!("the centre of this arc is {start} from its start and {end} from its end"))
+                    .error(
+                        path.key("centre"),
+                        format!("the centre of this arc is {start} from its start and {end} from its end"),
+                    )
                     .hint("give a centre as far from both, or a position `through` which the arc runs");
                 return None;
             }
@@ -238,7 +252,11 @@ fn arc(from: [f64; 2], to: &ArcTo, path: &JsonPath, faults: &mut Faults) -> Opti
             Some(Arc::around(centre, from, to.arc_to, to.clockwise))
         }
         (both, _) => {
-            let message = if both.is_some() { "`through` and `centre` are both given" } else { "this arc has neither `through` nor `centre`" };
+            let message = if both.is_some() {
+                "`through` and `centre` are both given"
+            } else {
+                "this arc has neither `through` nor `centre`"
+            };
             faults.error(path.clone(), message).hint("give one of `through` and `centre`");
             None
         }

@@ -2,11 +2,11 @@
 
 use super::border_names::{self, List};
 use super::regions;
-use crate::case::{self, At, Case, Names};
+use crate::case::{At, Case, Names};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use crate::scene::words;
 use peristat_assembly::body::{
-    BorderMember, Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
+    Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -104,7 +104,8 @@ impl<'a> Ground<'a> {
         }
         let hidden = aside.keys().cloned().collect();
         named.extend(aside);
-        let mut ground = Self { case, body, outline, walls, parts, named, aside: hidden, refused: BTreeSet::new() };
+        let mut ground =
+            Self { case, body, outline, walls, parts, named, aside: hidden, refused: BTreeSet::new() };
         ground.join_lists(faults);
         for name in case.regions.keys().filter(|name| !kinds.contains_key(*name)) {
             ground.define(name, &root("regions").key(name), faults);
@@ -122,20 +123,9 @@ impl<'a> Ground<'a> {
         self.named.get_key_value(name).map(|(own, _)| own.as_str())
     }
 
-    /// Edges of the outline that names have, by the names of the edges; the whole border has none that is worth a fault.
+    /// As [`border_names::edges_of`].
     pub(crate) fn edges_of(&self, names: &Names) -> Vec<String> {
-        let mut found = Vec::new();
-        for name in names.each() {
-            match self.outline.and_then(|outline| Some((outline, outline.members(name)?))) {
-                Some((outline, _)) if border_names::is_whole(name, outline) => {}
-                Some((outline, members)) => {
-                    let edges = members.into_iter().filter(|m| matches!(m, BorderMember::Edge(_)));
-                    found.extend(edges.filter_map(|m| outline.straight(m)).map(|edge| edge.name));
-                }
-                None => found.push(name.clone()),
-            }
-        }
-        found
+        border_names::edges_of(self.outline, names)
     }
 
     /// Lists of places as regions, where they are no parts of the border alone.
@@ -184,52 +174,6 @@ impl<'a> Ground<'a> {
             }
             Ok(_) => {}
             Err(error) => self.refuse(&error, name, path, faults),
-        }
-    }
-
-    fn refuse(&self, error: &RegionError, region: &str, path: &JsonPath, faults: &mut Faults) {
-        let place = match (&self.case.regions[region], error) {
-            (case::Region::Edge(_), RegionError::Unknown { .. }) => path.key("edge").key("name"),
-            (case::Region::Face(_), RegionError::Unknown { .. }) => path.key("face").key("name"),
-            (case::Region::Face(_), _) => path.key("face").key("depth"),
-            (case::Region::Ball(_), RegionError::NotPositive { .. }) => path.key("ball").key("radius"),
-            (case::Region::HalfSpace(_), RegionError::Position { what }) => path.key("half_space").key(*what),
-            (case::Region::Hole(_), RegionError::Unknown { .. }) => path.key("hole").key("name"),
-            (case::Region::Group(_), _) => path.key("group"),
-            (case::Region::Union(_), _) => path.key("union"),
-            (case::Region::Edge(_), _) => path.key("edge").key("depth"),
-            (case::Region::Hole(_), _) => path.key("hole").key("depth"),
-            (case::Region::Disc(_), RegionError::NotPositive { .. }) => path.key("disc").key("radius"),
-            (case::Region::HalfPlane(_), RegionError::Position { what }) => path.key("half_plane").key(*what),
-            _ => path.clone(),
-        };
-        match error {
-            RegionError::Unknown { kind, name, known } => {
-                let (name, place) = self.missing(name, &self.case.regions[region], place);
-                let hint = match (*kind, known.is_empty()) {
-                    ("edge", true) => "edges are those of the bodies `rectangle` and `outline`".to_string(),
-                    ("hole", true) => "no hole of the body has a name".into(),
-                    ("group", true) => "groups are those of a mesh with named physical groups".into(),
-                    _ => suggest(&name, known.iter().map(String::as_str)),
-                };
-                faults.error(place, format!("there is no {kind} `{name}`")).hint(hint);
-            }
-            RegionError::NotPositive { what, found } => {
-                faults.error(place, format!("`{what}` must be greater than zero, found {found}"));
-            }
-            error => {
-                faults.error(place, error.to_string());
-            }
-        }
-    }
-
-    /// The first name of a list that is unknown, and its place.
-    fn missing(&self, name: &str, region: &case::Region, place: JsonPath) -> (String, JsonPath) {
-        let case::Region::Edge(edge) = region else { return (name.into(), place) };
-        let is_unknown = |name: &String| self.outline.is_none_or(|outline| outline.members(name).is_none());
-        match edge.name.each().iter().position(is_unknown) {
-            Some(k) if edge.name.is_list() => (edge.name.each()[k].clone(), place.index(k)),
-            _ => (name.into(), place),
         }
     }
 

@@ -16,6 +16,7 @@ pub(crate) mod interpolate;
 pub(crate) mod model_inputs;
 pub(crate) mod of_case;
 pub(crate) mod periodic;
+mod region_faults;
 pub(crate) mod regions;
 pub(crate) mod resultants;
 pub(crate) mod size;

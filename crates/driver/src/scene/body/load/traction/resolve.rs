@@ -26,32 +26,8 @@ pub(crate) fn resolve(
     for name in context.ground.edges_of(edge) {
         crate::scene::body::hold::supports::not_mirrored(Some(&name), &place, context.symmetry, faults);
     }
-    let borders =
-        boundary::find(edge, context.ground, (context.curves, context.symmetry), &place, faults);
-    let given = [
-        ("uniform", load.uniform.is_some()),
-        ("linear", load.linear.is_some()),
-        ("parabolic", load.parabolic.is_some()),
-        ("pressure", load.pressure.is_some()),
-        ("total", load.total.is_some()),
-        ("hertz", load.hertz.is_some()),
-    ];
-    let keys: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
-    match keys[..] {
-        [_] => {}
-        [] => {
-            faults
-                .error(path, "the value of this traction is missing")
-                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
-            return None;
-        }
-        [first, second, ..] => {
-            faults
-                .error(path.key(second), format!("`{first}` and `{second}` are both given"))
-                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
-            return None;
-        }
-    }
+    let borders = boundary::find(edge, context.ground, (context.curves, context.symmetry), &place, faults);
+    one_value(load, &path, faults)?;
     if let Some(depth) = load.depth {
         positive(depth, "depth", path.key("depth"), faults);
     }
@@ -110,6 +86,34 @@ pub(crate) fn resolve(
         check_sharing(load, first, context, &path, faults);
     }
     Some(on.into_iter().map(|on| OnBorder { profile, ..on }).collect())
+}
+
+/// A fault for a traction with no value, or with two.
+fn one_value(load: &Traction, path: &JsonPath, faults: &mut Faults) -> Option<()> {
+    let given = [
+        ("uniform", load.uniform.is_some()),
+        ("linear", load.linear.is_some()),
+        ("parabolic", load.parabolic.is_some()),
+        ("pressure", load.pressure.is_some()),
+        ("total", load.total.is_some()),
+        ("hertz", load.hertz.is_some()),
+    ];
+    let keys: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
+    match keys[..] {
+        [_] => Some(()),
+        [] => {
+            faults
+                .error(path.clone(), "the value of this traction is missing")
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
+            None
+        }
+        [first, second, ..] => {
+            faults
+                .error(path.key(second), format!("`{first}` and `{second}` are both given"))
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
+            None
+        }
+    }
 }
 
 /// A fault for a profile that runs along one edge where there are several.
