@@ -43,6 +43,10 @@ pub(crate) fn resolve(
             path: path.clone(),
         })
         .collect();
+    // An axis alone has its fault already.
+    if on.is_empty() {
+        return None;
+    }
     if on.len() > 1 {
         only_one(load, on.len(), &path, faults)?;
     }
