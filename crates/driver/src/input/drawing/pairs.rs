@@ -1,6 +1,8 @@
 //! Group codes of DXF files with their values: two lines each.
 
 use super::super::ReadError;
+use std::iter::Enumerate;
+use std::slice::Split;
 
 /// A value with what its code says it is.
 #[derive(Clone, Copy, Debug)]
@@ -27,9 +29,11 @@ impl Pair<'_> {
     }
 }
 
+type Lines<'a> = Split<'a, u8, fn(&u8) -> bool>;
+
 /// The pairs of a file in their order.
 pub(super) struct Pairs<'a> {
-    lines: std::iter::Enumerate<std::slice::Split<'a, u8, fn(&u8) -> bool>>,
+    lines: Enumerate<Lines<'a>>,
 }
 
 impl<'a> Pairs<'a> {
