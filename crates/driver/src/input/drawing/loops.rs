@@ -57,7 +57,8 @@ pub(super) fn drawing(strokes: Strokes) -> Result<Drawing, ReadError> {
         )?);
     }
     let area = |k: &usize| rings[*k].polygon.area();
-    let largest = (0..rings.len()).max_by(|a, b| area(a).total_cmp(&area(b))).unwrap_or(0);
+    // The first of several that are as large.
+    let largest = (0..rings.len()).rev().max_by(|a, b| area(a).total_cmp(&area(b))).unwrap_or(0);
     let border = rings.remove(largest);
     check_nested(&border, &rings, &circles)?;
     Ok(assemble(&border, rings, circles))
