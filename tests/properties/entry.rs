@@ -2,7 +2,7 @@
 
 use peristat::case;
 use peristat::diagnostic::decode;
-use peristat::input::{gmsh, points, solid};
+use peristat::input::{drawing, gmsh, points, solid};
 use peristat::scene::Scene;
 use peristat_assembly::body::Surface;
 use std::path::Path;
@@ -17,8 +17,11 @@ pub(crate) fn resolves(bytes: Vec<u8>) -> bool {
     scene.map_err(|report| report.render(false)).is_ok()
 }
 
-/// Whether bytes are a mesh or a list of points.
+/// Whether bytes are a mesh, a drawing or a list of points.
 pub(crate) fn reads(bytes: &[u8]) -> bool {
+    if drawing::read(bytes, 0.01).is_ok() {
+        return true;
+    }
     let cloud = points::read(bytes).and_then(|points| points.cloud(1.0));
     gmsh::read(bytes).is_ok() || cloud.is_ok()
 }

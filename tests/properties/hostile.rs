@@ -6,7 +6,7 @@ use super::small_cases::{MODELS, small_case};
 use peristat::Loaded;
 use peristat::case::{self, Case};
 use peristat::diagnostic::decode;
-use peristat::input::{Folder, Reach, gmsh, points};
+use peristat::input::{Folder, Reach, drawing, gmsh, points};
 use peristat::results::{Claim, FieldFiles, Results, finite};
 use peristat::run::{Advance, Restart, RunOptions, Sink, StateResult};
 use peristat::scene::Scene;
@@ -285,6 +285,17 @@ proptest! {
         let (mesh, list) = (read("bracket.msh"), read("scattered.csv"));
         let _ = gmsh::read(&mangle(&mesh, seed));
         let _ = points::read(&mangle(&list, seed)).and_then(|points| points.cloud(1.0));
+    }
+
+    #[test]
+    fn a_drawing_with_any_bytes_changed_is_read_or_refused(seed: u64, spacing in 1e-4..10.0_f64) {
+        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/plate");
+        for file in ["lug.dxf", "gusset.svg", "link.msh"] {
+            let bytes = fs::read(cases.join(file)).expect("a file");
+            if let Ok(found) = drawing::read(&mangle(&bytes, seed), 0.01 * spacing) {
+                prop_assert!(found.border.vertices.iter().flatten().all(|x| x.is_finite()));
+            }
+        }
     }
 
     #[test]

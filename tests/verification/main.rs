@@ -19,6 +19,7 @@ mod cut_edges_breaking;
 mod default_ends;
 mod default_law;
 mod definiteness;
+mod drawn_outlines;
 mod ductile;
 mod edges_cost;
 mod equation_12;

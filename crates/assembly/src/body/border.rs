@@ -170,11 +170,23 @@ impl Outline {
 
     /// The parts of the border of a hole, by its number, behind which there is a body.
     pub fn hole_parts(&self, hole: usize) -> Vec<BorderPart> {
+        self.bordering(&self.holes()[hole].shape.parts(), &self.others(hole))
+    }
+
+    /// All edges, and the borders of all holes but one.
+    fn others(&self, hole: usize) -> Vec<BorderPart> {
         let edge = |e: &Edge| BorderPart::Straight { from: e.from, to: e.to, normal: e.normal };
         let holes = self.holes().iter().enumerate().filter(|(k, _)| *k != hole);
         let others = holes.flat_map(|(_, other)| other.shape.parts());
-        let others: Vec<BorderPart> = self.edges().iter().map(edge).chain(others).collect();
-        self.bordering(&self.holes()[hole].shape.parts(), &others)
+        self.edges().iter().map(edge).chain(others).collect()
+    }
+
+    /// The parts of the border of one edge of a hole that is a polygon, behind which there is a body.
+    pub fn hole_edge_parts(&self, hole: usize, edge: usize) -> Vec<BorderPart> {
+        let own = self.hole_edge(hole, edge).into_iter();
+        let own: Vec<BorderPart> =
+            own.map(|e| BorderPart::Straight { from: e.from, to: e.to, normal: e.normal }).collect();
+        if own.is_empty() { own } else { self.bordering(&own, &self.others(hole)) }
     }
 
     /// What of some parts borders on the body.

@@ -1,6 +1,7 @@
 //! Outlines of bodies: a polygon with holes and named edges.
 
 use super::geometry::{Point, distance, meet, to_segment};
+use super::named::BorderGroup;
 use super::polygon::{Polygon, PolygonError};
 use super::turn::Turn;
 use std::f64::consts::TAU;
@@ -17,6 +18,8 @@ pub struct Edge {
     pub to: [f64; 2],
     /// Unit normal that points out of the body.
     pub normal: [f64; 2],
+    /// Whether it is one of several chords of a curve, which are named together.
+    pub is_chord: bool,
 }
 
 /// Where a hole is.
@@ -99,6 +102,7 @@ pub struct Outline {
     polygon: Polygon,
     edges: Vec<Edge>,
     holes: Vec<Hole>,
+    pub(super) groups: Vec<BorderGroup>,
     rectangle: bool,
 }
 
@@ -117,7 +121,8 @@ impl Outline {
         }
         let polygon = Polygon::new(vec![from, [to[0], from[1]], to, [from[0], to[1]]])?;
         let names = ["bottom", "right", "top", "left"].map(String::from);
-        Ok(Self { edges: edges(&polygon, names), polygon, holes: Vec::new(), rectangle: true })
+        let edges = edges(&polygon, names.map(|name| (name, false)));
+        Ok(Self { edges, polygon, holes: Vec::new(), groups: Vec::new(), rectangle: true })
     }
 
     /// A polygon with edges `edge_1`, …; edge `k` goes from vertex `k` to the next one, vertices count from one.
@@ -125,9 +130,24 @@ impl Outline {
     /// # Errors
     /// [`OutlineError::Polygon`].
     pub fn polygon(vertices: Vec<[f64; 2]>) -> Result<Self, OutlineError> {
+        let sides = vec![1; vertices.len()];
+        Self::curved(vertices, &sides)
+    }
+
+    /// A polygon of sides `edge_1`, … of so many edges each; several are the chords of a curve, which are named together.
+    ///
+    /// # Errors
+    /// [`OutlineError::Polygon`].
+    pub fn curved(vertices: Vec<[f64; 2]>, sides: &[usize]) -> Result<Self, OutlineError> {
         let polygon = Polygon::new(vertices)?;
-        let names = (1..=polygon.vertices().len()).map(|k| format!("edge_{k}"));
-        Ok(Self { edges: edges(&polygon, names), polygon, holes: Vec::new(), rectangle: false })
+        let name = |(k, &chords): (usize, &usize)| {
+            let of_chord = move |j: usize| (format!("edge_{}.{}", k + 1, j + 1), true);
+            let chord = move |j| if chords == 1 { (format!("edge_{}", k + 1), false) } else { of_chord(j) };
+            (0..chords).map(chord)
+        };
+        let edges = edges(&polygon, sides.iter().enumerate().flat_map(name));
+        let groups = BorderGroup::of_curves(sides);
+        Ok(Self { edges, polygon, holes: Vec::new(), groups, rectangle: false })
     }
 
     /// Cuts a hole.
@@ -136,7 +156,7 @@ impl Outline {
     /// [`HoleError`]; the outline stays as it was.
     pub fn cut(&mut self, hole: Hole) -> Result<(), HoleError> {
         hole.shape.check()?;
-        let is_taken = |name: &&str| self.hole(name).is_some() || self.edge(name).is_some();
+        let is_taken = |name: &&str| self.members(name).is_some();
         if let Some(name) = hole.name.as_deref().filter(is_taken) {
             return Err(HoleError::SameName { name: name.into() });
         }
@@ -152,8 +172,9 @@ impl Outline {
         let polygon = self.polygon.seen_from(axes);
         let holes = self.holes.iter().map(|h| Hole { name: h.name.clone(), shape: h.shape.seen_from(axes) });
         Self {
-            edges: edges(&polygon, self.edges.iter().map(|e| e.name.clone())),
+            edges: edges(&polygon, self.edges.iter().map(|e| (e.name.clone(), e.is_chord))),
             holes: holes.collect(),
+            groups: self.groups.clone(),
             polygon,
             rectangle: false,
         }
@@ -200,12 +221,12 @@ impl Outline {
     }
 }
 
-fn edges(polygon: &Polygon, names: impl IntoIterator<Item = String>) -> Vec<Edge> {
+fn edges(polygon: &Polygon, names: impl IntoIterator<Item = (String, bool)>) -> Vec<Edge> {
     let named = names.into_iter().enumerate();
     named
-        .map(|(k, name)| {
+        .map(|(k, (name, is_chord))| {
             let [from, to] = polygon.edge(k);
-            Edge { name, from, to, normal: polygon.normal(k) }
+            Edge { name, from, to, normal: polygon.normal(k), is_chord }
         })
         .collect()
 }

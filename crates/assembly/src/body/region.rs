@@ -2,7 +2,8 @@
 
 use super::convex::Convex;
 use super::geometry::{dot, left_normal, moved};
-use super::outline::{Outline, Shape};
+use super::named::BorderMember;
+use super::outline::{Edge, Outline, Shape};
 use super::select::{nearest, points_in};
 use super::solid::{self, SolidRegion, Wall};
 use super::{BORDER, Group, PointBody};
@@ -12,9 +13,9 @@ use thiserror::Error;
 /// Which points of a body. Lengths in m; borders belong to regions, within [`BORDER`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum Region {
-    /// Points beside a straight edge of the outline, between its ends.
+    /// Points beside straight edges of the outline, between their ends, and around holes that have the same name.
     Edge {
-        /// Name of the edge.
+        /// Name of the edge, or of several parts of the border.
         name: String,
         /// How far inwards; one spacing if not given, which is the outermost layer.
         depth: Option<f64>,
@@ -155,7 +156,7 @@ impl Regions<'_> {
                 return solid::select(lattice, self.walls, region);
             }
             Region::Corner { at } => return Ok(nearest(self.body, finite("at", *at)?)),
-            Region::Edge { name, depth } => vec![self.edge(name, *depth)?],
+            Region::Edge { name, depth } => self.named(name, *depth)?,
             Region::Hole { name, depth } => self.hole(name, *depth)?,
             Region::Box { from, to } => {
                 let (from, to, by) = (finite("from", *from)?, finite("to", *to)?, self.slack());
@@ -220,16 +221,24 @@ impl Regions<'_> {
         found.map(|g| g.points.clone()).ok_or_else(missing)
     }
 
-    fn edge(&self, name: &str, depth: Option<f64>) -> Result<Convex, RegionError> {
-        let edges = self.outline.map_or(&[][..], Outline::edges);
-        let found = edges.iter().find(|e| e.name == name);
-        let edge = found.ok_or_else(|| unknown("edge", name, edges.iter().map(|e| e.name.as_str())))?;
+    /// What is beside the parts of the border that a name has.
+    fn named(&self, name: &str, depth: Option<f64>) -> Result<Vec<Convex>, RegionError> {
+        let known = || self.outline.into_iter().flat_map(Outline::border_names);
+        let found = self.outline.and_then(|outline| Some((outline, outline.members(name)?)));
+        let (outline, members) = found.ok_or_else(|| unknown("edge", name, known()))?;
         let (depth, by) = (self.depth(depth)?, self.slack());
-        // The inside is on the left of the edge if its normal points to the right.
-        let left = left_normal(edge.from, edge.to);
-        let turned = dot(left, edge.normal) > 0.0;
-        let (from, to) = if turned { (edge.to, edge.from) } else { (edge.from, edge.to) };
-        Ok(Convex::beside(from, to, by, [-by, depth + by]))
+        let straight: Vec<Edge> = members.iter().filter_map(|m| outline.straight(*m)).collect();
+        let mut parts: Vec<Convex> = straight.iter().map(|edge| beside(edge, depth, by)).collect();
+        // Where the border turns inwards, strips leave a wedge between them.
+        let next = straight.iter().skip(1).chain(straight.first());
+        let joints = straight.iter().zip(next).filter(|(a, b)| a.to == b.from && straight.len() > 1);
+        parts.extend(joints.map(|(a, _)| Convex::Stadium { from: a.to, to: a.to, radius: depth + by }));
+        for member in members {
+            if let BorderMember::Hole(k) = member {
+                parts.extend(around(&outline.holes()[k].shape, depth + by));
+            }
+        }
+        Ok(parts)
     }
 
     fn hole(&self, name: &str, depth: Option<f64>) -> Result<Vec<Convex>, RegionError> {
@@ -237,18 +246,31 @@ impl Regions<'_> {
         let known = holes.iter().filter_map(|h| h.name.as_deref());
         let found = holes.iter().find(|h| h.name.as_deref() == Some(name));
         let hole = found.ok_or_else(|| unknown("hole", name, known))?;
-        let depth = self.depth(depth)? + self.slack();
-        Ok(match &hole.shape {
-            Shape::Circle { centre, radius } => {
-                vec![Convex::Stadium { from: *centre, to: *centre, radius: radius + depth }]
-            }
-            Shape::Slot { from, to, radius } => {
-                vec![Convex::Stadium { from: *from, to: *to, radius: radius + depth }]
-            }
-            Shape::Polygon(polygon) => {
-                polygon.edges().map(|[from, to]| Convex::Stadium { from, to, radius: depth }).collect()
-            }
-        })
+        Ok(around(&hole.shape, self.depth(depth)? + self.slack()))
+    }
+}
+
+/// What is beside an edge, on the side of the body.
+fn beside(edge: &Edge, depth: f64, by: f64) -> Convex {
+    // The inside is on the left of the edge if its normal points to the right.
+    let left = left_normal(edge.from, edge.to);
+    let turned = dot(left, edge.normal) > 0.0;
+    let (from, to) = if turned { (edge.to, edge.from) } else { (edge.from, edge.to) };
+    Convex::beside(from, to, by, [-by, depth + by])
+}
+
+/// What is near the border of a hole, and in it.
+fn around(hole: &Shape, depth: f64) -> Vec<Convex> {
+    match hole {
+        Shape::Circle { centre, radius } => {
+            vec![Convex::Stadium { from: *centre, to: *centre, radius: radius + depth }]
+        }
+        Shape::Slot { from, to, radius } => {
+            vec![Convex::Stadium { from: *from, to: *to, radius: radius + depth }]
+        }
+        Shape::Polygon(polygon) => {
+            polygon.edges().map(|[from, to]| Convex::Stadium { from, to, radius: depth }).collect()
+        }
     }
 }
 

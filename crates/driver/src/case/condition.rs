@@ -1,6 +1,6 @@
 //! Supports, links and loads of a case.
 
-use super::{BodyForce, Gravity, Pressure, Spin, Traction};
+use super::{BodyForce, Gravity, Names, Pressure, Spin, Traction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -19,9 +19,10 @@ pub struct At {
     /// Position in a solid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub z: Option<f64>,
-    /// Name of a region, of an edge, a hole or a group of a mesh in the plane, or of a face of a solid.
+    /// Name of a region, of an edge, a hole or a group of a mesh in the plane, or of a face of a solid; or a list of several. In the
+    /// plane `all` is the whole border, and `outer` is it without the holes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub region: Option<String>,
+    pub region: Option<Names>,
     /// For a probe on an edge in the plane: direction into the body, [±1, 0] or [0, ±1], along which the field is
     /// extrapolated to the place from three points, one, two and three horizons behind the outermost one, or next to each
     /// other where the border is completed as it runs. Displacements of such a border are read on it.

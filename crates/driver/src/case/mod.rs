@@ -12,6 +12,7 @@ mod fracture;
 mod frame;
 mod grading;
 mod mass_load;
+mod names;
 mod path;
 mod periodic;
 mod plane_body;
@@ -24,6 +25,7 @@ mod solid_body;
 mod specimen;
 mod strengths;
 mod vector;
+mod vertex;
 
 pub use crate::model::{Critical, LoadSharing, Model, Pressure};
 pub use crate::units::Units;
@@ -41,6 +43,7 @@ pub use fracture::{CrackDirection, Fracture, Strategy};
 pub use frame::{Frame, Joint, Member, MemberEnd};
 pub use grading::Grading;
 pub use mass_load::{Gravity, Spin};
+pub use names::Names;
 pub use path::{Path, PathControl, Turn};
 pub use periodic::Periodic;
 pub use peristat_assembly::material::Rolled;
@@ -60,6 +63,7 @@ pub use solid_body::{BallCut, BlockBody, BlockCut, BoreCut, SolidBody, SolidCut,
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
 pub use strengths::Strengths;
 pub use vector::Vector;
+pub use vertex::{ArcTo, Vertex};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -172,6 +176,7 @@ impl Case {
             Body::Points(body) => Some(&mut body.file),
             Body::Mesh(body) => Some(&mut body.file),
             Body::Solid(body) => Some(&mut body.file),
+            Body::Outline(body) => body.file.as_mut(),
             _ => None,
         };
         baselines.chain(body).collect()

@@ -1,9 +1,11 @@
 //! Bodies in the plane, their holes and their cracks.
 
+use super::{Names, Vertex};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserializer, Error, Visitor};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// A rectangle of square cells with a point in the middle of each. Its edges are `left`, `right`, `bottom` and `top`.
@@ -22,18 +24,32 @@ pub struct RectangleBody {
     pub holes: Vec<Hole>,
 }
 
-/// A polygon filled with square cells with a point in the middle of each. Its edges are `edge_1` from the first vertex to
-/// the second, `edge_2`, ….
+/// What lines and arcs bound, filled with square cells with a point in the middle of each: `vertices` of the case, or a `file` with a
+/// drawing or a mesh. Its edges are `edge_1` from the first vertex to the second, `edge_2`, …. Those of a file count counter-clockwise
+/// from the lowest of the leftmost vertices, and have the names that they have there: physical groups of Gmsh, layers of DXF, `id`s of
+/// SVG. An arc is one edge, of chords that are a hundredth of the spacing from it at most.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OutlineBody {
-    /// Vertices in either direction, the first not repeated at the end.
-    pub vertices: Vec<[f64; 2]>,
+    /// Vertices in either direction, the first not repeated at the end; an arc leads to a vertex
+    /// `{ "arc_to": [x, y], "through": [x, y] }`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub vertices: Vec<Vertex>,
+    /// Gmsh file in two dimensions (MSH 4.1, ASCII), DXF file (ASCII) or SVG file whose lines are the border and the holes, relative to
+    /// the case, in its folder or below.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// What lengths of the file are multiplied by, > 0; 1 if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scale: Option<f64>,
     /// Side of a cell, > 0.
     pub spacing: f64,
     /// Holes, and notches where they cross the outline.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub holes: Vec<Hole>,
+    /// Names for edges and holes, of several each.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub edges: BTreeMap<String, Names>,
 }
 
 /// Points that a file lists.

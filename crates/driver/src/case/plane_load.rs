@@ -1,6 +1,6 @@
 //! Loads on bodies in the plane and on solids.
 
-use super::{LoadSharing, SpaceAxis, Vector};
+use super::{LoadSharing, Names, SpaceAxis, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Traction {
-    /// Name of a straight edge or of a hole.
+    /// Name of an edge or of a hole, or a list of several; `all` is the whole border, and `outer` is it without the holes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub edge: Option<String>,
+    pub edge: Option<Names>,
     /// Name of a face of a solid, or of a cut.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub face: Option<String>,

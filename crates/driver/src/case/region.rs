@@ -1,6 +1,6 @@
 //! Named regions of bodies, and what moves as a rigid body.
 
-use super::Vector;
+use super::{Names, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -36,8 +36,8 @@ pub enum Region {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EdgeRegion {
-    /// Name of the edge.
-    pub name: String,
+    /// Name of the edge, or a list of several; `all` is the whole border, and `outer` is it without the holes.
+    pub name: Names,
     /// How far inwards; one spacing, the outermost points, if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth: Option<f64>,

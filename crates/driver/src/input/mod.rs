@@ -3,6 +3,7 @@
 //! Readers take the bytes of a file and never panic on any; what they hold grows with what they have read, never with a
 //! number in the file. Faults say the line and what belongs there.
 
+pub mod drawing;
 pub mod file;
 mod folder;
 pub mod gmsh;

@@ -6,6 +6,7 @@
 //!
 //! Source of the format: Gmsh reference manual, "MSH file format".
 
+mod border;
 mod plane;
 mod sections;
 mod solid;
@@ -16,6 +17,7 @@ mod tests;
 use super::ReadError;
 use super::lines::Lines;
 use super::surface::SolidFile;
+pub use border::{Border, BorderSide, Part};
 use peristat_assembly::body::Cloud;
 use sections::Raw;
 
@@ -68,6 +70,14 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, ReadError> {
 /// volume, more than two tetrahedra at a side, surfaces in several groups.
 pub fn read_solid(bytes: &[u8]) -> Result<SolidFile, ReadError> {
     solid::border(&raw(bytes)?)
+}
+
+/// Reads the border of a mesh in the plane, its sides named by physical curves, and its physical surfaces.
+///
+/// # Errors
+/// [`ReadError`], as [`read`] has it; a mesh of three dimensions, more than two elements at a side.
+pub fn read_border(bytes: &[u8]) -> Result<Border, ReadError> {
+    border::border(&raw(bytes)?)
 }
 
 /// Whether a file is a mesh of Gmsh.

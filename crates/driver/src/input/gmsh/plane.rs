@@ -7,12 +7,7 @@ use peristat_assembly::body::{Cloud, CloudError, Group};
 use std::collections::{BTreeMap, HashMap};
 
 pub(super) fn mesh(raw: &Raw) -> Result<Mesh, ReadError> {
-    if raw.faces.is_empty() {
-        return Err(ReadError::whole("has no triangles or quadrilaterals")
-            .hint("mesh in two dimensions, by `gmsh -2`, and save elements of all physical surfaces"));
-    }
-    let corners: Vec<Vec<[f64; 3]>> = raw.faces.iter().map(|f| places(raw, f)).collect::<Result<_, _>>()?;
-    flat(raw, &corners)?;
+    let corners = corners(raw)?;
     let mut positions = Vec::new();
     let mut areas = Vec::new();
     let mut turned = Vec::new();
@@ -35,6 +30,17 @@ pub(super) fn mesh(raw: &Raw) -> Result<Mesh, ReadError> {
     let groups = groups.map(|(name, points)| Group { name: name.clone(), points }).collect();
     let cloud = Cloud::new(positions, areas, groups).map_err(|error| explain(raw, &error))?;
     Ok(Mesh { cloud, curves: curves.into_iter().map(|(name, sides)| Curve { name, sides }).collect() })
+}
+
+/// Corners of all elements, which are in a plane.
+pub(super) fn corners(raw: &Raw) -> Result<Vec<Vec<[f64; 3]>>, ReadError> {
+    if raw.faces.is_empty() {
+        return Err(ReadError::whole("has no triangles or quadrilaterals")
+            .hint("mesh in two dimensions, by `gmsh -2`, and save elements of all physical surfaces"));
+    }
+    let corners: Vec<Vec<[f64; 3]>> = raw.faces.iter().map(|f| places(raw, f)).collect::<Result<_, _>>()?;
+    flat(raw, &corners)?;
+    Ok(corners)
 }
 
 fn explain(raw: &Raw, error: &CloudError) -> ReadError {

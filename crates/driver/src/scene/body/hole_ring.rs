@@ -1,9 +1,9 @@
 //! Rings of points around round holes, whose displacements tell the stress on the hole.
 
 use super::scene::{BodyScene, BodyState};
-use crate::case::Load;
+use crate::case::{Load, Names};
 use crate::model::Surface;
-use peristat_assembly::body::{BorderPart, Outline, Shape};
+use peristat_assembly::body::{BorderMember, BorderPart, Outline, Shape};
 use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::recovery::hole::{Ellipse, HoleFields, HoleFit};
 
@@ -61,7 +61,7 @@ impl HoleRing {
 
     fn new(scene: &BodyScene, outline: &Outline, hole: usize, ellipse: Ellipse) -> Option<Self> {
         let radius = ellipse.half_axes[0];
-        let pressures = pressures(scene, outline.holes()[hole].name.as_deref())?;
+        let pressures = pressures(scene, outline, hole)?;
         let mirrors = mirrors(scene, &ellipse);
         let free = to_other_borders(scene, outline, hole, &ellipse) - scene.horizon() / radius;
         let mut inside = WIDEST.min(free);
@@ -113,11 +113,15 @@ pub(crate) fn is_on(ellipse: &Ellipse, at: [f64; 2]) -> bool {
 }
 
 /// Pressures on a hole by load case; none if another traction acts on it.
-fn pressures(scene: &BodyScene, name: Option<&str>) -> Option<Vec<f64>> {
+fn pressures(scene: &BodyScene, outline: &Outline, hole: usize) -> Option<Vec<f64>> {
     let case = &scene.case;
+    let acts = |edge: &Names| {
+        let mut members = edge.each().iter().filter_map(|name| outline.members(name)).flatten();
+        members.any(|member| member == BorderMember::Hole(hole))
+    };
     let of_loads = |loads: &[Load]| {
         let mine = loads.iter().filter_map(|load| match load {
-            Load::Traction(traction) if traction.edge.as_deref() == name => Some(traction.pressure),
+            Load::Traction(traction) if traction.edge.as_ref().is_some_and(acts) => Some(traction.pressure),
             _ => None,
         });
         mine.sum::<Option<f64>>()

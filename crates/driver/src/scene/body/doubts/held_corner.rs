@@ -10,6 +10,7 @@ use crate::diagnostic::{Faults, root};
 use crate::scene::ExpectationKind;
 use crate::scene::body::read::probes::Quantity;
 use crate::scene::body::scene::BodyScene;
+use crate::scene::body::site::held_angle::is_at;
 use peristat_assembly::body::Edge;
 use peristat_assembly::model::plane::Edges;
 
@@ -62,9 +63,8 @@ fn has_one_stress(scene: &BodyScene) -> bool {
 /// The ends of edges that are held and that are ends of free edges, too.
 fn corners(scene: &BodyScene) -> Vec<Corner<'_>> {
     let Some(outline) = scene.outline() else { return Vec::new() };
-    let named = |edge: &Edge| {
-        scene.case.supports.iter().filter(|s| s.at.region.as_ref() == Some(&edge.name)).collect::<Vec<_>>()
-    };
+    let named =
+        |edge: &Edge| scene.case.supports.iter().filter(|s| is_at(&s.at, edge, outline)).collect::<Vec<_>>();
     let symmetry = &scene.inputs.symmetry;
     // Where bonds end on the border, so do the points that hold an edge.
     let is_exact = scene.model.edges() == Some(Edges::Border);

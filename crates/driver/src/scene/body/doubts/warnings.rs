@@ -73,7 +73,7 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
     }
     clamped::warn(scene, faults);
     held_corner::warn(scene, faults);
-    let held: Vec<HeldRegion> = scene.case.supports.iter().enumerate().map(held).collect();
+    let held: Vec<HeldRegion> = scene.case.supports.iter().enumerate().flat_map(held).collect();
     scene.material().warn(&scene.resolved(&held), faults);
     for (key, value) in scene.material().youngs_moduli() {
         modulus(value, root("model").key(scene.material().about().name).key(key), scene.units, faults);
@@ -81,13 +81,17 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
 }
 
 /// What a support holds.
-fn held((k, support): (usize, &Support)) -> HeldRegion {
+fn held((k, support): (usize, &Support)) -> Vec<HeldRegion> {
     let components =
         [("ux", support.ux), ("uy", support.uy), ("uz", support.uz), ("w", support.w), ("phi", support.phi)];
-    HeldRegion {
-        region: support.at.region.clone(),
+    let of = |region: Option<&String>| HeldRegion {
+        region: region.cloned(),
         path: root("supports").index(k),
         components: components.iter().filter(|c| c.1.is_some()).map(|c| c.0).collect(),
+    };
+    match &support.at.region {
+        Some(names) => names.each().iter().map(|name| of(Some(name))).collect(),
+        None => vec![of(None)],
     }
 }
 

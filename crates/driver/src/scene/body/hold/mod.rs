@@ -9,5 +9,6 @@ pub(crate) mod rigid;
 pub(crate) mod rigid_keys;
 pub(crate) mod rigid_mirror;
 pub(crate) mod support_keys;
+mod support_parts;
 pub(crate) mod supported;
 pub(crate) mod supports;

@@ -51,7 +51,16 @@ pub(crate) fn conditions(
         conditions.holds.extend(holds);
         conditions.springs.extend(springs);
         let springs = first..conditions.springs.len();
-        supports.push(BodySupport { name: h.name.clone(), path: h.path.clone(), equations, springs });
+        // Parts of one support follow each other.
+        match supports.last_mut().filter(|last: &&mut BodySupport| last.path == h.path) {
+            Some(last) => {
+                last.equations.extend(equations);
+                last.springs.end = springs.end;
+            }
+            None => {
+                supports.push(BodySupport { name: h.name.clone(), path: h.path.clone(), equations, springs })
+            }
+        }
     }
     let end = conditions.springs.len();
     for (k, region) in rigid.into_iter().enumerate() {

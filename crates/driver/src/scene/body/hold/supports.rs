@@ -3,7 +3,7 @@
 use super::conditions::HeldPoints;
 use super::held_border::{self, Piece};
 use super::held_edge::{EdgeShares, HeldEdge};
-use super::support_keys;
+use super::{support_keys, support_parts};
 use crate::case::Support;
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::model::Material;
@@ -67,34 +67,66 @@ pub(crate) fn held(
     }
     let each = case.supports.iter().enumerate();
     let shares = EdgeShares::new(material);
-    each.filter_map(|(k, support)| {
+    let resolved = each.filter_map(|(k, support)| {
         let path = root("supports").index(k);
         support_keys::check(support, material, &path, faults);
         let at = path.key("at");
         if support.at.inward.is_some() {
             faults.error(at.key("inward"), "`inward` is for probes").hint(ground.place_hint());
         }
-        not_mirrored(support.at.region.as_deref(), &at.key("region"), symmetry, faults);
-        let spot = ground.spot(&support.at, &at, "the support", faults)?;
-        let mut held = resolve(support, spot, path);
-        held.border = support.at.region.as_ref().map_or(Vec::new(), |name| border(name, ground));
-        if let (PointBody::Solid(lattice), Some(name)) = (ground.body, &support.at.region) {
-            let wall = ground.walls.iter().find(|wall| wall.name == *name);
-            held.edge = wall.and_then(Wall::face).map(HeldEdge::of_face);
-            held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
+        for edge in support.at.region.iter().flat_map(|names| ground.edges_of(names)) {
+            not_mirrored(Some(&edge), &at.key("region"), symmetry, faults);
         }
-        if let (PointBody::Lattice(lattice), Some(name)) = (ground.body, &support.at.region) {
+        let spot = ground.spot(&support.at, &at, "the support", faults)?;
+        let whole = resolve(support, spot, path);
+        Some(match &support.at.region {
+            Some(names) => support_parts::parts(whole, names, ground, (symmetry, material, &shares)),
+            None => vec![whole],
+        })
+    });
+    resolved.flatten().collect()
+}
+
+impl HeldSupport {
+    /// The same on what a name calls, if that is one edge, one hole, one face, or a region.
+    pub(super) fn on(
+        mut self,
+        name: &str,
+        ground: &Ground,
+        material: &dyn Material,
+        shares: &EdgeShares,
+    ) -> Self {
+        self.border = border(name, ground);
+        if let PointBody::Solid(lattice) = ground.body {
+            let wall = ground.walls.iter().find(|wall| wall.name == *name);
+            self.edge = wall.and_then(Wall::face).map(HeldEdge::of_face);
+            self.chains = self.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &self.points));
+        }
+        if let PointBody::Lattice(lattice) = ground.body {
             let edge = ground.outline.and_then(|outline| outline.edge(name));
             let is_cylinder = material.cylinder_radius().is_some();
-            held.edge = edge.and_then(|edge| match is_cylinder {
+            self.edge = edge.and_then(|edge| match is_cylinder {
                 true => HeldEdge::of_cylinder(edge).filter(|_| material.ends_on_border(lattice)),
-                false => HeldEdge::new(edge, lattice, &shares),
+                false => HeldEdge::new(edge, lattice, shares),
             });
-            held.chains = held.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &held.points));
+            self.chains = self.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(lattice, &self.points));
         }
-        Some(held)
-    })
-    .collect()
+        self
+    }
+
+    /// The same with other points, along a border, and without springs.
+    pub(super) fn along(&self, points: Vec<u32>, border: Vec<Stretch>) -> Self {
+        Self { points, border, springs: Vec::new(), ..self.clone() }
+    }
+
+    pub(super) fn has_springs(&self) -> bool {
+        !self.springs.is_empty()
+    }
+
+    /// Its springs alone.
+    pub(super) fn springs_alone(self) -> Self {
+        Self { motions: Vec::new(), ..self }
+    }
 }
 
 /// Stretches of the edge or hole of a name; none of other regions.

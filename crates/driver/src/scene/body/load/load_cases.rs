@@ -31,7 +31,8 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
                     on_wall::resolve(load, context, &path.key("traction"), &mut resolved, faults)
                 }
                 Load::Traction(load) => {
-                    on_borders.extend(resolve::resolve(load, context, path.key("traction"), faults))
+                    let found = resolve::resolve(load, context, path.key("traction"), faults);
+                    on_borders.extend(found.into_iter().flatten());
                 }
                 Load::Pressure(load) => {
                     pressure::resolve(load, context, &path.key("pressure"), &mut resolved, faults)

@@ -63,12 +63,14 @@ pub(crate) fn resolve(
     if load.at.inward.is_some() {
         faults.error(at.key("inward"), "`inward` is for probes").hint(context.ground.place_hint());
     }
-    crate::scene::body::hold::supports::not_mirrored(
-        load.at.region.as_deref(),
-        &at.key("region"),
-        context.symmetry,
-        faults,
-    );
+    for edge in load.at.region.iter().flat_map(|names| context.ground.edges_of(names)) {
+        crate::scene::body::hold::supports::not_mirrored(
+            Some(&edge),
+            &at.key("region"),
+            context.symmetry,
+            faults,
+        );
+    }
     let Some(spot) = context.ground.spot(&load.at, &at, "the load", faults) else { return };
     let acts = force != [0.0; 3];
     let is_fixed = |c: usize| force[c] == 0.0 || spot.points.iter().all(|p| is_held(*p, c, context.held));

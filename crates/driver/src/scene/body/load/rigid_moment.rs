@@ -19,7 +19,7 @@ pub(crate) fn add(
     faults: &mut Faults,
 ) {
     let rigid = &context.ground.case.rigid;
-    if !rigid.iter().any(|rigid| load.at.region.as_ref() == Some(&rigid.region)) {
+    if !rigid.iter().any(|rigid| load.at.region.as_deref() == Some(rigid.region.as_str())) {
         let key = ["moment_x", "moment_y", "moment_z"][moment.iter().position(|m| *m != 0.0).unwrap_or(0)];
         faults.error(path.key(key), format!("`{key}` acts on a rigid region, and this is none")).hint(
             "list the region under `rigid`; on others use two forces, or a `linear` traction on a face",

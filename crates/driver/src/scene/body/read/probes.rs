@@ -2,7 +2,7 @@
 
 use super::fields::Says;
 use super::{fields, opening, reduced};
-use crate::case::{FieldName, Origin, Probe, Reduction};
+use crate::case::{FieldName, Names, Origin, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::site::interpolate::Weights;
@@ -126,7 +126,7 @@ fn resolve(
     if field == FieldName::Opening {
         return opening::resolve(probe, site, &at, faults);
     }
-    let is_rigid = |name: &String| case.rigid.iter().any(|r| r.region == *name);
+    let is_rigid = |name: &Names| case.rigid.iter().any(|r| r.region == **name);
     let points_turn = site.model.component("phi").is_some();
     let is_turn = matches!(field.about().origin, Origin::Turn(_));
     let is_phi =

@@ -1,7 +1,8 @@
 //! The points of a body and its border.
 
+use super::drawn::Plan;
 use super::snap::Snap;
-use super::{boundary, files, solid, solid_file};
+use super::{border_names, boundary, drawn, files, solid, solid_file};
 use crate::case::{Body, Case, Hole};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::input::Folder;
@@ -35,7 +36,9 @@ pub(crate) struct Built {
     pub(crate) outline: Option<Outline>,
     pub(crate) solid: Option<BuiltSolid>,
     pub(crate) curves: Vec<Curve>,
-    /// Hash of the file that lists the points.
+    /// Named parts of a body in the plane that a mesh outlines.
+    pub(crate) parts: Vec<Group>,
+    /// Hash of the file that lists the points, or draws the outline.
     pub(crate) file: Option<blake3::Hash>,
 }
 
@@ -53,7 +56,7 @@ pub(crate) struct BuiltSolid {
 impl Built {
     /// A body with nothing else.
     pub(super) fn of(body: PointBody) -> Self {
-        Self { body, outline: None, solid: None, curves: Vec::new(), file: None }
+        Self { body, outline: None, solid: None, curves: Vec::new(), parts: Vec::new(), file: None }
     }
 }
 
@@ -73,16 +76,22 @@ pub(crate) fn build(
         let (body, solid) = solid::build(case, &path, max_memory, faults)?;
         return Some(Built { solid: Some(solid), ..Built::of(body) });
     }
-    let (outline, spacing) = match &case.body {
+    let mut drawn = None;
+    let (mut outline, spacing) = match &case.body {
         Body::Rectangle(b) => {
             let made = Outline::rectangle(b.from, b.size);
             let snap = Snap::new(&[b.from, [0, 1].map(|k| b.from[k] + b.size[k])], &[], &b.holes);
-            (cut(made, (&b.holes, &snap), &path, faults)?, b.spacing)
+            (cut(made, (&b.holes, None, &snap), &path, faults)?, b.spacing)
         }
         Body::Outline(b) => {
-            let snap = Snap::new(&[], &b.vertices, &b.holes);
-            let made = Outline::polygon(snap.positions(&b.vertices));
-            (cut(made, (&b.holes, &snap), &path, faults)?, b.spacing)
+            let plan = drawn::plan(b, folder, &path, max_memory, faults)?;
+            let snap = Snap::new(&[], &plan.vertices, &plan.holes);
+            let made = Outline::curved(snap.positions(&plan.vertices), &plan.sides);
+            let made = made.map_err(|error| drawn::by_sides(error, &plan.sides));
+            let mut outline = cut(made, (&plan.holes, plan.file.map(|_| plan.drawn), &snap), &path, faults)?;
+            plan.name(b, &mut outline, &path, faults);
+            drawn = Some(plan);
+            (outline, b.spacing)
         }
         Body::Points(b) => {
             let (body, file) = files::points(folder, &b.file, keys.thickness(), max_memory, &path, faults)?;
@@ -110,26 +119,56 @@ pub(crate) fn build(
             return None;
         }
     };
-    let key = if outline.is_rectangle() { "from" } else { "vertices" };
+    border_names::give(case, &mut outline);
+    fill((case, keys), (outline, spacing), drawn, max_memory, faults)
+}
+
+/// An outline filled with points.
+fn fill(
+    (case, keys): (&Case, &dyn Keys),
+    (outline, spacing): (Outline, f64),
+    drawn: Option<Plan>,
+    max_memory: Option<u64>,
+    faults: &mut Faults,
+) -> Option<Built> {
+    let path = path(case);
+    let before = drawn.as_ref().map_or(0, |plan| plan.drawn);
+    let key = match (outline.is_rectangle(), is_from_file(case)) {
+        (true, _) => "from",
+        (_, true) => "file",
+        _ => "vertices",
+    };
     if !resolves(outline.bounds(), spacing, &path.key(key), faults) {
         return None;
     }
     let filled = outline.cells(spacing, keys.lattice_angle()).and_then(|cells| {
         let box_points = f64::from(cells[0]) * f64::from(cells[1]);
         let fits = fits(&outline, box_points, max_memory, &path, faults)
-            && boundary::fits(&outline, spacing, max_memory, &path, faults);
+            && boundary::fits(&outline, spacing, max_memory, (&path, before), faults);
         Ok(if fits { Some(outline.fill_turned(spacing, keys.lattice_angle())?) } else { None })
     });
     match filled {
         Ok(lattice) => {
-            let body = PointBody::Lattice(lattice?);
-            Some(Built { outline: Some(outline), ..Built::of(body) })
+            let lattice = lattice?;
+            let parts = drawn.as_ref().map_or(Vec::new(), |plan| plan.groups(&lattice));
+            let file = drawn.and_then(|plan| plan.file);
+            Some(Built { outline: Some(outline), parts, file, ..Built::of(PointBody::Lattice(lattice)) })
         }
         Err(error) => {
-            unfilled(&error, case, &path, faults);
+            let holes = match (&case.body, &drawn) {
+                (Body::Rectangle(b), _) => &b.holes[..],
+                (_, Some(plan)) => &plan.holes,
+                _ => &[],
+            };
+            unfilled(&error, (holes, before), &path, faults);
             None
         }
     }
+}
+
+/// Whether the outline of a case is that of a file.
+fn is_from_file(case: &Case) -> bool {
+    matches!(&case.body, Body::Outline(body) if body.file.is_some())
 }
 
 /// Rounding of coordinates must be below this, in spacings.
@@ -168,7 +207,7 @@ fn bounds(body: &PointBody) -> [[f64; 2]; 2] {
 /// The outline with its holes, without the noise of their coordinates.
 fn cut(
     made: Result<Outline, OutlineError>,
-    (holes, snap): (&[Hole], &Snap),
+    (holes, drawn, snap): (&[Hole], Option<usize>, &Snap),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Outline> {
@@ -178,14 +217,17 @@ fn cut(
             let place = match &error {
                 OutlineError::Size { axis, .. } => path.key("size").index(*axis),
                 OutlineError::Corner => path.key("from"),
-                OutlineError::Polygon(_) => path.key("vertices"),
+                OutlineError::Polygon(_) => path.key(if drawn.is_some() { "file" } else { "vertices" }),
             };
             faults.error(place, error.to_string());
             None
         }
     };
     for (k, hole) in holes.iter().enumerate() {
-        let path = path.key("holes").index(k);
+        // What a file draws is at fault there.
+        let before = drawn.unwrap_or(0);
+        let of_file = (k < before).then(|| path.key("file"));
+        let path = path.key("holes").index(k.saturating_sub(before));
         let (key, shape) = match snap.hole(hole) {
             Hole::Circle(c) => ("circle", Ok(Shape::Circle { centre: c.centre, radius: c.radius })),
             Hole::Slot(s) => ("slot", Ok(Shape::Slot { from: s.from, to: s.to, radius: s.radius })),
@@ -195,7 +237,7 @@ fn cut(
         let shape = match shape {
             Ok(shape) => shape,
             Err(error) => {
-                faults.error(path.key("vertices"), error.to_string());
+                faults.error(of_file.unwrap_or_else(|| path.key("vertices")), error.to_string());
                 continue;
             }
         };
@@ -206,7 +248,7 @@ fn cut(
                 HoleError::SameName { .. } => path.key("name"),
                 HoleError::NotFinite | HoleError::Outside => path,
             };
-            faults.error(place, error.to_string());
+            faults.error(of_file.unwrap_or(place), error.to_string());
         }
     }
     outline
@@ -228,7 +270,7 @@ fn fits(
 }
 
 /// A fault for an outline that cells do not fill.
-fn unfilled(error: &FillError, case: &Case, path: &JsonPath, faults: &mut Faults) {
+fn unfilled(error: &FillError, (holes, drawn): (&[Hole], usize), path: &JsonPath, faults: &mut Faults) {
     match error {
         FillError::Spacing { found } => {
             faults.error(path.key("spacing"), format!("`spacing` must be greater than zero, found {found}"));
@@ -259,20 +301,16 @@ fn unfilled(error: &FillError, case: &Case, path: &JsonPath, faults: &mut Faults
                 .hint("use a smaller spacing");
         }
         FillError::NoCellInHole { hole } => {
-            let holes = match &case.body {
-                Body::Rectangle(b) => &b.holes[..],
-                Body::Outline(b) => &b.holes,
-                _ => &[],
+            let place = match hole.checked_sub(drawn) {
+                Some(k) => path.key("holes").index(k),
+                None => path.key("file"),
             };
             let called = match holes.get(*hole).and_then(Hole::name) {
                 Some(name) => format!("the hole `{name}`"),
                 None => "this hole".into(),
             };
             faults
-                .error(
-                    path.key("holes").index(*hole),
-                    format!("no cell has its centre in {called}: it would do nothing"),
-                )
+                .error(place, format!("no cell has its centre in {called}: it would do nothing"))
                 .hint("use a smaller spacing; a hole needs several cells to be one");
         }
     }

@@ -1,11 +1,15 @@
 //! The border of a body in the plane as stretches that tractions act on.
 
+use super::border_names;
 use super::ground::Ground;
+use super::symmetry::Symmetry;
+use crate::case::Names;
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::input::gmsh::Curve;
 use crate::memory;
-use peristat_assembly::body::{BorderPart, Edge, Outline, PointBody, SquareLattice};
+use peristat_assembly::body::{BorderMember, BorderPart, Edge, Outline, PointBody, SquareLattice};
 use peristat_assembly::quadrature::GAUSS;
+use std::collections::BTreeSet;
 
 /// A short part of a border.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,7 +105,7 @@ pub(crate) fn fits(
     outline: &Outline,
     spacing: f64,
     max_memory: Option<u64>,
-    path: &JsonPath,
+    (path, drawn): (&JsonPath, usize),
     faults: &mut Faults,
 ) -> bool {
     let bytes = |length: f64| length / spacing * PER_SPACING * size_of::<Stretch>() as f64;
@@ -109,42 +113,86 @@ pub(crate) fn fits(
     let all = bytes(outline.border().perimeter() + holes.iter().sum::<f64>());
     let longest = (0..holes.len()).max_by(|&a, &b| holes[a].total_cmp(&holes[b]));
     let place = match longest.filter(|&k| bytes(holes[k]) > 0.5 * all) {
-        Some(k) => path.key("holes").index(k),
-        None => path.key("spacing"),
+        Some(k) if k >= drawn => path.key("holes").index(k - drawn),
+        _ => path.key("spacing"),
     };
     memory::fits(all, ("borders", "use a larger spacing, or smaller holes"), max_memory, place, faults)
 }
 
-/// The border of a name: an edge, a hole, or a named curve of a mesh.
+/// The borders of names: edges, holes, and named curves of a mesh, each with what its points are called; every part once.
 pub(crate) fn find(
-    name: &str,
+    names: &Names,
     ground: &Ground,
-    curves: &[Curve],
+    (curves, symmetry): (&[Curve], &Symmetry),
     path: &JsonPath,
     faults: &mut Faults,
-) -> Option<Border> {
+) -> Option<Vec<(String, Border)>> {
+    let (mut members, mut found, mut is_fine) = (BTreeSet::new(), Vec::new(), true);
+    for (k, name) in names.each().iter().enumerate() {
+        if let Some(parts) = ground.outline.and_then(|outline| outline.members(name)) {
+            members.extend(parts.into_iter().filter(|part| !is_left_out(name, *part, ground, symmetry)));
+        } else if let Some(curve) = curves.iter().find(|c| c.name == *name) {
+            found.push((name.clone(), Border::Curved { stretches: of_curve(curve), hole: None }));
+        } else {
+            let path = if names.is_list() { path.index(k) } else { path.clone() };
+            unknown(name, ground, curves, path, faults);
+            is_fine = false;
+        }
+    }
     let spacing = ground.body.spacing();
-    if let Some(outline) = ground.outline {
-        if let Some(edge) = outline.edge(name) {
-            return Some(Border::Edge(directed(edge.clone(), outline)));
-        }
-        let hole = outline.holes().iter().position(|h| h.name.as_deref() == Some(name));
-        if let Some(k) = hole {
-            return Some(Border::Curved { stretches: of_hole(k, outline, spacing), hole: Some(k) });
+    let mut of_holes = Vec::new();
+    for member in members {
+        let Some(outline) = ground.outline else { continue };
+        match member {
+            BorderMember::Edge(k) => {
+                let edge = outline.edges()[k].clone();
+                found.push((edge.name.clone(), Border::Edge(directed(edge, outline))));
+            }
+            BorderMember::Hole(k) => {
+                let name = outline.holes()[k].name.clone().unwrap_or_default();
+                found.push((name, Border::Curved { stretches: of_hole(k, outline, spacing), hole: Some(k) }));
+            }
+            BorderMember::HoleEdge { .. } => of_holes.extend(stretches_of(member, ground)),
         }
     }
-    if let Some(curve) = curves.iter().find(|c| c.name == name) {
-        return Some(Border::Curved { stretches: of_curve(curve), hole: None });
+    if !of_holes.is_empty() {
+        place_along(&mut of_holes);
+        found.push((String::new(), Border::Curved { stretches: of_holes, hole: None }));
     }
-    let edges = ground.outline.map_or(&[][..], Outline::edges).iter().map(|e| e.name.as_str());
-    let holes = ground.outline.map_or(&[][..], Outline::holes).iter().filter_map(|h| h.name.as_deref());
-    let known: Vec<&str> = edges.chain(holes).chain(curves.iter().map(|c| c.name.as_str())).collect();
+    is_fine.then_some(found)
+}
+
+/// Whether a part of the whole border is none: a mirror, an axis or a side that is joined.
+pub(crate) fn is_left_out(name: &str, part: BorderMember, ground: &Ground, symmetry: &Symmetry) -> bool {
+    let Some(outline) = ground.outline.filter(|outline| border_names::is_whole(name, outline)) else {
+        return false;
+    };
+    let edge = matches!(part, BorderMember::Edge(_)).then(|| outline.straight(part)).flatten();
+    edge.is_some_and(|edge| symmetry.replaces(&edge.name) || symmetry.joins(&edge.name))
+}
+
+fn unknown(name: &str, ground: &Ground, curves: &[Curve], path: JsonPath, faults: &mut Faults) {
+    let own = ground.outline.into_iter().flat_map(Outline::border_names);
+    let known: Vec<&str> = own.chain(curves.iter().map(|c| c.name.as_str())).collect();
     let hint = match known.is_empty() {
         true => "tractions act on edges of outlines and on named curves of meshes; listed points have neither: use `body_force` or `point`".into(),
         false => suggest(name, known.into_iter()),
     };
-    faults.error(path.clone(), format!("there is no edge or hole `{name}`")).hint(hint);
-    None
+    faults.error(path, format!("there is no edge or hole `{name}`")).hint(hint);
+}
+
+/// Stretches of a part of the border of an outline.
+pub(crate) fn stretches_of(member: BorderMember, ground: &Ground) -> Vec<Stretch> {
+    let Some(outline) = ground.outline else { return Vec::new() };
+    let spacing = ground.body.spacing();
+    match member {
+        BorderMember::Edge(k) => of_edge(&outline.edges()[k], ground),
+        BorderMember::Hole(k) => of_hole(k, outline, spacing),
+        BorderMember::HoleEdge { hole, edge } => {
+            let parts = outline.hole_edge_parts(hole, edge);
+            parts.iter().flat_map(|part| divided(part, spacing / PER_SPACING)).collect()
+        }
+    }
 }
 
 /// Edges of rectangles run to the right or upwards.

@@ -24,25 +24,27 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
     let case = ground.case;
     let mut known: HashMap<&str, f64> = HashMap::new();
     let mut points = |name: &str| -> f64 {
-        match ground.names().find(|own| *own == name) {
+        match ground.own_name(name) {
             Some(own) => *known.entry(own).or_insert_with(|| ground.count(own) as f64),
             None => 0.0,
         }
     };
-    let mut at = |region: &Option<String>| region.as_ref().map_or(1.0, |name| points(name));
-    let supports: f64 = case.supports.iter().map(|s| at(&s.at.region) * of_support(s)).sum();
+    let mut at = |region: Option<&str>| region.map_or(1.0, &mut points);
+    let supports: f64 = case.supports.iter().map(|s| at(s.at.region.as_deref()) * of_support(s)).sum();
     let mut of_load = |load: &Load| match load {
-        Load::Point(load) => at(&load.at.region),
-        Load::BodyForce(load) => load.region.as_ref().map_or(0.0, |_| at(&load.region)),
-        Load::Gravity(load) => load.region.as_ref().map_or(0.0, |_| at(&load.region)),
+        Load::Point(load) => at(load.at.region.as_deref()),
+        Load::BodyForce(load) => load.region.as_ref().map_or(0.0, |_| at(load.region.as_deref())),
+        Load::Gravity(load) => load.region.as_ref().map_or(0.0, |_| at(load.region.as_deref())),
         // Every point has a force of its own.
-        Load::Spin(load) => load.region.as_ref().map_or(ground.body.points() as f64, |_| at(&load.region)),
-        Load::Traction(load) => at(&load.border().map(|(_, name)| name.to_string())),
+        Load::Spin(load) => {
+            load.region.as_ref().map_or(ground.body.points() as f64, |_| at(load.region.as_deref()))
+        }
+        Load::Traction(load) => at(load.border().map(|(_, name)| name)),
         Load::Distributed(_) | Load::Pressure(_) => 0.0,
     };
     let loads: f64 = case.loads.iter().map(&mut of_load).sum();
     let cases: f64 = case.load_cases.iter().flat_map(|c| &c.loads).map(&mut of_load).sum();
-    let probes: f64 = case.probes.iter().map(|p| at(&p.at.region)).sum();
+    let probes: f64 = case.probes.iter().map(|p| at(p.at.region.as_deref())).sum();
     let compared = case.checks.iter().filter(|c| matches!(c, Check::Baseline(_) | Check::Formula(_)));
     let values = (compared.count() * ground.body.points()) as f64;
     let all = [

@@ -1,6 +1,7 @@
 //! Bodies that a file lists.
 
 use crate::diagnostic::{Faults, JsonPath};
+use crate::input::drawing::{self, Drawing};
 use crate::input::gmsh::{self, Curve};
 use crate::input::surface::SolidFile;
 use crate::input::{Folder, ReadError, Refusal, points, solid};
@@ -32,6 +33,21 @@ pub(crate) fn mesh(
     let bytes = bytes(folder, file, "mesh", max_memory, path, faults)?;
     let mesh = gmsh::read(&bytes).map_err(|error| refuse(file, "mesh", &error, path, faults)).ok()?;
     Some((PointBody::Cloud(mesh.cloud), mesh.curves, blake3::hash(&bytes)))
+}
+
+/// What a drawing bounds, with chords this far from its curves at most, and the hash of the file.
+pub(crate) fn drawing(
+    folder: &Folder,
+    file: &str,
+    deviation: f64,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<(Drawing, blake3::Hash)> {
+    let bytes = bytes(folder, file, "drawing", max_memory, path, faults)?;
+    let drawing = drawing::read(&bytes, deviation);
+    let drawing = drawing.map_err(|error| refuse(file, "drawing", &error, path, faults)).ok()?;
+    Some((drawing, blake3::hash(&bytes)))
 }
 
 /// The body in space of a file, and the hash of the file.

@@ -49,7 +49,7 @@ pub(crate) fn read(
     material.iter_mut().for_each(|material| material.set_lattice_angle(angle));
     let usual = material.as_ref().map_or(USUAL_HORIZON_RATIO, |material| material.usual_horizon_ratio());
     let ratio = horizon::horizon_ratio(case, spacing.unwrap_or(1.0), usual, faults);
-    let body::Built { mut body, outline, solid, curves, file } = built?;
+    let body::Built { mut body, outline, solid, curves, parts: own, file } = built?;
     if let (PointBody::Lattice(lattice), Some(outline)) = (&mut body, &outline)
         && material.as_ref().is_some_and(|material| material.is_revolved())
     {
@@ -66,7 +66,8 @@ pub(crate) fn read(
         symmetry.add_axis(outline, lattice);
     }
     periodic::join(case, sides, lattice, &mut symmetry, faults);
-    let BuiltSolid { mut walls, parts, .. } = solid.unwrap_or_default();
+    let BuiltSolid { mut walls, mut parts, .. } = solid.unwrap_or_default();
+    parts.extend(own);
     if let PointBody::Solid(lattice) = &body {
         walls.iter_mut().for_each(|wall| wall.mirror(&symmetry.goes_on, lattice));
     }

@@ -1,13 +1,14 @@
 //! Regions and places of a body by the names that a case gives them.
 
+use super::border_names::{self, List};
 use super::regions;
-use crate::case::{self, At, Case};
+use crate::case::{At, Case, Names};
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use crate::scene::words;
 use peristat_assembly::body::{
     Group, Outline, PointBody, Region, RegionError, Regions, SolidRegion, Wall, WallKind, in_space,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A body with everything on it that has a name.
 pub(crate) struct Ground<'a> {
@@ -23,6 +24,10 @@ pub(crate) struct Ground<'a> {
     parts: &'a [Group],
     /// Regions of the case, and edges, faces, holes and groups as regions.
     named: BTreeMap<String, Region>,
+    /// Names among them that no hint tells: chords, lists and the whole border.
+    aside: BTreeSet<String>,
+    /// Lists that have their faults already.
+    refused: BTreeSet<String>,
 }
 
 /// A place that was found.
@@ -56,8 +61,19 @@ impl<'a> Ground<'a> {
             named.insert(name.to_string(), region);
             kinds.insert(name.to_string(), kind);
         };
+        let mut aside = BTreeMap::new();
+        let on_border = |name: &str| Region::Edge { name: name.into(), depth: None };
         for edge in outline.map_or(&[][..], Outline::edges) {
-            take(&edge.name, "an edge", Region::Edge { name: edge.name.clone(), depth: None });
+            match edge.is_chord {
+                true => drop(aside.insert(edge.name.clone(), on_border(&edge.name))),
+                false => take(&edge.name, "an edge", on_border(&edge.name)),
+            }
+        }
+        for group in outline.map_or(&[][..], Outline::groups) {
+            match group.is_known {
+                true => take(&group.name, "an edge", on_border(&group.name)),
+                false => drop(aside.insert(group.name.clone(), on_border(&group.name))),
+            }
         }
         for name in outline.map_or(&[][..], Outline::holes).iter().filter_map(|h| h.name.as_ref()) {
             take(name, "a hole", Region::Hole { name: name.clone(), depth: None });
@@ -86,7 +102,11 @@ impl<'a> Ground<'a> {
                 named.insert(name.clone(), region);
             }
         }
-        let ground = Self { case, body, outline, walls, parts, named };
+        let hidden = aside.keys().cloned().collect();
+        named.extend(aside);
+        let mut ground =
+            Self { case, body, outline, walls, parts, named, aside: hidden, refused: BTreeSet::new() };
+        ground.join_lists(faults);
         for name in case.regions.keys().filter(|name| !kinds.contains_key(*name)) {
             ground.define(name, &root("regions").key(name), faults);
         }
@@ -95,7 +115,44 @@ impl<'a> Ground<'a> {
 
     /// Names of all regions.
     pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
-        self.named.keys().map(String::as_str)
+        self.named.keys().filter(|name| !self.aside.contains(*name)).map(String::as_str)
+    }
+
+    /// The name of a region, if there is such a one.
+    pub(crate) fn own_name(&self, name: &str) -> Option<&str> {
+        self.named.get_key_value(name).map(|(own, _)| own.as_str())
+    }
+
+    /// As [`border_names::edges_of`].
+    pub(crate) fn edges_of(&self, names: &Names) -> Vec<String> {
+        border_names::edges_of(self.outline, names)
+    }
+
+    /// Lists of places as regions, where they are no parts of the border alone.
+    fn join_lists(&mut self, faults: &mut Faults) {
+        for List { path, names, is_place } in border_names::lists(self.case) {
+            if !is_place || self.named.contains_key(&**names) {
+                continue;
+            }
+            let mut is_fine = true;
+            for (k, name) in names.each().iter().enumerate() {
+                if !self.named.contains_key(name) {
+                    is_fine = false;
+                    if !self.case.regions.contains_key(name) {
+                        faults
+                            .error(path.index(k), format!("there is no region `{name}`"))
+                            .hint(suggest(name, self.names()));
+                    }
+                }
+            }
+            match is_fine {
+                true => {
+                    self.named.insert(names.to_string(), Region::Union { of: names.each().to_vec() });
+                    self.aside.insert(names.to_string());
+                }
+                false => drop(self.refused.insert(names.to_string())),
+            }
+        }
     }
 
     /// Number of points of the region of a name; none where it cannot be made.
@@ -117,41 +174,6 @@ impl<'a> Ground<'a> {
             }
             Ok(_) => {}
             Err(error) => self.refuse(&error, name, path, faults),
-        }
-    }
-
-    fn refuse(&self, error: &RegionError, name: &str, path: &JsonPath, faults: &mut Faults) {
-        let place = match (&self.case.regions[name], error) {
-            (case::Region::Edge(_), RegionError::Unknown { .. }) => path.key("edge").key("name"),
-            (case::Region::Face(_), RegionError::Unknown { .. }) => path.key("face").key("name"),
-            (case::Region::Face(_), _) => path.key("face").key("depth"),
-            (case::Region::Ball(_), RegionError::NotPositive { .. }) => path.key("ball").key("radius"),
-            (case::Region::HalfSpace(_), RegionError::Position { what }) => path.key("half_space").key(*what),
-            (case::Region::Hole(_), RegionError::Unknown { .. }) => path.key("hole").key("name"),
-            (case::Region::Group(_), _) => path.key("group"),
-            (case::Region::Union(_), _) => path.key("union"),
-            (case::Region::Edge(_), _) => path.key("edge").key("depth"),
-            (case::Region::Hole(_), _) => path.key("hole").key("depth"),
-            (case::Region::Disc(_), RegionError::NotPositive { .. }) => path.key("disc").key("radius"),
-            (case::Region::HalfPlane(_), RegionError::Position { what }) => path.key("half_plane").key(*what),
-            _ => path.clone(),
-        };
-        match error {
-            RegionError::Unknown { kind, name, known } => {
-                let hint = match (*kind, known.is_empty()) {
-                    ("edge", true) => "edges are those of the bodies `rectangle` and `outline`".to_string(),
-                    ("hole", true) => "no hole of the body has a name".into(),
-                    ("group", true) => "groups are those of a mesh with named physical groups".into(),
-                    _ => suggest(name, known.iter().map(String::as_str)),
-                };
-                faults.error(place, format!("there is no {kind} `{name}`")).hint(hint);
-            }
-            RegionError::NotPositive { what, found } => {
-                faults.error(place, format!("`{what}` must be greater than zero, found {found}"));
-            }
-            error => {
-                faults.error(place, error.to_string());
-            }
         }
     }
 
@@ -181,7 +203,7 @@ impl<'a> Ground<'a> {
     pub(crate) fn region(&self, name: &str, path: &JsonPath, faults: &mut Faults) -> Option<Vec<u32>> {
         let Some(region) = self.named.get(name) else {
             // A region that could not be made has its fault already.
-            if !self.case.regions.contains_key(name) {
+            if !self.case.regions.contains_key(name) && !self.refused.contains(name) {
                 faults
                     .error(path.clone(), format!("there is no region `{name}`"))
                     .hint(suggest(name, self.names()));

@@ -3,15 +3,21 @@
 //! The force that a re-entrant corner needs goes by half into the block across it, which the rows of the held edge cannot
 //! supply: with bonds that end on the border one stress would be off by a fifth and more there.
 
-use crate::case::Case;
+use crate::case::{At, Case, Names};
 use peristat_assembly::body::{Edge, Outline};
 
 /// How little an edge turns back at a corner that is straight on, as a cosine.
 const STRAIGHT: f64 = 1e-9;
 
+/// Whether a place is an edge, or has it among others.
+pub(crate) fn is_at(at: &At, edge: &Edge, outline: &Outline) -> bool {
+    let names = at.region.iter().flat_map(Names::each);
+    names.into_iter().any(|name| outline.calls(name, edge))
+}
+
 /// Whether a support holds an edge that ends in a re-entrant corner.
 pub(crate) fn is_held(case: &Case, outline: &Outline) -> bool {
-    let is_held = |edge: &Edge| case.supports.iter().any(|s| s.at.region.as_ref() == Some(&edge.name));
+    let is_held = |edge: &Edge| case.supports.iter().any(|s| is_at(&s.at, edge, outline));
     let edges = outline.edges();
     let re_entrant = |(a, b): (&Edge, &Edge)| {
         let forwards = if a.to == b.from {

@@ -2,9 +2,11 @@
 
 pub(crate) mod bearing;
 pub(crate) mod body;
+pub(crate) mod border_names;
 pub(crate) mod boundary;
 pub(crate) mod counts;
 pub(crate) mod cracks;
+mod drawn;
 pub(crate) mod files;
 pub(crate) mod foreign;
 pub(crate) mod given_body;
@@ -14,6 +16,7 @@ pub(crate) mod interpolate;
 pub(crate) mod model_inputs;
 pub(crate) mod of_case;
 pub(crate) mod periodic;
+mod region_faults;
 pub(crate) mod regions;
 pub(crate) mod resultants;
 pub(crate) mod size;

@@ -32,7 +32,7 @@ pub(crate) fn converted(
     let at = |vector: Vector, path: JsonPath, faults: &mut Faults| position(vector, body, path, faults);
     let flat = |[x, y, _]: [f64; 3]| [x, y];
     Some(match region.clone() {
-        case::Region::Edge(r) => Region::Edge { name: r.name, depth: r.depth },
+        case::Region::Edge(r) => Region::Edge { name: r.name.to_string(), depth: r.depth },
         case::Region::Face(r) => Region::Solid(SolidRegion::Face { name: r.name, depth: r.depth }),
         case::Region::Corner(given) => {
             let at = at(given, path.key("corner"), faults)?;

@@ -44,6 +44,7 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
     if !acts_across && add_uniform(tractions, context, to) {
         return;
     }
+    let mut lumped: Vec<&OnBorder> = Vec::new();
     for traction in tractions {
         let faded = match (&traction.border, traction.depth, traction.sharing) {
             _ if traction.profile.acts_across() => Err("it acts across the plane"),
@@ -74,9 +75,12 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
                     };
                     faults.warning(traction.path.key("depth"), message).hint("leave `depth` out");
                 }
-                to.forces.extend(lump::forces(traction, context));
+                lumped.push(traction);
             }
         }
+    }
+    for together in lumped.chunk_by(|a, b| a.path == b.path) {
+        to.forces.extend(lump::forces(together, context));
     }
 }
 

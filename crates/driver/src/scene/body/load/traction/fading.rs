@@ -226,7 +226,7 @@ pub(crate) fn missing(
 ) -> Forces {
     let at = |p: u32| context.ground.body.position(p as usize);
     let mut rest = Resultant::default();
-    let lumped = lump::forces(traction, context);
+    let lumped = lump::forces(&[traction], context);
     lumped.iter().for_each(|&(p, f)| resultants::add_force(context.material, &mut rest, f, at(p)));
     forces
         .iter()
@@ -265,7 +265,7 @@ pub(crate) fn missing(
 /// the body, and stays.
 pub(crate) fn inside(traction: &OnBorder, context: &LoadContext) -> [bool; 3] {
     let mirrors = context.symmetry.mirrors;
-    let (sum, size) = sums(&lump::forces(traction, context));
+    let (sum, size) = sums(&lump::forces(&[traction], context));
     [0, 1, 2].map(|axis| {
         let is_mirrored = mirrors.lines[axis] != [None; 2] && !mirrors.joined[axis];
         is_mirrored && sum[axis].abs() <= 1e-10 * size[0].max(size[1]).max(size[2])

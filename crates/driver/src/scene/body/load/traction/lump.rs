@@ -11,12 +11,14 @@ use std::collections::BTreeMap;
 /// Positions on a stretch, m, and tractions there times the lengths that they stand for, N/m.
 type OnStretch = Vec<([f64; 2], [f64; 3])>;
 
-/// Forces of a traction on points of the body, each stretch of its border on the nearest point, with the exact force and
-/// moment.
-pub(crate) fn forces(traction: &OnBorder, context: &LoadContext) -> Forces {
-    let stretches = traction.stretches(context.ground);
-    let candidates = candidates(traction, context);
-    on_points(&stretches, &|stretch| traction.profile.on(stretch), &candidates, context)
+/// Forces of a traction on points of the body, each stretch of its borders on the nearest point, with the exact force and
+/// moment. Chords of a curve act together: their own moments would be those of a point or two.
+pub(crate) fn forces(borders: &[&OnBorder], context: &LoadContext) -> Forces {
+    let Some(profile) = borders.first().map(|border| border.profile) else { return Vec::new() };
+    let stretches: Vec<Stretch> =
+        borders.iter().flat_map(|border| border.stretches(context.ground)).collect();
+    let candidates: Vec<u32> = borders.iter().flat_map(|border| candidates(border, context)).collect();
+    on_points(&stretches, &|stretch| profile.on(stretch), &candidates, context)
 }
 
 /// Points that a border can act on.

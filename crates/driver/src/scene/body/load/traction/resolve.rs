@@ -8,13 +8,13 @@ use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::site::boundary::{self, Border, is_aligned};
 use peristat_assembly::model::plane::Calibration;
 
-/// The border and the profile of a traction.
+/// The borders and the profile of a traction.
 pub(crate) fn resolve(
     load: &Traction,
     context: &LoadContext,
     path: JsonPath,
     faults: &mut Faults,
-) -> Option<OnBorder> {
+) -> Option<Vec<OnBorder>> {
     let place = path.key("edge");
     let Some(edge) = &load.edge else {
         // A face has its fault already.
@@ -23,45 +23,34 @@ pub(crate) fn resolve(
         }
         return None;
     };
-    crate::scene::body::hold::supports::not_mirrored(Some(edge), &place, context.symmetry, faults);
-    let border = boundary::find(edge, context.ground, context.curves, &place, faults);
-    let given = [
-        ("uniform", load.uniform.is_some()),
-        ("linear", load.linear.is_some()),
-        ("parabolic", load.parabolic.is_some()),
-        ("pressure", load.pressure.is_some()),
-        ("total", load.total.is_some()),
-        ("hertz", load.hertz.is_some()),
-    ];
-    let keys: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
-    match keys[..] {
-        [_] => {}
-        [] => {
-            faults
-                .error(path, "the value of this traction is missing")
-                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
-            return None;
-        }
-        [first, second, ..] => {
-            faults
-                .error(path.key(second), format!("`{first}` and `{second}` are both given"))
-                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
-            return None;
-        }
+    for name in context.ground.edges_of(edge) {
+        crate::scene::body::hold::supports::not_mirrored(Some(&name), &place, context.symmetry, faults);
     }
+    let borders = boundary::find(edge, context.ground, (context.curves, context.symmetry), &place, faults);
+    one_value(load, &path, faults)?;
     if let Some(depth) = load.depth {
         positive(depth, "depth", path.key("depth"), faults);
     }
-    let border = border.filter(|_| !context.symmetry.axis.contains(edge))?;
-    let on = OnBorder {
-        name: edge.clone(),
-        border,
-        profile: Profile::Pressure(0.0),
-        sharing: load.sharing,
-        depth: load.depth,
-        path: path.clone(),
-    };
-    let stretches = on.stretches(context.ground);
+    let is_axis = |name: &String| context.symmetry.axis.contains(name);
+    let borders = borders?.into_iter().filter(|(name, _)| !is_axis(name));
+    let on: Vec<OnBorder> = borders
+        .map(|(name, border)| OnBorder {
+            name,
+            border,
+            profile: Profile::Pressure(0.0),
+            sharing: load.sharing,
+            depth: load.depth,
+            path: path.clone(),
+        })
+        .collect();
+    // An axis alone has its fault already.
+    if on.is_empty() {
+        return None;
+    }
+    if on.len() > 1 {
+        only_one(load, on.len(), &path, faults)?;
+    }
+    let stretches: Vec<_> = on.iter().flat_map(|on| on.stretches(context.ground)).collect();
     let area = context.area(&stretches);
     if !positive(area, "area of the border", place.clone(), faults) {
         return None;
@@ -75,7 +64,7 @@ pub(crate) fn resolve(
         Traction { parabolic: Some(t), .. } => Profile::Parabolic(force(t, "parabolic")?),
         Traction { total: Some(total), .. } => Profile::Linear([force(total, "total")?.map(|f| f / area); 2]),
         Traction { hertz: Some(hertz), .. } => {
-            on_edge(hertz, &on.border, context.ground.body.spacing(), &path.key("hertz"), faults)?
+            on_edge(hertz, &on.first()?.border, context.ground.body.spacing(), &path.key("hertz"), faults)?
         }
         _ => Profile::Pressure(load.pressure.unwrap_or(0.0)),
     };
@@ -91,13 +80,58 @@ pub(crate) fn resolve(
         Profile::Parabolic(_) => Some("parabolic"),
         _ => None,
     };
-    if let (Border::Curved { hole: Some(_), .. }, Some(key)) = (&on.border, varies) {
+    let is_hole = |on: &OnBorder| matches!(on.border, Border::Curved { hole: Some(_), .. });
+    if let Some(key) = varies.filter(|_| on.iter().any(is_hole)) {
         faults
             .error(path.key(key), "a hole has neither start nor end")
             .hint("use `uniform`, `pressure` or `total` on holes");
     }
-    check_sharing(load, &on, context, &path, faults);
-    Some(OnBorder { profile, ..on })
+    if let Some(first) = on.first() {
+        check_sharing(load, first, context, &path, faults);
+    }
+    Some(on.into_iter().map(|on| OnBorder { profile, ..on }).collect())
+}
+
+/// A fault for a traction with no value, or with two.
+fn one_value(load: &Traction, path: &JsonPath, faults: &mut Faults) -> Option<()> {
+    let given = [
+        ("uniform", load.uniform.is_some()),
+        ("linear", load.linear.is_some()),
+        ("parabolic", load.parabolic.is_some()),
+        ("pressure", load.pressure.is_some()),
+        ("total", load.total.is_some()),
+        ("hertz", load.hertz.is_some()),
+    ];
+    let keys: Vec<&str> = given.iter().filter(|g| g.1).map(|g| g.0).collect();
+    match keys[..] {
+        [_] => Some(()),
+        [] => {
+            faults
+                .error(path.clone(), "the value of this traction is missing")
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
+            None
+        }
+        [first, second, ..] => {
+            faults
+                .error(path.key(second), format!("`{first}` and `{second}` are both given"))
+                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
+            None
+        }
+    }
+}
+
+/// A fault for a profile that runs along one edge where there are several.
+fn only_one(load: &Traction, count: usize, path: &JsonPath, faults: &mut Faults) -> Option<()> {
+    let along = [
+        ("linear", load.linear.is_some()),
+        ("parabolic", load.parabolic.is_some()),
+        ("hertz", load.hertz.is_some()),
+    ];
+    let Some((key, _)) = along.iter().find(|a| a.1) else { return Some(()) };
+    faults
+        .error(path.key(*key), format!("`{key}` runs along one straight edge, and here are {count}"))
+        .hint("give every edge its own traction, or use `uniform`, `pressure` or `total`");
+    None
 }
 
 /// A contact pressure by places along its edge.

@@ -4,15 +4,13 @@
 use super::on_border::{OnBorder, may_be_consistent};
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::body::load::sums::Forces;
-use crate::scene::body::site::boundary::Border;
 use peristat_assembly::body::in_space;
 
 /// Forces of a traction on points of the model, images among them: what acts there by a sign that is turned goes into the line
 /// of symmetry ([`BodyScene::into_mirrors`](super::BodyScene::into_mirrors)). None where it acts otherwise.
 pub(crate) fn forces(traction: &OnBorder, context: &LoadContext) -> Option<Forces> {
     let model = context.model?;
-    let is_plain = matches!(&traction.border, Border::Edge(_) | Border::Curved { hole: Some(_), .. });
-    if !is_plain || !may_be_consistent(traction, context) {
+    if !may_be_consistent(traction, context) {
         return None;
     }
     let (shares, (lattice, _)) = (model.border_shares()?, model.lattice()?);
