@@ -7,7 +7,7 @@ from pathlib import Path
 folder = Path("results/breaking_plate")
 
 
-def table(name):
+def table(name: str) -> dict[str, list[float]]:
     """Columns of a table by their names."""
     with open(folder / name, encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
