@@ -44,3 +44,13 @@ def test_another_solver_finds_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     expected = peristat.run("cases/plate/cantilever.json", set={"body.rectangle.spacing": 4}).field("uy")
     # The tolerance of `cg` is 1e-5 of the residual; 1e-6 measured.
     assert abs(names["u"][:, 1] - expected).max() < 1e-4 * abs(expected).max()
+
+
+def test_results_are_read_without_a_package(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(tmp_path)
+    result = peristat.run(ROOT / "cases/plate/breaking_plate.json", output="results/breaking_plate")
+    names = runpy.run_path(str(ROOT / "docs/examples/read_results.py"))
+    assert names["summary"]["fracture"]["facts"]["peak_load"] == max(result.curve["load"])
+    assert len(names["curve"]["load"]) == 96 and names["worst"] < 1e-10
+    assert len(names["broken"]) == 52
+    assert "96 equilibria" in capsys.readouterr().out
