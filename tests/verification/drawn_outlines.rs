@@ -3,6 +3,7 @@
 use peristat::case;
 use peristat::run::RunOptions;
 use peristat::scene::{BodyScene, Scene};
+use peristat::summary::Forces;
 use peristat::{Loaded, Solved};
 use serde_json::{Value, json};
 use std::f64::consts::PI;
@@ -273,4 +274,40 @@ fn the_outer_border_leaves_out_holes_and_mirrors() {
     let [asked, _] = balance(&written(&case));
     // The right side and the top, 8 each.
     assert!((asked[0] - 16.0).abs() < 1e-9 && (asked[1] - 32.0).abs() < 1e-9, "{asked:?}");
+}
+
+/// The corner of two edges is held once, whether one support or two hold them: held twice, the rounding of both was
+/// what moved it, with reactions that grew threefold from row to row.
+#[test]
+fn edges_held_one_by_one_are_held_as_together() {
+    for (model, spacing) in [("bond_plane", 1.0), ("bond_plane", 0.5), ("state_plane", 1.0)] {
+        let held = |supports: Value| {
+            let mut keys = json!({ "youngs_modulus": 70000, "state": "plane_stress" });
+            if model == "state_plane" {
+                keys["poisson_ratio"] = json!(0.3);
+            }
+            written(&json!({
+                "title": "corner", "units": "mm-N-MPa", "model": { model: keys },
+                "body": { "outline": { "vertices": [[0, 0], [10.6, 0], [10.6, 8.3], [0, 8.3]], "spacing": spacing } },
+                "supports": supports,
+                "loads": [ { "traction": { "edge": "edge_2", "uniform": [10, 4] } } ],
+                "probes": [ { "name": "u", "at": { "x": 9.1, "y": 6.2 }, "field": "ux" },
+                    { "name": "s", "at": { "x": 5.1, "y": 3.2 }, "field": "stress_xx" } ]
+            }))
+        };
+        let clamped = |region: Value| json!({ "at": { "region": region }, "ux": 0, "uy": 0 });
+        let together = held(json!([clamped(json!(["edge_1", "edge_4"]))]));
+        let apart = held(json!([clamped(json!("edge_1")), clamped(json!("edge_4"))]));
+        for (found, expected) in values(&apart).iter().zip(values(&together)) {
+            assert!((found / expected - 1.0).abs() < 1e-9, "{model} {spacing}: {found} for {expected}");
+        }
+        for found in [&apart, &together] {
+            let [asked, reactions] = balance(found);
+            assert!((asked[0] - 83.0).abs() < 1e-9 && (asked[1] - 33.2).abs() < 1e-9, "{asked:?}");
+            assert!((0..2).all(|k| (asked[k] + reactions[k]).abs() < 1e-8), "{asked:?} {reactions:?}");
+        }
+        let Forces::Body(forces) = &apart.summary.states[0].forces else { panic!("a plate") };
+        let each: Vec<f64> = forces.reactions.iter().flat_map(|r| [r.force_x, r.force_y]).collect();
+        assert!(each.len() == 4 && each.iter().all(|force| force.abs() < 120.0), "{each:?}");
+    }
 }

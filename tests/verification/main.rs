@@ -31,6 +31,7 @@ mod foundation;
 mod fracture_plane;
 mod frames;
 mod grading;
+mod griffith;
 mod held_borders;
 mod hole_stress;
 mod literature;

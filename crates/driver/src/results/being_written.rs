@@ -192,7 +192,8 @@ impl Results {
         let curve = self.curve.as_ref().map(|_| curve::FILE);
         let envelope = self.envelope.as_ref().map(|_| "envelope.csv");
         let grids = (!self.steps.is_empty()).then_some("fields.pvd");
-        let tables = ["case.json", "history.csv"].into_iter().chain(grids).chain(curve).chain(envelope);
+        let history = (!self.history.is_empty()).then_some("history.csv");
+        let tables = ["case.json"].into_iter().chain(history).chain(grids).chain(curve).chain(envelope);
         lost(&self.folder, tables.map(String::from).chain(self.files.iter().cloned()))
     }
 
@@ -222,7 +223,11 @@ impl Results {
 
     pub(super) fn write_collection(&self) -> io::Result<()> {
         if self.steps.is_empty() {
-            return Ok(());
+            // One of a run that goes on with other files names grids that are gone.
+            return match fs::remove_file(self.folder.join("fields.pvd")) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+                _ => Ok(()),
+            };
         }
         let steps: Vec<(f64, &str)> = self.steps.iter().map(|(t, f)| (*t, f.as_str())).collect();
         pvd::write(&self.folder.join("fields.pvd"), &steps)

@@ -6,6 +6,7 @@ use super::options::RunOptions;
 use super::problem::{Problem, Spread};
 use super::scene_sizes::Sizes;
 use crate::diagnostic::{Faults, JsonPath};
+use crate::scene::body::CONTRADICTION;
 use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 use std::str::FromStr;
@@ -97,8 +98,10 @@ fn system<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, RunErro
                 false => format!("`{}` contradicts {}", contradiction.origin, others.join(", ")),
             };
             faults.error(path, message).hint(match problem.spread() {
-                Spread::Chain => "prescribe each motion once; points that a link or a joint joins move together",
-                _ => "prescribe each motion once: edges share the points of their corner, and those of a rigid region move together",
+                Spread::Chain => {
+                    "prescribe each motion once; points that a link or a joint joins move together"
+                }
+                _ => CONTRADICTION,
             });
             Err(RunError::Case(faults))
         }

@@ -23,13 +23,14 @@ mod softening;
 #[cfg(test)]
 pub(super) mod tests;
 mod toughness;
+mod trapping;
 
 pub use bond::CentralBond;
 pub use error::BondPlaneError;
 pub use material::{PlaneMaterial, PlaneState};
 pub use parameters::{Influence, PlaneParameters, VolumeFactor};
 pub use softening::{failure_stretch, yield_stretch};
-pub use toughness::{critical_stretch, published_critical_stretch};
+pub use toughness::{critical_stretch, growth_stretch, published_critical_stretch};
 
 pub(super) use calibration::overlap::cell_in_disc;
 pub(super) use calibration::published::radial_part;

@@ -2,6 +2,7 @@
 
 use super::super::plane::toughness;
 use super::neighbourhood::neighbourhood;
+use super::trapping::trapping;
 use super::{BondPlaneError, PlaneParameters, PlaneState};
 use std::f64::consts::PI;
 
@@ -18,6 +19,20 @@ pub fn critical_stretch(
     let neighbourhood = neighbourhood(parameters)?;
     let weights: Vec<f64> = neighbourhood.weights.iter().map(|[a]| *a).collect();
     Ok(toughness::critical_stretch(release_rate, &weights, &neighbourhood.offsets, spacing, [0.0, 1.0]))
+}
+
+/// The critical stretch with which a long crack grows at the energy release rate, J/m², in any direction to a few percent:
+/// that of [`critical_stretch`] over the lattice trapping; `spacing` in m.
+///
+/// # Errors
+/// As [`super::BondPlane::offsets`].
+pub fn growth_stretch(
+    release_rate: f64,
+    parameters: &PlaneParameters,
+    spacing: f64,
+) -> Result<f64, BondPlaneError> {
+    let energy = critical_stretch(release_rate, parameters, spacing)?;
+    Ok(energy / trapping(parameters.influence, parameters.horizon_ratio))
 }
 
 /// The critical stretch of the continuum with the influence function 1, `√(4πG/(9Eδ))` in plane stress and

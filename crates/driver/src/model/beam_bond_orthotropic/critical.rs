@@ -61,7 +61,13 @@ pub(super) fn stretches(
         let fibre = needed(rates[0], "fibre_energy_release_rate", path, faults);
         let matrix = needed(rates[1], "matrix_energy_release_rate", path, faults);
         let rates = ReleaseRates { fibre: fibre?, matrix: matrix? };
-        match given.formula.get_or_insert_default() {
+        match given.formula.get_or_insert(CriticalFormula::Energy) {
+            CriticalFormula::Growth => {
+                faults
+                    .error(path.key("formula"), "the formula `growth` is of central bonds")
+                    .hint("use `energy`: what the lattice adds is not known of beam bonds");
+                return None;
+            }
             CriticalFormula::Published => Of::published(rates, &parameters.material, on.horizon),
             CriticalFormula::Energy => {
                 let found = Of::by_energy(rates, &bonds, on.spacing);

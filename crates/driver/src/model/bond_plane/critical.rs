@@ -3,7 +3,7 @@
 use super::super::{Critical, CriticalFormula, OnGround, Refusal, foreign, needed};
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::bond_plane::{
-    Influence, PlaneParameters, critical_stretch, published_critical_stretch,
+    Influence, PlaneParameters, critical_stretch, growth_stretch, published_critical_stretch,
 };
 
 /// The stretch at which every bond breaks.
@@ -40,23 +40,24 @@ pub(super) fn stretch(
         return needed(given.stretch, "stretch", path, faults);
     };
     needed(Some(rate), "energy_release_rate", path, faults)?;
-    let default = if on.is_lattice { CriticalFormula::Energy } else { CriticalFormula::Published };
+    let default = if on.is_lattice { CriticalFormula::Growth } else { CriticalFormula::Published };
     match given.formula.get_or_insert(default) {
         CriticalFormula::Published if parameters.influence != Influence::Constant => {
             faults
                 .error(path.key("formula"), "the published formula is that of the influence `constant`")
-                .hint("use the formula `energy`, which knows the bonds");
+                .hint("use the formula `growth`, which knows the bonds");
             None
         }
         CriticalFormula::Published => Some(published_critical_stretch(rate, parameters, on.horizon)),
-        CriticalFormula::Energy if !on.is_lattice => {
+        CriticalFormula::Growth | CriticalFormula::Energy if !on.is_lattice => {
             faults
-                .error(path.key("formula"), "the formula `energy` needs the bonds of a lattice")
+                .error(path.key("formula"), "this formula needs the bonds of a lattice")
                 .hint("use `published`, or give `stretch`");
             None
         }
-        CriticalFormula::Energy => {
-            let found = critical_stretch(rate, parameters, on.spacing).map_err(Refusal::from);
+        formula => {
+            let of = if *formula == CriticalFormula::Growth { growth_stretch } else { critical_stretch };
+            let found = of(rate, parameters, on.spacing).map_err(Refusal::from);
             found.map_err(|refusal| refusal.tell("bond_plane", on.horizon_key, faults)).ok()
         }
     }

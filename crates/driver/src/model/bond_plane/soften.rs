@@ -149,6 +149,12 @@ fn critical(
     let constant = parameters.influence == Influence::Constant;
     let default = if constant { CriticalFormula::Published } else { CriticalFormula::Energy };
     let formula = formula.unwrap_or(default);
+    if formula == CriticalFormula::Growth {
+        faults
+            .error(path.key("formula"), "the formula `growth` is of bonds that break at once")
+            .hint("use `energy`: bonds that soften dissipate what they are given, and the lattice holds them back less");
+        return None;
+    }
     if formula == CriticalFormula::Published && !constant {
         faults
             .error(path.key("formula"), "the published formula is that of the influence `constant`")

@@ -24,6 +24,7 @@ pub use hold::conditions::{Conditions, HeldPoints};
 pub use hold::held_edge::HeldEdge;
 pub use hold::rigid::RigidPoints;
 pub use hold::supported::BodySupport;
+pub(crate) use hold::supported::CONTRADICTION;
 pub use hole_ring::HoleRing;
 pub(crate) use hole_ring::is_on;
 pub use load::sums::BodyLoads;

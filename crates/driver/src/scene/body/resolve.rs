@@ -132,7 +132,7 @@ impl BodyScene {
             faults,
         );
         let built = built?;
-        let (conditions, supports) = supported::conditions(&held, rigid, &inputs, &*built);
+        let (conditions, supports) = supported::conditions(&held, rigid, &inputs, &*built, faults);
         let reach = reach(&*built, &inputs);
         let images = inputs.symmetry.with_images(&paths);
         let extended = built.lattice().filter(|_| !built.ghosts().is_empty());

@@ -7,6 +7,7 @@ use peristat_assembly::bonds::Point;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::stiffness::Spring;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// What holds a body.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +23,9 @@ pub struct Conditions {
     /// Along how many axes the points of rigid regions move.
     pub axes: usize,
 }
+
+/// Points of held edges and the bits of directions, with the value and the origin of what holds them.
+pub(super) type HeldCorners = BTreeMap<(u32, [u64; 3]), (f64, String)>;
 
 /// Points with the same prescribed motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -130,6 +134,36 @@ impl Conditions {
 }
 
 impl HeldPoints {
+    /// Leaves out points whose edge another hold has held along the same direction: what both hold of the points beside a
+    /// corner says the rest, and to hold it twice is no more than to the rounding of both. Points that are held at another
+    /// value stay, and the origins of these are returned.
+    pub(super) fn leave_corners(&mut self, held: &mut HeldCorners) -> Vec<String> {
+        if self.edge.is_none() && self.pieces.is_empty() {
+            return Vec::new();
+        }
+        let direction = self.direction.map(f64::to_bits);
+        let mut others = Vec::new();
+        let mut keep = |point: u32| match held.entry((point, direction)) {
+            Entry::Vacant(place) => {
+                place.insert((self.value, self.origin.clone()));
+                true
+            }
+            Entry::Occupied(place) if place.get().0 == self.value => false,
+            Entry::Occupied(place) => {
+                others.push(place.get().1.clone());
+                true
+            }
+        };
+        let kept: Vec<bool> = self.points.iter().map(|&point| keep(point)).collect();
+        let mut each = kept.iter();
+        self.points.retain(|_| *each.next().unwrap_or(&true));
+        let mut each = kept.iter();
+        self.chains.retain(|_| *each.next().unwrap_or(&true));
+        let mut each = kept.iter();
+        self.pieces.retain(|_| *each.next().unwrap_or(&true));
+        others
+    }
+
     fn equations(&self) -> impl Iterator<Item = Equation> + '_ {
         let [x, y, turn] = self.direction;
         // The larger share first: it is the one to divide by.

@@ -1,12 +1,13 @@
 //! Supports of a body with their equations and springs.
 
-use super::conditions::Conditions;
+use super::conditions::{Conditions, HeldCorners};
 use super::rigid::{MOTIONS, RigidPoints};
 use super::supports::HeldSupport;
-use crate::diagnostic::{JsonPath, root};
+use crate::diagnostic::{Faults, JsonPath, root};
 use crate::scene::body::site::model_inputs::ModelInputs;
 use peristat_assembly::model::BodyModel;
 use std::ops::Range;
+use std::str::FromStr;
 
 /// A support, or what is prescribed of a rigid region.
 #[derive(Clone, Debug)]
@@ -22,21 +23,36 @@ pub struct BodySupport {
     pub springs: Range<usize>,
 }
 
+/// What helps where points are held twice, at different values.
+pub(crate) const CONTRADICTION: &str = "prescribe each motion once: edges share the points of their corner, and those of a rigid region move together";
+
 /// Conditions on points of the model, and which of their equations and springs belong to which support.
 pub(crate) fn conditions(
     held: &[HeldSupport],
     rigid: Vec<RigidPoints>,
     inputs: &ModelInputs,
     model: &dyn BodyModel,
+    faults: &mut Faults,
 ) -> (Conditions, Vec<BodySupport>) {
     let mut conditions = Conditions {
         turning: model.component("phi").map(|(_, phi)| phi.scale),
         axes: inputs.body.axes(),
         ..Conditions::default()
     };
-    let (mut supports, mut next) = (Vec::new(), 0);
+    let (mut supports, mut next, mut corners) = (Vec::new(), 0, HeldCorners::new());
     for h in held {
-        let (holds, springs) = (h.holds(inputs, model), h.spring_list(inputs, model));
+        let (mut holds, springs) = (h.holds(inputs, model), h.spring_list(inputs, model));
+        for hold in &mut holds {
+            let mut others = hold.leave_corners(&mut corners);
+            others.sort_unstable();
+            others.dedup();
+            if let Some(other) = others.first() {
+                let message = format!("`{}` contradicts `{other}`", hold.origin);
+                faults
+                    .error(JsonPath::from_str(&hold.origin).unwrap_or_default(), message)
+                    .hint(CONTRADICTION);
+            }
+        }
         let mut equations = Vec::new();
         for hold in &holds {
             let mut shares = [0.0; MOTIONS];
