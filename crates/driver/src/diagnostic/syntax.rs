@@ -190,7 +190,7 @@ mod tests {
         for text in ["title: a\nmodel:\n  x: 1\n", "---\ntitle: a\n", "# a\n\nmodel:\n", "- a\n"] {
             assert_eq!(message(text), "this is YAML, not JSON", "{text}");
         }
-        for text in ["{ title: 3 }", "\"title\": 3", "-1 x", "title", "http://a"] {
+        for text in ["{ title: 3 }", "\"title\": 3", "-1 x", "title"] {
             assert_ne!(message(text), "this is YAML, not JSON", "{text}");
         }
     }

@@ -80,7 +80,7 @@ mod tests {
     fn all_names_that_may_be_meant_are_offered() {
         let known = ["bond_plane", "bond_solid", "state_plane", "principal_stress_1", "principal_stress_2"];
         for (name, names) in [
-            ("bond_based", "`bond_solid` or `bond_plane`"),
+            ("bond_based", "`bond_plane` or `bond_solid`"),
             ("principal_stress", "`principal_stress_1` or `principal_stress_2`"),
             ("bond_plain", "`bond_plane`"),
             ("state_plain", "`state_plane`"),
