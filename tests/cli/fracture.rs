@@ -247,3 +247,15 @@ fn a_body_that_came_apart_keeps_no_limit() {
     case["fracture"]["critical"]["energy_release_rate"] = json!(5000.0);
     assert_eq!(solve(folder.path(), &case, &["--force"]).code, 0);
 }
+
+#[test]
+fn the_probes_of_the_last_state_are_printed() {
+    let folder = tempfile::tempdir().unwrap();
+    let outcome = solve(folder.path(), &case(), &[]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    let rows: Vec<&str> = outcome.stdout.lines().filter(|line| line.starts_with("| pull ")).collect();
+    let states = json(&folder.path().join("results/breaking/summary.json"))["states"].clone();
+    let last = states.as_array().unwrap().last().unwrap()["name"].as_str().unwrap().to_string();
+    assert!(rows.len() == 1 && rows[0].contains(&format!(" {last} ")), "{last}: {rows:?}");
+    assert!(rows[0].trim_end_matches([' ', '|']).ends_with(" N"), "{rows:?}");
+}

@@ -30,7 +30,7 @@ fn study(folder: &Path, changes: &Value) -> String {
 
 /// Records of finished tasks with the times of their files.
 fn finished(folder: &Path) -> BTreeMap<PathBuf, SystemTime> {
-    let tasks = folder.join("results/tip/tasks");
+    let tasks = folder.join("results/tip.study/tasks");
     let all = if tasks.is_dir() { files(&tasks, ".json") } else { Vec::new() };
     all.into_iter().map(|file| (file.clone(), fs::metadata(file).unwrap().modified().unwrap())).collect()
 }
@@ -42,9 +42,10 @@ fn a_study_leaves_tables_diagrams_and_orders() {
     let outcome = run(folder.path(), &["study", &file]);
     assert_eq!(outcome.code, 0, "{}", outcome.stderr);
     assert!(
-        outcome.stdout.contains("bond_law published") && outcome.stdout.contains("results in results/tip")
+        outcome.stdout.contains("bond_law published")
+            && outcome.stdout.contains("results in results/tip.study")
     );
-    let out = folder.path().join("results/tip");
+    let out = folder.path().join("results/tip.study");
     assert_eq!(
         names(&out),
         [".peristat", "plots", "report.html", "study.csv", "study.json", "tasks"],
@@ -89,7 +90,7 @@ fn a_finished_task_is_never_solved_again() {
     let other = ["study", &file, "--set", "horizon_ratio=2"];
     let refused = run(folder.path(), &other);
     assert_eq!(refused.code, 2);
-    let message = "error: results/tip holds tables of `another` with 6 tasks that this study has not\n\
+    let message = "error: results/tip.study holds tables of `another` with 6 tasks that this study has not\n\
                    hint: choose another folder with `-o`, or add `--force` to replace the tables; finished tasks stay\n";
     assert_eq!(refused.stderr, message);
     assert_eq!(finished(folder.path()), after);
@@ -284,7 +285,7 @@ fn bodies_that_break_have_no_orders() {
     });
     let file = study(folder.path(), &changes);
     run(folder.path(), &["study", &file]);
-    let found = json(&folder.path().join("results/tip/study.json"));
+    let found = json(&folder.path().join("results/tip.study/study.json"));
     let quantities = found["series"][0]["quantities"].as_array().unwrap();
     assert!(!quantities.is_empty());
     assert!(
@@ -314,8 +315,8 @@ fn tasks_beyond_their_share_of_memory_are_solved_alone() {
 fn other_files_are_not_mixed_with_those_of_a_study() {
     let folder = tempfile::tempdir().unwrap();
     let file = study(folder.path(), &json!({}));
-    fs::create_dir_all(folder.path().join("results/tip")).unwrap();
-    fs::write(folder.path().join("results/tip/mine.txt"), "mine").unwrap();
+    fs::create_dir_all(folder.path().join("results/tip.study")).unwrap();
+    fs::write(folder.path().join("results/tip.study/mine.txt"), "mine").unwrap();
     let outcome = run(folder.path(), &["study", &file]);
     assert!(outcome.code == 2 && outcome.stderr.contains("mine.txt"), "{}", outcome.stderr);
     assert_eq!(run(folder.path(), &["study", &file, "--force"]).code, 0);
@@ -326,7 +327,7 @@ fn what_a_killed_study_was_writing_is_removed() {
     let folder = tempfile::tempdir().unwrap();
     let file = study(folder.path(), &json!({ "vary": [] }));
     assert_eq!(run(folder.path(), &["study", &file]).code, 0);
-    let part = |name: &str| folder.path().join("results/tip").join(name);
+    let part = |name: &str| folder.path().join("results/tip.study").join(name);
     for name in ["tasks/.a1.part", "plots/.b2.part"] {
         fs::write(part(name), "half").unwrap();
     }
@@ -371,4 +372,32 @@ fn why_there_is_no_estimate_is_said_in_one_line() {
     assert!(lines.len() == 1 && lines[0].contains("not estimated; `body.line.cells`"), "{lines:?}");
     let summary = json(&folder.path().join("out/summary.json"));
     assert!(summary["no_estimate"].as_str().unwrap().contains("no spacing to change"));
+}
+
+#[test]
+fn a_study_and_a_case_of_one_name_have_folders_of_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = study(folder.path(), &json!({}));
+    fs::copy(gallery("cantilever.json"), folder.path().join("tip.json")).unwrap();
+    assert_eq!(run(folder.path(), &["run", "tip.json"]).code, 0);
+    let outcome = run(folder.path(), &["study", &file]);
+    assert_eq!(outcome.code, 0, "{}", outcome.stderr);
+    assert_eq!(names(&folder.path().join("results")), ["tip", "tip.study"]);
+    assert_eq!(run(folder.path(), &["run", "tip.json"]).code, 0);
+}
+
+#[test]
+fn a_case_is_no_study_and_a_study_no_case() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = study(folder.path(), &json!({}));
+    let case = run(folder.path(), &["study", "cantilever.json"]);
+    assert_eq!(case.code, 2);
+    assert!(case.stderr.starts_with("error: this is a case, not a study"), "{}", case.stderr);
+    assert!(case.stderr.contains("hint: `peristat run cantilever.json` solves it"), "{}", case.stderr);
+    for more in [&[][..], &["--set", "body.line.cells=4"]] {
+        let study = run(folder.path(), &[&["run", &file], more].concat());
+        assert_eq!(study.code, 2);
+        assert!(study.stderr.starts_with("error: this is a study, not a case"), "{}", study.stderr);
+        assert!(study.stderr.contains("hint: `peristat study tip.study.json` solves it"), "{}", study.stderr);
+    }
 }

@@ -188,7 +188,7 @@ pub(super) struct Study {
     /// Study file.
     #[arg(value_hint = ValueHint::FilePath)]
     pub(super) study: PathBuf,
-    /// Folder of the study; `results/<name of the study>` if not given. Tasks that are finished in it are not solved again.
+    /// Folder of the study; `results/<name of its file>` if not given, such as `results/orders.study`. Tasks that are finished in it are not solved again.
     #[arg(short, long, value_name = "DIR")]
     pub(super) output: Option<PathBuf>,
     /// Replace a value of the base case, such as `body.line.cells=200`.

@@ -44,11 +44,12 @@ const INTERRUPTED: u8 = 130;
 /// Does what the arguments say, the first of which is the name of the command, and returns the exit code: 0 if done, 1 if a check failed,
 /// 2 for bad input or usage, 130 if interrupted.
 pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let arguments = match Arguments::try_parse_from(arguments) {
+    let given: Vec<OsString> = arguments.into_iter().collect();
+    let arguments = match Arguments::try_parse_from(&given) {
         Ok(arguments) => arguments,
         Err(refusal) => {
             // Help and version go to stdout, faults to stderr. If that is closed, the exit code remains.
-            let refusal = tips::with_tip(refusal);
+            let refusal = tips::with_tip(refusal, &given);
             let _ = refusal.print();
             return if refusal.use_stderr() { USAGE } else { DONE };
         }

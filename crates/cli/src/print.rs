@@ -2,7 +2,7 @@
 
 use super::print_state;
 use comfy_table::{CellAlignment, Table, presets};
-use peristat::run::{CheckResult, Sizes};
+use peristat::run::{CheckResult, ProbeResult, Sizes};
 use peristat::summary::words::{self, Listing};
 use peristat::summary::{Status, Summary};
 use std::fmt::Write;
@@ -66,8 +66,9 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
         out.push_str("\nenvelope\n");
         listing(&mut out, &envelope);
     }
-    if !summary.probes.is_empty() && !is_traced {
-        listing(&mut out, &words::probes(summary.probes.iter(), &words::digits));
+    let probes = last_probes(summary, is_traced);
+    if !probes.is_empty() {
+        listing(&mut out, &words::probes(probes.iter(), &words::digits));
     }
     if !summary.checks.is_empty() {
         let _ = write!(out, "\n{}", checks(&summary.checks));
@@ -80,6 +81,13 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
     }
     out.push('\n');
     out
+}
+
+/// The probes that are told: of a body that breaks or softens those of its last state, of which `history.csv` has all.
+fn last_probes(summary: &Summary, is_traced: bool) -> &[ProbeResult] {
+    let per_state = summary.probes.len() / summary.states.len().max(1);
+    let told = if is_traced { per_state } else { summary.probes.len() };
+    &summary.probes[summary.probes.len() - told..]
 }
 
 /// The checks of a case.

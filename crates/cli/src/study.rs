@@ -53,10 +53,9 @@ pub(super) fn study(request: &Study, global: &Global) -> Result<u8, Error> {
     Ok(if findings.passed() { DONE } else { FAILED })
 }
 
-/// The folder of the study: as asked, or named like the file.
+/// The folder of the study: as asked, or named like the file with its `.study`, so that a case beside it has its own.
 fn folder(request: &Study) -> io::Result<PathBuf> {
-    let name = request.study.file_stem().unwrap_or_default().to_string_lossy();
-    let name = name.strip_suffix(".study").unwrap_or(&name);
+    let name = request.study.file_stem().unwrap_or_default();
     match &request.output {
         Some(folder) => Ok(folder.clone()),
         None => below(Path::new(""), &Path::new("results").join(name)),

@@ -7,7 +7,7 @@ use crate::solved::Solved;
 use crate::states::{Equilibrium, States};
 use peristat::Error;
 use peristat::case::{Body, Source};
-use peristat::results::{Claim, Results, Writing};
+use peristat::results::{Claim, FieldFiles, FieldStates, Results, Writing};
 use peristat::run::{RunError, RunOptions, sizes};
 use peristat::study::EstimateEffort;
 use peristat::summary::Status;
@@ -20,6 +20,20 @@ pub(crate) struct Output {
     folder: PathBuf,
     force: bool,
     resume: bool,
+    fields: String,
+    field_files: String,
+}
+
+impl Output {
+    /// The files of fields that are asked for; the Python half has checked the words.
+    fn field_files(&self) -> FieldFiles {
+        let states = match self.fields.as_str() {
+            "last" => FieldStates::Last,
+            "none" => FieldStates::Nothing,
+            _ => FieldStates::All,
+        };
+        FieldFiles { states, tables: self.field_files != "vtu", grids: self.field_files != "csv" }
+    }
 }
 
 /// Checks a case without solving it: its warnings, and the numbers of points, bonds and unknowns; both as JSON.
@@ -83,7 +97,9 @@ fn solve(
     let max_memory = given.max_memory;
     let loaded = given.resolve(source)?;
     let (mut writing, mut restart) = (None, None);
-    if let Some(Output { folder, force, resume }) = output {
+    if let Some(output) = output {
+        let kept = output.field_files();
+        let Output { folder, force, resume, .. } = output;
         let claim = if resume {
             let (claim, found) = Results::interrupted(&folder, &loaded.scene).map_err(Error::Io)?;
             restart = Some(found);
@@ -93,7 +109,7 @@ fn solve(
         };
         // Faults of the case come before the first file.
         sizes(&loaded.scene, &options(max_memory)).map_err(|error| loaded.explain(error))?;
-        writing = Some(Writing::new(&loaded.scene, claim));
+        writing = Some(Writing::new(&loaded.scene, claim).with_fields(kept));
     }
     if let (Some(writing), Some(restart)) = (&mut writing, &restart) {
         writing.resume(restart).map_err(Error::Io)?;

@@ -7,6 +7,7 @@ import signal
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import peristat
@@ -29,6 +30,22 @@ def test_a_result_is_saved_as_the_command_saves_it(tmp_path: Path) -> None:
     result.save(tmp_path / "saved", force=True)
     with pytest.raises(ValueError, match="output"):
         peristat.run(PLATE, set=COARSE, force=True)
+
+
+def test_fields_are_written_of_the_states_and_as_the_files_asked_for(tmp_path: Path) -> None:
+    def written(name: str, **asked: Any) -> set[str]:
+        peristat.run(PLATE, set=COARSE, output=tmp_path / name, **asked)
+        return {path.suffix for path in (tmp_path / name / "fields").glob("*")}
+
+    assert written("both") >= {".csv", ".vtu"}
+    assert ".csv" not in written("vtu", field_files="vtu", fields="last")
+    assert ".vtu" not in written("csv", field_files="csv")
+    assert not written("none", fields="none")
+    for wrong in ({"fields": "some"}, {"field_files": "xml"}):
+        with pytest.raises(ValueError, match="is one of"):
+            peristat.run(PLATE, set=COARSE, output=tmp_path / "wrong", **wrong)
+    with pytest.raises(ValueError, match="which is not given"):
+        peristat.run(PLATE, set=COARSE, fields="none")
 
 
 def test_fields_are_the_solvers_own_and_not_to_be_written() -> None:

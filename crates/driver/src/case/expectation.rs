@@ -107,14 +107,18 @@ pub struct Value {
     pub load_case: Option<String>,
 }
 
-/// A bound on the magnitude of a probe, on both sides of it where the field jumps.
+/// A bound on a probe, on both sides of it where the field jumps: one of `at_most` and `at_least`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Limit {
     /// Name of the probe.
     pub probe: String,
-    /// Largest magnitude allowed.
-    pub at_most: f64,
+    /// Largest magnitude allowed, whatever the sign: 5 forbids -6, too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
+    /// Smallest value allowed, with its sign: -0.013 forbids -0.02 and allows 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at_least: Option<f64>,
     /// Why, such as `L/250`.
     pub why: String,
     /// Load case or combination; the last step if not given.

@@ -1,7 +1,7 @@
 //! From a file, or a text, to a [`Case`].
 
 use super::Case;
-use crate::diagnostic::{self, Diagnostic, JsonPath, Report, Segment, decode};
+use crate::diagnostic::{self, Diagnostic, JsonPath, Report, Segment, decode, study_for_case};
 use crate::input;
 use serde_json::Value;
 use std::path::Path;
@@ -57,7 +57,7 @@ pub fn read_text(path: &Path, max_memory: Option<u64>) -> Result<String, Report>
 /// As [`read`].
 pub fn from_text(file: &str, text: String, overrides: &[String]) -> Result<Source, Report> {
     if overrides.is_empty() {
-        let case = diagnostic::parse(file, &text)?;
+        let case = diagnostic::parse(file, &text).map_err(|report| study_for_case(file, &text, report))?;
         return Ok(Source { case, file: file.into(), text });
     }
     let mut value: Value = diagnostic::parse(file, &text)?;
@@ -68,9 +68,10 @@ pub fn from_text(file: &str, text: String, overrides: &[String]) -> Result<Sourc
             Report { file: format!("--set {assignment}"), text: String::new(), diagnostics: vec![diagnostic] }
         })?;
     }
-    let text = format!("{value:#}");
-    let file = format!("{file} with --set");
-    let case = diagnostic::parse(&file, &text)?;
+    let changed = format!("{value:#}");
+    let name = format!("{file} with --set");
+    let case = diagnostic::parse(&name, &changed).map_err(|report| study_for_case(file, &text, report))?;
+    let (file, text) = (name, changed);
     Ok(Source { case, file, text })
 }
 

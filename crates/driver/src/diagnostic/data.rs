@@ -3,14 +3,16 @@
 use super::Diagnostic;
 use super::excerpt::{clip, quote};
 use super::locate::{Place, locate};
-use super::path::JsonPath;
+use super::misspelt::misspelt;
+use super::path::{JsonPath, Segment};
+use super::words::choice;
 
-/// How alike two names must be (Jaro-Winkler) for the one to be offered for the other.
-const ALIKE: f64 = 0.75;
 /// Longest value that a message repeats.
 const FOUND: usize = 40;
 const ONE_KEY: &str = "an object with one key";
 const NO_VALUES: &str = "no values";
+/// What is expected where a variant stands; their names follow, with blanks between them.
+pub(super) const VARIANT: &str = "string or map: ";
 
 /// The diagnostic of what `serde` says of a value that does not fit, at `path`; up to the byte `at` the text was read.
 pub(super) fn diagnose(text: &str, path: JsonPath, raw: &str, at: usize) -> Diagnostic {
@@ -28,7 +30,8 @@ pub(super) fn diagnose(text: &str, path: JsonPath, raw: &str, at: usize) -> Diag
         };
     }
     if let Some(name) = named("missing field `") {
-        return Diagnostic::error(path, format!("`{name}` is missing"));
+        let hint = of_probes(text, &path, name);
+        return Diagnostic { hint, ..Diagnostic::error(path, format!("`{name}` is missing")) };
     }
     if let Some(name) = named("duplicate field `") {
         let mut diagnostic = Diagnostic::error(path.key(name), format!("`{name}` stands twice"));
@@ -49,44 +52,23 @@ fn unknown(rest: &str) -> (&str, Vec<&str>) {
     (name, allowed.split('`').skip(2).step_by(2).collect())
 }
 
-fn misspelt(noun: &str, name: &str, allowed: &[&str]) -> Diagnostic {
-    let plain = in_our_words(&name.to_lowercase().replace([' ', '-'], "_"));
-    let likeness = |known: &&str| strsim::jaro_winkler(&plain, &known.to_lowercase());
-    let nearest = allowed.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-    let mut diagnostic = Diagnostic::error(JsonPath::default(), format!("unknown {noun} {}", quote(name)));
-    diagnostic.hint(match nearest {
-        _ if OF_TIME.contains(&plain.as_str()) && !allowed.contains(&plain.as_str()) => {
-            "nothing depends on time: loads rise by `steps`, `fracture` or `path`".to_string()
+/// What to write where the name of a probe is missing: as `load` of a body that breaks or softens, or as `probe` of a check.
+fn of_probes(text: &str, path: &JsonPath, name: &str) -> Option<String> {
+    let is_of = |key: &str| path.0.last() == Some(&Segment::Key(key.into()));
+    let role = match name {
+        "load" if is_of("fracture") || is_of("path") => {
+            "it is the name of the probe that the curve shows as load, such as one of a `reaction_y`"
         }
-        None => "nothing is allowed here".to_string(),
-        Some(known) if likeness(&known) > ALIKE => format!("did you mean `{known}`?"),
-        Some(_) => format!("allowed here: `{}`", allowed.join("`, `")),
-    });
-    diagnostic
-}
-
-/// What dynamics has and statics has not.
-const OF_TIME: [&str; 8] =
-    ["time", "dt", "time_step", "duration", "end_time", "velocity", "damping", "initial_velocity"];
-
-/// What other programs call stresses and strains.
-const OTHER_WORDS: [(&str, &str); 6] = [
-    ("sigma", "stress"),
-    ("tau", "stress"),
-    ("epsilon", "strain"),
-    ("eps", "strain"),
-    ("gamma", "strain"),
-    ("mises", "von_mises"),
-];
-
-/// A name such as `sigma_xx` with our word for its symbol.
-fn in_our_words(name: &str) -> String {
-    let known = OTHER_WORDS.iter().find_map(|(word, ours)| Some((name.strip_prefix(word)?, ours)));
-    match known {
-        Some(("", ours)) => (*ours).to_string(),
-        Some((component, ours)) => format!("{ours}_{}", component.trim_start_matches('_')),
-        None => name.to_string(),
-    }
+        "probe" => "it is the name of a probe",
+        _ => return None,
+    };
+    let case: serde_json::Value = serde_json::from_str(text).ok()?;
+    let probes = case["probes"].as_array().map_or(&[][..], Vec::as_slice);
+    let names: Vec<&str> = probes.iter().filter_map(|probe| probe["name"].as_str()).collect();
+    Some(match choice(&names) {
+        Some(names) => clip(&format!("{role}: here {names}"), 5 * FOUND),
+        None => format!("{role}; the case has no `probes` yet"),
+    })
 }
 
 /// Underlines the key at `path` and not its value.
@@ -117,6 +99,7 @@ fn misfit(text: &str, path: JsonPath, raw: &str) -> Diagnostic {
         return Diagnostic::error(path, list_length(length, expected));
     }
     let is_position = expected == "struct At";
+    let variants = expected.strip_prefix(VARIANT);
     let expected = expectation(expected);
     let message = match value {
         Some(value) if value.bytes().all(|b| b.is_ascii_digit()) && expected.contains("whole") => {
@@ -128,6 +111,18 @@ fn misfit(text: &str, path: JsonPath, raw: &str) -> Diagnostic {
     let mut diagnostic = Diagnostic::error(path, message);
     if let Some(x) = value.filter(|v| is_position && v.parse::<f64>().is_ok()) {
         diagnostic.hint(format!("a position is written {{ \"x\": {} }}", clip(x, FOUND)));
+    } else if let Some(name) = value.filter(|v| is_position && v.starts_with('"')) {
+        let name = clip(name, FOUND);
+        diagnostic.hint(format!(
+            "a region or an edge is written {{ \"region\": {name} }}, a joint {{ \"joint\": {name} }}"
+        ));
+    } else if let Some(variants) = variants {
+        diagnostic.hint(match value.filter(|v| v.parse::<f64>().is_ok()) {
+            Some(x) if variants.split(' ').any(|name| name == "uniform") => {
+                format!("what is the same everywhere is written {{ \"uniform\": {} }}", clip(x, FOUND))
+            }
+            _ => format!("allowed here: `{}`", variants.replace(' ', "`, `")),
+        });
     } else if expected == NO_VALUES {
         diagnostic.hint("write the name alone, as a string");
     } else if expected.contains("whole") && value.is_some_and(|v| v.contains(['.', 'e', 'E'])) {
@@ -160,7 +155,7 @@ fn expectation(serde: &str) -> String {
         "a sequence" => "a list [...]",
         "a map" | "map" | "struct variant" | "newtype variant" => "an object {...}",
         "map with a single key" => ONE_KEY,
-        "string or map" => "a name, or an object with one key",
+        _ if serde.starts_with(VARIANT) => "a name, or an object with one key",
         "unit" | "unit variant" => NO_VALUES,
         _ if serde.starts_with("struct ") => "an object {...}",
         _ if serde.starts_with("an array of length ") || serde.starts_with("a tuple of size ") => {
@@ -202,31 +197,6 @@ mod tests {
             "timoshenko_beam" => "Timoshenko-Beam" | unknown key `Timoshenko-Beam` | "Timoshenko-Beam" | did you mean `timoshenko_beam`?
             "#,
         );
-    }
-
-    #[test]
-    fn what_depends_on_time_is_told_so() {
-        for name in ["time", "Time-Step", "velocity"] {
-            let hint = super::misspelt("key", name, &["title", "units"]).hint.unwrap_or_default();
-            assert!(hint.contains("nothing depends on time"), "{name}: {hint}");
-        }
-    }
-
-    #[test]
-    fn symbols_are_offered_our_words() {
-        let known = ["strain_xx", "strain_xy", "stress_xx", "stress_xy", "von_mises"];
-        for (name, ours) in [
-            ("sigma_xx", "stress_xx"),
-            ("Sigma-XX", "stress_xx"),
-            ("sigmaxx", "stress_xx"),
-            ("tau_xy", "stress_xy"),
-            ("eps_xx", "strain_xx"),
-            ("epsilon_xy", "strain_xy"),
-            ("mises", "von_mises"),
-        ] {
-            let diagnostic = super::misspelt("value", name, &known);
-            assert_eq!(diagnostic.hint, Some(format!("did you mean `{ours}`?")), "{name}");
-        }
     }
 
     #[test]

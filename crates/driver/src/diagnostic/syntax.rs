@@ -21,7 +21,13 @@ pub(super) fn diagnose(text: &str, error: &serde_json::Error) -> Diagnostic {
         at = at.saturating_sub(1);
     }
     let mut span = word(text, at);
-    let (message, hint) = if end == 0 {
+    let (message, hint) = if is_yaml(text) {
+        span = start_of(text);
+        (
+            "this is YAML, not JSON",
+            "a case is one object, `{ \"title\": \"…\", … }`: `peristat new MODEL` prints one",
+        )
+    } else if end == 0 {
         span = 0..0;
         ("the file is empty", "`peristat new MODEL` prints a case to begin with")
     } else if error.is_eof() || raw == "invalid number" && span.end == end {
@@ -36,6 +42,20 @@ pub(super) fn diagnose(text: &str, error: &serde_json::Error) -> Diagnostic {
     diagnostic.hint = (!hint.is_empty()).then(|| hint.to_string());
     diagnostic.span = Some(span);
     diagnostic
+}
+
+/// Whether a text begins with `---`, an item of a list, or a key without quotes and brackets around it.
+fn is_yaml(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim_end).filter(|l| !l.is_empty() && !l.starts_with('#'));
+    let first = lines.next().unwrap_or_default();
+    let key = first.split_once(':').filter(|(_, value)| value.is_empty() || value.starts_with(' '));
+    let is_key = |key: &str| key.starts_with(char::is_alphabetic) && key.chars().all(in_word);
+    first == "---" || first.starts_with("- ") || key.is_some_and(|(key, _)| is_key(key))
+}
+
+/// The first word of a text.
+fn start_of(text: &str) -> Range<usize> {
+    word(text, text.len() - text.trim_start().len())
 }
 
 fn cut_off(raw: &str) -> &'static str {
@@ -161,6 +181,17 @@ mod tests {
         // Every proper prefix of a good case is a fault and never a panic.
         for end in 1..GOOD.len() - 1 {
             assert!(message(&GOOD[..end]).starts_with("the file ends too early"), "{end}: {}", &GOOD[..end]);
+        }
+    }
+
+    #[test]
+    fn yaml_is_named_so() {
+        let message = |text: &str| parse::<Case>("x.json", text).unwrap_err().diagnostics[0].message.clone();
+        for text in ["title: a\nmodel:\n  x: 1\n", "---\ntitle: a\n", "# a\n\nmodel:\n", "- a\n"] {
+            assert_eq!(message(text), "this is YAML, not JSON", "{text}");
+        }
+        for text in ["{ title: 3 }", "\"title\": 3", "-1 x", "title"] {
+            assert_ne!(message(text), "this is YAML, not JSON", "{text}");
         }
     }
 

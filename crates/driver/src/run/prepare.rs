@@ -8,7 +8,8 @@ use super::scene_sizes::Sizes;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::CONTRADICTION;
 use peristat_assembly::stiffness::{Springs, Term};
-use peristat_assembly::system::{System, free_motions};
+use peristat_assembly::system::{FreeMotion, System, free_motions};
+use std::collections::{HashMap, HashSet};
 use std::str::FromStr;
 
 /// Free motions that are reported one by one, at most.
@@ -36,10 +37,11 @@ pub(super) fn prepare_within<const D: usize>(
     let mut faults = Faults::default();
     let system = system(problem)?;
     let (motions, supports) = (free_motions(problem.model(), &system), JsonPath::default().key("supports"));
-    for motion in motions.iter().take(MOST_MOTIONS) {
-        faults.error(supports.clone(), problem.describe(motion)).hint(problem.remedy());
+    let (told, more) = in_words(problem, &motions);
+    for text in told {
+        faults.error(supports.clone(), text).hint(problem.remedy());
     }
-    if let Some(more @ 1..) = motions.len().checked_sub(MOST_MOTIONS) {
+    if more > 0 {
         let s = if more == 1 { "" } else { "s" };
         faults.error(supports, format!("{more} more motion{s} of this kind would be free"));
     }
@@ -53,6 +55,32 @@ pub(super) fn prepare_within<const D: usize>(
         estimated_bytes: needed,
     };
     Ok((system, sizes))
+}
+
+/// Free motions in words, those of a part that nothing holds as one, and the number of further ones.
+fn in_words<const D: usize>(problem: &dyn Problem<D>, motions: &[FreeMotion]) -> (Vec<String>, usize) {
+    let mut ways: HashMap<&[[usize; 2]], usize> = HashMap::new();
+    motions.iter().for_each(|motion| *ways.entry(&motion.parts).or_default() += 1);
+    let all_ways = problem.model().rigid_motions().len();
+    let (mut loose, mut told) = (HashSet::new(), Vec::new());
+    for (k, motion) in motions.iter().enumerate() {
+        if told.len() == MOST_MOTIONS {
+            let others = motions[k..].iter().filter(|m| !loose.contains(&&m.parts[..]));
+            return (told, others.count());
+        }
+        if loose.contains(&&motion.parts[..]) {
+            continue;
+        }
+        let of_part = Some(motion).filter(|m| ways.get(&m.parts[..]) == Some(&all_ways));
+        match of_part.and_then(|motion| problem.describe_loose(motion)) {
+            Some(text) => {
+                loose.insert(&motion.parts[..]);
+                told.push(text);
+            }
+            None => told.push(problem.describe(motion)),
+        }
+    }
+    (told, 0)
 }
 
 /// The system of a problem with its supports and links, free motions or not.

@@ -63,6 +63,12 @@ pub trait Problem<const D: usize> {
     /// A free motion in words, such as `the beam from x = 0 to 1 is free to move along w: no support or link prevents it`.
     fn describe(&self, motion: &FreeMotion) -> String;
 
+    /// The part that moves in words, where nothing holds it at all and it is not everything: one fault then tells all of its
+    /// motions.
+    fn describe_loose(&self, _motion: &FreeMotion) -> Option<String> {
+        None
+    }
+
     /// What would hold a free motion, for a hint.
     fn remedy(&self) -> &'static str;
 }

@@ -2,7 +2,7 @@
 
 use super::scan;
 use crate::case::{FieldName, Reduction};
-use crate::scene::{Expectation, ExpectationKind};
+use crate::scene::{Bound, Expectation, ExpectationKind};
 use crate::units::Units;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -65,7 +65,8 @@ pub struct CheckResult {
     pub expected: f64,
     /// What was found, at the worst point where several are compared.
     pub found: f64,
-    /// Error, relative to `expected` unless that is zero; for a limit the magnitude over the limit.
+    /// Error, relative to `expected` unless that is zero; for `at_most` of a limit the magnitude over it, for `at_least` what
+    /// is missing.
     pub error: f64,
     /// Root of the mean square of the differences over all points, relative to that of the reference, where all points are
     /// compared.
@@ -168,30 +169,43 @@ impl CheckResult {
         }
     }
 
-    /// Of a magnitude and its bound.
-    fn of_limit(name: &str, found: f64, at_most: f64, why: &str) -> Self {
-        let error = found.abs() / at_most;
+    /// Of a bound and the values on both sides of a place.
+    fn of_limit(name: &str, sides: [f64; 2], bound: Bound, why: &str) -> Self {
+        let [right, left] = sides;
+        let (expected, found, error, tolerance) = match bound {
+            Bound::AtMost(most) => {
+                let found = if left.abs() > right.abs() { left } else { right };
+                (most, found, found.abs() / most, 1.0)
+            }
+            Bound::AtLeast(least) => {
+                let found = if left < right { left } else { right };
+                let size = if least == 0.0 { 1.0 } else { least.abs() };
+                // Not by `max`, to which what is not a number is nothing.
+                let missing = if found >= least { 0.0 } else { (least - found) / size };
+                (least, found, missing, 0.0)
+            }
+        };
         Self {
             name: name.into(),
             kind: "limit",
-            expected: at_most,
+            expected,
             found,
             error,
             l2_error: None,
-            tolerance: 1.0,
-            passed: error <= 1.0,
+            tolerance,
+            passed: error <= tolerance,
             remark: None,
             source: why.into(),
         }
     }
 }
 
-/// What a check finds. `probed` gives the value of a probe, `bounded` the larger one where it jumps: a bound that one side
-/// exceeds is not kept. Both are not a number where there is none. `of_points` compares all points.
+/// What a check finds. `probed` gives the value of a probe, `sides` those to its right and left, for where it jumps: a bound
+/// that one side exceeds is not kept. They are not numbers where there is none. `of_points` compares all points.
 pub(super) fn check<F>(
     expectation: &Expectation<F>,
     probed: impl Fn(usize) -> f64,
-    bounded: impl Fn(usize) -> f64,
+    sides: impl Fn(usize) -> [f64; 2],
     of_points: impl Fn(&F) -> CheckResult,
 ) -> CheckResult {
     let name = &expectation.name;
@@ -200,9 +214,34 @@ pub(super) fn check<F>(
             let worst = Worst::of(&[*expected], &[probed(*probe)]);
             CheckResult::of(name, "value", worst, *tolerance, source)
         }
-        ExpectationKind::Limit { probe, at_most, why } => {
-            CheckResult::of_limit(name, bounded(*probe), *at_most, why)
+        ExpectationKind::Limit { probe, bound, why } => {
+            CheckResult::of_limit(name, sides(*probe), *bound, why)
         }
         ExpectationKind::Points(points) => of_points(points),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lower_bound_is_on_the_value_with_its_sign_and_on_both_sides_of_a_jump() {
+        let of = |sides, bound| {
+            let check = CheckResult::of_limit("a", sides, bound, "");
+            (check.passed, check.found)
+        };
+        for (value, least, passed) in [
+            (-0.01, -0.013, true),
+            (-0.02, -0.013, false),
+            (1.0, -0.013, true),
+            (0.0, 0.0, true),
+            (0.4, 0.5, false),
+        ] {
+            assert_eq!(of([value; 2], Bound::AtLeast(least)), (passed, value), "{value} >= {least}");
+        }
+        assert_eq!(of([3.0, -2.0], Bound::AtLeast(-1.0)), (false, -2.0));
+        assert_eq!(of([3.0, -4.0], Bound::AtMost(3.5)), (false, -4.0));
+        assert!(!of([f64::NAN; 2], Bound::AtLeast(-1.0)).0 && !of([f64::NAN; 2], Bound::AtMost(1.0)).0);
     }
 }

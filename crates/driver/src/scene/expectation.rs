@@ -1,7 +1,7 @@
 //! What the results of a scene must be.
 
 use super::root;
-use crate::case::{Baseline, Case, Check, ClosedForm, Formula};
+use crate::case::{Baseline, Case, Check, ClosedForm, Formula, Limit};
 use crate::diagnostic::{Faults, JsonPath, positive, suggest};
 
 /// A check, resolved.
@@ -29,17 +29,26 @@ pub enum ExpectationKind<F> {
         /// Where the number comes from.
         source: String,
     },
-    /// A bound on the magnitude of a probe.
+    /// A bound on a probe.
     Limit {
         /// Index of the probe.
         probe: usize,
-        /// Largest magnitude.
-        at_most: f64,
+        /// What it keeps.
+        bound: Bound,
         /// Why.
         why: String,
     },
     /// All points against a closed form or stored values.
     Points(F),
+}
+
+/// What a limit keeps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bound {
+    /// The largest magnitude.
+    AtMost(f64),
+    /// The smallest value, with its sign.
+    AtLeast(f64),
 }
 
 /// A check that compares all points.
@@ -68,10 +77,11 @@ pub(super) fn expectations<F>(
                 (c.probe.clone(), ExpectationKind::Value { probe, expected, tolerance, source })
             }
             Check::Limit(c) => {
-                positive(c.at_most, "at_most", path.key("at_most"), faults);
-                let probe = probe(case, probes, &c.probe, &path, faults)?;
-                let kind = ExpectationKind::Limit { probe, at_most: c.at_most, why: c.why.clone() };
-                (format!("{} <= {}", c.probe, c.why), kind)
+                let bound = bound(c, &path, faults);
+                let (probe, bound) = (probe(case, probes, &c.probe, &path, faults)?, bound?);
+                let sign = if matches!(bound, Bound::AtMost(_)) { "<=" } else { ">=" };
+                let kind = ExpectationKind::Limit { probe, bound, why: c.why.clone() };
+                (format!("{} {sign} {}", c.probe, c.why), kind)
             }
             Check::ClosedForm(c) => {
                 let points = of_points(PointsCheck::ClosedForm(c), &path, state, faults)?;
@@ -93,6 +103,32 @@ pub(super) fn expectations<F>(
         Some(Expectation { name, state, kind })
     };
     case.checks.iter().enumerate().filter_map(&mut resolve).collect()
+}
+
+/// The bound of a limit.
+fn bound(limit: &Limit, path: &JsonPath, faults: &mut Faults) -> Option<Bound> {
+    let (message, hint) = match (limit.at_most, limit.at_least) {
+        (Some(most), None) if most < 0.0 => {
+            let message = format!("`at_most` must be greater than zero, found {most}");
+            let hint = "it bounds the magnitude; `at_least` is a lower bound, with its sign";
+            faults.error(path.key("at_most"), message).hint(hint);
+            return None;
+        }
+        (Some(most), None) => {
+            positive(most, "at_most", path.key("at_most"), faults);
+            return Some(Bound::AtMost(most));
+        }
+        (None, Some(least)) => return Some(Bound::AtLeast(least)),
+        (None, None) => (
+            "a limit needs `at_most` or `at_least`",
+            "`at_most` bounds the magnitude, `at_least` the value with its sign",
+        ),
+        (Some(_), Some(_)) => {
+            ("`at_most` and `at_least` stand in one limit", "write a limit for each of them")
+        }
+    };
+    faults.error(path.clone(), message).hint(hint);
+    None
 }
 
 /// The key of a check in its case.

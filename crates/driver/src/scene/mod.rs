@@ -20,7 +20,7 @@ pub(crate) mod words;
 
 pub use beam::BeamScene;
 pub use body::BodyScene;
-pub use expectation::{Expectation, ExpectationKind};
+pub use expectation::{Bound, Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
 pub use resultant::{Counted, Resultant};
 

@@ -4,7 +4,7 @@ use super::check::check;
 use super::faults::TaskFaults;
 use super::file::{Refine, Study};
 use crate::case::{self, Case, Overrides, Source};
-use crate::diagnostic::{Diagnostic, Faults, JsonPath, Report, decode, parse};
+use crate::diagnostic::{Diagnostic, Faults, JsonPath, Report, case_for_study, decode, parse};
 use crate::input::{self, Folder, Reach};
 use crate::memory;
 use crate::run::{RunOptions, sizes};
@@ -102,7 +102,7 @@ impl Plan {
         reach: Reach,
     ) -> Result<Self, Error> {
         let name = file.display().to_string();
-        let study: Study = parse(&name, &text)?;
+        let study: Study = parse(&name, &text).map_err(|report| case_for_study(&name, &text, report))?;
         let mut faults = Faults::default();
         let series = check(&study, &mut faults);
         if faults.has_errors() {

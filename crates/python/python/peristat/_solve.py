@@ -6,7 +6,7 @@ import json
 import warnings
 from collections.abc import Callable, Iterable, Mapping
 from os import PathLike, fspath
-from typing import Any, NamedTuple, Optional, Union
+from typing import Any, Literal, NamedTuple, Optional, Union
 
 from . import _peristat
 from ._case import Case, checked_memory, checked_threads, given
@@ -20,6 +20,8 @@ class Output(NamedTuple):
     folder: str
     force: bool
     resume: bool
+    fields: str
+    field_files: str
 
 
 class Verified(NamedTuple):
@@ -54,6 +56,8 @@ def run(
     output: Optional[Union[str, PathLike[str]]] = None,
     force: bool = False,
     resume: bool = False,
+    fields: Literal["all", "last", "none"] = "all",
+    field_files: Literal["both", "vtu", "csv"] = "both",
     allow_outside: bool = False,
 ) -> Result:
     """Solve a case.
@@ -63,15 +67,19 @@ def run(
     `estimate=True` asks for errors of discretisation from a finer grid, `False` for none; otherwise those are made that are cheap.
 
     `output` names a folder that results are written to while the case is solved, as the command writes it: `force` replaces an earlier run
-    there, `resume` goes on with an interrupted run of a body that breaks or softens (`Result.states` are then those of this call). Ctrl-C ends
+    there, `resume` goes on with an interrupted run of a body that breaks or softens (`Result.states` are then those of this call). `fields` are
+    the states whose fields at all points are written into it, `field_files` the files that these are; the result has all of them. Ctrl-C ends
     the call within a second; a solve that has begun goes on unseen to its end. `allow_outside` lets the case name files outside its folder,
     which is the working directory for a dictionary. A failed check is no exception: see `Result.status`.
 
     Raises `CaseError`, `NotConverged`, `Interrupted`, `MemoryError`, `OSError`; warns with `PeristatWarning`.
     """
-    folder = None if output is None else Output(fspath(output), force, resume)
-    if folder is None and (force or resume):
-        raise ValueError("`force` and `resume` are about the folder of `output`, which is not given")
+    for name, value, known in (("fields", fields, ("all", "last", "none")), ("field_files", field_files, ("both", "vtu", "csv"))):
+        if value not in known:
+            raise ValueError(f"`{name}` is one of {', '.join(map(repr, known))}, found {value!r}")
+    folder = None if output is None else Output(fspath(output), force, resume, fields, field_files)
+    if folder is None and (force or resume or fields != "all" or field_files != "both"):
+        raise ValueError("`force`, `resume`, `fields` and `field_files` are about the folder of `output`, which is not given")
     solved = _peristat.run(given(case, set, max_memory, allow_outside), checked_threads(threads), on_state, estimate, folder)
     result = Result(solved)
     for text in solved.warnings():

@@ -1,6 +1,7 @@
 //! From tokens to what `serde` asks for. What depends on no type is distinguished from what does: every type has its own copy
 //! of the latter.
 
+use super::super::data::VARIANT;
 use super::Fault;
 use super::access::{Elements, Entries, Name, Variant};
 use super::lex::{Source, Token};
@@ -138,7 +139,7 @@ impl<'de> Deserializer<'de> for &mut Source<'de> {
     fn deserialize_enum<V: Visitor<'de>>(
         self,
         _: &'static str,
-        _: &'static [&'static str],
+        variants: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
         match self.token()? {
@@ -148,7 +149,7 @@ impl<'de> Deserializer<'de> for &mut Source<'de> {
                 let value = visitor.visit_enum(Variant { source: self, name })?;
                 self.end_variant().map(|()| value)
             }
-            other => Err(misfit(&other, &"string or map")),
+            other => Err(misfit(&other, &format!("{VARIANT}{}", variants.join(" ")).as_str())),
         }
     }
 }

@@ -85,16 +85,16 @@ pub(crate) fn checks(scene: &BeamScene, result: &BeamResult, probes: &[ProbeResu
         };
         found.unwrap_or(f64::NAN)
     };
-    let bounded = |probe: usize| {
+    let sides = |probe: usize| {
         let right = probed(probe);
-        let Some(p) = scene.probes.get(probe) else { return right };
-        let Some([line, point]) = p.point().map(|p| [p.local.0, p.local.1]) else { return right };
+        let Some(p) = scene.probes.get(probe) else { return [right; 2] };
+        let Some([line, point]) = p.point().map(|p| [p.local.0, p.local.1]) else { return [right; 2] };
         let left = result.left_values(p.field, line).map(|values| values[point]);
-        left.filter(|left| left.abs() > right.abs()).unwrap_or(right)
+        [right, left.unwrap_or(right)]
     };
     let check = |expectation: &Expectation<BeamComparison>| {
         let points = |points: &BeamComparison| compare(&expectation.name, points, scene, result, &compared);
-        verdict::check(expectation, probed, bounded, points)
+        verdict::check(expectation, probed, sides, points)
     };
     mine.into_iter().map(check).collect()
 }

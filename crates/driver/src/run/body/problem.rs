@@ -113,13 +113,18 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
         format!("{}{}", self.apart, self.scene.describe(self.model.as_solvable(), motion))
     }
 
+    fn describe_loose(&self, motion: &FreeMotion) -> Option<String> {
+        let text = self.scene.describe_loose(self.model.as_solvable(), motion)?;
+        Some(format!("{}{text}", self.apart))
+    }
+
     fn remedy(&self) -> &'static str {
         match self.apart {
             "" if self.scene.material().is_revolved() => {
-                "a body of revolution needs `uy` held on one place, in every part that cracks leave"
+                "a body of revolution needs `uy` held on one place, in every part that cracks and holes leave"
             }
             "" if self.model.along(0).is_none() => {
-                "a plate in antiplane shear needs `w` held on one place, in every part that cracks leave"
+                "a plate in antiplane shear needs `w` held on one place, in every part that cracks and holes leave"
             }
             "" if self.scene.body().axes() > 2 => {
                 "a solid needs `ux`, `uy` and `uz` held so that it can neither move nor turn, such as on a face"
@@ -128,7 +133,7 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
                 "a shell needs `ux` and `uy` held on one place, and `w` where it could move across its axis or tilt: at two places a quarter of the circumference apart, each at both ends"
             }
             "" => {
-                "a body in the plane needs `ux` and `uy` held on one place and one of them on another, in every part that cracks leave"
+                "a body in the plane needs `ux` and `uy` held on one place and one of them on another, in every part that cracks and holes leave"
             }
             _ => "a stress intensity needs a ligament of several spacings before the tip",
         }

@@ -136,7 +136,7 @@ pub(crate) fn checks(scene: &BodyScene, result: &BodyResult, probes: &[ProbeResu
             };
             CheckResult::of(&expectation.name, points.kind, worst, points.tolerance, &*points.source)
         };
-        verdict::check(expectation, probed, probed, points)
+        verdict::check(expectation, probed, |probe| [probed(probe); 2], points)
     };
     mine.map(check).collect()
 }

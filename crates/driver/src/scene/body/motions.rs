@@ -1,8 +1,10 @@
 //! Free motions of a body in words.
 
 use super::scene::BodyScene;
+use super::site::holes;
 use crate::diagnostic::tidy;
 use crate::scene::words;
+use peristat_assembly::body::Outline;
 use peristat_assembly::model::{Model, RigidMotion};
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
@@ -27,11 +29,7 @@ pub(crate) fn describe<const D: usize>(
         let how = how(part, motions);
         let what = match count == scene.body().points() {
             true => "the body".to_string(),
-            false => {
-                let place = words::place(sum.map(|s| s / count as f64), scene.body());
-                let points = if count == 1 { "1 point".into() } else { format!("{count} points") };
-                format!("the part of the body around {place}, {points},")
-            }
+            false => format!("the part of the body {},", around(scene, count, sum)),
         };
         found.push((count, format!("{what} is free to {how}")));
     }
@@ -43,6 +41,44 @@ pub(crate) fn describe<const D: usize>(
         text += &format!(", and {more} more part{} with them", if more == 1 { "" } else { "s" });
     }
     format!("{text}: no support prevents it")
+}
+
+/// A part of the body that nothing holds at all, in words: `nothing holds the part of the body around (1, 2), 30 points`; none
+/// of the whole body.
+pub(crate) fn describe_loose<const D: usize>(
+    scene: &BodyScene,
+    model: &dyn Model<D>,
+    motion: &FreeMotion,
+) -> Option<String> {
+    let parts = model.connected();
+    let [span] = motion.parts[..] else { return None };
+    let (mut count, mut sum) = (0_usize, [0.0; 3]);
+    for point in scene.real_points().filter(|&point| parts.of(point) == parts.of(span[0])) {
+        count += 1;
+        (0..3).for_each(|c| sum[c] += model.position(point)[c]);
+    }
+    if count == 0 || count == scene.body().points() {
+        return None;
+    }
+    let why = scene.outline().and_then(|outline| parted(outline, scene.is_damaged())).unwrap_or_default();
+    Some(format!("{why}nothing holds the part of the body {}", around(scene, count, sum)))
+}
+
+/// What parts a body, where holes reach its border; cracks may do it alone or help them.
+fn parted(outline: &Outline, has_cracks: bool) -> Option<String> {
+    let holes = holes::that_cross_borders(outline);
+    let who = if has_cracks { holes.join(", ") + " or a crack" } else { holes.join(" and ") };
+    let verb = if holes.len() == 1 || has_cracks { "parts" } else { "part" };
+    (!holes.is_empty()).then(|| format!("{who} {verb} the body: "))
+}
+
+/// Where the points of a part are, by their number and the sum of their positions, and how many.
+fn around(scene: &BodyScene, count: usize, sum: [f64; 3]) -> String {
+    // A tenth of a cell tells which part it is.
+    let grain = 0.1 * scene.spacing();
+    let place = words::place(sum.map(|s| (s / count as f64 / grain).round() * grain), scene.body());
+    let points = if count == 1 { "1 point".into() } else { format!("{count} points") };
+    format!("around {place}, {points}")
 }
 
 /// The last of the motions that it is made of, in words: a turn about some centre is one of translations, too.

@@ -151,6 +151,15 @@ impl BodyScene {
         motions::describe(self, model, motion)
     }
 
+    /// A part of the body that nothing holds at all, in words; none of the whole body.
+    pub(crate) fn describe_loose<const D: usize>(
+        &self,
+        model: &dyn Model<D>,
+        motion: &FreeMotion,
+    ) -> Option<String> {
+        motions::describe_loose(self, model, motion)
+    }
+
     /// Horizon, m.
     pub fn horizon(&self) -> f64 {
         self.inputs.horizon

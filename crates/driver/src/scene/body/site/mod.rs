@@ -12,6 +12,7 @@ pub(crate) mod foreign;
 pub(crate) mod given_body;
 pub(crate) mod ground;
 pub(crate) mod held_angle;
+pub(crate) mod holes;
 pub(crate) mod interpolate;
 pub(crate) mod model_inputs;
 pub(crate) mod of_case;

@@ -68,7 +68,7 @@ pub(crate) fn join(
                 symmetry.goes_on.push(Face { axis, is_high: side % 2 == 1, at });
             }
             symmetry.joined.push(edge);
-            symmetry.mirrors.set_line(side, line_on(lattice, side, at, &path, faults));
+            symmetry.mirrors.set_line(side, line_on(lattice, sides, (side, at), &path, faults));
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Sides of a body that are mirrors, and beyond which it has images therefore.
 
+use super::holes;
 use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use peristat_assembly::body::{self, Crack, Edge, Face, Outline, SquareLattice};
 use peristat_assembly::model::plane::Mirrors;
@@ -106,7 +107,7 @@ pub(crate) fn symmetry(
             symmetry.goes_on.push(Face { axis: side / 2, is_high: side % 2 == 1, at });
         }
         let path = root("symmetry").index(k);
-        symmetry.mirrors.set_line(side, line_on(lattice, side, at, &path, faults));
+        symmetry.mirrors.set_line(side, line_on(lattice, sides, (side, at), &path, faults));
     }
     symmetry
 }
@@ -114,8 +115,8 @@ pub(crate) fn symmetry(
 /// The line between cells on a side of the body at this position; a fault if it is not on a border of cells.
 pub(crate) fn line_on(
     lattice: &SquareLattice,
-    side: usize,
-    at: f64,
+    sides: Sides,
+    (side, at): (usize, f64),
     path: &JsonPath,
     faults: &mut Faults,
 ) -> i32 {
@@ -123,6 +124,20 @@ pub(crate) fn line_on(
     let line = if side.is_multiple_of(2) { range.start } else { range.end };
     let whole = lattice.corner()[side / 2] + f64::from(line) * lattice.spacing();
     if (whole - at).abs() > 1e-6 * lattice.spacing() {
+        let holes = match sides {
+            Sides::Edges(outline) => holes::that_remove_side(outline, side, lattice.spacing()),
+            Sides::Solid(_) => Vec::new(),
+        };
+        if let [first, more @ ..] = &holes[..] {
+            let who = match more {
+                [] => format!("{first} takes"),
+                _ => format!("{} take", holes.join(" and ")),
+            };
+            faults
+                .error(path.clone(), format!("{who} away all of the {} side", body::SIDES[side]))
+                .hint("a side that goes on behind a mirror, or is joined, needs cells: make the hole smaller or the body larger");
+            return line;
+        }
         faults
             .error(path.clone(), format!("the {} side is not on a border of cells", body::SIDES[side]))
             .hint("make the size of the body a whole multiple of the spacing");
