@@ -58,5 +58,6 @@ fn a_path_leaves_its_curve() {
     case["checks"] = json!([]);
     let summary = interrupted(folder.path(), &case, "curve.csv");
     assert_eq!(summary["path"]["ending"], "the run was interrupted");
-    assert!(!summary["states"].as_array().unwrap().is_empty());
+    // No state needs to have been recorded: `--resume` goes on from the last one of the curve.
+    assert!(summary["path"]["steps"].as_u64().unwrap() > 0);
 }

@@ -90,7 +90,7 @@ fn boxes_discs_half_planes_and_groups() {
 #[test]
 fn faults_are_named() {
     let unknown = select(&edge("lefft", None)).unwrap_err();
-    assert_eq!(unknown.to_string(), "there is no edge `lefft`, only bottom, right, top, left");
+    assert_eq!(unknown.to_string(), "there is no edge `lefft`, only bottom, right, top, left, pin, window");
     assert!(matches!(
         select(&Region::Hole { name: "x".into(), depth: None }),
         Err(RegionError::Unknown { kind: "hole", .. })

@@ -119,7 +119,7 @@ pub(crate) fn build(
             return None;
         }
     };
-    border_names::give(case, &mut outline);
+    border_names::give(case, &mut outline, faults);
     fill((case, keys), (outline, spacing), drawn, max_memory, faults)
 }
 

@@ -1,7 +1,7 @@
 //! Names of several parts of a border that the case uses: lists of names, the whole border, and the outer one.
 
 use crate::case::{Case, Load, Names, Region};
-use crate::diagnostic::{JsonPath, root};
+use crate::diagnostic::{Faults, JsonPath, root};
 use peristat_assembly::body::{BorderMember, Outline};
 
 /// The whole border with all holes.
@@ -50,12 +50,19 @@ pub(crate) fn lists<'c>(case: &'c Case) -> Vec<List<'c>> {
 }
 
 /// Gives the outline of a case the names that it uses: what has a name already keeps it.
-pub(crate) fn give(case: &Case, outline: &mut Outline) {
+pub(crate) fn give(case: &Case, outline: &mut Outline, faults: &mut Faults) {
     let edges = || (0..outline.edges().len()).map(BorderMember::Edge);
     let holes = (0..outline.holes().len()).map(BorderMember::Hole);
     let (all, outer) = (edges().chain(holes).collect(), edges().collect());
     for (name, members) in [(ALL, all), (OUTER, outer)] {
-        if outline.members(name).is_none() && !case.regions.contains_key(name) {
+        if outline.members(name).is_some() {
+            faults
+                .warning(
+                    root("body"),
+                    format!("`{name}` is a part of this outline: it does not stand for its whole border"),
+                )
+                .hint("give the part another name, if the whole border is meant anywhere");
+        } else if !case.regions.contains_key(name) {
             outline.name_aside(name, members);
         }
     }
