@@ -122,5 +122,9 @@ fn what_does_not_hold_a_plate_across_is_refused() {
     assert!(refusal(&case).contains("nothing holds the body"));
     case["supports"] = json!([{ "at": { "region": "bottom" }, "w": 0.0 }]);
     case["cracks"] = json!([{ "path": [[-1.0, 4.0], [15.0, 4.0]] }]);
-    assert!(refusal(&case).contains("nothing holds the part of the body around (7, 6.5)"), "{}", refusal(&case));
+    assert!(
+        refusal(&case).contains("nothing holds the part of the body around (7, 6.5)"),
+        "{}",
+        refusal(&case)
+    );
 }
