@@ -312,3 +312,29 @@ fn edges_held_one_by_one_are_held_as_together() {
         assert!(each.len() == 4 && each.iter().all(|force| force.abs() < 120.0), "{each:?}");
     }
 }
+
+/// Edges that are held by pieces of a border beside a line of symmetry: their rows reach images, and the sum of all reactions
+/// is what is asked.
+#[test]
+fn reactions_beside_mirrors_add_up() {
+    for (model, width) in [("bond_plane", 3.4), ("bond_plane", 12.4), ("state_plane", 12.4)] {
+        let mut keys = json!({ "youngs_modulus": 70000, "state": "plane_stress" });
+        if model == "state_plane" {
+            keys["poisson_ratio"] = json!(0.3);
+        }
+        let found = written(&json!({
+            "title": "mirror", "units": "mm-N-MPa", "model": { model: keys },
+            "body": { "outline": { "vertices": [[0, 0], [width, 0], [width, 5], [0, 5]], "spacing": 1 } },
+            "symmetry": ["bottom"],
+            "supports": [ { "at": { "region": "edge_2" }, "ux": 0, "uy": 0 } ],
+            "loads": [ { "traction": { "edge": "edge_3", "uniform": [0, 10] } } ]
+        }));
+        let [asked, reactions] = balance(&found);
+        assert!((asked[1] - 10.0 * width).abs() < 1e-9, "{asked:?}");
+        // Measured: 1e-13.
+        assert!(
+            (0..2).all(|k| (asked[k] + reactions[k]).abs() < 1e-9),
+            "{model} {width}: {asked:?} {reactions:?}"
+        );
+    }
+}

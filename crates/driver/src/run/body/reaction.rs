@@ -107,6 +107,18 @@ pub(super) fn resultant(
     for (unknown, force) in scene.conditions.springs.iter().flat_map(|spring| spring.forces(n, u)) {
         forces[unknown] -= force;
     }
+    // A row that reaches over a line of symmetry holds its place of the border with its whole force: what acts on an image is no
+    // more mirrored than the row is.
+    if let Some((lattice, lines)) = scene.model.lattice().filter(|(_, mirrors)| !mirrors.is_none()) {
+        for &ghost in scene.model.ghosts() {
+            let (_, signs) = lines.image(lattice.cell(ghost as usize));
+            for (axis, sign) in signs.into_iter().enumerate() {
+                if let Some(component) = scene.model.along(axis) {
+                    forces[component * n + ghost as usize] *= sign;
+                }
+            }
+        }
+    }
     let mut sum = scene.resultant(&forces);
     for mirror in mirrors {
         let across = |k: usize| if SIDES[2 * k..][..2].contains(&&*mirror.side) { mirror.force } else { 0.0 };
