@@ -41,7 +41,8 @@ def test_fields_are_written_of_the_states_and_as_the_files_asked_for(tmp_path: P
     assert ".csv" not in written("vtu", field_files="vtu", fields="last")
     assert ".vtu" not in written("csv", field_files="csv")
     assert not written("none", fields="none")
-    for wrong in ({"fields": "some"}, {"field_files": "xml"}):
+    unknown: list[dict[str, Any]] = [{"fields": "some"}, {"field_files": "xml"}]
+    for wrong in unknown:
         with pytest.raises(ValueError, match="is one of"):
             peristat.run(PLATE, set=COARSE, output=tmp_path / "wrong", **wrong)
     with pytest.raises(ValueError, match="which is not given"):
