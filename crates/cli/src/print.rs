@@ -83,7 +83,7 @@ pub(super) fn summary(summary: &Summary, verbose: bool) -> String {
     out
 }
 
-/// The probes that are told: of a body that breaks or softens those of its last state, of which `history.csv` has all.
+/// The probes that are printed: of a body that breaks or softens, those of its last state; `history.csv` has them all.
 fn last_probes(summary: &Summary, is_traced: bool) -> &[ProbeResult] {
     let per_state = summary.probes.len() / summary.states.len().max(1);
     let told = if is_traced { per_state } else { summary.probes.len() };

@@ -43,7 +43,8 @@ pub struct Critical {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CriticalFormula {
-    /// A long crack grows at the energy release rate, in any direction to a few percent: the stretch of `energy` less what
+    /// A long crack grows at the energy release rate, in any direction to a few percent with three spacings per
+    /// horizon or more: the stretch of `energy` less what
     /// the lattice adds by holding each bond back until it breaks (lattice trapping, measured). Of central bonds.
     Growth,
     /// The bonds that a crack on this lattice cuts take up the energy release rate. A long crack then needs more motion:

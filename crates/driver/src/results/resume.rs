@@ -74,7 +74,7 @@ impl Results {
     pub fn resume(claim: &Claim, scene: &Scene, restart: &Restart, kept: FieldFiles) -> io::Result<Self> {
         let folder = claim.folder();
         let (_, digests, recorded) = restart::read(&folder.join(restart::FILE))?;
-        // What was told of the run so far.
+        // The partial report and summary.
         for name in [report::FILE, SUMMARY].map(|name| folder.join(name)) {
             if name.exists() {
                 fs::remove_file(name)?;

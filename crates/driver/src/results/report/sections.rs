@@ -27,7 +27,7 @@ pub(super) fn curves(case: &Case, curve: &AnyCurve, history: &[Vec<f64>], rows: 
         let points = diagram.series.first().map_or(&[][..], |series| &series.points);
         // A curve may begin before the first equilibrium, where nothing acts.
         let before = points.len().checked_sub(curve.rows());
-        // The state from which there is no way on was told before it was written.
+        // A path that gets stuck reports its last state before it records it.
         let last = curve.rows().saturating_sub(1);
         let mark = |row: &usize| before.and_then(|before| points.get(before + row.min(&last)).copied());
         let marks = rows.iter().map_while(mark).collect();

@@ -69,7 +69,7 @@ fn warnings<const D: usize>(course: &Course<D>, scene: &PathScene) -> Faults {
         faults
             .warning(
                 path.clone(),
-                format!("the path branches at the load factor {:.4}: beyond, the stiffness has {more} negative eigenvalues, and a turn of the load explains {}", at.load_factor, usize::from(beyond.is_back)),
+                format!("the path branches at the load factor {:.4}: beyond, the stiffness has {more} negative {}, and a turn of the load explains {}", at.load_factor, if more == 1 { "eigenvalue" } else { "eigenvalues" }, usize::from(beyond.is_back)),
             )
             .hint("what follows is in equilibrium, but a test may take another branch; a crack or a hole that breaks the symmetry chooses one");
     }

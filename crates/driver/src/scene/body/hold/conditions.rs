@@ -155,12 +155,9 @@ impl HeldPoints {
             }
         };
         let kept: Vec<bool> = self.points.iter().map(|&point| keep(point)).collect();
-        let mut each = kept.iter();
-        self.points.retain(|_| *each.next().unwrap_or(&true));
-        let mut each = kept.iter();
-        self.chains.retain(|_| *each.next().unwrap_or(&true));
-        let mut each = kept.iter();
-        self.pieces.retain(|_| *each.next().unwrap_or(&true));
+        retain(&mut self.points, &kept);
+        retain(&mut self.chains, &kept);
+        retain(&mut self.pieces, &kept);
         others
     }
 
@@ -187,6 +184,12 @@ impl HeldPoints {
             Equation { terms, value: self.value, origin: self.origin.clone() }
         })
     }
+}
+
+/// Keeps what stands beside points that are kept, in a list of as many or of none.
+fn retain<T>(list: &mut Vec<T>, kept: &[bool]) {
+    let mut each = kept.iter();
+    list.retain(|_| each.next().is_none_or(|kept| *kept));
 }
 
 #[cfg(test)]
