@@ -32,6 +32,7 @@ mod fracture_plane;
 mod frames;
 mod grading;
 mod griffith;
+mod heat;
 mod held_borders;
 mod hole_stress;
 mod literature;

@@ -51,10 +51,10 @@ fn main() {
         }
         let fields = timed("fields", || plane.fields(&u));
         timed("strain", || plane.strain(&fields.stress));
-        timed("load of a stress everywhere", || plane.add_stress_load(None, &|_| [1.0, 0.0, 0.0], &mut f));
+        timed("load of a stress everywhere", || plane.add_stress_load(None, &|_, _| [1.0, 0.0, 0.0], &mut f));
         let edge: Vec<usize> = (0..n).filter(|p| p % side as usize >= side as usize - 6).collect();
         timed("load of a stress at one side", || {
-            plane.add_stress_load(Some(&edge), &|_| [1.0, 0.0, 0.0], &mut f);
+            plane.add_stress_load(Some(&edge), &|_, _| [1.0, 0.0, 0.0], &mut f);
         });
         let coarse = timed("coarser", || plane.coarser(&|_, _| Vec::new()));
         println!("{} points, {} triangles", n, plane.triangles());

@@ -13,7 +13,7 @@ use serde_json::json;
 /// The file of the schema, for editors.
 const SCHEMA: &str = "case.schema.json";
 
-const LOADS: [(&str, &str); 17] = [
+const LOADS: [(&str, &str); 18] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -42,6 +42,10 @@ const LOADS: [(&str, &str); 17] = [
         "the inertia of a body of some density that turns: omega or rpm, about a point, of a solid along an axis",
     ),
     ("pressure", "a force per area outwards on a shell, the same all around or a cosine of it"),
+    (
+        "temperature",
+        "a change of temperature of a body or a region, a number or a formula of the position, with the `thermal_expansion` of the material",
+    ),
     ("symmetry", "edges or faces that are mirrors"),
     (
         "periodic",

@@ -80,6 +80,11 @@ impl Units {
         if self == Self::Dimensionless { number.into() } else { format!("{number} {unit}") }
     }
 
+    /// Label of a difference of temperatures.
+    pub fn temperature(self) -> &'static str {
+        if self == Self::Dimensionless { "" } else { "K" }
+    }
+
     /// Unit of mass per volume.
     pub fn density(self) -> &'static str {
         match self {

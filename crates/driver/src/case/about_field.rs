@@ -28,6 +28,8 @@ pub enum Unit {
     Force,
     /// A force times a length.
     Moment,
+    /// A difference of temperatures.
+    Kelvin,
 }
 
 impl Unit {
@@ -40,6 +42,7 @@ impl Unit {
             Self::Stress => units.stress(),
             Self::Force => units.force(),
             Self::Moment => units.moment(),
+            Self::Kelvin => units.temperature(),
         }
     }
 }
@@ -54,6 +57,7 @@ impl Unit {
             Self::Stress => (units.force(), -2),
             Self::Force => (units.force(), 0),
             Self::Moment => (units.force(), 1),
+            Self::Kelvin => (units.temperature(), 0),
         };
         let length = match (units.length(), power + own) {
             ("", _) | (_, 0) => return force.into(),
@@ -107,6 +111,8 @@ pub enum Origin {
     Energy,
     /// The bonds that are cut.
     Damage,
+    /// The loads: changes of temperature.
+    Temperature,
     /// The faces of a crack.
     Opening,
     /// What holds the unknown, or the motion of a rigid region, of this name.

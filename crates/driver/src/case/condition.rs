@@ -1,6 +1,6 @@
 //! Supports, links and loads of a case.
 
-use super::{BodyForce, Gravity, Names, Pressure, Spin, Traction};
+use super::{BodyForce, Gravity, Names, Pressure, Spin, Temperature, Traction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -132,6 +132,8 @@ pub enum Load {
     Spin(Spin),
     /// A pressure on a shell.
     Pressure(Pressure),
+    /// A change of temperature.
+    Temperature(Temperature),
 }
 
 /// A concentrated force and moment.

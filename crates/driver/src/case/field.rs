@@ -143,6 +143,9 @@ pub enum FieldName {
     /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane; zero where nothing is cut.
     #[serde(rename = "damage")]
     Damage,
+    /// Change of temperature, kelvin, where a load changes it.
+    #[serde(rename = "temperature")]
+    Temperature,
     /// Strain energy density, per volume.
     #[serde(rename = "energy_density")]
     EnergyDensity,
@@ -234,6 +237,7 @@ impl FieldName {
             Self::Utilisation => ("utilisation", One, Utilisation),
             Self::Opening => ("opening", Length, Opening),
             Self::Damage => ("damage", One, Damage),
+            Self::Temperature => ("temperature", Kelvin, Temperature),
             Self::EnergyDensity => ("energy_density", Unit::Stress, Energy),
             Self::ReactionForce => ("reaction_force", Force, Reaction("w")),
             Self::ReactionX => ("reaction_x", Force, Reaction("ux")),

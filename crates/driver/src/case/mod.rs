@@ -1,6 +1,7 @@
 //! A case as its author wrote it: the JSON types, nothing resolved, nothing checked beyond their shape.
 
 mod about_field;
+mod amount;
 mod body;
 mod condition;
 mod expectation;
@@ -24,12 +25,14 @@ mod region;
 mod solid_body;
 mod specimen;
 mod strengths;
+mod temperature;
 mod vector;
 mod vertex;
 
 pub use crate::model::{Critical, LoadSharing, Model, Pressure};
 pub use crate::units::Units;
 pub use about_field::{Field, Origin, Unit};
+pub use amount::Amount;
 pub use body::{Body, Line};
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
@@ -62,6 +65,7 @@ pub use region::{
 pub use solid_body::{BallCut, BlockBody, BlockCut, BoreCut, SolidBody, SolidCut, SpaceAxis};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
 pub use strengths::Strengths;
+pub use temperature::{Expansion, Temperature};
 pub use vector::Vector;
 pub use vertex::{ArcTo, Vertex};
 
@@ -89,6 +93,9 @@ pub struct Case {
     /// Mass per volume of the material, > 0, for `gravity` and `spin`: kg/m³ in `m-N-Pa`, t/mm³ in `mm-N-MPa`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub density: Option<f64>,
+    /// Strain of the material per kelvin, for `temperature`; with fibres `[along, across]` them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thermal_expansion: Option<Expansion>,
     /// Strengths of the material, for fields such as `utilisation` on bodies in the plane and solids.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strengths: Option<Strengths>,

@@ -163,6 +163,11 @@ pub trait Material: Debug + Send + Sync {
     /// a hoop stress of σ_xx.
     fn strain_row(&self, axis: usize) -> [f64; 3];
 
+    /// Whether nothing moves across the plane, so that there is a stress; in a body of revolution it is the hoop stress.
+    fn holds_across(&self) -> bool {
+        false
+    }
+
     /// Directions of the material, where they are not alike.
     fn fibres(&self) -> Option<Fibres> {
         None

@@ -52,7 +52,8 @@ fn of_loads(loads: &[Load], path: &JsonPath, faults: &mut Faults) {
             | Load::BodyForce(_)
             | Load::Gravity(_)
             | Load::Spin(_)
-            | Load::Pressure(_) => {}
+            | Load::Pressure(_)
+            | Load::Temperature(_) => {}
         }
     }
 }

@@ -145,18 +145,18 @@ pub trait PlaneModel: BodyModel {
     /// stress for all points and the tractions that it has at the edges, the linear displacement that belongs to it is the
     /// solution to rounding. The forces have no resultant: `V div S` has to be added by the caller, in the plane where S
     /// varies, in a body of revolution, where the stress across is S_xx, also `V S_xy/x` along the axis. `points` are those
-    /// where S can be other than zero, none for all.
+    /// where S can be other than zero, none for all. S is asked for by the number of a point and its position.
     fn add_stress_load(
         &self,
         points: Option<&[usize]>,
-        stress_at: &(dyn Fn([f64; 2]) -> [f64; 3] + Sync),
+        stress_at: &(dyn Fn(usize, [f64; 2]) -> [f64; 3] + Sync),
         force: &mut [f64],
     ) {
         let n = self.points();
         // V_k S_k : E_k = (C⁻¹ S_k)·(V_k σ_k)
         let mut t = vec![0.0; 3 * n];
         let mut enter = |point: usize, position: [f64; 2]| {
-            let stress = stress_at(position);
+            let stress = stress_at(point, position);
             // The stress across a body of revolution is that along x.
             let strain = self.strain_with(stress, stress[0]);
             (0..3).for_each(|q| t[q * n + point] = strain[q]);

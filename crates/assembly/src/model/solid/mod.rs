@@ -98,11 +98,11 @@ pub trait SolidModel: BodyModel {
     /// Adds the forces `Σ_k V_k S_k : E_k` of a stress S, Pa, with E the strain of a point: with one stress for all points and
     /// the tractions that it has at the faces, the linear displacement that belongs to it is the solution to rounding. The
     /// forces have no resultant: `V div S` has to be added by the caller.
-    fn add_stress_load(&self, stress_at: &dyn Fn(Point) -> [f64; TENSOR], force: &mut [f64]) {
+    fn add_stress_load(&self, stress_at: &dyn Fn(usize, Point) -> [f64; TENSOR], force: &mut [f64]) {
         let n = self.points();
         let mut t = vec![0.0; TENSOR * n];
         for point in 0..n {
-            let strain = self.strain_of(stress_at(self.position(point)));
+            let strain = self.strain_of(stress_at(point, self.position(point)));
             (0..TENSOR).for_each(|q| t[q * n + point] = strain[q]);
         }
         self.add_strain_work(&mut t, force);

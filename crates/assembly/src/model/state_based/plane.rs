@@ -117,10 +117,10 @@ impl PlaneModel for StateBased {
     fn add_stress_load(
         &self,
         points: Option<&[usize]>,
-        stress_at: &(dyn Fn([f64; 2]) -> [f64; 3] + Sync),
+        stress_at: &(dyn Fn(usize, [f64; 2]) -> [f64; 3] + Sync),
         force: &mut [f64],
     ) {
-        let stress = |p: usize| stress_at(self.place(p));
+        let stress = |p: usize| stress_at(p, self.place(p));
         self.body.add_stress_work(&self.parameters, points, &stress, force);
         if !self.is_revolved() {
             return;

@@ -9,7 +9,7 @@ use super::{Central, Plane, critical, soften, words};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
 use peristat_assembly::body::Cell;
-use peristat_assembly::model::bond_plane::{BondPlane, VolumeFactor};
+use peristat_assembly::model::bond_plane::{BondPlane, PlaneState, VolumeFactor};
 use peristat_assembly::model::plane::{Calibration, Edges};
 use std::sync::Arc;
 
@@ -82,6 +82,10 @@ impl Material for Central {
     ) -> Result<AnyBody, Refusal> {
         let body = BondPlane::on_cloud(positions, areas, horizon, self.parameters, cut)?;
         Ok(AnyBody::Two(Box::new(body)))
+    }
+
+    fn holds_across(&self) -> bool {
+        self.parameters.material.state == PlaneState::Strain
     }
 
     fn strain_row(&self, axis: usize) -> [f64; 3] {

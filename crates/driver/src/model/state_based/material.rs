@@ -104,6 +104,10 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         Ok(AnyBody::Two(Box::new(body)))
     }
 
+    fn holds_across(&self) -> bool {
+        !matches!(self.parameters.geometry, Geometry::PlaneStress(_))
+    }
+
     fn strain_row(&self, axis: usize) -> [f64; 3] {
         let StateParameters { poisson_ratio: nu, geometry, .. } = self.parameters;
         match (geometry, axis) {

@@ -1,11 +1,12 @@
 //! Results of one state of a body in the plane.
 
+use super::heat::{self, HeatStress};
 use super::of_stress::{Medium, component, of_stress};
 use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
-use crate::scene::body::{BodyScene, Has, HoleRing, Says, of_points};
+use crate::scene::body::{BodyScene, Has, Heat, HoleRing, Says, of_points};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::recovery::hole::HoleFit;
@@ -23,11 +24,45 @@ pub struct Recovered {
     pub energy_density: Vec<f64>,
     /// Cut share of the family of every point; none without cracks.
     pub damage: Option<Vec<f64>>,
+    /// What strains that need no stress would have.
+    pub heat: Option<HeatStress>,
 }
 
 impl Recovered {
+    /// What is recovered of displacements, with strains of the state that need no stress.
+    fn new((scene, model): (&BodyScene, &dyn BodyModel), heat: Option<&Heat>, u: &[f64]) -> Self {
+        let fields = model.recover(u);
+        let mut found = Self {
+            stress: fields.stress,
+            across: fields.across,
+            energy_density: fields.energy_density,
+            damage: scene.is_damaged().then(|| model.damage()),
+            heat: None,
+        };
+        if let Some(heat) = heat {
+            found.take_off(heat, model);
+        }
+        found.fill_images(scene);
+        found
+    }
+
+    /// A field that follows from the stresses, as a sum over points.
+    fn of_stress(&self, medium: Medium, origin: Origin, sum: impl Fn(&[f64]) -> f64) -> Option<f64> {
+        let stress = self.at(&sum);
+        let across = match self.across.is_empty() {
+            true => medium.model.across_of(stress),
+            false => sum(&self.across),
+        };
+        let is_strain = matches!(origin, Origin::Strain(..) | Origin::FibreStrain(_));
+        let (stress, across) = match &self.heat {
+            Some(heat) if is_strain => heat.add_to(sum, (stress, across)),
+            _ => (stress, across),
+        };
+        of_stress(origin, medium, stress, across)
+    }
+
     /// One number of every component of the stress; zeros behind the last.
-    fn at(&self, of: impl Fn(&[f64]) -> f64) -> [f64; TENSOR] {
+    pub(super) fn at(&self, of: impl Fn(&[f64]) -> f64) -> [f64; TENSOR] {
         std::array::from_fn(|k| self.stress.get(k).map_or(0.0, |values| of(values)))
     }
 
@@ -121,23 +156,16 @@ impl BodyResult {
         intensities: Vec<f64>,
         recover: bool,
     ) -> Self {
-        let recovered = recover.then(|| {
-            let fields = model.recover(&record.u);
-            let damage = scene.is_damaged().then(|| model.damage());
-            let mut found = Recovered {
-                stress: fields.stress,
-                across: fields.across,
-                energy_density: fields.energy_density,
-                damage,
-            };
-            found.fill_images(scene);
-            found
-        });
         // Bodies that break or soften have one load case.
         let (state, factor) = match scene.case.is_traced() {
             true => (&scene.states[0], record.load_factor),
             false => (&scene.states[record.index], 1.0),
         };
+        let heat = scene.heat(state);
+        if let Some(heat) = &heat {
+            record.certificate.energy += heat::energy(heat, model, &record.u);
+        }
+        let recovered = recover.then(|| Recovered::new((scene, model), heat.as_ref(), &record.u));
         let taken = scene.into_mirrors(state, factor);
         let mirrors = reaction::of_mirrors(scene, &multipliers, load, &taken);
         multipliers.truncate(scene.equations.len());
@@ -150,6 +178,7 @@ impl BodyResult {
         // Loads on parts that have come off act no more.
         let whole = !scene.case.is_traced() || record.index == 0;
         record.certificate.account(resultants, whole && scene.loads_are_exact(state));
+        let says = Says::of(&scene.case, scene.material());
         Self {
             record,
             recovered,
@@ -161,7 +190,7 @@ impl BodyResult {
             points: scene.model.points(),
             shown: FieldName::BODY
                 .into_iter()
-                .filter(|&field| of_points(field, model, scene.is_damaged(), Says::default()) == Has::Values)
+                .filter(|&field| of_points(field, model, scene.is_damaged(), says) == Has::Values)
                 .collect(),
             multipliers,
         }
@@ -187,6 +216,7 @@ impl BodyResult {
             },
             Origin::Energy => &recovered?.energy_density,
             Origin::Damage => recovered?.damage.as_ref()?,
+            Origin::Temperature => &recovered?.heat.as_ref()?.change,
             Origin::Strain(..)
             | Origin::VonMises
             | Origin::Principal(_)
@@ -232,16 +262,12 @@ impl BodyResult {
         }
         let recovered = self.recovered.as_ref()?;
         let origin = field.about().origin;
-        if origin == Origin::Damage {
+        // What no crack and no load has brought.
+        if matches!(origin, Origin::Damage | Origin::Temperature) {
             return Some(vec![0.0; scene.body().points()].into());
         }
         let medium = Medium::of(scene);
-        let at = |p: usize| {
-            let stress = recovered.at(|values| values[p]);
-            let across = recovered.across.get(p).copied();
-            let across = across.unwrap_or_else(|| scene.model.across_of(stress));
-            of_stress(origin, medium, stress, across)
-        };
+        let at = |p: usize| recovered.of_stress(medium, origin, |values| values[p]);
         match whole {
             true => (0..self.points).map(at).collect(),
             false => scene.real_points().map(at).collect(),
@@ -256,14 +282,9 @@ impl BodyResult {
         }
         let recovered = self.recovered.as_ref()?;
         let origin = field.about().origin;
-        if origin == Origin::Damage {
+        if matches!(origin, Origin::Damage | Origin::Temperature) {
             return Some(0.0);
         }
-        let stress = recovered.at(sum);
-        let across = match recovered.across.is_empty() {
-            true => scene.model.across_of(stress),
-            false => sum(&recovered.across),
-        };
-        of_stress(origin, Medium::of(scene), stress, across)
+        recovered.of_stress(Medium::of(scene), origin, sum)
     }
 }

@@ -8,6 +8,7 @@ mod fields;
 mod fracture;
 mod gradient;
 mod grips;
+mod heat;
 mod hole_fits;
 mod intensity;
 mod layers;

@@ -118,6 +118,7 @@ pub(super) fn of_stress(origin: Origin, medium: Medium, stress: [f64; TENSOR], a
         | Origin::Beam
         | Origin::Energy
         | Origin::Damage
+        | Origin::Temperature
         | Origin::Opening
         | Origin::Reaction(_)
         | Origin::Turn(_) => None,

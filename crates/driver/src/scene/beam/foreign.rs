@@ -65,6 +65,7 @@ pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
         Load::BodyForce(_) => "body_force",
         Load::Pressure(_) => "pressure",
         Load::Spin(_) => "spin",
+        Load::Temperature(_) => "temperature",
         Load::Point(_) | Load::Distributed(_) | Load::Gravity(_) => return,
     };
     faults

@@ -55,9 +55,11 @@ pub(super) fn load_cases(
                     let path = path.index(k).key("gravity");
                     weight::add(load, (case, layout), sections, &path, &mut resolved, faults);
                 }
-                Load::Traction(_) | Load::BodyForce(_) | Load::Pressure(_) | Load::Spin(_) => {
-                    super::foreign::refuse(load, &path.index(k), faults)
-                }
+                Load::Traction(_)
+                | Load::BodyForce(_)
+                | Load::Pressure(_)
+                | Load::Spin(_)
+                | Load::Temperature(_) => super::foreign::refuse(load, &path.index(k), faults),
                 Load::Distributed(load) => {
                     let path = path.index(k).key("distributed");
                     distributed_load::add(load, layout, &path, &mut resolved, faults);

@@ -3,6 +3,7 @@
 use super::scene::{BodyScene, BodyState};
 use crate::model::Material;
 use crate::scene::body::load::sums::Forces;
+use crate::scene::body::load::temperature::Heat;
 use crate::scene::{Counted, Resultant};
 use peristat_assembly::model::BodyModel;
 
@@ -29,6 +30,14 @@ impl BodyScene {
     /// Along which axes the loads of a state do more through a line of symmetry than they are asked for: inside the body.
     pub fn inside(&self, state: &BodyState) -> [bool; 3] {
         [0, 1, 2].map(|axis| state.terms.iter().any(|&(case, _)| self.load_cases[case].inside[axis]))
+    }
+
+    /// Strains of a state that need no stress.
+    pub fn heat(&self, state: &BodyState) -> Option<Heat> {
+        let of_case = |&(case, factor): &(usize, f64)| Some((self.load_cases[case].heat.as_ref()?, factor));
+        let mut terms = state.terms.iter().filter_map(of_case);
+        let (first, factor) = terms.next()?;
+        Some(terms.fold(first.clone().times(factor), |sum, (heat, factor)| sum.plus(factor, heat)))
     }
 
     /// What the loads of a state on images do to lines of symmetry at once, by images: a border moves with points on both sides of

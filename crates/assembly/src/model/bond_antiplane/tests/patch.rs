@@ -28,7 +28,7 @@ fn check(name: &str, plate: &BondAntiplane, strain: [f64; 2]) {
         assert!((fields.energy_density[p] / density - 1.0).abs() < 1e-12, "{name} {p}");
     }
     let mut load = vec![0.0; n];
-    plate.add_stress_load(None, &|_| [stress[0], stress[1], 0.0], &mut load);
+    plate.add_stress_load(None, &|_, _| [stress[0], stress[1], 0.0], &mut load);
     let internal = force(plate, &w);
     let off = difference(&load, &internal) / largest(&internal);
     assert!(off < 1e-12, "{name}: {off:e}");
@@ -67,7 +67,7 @@ fn loads_of_a_uniform_stress_are_solved_by_the_linear_displacement() {
         let exact = linear(&plate, STRAINS[2]);
         let mut load = vec![0.0; exact.len()];
         let stress = STRAINS[2].map(|s| PLATE.shear_modulus * s);
-        plate.add_stress_load(None, &|_| [stress[0], stress[1], 0.0], &mut load);
+        plate.add_stress_load(None, &|_, _| [stress[0], stress[1], 0.0], &mut load);
         let start = (0..exact.len()).map(|p| if p == 0 { exact[0] } else { 0.0 }).collect();
         let w = solve(&plate, start, &load, |p| p == 0);
         // 1.2e-14 measured.
@@ -121,7 +121,7 @@ fn half_a_plate_is_a_whole_one() {
         // A load of a stress does not know the line either.
         let load = |plate: &BondAntiplane| {
             let mut load = vec![0.0; plate.points()];
-            plate.add_stress_load(None, &|[x, y]| [x, 1.0 + y, 0.0], &mut load);
+            plate.add_stress_load(None, &|_, [x, y]| [x, 1.0 + y, 0.0], &mut load);
             load
         };
         let (all, mut own) = (load(&full), load(&half));

@@ -39,7 +39,7 @@ fn any_cloud_passes_the_patch_test() {
                 let stress = plane.parameters().material.stress(strain_of(g));
                 let exact = linear(&plane, g);
                 let mut load = vec![0.0; exact.len()];
-                plane.add_stress_load(None, &|_| stress, &mut load);
+                plane.add_stress_load(None, &|_, _| stress, &mut load);
                 let error = difference(&solve(&plane, &load, &exact), &exact) / largest(&exact);
                 assert!(error < 1e-12, "{error:e}");
             }

@@ -150,7 +150,7 @@ fn stresses_of_uniform_strains_are_exact() {
                         assert!(off < 1e-12 * largest(&stress), "{name} {m}: {off:e}");
                     }
                     let mut load = vec![0.0; u.len()];
-                    plane.add_stress_load(None, &|_| stress, &mut load);
+                    plane.add_stress_load(None, &|_, _| stress, &mut load);
                     let internal = force(&plane, &u);
                     assert!(difference(&load, &internal) < 1e-12 * largest(&internal), "{name}");
                 }

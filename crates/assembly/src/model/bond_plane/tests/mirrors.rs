@@ -116,7 +116,7 @@ pub(super) fn compare(full: &dyn Solvable<2>, part: &dyn Solvable<2>, mirrors: M
     let fields = [full.as_plane().unwrap().fields(&u[0]), part.as_plane().unwrap().fields(&u[1])];
     let damage = [full.damage(), part.damage()];
     let mut loads = [vec![0.0; 2 * n], vec![0.0; 2 * np]];
-    let stress = |at: [f64; 2]| [1.0 + at[0].powi(2), 2.0 - at[1].powi(2), 0.3 * at[0] * at[1]];
+    let stress = |_: usize, at: [f64; 2]| [1.0 + at[0].powi(2), 2.0 - at[1].powi(2), 0.3 * at[0] * at[1]];
     full.as_plane().unwrap().add_stress_load(None, &stress, &mut loads[0]);
     part.as_plane().unwrap().add_stress_load(None, &stress, &mut loads[1]);
     let loads = [loads[0].clone(), restricted(part, loads[1].clone())];

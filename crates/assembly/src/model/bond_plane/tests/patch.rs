@@ -43,7 +43,7 @@ pub(super) fn check_fields(name: &str, plane: &dyn Solvable<2>, g: [[f64; 2]; 2]
         assert!((fields.energy_density[p] / density - 1.0).abs() < 1e-12, "{name} {p}");
     }
     let mut load = vec![0.0; 2 * n];
-    plane.add_stress_load(None, &|_| stress, &mut load);
+    plane.add_stress_load(None, &|_, _| stress, &mut load);
     assert!(difference(&load, &internal) < 1e-12 * largest(&internal), "{name}");
     let total = density * (0..n).map(|p| plane.volume(p)).sum::<f64>();
     assert!((own / total - 1.0).abs() < 1e-12, "{name}");
@@ -112,7 +112,7 @@ fn loads_of_a_uniform_stress_are_solved_by_the_linear_displacement() {
                 let stress = plane.parameters().material.stress(strain_of(g));
                 let exact = linear(&plane, g);
                 let mut load = vec![0.0; exact.len()];
-                plane.add_stress_load(None, &|_| stress, &mut load);
+                plane.add_stress_load(None, &|_, _| stress, &mut load);
                 let u = solve(&plane, &load, &exact);
                 let error = difference(&u, &exact) / largest(&exact);
                 assert!(error < 1e-12, "{name} {m}: {error:e}");
@@ -138,7 +138,7 @@ fn loads_at_some_points_are_those_of_a_stress_that_is_zero_elsewhere() {
     let (_, lattice) = &bodies(1.0)[0];
     let plane = plane(lattice, parameters(3.0, MM_MPA));
     let points: Vec<usize> = (0..plane.points()).filter(|&p| plane.place(p)[0] < 3.0).collect();
-    let stress = |at: [f64; 2]| if at[0] < 3.0 { [1.0, at[1], 0.5] } else { [0.0; 3] };
+    let stress = |_: usize, at: [f64; 2]| if at[0] < 3.0 { [1.0, at[1], 0.5] } else { [0.0; 3] };
     let mut loads = [vec![0.0; 2 * plane.points()], vec![0.0; 2 * plane.points()]];
     plane.add_stress_load(Some(&points), &stress, &mut loads[0]);
     plane.add_stress_load(None, &stress, &mut loads[1]);

@@ -98,7 +98,7 @@ fn a_uniform_stress_acts_on_the_ends_alone() {
             assert!(most < 1e-11 * largest(&found), "{strain:?} {}", most / largest(&found));
             // Loads of one stress are these forces, too.
             let (stress, mut load) = ([axial / H, hoop / H, 0.0], vec![0.0; 3 * n]);
-            tube.add_stress_load(None, &|_| stress, &mut load);
+            tube.add_stress_load(None, &|_, _| stress, &mut load);
             let load = restricted(&tube, load);
             let apart = load.iter().zip(&found).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             assert!(apart < 1e-11 * largest(&found), "{strain:?} {}", apart / largest(&found));
@@ -151,7 +151,7 @@ fn panels_have_no_corners() {
     // A uniform stress is in equilibrium with its own loads.
     let u = state(&panel, |[x, _]| [x, 0.0, -R / 3.0]);
     let (found, mut load) = (force(&panel, &u), vec![0.0; 3 * panel.points()]);
-    panel.add_stress_load(None, &|_| [E, 0.0, 0.0], &mut load);
+    panel.add_stress_load(None, &|_, _| [E, 0.0, 0.0], &mut load);
     let off = found.iter().zip(&load).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(off < 1e-12 * largest(&found), "{}", off / largest(&found));
 }

@@ -105,7 +105,7 @@ fn loads_of_a_uniform_stress_are_solved_by_its_strain() {
                 if calibration == Calibration::Matched {
                     let mut load = vec![0.0; 3 * n];
                     let uniform = [stress[0][n / 2], stress[1][n / 2], 0.0];
-                    tube.add_stress_load(None, &|_| uniform, &mut load);
+                    tube.add_stress_load(None, &|_, _| uniform, &mut load);
                     let load = restricted(&tube, load);
                     let inner = force(&tube, &u);
                     let off = load.iter().zip(&inner).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

@@ -22,7 +22,7 @@ fn check(full: &dyn Solvable<3>, part: &dyn Solvable<3>) {
     assert!((energy(full, &u) / (8.0 * energy(part, &own)) - 1.0).abs() < 1e-13);
     let (all, fields) = (full.as_solid().unwrap().fields(&u), part.as_solid().unwrap().fields(&own));
     let (mut load, mut folded) = (vec![0.0; u.len()], vec![0.0; own.len()]);
-    let stress = |[x, y, _]: Point| [1.0 + x * x, 0.4, y.abs(), 0.0, 0.0, 0.0];
+    let stress = |_: usize, [x, y, _]: Point| [1.0 + x * x, 0.4, y.abs(), 0.0, 0.0, 0.0];
     full.as_solid().unwrap().add_stress_load(&stress, &mut load);
     part.as_solid().unwrap().add_stress_load(&stress, &mut folded);
     let constraints = Constraints::new(part.points(), &part.relations()).unwrap();

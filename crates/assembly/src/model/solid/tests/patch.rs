@@ -23,7 +23,7 @@ fn check_fields(name: &str, solid: &dyn Solvable<3>) {
         assert!((fields.energy_density[p] / density - 1.0).abs() < 1e-12, "{name} {p}");
     }
     let mut load = vec![0.0; 3 * n];
-    solid.as_solid().unwrap().add_stress_load(&|_| STRESS, &mut load);
+    solid.as_solid().unwrap().add_stress_load(&|_, _| STRESS, &mut load);
     let internal = force(solid, &u);
     assert!(difference(&load, &internal) < 1e-12 * largest(&internal), "{name}");
     let volume: f64 = (0..n).map(|p| solid.volume(p)).sum();
@@ -75,7 +75,7 @@ fn loads_of_a_uniform_stress_are_solved_by_the_linear_displacement() {
             let n = solid.points();
             let exact = linear(&*solid, gradient(solid.as_solid().unwrap().strain_of(STRESS)));
             let mut load = vec![0.0; 3 * n];
-            solid.as_solid().unwrap().add_stress_load(&|_| STRESS, &mut load);
+            solid.as_solid().unwrap().add_stress_load(&|_, _| STRESS, &mut load);
             // Three points that are not in a line.
             let far = |along: Point| {
                 let at = |p: usize| (0..3).map(|k| along[k] * solid.position(p)[k]).sum::<f64>();

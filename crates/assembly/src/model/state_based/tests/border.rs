@@ -110,7 +110,7 @@ fn tractions_hold_every_uniform_stress() {
                         let off = largest(internal.iter().zip(&load).map(|(a, b)| a - b)) / size;
                         assert!(off < 1e-11, "{name} {m} {nu} {stress:?}: {off:e}");
                         let mut through_volume = vec![0.0; u.len()];
-                        plate.add_stress_load(None, &|_| stress, &mut through_volume);
+                        plate.add_stress_load(None, &|_, _| stress, &mut through_volume);
                         let off = largest(internal.iter().zip(&through_volume).map(|(a, b)| a - b)) / size;
                         assert!(off < 1e-11, "{name} {m} {nu} {stress:?}: {off:e}");
                         let found = plate.fields(&u).stress;

@@ -19,7 +19,7 @@ fn cylinder(columns: i32, parameters: StateParameters, lumped: bool) -> (Vec<f64
         force[points[0]] = TAU * spacing;
     } else {
         let pressure = |x: f64| 2.0 - x;
-        model.add_stress_load(None, &|[x, _]| [-pressure(x), -pressure(x), 0.0], &mut force);
+        model.add_stress_load(None, &|_, [x, _]| [-pressure(x), -pressure(x), 0.0], &mut force);
         // −grad p.
         points.iter().for_each(|&p| force[p] += model.volume(p));
     }

@@ -17,7 +17,7 @@ fn traction(model: &StateBased, motion: [f64; 4], hold: &[(usize, usize)]) -> f6
     let pressure = lame * (a + d + hoop);
     let stress = [pressure + 2.0 * shear * a, pressure + 2.0 * shear * d, shear * (b + c)];
     let mut force = vec![0.0; 2 * model.points()];
-    model.add_stress_load(None, &|_| stress, &mut force);
+    model.add_stress_load(None, &|_, _| stress, &mut force);
     let n = model.points();
     let equations = hold.iter().map(|&(c, k)| held(c, points[k], exact[c * n + points[k]]));
     let u = solve(model, equations.collect(), &force);

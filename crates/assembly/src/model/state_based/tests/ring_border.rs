@@ -139,7 +139,7 @@ fn tractions_hold_uniform_stresses() {
                     assert!(most[0] < 1e-11 * size, "{name} {m} {nu} {strain:?}: {:e}", most[0] / size);
                     assert!(most[1] < 1.5e-2 * size, "{name} {m} {nu} {strain:?}: {:e}", most[1] / size);
                     let mut through_volume = vec![0.0; u.len()];
-                    ring.add_stress_load(None, &|_| stress, &mut through_volume);
+                    ring.add_stress_load(None, &|_, _| stress, &mut through_volume);
                     let through = folded(&ring, through_volume);
                     let off = largest(internal.iter().zip(&through).map(|(a, b)| a - b)) / size;
                     assert!(off < 1e-11, "{name} {m} {nu} {strain:?}: {off:e}");

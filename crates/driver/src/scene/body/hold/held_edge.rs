@@ -117,7 +117,7 @@ fn shares(material: &dyn Material) -> Option<[Vec<f64>; 2]> {
     let (n, (lattice, _)) = (body.points(), body.lattice()?);
     let of = |stress: [f64; 3], component: usize| {
         let mut force = vec![0.0; body.components().len() * n];
-        body.as_plane()?.add_stress_load(None, &|_| stress, &mut force);
+        body.as_plane()?.add_stress_load(None, &|_, _| stress, &mut force);
         body.fold(&mut force);
         let at = |column: i32| lattice.number([column, rows / 2, 0]).map(|p| force[component * n + p]);
         let forces: Vec<f64> = (0..columns / 2).map(at).collect::<Option<_>>()?;

@@ -3,7 +3,7 @@
 use super::context::LoadContext;
 use super::sums::BodyLoads;
 use super::traction::{add, on_wall, resolve};
-use super::{asked, body_force, mass, point_load, pressure};
+use super::{asked, body_force, mass, point_load, pressure, temperature};
 use crate::case::Load;
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::scene::body::site::ground::Ground;
@@ -36,6 +36,9 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
                 }
                 Load::Pressure(load) => {
                     pressure::resolve(load, context, &path.key("pressure"), &mut resolved, faults)
+                }
+                Load::Temperature(load) => {
+                    temperature::resolve(load, context, &path.key("temperature"), &mut resolved, faults)
                 }
                 Load::Distributed(_) => {
                     faults

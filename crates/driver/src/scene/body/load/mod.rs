@@ -11,4 +11,5 @@ pub(crate) mod pressure;
 pub(crate) mod rigid_moment;
 pub(crate) mod stress_field;
 pub(crate) mod sums;
+pub(crate) mod temperature;
 pub(crate) mod traction;

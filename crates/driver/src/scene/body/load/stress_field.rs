@@ -65,7 +65,7 @@ impl StressField {
 
     /// Adds what it does times a factor to forces on the unknowns of a model.
     pub(crate) fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
-        let at = |position: [f64; 2]| self.stress.at(position).map(|s| factor * s);
+        let at = |_: usize, position: [f64; 2]| self.stress.at(position).map(|s| factor * s);
         if let Some(plane) = model.as_plane() {
             plane.add_stress_load(self.points.as_deref(), &at, force);
         }

@@ -1,6 +1,7 @@
 //! The loads of a body in the plane as forces and stresses on its points.
 
 use super::stress_field::StressField;
+use super::temperature::Heat;
 use crate::scene::Resultant;
 use peristat_assembly::model::BodyModel;
 
@@ -22,6 +23,8 @@ pub struct BodyLoads {
     pub(crate) spin: f64,
     /// Stresses that act by the rows of the bonds.
     pub(crate) stresses: Vec<StressField>,
+    /// Strains that need no stress, by numbers of the model from the start.
+    pub(crate) heat: Option<Heat>,
     /// Whether these carry the forces through joined sides.
     pub(crate) carry_ends: bool,
     /// Resultant as the case asks for it.
@@ -56,6 +59,7 @@ impl BodyLoads {
             && self.density == [0.0; 3]
             && self.spin == 0.0
             && self.stresses.is_empty()
+            && self.heat.is_none()
     }
 
     /// Adds the loads times a factor to `force`, N, one plane per unknown; moments per length by which rotations are
@@ -83,5 +87,6 @@ impl BodyLoads {
             }
         }
         self.stresses.iter().for_each(|field| field.add_to(model, factor, force));
+        self.heat.iter().for_each(|heat| heat.add_to(model, factor, force));
     }
 }

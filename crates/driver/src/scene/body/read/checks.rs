@@ -1,12 +1,13 @@
 //! Checks of a body.
 
+use super::fields;
 use super::fields::Says;
-use super::{fields, formula};
 use crate::case::{Baseline, Case, FieldName, Formula};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::Folder;
 use crate::scene::expectation::{self, Expectation, PointsCheck};
 use crate::scene::files::{BASELINE, text};
+use crate::scene::formula;
 use crate::scene::words;
 use peristat_assembly::body::PointBody;
 use peristat_assembly::model::BodyModel;

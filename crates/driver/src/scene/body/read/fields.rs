@@ -1,6 +1,6 @@
 //! The fields of a body: which its points have, and which its probes can ask for.
 
-use crate::case::{Case, FieldName, Origin};
+use crate::case::{Case, FieldName, Load, Origin};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::Material;
 use crate::scene::body::hold::rigid::{self, MOTIONS};
@@ -24,12 +24,19 @@ pub(crate) enum Has {
 pub(crate) struct Says {
     has_fibres: bool,
     has_strengths: bool,
+    is_heated: bool,
 }
 
 impl Says {
     /// What a case says of a material.
     pub(crate) fn of(case: &Case, material: &dyn Material) -> Self {
-        Self { has_fibres: material.fibres().is_some(), has_strengths: case.strengths.is_some() }
+        let heats = |load: &Load| matches!(load, Load::Temperature(_));
+        let mut loads = case.loads.iter().chain(case.load_cases.iter().flat_map(|c| &c.loads));
+        Self {
+            has_fibres: material.fibres().is_some(),
+            has_strengths: case.strengths.is_some(),
+            is_heated: loads.any(heats),
+        }
     }
 }
 
@@ -39,6 +46,7 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
     match field.about().origin {
         Origin::Unknown => or(model.component(field.name()).is_some(), Has::No),
         Origin::Damage => or(is_damaged, Has::Unlisted),
+        Origin::Temperature => or(says.is_heated, Has::No),
         Origin::Strain(name, _) | Origin::Stress(name) if model.tensor_components().contains(&name) => {
             Has::Values
         }
@@ -117,7 +125,11 @@ pub(crate) fn probed(model: &dyn BodyModel, case: &Case, says: Says) -> Vec<Fiel
 
 /// The fields that probes of a case can ask for which has this model and whatever gives fields: rigid regions, cracks, strengths.
 pub(crate) fn askable(model: &dyn BodyModel, material: &dyn Material) -> Vec<FieldName> {
-    of_probes(model, (true, true), Says { has_fibres: material.fibres().is_some(), has_strengths: true })
+    of_probes(
+        model,
+        (true, true),
+        Says { has_fibres: material.fibres().is_some(), has_strengths: true, is_heated: true },
+    )
 }
 
 fn of_probes(model: &dyn BodyModel, (has_rigid, has_cracks): (bool, bool), says: Says) -> Vec<FieldName> {

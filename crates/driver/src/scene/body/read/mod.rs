@@ -2,7 +2,6 @@
 
 pub(crate) mod checks;
 pub(crate) mod fields;
-pub(crate) mod formula;
 pub(crate) mod opening;
 pub(crate) mod outputs;
 pub(crate) mod probes;

@@ -40,7 +40,8 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
             load.region.as_ref().map_or(ground.body.points() as f64, |_| at(load.region.as_deref()))
         }
         Load::Traction(load) => at(load.border().map(|(_, name)| name)),
-        Load::Distributed(_) | Load::Pressure(_) => 0.0,
+        // What the points of the model have is counted with the model.
+        Load::Distributed(_) | Load::Pressure(_) | Load::Temperature(_) => 0.0,
     };
     let loads: f64 = case.loads.iter().map(&mut of_load).sum();
     let cases: f64 = case.load_cases.iter().flat_map(|c| &c.loads).map(&mut of_load).sum();

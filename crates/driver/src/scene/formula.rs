@@ -82,7 +82,8 @@ pub(crate) fn values(text: &str, body: &PointBody) -> Result<Vec<f64>, String> {
 }
 
 /// A parsed expression.
-struct Formula {
+#[derive(Clone, Debug)]
+pub(crate) struct Formula {
     parsed: FlatEx<f64, Operators, Number>,
     /// For each of its variables the axis that it is a position on.
     axes: Vec<usize>,
@@ -90,7 +91,10 @@ struct Formula {
 
 impl Formula {
     /// An expression in the first coordinates.
-    fn new(text: &str, coordinates: usize) -> Result<Self, String> {
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub(crate) fn new(text: &str, coordinates: usize) -> Result<Self, String> {
         if text.chars().count() > LONGEST {
             return Err(format!("a formula has at most {LONGEST} characters"));
         }
@@ -110,7 +114,16 @@ impl Formula {
         Ok(Self { parsed, axes })
     }
 
-    fn at(&self, place: [f64; 3]) -> Result<f64, String> {
+    /// Whether it has the same value everywhere.
+    pub(crate) fn is_constant(&self) -> bool {
+        self.axes.is_empty()
+    }
+
+    /// Its value at a position.
+    ///
+    /// # Errors
+    /// It has none there.
+    pub(crate) fn at(&self, place: [f64; 3]) -> Result<f64, String> {
         let mut variables = [0.0; 3];
         variables.iter_mut().zip(&self.axes).for_each(|(v, axis)| *v = place[*axis]);
         let value = self.parsed.eval(&variables[..self.axes.len()]).map_err(|error| error.to_string())?;

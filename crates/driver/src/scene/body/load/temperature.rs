@@ -1,0 +1,200 @@
+//! Changes of temperature: strains that need no stress.
+//!
+//! A bond of a point whose material stretches by ε* is free of force at that stretch, so that the energy of a state is that of the
+//! strains less ε*. The load that follows does the work of the stresses `S = C ε*`: `f·v = Σ V S : E(v)`, with the strain E of a point as
+//! its bonds have it, and the stress of a point is that of its strains less S. A body that stretches by ε* everywhere is then the solution
+//! to rounding, whatever its edges.
+
+use super::context::LoadContext;
+use super::sums::BodyLoads;
+use crate::case::{Expansion, Temperature};
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::model::{Fibres, Material};
+use crate::scene::prescribed::Prescribed;
+use peristat_assembly::model::BodyModel;
+use peristat_assembly::model::solid::TENSOR;
+
+/// Strains that need no stress, and the stresses that keep a body from them.
+#[derive(Clone, Debug)]
+pub struct Heat {
+    /// Kelvin by which the points of the model are warmer, images among them.
+    pub change: Vec<f64>,
+    /// Per kelvin.
+    pub unit: UnitHeat,
+}
+
+/// What one kelvin does where nothing moves, in the order of [`BodyModel::tensor_components`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UnitHeat {
+    /// Strains, shears as γ.
+    pub strain: [f64; TENSOR],
+    /// Strain across the plane, or around the axis.
+    pub across_strain: f64,
+    /// Stresses C ε*.
+    pub stress: [f64; TENSOR],
+    /// The same across the plane, or around the axis.
+    pub across_stress: f64,
+}
+
+impl UnitHeat {
+    fn new(expansion: Expansion, model: &dyn BodyModel, material: &dyn Material) -> Option<Self> {
+        let mut unit =
+            Self { strain: [0.0; TENSOR], across_strain: 0.0, stress: [0.0; TENSOR], across_stress: 0.0 };
+        let [x, y, gamma, across] = in_plane(expansion, material.fibres());
+        for (value, name) in unit.strain.iter_mut().zip(model.tensor_components()) {
+            *value = match *name {
+                "xx" => x,
+                "yy" => y,
+                "zz" => across,
+                "xy" => gamma,
+                _ => 0.0,
+            };
+        }
+        if let Some(solid) = model.as_solid() {
+            let c = solid.stiffness();
+            unit.stress = c.map(|row| row.iter().zip(unit.strain).map(|(c, e)| c * e).sum());
+            return Some(unit);
+        }
+        let c = model.as_plane()?.stiffness();
+        (0..3).for_each(|q| unit.stress[q] = (0..3).map(|k| c[q][k] * unit.strain[k]).sum());
+        if material.holds_across() {
+            // Of an isotropic material: what is stretched across presses on the plane as the other axis in it does.
+            unit.across_strain = across;
+            unit.stress[..2].iter_mut().for_each(|s| *s += c[0][1] * across);
+            unit.across_stress = c[0][1] * (x + y) + c[0][0] * across;
+        }
+        Some(unit)
+    }
+}
+
+/// The strains of one kelvin: along x and y, their shear γ, and across the plane.
+fn in_plane(expansion: Expansion, fibres: Option<Fibres>) -> [f64; 4] {
+    match (expansion, fibres) {
+        (Expansion::Fibres([along, across]), Some(fibres)) => {
+            let (s, c) = fibres.angle.sin_cos();
+            let (x, y) = (along * c * c + across * s * s, along * s * s + across * c * c);
+            [x, y, 2.0 * s * c * (along - across), across]
+        }
+        (Expansion::Alike(alpha) | Expansion::Fibres([alpha, _]), _) => [alpha, alpha, 0.0, alpha],
+    }
+}
+
+impl Heat {
+    /// Adds the load times a factor to forces on the unknowns of a model.
+    pub(crate) fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
+        let of = |point: usize| factor * self.change[point];
+        let points: Vec<usize> = (0..self.change.len()).filter(|&p| self.change[p] != 0.0).collect();
+        let some = (points.len() < self.change.len()).then_some(&points[..]);
+        if let Some(plane) = model.as_plane() {
+            let [x, y, xy, ..] = self.unit.stress;
+            plane.add_stress_load(some, &|p, _| [x, y, xy].map(|s| of(p) * s), force);
+        } else if let Some(solid) = model.as_solid() {
+            solid.add_stress_load(&|p, _| self.unit.stress.map(|s| of(p) * s), force);
+        }
+    }
+
+    /// The sum of this and a multiple of another one of the same material.
+    pub(crate) fn plus(mut self, factor: f64, other: &Self) -> Self {
+        self.change.iter_mut().zip(&other.change).for_each(|(own, other)| *own += factor * other);
+        self
+    }
+
+    /// A multiple.
+    pub(crate) fn times(mut self, factor: f64) -> Self {
+        self.change.iter_mut().for_each(|change| *change *= factor);
+        self
+    }
+}
+
+/// Adds a change of temperature.
+pub(crate) fn resolve(
+    load: &Temperature,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    let ground = context.ground;
+    let is_fine = is_borne(context, path, faults);
+    let expansion = expansion(context, path, faults);
+    let change = Prescribed::new(&load.change, ground.body.axes(), &path.key("change"), faults);
+    let points = match &load.region {
+        Some(name) => ground.region(name, &path.key("region"), faults),
+        None => Some((0..ground.body.points() as u32).collect()),
+    };
+    let (Some(expansion), Some(change), Some(points), true) = (expansion, change, points, is_fine) else {
+        return;
+    };
+    let Some(model) = context.model else { return };
+    let Some(unit) = UnitHeat::new(expansion, model, context.material) else { return };
+    let mut heat = Heat { change: vec![0.0; model.points()], unit };
+    for p in points {
+        match change.at(ground.body.position(p as usize)) {
+            Ok(value) => heat.change[context.inputs.number(model, p) as usize] = value,
+            Err(reason) => {
+                faults.error(path.key("change"), reason);
+                return;
+            }
+        }
+    }
+    if heat.change.iter().all(|change| *change == 0.0) {
+        faults.error(path.clone(), "this load is zero");
+    }
+    give_images(&mut heat.change, model);
+    let mirrors = context.symmetry.mirrors;
+    (0..3).for_each(|k| to.inside[k] |= mirrors.lines[k] != [None; 2] && !mirrors.joined[k]);
+    to.heat = Some(match to.heat.take() {
+        Some(other) => other.plus(1.0, &heat),
+        None => heat,
+    });
+}
+
+/// Gives images the values of their points.
+fn give_images(values: &mut [f64], model: &dyn BodyModel) {
+    let Some((lattice, mirrors)) = model.lattice() else { return };
+    for &ghost in model.ghosts() {
+        let (cell, _) = mirrors.image(lattice.cell(ghost as usize));
+        if let Some(real) = lattice.number(cell) {
+            values[ghost as usize] = values[real];
+        }
+    }
+}
+
+/// Whether the body can bear a change of temperature.
+fn is_borne(context: &LoadContext, path: &JsonPath, faults: &mut Faults) -> bool {
+    let case = context.ground.case;
+    let (message, hint) = if !context.material.has("ux") {
+        ("points that move across the plane only feel no temperature", "remove it")
+    } else if case.is_traced() {
+        (
+            "bodies that break or soften have no `temperature`",
+            "find the stresses of the body with its cracks, without `fracture` and `path`",
+        )
+    } else if !case.stress_intensity.is_empty() {
+        ("stress intensities of bodies with a `temperature` are not found", "remove `stress_intensity`")
+    } else {
+        return true;
+    };
+    faults.error(path.clone(), message).hint(hint);
+    false
+}
+
+/// The expansion of the material, with a fault where there is none or it is another one's.
+fn expansion(context: &LoadContext, path: &JsonPath, faults: &mut Faults) -> Option<Expansion> {
+    let given = context.ground.case.thermal_expansion;
+    if given.is_none() {
+        faults
+            .error(
+                path.clone(),
+                "`temperature` needs the `thermal_expansion` of the material, beside `model`",
+            )
+            .hint("strain per kelvin: steel has `\"thermal_expansion\": 1.2e-5`, aluminium 2.3e-5");
+    }
+    if matches!(given, Some(Expansion::Fibres(_))) && context.material.fibres().is_none() {
+        faults
+            .error(root("thermal_expansion"), "a material without fibres has one `thermal_expansion`")
+            .hint("give one number");
+        return None;
+    }
+    given
+}
