@@ -53,6 +53,7 @@ mod plane_results;
 mod plane_solvers;
 mod plausibility;
 mod polygons;
+mod prescribed_fields;
 mod probes_between;
 mod reactions;
 mod reduced_probes;

@@ -26,6 +26,11 @@ impl Amount {
     }
 }
 
+/// What is given, where it is a number.
+pub(crate) fn number(given: Option<&Amount>) -> Option<f64> {
+    given.and_then(Amount::number)
+}
+
 impl From<f64> for Amount {
     fn from(value: f64) -> Self {
         Self::Number(value)
@@ -75,6 +80,27 @@ impl JsonSchema for Amount {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         json_schema!({ "type": ["number", "string"], "format": "double" })
+    }
+}
+
+/// Numbers or formulas along x, y and z; how many there must be depends on the body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Amounts(pub Vec<Amount>);
+
+impl JsonSchema for Amounts {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Amounts".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": "array", "items": { "type": ["number", "string"], "format": "double" }, "minItems": 2, "maxItems": 3
+        })
     }
 }
 

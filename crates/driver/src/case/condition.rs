@@ -1,6 +1,6 @@
 //! Supports, links and loads of a case.
 
-use super::{BodyForce, Gravity, Names, Pressure, Spin, Temperature, Traction};
+use super::{Amount, BodyForce, Gravity, Names, Pressure, Spin, Temperature, Traction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -43,7 +43,8 @@ impl At {
     }
 }
 
-/// What holds a point or the points of a region: prescribed values, springs to the ground, or one of each.
+/// What holds a point or the points of a region: prescribed values, springs to the ground, or one of each. On bodies values can be
+/// formulas of the position, such as `"1e-3*y"`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
@@ -52,19 +53,19 @@ pub struct Support {
     pub at: At,
     /// Prescribed deflection of a line, or displacement of a shell outwards.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub w: Option<f64>,
+    pub w: Option<Amount>,
     /// Prescribed displacement along x.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub ux: Option<f64>,
+    pub ux: Option<Amount>,
     /// Prescribed displacement along y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub uy: Option<f64>,
+    pub uy: Option<Amount>,
     /// Prescribed displacement along z, of a solid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub uz: Option<f64>,
+    pub uz: Option<Amount>,
     /// Prescribed rotation, rad; in the plane where points turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub phi: Option<f64>,
+    pub phi: Option<Amount>,
     /// Prescribed displacement in one direction that is neither x nor y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inclined: Option<Inclined>,

@@ -32,7 +32,8 @@ mod vertex;
 pub use crate::model::{Critical, LoadSharing, Model, Pressure};
 pub use crate::units::Units;
 pub use about_field::{Field, Origin, Unit};
-pub use amount::Amount;
+pub(crate) use amount::number;
+pub use amount::{Amount, Amounts};
 pub use body::{Body, Line};
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,

@@ -1,11 +1,11 @@
 //! Loads on bodies in the plane and on solids.
 
-use super::{LoadSharing, Names, SpaceAxis, Vector};
+use super::{Amount, Amounts, LoadSharing, Names, SpaceAxis, Vector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Forces per area on an edge, or on a face of a solid. How they vary is said by `uniform`, `linear`, `parabolic`, `pressure`, `total`
-/// or `hertz`, one of them. An edge of a rectangle starts at its left or lower end, one of a polygon at the vertex that has its number.
+/// Forces per area on an edge, or on a face of a solid. How they vary is said by `uniform`, `linear`, `parabolic`, `formula`, `pressure`,
+/// `total` or `hertz`, one of them. An edge of a rectangle starts at its left or lower end, one of a polygon at the vertex that has its number.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Traction {
@@ -28,9 +28,12 @@ pub struct Traction {
     /// The axis along which `linear` and `parabolic` vary on a face of a solid.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub along: Option<SpaceAxis>,
-    /// Force per area against the edge, into the body.
+    /// Force per area along x and y, and z where points move along it, by formulas of the position, such as `["10*y^2", 0]`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pressure: Option<f64>,
+    pub formula: Option<Amounts>,
+    /// Force per area against the edge, into the body: a number, or a formula such as `"9.81e-6*(200 - y)"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressure: Option<Amount>,
     /// Force along x and y, and z where points move along it, spread evenly over the edge.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub total: Option<Vector>,
@@ -76,9 +79,9 @@ pub struct BodyForce {
     /// Name of the region; the whole body if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
-    /// Force per volume along x and y, and z where points move along it.
+    /// Force per volume along x and y, and z where points move along it: numbers, or formulas such as `"-7.7e-5*(1 + y/100)"`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub density: Option<Vector>,
+    pub density: Option<Amounts>,
     /// Force along x and y, and z where points move along it, shared by volume.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub total: Option<Vector>,

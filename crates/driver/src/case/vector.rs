@@ -32,6 +32,14 @@ impl From<[f64; 3]> for Vector {
     }
 }
 
+impl From<&[f64]> for Vector {
+    fn from(given: &[f64]) -> Self {
+        let mut values = [0.0; 3];
+        values.iter_mut().zip(given).for_each(|(value, given)| *value = *given);
+        Self { values, count: given.len() }
+    }
+}
+
 impl Serialize for Vector {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.values[..self.count.min(3)].serialize(serializer)

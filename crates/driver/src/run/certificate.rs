@@ -54,15 +54,11 @@ pub struct Certificate {
     pub resultants: Option<Resultants>,
 }
 
-/// Difference of the loads as asked and as applied, relative to their magnitudes, that is rounding: the gallery has 1e-14, and
-/// a million points 1e-13.
-pub(crate) const ASKED: f64 = 1e-10;
-
 impl Certificate {
     /// Takes the resultants of a state. Other loads than were asked for are no solution, unless they are those of a published
-    /// form, which has them in the limit: then `exact` is false.
-    pub(super) fn account(&mut self, resultants: Resultants, exact: bool) {
-        if exact && resultants.difference > ASKED {
+    /// form, which has them in the limit: then the `slack` is infinite.
+    pub(super) fn account(&mut self, resultants: Resultants, slack: f64) {
+        if resultants.difference > slack {
             self.converged = false;
             self.strain_error = self.strain_error.max(resultants.difference);
             self.strain_digits = trusted(self.strain_error);

@@ -44,7 +44,7 @@ mod workspace;
 
 pub use beam::BeamResult;
 pub use body::BodyResult;
-pub(crate) use certificate::{ASKED, FEW_DIGITS};
+pub(crate) use certificate::FEW_DIGITS;
 pub use certificate::{Balance, Certificate};
 pub use coarser::{Coarser, CoarserModels};
 pub use error::RunError;

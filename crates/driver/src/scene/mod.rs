@@ -24,6 +24,7 @@ pub use beam::BeamScene;
 pub use body::BodyScene;
 pub use expectation::{Bound, Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
+pub(crate) use resultant::ASKED;
 pub use resultant::{Counted, Resultant};
 
 use crate::case::{Case, FieldName};

@@ -31,6 +31,11 @@ impl Prescribed {
             .ok()
     }
 
+    /// Whether it is zero everywhere.
+    pub(crate) fn is_zero(&self) -> bool {
+        matches!(self, Self::Number(value) if *value == 0.0)
+    }
+
     /// Its value at a position.
     ///
     /// # Errors
@@ -41,4 +46,29 @@ impl Prescribed {
             Self::Formula(formula) => formula.at(place),
         }
     }
+}
+
+/// Numbers along x, y and z that a case prescribes at places.
+pub(crate) type Along = [Prescribed; 3];
+
+/// Their numbers, where none is a formula.
+pub(crate) fn numbers(given: &Along) -> Option<[f64; 3]> {
+    let mut values = [0.0; 3];
+    for (value, given) in values.iter_mut().zip(given) {
+        let Prescribed::Number(number) = given else { return None };
+        *value = *number;
+    }
+    Some(values)
+}
+
+/// Their values at a position.
+///
+/// # Errors
+/// A formula has none there.
+pub(crate) fn along(given: &Along, place: [f64; 3]) -> Result<[f64; 3], String> {
+    let mut values = [0.0; 3];
+    for (value, given) in values.iter_mut().zip(given) {
+        *value = given.at(place)?;
+    }
+    Ok(values)
 }

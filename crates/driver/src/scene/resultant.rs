@@ -2,6 +2,10 @@
 
 use peristat_assembly::sum::Sum;
 
+/// Difference of the loads as asked and as applied, relative to their magnitudes, that is rounding: the gallery has 1e-14, and
+/// a million points 1e-13.
+pub(crate) const ASKED: f64 = 1e-10;
+
 /// Force and moment about the origin, with the sums of their magnitudes. On a line y is the direction of w; on a shell the moment
 /// about its axis is the third one; in a body of revolution only the force along y means anything.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

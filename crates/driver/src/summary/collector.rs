@@ -4,8 +4,8 @@ use super::doubts::Doubts;
 use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, body};
 use crate::case::{Case, Check};
 use crate::memory;
-use crate::run::{ASKED, CheckResult, FEW_DIGITS, ProbeResult, Range, RunReport, StateResult};
-use crate::scene::Scene;
+use crate::run::{CheckResult, FEW_DIGITS, ProbeResult, Range, RunReport, StateResult};
+use crate::scene::{ASKED, Scene};
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -173,7 +173,7 @@ fn misapplied(states: &[StateSummary]) -> Option<String> {
     let refused = states.iter().filter(|s| is_misapplied(s));
     let worst = refused.max_by(|a, b| difference(a).total_cmp(&difference(b)))?;
     Some(format!(
-        "{}: the loads that act are not those that were asked for, by {:.1e} of them: see their resultants; this is a fault of the program",
+        "{}: the loads that act are not those that were asked for, by {:.1e} of them: see their resultants; this is a fault of the program, or of a formula that jumps within a cell",
         worst.name,
         difference(worst)
     ))

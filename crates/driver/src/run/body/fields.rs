@@ -177,7 +177,7 @@ impl BodyResult {
         let resultants = Resultants::new(&asked, &applied, &held, counted);
         // Loads on parts that have come off act no more.
         let whole = !scene.case.is_traced() || record.index == 0;
-        record.certificate.account(resultants, whole && scene.loads_are_exact(state));
+        record.certificate.account(resultants, if whole { scene.slack(state) } else { f64::INFINITY });
         let says = Says::of(&scene.case, scene.material());
         Self {
             record,

@@ -1,7 +1,7 @@
 //! What supports do to points: motions that they prescribe or resist, as equations and springs.
 
 use super::supports::HeldPoint;
-use crate::case::Support;
+use crate::case::{Support, number};
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::timoshenko_beam::{PHI, U, W};
 use peristat_assembly::stiffness::Spring;
@@ -73,11 +73,11 @@ pub(super) fn holds(support: &Support, moving: (usize, usize), turning: (usize, 
         (Motion::Direction([clean(angle.cos()), clean(angle.sin())]), inclined.displacement)
     });
     let prescribed = [
-        (Y, support.w, "w"),
-        (X, support.ux, "ux"),
-        (Y, support.uy, "uy"),
+        (Y, number(support.w.as_ref()), "w"),
+        (X, number(support.ux.as_ref()), "ux"),
+        (Y, number(support.uy.as_ref()), "uy"),
         (inclined.map_or(Y, |i| i.0), inclined.map(|i| i.1), "inclined"),
-        (Motion::Rotation, support.phi, "phi"),
+        (Motion::Rotation, number(support.phi.as_ref()), "phi"),
     ];
     let springs = [
         (Y, support.w_spring, "w_spring"),

@@ -2,7 +2,7 @@
 
 use super::scene::BeamScene;
 use super::state::State;
-use crate::scene::{Counted, Resultant};
+use crate::scene::{ASKED, Counted, Resultant};
 use peristat_assembly::model::timoshenko_beam::{
     Along, BeamLoads, Distributed, Intensity, Line, PHI, TimoshenkoBeam, U, W,
 };
@@ -28,11 +28,12 @@ impl BeamScene {
         sum
     }
 
-    /// Whether discrete loads have exactly the resultant that is asked for: values at points times lengths, and loads beyond
-    /// the last point of a grid of cells, are forms of the literature that have it in the limit.
-    pub fn loads_are_exact(&self, loads: &BeamLoads) -> bool {
+    /// Difference of the loads as asked and as applied, relative to their magnitudes, that is no fault: values at points times
+    /// lengths, and loads beyond the last point of a grid of cells, are forms of the literature that have none in the limit.
+    pub fn slack(&self, loads: &BeamLoads) -> f64 {
         let is_lumped = loads.lumped && !loads.distributed.is_empty();
-        !is_lumped && self.beam.parameters().end_treatment.covers()
+        let is_exact = !is_lumped && self.beam.parameters().end_treatment.covers();
+        if is_exact { ASKED } else { f64::INFINITY }
     }
 
     /// Which parts of resultants mean anything: forces along x and y, that of w on a line, and the moment.

@@ -1,6 +1,6 @@
 //! Which keys of a support fit its body and each other.
 
-use crate::case::Support;
+use crate::case::{Amount, Support};
 use crate::diagnostic::{Faults, JsonPath, positive};
 
 /// A key of a support with the key that does its work on the other kind of body.
@@ -35,11 +35,18 @@ pub(super) fn check(support: &Support, on_frame: bool, path: &JsonPath, faults: 
         faults.error(path.key(*key), format!("`{key}` is for the supports of a {kind}")).hint(*hint);
     }
     let pairs = [
-        ("w", support.w, "w_spring", support.w_spring),
-        ("ux", support.ux, "ux_spring", support.ux_spring),
-        ("uy", support.uy, "uy_spring", support.uy_spring),
-        ("phi", support.phi, "phi_spring", support.phi_spring),
+        ("w", support.w.as_ref(), "w_spring", support.w_spring),
+        ("ux", support.ux.as_ref(), "ux_spring", support.ux_spring),
+        ("uy", support.uy.as_ref(), "uy_spring", support.uy_spring),
+        ("phi", support.phi.as_ref(), "phi_spring", support.phi_spring),
     ];
+    for (key, held, ..) in &pairs {
+        if matches!(held, Some(Amount::Formula(_))) {
+            faults
+                .error(path.key(*key), "formulas are for bodies: a support of a beam is at one place")
+                .hint("give its number");
+        }
+    }
     let nothing = pairs.iter().all(|(_, held, _, spring)| held.is_none() && spring.is_none());
     if nothing && support.inclined.is_none() {
         let hint = match on_frame {

@@ -3,7 +3,7 @@
 use super::frame_place::{self, FramePlace};
 use super::holds::{Hold, holds};
 use super::place::{Layout, Place};
-use crate::case::{Case, Support};
+use crate::case::{Case, Support, number};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::reference::End;
@@ -92,8 +92,8 @@ fn hold(
         FramePlace::Joint(joint) => {
             let joint = &layout.frame.as_ref()?.joints[joint];
             let (first, turning) = (layout.end(joint.first()), joint.turning().map(|e| layout.end(e)));
-            let turns = [("phi", support.phi), ("phi_spring", support.phi_spring)];
-            for (key, _) in turns.iter().filter(|(_, given)| given.is_some() && turning.is_none()) {
+            let turns = [("phi", support.phi.is_some()), ("phi_spring", support.phi_spring.is_some())];
+            for (key, _) in turns.iter().filter(|(_, given)| *given && turning.is_none()) {
                 let place = layout.example(joint.first());
                 faults
                     .error(
@@ -132,7 +132,8 @@ fn hold(
 
 /// What closed forms call a support; they know no springs and no settlements.
 fn kind(support: &Support) -> End {
-    match (support.w, support.phi, support.w_spring.or(support.phi_spring)) {
+    let [w, phi] = [&support.w, &support.phi].map(|given| number(given.as_ref()));
+    match (w, phi, support.w_spring.or(support.phi_spring)) {
         (Some(0.0), Some(0.0), None) => End::Clamped,
         (Some(0.0), None, None) => End::Simple,
         (None, Some(0.0), None) => End::Guided,
@@ -141,8 +142,8 @@ fn kind(support: &Support) -> End {
 }
 
 fn hold_end(end: &mut EndSupport, support: &Support) {
-    end.w = support.w.or(end.w);
-    end.phi = support.phi.or(end.phi);
+    end.w = number(support.w.as_ref()).or(end.w);
+    end.phi = number(support.phi.as_ref()).or(end.phi);
 }
 
 /// What ghost points beyond an end cannot hold.

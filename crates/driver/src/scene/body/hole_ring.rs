@@ -1,7 +1,7 @@
 //! Rings of points around round holes, whose displacements tell the stress on the hole.
 
 use super::scene::{BodyScene, BodyState};
-use crate::case::{Load, Names};
+use crate::case::{Load, Names, number};
 use crate::model::Surface;
 use peristat_assembly::body::{BorderMember, BorderPart, Outline, Shape};
 use peristat_assembly::model::plane::Calibration;
@@ -125,7 +125,9 @@ fn pressures(scene: &BodyScene, outline: &Outline, hole: usize) -> Option<Vec<f6
     };
     let of_loads = |loads: &[Load]| {
         let mine = loads.iter().filter_map(|load| match load {
-            Load::Traction(traction) if traction.edge.as_ref().is_some_and(acts) => Some(traction.pressure),
+            Load::Traction(traction) if traction.edge.as_ref().is_some_and(acts) => {
+                Some(number(traction.pressure.as_ref()))
+            }
             _ => None,
         });
         mine.sum::<Option<f64>>()

@@ -120,7 +120,7 @@ impl BodyScene {
             model: built.as_deref(),
         };
         let load_cases = load_cases::load_cases(&context, faults);
-        let moves = held.iter().flat_map(|h| &h.motions).any(|m| m.1 != 0.0)
+        let moves = held.iter().flat_map(|h| &h.motions).any(|m| !m.1.is_zero())
             || rigid.iter().flat_map(|r| r.prescribed).flatten().any(|v| v != 0.0);
         load_cases::check_loaded(&ground, &load_cases, moves, faults);
         let states = states(case, faults);

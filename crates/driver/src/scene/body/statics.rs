@@ -4,8 +4,11 @@ use super::scene::{BodyScene, BodyState};
 use crate::model::Material;
 use crate::scene::body::load::sums::Forces;
 use crate::scene::body::load::temperature::Heat;
-use crate::scene::{Counted, Resultant};
+use crate::scene::{ASKED, Counted, Resultant};
 use peristat_assembly::model::BodyModel;
+
+/// Difference of loads by formulas as asked and as applied: two rules of integration that see a kink within a cell.
+const KINKS: f64 = 1e-3;
 
 impl BodyScene {
     /// Resultant of the loads of a state, as the case asks for them.
@@ -20,11 +23,19 @@ impl BodyScene {
         statical(&*self.model, self.material())
     }
 
-    /// Whether discrete loads have exactly the resultant that is asked for. One stress in all of a body of revolution is exact for
-    /// the energies of its points, which beside the axis, and in bodies thinner than the horizon, have other volumes than these.
-    pub fn loads_are_exact(&self, state: &BodyState) -> bool {
+    /// Difference of the loads as asked and as applied, relative to their magnitudes, that is no fault. One stress in all of a body of
+    /// revolution is exact for the energies of its points, which beside the axis, and in bodies thinner than the horizon, have other
+    /// volumes than these; formulas may have kinks.
+    pub fn slack(&self, state: &BodyState) -> f64 {
         let has_one_stress = |&(case, _): &(usize, f64)| self.load_cases[case].carry_ends;
-        !(self.model.is_revolved() && state.terms.iter().any(has_one_stress))
+        let by_formula = |&(case, _): &(usize, f64)| self.load_cases[case].by_formula;
+        if self.model.is_revolved() && state.terms.iter().any(has_one_stress) {
+            f64::INFINITY
+        } else if state.terms.iter().any(by_formula) {
+            KINKS
+        } else {
+            ASKED
+        }
     }
 
     /// Along which axes the loads of a state do more through a line of symmetry than they are asked for: inside the body.

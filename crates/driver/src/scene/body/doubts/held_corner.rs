@@ -53,8 +53,9 @@ struct Corner<'a> {
 
 /// Whether tractions alone act, which have one stress in all of the body: that is exact beside what is held, too.
 fn has_one_stress(scene: &BodyScene) -> bool {
-    let (case, rests) =
-        (&scene.case, |hold: &crate::scene::body::hold::conditions::HeldPoints| hold.value == 0.0);
+    let (case, rests) = (&scene.case, |hold: &crate::scene::body::hold::conditions::HeldPoints| {
+        hold.values.iter().all(|value| *value == 0.0)
+    });
     let mut loads = case.loads.iter().chain(case.load_cases.iter().flat_map(|c| &c.loads));
     let one = scene.load_cases.iter().all(|loads| loads.carry_ends);
     one && scene.conditions.holds.iter().all(rests) && loads.all(|load| matches!(load, Load::Traction(_)))

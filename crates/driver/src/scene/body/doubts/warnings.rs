@@ -82,8 +82,13 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
 
 /// What a support holds.
 fn held((k, support): (usize, &Support)) -> Vec<HeldRegion> {
-    let components =
-        [("ux", support.ux), ("uy", support.uy), ("uz", support.uz), ("w", support.w), ("phi", support.phi)];
+    let components = [
+        ("ux", &support.ux),
+        ("uy", &support.uy),
+        ("uz", &support.uz),
+        ("w", &support.w),
+        ("phi", &support.phi),
+    ];
     let of = |region: Option<&String>| HeldRegion {
         region: region.cloned(),
         path: root("supports").index(k),

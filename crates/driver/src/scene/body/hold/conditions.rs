@@ -5,7 +5,9 @@ use super::rigid::{Basis, RigidPoints};
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::bonds::Point;
 use peristat_assembly::condition::{Equation, Unknown};
+use peristat_assembly::model::BodyModel;
 use peristat_assembly::stiffness::Spring;
+use std::array::from_fn;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
@@ -24,10 +26,10 @@ pub struct Conditions {
     pub axes: usize,
 }
 
-/// Points of held edges and the bits of directions, with the value and the origin of what holds them.
-pub(super) type HeldCorners = BTreeMap<(u32, [u64; 3]), (f64, String)>;
+/// Points of held edges and the bits of directions, with the value, none of a formula, and the origin of what holds them.
+pub(super) type HeldCorners = BTreeMap<(u32, [u64; 3]), (Option<f64>, String)>;
 
-/// Points with the same prescribed motion.
+/// Points with a prescribed motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeldPoints {
     /// Numbers of the points, ascending.
@@ -40,8 +42,10 @@ pub struct HeldPoints {
     pub pieces: Vec<Vec<(u32, f64)>>,
     /// What is held, a unit vector: a direction, or the rotation, which is the third component.
     pub direction: [f64; 3],
-    /// The unknown along it at a factor of one: a displacement, or the rotation times [`Conditions::turning`].
-    pub value: f64,
+    /// The unknown along it at a factor of one, of each point: a displacement, or the rotation times [`Conditions::turning`].
+    pub values: Vec<f64>,
+    /// Whether a formula gives these.
+    pub varies: bool,
     /// Where it stands in the case.
     pub origin: String,
 }
@@ -104,7 +108,7 @@ impl Conditions {
         let holds = self.holds.iter().map(|h| {
             let points = parents(&h.points);
             let chains = h.edge.as_ref().map_or(Vec::new(), |edge| edge.chains(coarse, &points));
-            HeldPoints { points, chains, pieces: Vec::new(), value: 0.0, ..h.clone() }
+            HeldPoints { values: vec![0.0; points.len()], points, chains, pieces: Vec::new(), ..h.clone() }
         });
         let rigid = self.rigid.iter().map(|r| RigidPoints {
             points: parents(&r.points),
@@ -136,29 +140,61 @@ impl Conditions {
 impl HeldPoints {
     /// Leaves out points whose edge another hold has held along the same direction: what both hold of the points beside a
     /// corner says the rest, and to hold it twice is no more than to the rounding of both. Points that are held at another
-    /// value stay, and the origins of these are returned.
+    /// number stay, and the origins of these are returned; formulas have other values at other places.
     pub(super) fn leave_corners(&mut self, held: &mut HeldCorners) -> Vec<String> {
         if self.edge.is_none() && self.pieces.is_empty() {
             return Vec::new();
         }
         let direction = self.direction.map(f64::to_bits);
         let mut others = Vec::new();
-        let mut keep = |point: u32| match held.entry((point, direction)) {
+        let mut keep = |point: u32, value: Option<f64>| match held.entry((point, direction)) {
             Entry::Vacant(place) => {
-                place.insert((self.value, self.origin.clone()));
+                place.insert((value, self.origin.clone()));
                 true
             }
-            Entry::Occupied(place) if place.get().0 == self.value => false,
+            Entry::Occupied(place) if place.get().0.zip(value).is_none_or(|(other, own)| other == own) => {
+                false
+            }
             Entry::Occupied(place) => {
                 others.push(place.get().1.clone());
                 true
             }
         };
-        let kept: Vec<bool> = self.points.iter().map(|&point| keep(point)).collect();
+        let kept: Vec<bool> = self
+            .points
+            .iter()
+            .zip(&self.values)
+            .map(|(&point, &value)| keep(point, (!self.varies).then_some(value)))
+            .collect();
         retain(&mut self.points, &kept);
         retain(&mut self.chains, &kept);
         retain(&mut self.pieces, &kept);
+        retain(&mut self.values, &kept);
         others
+    }
+
+    /// The places that it holds: of its points, or of the border that moves with them.
+    pub(super) fn places(&self, model: &dyn BodyModel) -> Vec<Point> {
+        // The shares of an edge are the same along both axes, or only one of them is held.
+        let component = self.direction.iter().position(|d| *d != 0.0).unwrap_or_default();
+        let sum = |terms: &mut dyn Iterator<Item = (u32, f64)>| {
+            terms.fold([0.0; 3], |sum, (point, share)| {
+                let at = model.position(point as usize);
+                from_fn(|k| sum[k] + share * at[k])
+            })
+        };
+        let place = |(k, &point): (usize, &u32)| {
+            let chain = self.chains.get(k).filter(|chain| !chain.is_empty()).zip(self.edge.as_ref());
+            match (self.pieces.get(k), chain) {
+                (Some(piece), _) => sum(&mut piece.iter().copied()),
+                (_, Some((chain, edge))) => {
+                    let points = std::iter::once(&point).chain(chain).copied();
+                    sum(&mut points.zip(edge.shares(component).iter().copied()))
+                }
+                (_, None) => model.position(point as usize),
+            }
+        };
+        self.points.iter().enumerate().map(place).collect()
     }
 
     fn equations(&self) -> impl Iterator<Item = Equation> + '_ {
@@ -181,7 +217,7 @@ impl HeldPoints {
                     }
                 }
             }
-            Equation { terms, value: self.value, origin: self.origin.clone() }
+            Equation { terms, value: self.values[k], origin: self.origin.clone() }
         })
     }
 }
@@ -308,12 +344,21 @@ mod tests {
         let fine = SquareLattice::rectangle(1.0, [0.0; 2], [4, 2]);
         let (points, direction) = (vec![1, 2, 5], [1.0, 0.0, 0.0]);
         let (edge, chains, origin) = (None, Vec::new(), String::new());
-        let hold = HeldPoints { points, edge, chains, pieces: Vec::new(), direction, value: 3.0, origin };
+        let hold = HeldPoints {
+            points,
+            edge,
+            chains,
+            pieces: Vec::new(),
+            direction,
+            values: vec![3.0; 3],
+            varies: false,
+            origin,
+        };
         let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };
         let springs = vec![spring(2), spring(3), spring(0)];
         let conditions = Conditions { holds: vec![hold], springs, ..region(&fine, [Some(1.0), None, None]) };
         let coarse = conditions.coarser(&fine, &fine.coarser());
-        assert_eq!((&coarse.holds[0].points[..], coarse.holds[0].value), (&[0, 1][..], 0.0));
+        assert_eq!((&coarse.holds[0].points[..], &coarse.holds[0].values[..]), (&[0, 1][..], &[0.0; 2][..]));
         assert_eq!((&coarse.rigid[0].points[..], coarse.rigid[0].prescribed[0]), (&[0, 1][..], Some(0.0)));
         let sums: Vec<(usize, f64)> = coarse.springs.iter().map(|s| (s.point, s.stiffness)).collect();
         assert_eq!(sums, [(0, 2.0), (1, 4.0)]);

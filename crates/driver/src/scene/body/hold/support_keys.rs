@@ -46,9 +46,9 @@ pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath,
         faults.error(path.key(*key), format!("`{key}` is for the supports of beams")).hint(*hint);
     }
     let pairs = [
-        ("ux", support.ux, "ux_spring", support.ux_spring),
-        ("uy", support.uy, "uy_spring", support.uy_spring),
-        ("uz", support.uz, "uz_spring", support.uz_spring),
+        ("ux", support.ux.as_ref(), "ux_spring", support.ux_spring),
+        ("uy", support.uy.as_ref(), "uy_spring", support.uy_spring),
+        ("uz", support.uz.as_ref(), "uz_spring", support.uz_spring),
     ];
     let holds = pairs.iter().any(|p| p.1.is_some() || p.3.is_some())
         || support.inclined.is_some()

@@ -41,7 +41,7 @@ pub(crate) fn conditions(
     };
     let (mut supports, mut next, mut corners) = (Vec::new(), 0, HeldCorners::new());
     for h in held {
-        let (mut holds, springs) = (h.holds(inputs, model), h.spring_list(inputs, model));
+        let (mut holds, springs) = (h.holds(inputs, model, faults), h.spring_list(inputs, model));
         for hold in &mut holds {
             let mut others = hold.leave_corners(&mut corners);
             others.sort_unstable();

@@ -11,6 +11,7 @@ use crate::scene::body::site::boundary::{self, Stretch};
 use crate::scene::body::site::ground::{Ground, NamedPoints};
 use crate::scene::body::site::model_inputs::ModelInputs;
 use crate::scene::body::site::symmetry::Symmetry;
+use crate::scene::prescribed::Prescribed;
 use peristat_assembly::body::{PointBody, Wall};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::stiffness::Spring;
@@ -32,7 +33,7 @@ pub(crate) struct HeldSupport {
     border: Vec<Stretch>,
     /// Directions, or the rotation or the displacement across the plane as the third component, with what is prescribed and
     /// their keys.
-    pub(crate) motions: Vec<([f64; 3], f64, &'static str)>,
+    pub(crate) motions: Vec<([f64; 3], Prescribed, &'static str)>,
     /// Axes and total stiffnesses of springs.
     pub(crate) springs: Vec<(usize, f64)>,
 }
@@ -78,7 +79,7 @@ pub(crate) fn held(
             not_mirrored(Some(&edge), &at.key("region"), symmetry, faults);
         }
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
-        let whole = resolve(support, spot, path);
+        let whole = resolve(support, spot, path, (ground, faults))?;
         Some(match &support.at.region {
             Some(names) => support_parts::parts(whole, names, ground, (symmetry, material, &shares)),
             None => vec![whole],
@@ -159,29 +160,44 @@ pub(crate) fn not_mirrored(region: Option<&str>, path: &JsonPath, symmetry: &Sym
     }
 }
 
-fn resolve(support: &Support, spot: NamedPoints, path: JsonPath) -> HeldSupport {
+fn resolve(
+    support: &Support,
+    spot: NamedPoints,
+    path: JsonPath,
+    (ground, faults): (&Ground, &mut Faults),
+) -> Option<HeldSupport> {
     let inclined = support.inclined.map(|inclined| {
         let angle = inclined.degrees.to_radians();
         // What rounding leaves of a right angle is no share.
         let clean = |share: f64| if share.abs() < 1e-15 { 0.0 } else { share };
-        ([clean(angle.cos()), clean(angle.sin()), 0.0], inclined.displacement, "inclined")
+        ([clean(angle.cos()), clean(angle.sin()), 0.0], Prescribed::Number(inclined.displacement), "inclined")
     });
-    let ux = support.ux.map(|value| ([1.0, 0.0, 0.0], value, "ux"));
-    let uy = support.uy.map(|value| ([0.0, 1.0, 0.0], value, "uy"));
-    let phi = support.phi.map(|value| ([0.0, 0.0, 1.0], value, "phi"));
-    let w = support.w.map(|value| ([0.0, 0.0, 1.0], value, "w"));
-    let uz = support.uz.map(|value| ([0.0, 0.0, 1.0], value, "uz"));
+    let given = [
+        ([1.0, 0.0, 0.0], &support.ux, "ux"),
+        ([0.0, 1.0, 0.0], &support.uy, "uy"),
+        ([0.0, 0.0, 1.0], &support.uz, "uz"),
+        ([0.0, 0.0, 1.0], &support.phi, "phi"),
+        ([0.0, 0.0, 1.0], &support.w, "w"),
+    ];
+    let mut motions = Vec::new();
+    for (direction, value, key) in given {
+        if let Some(value) = value {
+            let value = Prescribed::new(value, ground.body.axes(), &path.key(key), faults)?;
+            motions.push((direction, value, key));
+        }
+    }
+    motions.extend(inclined);
     let springs = [(0, support.ux_spring), (1, support.uy_spring), (2, support.uz_spring)];
-    HeldSupport {
+    Some(HeldSupport {
         name: spot.words,
         path,
         points: spot.points,
         edge: None,
         chains: Vec::new(),
         border: Vec::new(),
-        motions: [ux, uy, uz, inclined, phi, w].into_iter().flatten().collect(),
+        motions,
         springs: springs.into_iter().filter_map(|(component, k)| Some((component, k?))).collect(),
-    }
+    })
 }
 
 impl HeldSupport {
@@ -199,7 +215,12 @@ impl HeldSupport {
     }
 
     /// What it prescribes, by numbers of the model.
-    pub(crate) fn holds(&self, inputs: &ModelInputs, model: &dyn BodyModel) -> Vec<HeldPoints> {
+    pub(crate) fn holds(
+        &self,
+        inputs: &ModelInputs,
+        model: &dyn BodyModel,
+        faults: &mut Faults,
+    ) -> Vec<HeldPoints> {
         let points: Vec<u32> = self.points.iter().map(|&p| inputs.number(model, p)).collect();
         let number = |p: &u32| inputs.number(model, *p);
         let chains: Vec<Vec<u32>> = self.chains.iter().map(|c| c.iter().map(number).collect()).collect();
@@ -209,21 +230,29 @@ impl HeldSupport {
             None => Vec::new(),
         };
         let pieces: Vec<Piece> = pieces.into_iter().flatten().filter(|piece| !piece.is_empty()).collect();
-        let hold = |&(direction, value, key): &([f64; 3], f64, &'static str)| {
+        let mut hold = |(direction, value, key): &([f64; 3], Prescribed, &'static str)| {
             // Rotations are those of the points, wherever the edge is.
-            let turns = key == "phi";
+            let turns = *key == "phi";
             let follows = !turns && !pieces.is_empty();
-            HeldPoints {
+            let mut held = HeldPoints {
                 points: if follows { on_border.clone() } else { points.clone() },
                 edge: self.edge.clone().filter(|_| !turns && !follows),
                 chains: if turns || follows { Vec::new() } else { chains.clone() },
                 pieces: if follows { pieces.clone() } else { Vec::new() },
-                direction: by_component(direction, turns, model),
-                value: if turns { value * model.scale(2) } else { value },
-                origin: self.path.key(key).to_string(),
-            }
+                direction: by_component(*direction, turns, model),
+                values: Vec::new(),
+                varies: matches!(value, Prescribed::Formula(_)),
+                origin: self.path.key(*key).to_string(),
+            };
+            let scale = if turns { model.scale(2) } else { 1.0 };
+            let values = held.places(model).into_iter().map(|place| Ok(scale * value.at(place)?));
+            held.values = values.collect::<Result<_, String>>().unwrap_or_else(|reason| {
+                faults.error(self.path.key(*key), reason);
+                vec![0.0; held.points.len()]
+            });
+            held
         };
-        self.motions.iter().map(hold).collect()
+        self.motions.iter().map(&mut hold).collect()
     }
 
     /// Its springs, shared by volume.

@@ -12,6 +12,8 @@ use std::f64::consts::TAU;
 
 /// Pieces into which an arc is divided: Gauss' rule is exact to rounding on each.
 const PIECES: usize = 16;
+/// Times as many for what follows a formula.
+const FINER: usize = 64;
 
 /// Resultant of a traction.
 pub(crate) fn of_traction(on: &OnBorder, context: &LoadContext) -> Resultant {
@@ -20,8 +22,9 @@ pub(crate) fn of_traction(on: &OnBorder, context: &LoadContext) -> Resultant {
     }
     let mut sum = Resultant::default();
     for (part, [start, end]) in on.parts(context.ground) {
-        integrate(&part, |share, at, length| {
-            let t = on.profile.at(start + share * (end - start), part.normal(share));
+        let finer = if on.profile.is_formula() { FINER } else { 1 };
+        integrate(&part, finer, |share, at, length| {
+            let t = on.profile.at(start + share * (end - start), at, part.normal(share));
             let force = t.map(|t| length * context.material.across(at) * t);
             resultants::add_force(context.material, &mut sum, force, in_space(at));
         });
@@ -29,9 +32,10 @@ pub(crate) fn of_traction(on: &OnBorder, context: &LoadContext) -> Resultant {
     sum
 }
 
-/// Calls `add` with share, position and length at the points of a rule that integrates over a part of a border.
-fn integrate(part: &BorderPart, mut add: impl FnMut(f64, [f64; 2], f64)) {
-    let pieces = if matches!(part, BorderPart::Round { .. }) { PIECES } else { 1 };
+/// Calls `add` with share, position and length at the points of a rule that integrates over a part of a border, `finer`
+/// times as fine as smooth functions need.
+fn integrate(part: &BorderPart, finer: usize, mut add: impl FnMut(f64, [f64; 2], f64)) {
+    let pieces = finer * if matches!(part, BorderPart::Round { .. }) { PIECES } else { 1 };
     let width = 1.0 / pieces as f64;
     for piece in 0..pieces {
         for (z, weight) in GAUSS {
@@ -108,7 +112,7 @@ fn volume(outline: &Outline, context: &LoadContext) -> (f64, [f64; 2]) {
     let [low, _] = outline.bounds();
     let (mut area, mut first) = (0.0, [0.0; 2]);
     for part in edges.chain(holes) {
-        integrate(&part, |share, at, length| {
+        integrate(&part, 1, |share, at, length| {
             let (r, n) = ([0, 1].map(|k| at[k] - low[k]), part.normal(share));
             area += length * r[0] * n[0];
             (0..2).for_each(|k| first[k] += 0.5 * length * r[k] * r[k] * n[k]);

@@ -7,6 +7,7 @@ use super::traction::lump;
 use crate::case::BodyForce;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::site::resultants;
+use crate::scene::prescribed::{Along, along, numbers};
 
 /// Forces per volume, or altogether, on a body or a region.
 pub(crate) fn resolve(
@@ -16,8 +17,16 @@ pub(crate) fn resolve(
     to: &mut BodyLoads,
     faults: &mut Faults,
 ) {
-    let (value, is_total) = match (load.density, load.total) {
-        (Some(density), None) => (context.force(density, "density", &path.key("density"), faults), false),
+    let (value, is_total) = match (&load.density, load.total) {
+        (Some(density), None) => {
+            let Some(density) = context.along(density, "density", &path.key("density"), faults) else {
+                return;
+            };
+            match numbers(&density) {
+                Some(value) => (Some(value), false),
+                None => return by_formula(&density, load.region.as_ref(), context, path, to, faults),
+            }
+        }
         (None, Some(total)) => (context.force(total, "total", &path.key("total"), faults), true),
         (None, None) => {
             faults.error(path.clone(), "neither `density` nor `total` is given").hint(
@@ -37,6 +46,45 @@ pub(crate) fn resolve(
         faults.error(path.clone(), "this load is zero");
     }
     act(value, is_total, load.region.as_ref(), context, path, to, faults);
+}
+
+/// Forces per volume by formulas, on the body or a region: of every point that at its place.
+fn by_formula(
+    density: &Along,
+    region: Option<&String>,
+    context: &LoadContext,
+    path: &JsonPath,
+    to: &mut BodyLoads,
+    faults: &mut Faults,
+) {
+    let body = context.ground.body;
+    let points = match region {
+        Some(name) => context.ground.region(name, &path.key("region"), faults),
+        None => Some((0..body.points() as u32).collect()),
+    };
+    let points = points.unwrap_or_default();
+    // Cells that do not fill the body have its forces all the same.
+    let share = match region {
+        None => {
+            let volume: f64 = points.iter().map(|&p| context.volume(p)).sum();
+            whole(context) / volume
+        }
+        Some(_) => 1.0,
+    };
+    for p in points {
+        let at = body.position(p as usize);
+        match along(density, at) {
+            Ok(density) => {
+                let force = density.map(|b| b * share * context.volume(p));
+                resultants::add_force(context.material, &mut to.asked, force, at);
+                to.forces.push((p, force));
+            }
+            Err(reason) => {
+                faults.error(path.key("density"), reason);
+                return;
+            }
+        }
+    }
 }
 
 /// A force on the body or a region, per volume or in all.
@@ -71,12 +119,17 @@ pub(super) fn act(
     }
 }
 
+/// Volume of the body, as its border tells it.
+fn whole(context: &LoadContext) -> f64 {
+    let unit = if context.material.has("ux") { [1.0, 0.0, 0.0] } else { [0.0, 0.0, 1.0] };
+    asked::of_body(unit, context).sizes()[0]
+}
+
 /// A force on the whole body, per volume or in all. Where cells do not fill the body their forces are those of what they have,
 /// with what they lack of force and moment shared by all.
 fn on_body(value: [f64; 3], is_total: bool, context: &LoadContext, to: &mut BodyLoads) {
     let body = context.ground.body;
-    let unit = if context.material.has("ux") { [1.0, 0.0, 0.0] } else { [0.0, 0.0, 1.0] };
-    let unit = asked::of_body(unit, context).sizes()[0];
+    let unit = whole(context);
     let density = if is_total { value.map(|f| f / unit) } else { value };
     let asked = asked::of_body(density, context);
     to.asked.add_multiple(1.0, &asked);

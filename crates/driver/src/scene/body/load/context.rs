@@ -1,6 +1,6 @@
 //! What loads are resolved on.
 
-use crate::case::Vector;
+use crate::case::{Amounts, Vector};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::input::gmsh::Curve;
 use crate::model::Material;
@@ -9,6 +9,7 @@ use crate::scene::body::site::boundary::Stretch;
 use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::model_inputs::ModelInputs;
 use crate::scene::body::site::symmetry::Symmetry;
+use crate::scene::prescribed::{Along, Prescribed};
 use peristat_assembly::body::PointBody;
 use peristat_assembly::model::BodyModel;
 
@@ -71,6 +72,24 @@ impl LoadContext<'_> {
             .error(path.index(beside), format!("points of this body do not move along {name}"))
             .hint("give a zero there");
         None
+    }
+
+    /// What is given along x, y and z by `key`, as [`force`](Self::force) takes it, numbers or formulas.
+    pub(crate) fn along(
+        &self,
+        given: &Amounts,
+        key: &str,
+        path: &JsonPath,
+        faults: &mut Faults,
+    ) -> Option<Along> {
+        // Where a formula acts, something does.
+        let numbers: Vec<f64> = given.0.iter().map(|amount| amount.number().unwrap_or(1.0)).collect();
+        self.force(Vector::from(&numbers[..]), key, path, faults)?;
+        let mut along = [const { Prescribed::Number(0.0) }; 3];
+        for (k, (own, amount)) in along.iter_mut().zip(&given.0).enumerate() {
+            *own = Prescribed::new(amount, self.ground.body.axes(), &path.index(k), faults)?;
+        }
+        Some(along)
     }
 
     /// Area of stretches of a border, m².

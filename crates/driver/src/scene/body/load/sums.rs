@@ -25,6 +25,8 @@ pub struct BodyLoads {
     pub(crate) stresses: Vec<StressField>,
     /// Strains that need no stress, by numbers of the model from the start.
     pub(crate) heat: Option<Heat>,
+    /// Whether formulas give forces on a border.
+    pub(crate) by_formula: bool,
     /// Whether these carry the forces through joined sides.
     pub(crate) carry_ends: bool,
     /// Resultant as the case asks for it.
@@ -49,6 +51,12 @@ impl BodyLoads {
             self.forces.extend(forces);
         }
         self
+    }
+
+    /// Whether the forces are numbers.
+    pub(crate) fn is_finite(&self) -> bool {
+        let all = self.forces.iter().chain(&self.through_border);
+        all.flat_map(|f| f.1).all(f64::is_finite)
     }
 
     /// Whether nothing acts.

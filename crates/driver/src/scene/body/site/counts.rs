@@ -63,8 +63,9 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
 
 /// Memory of what a support does to a point, bytes.
 fn of_support(support: &Support) -> f64 {
-    let motions = [support.ux, support.uy, support.uz, support.phi, support.w].iter().flatten().count()
-        + usize::from(support.inclined.is_some());
+    let motions =
+        [&support.ux, &support.uy, &support.uz, &support.phi, &support.w].into_iter().flatten().count()
+            + usize::from(support.inclined.is_some());
     let springs = [support.ux_spring, support.uy_spring, support.uz_spring].iter().flatten().count();
     MOTION * motions as f64 + SPRING * springs as f64
 }

@@ -47,7 +47,7 @@ impl Fading {
         let Some((depth, place)) = self.place(position) else { return [0.0; 2] };
         let half = 0.5 * self.spacing;
         let fall = (self.weight(depth - half) - self.weight(depth + half)) / self.spacing;
-        let (t, slope) = (self.profile.at(place, self.normal), self.profile.slope(place));
+        let (t, slope) = (self.profile.at(place, position, self.normal), self.profile.slope(place));
         let shear = (slope[0] * self.tangent[0] + slope[1] * self.tangent[1]) / self.length;
         [0, 1].map(|k| fall * t[k] + self.weight(depth) * shear * self.normal[k])
     }
@@ -57,7 +57,7 @@ impl Stress for Fading {
     fn at(&self, position: [f64; 2]) -> [f64; 3] {
         let Some((depth, place)) = self.place(position) else { return [0.0; 3] };
         let (w, [x, y]) = (self.weight(depth), self.normal);
-        let [a, b, _] = self.profile.at(place, self.normal);
+        let [a, b, _] = self.profile.at(place, position, self.normal);
         let along = a * x + b * y;
         [
             w * (2.0 * a * x - along * x * x),
@@ -103,7 +103,11 @@ pub(crate) fn fade(
     let tangent = [0, 1].map(|k| (edge.to[k] - edge.from[k]) / length);
     // Where the body goes on beyond an end of the edge, shear would jump there.
     let shears = |q: &f64| {
-        let t = traction.profile.at(*q, edge.normal);
+        let t = traction.profile.at(
+            *q,
+            [0, 1].map(|k| edge.from[k] + q * (edge.to[k] - edge.from[k])),
+            edge.normal,
+        );
         t[0] * tangent[0] + t[1] * tangent[1] != 0.0
     };
     let [low, high] = outline.bounds();
@@ -123,7 +127,7 @@ pub(crate) fn fade(
         tangent,
         length,
         normal: edge.normal,
-        profile: traction.profile,
+        profile: traction.profile.clone(),
         depth,
         spacing,
     };

@@ -14,7 +14,7 @@ type OnStretch = Vec<([f64; 2], [f64; 3])>;
 /// Forces of a traction on points of the body, each stretch of its borders on the nearest point, with the exact force and
 /// moment. Chords of a curve act together: their own moments would be those of a point or two.
 pub(crate) fn forces(borders: &[&OnBorder], context: &LoadContext) -> Forces {
-    let Some(profile) = borders.first().map(|border| border.profile) else { return Vec::new() };
+    let Some(profile) = borders.first().map(|border| &border.profile) else { return Vec::new() };
     let stretches: Vec<Stretch> =
         borders.iter().flat_map(|border| border.stretches(context.ground)).collect();
     let candidates: Vec<u32> = borders.iter().flat_map(|border| candidates(border, context)).collect();

@@ -1,10 +1,13 @@
 //! How tractions vary along their borders.
 
 use crate::scene::body::site::boundary::{Sample, Stretch};
+use crate::scene::prescribed::{Along, Prescribed};
+use peristat_assembly::body::in_space;
 use peristat_assembly::quadrature::GAUSS;
+use std::sync::Arc;
 
 /// How a traction varies along its border.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) enum Profile {
     /// Straight between two values, at the start and at the end.
     Linear([[f64; 3]; 2]),
@@ -14,13 +17,20 @@ pub(crate) enum Profile {
     Pressure(f64),
     /// Against the normal, `peak √(1 − (place − centre)²/radius²)` within the radius.
     Hertz { centre: f64, radius: f64, peak: f64 },
+    /// By formulas of the position.
+    Formula(Arc<Along>),
+    /// Against the normal, by one.
+    PressureFormula(Arc<Prescribed>),
 }
 
 impl Profile {
-    /// Traction at a place of 0 to 1 where the border has this normal, Pa.
-    pub(crate) fn at(&self, place: f64, normal: [f64; 2]) -> [f64; 3] {
+    /// Traction at a place of 0 to 1, a position, where the border has this normal, Pa; not a number where a formula has no value.
+    pub(crate) fn at(&self, place: f64, at: [f64; 2], normal: [f64; 2]) -> [f64; 3] {
         let against = |pressure: f64| [-pressure * normal[0], -pressure * normal[1], 0.0];
+        let value = |given: &Prescribed| given.at(in_space(at)).unwrap_or(f64::NAN);
         match *self {
+            Self::Formula(ref given) => [0, 1, 2].map(|k| value(&given[k])),
+            Self::PressureFormula(ref given) => against(value(given)),
             Self::Linear([from, to]) => [0, 1, 2].map(|k| from[k] + place * (to[k] - from[k])),
             Self::Parabolic(middle) => middle.map(|t| 4.0 * place * (1.0 - place) * t),
             Self::Pressure(pressure) => against(pressure),
@@ -36,8 +46,8 @@ impl Profile {
         match *self {
             Self::Linear([from, to]) => [to[0] - from[0], to[1] - from[1]],
             Self::Parabolic([x, y, _]) => [x, y].map(|t| 4.0 * (1.0 - 2.0 * place) * t),
-            // Only what is along the edge is asked for.
-            Self::Pressure(_) | Self::Hertz { .. } => [0.0; 2],
+            // Only what is along the edge is asked for; formulas do not fade.
+            Self::Pressure(_) | Self::Hertz { .. } | Self::Formula(_) | Self::PressureFormula(_) => [0.0; 2],
         }
     }
 
@@ -45,7 +55,7 @@ impl Profile {
     /// integrals to rounding.
     pub(crate) fn on(&self, stretch: &Stretch) -> Vec<([f64; 2], [f64; 3])> {
         let Self::Hertz { centre, radius, peak } = *self else {
-            let value = |s: Sample| (s.at, self.at(s.place, s.normal).map(|t| s.length * t));
+            let value = |s: Sample| (s.at, self.at(s.place, s.at, s.normal).map(|t| s.length * t));
             return stretch.samples().map(value).collect();
         };
         // Over the angle whose sine is the place in the contact, the root is smooth.
@@ -67,9 +77,14 @@ impl Profile {
     pub(crate) fn constant(&self, normal: [f64; 2]) -> Option<[f64; 3]> {
         match *self {
             Self::Linear([from, to]) if from == to => Some(from),
-            Self::Pressure(_) => Some(self.at(0.0, normal)),
+            Self::Pressure(_) => Some(self.at(0.0, [0.0; 2], normal)),
             _ => None,
         }
+    }
+
+    /// Whether formulas give it.
+    pub(crate) fn is_formula(&self) -> bool {
+        matches!(self, Self::Formula(_) | Self::PressureFormula(_))
     }
 
     /// Whether it acts across the plane.
@@ -77,7 +92,8 @@ impl Profile {
         match self {
             Self::Linear([from, to]) => from[2] != 0.0 || to[2] != 0.0,
             Self::Parabolic(middle) => middle[2] != 0.0,
-            Self::Pressure(_) | Self::Hertz { .. } => false,
+            Self::Formula(given) => !given[2].is_zero(),
+            Self::Pressure(_) | Self::Hertz { .. } | Self::PressureFormula(_) => false,
         }
     }
 }

@@ -5,8 +5,10 @@ use super::profile::Profile;
 use crate::case::{Hertz, LoadSharing, Traction, Vector};
 use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 use crate::scene::body::load::context::LoadContext;
-use crate::scene::body::site::boundary::{self, Border, is_aligned};
+use crate::scene::body::site::boundary::{self, Border, Stretch, is_aligned};
+use crate::scene::prescribed::Prescribed;
 use peristat_assembly::model::plane::Calibration;
+use std::sync::Arc;
 
 /// The borders and the profile of a traction.
 pub(crate) fn resolve(
@@ -66,13 +68,20 @@ pub(crate) fn resolve(
         Traction { hertz: Some(hertz), .. } => {
             on_edge(hertz, &on.first()?.border, context.ground.body.spacing(), &path.key("hertz"), faults)?
         }
-        _ => Profile::Pressure(load.pressure.unwrap_or(0.0)),
+        Traction { formula: Some(given), .. } => {
+            Profile::Formula(Arc::new(context.along(given, "formula", &path.key("formula"), faults)?))
+        }
+        _ => pressure(load, context, &path, faults)?,
     };
+    if profile.is_formula() {
+        has_values(&profile, &stretches, &path, faults)?;
+    }
     let within = match profile {
         Profile::Hertz { centre, .. } => centre,
         _ => 0.5,
     };
-    if [0.0, within, 1.0].iter().all(|&q| profile.at(q, [1.0, 0.0]) == [0.0; 3]) {
+    let is_zero = |q: &f64| profile.at(*q, [0.0; 2], [1.0, 0.0]) == [0.0; 3];
+    if !profile.is_formula() && [0.0, within, 1.0].iter().all(is_zero) {
         faults.error(path.clone(), "this traction is zero");
     }
     let varies = match profile {
@@ -89,7 +98,26 @@ pub(crate) fn resolve(
     if let Some(first) = on.first() {
         check_sharing(load, first, context, &path, faults);
     }
-    Some(on.into_iter().map(|on| OnBorder { profile, ..on }).collect())
+    Some(on.into_iter().map(|on| OnBorder { profile: profile.clone(), ..on }).collect())
+}
+
+/// A pressure, a number or a formula.
+fn pressure(load: &Traction, context: &LoadContext, path: &JsonPath, faults: &mut Faults) -> Option<Profile> {
+    let Some(given) = &load.pressure else { return Some(Profile::Pressure(0.0)) };
+    let given = Prescribed::new(given, context.ground.body.axes(), &path.key("pressure"), faults)?;
+    Some(match given {
+        Prescribed::Number(pressure) => Profile::Pressure(pressure),
+        formula => Profile::PressureFormula(Arc::new(formula)),
+    })
+}
+
+/// A fault where formulas have no value on a border.
+fn has_values(profile: &Profile, stretches: &[Stretch], path: &JsonPath, faults: &mut Faults) -> Option<()> {
+    let mut on = stretches.iter().flat_map(|stretch| profile.on(stretch));
+    let Some((at, _)) = on.find(|(_, t)| t.iter().any(|t| !t.is_finite())) else { return Some(()) };
+    let [x, y] = at.map(tidy);
+    faults.error(path.clone(), format!("the formula has no value on the border at ({x}, {y})"));
+    None
 }
 
 /// A fault for a traction with no value, or with two.
@@ -98,6 +126,7 @@ fn one_value(load: &Traction, path: &JsonPath, faults: &mut Faults) -> Option<()
         ("uniform", load.uniform.is_some()),
         ("linear", load.linear.is_some()),
         ("parabolic", load.parabolic.is_some()),
+        ("formula", load.formula.is_some()),
         ("pressure", load.pressure.is_some()),
         ("total", load.total.is_some()),
         ("hertz", load.hertz.is_some()),
@@ -106,15 +135,15 @@ fn one_value(load: &Traction, path: &JsonPath, faults: &mut Faults) -> Option<()
     match keys[..] {
         [_] => Some(()),
         [] => {
-            faults
-                .error(path.clone(), "the value of this traction is missing")
-                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
+            faults.error(path.clone(), "the value of this traction is missing").hint(
+                "give one of `uniform`, `linear`, `parabolic`, `formula`, `pressure`, `total` and `hertz`",
+            );
             None
         }
         [first, second, ..] => {
-            faults
-                .error(path.key(second), format!("`{first}` and `{second}` are both given"))
-                .hint("give one of `uniform`, `linear`, `parabolic`, `pressure`, `total` and `hertz`");
+            faults.error(path.key(second), format!("`{first}` and `{second}` are both given")).hint(
+                "give one of `uniform`, `linear`, `parabolic`, `formula`, `pressure`, `total` and `hertz`",
+            );
             None
         }
     }

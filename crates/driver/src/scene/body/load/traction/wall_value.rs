@@ -4,13 +4,14 @@ use super::profile::Profile;
 use crate::case::{SpaceAxis, Traction};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::load::context::LoadContext;
+use crate::scene::prescribed::{Along, Prescribed};
 use peristat_assembly::body::{SIDES, SquareLattice, Wall, WallSide};
 
 /// Places of a side on both halves of an axis, in spacings from its middle: with them cubic functions are integrated exactly.
 const GAUSS: f64 = 0.288_675_134_594_812_9;
 
 /// What a traction is on a side of a cell.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum WallValue {
     /// The same force per area everywhere.
     Uniform([f64; 3]),
@@ -18,6 +19,10 @@ pub(super) enum WallValue {
     Pressure(f64),
     /// A force, shared by area.
     Total([f64; 3]),
+    /// By formulas of the position.
+    Formula(Along),
+    /// Against the normal, by one.
+    PressureFormula(Prescribed),
     /// It varies along an axis, from the first number of metres to the second.
     Along(usize, [f64; 2], Profile),
 }
@@ -31,20 +36,40 @@ impl WallValue {
         whole: f64,
     ) -> Vec<([f64; 3], [f64; 3])> {
         let middle = own.side.middle(lattice);
-        match *self {
+        let value = |given: &Prescribed, at| given.at(at).unwrap_or(f64::NAN);
+        match self {
+            Self::Formula(given) => on_side(own, lattice)
+                .map(|at| (at, [0, 1, 2].map(|k| 0.25 * own.area * value(&given[k], at))))
+                .to_vec(),
+            Self::PressureFormula(given) => on_side(own, lattice)
+                .map(|at| (at, own.outwards.map(|a| -0.25 * a * value(given, at))))
+                .to_vec(),
             Self::Uniform(traction) => vec![(middle, traction.map(|t| t * own.area))],
             Self::Pressure(pressure) => vec![(middle, own.outwards.map(|a| -a * pressure))],
             Self::Total(total) => vec![(middle, total.map(|f| f * own.area / whole))],
             Self::Along(axis, [from, to], profile) => [-GAUSS, GAUSS]
                 .map(|part| {
                     let mut at = middle;
-                    at[axis] += part * lattice.spacing();
-                    let value = profile.at((at[axis] - from) / (to - from), [0.0; 2]);
+                    at[*axis] += part * lattice.spacing();
+                    let value = profile.at((at[*axis] - from) / (to - from), [0.0; 2], [0.0; 2]);
                     (at, value.map(|t| 0.5 * t * own.area))
                 })
                 .to_vec(),
         }
     }
+}
+
+/// Four places of a side, of the same share each.
+fn on_side(own: &WallSide, lattice: &SquareLattice) -> [[f64; 3]; 4] {
+    let normal = own.side.normal();
+    let across = (0..3).max_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs())).unwrap_or_default();
+    let [first, second] = [(across + 1) % 3, (across + 2) % 3];
+    [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]].map(|[a, b]: [f64; 2]| {
+        let mut at = own.side.middle(lattice);
+        at[first] += a * GAUSS * lattice.spacing();
+        at[second] += b * GAUSS * lattice.spacing();
+        at
+    })
 }
 
 /// What acts, from the one key that says it.
@@ -68,7 +93,14 @@ pub(super) fn value(
             let middle = context.force(*middle, key, &at, faults)?;
             along(load.along, (wall, lattice), Profile::Parabolic(middle), context, path, faults)?
         }
-        _ => WallValue::Pressure(load.pressure.unwrap_or(0.0)),
+        Traction { formula: Some(given), .. } => WallValue::Formula(context.along(given, key, &at, faults)?),
+        Traction { pressure: Some(given), .. } => {
+            match Prescribed::new(given, context.ground.body.axes(), &at, faults)? {
+                Prescribed::Number(pressure) => WallValue::Pressure(pressure),
+                formula => WallValue::PressureFormula(formula),
+            }
+        }
+        _ => WallValue::Pressure(0.0),
     };
     if value.is_zero() {
         faults.error(path.clone(), "this traction is zero");
@@ -81,14 +113,15 @@ fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Op
     let is_round = wall.radius().is_some();
     let values = match (is_round, wall.face()) {
         (true, _) => "give one of `pressure` and `total`",
-        (_, None) if wall.patch().is_some() => "give one of `uniform`, `pressure` and `total`",
-        _ => "give one of `uniform`, `pressure`, `total`, `linear` and `parabolic`",
+        (_, None) if wall.patch().is_some() => "give one of `uniform`, `formula`, `pressure` and `total`",
+        _ => "give one of `uniform`, `formula`, `pressure`, `total`, `linear` and `parabolic`",
     };
     let given = [
         ("hertz", load.hertz.is_some()),
         ("depth", load.depth.is_some()),
         ("sharing", load.sharing.is_some()),
         ("uniform", load.uniform.is_some()),
+        ("formula", load.formula.is_some()),
         ("pressure", load.pressure.is_some()),
         ("total", load.total.is_some()),
         ("linear", load.linear.is_some()),
@@ -116,11 +149,12 @@ fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Op
 
 impl WallValue {
     fn is_zero(&self) -> bool {
-        match *self {
-            Self::Uniform(t) | Self::Total(t) => t == [0.0; 3],
-            Self::Pressure(pressure) => pressure == 0.0,
+        match self {
+            Self::Formula(_) | Self::PressureFormula(_) => false,
+            Self::Uniform(t) | Self::Total(t) => *t == [0.0; 3],
+            Self::Pressure(pressure) => *pressure == 0.0,
             Self::Along(.., profile) => {
-                [0.0, 0.5, 1.0].iter().all(|&place| profile.at(place, [0.0; 2]) == [0.0; 3])
+                [0.0, 0.5, 1.0].iter().all(|&place| profile.at(place, [0.0; 2], [0.0; 2]) == [0.0; 3])
             }
         }
     }

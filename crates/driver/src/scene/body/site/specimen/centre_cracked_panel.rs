@@ -2,7 +2,7 @@
 
 use super::SpecimenParts;
 use super::plan::{Filled, Plan};
-use crate::case::{At, CentreCrackedPanel, RectangleBody, Support};
+use crate::case::{Amount, At, CentreCrackedPanel, RectangleBody, Support};
 
 /// What it stands for; `alone` where nothing else holds it.
 pub(crate) fn parts(given: &mut CentreCrackedPanel, alone: bool, plan: &mut Plan) -> Option<SpecimenParts> {
@@ -58,8 +58,8 @@ fn support(at: At, ux: Option<f64>, uy: Option<f64>) -> Support {
     Support {
         at,
         w: None,
-        ux,
-        uy,
+        ux: ux.map(Amount::Number),
+        uy: uy.map(Amount::Number),
         uz: None,
         phi: None,
         inclined: None,
