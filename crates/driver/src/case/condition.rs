@@ -211,7 +211,7 @@ pub struct Distributed {
 }
 
 /// How a distributed load varies.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum DistributedForce {
     /// The same everywhere.
@@ -220,6 +220,9 @@ pub enum DistributedForce {
     Linear([f64; 2]),
     /// A sine wave over the loaded length.
     Sine(Sine),
+    /// A formula of the position x, on a member the distance from its joint `from`; parabolas through its values at 513 places of
+    /// the loaded length act.
+    Formula(String),
 }
 
 /// A sine wave.

@@ -11,9 +11,17 @@ use std::fmt;
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Temperature {
-    /// Kelvin, positive where it becomes warmer, or a formula of x, y and, in a solid, z, such as `"100*(1 - y/20)"`.
-    pub change: Amount,
-    /// Name of the region that changes its temperature; the whole body if not given.
+    /// Kelvin, positive where it becomes warmer, or on bodies a formula of x, y and, in a solid, z, such as `"100*(1 - y/20)"`. On a
+    /// beam that of the axis.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub change: Option<Amount>,
+    /// Kelvin by which the top of a beam, the side of +w, becomes warmer than the bottom, straight over the height of the section.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub difference: Option<f64>,
+    /// Member of a frame that changes its temperature.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub member: Option<String>,
+    /// Name of the region of a body that changes its temperature; the whole body if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub region: Option<String>,
 }

@@ -105,9 +105,11 @@ impl Formula {
             .map_err(|error| format!("this is no formula: {error}"))?;
         let axis = |name: &String| match name.as_str() {
             "x" => Ok(0),
-            "y" => Ok(1),
+            "y" if coordinates > 1 => Ok(1),
+            "y" => Err("there is no `y` on a line".to_string()),
             "z" if coordinates > 2 => Ok(2),
-            "z" => Err("there is no `z` in the plane".to_string()),
+            "z" if coordinates > 1 => Err("there is no `z` in the plane".to_string()),
+            "z" => Err("there is no `z` on a line".to_string()),
             other => Err(format!("there is no `{other}` in formulas")),
         };
         let axes = parsed.var_names().iter().map(axis).collect::<Result<_, _>>()?;

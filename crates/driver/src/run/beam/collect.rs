@@ -1,6 +1,6 @@
 //! From a solved state to its result.
 
-use super::{BeamResult, LineFields, LinePoints, reaction};
+use super::{BeamResult, LineFields, LinePoints, heat, reaction};
 use crate::case::FieldName;
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::beam::{BeamScene, State, resultant, resultant_of};
@@ -28,6 +28,7 @@ pub(super) fn of_beam(
     }
     let all = recover.then(|| forces_on_points(scene, load, &solution.held, &solution.multipliers, &u));
     let lumped = if recover { lumped_forces(scene, &state.loads, &u) } else { None };
+    let area = |c: usize| scene.sections[c].area.as_ref().and_then(|area| area.uniform());
     let line = |c: usize| {
         let chain = &beam.chains()[c];
         LineFields {
@@ -37,10 +38,19 @@ pub(super) fn of_beam(
             direction: chain.line().direction,
             section: scene.sections[c].clone(),
             from: chain.line().from,
-            recovered: all.as_ref().map(|all| beam.fields(c, &u, all, lumped.as_deref(), &state.loads)),
+            recovered: all.as_ref().map(|all| {
+                let mut fields = beam.fields(c, &u, all, lumped.as_deref(), &state.loads);
+                state
+                    .heat
+                    .iter()
+                    .filter(|heat| heat.chain == c)
+                    .for_each(|heat| heat::take_off(heat, &mut fields, area(c)));
+                fields
+            }),
         }
     };
     let lines = (0..beam.chains().len()).map(line).collect();
+    certificate.energy += heat::energy(&state.heat, beam, &u);
     // A strain form whose forces on points nobody asks for has none.
     if !load.is_empty() {
         let resultants = resultants(scene, beam, state, (load, &solution.held), &u);

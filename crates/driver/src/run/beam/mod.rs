@@ -7,6 +7,7 @@ mod exact_state;
 mod extremes;
 mod fields;
 mod fracture;
+mod heat;
 mod law;
 mod line_points;
 mod problem;

@@ -6,6 +6,7 @@ use super::point_load::shares;
 use super::resolved_loads::ResolvedLoads;
 use crate::case::{Distributed as Written, DistributedForce};
 use crate::diagnostic::{Faults, JsonPath};
+use crate::scene::formula::Formula;
 use peristat_assembly::model::timoshenko_beam::{Along, Distributed, Intensity};
 
 /// What messages say of the extent of a load.
@@ -26,8 +27,8 @@ pub(super) fn add(
 ) {
     if layout.frame.is_none() {
         let foreign = [
-            ("force_x", load.force_x, "on a line use `axial`"),
-            ("force_y", load.force_y, "on a line use `force`"),
+            ("force_x", &load.force_x, "on a line use `axial`"),
+            ("force_y", &load.force_y, "on a line use `force`"),
         ];
         for (key, _, hint) in foreign.iter().filter(|(_, given, _)| given.is_some()) {
             faults.error(path.key(*key), format!("`{key}` is for frames")).hint(*hint);
@@ -36,11 +37,11 @@ pub(super) fn add(
     let given = GivenExtent { member: load.member.as_deref(), from: load.from, to: load.to };
     let extent = extent::find(&given, layout, path, &WORDS, faults);
     let values = [
-        ("force", load.force),
-        ("axial", load.axial),
-        ("force_x", load.force_x),
-        ("force_y", load.force_y),
-        ("moment", load.moment),
+        ("force", &load.force),
+        ("axial", &load.axial),
+        ("force_x", &load.force_x),
+        ("force_y", &load.force_y),
+        ("moment", &load.moment),
     ];
     if values.iter().all(|(_, value)| value.is_none()) {
         let hint = match layout.frame {
@@ -55,10 +56,7 @@ pub(super) fn add(
     let direction = layout.direction(chain);
     for (key, value) in values {
         let Some(value) = value else { continue };
-        let Some(intensity) = intensity(value, &layout.lines[chain], [from, end], &path.key(key), faults)
-        else {
-            continue;
-        };
+        let pieces = pieces(value, &layout.lines[chain], [from, end], &path.key(key), faults);
         // Shares of the value across the line, along it, and in rotation.
         let [across, along, turning] = match key {
             "force" => [1.0, 0.0, 0.0],
@@ -72,22 +70,65 @@ pub(super) fn add(
         };
         let parts = [(across, Along::Transverse), (along, Along::Axial), (turning, Along::Rotation)];
         for (share, along) in parts.into_iter().filter(|(share, _)| *share != 0.0) {
-            let intensity = scaled(intensity, share);
-            to.loads.distributed.push(Distributed { chain, from, to: end, intensity, along });
+            let piece = |&([from, to], intensity): &Piece| Distributed {
+                chain,
+                from,
+                to,
+                intensity: scaled(intensity, share),
+                along,
+            };
+            to.loads.distributed.extend(pieces.iter().map(piece));
         }
     }
 }
 
+/// Pieces of a load that a formula gives.
+const PIECES: u32 = 256;
+
+/// A part of the loaded length and the value on it.
+type Piece = ([f64; 2], Intensity);
+
+/// The values along the loaded length; none where there is a fault.
+fn pieces(
+    value: &DistributedForce,
+    line: &LayoutLine,
+    [from, to]: [f64; 2],
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Vec<Piece> {
+    let DistributedForce::Formula(text) = value else {
+        return intensity(value, line, [from, to], path, faults)
+            .map(|found| ([from, to], found))
+            .into_iter()
+            .collect();
+    };
+    let place = |part: f64| from + (to - from) * part / f64::from(PIECES);
+    let parabola = |formula: &Formula, k: u32| {
+        let [start, middle, end] =
+            [0.0, 0.5, 1.0].map(|part| formula.at([place(f64::from(k) + part), 0.0, 0.0]));
+        let parabola = Intensity::Parabola { start: start?, middle: middle?, end: end? };
+        Ok(([place(f64::from(k)), place(f64::from(k + 1))], parabola))
+    };
+    let found =
+        Formula::new(text, 1).and_then(|formula| (0..PIECES).map(|k| parabola(&formula, k)).collect());
+    found.unwrap_or_else(|reason| {
+        faults.error(path.key("formula"), reason).hint("for example `12*sin(pi*x/4)^2`, in x along the line");
+        Vec::new()
+    })
+}
+
 /// A value along the line; `None` where the grid cannot see its waves.
 fn intensity(
-    value: DistributedForce,
+    value: &DistributedForce,
     line: &LayoutLine,
     [from, to]: [f64; 2],
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Intensity> {
     let key = || path.key("sine").key("half_waves");
-    match value {
+    match *value {
+        // It is in pieces.
+        DistributedForce::Formula(_) => None,
         DistributedForce::Uniform(q) => Some(Intensity::Linear { start: q, end: q }),
         DistributedForce::Linear([start, end]) => Some(Intensity::Linear { start, end }),
         DistributedForce::Sine(sine) if sine.half_waves == 0 => {

@@ -15,6 +15,7 @@ mod frame_checks;
 mod frame_layout;
 mod frame_place;
 mod grading;
+mod heat;
 mod holds;
 mod line;
 mod links;
@@ -40,6 +41,7 @@ mod weight;
 
 pub use checks::BeamComparison;
 pub use frame_layout::{EndOfMember, FrameLayout, JointLayout, MemberLayout};
+pub use heat::LineHeat;
 pub use holds::{Hold, How, Motion};
 pub use links::RigidBar;
 pub use place::Place;

@@ -117,7 +117,20 @@ pub(crate) fn resolve(
     let ground = context.ground;
     let is_fine = is_borne(context, path, faults);
     let expansion = expansion(context, path, faults);
-    let change = Prescribed::new(&load.change, ground.body.axes(), &path.key("change"), faults);
+    for (key, _) in
+        [("difference", load.difference.is_some()), ("member", load.member.is_some())].iter().filter(|k| k.1)
+    {
+        faults.error(path.key(*key), format!("`{key}` is for beams")).hint(
+            "a formula such as `\"change\": \"50*(1 - y/20)\"` says how a temperature varies in a body",
+        );
+    }
+    let Some(change) = &load.change else {
+        faults
+            .error(path.clone(), "`change` is missing")
+            .hint("kelvin, positive where the body becomes warmer");
+        return;
+    };
+    let change = Prescribed::new(change, ground.body.axes(), &path.key("change"), faults);
     let points = match &load.region {
         Some(name) => ground.region(name, &path.key("region"), faults),
         None => Some((0..ground.body.points() as u32).collect()),
