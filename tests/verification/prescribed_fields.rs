@@ -208,3 +208,27 @@ fn formulas_without_a_value_are_faults_where_they_stand() {
     });
     assert!(faults(&beam).contains("formulas are for bodies"), "{}", faults(&beam));
 }
+
+/// Corners belong to two edges: where both say the same there, the body is the same in either order, where they do not, that is told.
+#[test]
+fn formulas_that_contradict_each_other_are_told() {
+    let case = |supports: Value| {
+        json!({
+            "title": "corner", "units": "mm-N-MPa", "model": { "bond_plane": { "youngs_modulus": 2e5, "state": "plane_stress" } },
+            "body": { "rectangle": { "size": [12, 9], "spacing": 1 } }, "supports": supports
+        })
+    };
+    let left = |ux: Value| json!({ "at": { "region": "left" }, "ux": ux, "uy": 0 });
+    let top = |ux: Value| json!({ "at": { "region": "top" }, "ux": ux });
+    for other in [left(json!("2e-3*y")), left(json!(0.5)), top(json!("1e-3*8 + 1e-3*x")), top(json!(0.5))] {
+        let found = faults(&case(json!([left(json!("1e-3*y")), other])));
+        assert!(found.contains("contradicts"), "{found}");
+    }
+    let [first, second] = [left(json!("1e-3*y")), top(json!("9e-3 + 1e-3*x"))];
+    let solve = |supports: Value| solve(&case(supports)).field(0, "stress_xx").unwrap().to_vec();
+    let [one, other] = [solve(json!([first, second])), solve(json!([second, first]))];
+    let size = one.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
+    let worst = one.iter().zip(&other).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+    // 2e-14 is found.
+    assert!(size > 1.0 && worst < 1e-12 * size, "{worst:e} of {size:e}");
+}

@@ -168,6 +168,11 @@ pub trait Material: Debug + Send + Sync {
         false
     }
 
+    /// Why it feels no change of temperature, where it does not.
+    fn feels_no_heat(&self) -> Option<&'static str> {
+        None
+    }
+
     /// Directions of the material, where they are not alike.
     fn fibres(&self) -> Option<Fibres> {
         None

@@ -8,14 +8,24 @@ const LONGEST: usize = 4000;
 
 exmex::literal_matcher_from_pattern!(Number, r"^(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?");
 
-/// The operators of the parser without a minus in front of a factor: it would bind tighter than a power, and `-x^2` be (−x)².
+/// The operators of the parser without a minus in front of a factor: it would bind tighter than a power, and `-x^2` be (−x)². None
+/// commutes: the parser folds constants of operators that do, and then applies the function around them to a part of its argument.
 #[derive(Clone, Debug)]
 struct Operators;
 
 impl MakeOperators<f64> for Operators {
     fn make<'a>() -> Vec<Operator<'a, f64>> {
         let minus = || Operator::make_bin("-", BinOp { apply: |a, b| a - b, prio: 1, is_commutative: false });
-        let with_two = |operator: Operator<'a, f64>| if operator.repr() == "-" { minus() } else { operator };
+        let in_order = |operator: Operator<'a, f64>| {
+            let Ok(bin) = operator.bin() else { return operator };
+            let bin = BinOp { is_commutative: false, ..bin };
+            match operator.unary() {
+                Ok(unary) => Operator::make_bin_unary(operator.repr(), bin, unary),
+                Err(_) => Operator::make_bin(operator.repr(), bin),
+            }
+        };
+        let with_two =
+            |operator: Operator<'a, f64>| if operator.repr() == "-" { minus() } else { in_order(operator) };
         FloatOpsFactory::<f64>::make().into_iter().map(with_two).collect()
     }
 }
@@ -37,6 +47,50 @@ fn check_names(text: &str) -> Result<(), String> {
         rest = behind;
     }
     if text.contains(['{', '}', '[', ']']) { Err("brackets of formulas are round".into()) } else { Ok(()) }
+}
+
+/// Functions of two arguments.
+const OF_TWO: [&str; 3] = ["min", "max", "atan2"];
+
+/// The expression with functions of two arguments between them, in parentheses: the parser does not take them within each other.
+fn with_infixes(text: &str) -> Result<String, String> {
+    let (mut out, mut rest) = (String::with_capacity(2 * text.len()), text);
+    while let Some(start) = rest.find(char::is_alphabetic) {
+        let (before, word) = rest.split_at(start);
+        let (name, behind) = word.split_at(word.find(|c: char| !c.is_alphanumeric()).unwrap_or(word.len()));
+        out.push_str(before);
+        rest = behind;
+        if !OF_TWO.contains(&name) {
+            out.push_str(name);
+            continue;
+        }
+        let Some(([first, second], after)) = arguments(behind.trim_start()) else {
+            return Err(format!("`{name}` has two arguments, `{name}(a, b)`"));
+        };
+        out.push_str(&format!("(({}) {name} ({}))", with_infixes(first)?, with_infixes(second)?));
+        rest = after;
+    }
+    out.push_str(rest);
+    Ok(out)
+}
+
+/// Two arguments in parentheses, and what is behind them.
+fn arguments(text: &str) -> Option<([&str; 2], &str)> {
+    let (mut depth, mut comma) = (0, None);
+    for (k, c) in text.char_indices() {
+        match c {
+            '(' => depth += 1,
+            ')' if depth == 1 => {
+                let comma: usize = comma?;
+                return Some(([&text[1..comma], &text[comma + 1..k]], &text[k + 1..]));
+            }
+            ')' => depth -= 1,
+            ',' if depth == 1 && comma.replace(k).is_some() => return None,
+            _ if depth == 0 => return None,
+            _ => {}
+        }
+    }
+    None
 }
 
 /// The expression with a zero before every minus that begins it or a part of it in parentheses, and no sign twice.
@@ -101,7 +155,8 @@ impl Formula {
         let text = text.replace(char::is_whitespace, " ");
         check_names(&text)?;
         // After the check no other name holds these letters.
-        let parsed = FlatEx::<f64, Operators, Number>::parse(&with_zeros(&text.replace("pi", "PI"))?)
+        let parsed = with_infixes(&text.replace("pi", "PI")).and_then(|text| with_zeros(&text))?;
+        let parsed = FlatEx::<f64, Operators, Number>::parse(&parsed)
             .map_err(|error| format!("this is no formula: {error}"))?;
         let axis = |name: &String| match name.as_str() {
             "x" => Ok(0),
@@ -163,6 +218,18 @@ mod tests {
             ("cos(pi*x) + log(e)", 2.0),
             ("sin (pi/x)\t+ min(x, y)", 3.0),
             ("7", 7.0),
+            // Constants behind a variable, in a function.
+            ("cos(x*2*pi)", 1.0),
+            ("sin(x*3*2)", 12f64.sin()),
+            ("sqrt(x^2 + y^2 + 1 + 2)", 4.0),
+            ("sin(1 + y*pi + 2)", (3.0 + 3.0 * std::f64::consts::PI).sin()),
+            ("abs(x - 3 - 4)*2*3", 30.0),
+            ("exp(2*3*x/12)", 1f64.exp()),
+            // Functions of two in functions of two.
+            ("min(1, max(0, x))", 1.0),
+            ("max(min(x, y), min(5, max(y, 1)))", 3.0),
+            ("2*max(min(x + 1, y*2) - 1, 0)^2", 8.0),
+            ("atan2(max(x, 0), -(x))", 2f64.atan2(-2.0)),
         ] {
             match at(text, 2.0, 3.0) {
                 Ok(found) => assert!((found - value).abs() <= 1e-15 * value.abs(), "{text}: {found}"),
@@ -185,6 +252,10 @@ mod tests {
             ("sin x^2", "parentheses"),
             ("x atan2 y", "parentheses"),
             ("pix", "no `pix`"),
+            ("min(x)", "two arguments"),
+            ("max(x, y, 1)", "two arguments"),
+            ("min(x, y", "two arguments"),
+            ("min()", "two arguments"),
             ("{x}", "round"),
             ("x; y", "formula"),
         ] {

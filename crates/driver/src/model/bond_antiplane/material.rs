@@ -67,6 +67,10 @@ impl Material for ShearBonds {
         Ok(AnyBody::One(Box::new(body)))
     }
 
+    fn feels_no_heat(&self) -> Option<&'static str> {
+        Some("points that move across the plane only feel no temperature")
+    }
+
     fn strain_row(&self, axis: usize) -> [f64; 3] {
         [0, 1, 2].map(|k| f64::from(u8::from(k == axis)))
     }

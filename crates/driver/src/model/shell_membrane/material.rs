@@ -69,6 +69,12 @@ impl Material for ShellBonds {
         ShellMembrane::has_border(&self.parameters, real)
     }
 
+    fn feels_no_heat(&self) -> Option<&'static str> {
+        self.keys.bending.then_some(
+            "a shell that resists bending takes no `temperature`: it would resist its own widening",
+        )
+    }
+
     fn strain_row(&self, axis: usize) -> [f64; 3] {
         isotropic_strain(axis, 1.0 / 3.0)
     }

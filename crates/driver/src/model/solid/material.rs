@@ -149,6 +149,12 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
         Ok(AnyBody::Three(Box::new(Solid::on_lattice(lattice, on.mirrors, self.parameters, &cuts)?)))
     }
 
+    fn feels_no_heat(&self) -> Option<&'static str> {
+        (P::HAS_FAMILIES && !self.edges().is_exact()).then_some(
+            "families that faces leave incomplete take no `temperature`: they would stretch themselves",
+        )
+    }
+
     fn strain_row(&self, _axis: usize) -> [f64; 3] {
         [0.0; 3]
     }

@@ -108,6 +108,13 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         !matches!(self.parameters.geometry, Geometry::PlaneStress(_))
     }
 
+    fn feels_no_heat(&self) -> Option<&'static str> {
+        let is_complete = calibration(self.parameters.edges) == Calibration::Matched;
+        (!is_complete).then_some(
+            "families that edges leave incomplete take no `temperature`: they would stretch themselves",
+        )
+    }
+
     fn strain_row(&self, axis: usize) -> [f64; 3] {
         let StateParameters { poisson_ratio: nu, geometry, .. } = self.parameters;
         match (geometry, axis) {

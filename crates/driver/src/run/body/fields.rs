@@ -1,6 +1,6 @@
 //! Results of one state of a body in the plane.
 
-use super::heat::{self, HeatStress};
+use super::heat::HeatStress;
 use super::of_stress::{Medium, component, of_stress};
 use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
@@ -40,7 +40,7 @@ impl Recovered {
             heat: None,
         };
         if let Some(heat) = heat {
-            found.take_off(heat, model);
+            found.take_off(heat, scene.material().cylinder_radius(), model);
         }
         found.fill_images(scene);
         found
@@ -162,17 +162,26 @@ impl BodyResult {
             false => (&scene.states[record.index], 1.0),
         };
         let heat = scene.heat(state);
-        if let Some(heat) = &heat {
-            record.certificate.energy += heat::energy(heat, model, &record.u);
+        let mut recovered = None;
+        if recover || heat.is_some() {
+            recovered = Some(Recovered::new((scene, model), heat.as_ref(), &record.u));
         }
-        let recovered = recover.then(|| Recovered::new((scene, model), heat.as_ref(), &record.u));
+        if let (Some(_), Some(recovered)) = (&heat, &recovered) {
+            record.certificate.energy = recovered.energy(model);
+        }
+        let recovered = recovered.filter(|_| recover);
+        // What heat does to a body and its images is no load: the body stretches itself.
+        let stretching = heat.map(|heat| heat.load(model, load.len()));
+        let others: Option<Vec<f64>> =
+            stretching.as_ref().map(|own| load.iter().zip(own).map(|(all, own)| all - own).collect());
         let taken = scene.into_mirrors(state, factor);
-        let mirrors = reaction::of_mirrors(scene, &multipliers, load, &taken);
+        let mirrors = reaction::of_mirrors(scene, &multipliers, others.as_deref().unwrap_or(load), &taken);
         multipliers.truncate(scene.equations.len());
         let reactions = reaction::of_supports(scene, &multipliers, &record.u);
         let held = reaction::resultant(scene, &multipliers, &record.u, &mirrors);
         let counted = (scene.statical(), scene.inside(state));
         let mut applied = scene.resultant(load);
+        stretching.iter().for_each(|own| applied.add_multiple(-1.0, &scene.resultant(own)));
         taken.iter().for_each(|&(_, force)| applied.add(force, [0.0; 3]));
         let resultants = Resultants::new(&asked, &applied, &held, counted);
         // Loads on parts that have come off act no more.

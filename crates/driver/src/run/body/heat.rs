@@ -1,9 +1,11 @@
 //! What a change of temperature is in results: strains without stress.
 
 use super::fields::Recovered;
-use crate::scene::body::Heat;
+use super::of_stress::component;
+use crate::scene::body::{Heat, UnitHeat};
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::model::{BodyFields, BodyModel};
+use std::array::from_fn;
 
 /// The stresses that strains without stress would have as the bonds of a body see them.
 #[derive(Clone, Debug)]
@@ -17,11 +19,13 @@ pub struct HeatStress {
 }
 
 impl HeatStress {
-    fn new(heat: &Heat, model: &dyn BodyModel) -> Self {
+    fn new(heat: &Heat, radius: Option<f64>, model: &dyn BodyModel) -> Self {
         let unit = &heat.unit;
-        let joined = model.lattice().is_some_and(|(_, mirrors)| mirrors.joined != [false; 3]);
+        // What stretches a body is no motion of one whose sides are joined; a cylinder widens.
+        let joined = model.lattice().map_or([false; 3], |(_, mirrors)| mirrors.joined);
+        let stretches = !joined[0] && (radius.is_some() || !joined[1]) && !joined[2];
         // Points at edges and cracks that nothing completes have other moduli than those inside.
-        let own = (!joined).then(|| stretched(heat, model));
+        let own = stretches.then(|| stretched(heat, radius, model));
         let times = |value: f64, own: Option<&Vec<f64>>| -> Vec<f64> {
             match own {
                 Some(own) => heat.change.iter().zip(own).map(|(change, s)| change * s).collect(),
@@ -30,8 +34,18 @@ impl HeatStress {
         };
         let planes = unit.stress.iter().zip(model.tensor_components()).enumerate();
         let stress = planes.map(|(k, (s, _))| times(*s, own.as_ref().map(|own| &own.stress[k]))).collect();
-        let of_own = own.as_ref().map(|own| &own.across).filter(|across| !across.is_empty());
-        let across = if unit.across_stress == 0.0 { Vec::new() } else { times(unit.across_stress, of_own) };
+        let across = match (&own, unit.across_stress == 0.0) {
+            (_, true) => Vec::new(),
+            (Some(own), _) if !own.across.is_empty() => times(unit.across_stress, Some(&own.across)),
+            // What follows from the stresses in the plane, and what holds the plane besides.
+            (Some(own), _) => {
+                let besides = unit.across_stress - model.across_of(unit.stress);
+                let at = |p: usize| from_fn(|k| own.stress.get(k).map_or(0.0, |values| values[p]));
+                let each = heat.change.iter().enumerate();
+                each.map(|(p, change)| change * (model.across_of(at(p)) + besides)).collect()
+            }
+            (None, _) => times(unit.across_stress, None),
+        };
         Self { change: heat.change.clone(), stress, across }
     }
 
@@ -47,56 +61,68 @@ impl HeatStress {
 }
 
 /// What is recovered where a body stretches as one kelvin stretches it.
-fn stretched(heat: &Heat, model: &dyn BodyModel) -> BodyFields {
+fn stretched(heat: &Heat, radius: Option<f64>, model: &dyn BodyModel) -> BodyFields {
     let strain = model.strains_of(heat.unit.stress, heat.unit.across_stress);
-    let of =
-        |name: &str| model.tensor_components().iter().position(|own| *own == name).map_or(0.0, |k| strain[k]);
+    let of = |name: &str| component(model, name).map_or(0.0, |k| strain[k]);
     let (x, y, z, half) = (of("xx"), of("yy"), of("zz"), 0.5 * of("xy"));
-    let rows = [[x, half, 0.0], [half, y, 0.0], [0.0, 0.0, z]];
     let n = model.points();
     let mut u = vec![0.0; n * model.components().len()];
-    for (axis, row) in rows.iter().enumerate() {
+    for axis in 0..3 {
         let Some(plane) = model.along(axis) else { continue };
         for p in 0..n {
-            u[plane * n + p] = row.iter().zip(model.position(p)).map(|(e, x)| e * x).sum();
+            let at = model.position(p);
+            u[plane * n + p] = match (axis, radius) {
+                (0, Some(_)) => x * at[0],
+                (1, Some(_)) => 0.0,
+                (_, Some(radius)) => y * radius,
+                (0, None) => x * at[0] + half * at[1],
+                (1, None) => half * at[0] + y * at[1],
+                (_, None) => z * at[2],
+            };
         }
     }
     model.recover(&u)
 }
 
 impl Recovered {
-    /// Takes the stresses and energies of strains that need no stress off those of all strains.
-    pub(super) fn take_off(&mut self, heat: &Heat, model: &dyn BodyModel) {
-        let (unit, own) = (&heat.unit, HeatStress::new(heat, model));
+    /// Takes the stresses of strains that need no stress off those of all strains; what is stored is what the rest has.
+    pub(super) fn take_off(&mut self, heat: &Heat, radius: Option<f64>, model: &dyn BodyModel) {
+        let own = HeatStress::new(heat, radius, model);
         if !own.across.is_empty() && self.across.is_empty() {
             self.across = (0..heat.change.len()).map(|p| model.across_of(self.at(|s| s[p]))).collect();
         }
-        let work = |stress: [f64; TENSOR], across: f64| -> f64 {
-            unit.strain.iter().zip(stress).map(|(e, s)| e * s).sum::<f64>() + unit.across_strain * across
-        };
-        for (p, &change) in heat.change.iter().enumerate().filter(|(_, change)| **change != 0.0) {
-            let all = (self.at(|s| s[p]), self.across.get(p).copied().unwrap_or_default());
-            let held = own.add_to(|s| s[p], ([0.0; TENSOR], 0.0));
-            self.energy_density[p] += change * (0.5 * work(held.0, held.1) - work(all.0, all.1));
-            self.stress.iter_mut().zip(held.0).for_each(|(values, s)| values[p] -= s);
-            if let Some(across) = self.across.get_mut(p) {
-                *across -= held.1;
+        for p in 0..heat.change.len() {
+            let (held, across) = own.add_to(|s| s[p], ([0.0; TENSOR], 0.0));
+            self.stress.iter_mut().zip(held).for_each(|(values, s)| values[p] -= s);
+            if let Some(value) = self.across.get_mut(p) {
+                *value -= across;
             }
+            let across = self.across.get(p).copied().unwrap_or_default();
+            self.energy_density[p] = stored(&heat.unit, model, self.at(|s| s[p]), across);
         }
         self.heat = Some(own);
     }
+
+    /// Energy of all points, J.
+    pub(super) fn energy(&self, model: &dyn BodyModel) -> f64 {
+        self.energy_density.iter().enumerate().map(|(p, density)| model.volume(p) * density).sum()
+    }
 }
 
-/// Energy of a state with strains that need no stress, beyond that of all strains: `½ Σ V ε*·S − u·f`, f the load of them.
-pub(super) fn energy(heat: &Heat, model: &dyn BodyModel, u: &[f64]) -> f64 {
-    let mut force = vec![0.0; u.len()];
-    heat.add_to(model, 1.0, &mut force);
-    let work: f64 = u.iter().zip(&force).map(|(u, f)| u * f).sum();
-    let (unit, own) = (&heat.unit, HeatStress::new(heat, model));
-    let held = heat.change.iter().enumerate().filter(|(_, change)| **change != 0.0).map(|(p, change)| {
-        let (stress, across) = own.add_to(|s| s[p], ([0.0; TENSOR], 0.0));
-        let in_plane: f64 = unit.strain.iter().zip(stress).map(|(e, s)| e * s).sum();
-        model.volume(p) * change * (in_plane + unit.across_strain * across)
-    });
-    0.5 * held.sum::<f64>() - work
+/// Energy density of stresses, `½ σ : C⁻¹ σ` in space.
+fn stored(unit: &UnitHeat, model: &dyn BodyModel, stress: [f64; TENSOR], across: f64) -> f64 {
+    let strain = model.strains_of(stress, across);
+    let in_plane: f64 = stress.iter().zip(strain).map(|(s, e)| s * e).sum();
+    let besides = if model.is_revolved() {
+        // Around the axis the material is as it is along the radius.
+        let [x, y, shear, ..] = stress;
+        across * model.strains_of([across, y, shear, 0.0, 0.0, 0.0], x)[0]
+    } else if unit.across_strain != 0.0 {
+        // Beyond the stress that follows from those in the plane there is one that acts alone.
+        let modulus = (unit.across_stress - model.across_of(unit.stress)) / unit.across_strain;
+        (across - model.across_of(stress)).powi(2) / modulus
+    } else {
+        0.0
+    };
+    0.5 * (in_plane + besides)
 }

@@ -20,15 +20,16 @@ mod statics;
 mod tests;
 
 pub use fail::fracture::BodyFracture;
-pub use hold::conditions::{Conditions, HeldPoints};
+pub use hold::conditions::Conditions;
 pub use hold::held_edge::HeldEdge;
+pub use hold::held_points::HeldPoints;
 pub use hold::rigid::RigidPoints;
 pub use hold::supported::BodySupport;
 pub(crate) use hold::supported::CONTRADICTION;
 pub use hole_ring::HoleRing;
 pub(crate) use hole_ring::is_on;
 pub use load::sums::BodyLoads;
-pub use load::temperature::Heat;
+pub use load::temperature::{Heat, UnitHeat};
 pub use read::checks::BodyComparison;
 pub(crate) use read::fields::{Has, Says, of_points};
 pub use read::outputs::{Intensity, LinePoint, OutputLine};

@@ -53,7 +53,7 @@ struct Corner<'a> {
 
 /// Whether tractions alone act, which have one stress in all of the body: that is exact beside what is held, too.
 fn has_one_stress(scene: &BodyScene) -> bool {
-    let (case, rests) = (&scene.case, |hold: &crate::scene::body::hold::conditions::HeldPoints| {
+    let (case, rests) = (&scene.case, |hold: &crate::scene::body::hold::held_points::HeldPoints| {
         hold.values.iter().all(|value| *value == 0.0)
     });
     let mut loads = case.loads.iter().chain(case.load_cases.iter().flat_map(|c| &c.loads));

@@ -1,15 +1,12 @@
 //! What holds a body, by points: equations for its lattice and for any coarser one are made of it.
 
-use super::held_edge::HeldEdge;
+use super::held_points::HeldPoints;
 use super::rigid::{Basis, RigidPoints};
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::bonds::Point;
 use peristat_assembly::condition::{Equation, Unknown};
-use peristat_assembly::model::BodyModel;
 use peristat_assembly::stiffness::Spring;
-use std::array::from_fn;
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 
 /// What holds a body.
 #[derive(Clone, Debug, Default)]
@@ -26,30 +23,6 @@ pub struct Conditions {
     pub axes: usize,
 }
 
-/// Points of held edges and the bits of directions, with the value, none of a formula, and the origin of what holds them.
-pub(super) type HeldCorners = BTreeMap<(u32, [u64; 3]), (Option<f64>, String)>;
-
-/// Points with a prescribed motion.
-#[derive(Clone, Debug, PartialEq)]
-pub struct HeldPoints {
-    /// Numbers of the points, ascending.
-    pub points: Vec<u32>,
-    /// How an edge is held, where it is not its points that are.
-    pub edge: Option<HeldEdge>,
-    /// With an edge, the points behind each point; none where the point itself is held.
-    pub chains: Vec<Vec<u32>>,
-    /// Pieces of a border that are held in place of the points, by points and their shares; none where no border is.
-    pub pieces: Vec<Vec<(u32, f64)>>,
-    /// What is held, a unit vector: a direction, or the rotation, which is the third component.
-    pub direction: [f64; 3],
-    /// The unknown along it at a factor of one, of each point: a displacement, or the rotation times [`Conditions::turning`].
-    pub values: Vec<f64>,
-    /// Whether a formula gives these.
-    pub varies: bool,
-    /// Where it stands in the case.
-    pub origin: String,
-}
-
 impl Conditions {
     /// Numbers of the points that supports hold and of those of rigid regions, as often as they are.
     pub(crate) fn held_points(&self) -> impl Iterator<Item = usize> + '_ {
@@ -59,7 +32,7 @@ impl Conditions {
 
     /// Those of edges that are held on their lines, which stretches the bonds there far more than those of the rest.
     pub(crate) fn gripped_points(&self) -> impl Iterator<Item = usize> + '_ {
-        let on_line = |h: &&HeldPoints| h.edge.is_some() || !h.pieces.is_empty();
+        let on_line = |h: &&HeldPoints| h.is_on_border();
         self.holds.iter().filter(on_line).flat_map(|h| &h.points).map(|&p| p as usize)
     }
 
@@ -135,97 +108,6 @@ impl Conditions {
     pub fn is_empty(&self) -> bool {
         self.holds.is_empty() && self.rigid.is_empty() && self.springs.is_empty()
     }
-}
-
-impl HeldPoints {
-    /// Leaves out points whose edge another hold has held along the same direction: what both hold of the points beside a
-    /// corner says the rest, and to hold it twice is no more than to the rounding of both. Points that are held at another
-    /// number stay, and the origins of these are returned; formulas have other values at other places.
-    pub(super) fn leave_corners(&mut self, held: &mut HeldCorners) -> Vec<String> {
-        if self.edge.is_none() && self.pieces.is_empty() {
-            return Vec::new();
-        }
-        let direction = self.direction.map(f64::to_bits);
-        let mut others = Vec::new();
-        let mut keep = |point: u32, value: Option<f64>| match held.entry((point, direction)) {
-            Entry::Vacant(place) => {
-                place.insert((value, self.origin.clone()));
-                true
-            }
-            Entry::Occupied(place) if place.get().0.zip(value).is_none_or(|(other, own)| other == own) => {
-                false
-            }
-            Entry::Occupied(place) => {
-                others.push(place.get().1.clone());
-                true
-            }
-        };
-        let kept: Vec<bool> = self
-            .points
-            .iter()
-            .zip(&self.values)
-            .map(|(&point, &value)| keep(point, (!self.varies).then_some(value)))
-            .collect();
-        retain(&mut self.points, &kept);
-        retain(&mut self.chains, &kept);
-        retain(&mut self.pieces, &kept);
-        retain(&mut self.values, &kept);
-        others
-    }
-
-    /// The places that it holds: of its points, or of the border that moves with them.
-    pub(super) fn places(&self, model: &dyn BodyModel) -> Vec<Point> {
-        // The shares of an edge are the same along both axes, or only one of them is held.
-        let component = self.direction.iter().position(|d| *d != 0.0).unwrap_or_default();
-        let sum = |terms: &mut dyn Iterator<Item = (u32, f64)>| {
-            terms.fold([0.0; 3], |sum, (point, share)| {
-                let at = model.position(point as usize);
-                from_fn(|k| sum[k] + share * at[k])
-            })
-        };
-        let place = |(k, &point): (usize, &u32)| {
-            let chain = self.chains.get(k).filter(|chain| !chain.is_empty()).zip(self.edge.as_ref());
-            match (self.pieces.get(k), chain) {
-                (Some(piece), _) => sum(&mut piece.iter().copied()),
-                (_, Some((chain, edge))) => {
-                    let points = std::iter::once(&point).chain(chain).copied();
-                    sum(&mut points.zip(edge.shares(component).iter().copied()))
-                }
-                (_, None) => model.position(point as usize),
-            }
-        };
-        self.points.iter().enumerate().map(place).collect()
-    }
-
-    fn equations(&self) -> impl Iterator<Item = Equation> + '_ {
-        let [x, y, turn] = self.direction;
-        // The larger share first: it is the one to divide by.
-        let [first, second] = if x.abs() >= y.abs() { [(0, x), (1, y)] } else { [(1, y), (0, x)] };
-        let shares = [first, second, (2, turn)];
-        self.points.iter().enumerate().map(move |(k, &point)| {
-            let chain = self.chains.get(k).filter(|chain| !chain.is_empty()).zip(self.edge.as_ref());
-            let mut terms = Vec::new();
-            for (component, share) in shares.into_iter().filter(|s| s.1 != 0.0) {
-                let mut term =
-                    |point: u32, c: f64| terms.push((Unknown { component, point: point as usize }, c));
-                match (self.pieces.get(k), chain) {
-                    (Some(piece), _) => piece.iter().for_each(|&(p, s)| term(p, share * s)),
-                    (_, None) => term(point, share),
-                    (_, Some((chain, edge))) => {
-                        let points = std::iter::once(&point).chain(chain);
-                        points.zip(edge.shares(component)).for_each(|(&p, s)| term(p, share * s));
-                    }
-                }
-            }
-            Equation { terms, value: self.values[k], origin: self.origin.clone() }
-        })
-    }
-}
-
-/// Keeps what stands beside points that are kept, in a list of as many or of none.
-fn retain<T>(list: &mut Vec<T>, kept: &[bool]) {
-    let mut each = kept.iter();
-    list.retain(|_| each.next().is_none_or(|kept| *kept));
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Supports of a body with their equations and springs.
 
-use super::conditions::{Conditions, HeldCorners};
+use super::conditions::Conditions;
+use super::corners::HeldCorners;
 use super::rigid::{MOTIONS, RigidPoints};
 use super::supports::HeldSupport;
 use crate::diagnostic::{Faults, JsonPath, root};
@@ -39,11 +40,11 @@ pub(crate) fn conditions(
         axes: inputs.body.axes(),
         ..Conditions::default()
     };
-    let (mut supports, mut next, mut corners) = (Vec::new(), 0, HeldCorners::new());
+    let (mut supports, mut next, mut corners) = (Vec::new(), 0, HeldCorners::default());
     for h in held {
         let (mut holds, springs) = (h.holds(inputs, model, faults), h.spring_list(inputs, model));
-        for hold in &mut holds {
-            let mut others = hold.leave_corners(&mut corners);
+        for (hold, (_, given, _)) in holds.iter_mut().zip(&h.motions) {
+            let mut others = corners.leave(hold, given, model);
             others.sort_unstable();
             others.dedup();
             if let Some(other) = others.first() {

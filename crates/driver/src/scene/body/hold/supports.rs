@@ -1,8 +1,8 @@
 //! Supports of a body.
 
-use super::conditions::HeldPoints;
 use super::held_border::{self, Piece};
 use super::held_edge::{EdgeShares, HeldEdge};
+use super::held_points::HeldPoints;
 use super::{support_keys, support_parts};
 use crate::case::Support;
 use crate::diagnostic::{Faults, JsonPath, root};
@@ -241,7 +241,6 @@ impl HeldSupport {
                 pieces: if follows { pieces.clone() } else { Vec::new() },
                 direction: by_component(*direction, turns, model),
                 values: Vec::new(),
-                varies: matches!(value, Prescribed::Formula(_)),
                 origin: self.path.key(*key).to_string(),
             };
             let scale = if turns { model.scale(2) } else { 1.0 };

@@ -50,7 +50,7 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
         if !resolved.is_finite() {
             faults.error(path.clone(), "a formula of these loads has no value where it acts");
         }
-        resolved.by_formula = on_borders.iter().any(|t| t.profile.is_formula());
+        resolved.by_formula |= on_borders.iter().any(|t| t.profile.is_formula());
         on_borders.iter().for_each(|t| resolved.asked.add_multiple(1.0, &asked::of_traction(t, context)));
         add::add(&on_borders, context, &mut resolved, faults);
         resolved

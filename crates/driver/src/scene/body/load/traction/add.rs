@@ -48,7 +48,6 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
     for traction in tractions {
         let faded = match (&traction.border, traction.depth, traction.sharing) {
             _ if traction.profile.acts_across() => Err("it acts across the plane"),
-            _ if traction.profile.is_formula() => Err("a formula gives it"),
             (Border::Edge(_), ..) => fading::fade(traction, context),
             (Border::Curved { .. }, Some(_), _)
             | (Border::Curved { .. }, _, Some(LoadSharing::Consistent)) => round::fade(traction, context),

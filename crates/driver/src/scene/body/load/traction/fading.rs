@@ -27,6 +27,9 @@ pub(crate) struct Fading {
     spacing: f64,
 }
 
+/// Step of differences along an edge, of its length.
+const STEP: f64 = 1e-4;
+
 impl Fading {
     /// Distance from the edge and place along it, if it is in the strip.
     fn place(&self, position: [f64; 2]) -> Option<(f64, f64)> {
@@ -42,12 +45,28 @@ impl Fading {
         weight(depth / self.depth)
     }
 
+    /// The traction at a place of the edge.
+    fn on_edge(&self, place: f64) -> [f64; 3] {
+        let at = [0, 1].map(|k| self.from[k] + place * self.length * self.tangent[k]);
+        self.profile.at(place, at, self.normal)
+    }
+
+    /// Its derivative by the place; of a formula by a difference.
+    fn slope(&self, place: f64) -> [f64; 2] {
+        if !self.profile.is_formula() {
+            return self.profile.slope(place);
+        }
+        let [before, behind] = [(place - STEP).max(0.0), (place + STEP).min(1.0)];
+        let [start, end] = [before, behind].map(|place| self.on_edge(place));
+        [0, 1].map(|k| (end[k] - start[k]) / (behind - before))
+    }
+
     /// `div S` as a mean over a cell, N/m³: `−w' t + w n (dt/ds·τ)`, with a difference of w whose sum over cells is exact.
     fn divergence(&self, position: [f64; 2]) -> [f64; 2] {
         let Some((depth, place)) = self.place(position) else { return [0.0; 2] };
         let half = 0.5 * self.spacing;
         let fall = (self.weight(depth - half) - self.weight(depth + half)) / self.spacing;
-        let (t, slope) = (self.profile.at(place, position, self.normal), self.profile.slope(place));
+        let (t, slope) = (self.on_edge(place), self.slope(place));
         let shear = (slope[0] * self.tangent[0] + slope[1] * self.tangent[1]) / self.length;
         [0, 1].map(|k| fall * t[k] + self.weight(depth) * shear * self.normal[k])
     }
@@ -57,7 +76,7 @@ impl Stress for Fading {
     fn at(&self, position: [f64; 2]) -> [f64; 3] {
         let Some((depth, place)) = self.place(position) else { return [0.0; 3] };
         let (w, [x, y]) = (self.weight(depth), self.normal);
-        let [a, b, _] = self.profile.at(place, position, self.normal);
+        let [a, b, _] = self.on_edge(place);
         let along = a * x + b * y;
         [
             w * (2.0 * a * x - along * x * x),

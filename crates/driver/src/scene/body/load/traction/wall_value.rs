@@ -1,7 +1,7 @@
 //! What a traction on a wall of a solid is: its values, from the key that says them.
 
 use super::profile::Profile;
-use crate::case::{SpaceAxis, Traction};
+use crate::case::{Amount, SpaceAxis, Traction};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::load::context::LoadContext;
 use crate::scene::prescribed::{Along, Prescribed};
@@ -138,6 +138,12 @@ fn key(load: &Traction, wall: &Wall, path: &JsonPath, faults: &mut Faults) -> Op
         [key] if wall.face().is_none() && varies(key) || is_round && key == "uniform" => {
             (path.key(key), format!("`{key}` is for flat faces across an axis"), values)
         }
+        ["pressure"] if wall.face().is_none() && matches!(load.pressure, Some(Amount::Formula(_))) => (
+            path.key("pressure"),
+            "a pressure that a formula gives needs a flat face across an axis: of others cells make stairs, which have another volume"
+                .to_string(),
+            "give a number",
+        ),
         [key] if load.along.is_some() && !varies(key) => {
             (path.key("along"), format!("`{key}` does not vary along an axis"), "leave it out")
         }
