@@ -4,6 +4,7 @@
 //! its two ends, `f_ij = min(a_i, a_j)`, so that what a point lacks is never negative; the overlay gives it back. Other
 //! treatments of edges have whole cells.
 
+use super::apart::apart_bonds;
 use super::bond::PlaneBond;
 use super::edges::{Completion, EdgeFactors, Overlay, edge_factors, has_border, overlay};
 use super::near::{at, near_points};
@@ -47,7 +48,7 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) uncorrected: usize,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
     pub(super) cuts: Vec<(usize, usize)>,
-    /// Cut bonds that are no damage, sorted.
+    /// Bonds that never were, sorted: those between points that the body parts, and cut ones that are no damage.
     pub(super) apart: Vec<(usize, usize)>,
 }
 
@@ -72,16 +73,25 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             Edges::None => Vec::new(),
             _ => near_points(&lattice, neighbourhood.reach()),
         };
-        let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
+        let mut known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
         let bonds = (&neighbourhood, &kind.bond);
-        let border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
+        let apart = apart_bonds(&lattice, &mirrors, &neighbourhood.offsets);
+        let follows = kind.edges == Edges::Border && !lattice.blocks().is_empty();
+        if follows {
+            known.extend(&apart);
+        }
+        let mut border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
+        if kind.edges != Edges::Border {
+            let gap = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
+            border.gaps.extend(apart.iter().map(gap));
+        }
         let mut factors =
             EdgeFactors { base: vec![1.0; neighbourhood.offsets.len()], exceptions: Vec::new() };
         let mut triangles = Overlay { triangles: Vec::new(), uncorrected: 0 };
         match kind.edges {
             Edges::None => {}
             Edges::Volume | Edges::Energy => {
-                factors = edge_factors(&lattice, &mirrors, &neighbourhood, &kind, &near);
+                factors = edge_factors((&lattice, &mirrors), &neighbourhood, &kind, &near, &apart);
             }
             Edges::Border | Edges::Overlay => {
                 if !border.is_cut() {
@@ -121,7 +131,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             triangles,
             uncorrected,
             cuts,
-            apart: Vec::new(),
+            apart,
         }
     }
 
