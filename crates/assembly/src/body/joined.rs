@@ -22,17 +22,18 @@ struct Ways {
     stairs: Vec<Cell>,
     low: Cell,
     size: [usize; 3],
+    /// Steps along its longest side, and those that a chain may have.
+    far: i32,
     steps: i32,
 }
 
 impl Ways {
     fn of(offset: Cell, axes: usize) -> Self {
         let far = offset.iter().map(|k| k.abs()).max().unwrap_or(0);
-        let wider = i32::from(far > 1);
-        let along = |k: usize| if k < axes { wider } else { 0 };
+        let along = |k: usize| i32::from(k < axes);
         let low = [0, 1, 2].map(|k| offset[k].min(0) - along(k));
         let size = [0, 1, 2].map(|k| (offset[k].max(0) + along(k) - low[k] + 1) as usize);
-        Self { offset, stairs: stairs(offset), low, size, steps: far + wider }
+        Self { offset, stairs: stairs(offset), low, size, far, steps: far + 1 }
     }
 
     fn index(&self, cell: Cell) -> Option<usize> {
@@ -64,8 +65,10 @@ impl Chains<'_> {
 
     /// Whether a chain joins the points of a bond; `start` is the cell of the first one.
     fn joins(&self, start: Cell, ways: &Ways) -> bool {
-        if ways.steps == 1 {
-            return self.leads(start, plus(start, ways.offset));
+        if ways.far == 1 {
+            let end = plus(start, ways.offset);
+            let is_next = (self.has)(end) && self.is_beside(start, end);
+            return is_next && ((self.is_open)(start, end) || self.search(start, ways));
         }
         let mut last = start;
         let beside = ways.stairs.iter().all(|step| {

@@ -24,6 +24,7 @@ mod region;
 mod rows;
 mod select;
 mod solid;
+mod thin;
 mod transfer;
 mod turn;
 

@@ -11,13 +11,38 @@ pub(in super::super) fn apart_bonds(
     mirrors: &Mirrors,
     offsets: &[Cell],
 ) -> Vec<(usize, usize)> {
-    if is_box(lattice) {
+    if is_box(lattice) && lattice.slots().is_empty() {
         return Vec::new();
     }
     let reach = offsets.iter().flat_map(|o| o.map(i32::abs)).max().unwrap_or(0);
-    let has = |cell: Cell| is_there(lattice, mirrors, cell);
-    let chains = Chains { has: &has, is_open: &|_, _| true };
-    parted_bonds(lattice, &chains, offsets, &near_points(lattice, reach))
+    let (has, is_open) = (has(lattice, mirrors), is_open(lattice, mirrors));
+    let chains = Chains { has: &has, is_open: &is_open };
+    let mut near = near_points(lattice, reach);
+    if !lattice.slots().is_empty() {
+        near.extend(beside_slots(lattice, mirrors, reach + 1));
+        near.sort_unstable();
+        near.dedup();
+    }
+    parted_bonds(lattice, &chains, offsets, &near)
+}
+
+/// Points within some rows and columns of slots thinner than a cell, and of their images.
+fn beside_slots(lattice: &SquareLattice, mirrors: &Mirrors, reach: i32) -> Vec<usize> {
+    let around = || (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| [i, j, 0]));
+    let cells: HashSet<Cell> =
+        lattice.slots().iter().flat_map(|slot| around().map(|step| plus(slot.0, step))).collect();
+    let is_near = |cell: Cell| cells.contains(&cell) || cells.contains(&mirrors.image(cell).0);
+    (0..lattice.points()).filter(|&point| is_near(lattice.cell(point))).collect()
+}
+
+/// Whether a lattice has a cell, stored or an image.
+fn has<'a>(lattice: &'a SquareLattice, mirrors: &'a Mirrors) -> impl Fn(Cell) -> bool + 'a {
+    move |cell| lattice.number(if mirrors.is_none() { cell } else { mirrors.image(cell).0 }).is_some()
+}
+
+/// Whether no slot parts two next cells; images are parted as their cells are.
+fn is_open<'a>(lattice: &'a SquareLattice, mirrors: &'a Mirrors) -> impl Fn(Cell, Cell) -> bool + 'a {
+    move |from, to| lattice.is_open(mirrors.image(from).0, mirrors.image(to).0)
 }
 
 /// Pairs of cells that the body parts, beside bonds that it parts.
@@ -49,16 +74,10 @@ impl<'a> Apart<'a> {
         if !self.ends.contains(&from) && !self.ends.contains(&to) {
             return false;
         }
-        let has = |cell: Cell| is_there(self.lattice, self.mirrors, cell);
-        let chains = Chains { has: &has, is_open: &|_, _| true };
+        let (has, is_open) = (has(self.lattice, self.mirrors), is_open(self.lattice, self.mirrors));
+        let chains = Chains { has: &has, is_open: &is_open };
         from != to && !chains.join(from, minus(to, from), 2)
     }
-}
-
-/// Whether a lattice has a cell, stored or an image.
-fn is_there(lattice: &SquareLattice, mirrors: &Mirrors, cell: Cell) -> bool {
-    let image = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
-    lattice.number(image).is_some()
 }
 
 /// Whether cells fill a box: then a bond lies in the body.

@@ -73,15 +73,22 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             Edges::None => Vec::new(),
             _ => near_points(&lattice, neighbourhood.reach()),
         };
+        let apart = apart_bonds(&lattice, &mirrors, &neighbourhood.offsets);
+        if kind.edges != Edges::None && !apart.is_empty() {
+            near.extend(ends(&lattice, &neighbourhood, &apart));
+            near.sort_unstable();
+            near.dedup();
+        }
         let mut known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
         let bonds = (&neighbourhood, &kind.bond);
-        let apart = apart_bonds(&lattice, &mirrors, &neighbourhood.offsets);
-        let follows = kind.edges == Edges::Border && !lattice.blocks().is_empty();
-        if follows {
+        let is_border = kind.edges == Edges::Border;
+        if is_border && !(lattice.blocks().is_empty() && lattice.slots().is_empty()) {
             known.extend(&apart);
         }
+        // What completes points lies on one side of every slot.
+        let parted: HashSet<(usize, usize)> = known.iter().chain(&apart).copied().collect();
         let mut border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
-        if kind.edges != Edges::Border {
+        if !is_border {
             let gap = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
             border.gaps.extend(apart.iter().map(gap));
         }
@@ -99,7 +106,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                     near = with_neighbours(&lattice, &neighbourhood, near);
                 }
                 near.retain(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
-                triangles = completing(&lattice, bonds, &border, near, &known);
+                triangles = completing(&lattice, bonds, &border, near, &parted);
             }
         }
         let mut exceptions = factors.exceptions;
@@ -177,6 +184,16 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
         Some(Self::new(Arc::new(coarse), mirrors, self.neighbourhood.clone(), kind, &cuts))
     }
+}
+
+/// Points of some bonds.
+fn ends<const M: usize>(
+    lattice: &SquareLattice,
+    neighbourhood: &Neighbourhood<M>,
+    bonds: &[(usize, usize)],
+) -> Vec<usize> {
+    let upper = |k: usize, lower: usize| lattice.number(at(lattice.cell(lower), neighbourhood.offsets[k], true));
+    bonds.iter().flat_map(|&(k, lower)| [Some(lower), upper(k, lower)]).flatten().collect()
 }
 
 /// The triangles of some real points. Where the border is completed they tell stresses alone, of points of which nothing else
