@@ -3,7 +3,11 @@
 //! A bond reaches across whatever is narrower than it, and so across slots of the body. One of an offset exists if its points
 //! are joined by a chain of next cells inside the box of the offset widened by one cell, of at most `max(|a|, |b|, |c|) + 1`
 //! steps; a diagonal step needs a cell beside it. So steps of a border and dimples one cell deep cost no bond, and round holes
-//! keep all of theirs. Next neighbours are joined by their own step or not at all.
+//! keep all of theirs. Next neighbours are joined by their own step or not at all, but for those that a slot thinner than a cell
+//! parts: they may have one step more, as others.
+//!
+//! Cells that belong to no block of four, in solids of eight, keep all of their bonds: single rows and the tips of wedges hang on
+//! few others, and would fall off.
 
 use super::lattice::{Cell, SquareLattice, plus};
 
@@ -80,6 +84,19 @@ impl Chains<'_> {
         beside || self.search(start, ways)
     }
 
+    /// Whether a cell belongs to no block of four cells, in solids of eight.
+    pub(crate) fn is_thin(&self, cell: Cell, axes: usize) -> bool {
+        let blocks = 1 << axes;
+        let side = |corner: usize, k: usize| if corner >> k & 1 == 0 { -1 } else { 1 };
+        let is_whole = |corner: usize| {
+            (1..blocks).all(|part: usize| {
+                let step = [0, 1, 2].map(|k| if part >> k & 1 == 0 { 0 } else { side(corner, k) });
+                (self.has)(plus(cell, step))
+            })
+        };
+        !(0..blocks).any(is_whole)
+    }
+
     fn search(&self, start: Cell, ways: &Ways) -> bool {
         let mut seen = vec![false; ways.size.iter().product()];
         let mut last = vec![[0; 3]];
@@ -140,26 +157,28 @@ const fn next() -> [Cell; 26] {
 }
 
 /// The bonds of a lattice that no chain of cells joins: for each the index of its offset in `steps` and its point at the near
-/// end, sorted. `near` are the points within reach of a border, in order: others lose none.
+/// end, sorted. `near` are the points within reach of a border, in order: others lose none. Those that thin parts keep are not
+/// among the first, but the others.
 pub(crate) fn parted_bonds(
     lattice: &SquareLattice,
     chains: &Chains,
     steps: &[Cell],
     near: &[usize],
-) -> Vec<(usize, usize)> {
+) -> [Vec<(usize, usize)>; 2] {
     let axes = if lattice.is_plane() { 2 } else { 3 };
     let ways: Vec<Ways> = steps.iter().map(|&step| Ways::of(step, axes)).collect();
-    let mut found = Vec::new();
+    let mut found = [Vec::new(), Vec::new()];
     for &point in near {
         let cell = lattice.cell(point);
         for (k, way) in ways.iter().enumerate() {
             let other = plus(cell, way.offset);
             if lattice.number(other).is_some() && (chains.has)(other) && !chains.joins(cell, way) {
-                found.push((k, point));
+                let is_kept = [cell, other].iter().any(|end| chains.is_thin(*end, axes));
+                found[usize::from(is_kept)].push((k, point));
             }
         }
     }
-    found.sort_unstable();
+    found.iter_mut().for_each(|bonds| bonds.sort_unstable());
     found
 }
 

@@ -11,6 +11,10 @@ use std::collections::BTreeMap;
 /// Crossings this close along a step are one.
 const SAME: f64 = 1e-9;
 
+/// Cosine of the angle between the sides of a slot or a wedge that is as thin as one, outwards: 30 degrees. Wider wedges part
+/// what is beside cells that they remove.
+const FACING: f64 = -0.866;
+
 /// A step from a cell to a next one, by its index.
 type Step = (Cell, u8);
 
@@ -58,7 +62,7 @@ impl Outline {
                 let [(a, one), (b, other)] = [pair[0], pair[1]];
                 let [n, m] = [one, other].map(|k| left_normal(edge(k)[0], edge(k)[1]));
                 let middle = moved(from, 0.5 * (a + b), minus(to, from));
-                b - a > SAME && dot(n, m) < 0.0 && !self.contains(place(lattice, middle))
+                b - a > SAME && dot(n, m) < FACING && !self.contains(place(lattice, middle))
             })
         };
         crossed.iter().filter(|c| c.1.len() > 1).filter(|c| parts(*c)).map(|c| *c.0).collect()

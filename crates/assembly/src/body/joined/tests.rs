@@ -12,7 +12,7 @@ fn apart(lattice: &SquareLattice, steps: &[Cell]) -> Vec<[Cell; 2]> {
     let chains = Chains { has: &has, is_open: &|_, _| true };
     let all: Vec<usize> = (0..lattice.points()).collect();
     let ends = |(k, lower): (usize, usize)| [lattice.cell(lower), plus(lattice.cell(lower), steps[k])];
-    parted_bonds(lattice, &chains, steps, &all).into_iter().map(ends).collect()
+    parted_bonds(lattice, &chains, steps, &all)[0].iter().copied().map(ends).collect()
 }
 
 #[test]
@@ -26,17 +26,42 @@ fn a_slot_parts_bonds_and_its_ends_do_not() {
 
 #[test]
 fn a_diagonal_step_needs_a_cell_beside_it() {
-    let lattice = SquareLattice::plane(1.0, [0.0; 2], 0..2, 0..2, |[i, j]| i == j);
-    assert_eq!(apart(&lattice, &offsets(2)), [[[0, 0, 0], [1, 1, 0]]]);
-    let lattice = SquareLattice::plane(1.0, [0.0; 2], 0..2, 0..2, |[i, j]| i >= j);
-    assert!(apart(&lattice, &offsets(2)).is_empty());
+    let joins = |cells: &[Cell], offset: Cell, axes: usize| {
+        let has = |cell: Cell| cell == [0; 3] || cell == offset || cells.contains(&cell);
+        Chains { has: &has, is_open: &|_, _| true }.join([0; 3], offset, axes)
+    };
+    assert!(!joins(&[], [1, 1, 0], 2) && joins(&[[1, 0, 0]], [1, 1, 0], 2));
+    // A way around is none for next neighbours.
+    assert!(!joins(&[[-1, 0, 0], [-1, 1, 0], [0, 2, 0]], [1, 1, 0], 2));
     // In space cells beside each other lead along all axes.
-    let step = [[1, 1, 1]];
-    for (others, expected) in [(&[][..], 1), (&[[1, 0, 0]][..], 1), (&[[1, 0, 0], [1, 0, 1]][..], 0)] {
-        let inside = |cell: Cell| cell == [0; 3] || cell == [1; 3] || others.contains(&cell);
-        let lattice = SquareLattice::new(1.0, [0.0; 3], [0..2, 0..2, 0..2], inside);
-        assert_eq!(apart(&lattice, &step).len(), expected, "{others:?}");
-    }
+    assert!(!joins(&[[1, 0, 0]], [1; 3], 3) && joins(&[[1, 0, 0], [1, 0, 1]], [1; 3], 3));
+}
+
+#[test]
+fn single_rows_keep_their_bonds() {
+    // A row of one cell between two slots.
+    let inside = |[i, j]: [i32; 2]| !(5..10).contains(&i) || (j != 5 && j != 7);
+    let lattice = SquareLattice::plane(1.0, [0.0; 2], 0..15, 0..13, inside);
+    let has = |cell: Cell| lattice.number(cell).is_some();
+    let chains = Chains { has: &has, is_open: &|_, _| true };
+    let all: Vec<usize> = (0..lattice.points()).collect();
+    let [apart, kept] = parted_bonds(&lattice, &chains, &offsets(2), &all);
+    let thin: Vec<Cell> =
+        all.iter().map(|&p| lattice.cell(p)).filter(|c| chains.is_thin(*c, 2)).collect();
+    assert_eq!(thin, [5, 6, 7, 8, 9].map(|i| [i, 6, 0]));
+    // Columns 6, 7 and 8 of the row to either side.
+    assert_eq!((apart.len(), kept.len()), (0, 6));
+}
+
+/// What thin parts tell of bodies: blocks of eight cells in solids.
+#[test]
+fn blocks_of_solids_have_eight_cells() {
+    let has = |cell: Cell| cell.iter().all(|k| (0..2).contains(k));
+    let chains = Chains { has: &has, is_open: &|_, _| true };
+    assert!(!chains.is_thin([0; 3], 3));
+    let has = |cell: Cell| cell != [1; 3] && cell.iter().all(|k| (0..2).contains(k));
+    let chains = Chains { has: &has, is_open: &|_, _| true };
+    assert!(chains.is_thin([0; 3], 3) && !chains.is_thin([0; 3], 2));
 }
 
 /// Round holes, centred on a corner of cells and on a point: none loses a bond (the note of the rule has the same for 6, 10

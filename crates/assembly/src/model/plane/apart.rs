@@ -3,7 +3,7 @@
 use super::Mirrors;
 use super::near::near_points;
 use crate::body::{Cell, Chains, SquareLattice, minus, parted_bonds, plus};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 /// The bonds of a lattice that its body parts, images among them, by index of their offset and lower point, sorted.
 pub(in super::super) fn apart_bonds(
@@ -11,8 +11,66 @@ pub(in super::super) fn apart_bonds(
     mirrors: &Mirrors,
     offsets: &[Cell],
 ) -> Vec<(usize, usize)> {
+    let [apart, _] = parted(lattice, mirrors, offsets);
+    apart
+}
+
+/// Those of some parted bonds that belong to slots: so many of them beside each other that they reach along three times the
+/// longest one, or some between next points. A border that cuts cells parts the rest of them by itself, and is exact for corners
+/// that are not as deep as that.
+pub(in super::super) fn across_slots(
+    lattice: &SquareLattice,
+    offsets: &[Cell],
+    apart: &[(usize, usize)],
+) -> Vec<(usize, usize)> {
+    let reach = offsets.iter().flat_map(|o| o.map(i32::abs)).max().unwrap_or(0);
+    let mut by_cell: BTreeMap<Cell, Vec<(usize, usize)>> = BTreeMap::new();
+    apart.iter().for_each(|&bond| by_cell.entry(lattice.cell(bond.1)).or_default().push(bond));
+    let mut found = Vec::new();
+    while let Some((first, bonds)) = by_cell.pop_first() {
+        let (mut together, mut last, mut box_of) = (bonds, vec![first], [first; 2]);
+        while let Some(cell) = last.pop() {
+            box_of = [0, 1].map(|side| {
+                [0, 1, 2].map(|k| if side == 0 { box_of[0][k].min(cell[k]) } else { box_of[1][k].max(cell[k]) })
+            });
+            let around = (-1..=1).flat_map(|j| (-1..=1).map(move |i| plus(cell, [i, j, 0])));
+            for next in around {
+                if let Some(bonds) = by_cell.remove(&next) {
+                    together.extend(bonds);
+                    last.push(next);
+                }
+            }
+        }
+        let is_deep = minus(box_of[1], box_of[0]).iter().any(|side| *side >= 3 * reach);
+        let parts_next = |&(k, _): &(usize, usize)| offsets[k].iter().all(|x| x.abs() <= 1);
+        if is_deep || together.iter().any(parts_next) {
+            found.extend(together);
+        }
+    }
+    found
+}
+
+/// The points of parts one cell wide that keep bonds across what is beside them.
+pub fn thin_points(lattice: &SquareLattice, mirrors: &Mirrors, offsets: &[Cell]) -> Vec<usize> {
+    let [_, kept] = parted(lattice, mirrors, offsets);
+    let has = has(lattice, mirrors);
+    let chains = Chains { has: &has, is_open: &|_, _| true };
+    let axes = if lattice.is_plane() { 2 } else { 3 };
+    let ends = kept.iter().flat_map(|&(k, lower)| {
+        let cell = lattice.cell(lower);
+        [cell, plus(cell, offsets[k])]
+    });
+    let thin = ends.filter(|&cell| mirrors.is_real(cell) && chains.is_thin(cell, axes));
+    let mut points: Vec<usize> = thin.filter_map(|cell| lattice.number(cell)).collect();
+    points.sort_unstable();
+    points.dedup();
+    points
+}
+
+/// The bonds that a body parts, and those of them that thin parts keep.
+fn parted(lattice: &SquareLattice, mirrors: &Mirrors, offsets: &[Cell]) -> [Vec<(usize, usize)>; 2] {
     if is_box(lattice) && lattice.slots().is_empty() {
-        return Vec::new();
+        return [Vec::new(), Vec::new()];
     }
     let reach = offsets.iter().flat_map(|o| o.map(i32::abs)).max().unwrap_or(0);
     let (has, is_open) = (has(lattice, mirrors), is_open(lattice, mirrors));

@@ -4,7 +4,7 @@
 //! its two ends, `f_ij = min(a_i, a_j)`, so that what a point lacks is never negative; the overlay gives it back. Other
 //! treatments of edges have whole cells.
 
-use super::apart::apart_bonds;
+use super::apart::{across_slots, apart_bonds};
 use super::bond::PlaneBond;
 use super::edges::{Completion, EdgeFactors, Overlay, edge_factors, has_border, overlay};
 use super::near::{at, near_points};
@@ -83,14 +83,14 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let bonds = (&neighbourhood, &kind.bond);
         let is_border = kind.edges == Edges::Border;
         if is_border && !(lattice.blocks().is_empty() && lattice.slots().is_empty()) {
-            known.extend(&apart);
+            known.extend(across_slots(&lattice, &neighbourhood.offsets, &apart));
         }
         // What completes points lies on one side of every slot.
         let parted: HashSet<(usize, usize)> = known.iter().chain(&apart).copied().collect();
         let mut border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
         if !is_border {
             let gap = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
-            border.gaps.extend(apart.iter().map(gap));
+            border.gaps.extend(apart.iter().filter(|bond| neighbourhood.has_bonds(bond.0)).map(gap));
         }
         let mut factors =
             EdgeFactors { base: vec![1.0; neighbourhood.offsets.len()], exceptions: Vec::new() };

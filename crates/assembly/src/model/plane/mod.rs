@@ -19,6 +19,7 @@ mod terms;
 pub(super) mod through_border;
 pub mod toughness;
 
+pub use apart::thin_points;
 pub use bond::{LatticeBond, PlaneBond};
 pub use breaking::CriticalStretch;
 pub use edges::{BorderShares, FARTHEST, has_border};

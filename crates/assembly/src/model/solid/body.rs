@@ -103,7 +103,8 @@ impl SolidBody {
         let border = has_border.then(|| Border::new((&lattice, &mirrors), (&law, bond), &near, &known));
         let apart = apart_bonds(&lattice, &mirrors, &neighbourhood.offsets);
         let gap = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
-        let parted: Vec<Exception> = apart.iter().map(gap).collect();
+        let parted: Vec<Exception> =
+            apart.iter().filter(|bond| neighbourhood.has_bonds(bond.0)).map(gap).collect();
         let gaps: &[Exception] = border.as_ref().map_or(&parted, |border| &border.gaps);
         near.retain(|&point| mirrors.is_real(lattice.cell(point)));
         let completed = if law.edges.is_exact() { &near[..] } else { &[] };
