@@ -16,13 +16,15 @@ pub(in super::super) fn apart_bonds(
 }
 
 /// Those of some parted bonds that belong to slots: so many of them beside each other that they reach along three times the
-/// longest one, or some between next points. A border that cuts cells parts the rest of them by itself, and is exact for corners
+/// longest one, or some between next points that a slot thinner than a cell parts. A border that cuts cells parts the rest of them by itself, and is exact for corners
 /// that are not as deep as that.
 pub(in super::super) fn across_slots(
     lattice: &SquareLattice,
+    mirrors: &Mirrors,
     offsets: &[Cell],
     apart: &[(usize, usize)],
 ) -> Vec<(usize, usize)> {
+    let is_open = is_open(lattice, mirrors);
     let reach = offsets.iter().flat_map(|o| o.map(i32::abs)).max().unwrap_or(0);
     let mut by_cell: BTreeMap<Cell, Vec<(usize, usize)>> = BTreeMap::new();
     apart.iter().for_each(|&bond| by_cell.entry(lattice.cell(bond.1)).or_default().push(bond));
@@ -42,8 +44,11 @@ pub(in super::super) fn across_slots(
             }
         }
         let is_deep = minus(box_of[1], box_of[0]).iter().any(|side| *side >= 3 * reach);
-        let parts_next = |&(k, _): &(usize, usize)| offsets[k].iter().all(|x| x.abs() <= 1);
-        if is_deep || together.iter().any(parts_next) {
+        let is_thin = |&(k, lower): &(usize, usize)| {
+            let cell = lattice.cell(lower);
+            !is_open(cell, plus(cell, offsets[k]))
+        };
+        if is_deep || together.iter().any(is_thin) {
             found.extend(together);
         }
     }

@@ -83,7 +83,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let bonds = (&neighbourhood, &kind.bond);
         let is_border = kind.edges == Edges::Border;
         if is_border && !(lattice.blocks().is_empty() && lattice.slots().is_empty()) {
-            known.extend(across_slots(&lattice, &neighbourhood.offsets, &apart));
+            known.extend(across_slots(&lattice, &mirrors, &neighbourhood.offsets, &apart));
         }
         // What completes points lies on one side of every slot.
         let parted: HashSet<(usize, usize)> = known.iter().chain(&apart).copied().collect();
