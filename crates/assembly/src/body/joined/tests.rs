@@ -46,8 +46,7 @@ fn single_rows_keep_their_bonds() {
     let chains = Chains { has: &has, is_open: &|_, _| true };
     let all: Vec<usize> = (0..lattice.points()).collect();
     let [apart, kept] = parted_bonds(&lattice, &chains, &offsets(2), &all);
-    let thin: Vec<Cell> =
-        all.iter().map(|&p| lattice.cell(p)).filter(|c| chains.is_thin(*c, 2)).collect();
+    let thin: Vec<Cell> = all.iter().map(|&p| lattice.cell(p)).filter(|c| chains.is_thin(*c, 2)).collect();
     assert_eq!(thin, [5, 6, 7, 8, 9].map(|i| [i, 6, 0]));
     // Columns 6, 7 and 8 of the row to either side.
     assert_eq!((apart.len(), kept.len()), (0, 6));

@@ -33,7 +33,8 @@ pub(in super::super) fn across_slots(
         let (mut together, mut last, mut box_of) = (bonds, vec![first], [first; 2]);
         while let Some(cell) = last.pop() {
             box_of = [0, 1].map(|side| {
-                [0, 1, 2].map(|k| if side == 0 { box_of[0][k].min(cell[k]) } else { box_of[1][k].max(cell[k]) })
+                [0, 1, 2]
+                    .map(|k| if side == 0 { box_of[0][k].min(cell[k]) } else { box_of[1][k].max(cell[k]) })
             });
             let around = (-1..=1).flat_map(|j| (-1..=1).map(move |i| plus(cell, [i, j, 0])));
             for next in around {
@@ -127,8 +128,7 @@ impl<'a> Apart<'a> {
             let cell = lattice.cell(lower);
             [cell, plus(cell, offsets[k])]
         };
-        let bonds: Vec<[Cell; 2]> =
-            apart_bonds(lattice, mirrors, offsets).into_iter().map(ends).collect();
+        let bonds: Vec<[Cell; 2]> = apart_bonds(lattice, mirrors, offsets).into_iter().map(ends).collect();
         (Self { lattice, mirrors, ends: bonds.iter().flatten().copied().collect() }, bonds)
     }
 

@@ -49,7 +49,7 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
     pub(super) cuts: Vec<(usize, usize)>,
     /// Bonds that never were, sorted: those between points that the body parts, and cut ones that are no damage.
-    pub(super) apart: Vec<(usize, usize)>,
+    pub(in super::super) apart: Vec<(usize, usize)>,
 }
 
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
@@ -192,7 +192,8 @@ fn ends<const M: usize>(
     neighbourhood: &Neighbourhood<M>,
     bonds: &[(usize, usize)],
 ) -> Vec<usize> {
-    let upper = |k: usize, lower: usize| lattice.number(at(lattice.cell(lower), neighbourhood.offsets[k], true));
+    let upper =
+        |k: usize, lower: usize| lattice.number(at(lattice.cell(lower), neighbourhood.offsets[k], true));
     bonds.iter().flat_map(|&(k, lower)| [Some(lower), upper(k, lower)]).flatten().collect()
 }
 

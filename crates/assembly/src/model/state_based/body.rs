@@ -120,9 +120,8 @@ impl StateBody {
             })
             .collect();
         let ghosts = (0..lattice.points()).filter(|&p| !is_real[p]).map(|p| p as u32).collect();
-        let ghost_bonds = |separated: &Separated| {
-            parted_ghosts((&real, &lattice, &mirrors), &fits, &half, separated)
-        };
+        let ghost_bonds =
+            |separated: &Separated| parted_ghosts((&real, &lattice, &mirrors), &fits, &half, separated);
         let bond = |[from, to]: [Cell; 2]| {
             let offset = half.iter().position(|o| plus(from, *o) == to)?;
             Some((offset, lattice.number(from)?))

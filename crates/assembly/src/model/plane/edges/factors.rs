@@ -82,9 +82,8 @@ pub(in super::super) fn edge_factors<
         let lower = if side { cell } else { at(cell, neighbourhood.offsets[k], false) };
         lattice.number(lower).is_some_and(|lower| apart.binary_search(&(k, lower)).is_err())
     };
-    let there = |cell: Cell, k: usize, side: bool| {
-        lattice.number(at(cell, neighbourhood.offsets[k], side)).is_some()
-    };
+    let there =
+        |cell: Cell, k: usize, side: bool| lattice.number(at(cell, neighbourhood.offsets[k], side)).is_some();
     let of = |cell: Cell| own(&|k, side| there(cell, k, side) && (apart.is_empty() || joined(cell, k, side)));
     let known: HashMap<usize, [f64; 2]> = near
         .iter()
