@@ -2,6 +2,7 @@
 
 use crate::support::plane::{displacements, probe, scene, solve};
 use peristat::case::FieldName;
+use peristat::run::Resultants;
 use serde_json::{Value, json};
 
 /// Opening in the middle of a slot of 21 spacings in a plate of 85 × 85 over `4 a σ/E`, that of a crack of the half length a in
@@ -145,4 +146,76 @@ fn a_narrow_bridge_is_reported_by_name() {
     let narrow = said(&case(1.0));
     assert!(narrow.contains("one cell wide between `lower` and `upper`"), "{narrow}");
     assert!(!said(&case(2.0)).contains("one cell wide"));
+}
+
+fn resultants(case: &Value) -> Resultants {
+    solve(case).states[0].certificate.resultants.clone().expect("resultants")
+}
+
+/// A ligament of 0.3 spacings between a hole and an edge: what completes it turns with the body, so that supports bear the moment
+/// that is asked for. They had 3210.56 of 3200.
+#[test]
+fn a_thin_ligament_resists_no_turn() {
+    for hole in [[10.3, 40.3], [10.3, 40.0], [40.0, 69.7]] {
+        let case = json!({
+            "title": "ligament",
+            "model": { "state_plane": { "youngs_modulus": 1e5, "poisson_ratio": 0.3, "state": "plane_stress" } },
+            "body": { "rectangle": { "size": [80, 80], "spacing": 1, "holes": [{ "circle": { "centre": hole, "radius": 10 } }] } },
+            "supports": [{ "at": { "region": "right" }, "ux": 0, "uy": 0 }],
+            "loads": [{ "traction": { "edge": "left", "uniform": [1, 0] } }]
+        });
+        let resultants = resultants(&case);
+        let moments = [resultants.asked.moment, resultants.reactions.moment].map(|m| m.expect("a moment"));
+        assert!((moments[0] + 3200.0).abs() < 1e-9 && (moments[1] - 3200.0).abs() < 1e-6, "{hole:?} {moments:?}");
+    }
+}
+
+/// Half of a square on its corner under pressure: its border meets the line of symmetry at a slant, and its strain is uniform.
+#[test]
+fn a_border_meets_a_mirror_at_a_slant() {
+    let case = json!({
+        "title": "slant",
+        "model": { "beam_bond_orthotropic": { "youngs_modulus_1": 1e5, "youngs_modulus_2": 1e5, "poisson_ratio_12": 0.3,
+            "shear_modulus_12": 1e5 / 2.6, "fibre_angle": 0 } },
+        "body": { "outline": { "vertices": [[0, -40], [40, 0], [0, 40]], "spacing": 2 } },
+        "symmetry": ["left"], "supports": [{ "at": { "x": 1, "y": 1 }, "uy": 0 }],
+        "loads": [{ "traction": { "edge": ["edge_1", "edge_2"], "pressure": 1 } }]
+    });
+    // `solve` asserts that the certificate holds.
+    let run = solve(&case);
+    let error = run.error(0, |[x, y]| [-0.7e-5 * x, -0.7e-5 * (y - 1.0)]);
+    assert!(error < 1e-9, "{error}");
+    let force = resultants(&case).reactions.force_x.expect("a force");
+    assert!((force - 80.0).abs() < 1e-9, "{force}");
+}
+
+/// A hole that touches an edge in its middle leaves the edge its load: the edge lost all of it, and had no area.
+#[test]
+fn a_hole_that_touches_an_edge_leaves_it_its_load() {
+    let case = json!({
+        "title": "touching",
+        "model": { "bond_plane": { "youngs_modulus": 1e5, "state": "plane_stress" } },
+        "body": { "rectangle": { "size": [40, 20], "spacing": 1, "holes": [{ "circle": { "centre": [20, 15], "radius": 5 } }] } },
+        "supports": [{ "at": { "region": "bottom" }, "uy": 0 }, { "at": { "x": 0.5, "y": 0.5 }, "ux": 0 }],
+        "loads": [{ "traction": { "edge": "top", "uniform": [0, 1] } }]
+    });
+    let found = resultants(&case);
+    let forces = [found.asked.force_y, found.reactions.force_y].map(|f| f.expect("a force"));
+    assert!((forces[0] - 40.0).abs() < 1e-9 && (forces[1] + 40.0).abs() < 1e-9, "{forces:?}");
+}
+
+/// Probes of two edges with a common corner sum to the whole, as the rows of their supports do.
+#[test]
+fn a_corner_counts_for_one_of_its_edges() {
+    let case = json!({
+        "title": "corner",
+        "model": { "bond_plane": { "youngs_modulus": 1e5, "state": "plane_stress" } },
+        "body": { "rectangle": { "size": [20, 10], "spacing": 1 } },
+        "supports": [{ "at": { "region": "left" }, "ux": 0, "uy": 0 }, { "at": { "region": "bottom" }, "ux": 0, "uy": 0 }],
+        "loads": [{ "traction": { "edge": "right", "uniform": [3, 1] } }],
+        "probes": [{ "name": "left", "at": { "region": "left" }, "field": "reaction_x" },
+                   { "name": "bottom", "at": { "region": "bottom" }, "field": "reaction_x" }]
+    });
+    let [left, bottom] = ["left", "bottom"].map(|name| probe(&case, name));
+    assert!((left + bottom + 30.0).abs() < 1e-9, "{left} {bottom}");
 }

@@ -1,9 +1,70 @@
 //! Bonds that never were, because nothing of the body lies between their points.
 
-use super::Mirrors;
 use super::near::near_points;
+use super::neighbourhood::Neighbourhood;
+use super::{Edges, Mirrors};
 use crate::body::{Cell, Chains, SquareLattice, minus, parted_bonds, plus};
+use crate::stiffness::Exception;
 use std::collections::{BTreeMap, HashSet};
+
+/// What parts the points of a lattice: bonds by index of their offset and lower point.
+pub(super) struct Parted {
+    /// Bonds that never were, sorted.
+    pub(super) apart: Vec<(usize, usize)>,
+    /// Bonds that cracks cut, and those across slots that a border does not part by itself.
+    pub(super) cuts: HashSet<(usize, usize)>,
+    /// All of them.
+    pub(super) all: HashSet<(usize, usize)>,
+}
+
+impl Parted {
+    /// That of a lattice with some edges, and bonds that cracks cut.
+    pub(super) fn new<const M: usize>(
+        (lattice, mirrors): (&SquareLattice, &Mirrors),
+        neighbourhood: &Neighbourhood<M>,
+        edges: Edges,
+        cuts: &[(usize, usize)],
+    ) -> Self {
+        let offsets = &neighbourhood.offsets;
+        let apart = apart_bonds(lattice, mirrors, offsets);
+        let mut cuts: HashSet<(usize, usize)> = cuts.iter().copied().collect();
+        // On whole cells bonds end where they leave them.
+        let is_whole = lattice.blocks().is_empty() && lattice.slots().is_empty();
+        if edges == Edges::Border && !is_whole {
+            cuts.extend(across_slots(lattice, mirrors, offsets, &apart));
+        }
+        let all = cuts.iter().chain(&apart).copied().collect();
+        Self { apart, cuts, all }
+    }
+
+    /// Some points and those of the bonds that never were, in order.
+    pub(super) fn with_ends<const M: usize>(
+        &self,
+        lattice: &SquareLattice,
+        neighbourhood: &Neighbourhood<M>,
+        mut points: Vec<usize>,
+    ) -> Vec<usize> {
+        if self.apart.is_empty() {
+            return points;
+        }
+        for &(k, lower) in &self.apart {
+            let upper = plus(lattice.cell(lower), neighbourhood.offsets[k]);
+            points.extend([Some(lower), lattice.number(upper)].into_iter().flatten());
+        }
+        points.sort_unstable();
+        points.dedup();
+        points
+    }
+
+    /// Those that never were of the offsets that have bonds.
+    pub(super) fn gaps<const M: usize>(
+        &self,
+        neighbourhood: &Neighbourhood<M>,
+    ) -> impl Iterator<Item = Exception> {
+        let bonded = self.apart.iter().filter(|bond| neighbourhood.has_bonds(bond.0));
+        bonded.map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 })
+    }
+}
 
 /// The bonds of a lattice that its body parts, images among them, by index of their offset and lower point, sorted.
 pub(in super::super) fn apart_bonds(
@@ -18,7 +79,7 @@ pub(in super::super) fn apart_bonds(
 /// Those of some parted bonds that belong to slots: so many of them beside each other that they reach along three times the
 /// longest one, or some between next points that a slot thinner than a cell parts. A border that cuts cells parts the rest of them by itself, and is exact for corners
 /// that are not as deep as that.
-pub(in super::super) fn across_slots(
+fn across_slots(
     lattice: &SquareLattice,
     mirrors: &Mirrors,
     offsets: &[Cell],

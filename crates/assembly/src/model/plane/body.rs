@@ -4,7 +4,7 @@
 //! its two ends, `f_ij = min(a_i, a_j)`, so that what a point lacks is never negative; the overlay gives it back. Other
 //! treatments of edges have whole cells.
 
-use super::apart::{across_slots, apart_bonds};
+use super::apart::Parted;
 use super::bond::PlaneBond;
 use super::edges::{Completion, EdgeFactors, Overlay, edge_factors, has_border, overlay};
 use super::near::{at, near_points};
@@ -69,28 +69,15 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             _ if lattice.cut_cells().is_empty() => lattice,
             _ => Arc::new(SquareLattice::clone(&lattice).with_whole_cells()),
         };
+        let parted = Parted::new((&lattice, &mirrors), &neighbourhood, kind.edges, cuts);
         let mut near = match kind.edges {
             Edges::None => Vec::new(),
-            _ => near_points(&lattice, neighbourhood.reach()),
+            _ => parted.with_ends(&lattice, &neighbourhood, near_points(&lattice, neighbourhood.reach())),
         };
-        let apart = apart_bonds(&lattice, &mirrors, &neighbourhood.offsets);
-        if kind.edges != Edges::None && !apart.is_empty() {
-            near.extend(ends(&lattice, &neighbourhood, &apart));
-            near.sort_unstable();
-            near.dedup();
-        }
-        let mut known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
         let bonds = (&neighbourhood, &kind.bond);
-        let is_border = kind.edges == Edges::Border;
-        if is_border && !(lattice.blocks().is_empty() && lattice.slots().is_empty()) {
-            known.extend(across_slots(&lattice, &mirrors, &neighbourhood.offsets, &apart));
-        }
-        // What completes points lies on one side of every slot.
-        let parted: HashSet<(usize, usize)> = known.iter().chain(&apart).copied().collect();
-        let mut border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
-        if !is_border {
-            let gap = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
-            border.gaps.extend(apart.iter().filter(|bond| neighbourhood.has_bonds(bond.0)).map(gap));
+        let mut border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &parted.cuts);
+        if kind.edges != Edges::Border {
+            border.gaps.extend(parted.gaps(&neighbourhood));
         }
         let mut factors =
             EdgeFactors { base: vec![1.0; neighbourhood.offsets.len()], exceptions: Vec::new() };
@@ -98,7 +85,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         match kind.edges {
             Edges::None => {}
             Edges::Volume | Edges::Energy => {
-                factors = edge_factors((&lattice, &mirrors), &neighbourhood, &kind, &near, &apart);
+                factors = edge_factors((&lattice, &mirrors), &neighbourhood, &kind, &near, &parted.apart);
             }
             Edges::Border | Edges::Overlay => {
                 if !border.is_cut() {
@@ -106,11 +93,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                     near = with_neighbours(&lattice, &neighbourhood, near);
                 }
                 near.retain(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
-                triangles = completing(&lattice, bonds, &border, near, &parted);
+                triangles = completing(&lattice, bonds, &border, near, &parted.all);
             }
         }
         let mut exceptions = factors.exceptions;
-        let mut cuts: Vec<(usize, usize)> = known.into_iter().collect();
+        let mut cuts: Vec<(usize, usize)> = parted.cuts.into_iter().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
         let grid = |exceptions: &[Exception]| {
@@ -138,7 +125,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             triangles,
             uncorrected,
             cuts,
-            apart,
+            apart: parted.apart,
         }
     }
 
@@ -184,17 +171,6 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
         Some(Self::new(Arc::new(coarse), mirrors, self.neighbourhood.clone(), kind, &cuts))
     }
-}
-
-/// Points of some bonds.
-fn ends<const M: usize>(
-    lattice: &SquareLattice,
-    neighbourhood: &Neighbourhood<M>,
-    bonds: &[(usize, usize)],
-) -> Vec<usize> {
-    let upper =
-        |k: usize, lower: usize| lattice.number(at(lattice.cell(lower), neighbourhood.offsets[k], true));
-    bonds.iter().flat_map(|&(k, lower)| [Some(lower), upper(k, lower)]).flatten().collect()
 }
 
 /// The triangles of some real points. Where the border is completed they tell stresses alone, of points of which nothing else
