@@ -65,6 +65,7 @@ mod served;
 mod shell;
 mod short_beams;
 mod skipping;
+mod slots;
 mod softening_edges;
 mod solid_files;
 mod solid_joined;

@@ -89,7 +89,8 @@ impl BorderPart {
                 let (square, half) = (dot(d, d), dot(d, r));
                 let root = half * half - square * (dot(r, r) - radius * radius);
                 if root <= 0.0 {
-                    return Vec::new();
+                    // Where it is nearest: a circle that touches the line has nothing of it, but its middle.
+                    return vec![-half / square];
                 }
                 [-1.0, 1.0].map(|sign| (sign * root.sqrt() - half) / square).to_vec()
             }
@@ -114,10 +115,8 @@ impl BorderPart {
     /// Shares at which an arc has this cosine with a direction.
     fn shares_beside(&self, direction: Point, cosine: f64) -> Vec<f64> {
         let Self::Round { angles: [start, end], .. } = *self else { return Vec::new() };
-        if cosine.abs() >= 1.0 {
-            return Vec::new();
-        }
-        let (middle, half) = (direction[1].atan2(direction[0]), cosine.acos());
+        // What does not meet the circle is nearest to it at one place, which it may touch.
+        let (middle, half) = (direction[1].atan2(direction[0]), cosine.clamp(-1.0, 1.0).acos());
         let share = |angle: f64| (angle - start).rem_euclid(TAU) / (end - start);
         vec![share(middle - half), share(middle + half)]
     }
@@ -268,6 +267,21 @@ mod tests {
         for part in &arc {
             assert!(part.at(0.5)[1] > 0.0);
         }
+    }
+
+    /// A circle that touches an edge in its middle, within rounding on either side of it, takes nothing of it, nor the edge of it.
+    #[test]
+    fn a_hole_that_touches_an_edge_takes_nothing_of_it() {
+        for off in [0.0, 1e-12, -1e-12, 1e-9, 3e-8] {
+            let outline = body(vec![Shape::Circle { centre: [5.0, 2.0 + off], radius: 2.0 }]);
+            let bottom = outline.edge_parts(outline.edge("bottom").unwrap());
+            assert!((length(&bottom) - 10.0).abs() < 1e-5, "{off}: {bottom:?}");
+            assert!((length(&outline.hole_parts(0)) - 4.0 * PI).abs() < 1e-5, "{off}");
+        }
+        // Circles that touch each other from outside.
+        let circle = |x: f64| Shape::Circle { centre: [x, 3.0], radius: 1.0 };
+        let outline = body(vec![circle(4.0), circle(6.0)]);
+        (0..2).for_each(|hole| assert!((length(&outline.hole_parts(hole)) - 2.0 * PI).abs() < 1e-9));
     }
 
     #[test]

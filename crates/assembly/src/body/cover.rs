@@ -57,7 +57,7 @@ pub(super) fn partly_covered(
 }
 
 /// The part of a segment where a coordinate is between two values; of no length if there is none.
-fn clipped(a: Point, b: Point, axis: usize, [low, high]: [f64; 2]) -> [Point; 2] {
+pub(super) fn clipped(a: Point, b: Point, axis: usize, [low, high]: [f64; 2]) -> [Point; 2] {
     let at = |end: Point| {
         let value = end[axis].clamp(low, high);
         if value == end[axis] {

@@ -38,7 +38,7 @@ pub enum FillError {
     /// No cell has its centre in the body.
     #[error("no cell has its centre in the body: the spacing is too large")]
     NoPoints,
-    /// A hole is missed by all centres, so it would have no effect.
+    /// A hole is missed by all centres and parts no points, so it would have no effect.
     #[error("no centre of a cell is in hole {hole}: the spacing is too large for it")]
     NoCellInHole {
         /// Which hole, from zero, in the order in which they were cut.
@@ -147,7 +147,7 @@ impl Outline {
         let in_cells = |[x, y]: Point| [(x - corner[0]) / spacing - 0.5, (y - corner[1]) / spacing - 0.5];
         let closed: Vec<Point> = self.border().vertices().iter().map(|v| in_cells(*v)).collect();
         let solid = Rows::inside(size, &closed).or(Rows::border(size, &closed, BORDER));
-        let mut rows = solid.clone();
+        let (mut rows, mut missed) = (solid.clone(), Vec::new());
         for (hole, cut) in self.holes().iter().enumerate() {
             let removed = match (&cut.shape, cut.shape.stadium()) {
                 (_, Some((from, to, radius))) => {
@@ -161,7 +161,7 @@ impl Outline {
                 _ => continue,
             };
             if !removed.meets(&solid) {
-                return Err(FillError::NoCellInHole { hole });
+                missed.push(hole);
             }
             rows = rows.without(&removed);
         }
@@ -170,6 +170,7 @@ impl Outline {
         }
         let lattice =
             SquareLattice::plane(spacing, corner, 0..size[0], 0..size[1], |cell| rows.contains(cell));
+        let lattice = self.with_thin_slots(lattice, &missed)?;
         let areas = self.areas(&lattice, size);
         let lattice = lattice.with_areas(&areas);
         let blocks = if lattice.cut_cells().is_empty() { Vec::new() } else { self.blocks(&lattice, size) };

@@ -4,8 +4,10 @@ mod cell;
 mod coarser;
 mod cut;
 mod place;
+mod slots;
 
 pub use cell::{minus, plus};
+pub(super) use slots::STEPS;
 
 use super::turn::Turn;
 use std::ops::Range;
@@ -84,6 +86,8 @@ pub struct SquareLattice {
     blocks: Vec<(Cell, TriangleParts)>,
     /// Centres of the parts of these blocks, where they are known.
     centres: Vec<Centres>,
+    /// Steps between next points that slots thinner than a cell part, by the lower cell and the index of the step, ascending.
+    slots: Vec<(Cell, u8)>,
 }
 
 impl SquareLattice {
@@ -178,6 +182,7 @@ impl SquareLattice {
             cut: Vec::new(),
             blocks: Vec::new(),
             centres: Vec::new(),
+            slots: Vec::new(),
         }
     }
 

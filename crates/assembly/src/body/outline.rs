@@ -22,6 +22,13 @@ pub struct Edge {
     pub is_chord: bool,
 }
 
+impl Edge {
+    /// Distance of a position, m.
+    pub fn distance(&self, position: [f64; 2]) -> f64 {
+        to_segment(position, self.from, self.to)
+    }
+}
+
 /// Where a hole is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
@@ -238,6 +245,15 @@ impl Shape {
             Self::Circle { radius, .. } => TAU * radius,
             Self::Slot { from, to, radius } => TAU * radius + 2.0 * distance(*from, *to),
             Self::Polygon(polygon) => polygon.perimeter(),
+        }
+    }
+
+    /// Distance of a position from the border, m.
+    pub fn distance(&self, position: [f64; 2]) -> f64 {
+        match (self, self.stadium()) {
+            (_, Some((from, to, radius))) => (to_segment(position, from, to) - radius).abs(),
+            (Self::Polygon(polygon), _) => polygon.distance(position, position),
+            _ => f64::INFINITY,
         }
     }
 

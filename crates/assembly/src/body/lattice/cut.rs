@@ -31,9 +31,10 @@ impl SquareLattice {
         self
     }
 
-    /// The lattice with the blocks of another one, and their centres.
+    /// The lattice with the blocks of another one, their centres, and its slots.
     pub(crate) fn with_blocks_of(self, other: &Self) -> Self {
-        Self { blocks: other.blocks.clone(), centres: other.centres.clone(), ..self }
+        let (blocks, centres) = (other.blocks.clone(), other.centres.clone());
+        Self { blocks, centres, slots: other.slots.clone(), ..self }
     }
 
     /// Centres of the parts of all blocks, in their order; none where they are not known.

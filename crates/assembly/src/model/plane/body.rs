@@ -4,6 +4,7 @@
 //! its two ends, `f_ij = min(a_i, a_j)`, so that what a point lacks is never negative; the overlay gives it back. Other
 //! treatments of edges have whole cells.
 
+use super::apart::Parted;
 use super::bond::PlaneBond;
 use super::edges::{Completion, EdgeFactors, Overlay, edge_factors, has_border, overlay};
 use super::near::{at, near_points};
@@ -47,8 +48,8 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) uncorrected: usize,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
     pub(super) cuts: Vec<(usize, usize)>,
-    /// Cut bonds that are no damage, sorted.
-    pub(super) apart: Vec<(usize, usize)>,
+    /// Bonds that never were, sorted: those between points that the body parts, and cut ones that are no damage.
+    pub(in super::super) apart: Vec<(usize, usize)>,
 }
 
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
@@ -68,20 +69,23 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             _ if lattice.cut_cells().is_empty() => lattice,
             _ => Arc::new(SquareLattice::clone(&lattice).with_whole_cells()),
         };
+        let parted = Parted::new((&lattice, &mirrors), &neighbourhood, kind.edges, cuts);
         let mut near = match kind.edges {
             Edges::None => Vec::new(),
-            _ => near_points(&lattice, neighbourhood.reach()),
+            _ => parted.with_ends(&lattice, &neighbourhood, near_points(&lattice, neighbourhood.reach())),
         };
-        let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
         let bonds = (&neighbourhood, &kind.bond);
-        let border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
+        let mut border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &parted.cuts);
+        if kind.edges != Edges::Border {
+            border.gaps.extend(parted.gaps(&neighbourhood));
+        }
         let mut factors =
             EdgeFactors { base: vec![1.0; neighbourhood.offsets.len()], exceptions: Vec::new() };
         let mut triangles = Overlay { triangles: Vec::new(), uncorrected: 0 };
         match kind.edges {
             Edges::None => {}
             Edges::Volume | Edges::Energy => {
-                factors = edge_factors(&lattice, &mirrors, &neighbourhood, &kind, &near);
+                factors = edge_factors((&lattice, &mirrors), &neighbourhood, &kind, &near, &parted.apart);
             }
             Edges::Border | Edges::Overlay => {
                 if !border.is_cut() {
@@ -89,11 +93,11 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                     near = with_neighbours(&lattice, &neighbourhood, near);
                 }
                 near.retain(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
-                triangles = completing(&lattice, bonds, &border, near, &known);
+                triangles = completing(&lattice, bonds, &border, near, &parted.all);
             }
         }
         let mut exceptions = factors.exceptions;
-        let mut cuts: Vec<(usize, usize)> = known.into_iter().collect();
+        let mut cuts: Vec<(usize, usize)> = parted.cuts.into_iter().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
         let grid = |exceptions: &[Exception]| {
@@ -121,7 +125,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             triangles,
             uncorrected,
             cuts,
-            apart: Vec::new(),
+            apart: parted.apart,
         }
     }
 

@@ -1,6 +1,7 @@
 //! What models of bodies in the plane share: bonds on a square lattice with images in lines of symmetry, what is done about
 //! the bonds that points near edges lack, stresses and the loads that belong to them, critical stretches.
 
+mod apart;
 mod body;
 mod bond;
 mod breaking;
@@ -18,6 +19,7 @@ mod terms;
 pub(super) mod through_border;
 pub mod toughness;
 
+pub use apart::thin_points;
 pub use bond::{LatticeBond, PlaneBond};
 pub use breaking::CriticalStretch;
 pub use edges::{BorderShares, FARTHEST, has_border};
@@ -26,6 +28,7 @@ pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
 pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 
+pub(super) use apart::{Apart, apart_bonds};
 pub(super) use body::{Kind, LatticeBody, grid, halved};
 pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{

@@ -37,7 +37,10 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         match (self.border.is_none(), self.border.is_cut()) {
             (true, _) => None,
             (_, false) => Some(border_shares(&self.lattice, &self.mirrors, &self.neighbourhood, cuts())),
-            (_, true) => Some(cut_shares(&self.lattice, &self.mirrors, &self.neighbourhood, cuts())),
+            (_, true) => {
+                let parted = (cuts(), !self.apart.is_empty());
+                Some(cut_shares(&self.lattice, &self.mirrors, &self.neighbourhood, parted))
+            }
         }
     }
 

@@ -4,7 +4,7 @@
 //! mean of the parts of its two ends.
 
 use super::super::plane::{
-    FARTHEST, FindCuts, Mirrors, Neighbourhood, at, can_end, grid, halved, near_points,
+    FARTHEST, FindCuts, Mirrors, Neighbourhood, apart_bonds, at, can_end, grid, halved, near_points,
 };
 use super::bond::SolidBond;
 use super::border::Border;
@@ -73,6 +73,8 @@ pub(super) struct SolidBody {
     pub(super) families: Option<Arc<GridFamilies<3>>>,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points, sorted by these.
     pub(super) cuts: Vec<(usize, usize)>,
+    /// Bonds that never were, because the body parts their points, sorted.
+    pub(super) apart: Vec<(usize, usize)>,
 }
 
 impl SolidBody {
@@ -99,7 +101,11 @@ impl SolidBody {
         let bond = SolidBond { volume: lattice.spacing().powi(3) };
         let has_border = law.edges == SolidEdges::Border;
         let border = has_border.then(|| Border::new((&lattice, &mirrors), (&law, bond), &near, &known));
-        let gaps: &[Exception] = border.as_ref().map_or(&[], |border| &border.gaps);
+        let apart = apart_bonds(&lattice, &mirrors, &neighbourhood.offsets);
+        let gap = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
+        let parted: Vec<Exception> =
+            apart.iter().filter(|bond| neighbourhood.has_bonds(bond.0)).map(gap).collect();
+        let gaps: &[Exception] = border.as_ref().map_or(&parted, |border| &border.gaps);
         near.retain(|&point| mirrors.is_real(lattice.cell(point)));
         let completed = if law.edges.is_exact() { &near[..] } else { &[] };
         let mut overlay = Overlay::new(&lattice, &law, &reach, completed, &known, gaps);
@@ -107,8 +113,7 @@ impl SolidBody {
         let base = vec![1.0; neighbourhood.offsets.len()];
         let grid =
             |exceptions: &[Exception]| Arc::new(grid(&lattice, neighbourhood, &base, &bond, exceptions));
-        let cut = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
-        let mut exceptions: Vec<Exception> = cuts.iter().map(cut).chain(gaps.iter().copied()).collect();
+        let mut exceptions: Vec<Exception> = cuts.iter().map(gap).chain(gaps.iter().copied()).collect();
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
@@ -118,9 +123,9 @@ impl SolidBody {
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
         let families =
-            families((&lattice, &law, &reach), (&overlay, border.as_ref()), (&near, &ghosts), &cuts)
+            families((&lattice, &law, &reach), (&overlay, border.as_ref()), (&near, &ghosts), (&cuts, gaps))
                 .map(Arc::new);
-        Ok(Self { lattice, mirrors, ghosts, law, bonds, felt, border, overlay, families, cuts })
+        Ok(Self { lattice, mirrors, ghosts, law, bonds, felt, border, overlay, families, cuts, apart })
     }
 
     /// Bonds as whole real points feel them.

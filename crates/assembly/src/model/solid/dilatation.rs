@@ -7,7 +7,7 @@ use super::border::Border;
 use super::corners::Overlay;
 use super::{SolidLaw, TENSOR};
 use crate::body::{Cell, SquareLattice, plus};
-use crate::stiffness::{FamilyRows, GridFamilies, GridFamily};
+use crate::stiffness::{Exception, FamilyRows, GridFamilies, GridFamily};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ pub(super) fn families(
     (lattice, law, reach): (&Arc<SquareLattice>, &SolidLaw, &Reach),
     (overlay, border): (&Overlay, Option<&Border>),
     (near, ghosts): (&[usize], &[u32]),
-    cuts: &[(usize, usize)],
+    (cuts, gaps): (&[(usize, usize)], &[Exception]),
 ) -> Option<GridFamilies<3>> {
     let dilatation = law.dilatation.as_ref()?;
     let spacing = lattice.spacing();
@@ -30,7 +30,7 @@ pub(super) fn families(
     let mut sets = vec![plain];
     let mut known: HashMap<Vec<[u64; 3]>, u32> = HashMap::new();
     let mut set_of = vec![Some(0); lattice.points()];
-    for (point, gone) in without(lattice, law, reach, (near, border), cuts) {
+    for (point, gone) in without(lattice, law, reach, near, (cuts, gaps)) {
         let mut rows = sets[0].clone();
         let lost = gone.iter().zip(&reach.steps).filter(|(gone, _)| **gone);
         lost.for_each(|(_, step)| rows[steps.of[step]] = [0.0; 3]);
@@ -85,12 +85,12 @@ fn without(
     lattice: &SquareLattice,
     law: &SolidLaw,
     reach: &Reach,
-    (near, border): (&[usize], Option<&Border>),
-    cuts: &[(usize, usize)],
+    near: &[usize],
+    (cuts, gaps): (&[(usize, usize)], &[Exception]),
 ) -> BTreeMap<usize, Vec<bool>> {
     let missing = |&point: &usize| (point, reach.missing(lattice, lattice.cell(point)));
     let mut gone: BTreeMap<usize, Vec<bool>> = near.iter().map(missing).collect();
-    let gaps = border.iter().flat_map(|border| border.gaps.iter().map(|gap| (gap.offset, gap.lower)));
+    let gaps = gaps.iter().map(|gap| (gap.offset, gap.lower));
     for (offset, lower) in cuts.iter().copied().chain(gaps) {
         let upper = lattice.number(plus(lattice.cell(lower), law.neighbourhood.offsets[offset]));
         for (point, is_lower) in [(Some(lower), true), (upper, false)] {

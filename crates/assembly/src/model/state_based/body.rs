@@ -1,7 +1,7 @@
 //! The points of a state-based body with their families, on a lattice with ghosts and images.
 
 use super::super::bond_plane::CentralBond;
-use super::super::plane::Mirrors;
+use super::super::plane::{Apart, Mirrors};
 use super::ghosts::{Fit, Separated, fits, nearest, outside};
 use super::term::StateTerm;
 use super::weights::{FamilyWeights, offsets};
@@ -28,6 +28,8 @@ pub(super) struct StateBody {
     pub(super) term: StateTerm,
     /// Bonds that are cut: offset of the half and lower point, sorted.
     pub(super) cuts: Vec<(usize, usize)>,
+    /// Bonds that never were, because the body parts their points, sorted.
+    pub(super) apart: Vec<(usize, usize)>,
 }
 
 /// Volume of a cell, m³: of a ring, that one spacing from the axis.
@@ -102,7 +104,13 @@ impl StateBody {
         separated: &Separated,
         cut: &dyn Fn(&SquareLattice) -> Vec<(usize, usize)>,
     ) -> Result<Self, StateError> {
-        let (_, has_axis) = with_axis(parameters, &real, mirrors)?;
+        let half = offsets(parameters);
+        let (with_axis, has_axis) = with_axis(parameters, &real, mirrors)?;
+        let reach = half.iter().flat_map(|o| o.map(i32::abs)).max().unwrap_or(0);
+        let images = with_axis.extended(&real, reach);
+        let (parts, parted) = Apart::new(&images, &with_axis, &half);
+        let from_crack = separated;
+        let separated = &|a: Cell, b: Cell| from_crack(a, b) || parts.parts(a, b);
         let (lattice, mirrors, fits) = extended(parameters, &real, mirrors, separated)?;
         let lattice = Arc::new(lattice);
         let is_real: Vec<bool> = (0..lattice.points())
@@ -112,8 +120,21 @@ impl StateBody {
             })
             .collect();
         let ghosts = (0..lattice.points()).filter(|&p| !is_real[p]).map(|p| p as u32).collect();
-        let families = FamilyWeights::new(parameters, &lattice, &is_real, has_axis)?;
+        let ghost_bonds =
+            |separated: &Separated| parted_ghosts((&real, &lattice, &mirrors), &fits, &half, separated);
+        let bond = |[from, to]: [Cell; 2]| {
+            let offset = half.iter().position(|o| plus(from, *o) == to)?;
+            Some((offset, lattice.number(from)?))
+        };
+        let mut apart: Vec<(usize, usize)> = parted.into_iter().filter_map(bond).collect();
+        if !apart.is_empty() {
+            apart.extend(ghost_bonds(&|a, b| parts.parts(a, b)));
+        }
+        apart.sort_unstable();
+        apart.dedup();
+        let families = FamilyWeights::new(parameters, (&lattice, &apart), &is_real, has_axis)?;
         let mut cuts = cut(&lattice);
+        cuts.extend(ghost_bonds(&|a, b| real.number(b).is_some() && from_crack(a, b)));
         let mut body = Self {
             term: StateTerm::empty(),
             real,
@@ -123,32 +144,11 @@ impl StateBody {
             fits,
             families,
             cuts: Vec::new(),
+            apart,
         };
-        cuts.extend(body.parted_ghosts(separated));
         body.remove(&cuts);
         body.term = body.energy(parameters);
         Ok(body)
-    }
-
-    /// Bonds from ghosts to points from which the nearest point of the ghost is separated.
-    fn parted_ghosts(&self, separated: &Separated) -> Vec<(usize, usize)> {
-        let half = self.families.offsets.len() / 2;
-        let mut parted = Vec::new();
-        for &ghost in self.fits.keys() {
-            let (Some(middle), Some(own)) = (nearest(&self.real, ghost), self.lattice.number(ghost)) else {
-                continue;
-            };
-            for (k, step) in self.families.offsets.iter().enumerate() {
-                let cell = plus(ghost, *step);
-                if let Some(other) = self.lattice.number(cell)
-                    && self.real.number(cell).is_some()
-                    && separated(middle, cell)
-                {
-                    parted.push(if k < half { (k, own) } else { (k - half, other) });
-                }
-            }
-        }
-        parted
     }
 
     /// Offsets of the half that have bonds.
@@ -225,4 +225,38 @@ impl StateBody {
         };
         (0..self.lattice.points()).map(of).collect()
     }
+}
+
+/// Bonds from ghosts, images of them among those, to points from which the nearest point of the ghost is separated.
+fn parted_ghosts(
+    (real, lattice, mirrors): (&SquareLattice, &SquareLattice, &Mirrors),
+    ghosts: &BTreeMap<Cell, Fit>,
+    half: &[Cell],
+    separated: &Separated,
+) -> Vec<(usize, usize)> {
+    let mut parted = Vec::new();
+    if ghosts.is_empty() {
+        return parted;
+    }
+    let is_point = |cell: Cell| real.number(mirrors.image(cell).0).is_some();
+    for own in 0..lattice.points() {
+        let cell = lattice.cell(own);
+        let (ghost, signs) = mirrors.image(cell);
+        if real.number(ghost).is_some() {
+            continue;
+        }
+        let Some(middle) = ghosts.get(&ghost).and_then(|_| nearest(real, ghost)) else { continue };
+        for (k, &step) in half.iter().enumerate() {
+            for up in [true, false] {
+                let step = if up { step } else { step.map(|k| -k) };
+                let other = lattice.number(plus(cell, step)).filter(|_| is_point(plus(cell, step)));
+                // An image sees what its ghost sees, mirrored.
+                let seen = plus(ghost, [0, 1, 2].map(|k| signs[k] as i32 * step[k]));
+                if let Some(other) = other.filter(|_| separated(middle, seen)) {
+                    parted.push((k, if up { own } else { other }));
+                }
+            }
+        }
+    }
+    parted
 }

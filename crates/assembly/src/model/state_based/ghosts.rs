@@ -13,6 +13,8 @@ use std::collections::BTreeMap;
 const FIT: f64 = 2.3;
 /// Where the weight of a point of the fit has fallen to 1/e, spacings.
 const FADE: f64 = 1.5;
+/// How many spacings farther they may be where those do not tell how the body turns.
+const WIDEST: i32 = 6;
 /// Singular values below this part of the largest one count as zero.
 const RANK: f64 = 1e-12;
 
@@ -81,24 +83,40 @@ pub(super) fn nearest(real: &SquareLattice, [column, row, layer]: Cell) -> Optio
     best.map(|b| b.1)
 }
 
-/// Shares of the points near `middle` in a ghost.
+/// Shares of the points near `middle` in a ghost. Where those nearest stand in one row, as in a ligament one cell wide, farther ones
+/// are taken, too, as far as it takes: a fit that does not know how the body turns would resist it.
 fn affine(real: &SquareLattice, ghost: Cell, middle: Cell, separated: &Separated) -> Fit {
-    let most = FIT.floor() as i32;
+    let near = |wider: i32| of_points_within(real, ghost, middle, (separated, wider));
+    (0..=WIDEST).map(near).find_map(|(fit, is_whole)| is_whole.then_some(fit)).unwrap_or_else(|| near(0).0)
+}
+
+/// The fit to the points near `middle`, some steps wider than usual, and whether they tell all of it.
+fn of_points_within(
+    real: &SquareLattice,
+    ghost: Cell,
+    middle: Cell,
+    (separated, wider): (&Separated, i32),
+) -> (Fit, bool) {
+    let far = FIT + f64::from(wider);
+    let fade = FADE * far / FIT;
+    let most = far.floor() as i32;
     let near = (-most..=most).flat_map(|b| (-most..=most).map(move |a| [a, b, 0]));
-    let near = near.filter(|[a, b, _]| f64::from(a * a + b * b) <= FIT * FIT);
+    let near = near.filter(|[a, b, _]| f64::from(a * a + b * b) <= far * far);
     let cells: Vec<(Cell, Vector3<f64>, f64)> = near
         .map(|step| (plus(middle, step), [f64::from(step[0]), f64::from(step[1])]))
         .filter(|(cell, _)| real.number(*cell).is_some() && !separated(middle, *cell))
-        .map(|(cell, [x, y])| (cell, Vector3::new(1.0, x, y), (-(x * x + y * y) / (FADE * FADE)).exp()))
+        .map(|(cell, [x, y])| (cell, Vector3::new(1.0, x, y), (-(x * x + y * y) / (fade * fade)).exp()))
         .collect();
     let mut gram = Matrix3::zeros();
     for (_, row, weight) in &cells {
         gram += *weight * row * row.transpose();
     }
     let svd = gram.svd(true, true);
+    let (least, most) = (svd.singular_values.min(), svd.singular_values.max());
     let at = Vector3::new(1.0, f64::from(ghost[0] - middle[0]), f64::from(ghost[1] - middle[1]));
-    let shares = svd.solve(&at, RANK * svd.singular_values.max()).unwrap_or_else(|_| Vector3::zeros());
-    cells.into_iter().map(|(cell, row, weight)| (cell, weight * shares.dot(&row))).collect()
+    let shares = svd.solve(&at, RANK * most).unwrap_or_else(|_| Vector3::zeros());
+    let fit = cells.into_iter().map(|(cell, row, weight)| (cell, weight * shares.dot(&row))).collect();
+    (fit, least > RANK * most)
 }
 
 #[cfg(test)]
@@ -131,6 +149,20 @@ mod tests {
         assert!(fit.iter().all(|(cell, _)| cell[1] == 0));
         let linear: f64 = fit.iter().map(|(c, share)| share * f64::from(c[0])).sum();
         assert!((linear + 2.0).abs() < 1e-13);
+    }
+
+    /// A ligament of one row between two blocks.
+    #[test]
+    fn a_ligament_of_one_row_turns_with_the_body() {
+        let inside = |[i, j]: [i32; 2]| j == 3 || !(5..12).contains(&i);
+        let real = SquareLattice::plane(1.0, [0.0; 2], 0..17, 0..7, inside);
+        let ghosts = outside(&real, &Mirrors::NONE, &ring());
+        for (ghost, fit) in &fits(&real, &ghosts, &|_, _| false) {
+            for k in 0..2 {
+                let linear: f64 = fit.iter().map(|(c, share)| share * f64::from(c[k])).sum();
+                assert!((linear - f64::from(ghost[k])).abs() < 1e-9, "{ghost:?} {k}: {linear}");
+            }
+        }
     }
 
     #[test]

@@ -33,7 +33,8 @@ impl BodyModel for StateBased {
     fn damage(&self) -> Vec<f64> {
         let families = &self.body.families;
         let mut gone = vec![0.0; self.points()];
-        for &(offset, lower) in &self.body.cuts {
+        let is_apart = |cut: &&(usize, usize)| self.body.apart.binary_search(cut).is_ok();
+        for &(offset, lower) in self.body.cuts.iter().filter(|cut| !is_apart(cut)) {
             let ends = [
                 (lower, offset),
                 (self.body.upper(offset, lower).unwrap_or(lower), families.opposite(offset)),

@@ -19,6 +19,8 @@ pub(super) struct Maker<'a> {
     table: Option<AxisTable>,
     /// Radius of the left side of column 0, spacings.
     corner: f64,
+    /// Bonds that never were, by offset of the half and lower point, sorted.
+    apart: &'a [(usize, usize)],
 }
 
 impl<'a> Maker<'a> {
@@ -32,7 +34,7 @@ impl<'a> Maker<'a> {
         let influence: Vec<f64> =
             offsets.iter().map(|&o| Influence::at(parameters.influence, length(o) / m)).collect();
         let corner = lattice.corner()[0] / lattice.spacing();
-        let mut maker = Self { parameters, lattice, offsets, influence, table: None, corner };
+        let mut maker = Self { parameters, lattice, offsets, influence, table: None, corner, apart: &[] };
         if has_axis && parameters.axis == Axis::Table {
             if parameters.measure != Measure::Section {
                 return Err(StateError::AxisNeedsSection);
@@ -69,8 +71,20 @@ impl<'a> Maker<'a> {
             (_, Some((ring, _))) => 1 + ring as i32,
             _ => 0,
         };
-        let present = |o: &Cell| self.lattice.number(plus(cell, *o)).is_some();
-        (class, self.offsets.iter().map(present).collect())
+        let half = self.offsets.len() / 2;
+        let is_apart = |k: usize, other: usize| {
+            let bond = if k < half { (k, point) } else { (k - half, other) };
+            self.apart.binary_search(&bond).is_ok()
+        };
+        let present = |(k, o): (usize, &Cell)| {
+            self.lattice.number(plus(cell, *o)).is_some_and(|other| !is_apart(k, other))
+        };
+        (class, self.offsets.iter().enumerate().map(present).collect())
+    }
+
+    /// The same without some bonds.
+    pub(super) fn without(self, apart: &'a [(usize, usize)]) -> Self {
+        Self { apart, ..self }
     }
 
     fn corrects(&self) -> bool {
@@ -104,7 +118,9 @@ impl<'a> Maker<'a> {
             self.table.as_ref().filter(|_| *class > 0).map(|table| ((class - 1) as usize, table))
         {
             let plain = self.plain();
-            return Set { weights: table.weights[ring].clone(), q: plain.q };
+            let own = table.weights[ring].iter().zip(present);
+            let weights = own.map(|(w, present)| if *present { *w } else { 0.0 }).collect();
+            return Set { weights, q: plain.q };
         }
         let own = self.radius(class - 1);
         let mut weights = self.influence.clone();

@@ -40,13 +40,14 @@ pub(super) fn offsets(parameters: &StateParameters) -> Vec<Cell> {
 }
 
 impl FamilyWeights {
-    /// The families of the points of a lattice that are `real`.
+    /// The families of the points of a lattice that are `real`; bonds that are `apart`, by offset of the half and lower point,
+    /// sorted, are in none.
     ///
     /// # Errors
     /// [`StateError`].
     pub(super) fn new(
         parameters: &StateParameters,
-        lattice: &SquareLattice,
+        (lattice, apart): (&SquareLattice, &[(usize, usize)]),
         real: &[bool],
         has_axis: bool,
     ) -> Result<Self, StateError> {
@@ -55,7 +56,7 @@ impl FamilyWeights {
         }
         let half = offsets(parameters);
         let offsets: Vec<Cell> = half.iter().copied().chain(half.iter().map(|o| o.map(|k| -k))).collect();
-        let maker = Maker::new(parameters, lattice, &offsets, has_axis)?;
+        let maker = Maker::new(parameters, lattice, &offsets, has_axis)?.without(apart);
         let n = lattice.points();
         let (mut sets, mut known, mut set_of) = (Vec::new(), HashMap::new(), vec![None; n]);
         let mut negative = Vec::new();
@@ -81,7 +82,7 @@ impl FamilyWeights {
             StateEdges::Moment if !negative.is_empty() => {
                 return Err(StateError::NegativeWeights(negative.len()));
             }
-            StateEdges::MomentPlus => families.give_away(lattice, &negative),
+            StateEdges::MomentPlus | StateEdges::Ghosts => families.give_away(lattice, &negative),
             _ => {}
         }
         Ok(families)

@@ -150,6 +150,7 @@ impl BodyScene {
             interpolation: &Interpolation { body, cracks: &images, reach },
             held: &held,
             conditions: &conditions,
+            supports: &supports,
         };
         strengths::check(case, &*inputs.material, faults);
         let Readings { probes, lines, intensities } = Readings::new(&site, max_memory, faults);

@@ -63,7 +63,8 @@ impl BodyScene {
             (taken != [0.0; 3]).then_some((point, taken))
         };
         let of_case = |&(case, part): &(usize, f64)| {
-            let forces = self.load_cases[case].forces.iter().filter_map(turned);
+            let at_once = self.load_cases[case].into_lines.iter().copied();
+            let forces = self.load_cases[case].forces.iter().filter_map(turned).chain(at_once);
             forces.map(move |(point, force)| (point, force.map(|f| part * factor * f)))
         };
         state.terms.iter().flat_map(of_case).collect()

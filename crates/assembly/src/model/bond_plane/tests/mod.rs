@@ -10,4 +10,5 @@ mod mirrors;
 mod patch;
 mod periodic;
 mod properties;
+mod slots;
 mod softening;

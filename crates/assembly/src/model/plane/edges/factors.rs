@@ -30,18 +30,18 @@ pub(in super::super::super) fn energy_factor(squares: [f64; 2], ends: [[f64; 2];
     1.0 / (squares[0] / (g(0) * g(0)) + squares[1] / (g(1) * g(1))).sqrt()
 }
 
-/// Factors of the treatments `volume` and `energy` from the uncut body.
+/// Factors of the treatments `volume` and `energy` from the uncut body; bonds that are `apart`, sorted, are none of its.
 pub(in super::super) fn edge_factors<
     const D: usize,
     const M: usize,
     const S: usize,
     B: PlaneBond<D, M, S>,
 >(
-    lattice: &SquareLattice,
-    mirrors: &Mirrors,
+    (lattice, mirrors): (&SquareLattice, &Mirrors),
     neighbourhood: &Neighbourhood<M>,
     kind: &Kind<B>,
     near: &[usize],
+    apart: &[(usize, usize)],
 ) -> EdgeFactors {
     // Family volume, and twice the energies in unit stretches along x and y, that a bond brings to either end.
     let shares: Vec<[f64; 3]> = (0..neighbourhood.offsets.len())
@@ -56,11 +56,10 @@ pub(in super::super) fn edge_factors<
         .collect();
     let volume = lattice.spacing().powi(2) * kind.thickness;
     // What a point needs to know of itself: its family's volume, or the two ratios of energies.
-    let own = |present: &dyn Fn(Cell, bool) -> bool| -> [f64; 2] {
+    let own = |present: &dyn Fn(usize, bool) -> bool| -> [f64; 2] {
         let mut sums = [0.0; 3];
         for k in neighbourhood.bonded() {
-            let step = neighbourhood.offsets[k];
-            let count = [true, false].iter().filter(|&&side| present(step, side)).count() as f64;
+            let count = [true, false].iter().filter(|&&side| present(k, side)).count() as f64;
             (0..3).for_each(|q| sums[q] += count * shares[k][q]);
         }
         match kind.edges {
@@ -79,7 +78,13 @@ pub(in super::super) fn edge_factors<
     };
     let base: Vec<f64> = (0..neighbourhood.offsets.len()).map(|k| factor(k, [full, full])).collect();
     // Images have what their real points have.
-    let of = |cell: Cell| own(&|step, side| lattice.number(at(cell, step, side)).is_some());
+    let joined = |cell: Cell, k: usize, side: bool| {
+        let lower = if side { cell } else { at(cell, neighbourhood.offsets[k], false) };
+        lattice.number(lower).is_some_and(|lower| apart.binary_search(&(k, lower)).is_err())
+    };
+    let there =
+        |cell: Cell, k: usize, side: bool| lattice.number(at(cell, neighbourhood.offsets[k], side)).is_some();
+    let of = |cell: Cell| own(&|k, side| there(cell, k, side) && (apart.is_empty() || joined(cell, k, side)));
     let known: HashMap<usize, [f64; 2]> = near
         .iter()
         .map(|&p| (p, of(mirrors.image(lattice.cell(p)).0)))

@@ -12,7 +12,7 @@ use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
 use super::deficit::Shares;
 use crate::body::{Cell, SquareLattice, minus, plus};
-use crate::bonds::{add, block};
+use crate::bonds::{Mat, add, block};
 use crate::stiffness::{Exception, Family};
 use std::collections::{HashMap, HashSet};
 
@@ -41,17 +41,20 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
         block(&uniform, &std::array::from_fn(|m| 0.5 * neighbourhood.weights[k][m] * unit[m]), &uniform)
     });
     let mut overlay = Overlay { triangles: Vec::new(), uncorrected: 0 };
-    let mut across: HashMap<usize, Vec<usize>> = HashMap::new();
+    let mut across: HashMap<usize, Vec<(usize, f64)>> = HashMap::new();
     for gap in gaps {
         let upper = lattice.number(at(lattice.cell(gap.lower), neighbourhood.offsets[gap.offset], true));
         let ends = [Some(gap.lower), upper].into_iter().flatten();
-        ends.for_each(|point| across.entry(point).or_default().push(gap.offset));
+        let part = ends.clone().map(|point| lattice.fraction(point)).fold(f64::INFINITY, f64::min);
+        ends.for_each(|point| across.entry(point).or_default().push((gap.offset, part)));
     }
     for point in points {
         let cell = lattice.cell(point);
         let Some(mut deficit) = shares.deficit(lattice, cell) else { continue };
         let own = across.get(&point).into_iter().flatten();
-        own.for_each(|&offset| add(&mut deficit, shares.of_offset(neighbourhood.offsets[offset])));
+        own.for_each(|&(offset, part)| {
+            add(&mut deficit, &scaled(shares.of_offset(neighbourhood.offsets[offset]), part));
+        });
         let mut corners = quadrants(lattice, cell);
         if corners.is_empty() {
             corners = nearest(lattice, neighbourhood, cell);
@@ -74,6 +77,11 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
         }));
     }
     overlay
+}
+
+/// A matrix times a factor.
+fn scaled<const S: usize>(matrix: &Mat<S, S>, factor: f64) -> Mat<S, S> {
+    matrix.map(|row| row.map(|v| factor * v))
 }
 
 /// The triangles with the next cells to the left or right and above or below.

@@ -6,6 +6,7 @@ mod cut;
 mod golden;
 mod mirrors;
 mod patch;
+mod slots;
 
 pub(in crate::model) use bodies::*;
 

@@ -1,6 +1,6 @@
 //! Doubts about a body that can be solved.
 
-use super::{clamped, gaps, held_corner};
+use super::{bridges, clamped, held_corner};
 use crate::case::{Support, Units};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
 use crate::model::HeldRegion;
@@ -56,20 +56,24 @@ pub(crate) fn collect(scene: &BodyScene, faults: &mut Faults) {
             )
             .hint("such points stand in single rows or between cracks: use a smaller spacing");
     }
-    if let Some((place, width)) = gaps::narrow(scene) {
-        let place = words::place(place, scene.body());
-        let cells = if width == 1 { "one spacing" } else { "less than the horizon" };
+    if let Some(bridge) = bridges::narrow(scene) {
+        let place = words::place(bridge.place, scene.body());
+        let between: Vec<String> = bridge.between.iter().take(2).map(|name| format!("`{name}`")).collect();
+        let between = match between.as_slice() {
+            [] => String::new(),
+            [one] => format!(" beside {one}"),
+            all => format!(" between {}", all.join(" and ")),
+        };
+        let s = if bridge.points == 1 { "" } else { "s" };
         faults
             .warning(
                 root("body"),
                 format!(
-                    "bonds reach across a gap of the body {cells} wide, near {place}: it acts as if it were filled"
+                    "the body is one cell wide{between}, near {place}: bonds of its {} point{s} reach across what is beside them",
+                    bridge.points
                 ),
             )
-            .hint(match scene.outline().is_some() {
-                true => "draw a crack along the gap, which cuts these bonds, or use a smaller spacing",
-                false => "use a smaller spacing, or the edges `border`, where bonds end",
-            });
+            .hint("use a smaller spacing: such a part needs two cells at least, and several to bend as it should");
     }
     clamped::warn(scene, faults);
     held_corner::warn(scene, faults);

@@ -233,7 +233,6 @@ mod tests {
             pieces: Vec::new(),
             direction,
             values: vec![3.0; 3],
-            varies: false,
             origin,
         };
         let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };

@@ -1,6 +1,7 @@
 //! A body with its names, its model and what holds it: what probes, cracks that grow and bonds that soften are resolved on.
 
 use super::conditions::Conditions;
+use super::supported::BodySupport;
 use super::supports::HeldSupport;
 use crate::scene::body::site::cracks::NamedCrack;
 use crate::scene::body::site::ground::Ground;
@@ -27,4 +28,6 @@ pub(crate) struct HeldBody<'a> {
     pub(crate) held: &'a [HeldSupport],
     /// The same by points.
     pub(crate) conditions: &'a Conditions,
+    /// Which of these belong to which support.
+    pub(crate) supports: &'a [BodySupport],
 }

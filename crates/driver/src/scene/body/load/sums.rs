@@ -15,6 +15,8 @@ pub struct BodyLoads {
     pub(crate) forces: Forces,
     /// The same of tractions that act through the border, by numbers of the model from the start.
     pub(crate) through_border: Forces,
+    /// What stresses do to lines of symmetry at once, by images of the model.
+    pub(crate) into_lines: Forces,
     /// Moments about z on points of the model, N m.
     pub(crate) moments: Vec<(u32, f64)>,
     /// Force on every point per volume, N/m³.

@@ -5,6 +5,7 @@ use super::{fields, opening, reduced};
 use crate::case::{FieldName, Names, Origin, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::scene::body::hold::held_body::HeldBody;
+use crate::scene::body::hold::supported::BodySupport;
 use crate::scene::body::site::interpolate::Weights;
 use crate::scene::words;
 use peristat_assembly::body::in_space;
@@ -226,6 +227,42 @@ fn rotation(
     Some((quantity, format!("the region `{}`", rigid[k].region)))
 }
 
+/// Equations with their shares in a reaction, and springs, of the points that are `here`: of some supports, or if there are none of all.
+/// A component of the displacement has a unit; a rigid region has a motion.
+fn held_rows(
+    site: &HeldBody,
+    own: &[&BodySupport],
+    here: &dyn Fn(u32) -> bool,
+    (component, unit, motion): (Option<usize>, f64, Option<usize>),
+) -> (Vec<(usize, f64)>, Vec<usize>) {
+    let of_own = |k: usize| {
+        own.is_empty() || own.iter().flat_map(|s| &s.equations).any(|(equations, _)| equations.contains(&k))
+    };
+    let (mut equations, mut next) = (Vec::new(), 0);
+    for hold in &site.conditions.holds {
+        let share = component.map_or(0.0, |component| unit * hold.direction[component]);
+        let points = hold.points.iter().enumerate();
+        let points = points.filter(|(k, p)| share != 0.0 && here(**p) && of_own(next + k));
+        equations.extend(points.map(|(k, _)| (next + k, share)));
+        next += hold.points.len();
+    }
+    for rigid in &site.conditions.rigid {
+        let whole = rigid.points.iter().all(|&p| here(p));
+        for (k, _) in rigid.prescribed.iter().enumerate().filter(|p| p.1.is_some()) {
+            if whole && motion == Some(k) {
+                equations.push((next, 1.0));
+            }
+            next += 1;
+        }
+    }
+    let along = |k: &usize| {
+        let spring = &site.conditions.springs[*k];
+        let is_own = own.is_empty() || own.iter().any(|s| s.springs.contains(k));
+        is_own && Some(spring.shares[0].0) == component && here(spring.point as u32)
+    };
+    (equations, (0..site.conditions.springs.len()).filter(along).collect())
+}
+
 /// Everything that holds one of the points along the component of the field.
 fn reaction(
     field: FieldName,
@@ -240,26 +277,14 @@ fn reaction(
     let mut numbers: Vec<u32> = points.iter().map(|&p| site.inputs.number(site.model, p)).collect();
     numbers.sort_unstable();
     let here = |p: u32| numbers.binary_search(&p).is_ok();
-    let (mut equations, mut next) = (Vec::new(), 0);
-    for hold in &site.conditions.holds {
-        let share = component.map_or(0.0, |component| unit * hold.direction[component]);
-        let own = hold.points.iter().enumerate().filter(|(_, p)| share != 0.0 && here(**p));
-        equations.extend(own.map(|(k, _)| (next + k, share)));
-        next += hold.points.len();
+    // A point that two supports hold counts for the one that is listed with it: those of all supports sum to the whole.
+    let own: Vec<&BodySupport> = site.supports.iter().filter(|support| support.name == words).collect();
+    let rows = |own: &[&BodySupport]| held_rows(site, own, &here, (component, unit, of.motion));
+    let mut found = rows(&own);
+    if found.0.is_empty() && found.1.is_empty() {
+        found = rows(&[]);
     }
-    for rigid in &site.conditions.rigid {
-        let whole = rigid.points.iter().all(|&p| here(p));
-        for (k, _) in rigid.prescribed.iter().enumerate().filter(|p| p.1.is_some()) {
-            if whole && of.motion == Some(k) {
-                equations.push((next, 1.0));
-            }
-            next += 1;
-        }
-    }
-    let along =
-        |s: &peristat_assembly::stiffness::Spring| Some(s.shares[0].0) == component && here(s.point as u32);
-    let springs: Vec<usize> =
-        (0..site.conditions.springs.len()).filter(|&k| along(&site.conditions.springs[k])).collect();
+    let (equations, springs) = found;
     if equations.is_empty() && springs.is_empty() {
         let places: Vec<&str> = site.held.iter().map(|h| h.name.as_str()).collect();
         let hint = match places.is_empty() {

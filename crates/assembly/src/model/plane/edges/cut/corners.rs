@@ -91,6 +91,14 @@ impl<'a> Corners<'a> {
         found
     }
 
+    /// The same, where a point on the other side of a crack is as one that is not there.
+    pub(super) fn beside(&self, corner: Cell, from: Cell) -> Option<Shares> {
+        match self.around(from) {
+            Some(near) if self.blocks.has(corner) && !near.contains(&corner) => self.fitted(corner, from),
+            _ => self.corner(corner, from),
+        }
+    }
+
     /// Beside a border half a spacing beyond rows and columns: linearly along them, so that a line of the border moves as the
     /// points beside it alone do.
     fn straight(&self, corner: Cell, from: Cell) -> Option<Shares> {

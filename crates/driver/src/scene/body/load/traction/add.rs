@@ -7,7 +7,7 @@
 //! `lumped`: the force of every stretch of the border goes to the nearest point. Force and moment are exact either way.
 
 use super::on_border::OnBorder;
-use super::{fading, lump, round, through_border, uniform_stress};
+use super::{fading, lump, round, slanted, through_border, uniform_stress};
 use crate::case::LoadSharing;
 use crate::diagnostic::Faults;
 use crate::scene::body::load::context::LoadContext;
@@ -88,7 +88,9 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
 fn add_uniform(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLoads) -> bool {
     let Some(uniform) = uniform_stress::find(tractions, context) else { return false };
     to.carry_ends = true;
-    to.stresses.push(StressField::uniform(uniform.stress));
+    let stress = StressField::uniform(uniform.stress);
+    to.into_lines.extend(slanted::into_lines(&stress, tractions, context));
+    to.stresses.push(stress);
     to.forces.extend(uniform.forces);
     true
 }
