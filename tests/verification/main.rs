@@ -35,6 +35,7 @@ mod griffith;
 mod held_borders;
 mod hole_stress;
 mod literature;
+mod materials;
 mod mirrored_loads;
 mod orthotropic_elastic;
 mod orthotropic_fracture;

@@ -36,7 +36,8 @@ pub(super) use calibration::overlap::cell_in_disc;
 pub(super) use calibration::published::radial_part;
 
 use super::plane::{
-    BorderShares, Edges, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles, in_plane,
+    BorderShares, Edges, Kind, LatticeBody, Mirrors, Mixture, PlaneFields, PlaneModel, add_work_of_triangles,
+    in_plane,
 };
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
@@ -92,6 +93,25 @@ impl BondPlane {
         parameters: PlaneParameters,
         cuts: &[(usize, usize)],
     ) -> Result<Self, BondPlaneError> {
+        Self::mixed(lattice, mirrors, parameters, cuts, Vec::new())
+    }
+
+    /// The same of several materials: `factors` are Young's moduli of the points over that of the parameters, > 0, images having
+    /// those of their points; none where all are one. Edges are completed.
+    ///
+    /// # Errors
+    /// As [`on_lattice`](Self::on_lattice).
+    ///
+    /// # Panics
+    /// As [`on_lattice`](Self::on_lattice); or there is not one factor for every point.
+    pub fn mixed(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: PlaneParameters,
+        cuts: &[(usize, usize)],
+        factors: Vec<f64>,
+    ) -> Result<Self, BondPlaneError> {
+        assert!(factors.is_empty() || factors.len() == lattice.points(), "one factor per point");
         let neighbourhood = neighbourhood(&parameters)?;
         let PlaneMaterial { thickness, .. } = parameters.material;
         let kind = Kind {
@@ -100,7 +120,7 @@ impl BondPlane {
             thickness,
             stretch_moduli: [parameters.material.c11(); 2],
         };
-        let body = LatticeBody::new(lattice, mirrors, neighbourhood, kind, cuts);
+        let body = LatticeBody::mixed(lattice, mirrors, neighbourhood, kind, cuts, Mixture::new(factors));
         Ok(Self { parameters, body: Body::Lattice(Box::new(body)) })
     }
 
@@ -123,6 +143,14 @@ impl BondPlane {
     /// The parameters.
     pub fn parameters(&self) -> &PlaneParameters {
         &self.parameters
+    }
+
+    /// Young's modulus of a point over that of the parameters.
+    pub fn factor(&self, point: usize) -> f64 {
+        match &self.body {
+            Body::Lattice(body) => body.factor(point),
+            Body::Cloud(_) => 1.0,
+        }
     }
 
     fn overlay(&self) -> &Arc<Families<2, 3, 2>> {
@@ -211,6 +239,11 @@ impl BodyModel for BondPlane {
         in_plane(self, stress, across)
     }
 
+    fn strains_at(&self, point: usize, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        let factor = self.factor(point);
+        self.strains_of(stress, across).map(|strain| strain / factor)
+    }
+
     fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
         self.stress_across([x, y, shear])
     }
@@ -237,6 +270,11 @@ impl PlaneModel for BondPlane {
         self.parameters.material.strain(stress)
     }
 
+    fn strain_at(&self, point: usize, stress: [f64; 3], _across: f64) -> [f64; 3] {
+        let factor = self.factor(point);
+        self.strain_of(stress).map(|strain| strain / factor)
+    }
+
     fn stress_across(&self, [x, y, _]: [f64; 3]) -> f64 {
         match self.parameters.material.state {
             PlaneState::Stress => 0.0,
@@ -250,7 +288,7 @@ impl PlaneModel for BondPlane {
             Body::Cloud(body) => {
                 let sums = body.sums(u, self.thickness());
                 let volume = |point: usize| body.volume(point, self.thickness());
-                PlaneFields::with_triangles(sums, &body.triangles, volume, u)
+                PlaneFields::with_triangles(sums, body.triangles.list().iter(), volume, u)
             }
         }
     }
@@ -260,7 +298,7 @@ impl PlaneModel for BondPlane {
             Body::Lattice(body) => body.add_strain_work(t, points, force),
             Body::Cloud(body) => {
                 body.add_work(t, force);
-                add_work_of_triangles(&body.triangles, t, force);
+                add_work_of_triangles(body.triangles.list(), t, force);
             }
         }
     }

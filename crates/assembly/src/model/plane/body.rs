@@ -6,6 +6,8 @@
 
 use super::bond::PlaneBond;
 use super::edges::{Completion, EdgeFactors, Overlay, edge_factors, has_border, overlay};
+use super::interface::Interface;
+use super::mixture::Mixture;
 use super::near::{at, near_points};
 use super::neighbourhood::Neighbourhood;
 use super::{Edges, FindCuts, Mirrors};
@@ -44,6 +46,8 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) border: Completion<D, M, S>,
     /// What points near edges lack. Beside a border that is completed they tell its stresses, and have no energy.
     pub(in super::super) triangles: Arc<Families<D, S, 2>>,
+    /// What it has beside that where it is of several materials.
+    pub(super) interface: Option<Box<Interface<D, S>>>,
     pub(in super::super) uncorrected: usize,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
     pub(super) cuts: Vec<(usize, usize)>,
@@ -57,8 +61,20 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         lattice: Arc<SquareLattice>,
         mirrors: Mirrors,
         neighbourhood: Neighbourhood<M>,
+        kind: Kind<B>,
+        cuts: &[(usize, usize)],
+    ) -> Self {
+        Self::mixed(lattice, mirrors, neighbourhood, kind, cuts, None)
+    }
+
+    /// The same of several materials.
+    pub(in super::super) fn mixed(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        neighbourhood: Neighbourhood<M>,
         mut kind: Kind<B>,
         cuts: &[(usize, usize)],
+        mixture: Option<Arc<Mixture>>,
     ) -> Self {
         if kind.edges == Edges::Border && !has_border(&lattice, &mirrors, neighbourhood.reach()) {
             kind.edges = Edges::Overlay;
@@ -74,7 +90,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         };
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
         let bonds = (&neighbourhood, &kind.bond);
-        let border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &known);
+        let of_points = mixture.as_deref();
+        let border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, (&known, of_points));
         let mut factors =
             EdgeFactors { base: vec![1.0; neighbourhood.offsets.len()], exceptions: Vec::new() };
         let mut triangles = Overlay { triangles: Vec::new(), uncorrected: 0 };
@@ -89,10 +106,15 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                     near = with_neighbours(&lattice, &neighbourhood, near);
                 }
                 near.retain(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
-                triangles = completing(&lattice, bonds, &border, near, &known);
+                triangles = completing(&lattice, bonds, &border, near, (&known, of_points));
             }
         }
+        let mut interface = mixture.map(|mixture| {
+            let without = (&known, &border.gaps[..]);
+            Box::new(Interface::new((&lattice, &mirrors), bonds, mixture, without, &border.lacks))
+        });
         let mut exceptions = factors.exceptions;
+        exceptions.extend(interface.iter_mut().flat_map(|interface| std::mem::take(&mut interface.exceptions)));
         let mut cuts: Vec<(usize, usize)> = known.into_iter().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
@@ -107,7 +129,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             exceptions.extend(halved(&lattice, &mirrors, &neighbourhood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
-        let uncorrected = if border.is_none() { triangles.uncorrected } else { border.lost };
+        let mut uncorrected = if border.is_none() { triangles.uncorrected } else { border.lost };
+        uncorrected += interface.as_ref().map_or(0, |interface| interface.lost);
         let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
         Self {
             lattice,
@@ -119,6 +142,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             felt,
             border,
             triangles,
+            interface,
             uncorrected,
             cuts,
             apart: Vec::new(),
@@ -128,6 +152,16 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// Bonds as real points feel them.
     pub(super) fn whole(&self) -> &GridBonds<D, M, B> {
         self.felt.as_ref().unwrap_or(&self.bonds)
+    }
+
+    /// Moduli of the points over those of the base material, where some are others.
+    pub(in super::super) fn mixture(&self) -> Option<&Arc<Mixture>> {
+        self.interface.as_ref().map(|interface| &interface.mixture)
+    }
+
+    /// Modulus of a point over that of the base material.
+    pub(in super::super) fn factor(&self, point: usize) -> f64 {
+        self.mixture().map_or(1.0, |mixture| mixture.of(point))
     }
 
     /// Volume of a real point with a whole cell, m³.
@@ -165,7 +199,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let coarse = mirrors.extended(&coarse, self.kind.edges.depth(self.neighbourhood.reach()));
         let cuts = cuts(&coarse, &self.neighbourhood.offsets);
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
-        Some(Self::new(Arc::new(coarse), mirrors, self.neighbourhood.clone(), kind, &cuts))
+        let mixture = self.mixture().and_then(|own| own.coarser(&self.lattice, (&coarse, &mirrors)));
+        Some(Self::mixed(Arc::new(coarse), mirrors, self.neighbourhood.clone(), kind, &cuts, mixture))
     }
 }
 
@@ -176,7 +211,7 @@ fn completing<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M,
     bonds: (&Neighbourhood<M>, &B),
     border: &Completion<D, M, S>,
     points: Vec<usize>,
-    cuts: &HashSet<(usize, usize)>,
+    cuts: (&HashSet<(usize, usize)>, Option<&Mixture>),
 ) -> Overlay<D, S> {
     let Some(strains) = &border.strains else {
         return overlay(lattice, bonds, points.into_iter(), cuts, &border.gaps);
