@@ -34,6 +34,7 @@ mod grading;
 mod griffith;
 mod held_borders;
 mod hole_stress;
+mod inclusions;
 mod literature;
 mod materials;
 mod mirrored_loads;

@@ -1,5 +1,6 @@
 //! Plates of several materials made by hand: Young's modulus 1 in the base material, spacing and thickness given.
 
+use nalgebra::DMatrix;
 use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
@@ -46,6 +47,14 @@ impl Stiffness {
             rows[i].push((j, value));
         }
         Self { rows }
+    }
+
+    /// All of it.
+    pub(crate) fn dense(&self) -> DMatrix<f64> {
+        let mut dense = DMatrix::zeros(self.rows.len(), self.rows.len());
+        let all = self.rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |&(j, k)| (i, j, k)));
+        all.for_each(|(i, j, k)| dense[(i, j)] += k);
+        dense
     }
 
     /// Forces of some displacements.

@@ -107,6 +107,8 @@ pub enum Origin {
     Energy,
     /// The bonds that are cut.
     Damage,
+    /// The material of a point.
+    Material,
     /// The faces of a crack.
     Opening,
     /// What holds the unknown, or the motion of a rigid region, of this name.

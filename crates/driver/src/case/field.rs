@@ -143,6 +143,9 @@ pub enum FieldName {
     /// Share of the neighbours' volume from which cracks cut a point off, 0 to 1, in the plane; zero where nothing is cut.
     #[serde(rename = "damage")]
     Damage,
+    /// Number of the material of a point: 0 for that of `model`, then 1, 2 and so on for `materials` by their names.
+    #[serde(rename = "material")]
+    Material,
     /// Strain energy density, per volume.
     #[serde(rename = "energy_density")]
     EnergyDensity,
@@ -234,6 +237,7 @@ impl FieldName {
             Self::Utilisation => ("utilisation", One, Utilisation),
             Self::Opening => ("opening", Length, Opening),
             Self::Damage => ("damage", One, Damage),
+            Self::Material => ("material", One, Material),
             Self::EnergyDensity => ("energy_density", Unit::Stress, Energy),
             Self::ReactionForce => ("reaction_force", Force, Reaction("w")),
             Self::ReactionX => ("reaction_x", Force, Reaction("ux")),
@@ -259,8 +263,8 @@ impl FieldName {
 
     /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
     pub fn is_recovered(self) -> bool {
-        use Origin::{Opening, Reaction, Turn, Unknown};
-        !matches!(self.about().origin, Reaction(_) | Unknown | Opening | Turn(_))
+        use Origin::{Material, Opening, Reaction, Turn, Unknown};
+        !matches!(self.about().origin, Reaction(_) | Unknown | Opening | Turn(_) | Material)
     }
 }
 

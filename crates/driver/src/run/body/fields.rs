@@ -150,6 +150,7 @@ impl BodyResult {
         // Loads on parts that have come off act no more.
         let whole = !scene.case.is_traced() || record.index == 0;
         record.certificate.account(resultants, whole && scene.loads_are_exact(state));
+        let says = Says::of_points(!scene.materials().is_one());
         Self {
             record,
             recovered,
@@ -161,7 +162,7 @@ impl BodyResult {
             points: scene.model.points(),
             shown: FieldName::BODY
                 .into_iter()
-                .filter(|&field| of_points(field, model, scene.is_damaged(), Says::default()) == Has::Values)
+                .filter(|&field| of_points(field, model, scene.is_damaged(), says) == Has::Values)
                 .collect(),
             multipliers,
         }
@@ -201,6 +202,7 @@ impl BodyResult {
             | Origin::HashinMatrix
             | Origin::Utilisation
             | Origin::Beam
+            | Origin::Material
             | Origin::Opening
             | Origin::Reaction(_)
             | Origin::Turn(_) => {
@@ -230,6 +232,10 @@ impl BodyResult {
                 false => scene.real_points().map(|p| kept[p] / divisor).collect(),
             });
         }
+        if field == FieldName::Material {
+            let numbers = &scene.materials().numbers;
+            return (!numbers.is_empty()).then(|| numbers.iter().map(|number| f64::from(*number)).collect());
+        }
         let recovered = self.recovered.as_ref()?;
         let origin = field.about().origin;
         if origin == Origin::Damage {
@@ -240,7 +246,7 @@ impl BodyResult {
             let stress = recovered.at(|values| values[p]);
             let across = recovered.across.get(p).copied();
             let across = across.unwrap_or_else(|| scene.model.across_of(stress));
-            of_stress(origin, medium, stress, across)
+            of_stress(origin, medium, (p, stress), across)
         };
         match whole {
             true => (0..self.points).map(at).collect(),
@@ -259,11 +265,23 @@ impl BodyResult {
         if origin == Origin::Damage {
             return Some(0.0);
         }
-        let stress = recovered.at(sum);
-        let across = match recovered.across.is_empty() {
-            true => scene.model.across_of(stress),
-            false => sum(&recovered.across),
+        let medium = Medium::of(scene);
+        let of = |weights: &[(u32, f64)]| {
+            let sum = |values: &[f64]| weights.iter().map(|&(p, w)| w * values[p as usize]).sum::<f64>();
+            let stress = recovered.at(sum);
+            let across = match recovered.across.is_empty() {
+                true => scene.model.across_of(stress),
+                false => sum(&recovered.across),
+            };
+            let point = weights.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?.0 as usize;
+            of_stress(origin, medium, (point, stress), across)
         };
-        of_stress(origin, Medium::of(scene), stress, across)
+        match (scene.materials().is_one(), origin) {
+            // Strains are linear in stresses by the material of every point.
+            (false, Origin::Strain(..) | Origin::FibreStrain(_)) => {
+                weights.iter().map(|&(p, w)| Some(w * of(&[(p, 1.0)])?)).sum()
+            }
+            _ => of(weights),
+        }
     }
 }

@@ -24,12 +24,24 @@ pub(crate) enum Has {
 pub(crate) struct Says {
     has_fibres: bool,
     has_strengths: bool,
+    has_materials: bool,
 }
 
 impl Says {
+    /// Whether points are of several materials, and nothing more.
+    pub(crate) fn of_points(has_materials: bool) -> Self {
+        Self { has_materials, ..Self::default() }
+    }
+
+
     /// What a case says of a material.
     pub(crate) fn of(case: &Case, material: &dyn Material) -> Self {
-        Self { has_fibres: material.fibres().is_some(), has_strengths: case.strengths.is_some() }
+        Self {
+            has_fibres: material.fibres().is_some(),
+            has_strengths: case.strengths.is_some(),
+            // What a table shows is no value between points.
+            has_materials: false,
+        }
     }
 }
 
@@ -47,6 +59,7 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
             or(model.is_revolved() || model.across_of([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) != 0.0, Has::Unlisted)
         }
         Origin::Strain(..) | Origin::Stress(_) => Has::No,
+        Origin::Material => or(says.has_materials, Has::No),
         Origin::VonMises | Origin::Energy => Has::Values,
         Origin::Principal(_) | Origin::MaxShear | Origin::Hydrostatic => Has::Unlisted,
         Origin::PrincipalDirection => {
@@ -117,7 +130,7 @@ pub(crate) fn probed(model: &dyn BodyModel, case: &Case, says: Says) -> Vec<Fiel
 
 /// The fields that probes of a case can ask for which has this model and whatever gives fields: rigid regions, cracks, strengths.
 pub(crate) fn askable(model: &dyn BodyModel, material: &dyn Material) -> Vec<FieldName> {
-    of_probes(model, (true, true), Says { has_fibres: material.fibres().is_some(), has_strengths: true })
+    of_probes(model, (true, true), Says { has_fibres: material.fibres().is_some(), has_strengths: true, has_materials: false })
 }
 
 fn of_probes(model: &dyn BodyModel, (has_rigid, has_cracks): (bool, bool), says: Says) -> Vec<FieldName> {
