@@ -137,7 +137,8 @@ fn mixtures_are_definite() {
             let lattice = SquareLattice::rectangle(1.0, [0.0; 2], [11, 9]);
             let factors: Vec<f64> =
                 (0..lattice.points()).map(|_| [1.0, 1e-6, 1e-2, 1e2, 1e4][next() % 5]).collect();
-            let plate = BondPlane::mixed(Arc::new(lattice), Mirrors::NONE, parameters(ratio, edges), &[], factors);
+            let plate =
+                BondPlane::mixed(Arc::new(lattice), Mirrors::NONE, parameters(ratio, edges), &[], factors);
             let dense = Stiffness::of(&plate.expect("the bonds exist")).dense();
             let mut found: Vec<f64> = SymmetricEigen::new(dense).eigenvalues.iter().copied().collect();
             found.sort_by(f64::total_cmp);

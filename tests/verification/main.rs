@@ -36,6 +36,7 @@ mod held_borders;
 mod hole_stress;
 mod inclusions;
 mod literature;
+mod material_cases;
 mod materials;
 mod mirrored_loads;
 mod orthotropic_elastic;

@@ -4,8 +4,8 @@
 use crate::support::mixed::{Stiffness, line, parameters, plate, prescribed};
 use nalgebra::{DMatrix, DVector};
 use peristat_assembly::body::SquareLattice;
-use peristat_assembly::model::{BodyModel, Points};
 use peristat_assembly::model::plane::{Edges, PlaneModel};
+use peristat_assembly::model::{BodyModel, Points};
 
 /// Two layers of 14 rows that do not move along x nor vary along it, pulled across by five rows at either end: the extra elongation
 /// at the interface in spacings of the strain of the softer side.
@@ -21,7 +21,8 @@ fn jump(contrast: f64, ratio: f64) -> f64 {
         let force = stiffness.forces(&moved.collect::<Vec<_>>());
         (0..ROWS).map(|at| force[n + COLUMNS * at + COLUMNS / 2]).collect()
     };
-    let rows = DMatrix::from_columns(&(0..ROWS).map(|row| DVector::from_vec(column(row))).collect::<Vec<_>>());
+    let rows =
+        DMatrix::from_columns(&(0..ROWS).map(|row| DVector::from_vec(column(row))).collect::<Vec<_>>());
     let exact = |row: usize| {
         let y = row as f64 + 0.5;
         if y < 14.0 { y } else { 14.0 + (y - 14.0) / contrast }
@@ -59,9 +60,7 @@ fn parallel(contrast: f64, ratio: f64, edges: Edges) -> [f64; 2] {
     let lattice = SquareLattice::rectangle(1.0, [0.0; 2], [24, 16]);
     let plate = plate(lattice, parameters(ratio, edges), |[_, y]| if y < 8.0 { 1.0 } else { contrast });
     let is_held = |x: f64| x < 4.0 || x > 20.0;
-    let held = prescribed(&plate, |p, [x, _]| {
-        [is_held(x).then_some(x), (p == 3 * 24 + 12).then_some(0.0)]
-    });
+    let held = prescribed(&plate, |p, [x, _]| [is_held(x).then_some(x), (p == 3 * 24 + 12).then_some(0.0)]);
     let stiffness = Stiffness::of(&plate);
     let u = stiffness.relaxed(&held);
     let force = stiffness.forces(&u);
@@ -76,7 +75,10 @@ fn parallel(contrast: f64, ratio: f64, edges: Edges) -> [f64; 2] {
 fn layers_beside_each_other_share_the_force() {
     for (contrast, lacks, strain) in [(2.0, -0.005, 0.025), (10.0, -0.005, 0.040), (100.0, -0.007, 0.071)] {
         let [found, error] = parallel(contrast, 3.0, Edges::Overlay);
-        assert!((found - lacks).abs() <= 1e-3 && (error - strain).abs() <= 1e-3, "{contrast}: {found} {error}");
+        assert!(
+            (found - lacks).abs() <= 1e-3 && (error - strain).abs() <= 1e-3,
+            "{contrast}: {found} {error}"
+        );
     }
     for contrast in [2.0, 10.0, 100.0] {
         let found = parallel(contrast, 2.0, Edges::Border);
@@ -87,7 +89,9 @@ fn layers_beside_each_other_share_the_force() {
 /// Strains of every material are told: stresses of a layer are those of its own modulus.
 #[test]
 fn a_uniform_strain_has_the_stress_of_every_point() {
-    for (ratio, edges) in [(2.0, Edges::Border), (3.0, Edges::Border), (2.0, Edges::Overlay), (3.0, Edges::Overlay)] {
+    for (ratio, edges) in
+        [(2.0, Edges::Border), (3.0, Edges::Border), (2.0, Edges::Overlay), (3.0, Edges::Overlay)]
+    {
         let lattice = SquareLattice::rectangle(0.5, [0.0; 2], [14, 12]);
         let modulus = |[x, y]: [f64; 2]| if x > 3.0 && y > 2.0 { 25.0 } else { 1.0 };
         let plate = plate(lattice, parameters(ratio, edges), modulus);
@@ -109,7 +113,8 @@ fn a_uniform_strain_has_the_stress_of_every_point() {
                 let exact: f64 = (0..3).map(|k| factor * c[q][k] * strain[k]).sum();
                 worst = worst.max((fields.stress[q][p] - exact).abs() / factor);
             }
-            let energy: f64 = (0..9).map(|k| 0.5 * factor * strain[k / 3] * c[k / 3][k % 3] * strain[k % 3]).sum();
+            let energy: f64 =
+                (0..9).map(|k| 0.5 * factor * strain[k / 3] * c[k / 3][k % 3] * strain[k % 3]).sum();
             worst = worst.max((fields.energy_density[p] - energy).abs() / factor);
         }
         let told = plate.strain(&fields.stress);

@@ -68,11 +68,9 @@ impl Stiffness {
         let free = |of: Vec<f64>| -> Vec<f64> {
             of.iter().zip(prescribed).map(|(v, p)| if p.is_some() { 0.0 } else { *v }).collect()
         };
-        let diagonal: Vec<f64> = (0..u.len())
-            .map(|i| self.rows[i].iter().find(|e| e.0 == i).map_or(1.0, |e| e.1))
-            .collect();
-        let scaled =
-            |r: &[f64]| -> Vec<f64> { r.iter().zip(&diagonal).map(|(r, d)| r / d).collect() };
+        let diagonal: Vec<f64> =
+            (0..u.len()).map(|i| self.rows[i].iter().find(|e| e.0 == i).map_or(1.0, |e| e.1)).collect();
+        let scaled = |r: &[f64]| -> Vec<f64> { r.iter().zip(&diagonal).map(|(r, d)| r / d).collect() };
         let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
         let mut r = free(self.forces(&u).iter().map(|f| -f).collect());
         let mut z = scaled(&r);

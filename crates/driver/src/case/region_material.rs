@@ -13,4 +13,7 @@ pub struct RegionMaterial {
     /// Young's modulus E, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub youngs_modulus: Option<f64>,
+    /// Shear modulus G of a body in antiplane shear, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_modulus: Option<f64>,
 }

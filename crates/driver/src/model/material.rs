@@ -101,12 +101,13 @@ pub trait Material: Debug + Send + Sync {
     /// Young's moduli, by the keys that give them.
     fn youngs_moduli(&self) -> Vec<(&'static str, f64)>;
 
-    /// Keys that materials of regions can give; else why there are none, and what to do about it.
+    /// Keys that materials of regions can give, with their values in the base material; else why there are none, and what to do
+    /// about it.
     ///
     /// # Errors
     /// The reason and a hint.
-    fn other_materials(&self) -> Result<&'static [&'static str], (&'static str, String)> {
-        let hint = format!("several materials are known to the model `{}`", hints::MIXTURES);
+    fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
+        let hint = format!("several materials are known to the models {}", hints::mixtures());
         Err(("bodies of this model have one material", hint))
     }
 

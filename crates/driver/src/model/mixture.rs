@@ -10,6 +10,15 @@ pub struct OtherMaterial {
     pub name: String,
     /// Young's modulus.
     pub youngs_modulus: Option<f64>,
+    /// Shear modulus.
+    pub shear_modulus: Option<f64>,
+}
+
+impl OtherMaterial {
+    /// What it gives, by keys.
+    pub fn keys(&self) -> [(&'static str, Option<f64>); 2] {
+        [("youngs_modulus", self.youngs_modulus), ("shear_modulus", self.shear_modulus)]
+    }
 }
 
 /// The materials of a body.

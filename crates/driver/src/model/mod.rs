@@ -188,9 +188,15 @@ pub(crate) mod hints {
     /// For bodies in the plane, and their cracks.
     pub(crate) const PLANE: &str = "bond_plane";
     /// For bodies of several materials.
-    pub(crate) const MIXTURES: &str = "bond_plane";
+    const MIXTURES: [&str; 3] = ["bond_plane", "bond_antiplane", "bond_solid"];
     /// For bonds that soften.
     pub(crate) const SOFTENING: &str = "bond_plane";
+    /// The models of bodies of several materials.
+    pub(crate) fn mixtures() -> String {
+        let [first, second, last] = MIXTURES;
+        format!("`{first}`, `{second}` and `{last}`")
+    }
+
     /// For thin cylinders.
     pub(crate) const SHELLS: &str = "shell_membrane";
     /// For bodies in space.

@@ -6,14 +6,14 @@
 
 use super::bond::PlaneBond;
 use super::edges::{Completion, EdgeFactors, Overlay, edge_factors, has_border, overlay};
+use super::exceptions::{grid, halved, reduced, with_neighbours};
 use super::interface::Interface;
 use super::mixture::Mixture;
-use super::near::{at, near_points};
+use super::near::near_points;
 use super::neighbourhood::Neighbourhood;
 use super::{Edges, FindCuts, Mirrors};
 use crate::body::SquareLattice;
-use crate::bonds::BondModel;
-use crate::stiffness::{Exception, Families, GridBonds, Offset};
+use crate::stiffness::{Exception, Families, GridBonds};
 use std::collections::HashSet;
 use std::sync::Arc;
 
@@ -114,7 +114,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             Box::new(Interface::new((&lattice, &mirrors), bonds, mixture, without, &border.lacks))
         });
         let mut exceptions = factors.exceptions;
-        exceptions.extend(interface.iter_mut().flat_map(|interface| std::mem::take(&mut interface.exceptions)));
+        exceptions
+            .extend(interface.iter_mut().flat_map(|interface| std::mem::take(&mut interface.exceptions)));
         let mut cuts: Vec<(usize, usize)> = known.into_iter().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
@@ -218,93 +219,4 @@ fn completing<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M,
     };
     let untold = points.into_iter().filter(|&point| !strains.tells(point));
     overlay(&lattice.clone().with_whole_cells(), bonds, untold, cuts, &border.gaps)
-}
-
-/// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.
-pub(in super::super) fn grid<const D: usize, const M: usize, B: BondModel<D, M>>(
-    lattice: &Arc<SquareLattice>,
-    neighbourhood: &Neighbourhood<M>,
-    base: &[f64],
-    bond: &B,
-    exceptions: &[Exception],
-) -> GridBonds<D, M, B> {
-    let bonded: Vec<usize> = neighbourhood.bonded().collect();
-    let mut class = vec![None; neighbourhood.offsets.len()];
-    bonded.iter().enumerate().for_each(|(index, &k)| class[k] = Some(index));
-    let offset = |&k: &usize| Offset {
-        step: neighbourhood.offsets[k],
-        weights: neighbourhood.weights[k].map(|w| base[k] * w),
-    };
-    let offsets: Vec<Offset<M>> = bonded.iter().map(offset).collect();
-    let known: Vec<Exception> =
-        exceptions.iter().filter_map(|e| Some(Exception { offset: class[e.offset]?, ..*e })).collect();
-    GridBonds::new(lattice.clone(), bond, &offsets, &known)
-}
-
-/// Factors of the bonds of cells that are not whole: the smaller part of both ends.
-fn reduced<const M: usize>(lattice: &SquareLattice, neighbourhood: &Neighbourhood<M>) -> Vec<Exception> {
-    let mut exceptions = Vec::new();
-    for &(point, part) in lattice.cut_cells() {
-        let (point, cell) = (point as usize, lattice.cell(point as usize));
-        for k in neighbourhood.bonded() {
-            for up in [true, false] {
-                let Some(other) = lattice.number(at(cell, neighbourhood.offsets[k], up)) else { continue };
-                let factor = part.min(lattice.fraction(other));
-                // A bond between two such cells is met twice.
-                if up || lattice.fraction(other) == 1.0 {
-                    let lower = if up { point } else { other };
-                    exceptions.push(Exception { offset: k, lower, factor });
-                }
-            }
-        }
-    }
-    exceptions
-}
-
-/// Some points, and those that have a bond to a cell that is not whole, in order.
-fn with_neighbours<const M: usize>(
-    lattice: &SquareLattice,
-    neighbourhood: &Neighbourhood<M>,
-    mut points: Vec<usize>,
-) -> Vec<usize> {
-    if lattice.cut_cells().is_empty() {
-        return points;
-    }
-    for &(point, _) in lattice.cut_cells() {
-        let cell = lattice.cell(point as usize);
-        let steps = neighbourhood
-            .bonded()
-            .flat_map(|k| [true, false].map(|up| at(cell, neighbourhood.offsets[k], up)));
-        points.push(point as usize);
-        points.extend(steps.filter_map(|other| lattice.number(other)));
-    }
-    points.sort_unstable();
-    points.dedup();
-    points
-}
-
-/// Factors of bonds across lines of symmetry, ½, and beyond them, 0. Across a joined side a bond has a copy across the other
-/// one, and each is half of it.
-pub(in super::super) fn halved<const M: usize>(
-    lattice: &SquareLattice,
-    mirrors: &Mirrors,
-    neighbourhood: &Neighbourhood<M>,
-    ghosts: &[u32],
-) -> Vec<Exception> {
-    let mut exceptions = Vec::new();
-    for &ghost in ghosts {
-        let cell = lattice.cell(ghost as usize);
-        for k in neighbourhood.bonded() {
-            for up in [true, false] {
-                let other = at(cell, neighbourhood.offsets[k], up);
-                let Some(number) = lattice.number(other) else { continue };
-                let is_real = mirrors.is_real(other);
-                if is_real || up {
-                    let lower = if up { ghost as usize } else { number };
-                    exceptions.push(Exception { offset: k, lower, factor: if is_real { 0.5 } else { 0.0 } });
-                }
-            }
-        }
-    }
-    exceptions
 }

@@ -97,7 +97,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let mut sums = self.whole().sums::<3>(u, &shares);
         sums[3 * n..].par_iter_mut().with_min_len(4096).for_each(|energy| *energy /= volume);
         if let Some(interface) = &self.interface {
-            interface.add_uneven(self.whole(), (u, &shares, volume), &mut sums);
+            interface.uneven.add_to(self.whole(), (u, &shares, volume), &mut sums);
         }
         // Beside a border that is completed a point stands for a whole cell of its stress.
         let follows = self.border.is_cut();
@@ -172,7 +172,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let shares = self.virial_shares(1.0);
         self.whole().add_work::<3>(t, &self.spans(points), &shares, force);
         if let Some(interface) = &self.interface {
-            interface.add_work(self.whole(), (t, &shares), force);
+            interface.uneven.add_work(self.whole(), (t, &shares), force);
             add_work_of_triangles(interface.told(), t, force);
         }
     }

@@ -45,7 +45,11 @@ impl Mixture {
     }
 
     /// That of a cell, stored or not; none where there is no point.
-    pub(in super::super) fn at(&self, (lattice, mirrors): (&SquareLattice, &Mirrors), cell: Cell) -> Option<f64> {
+    pub(in super::super) fn at(
+        &self,
+        (lattice, mirrors): (&SquareLattice, &Mirrors),
+        cell: Cell,
+    ) -> Option<f64> {
         let image = || if mirrors.is_none() { None } else { lattice.number(mirrors.image(cell).0) };
         Some(self.of(lattice.number(cell).or_else(image)?))
     }
@@ -92,7 +96,8 @@ impl Mixture {
         let mean = known.iter().sum::<f64>() / count;
         let series = count / known.iter().map(|factor| 1.0 / factor).sum::<f64>();
         let own = corners[0].unwrap_or(mean);
-        let rise = |k: usize| f64::from(cells[k + 1][k] - cells[0][k]) * (corners[k + 1].unwrap_or(mean) - own);
+        let rise =
+            |k: usize| f64::from(cells[k + 1][k] - cells[0][k]) * (corners[k + 1].unwrap_or(mean) - own);
         let slope = [rise(0), rise(1)];
         let steep = slope[0].hypot(slope[1]) * along[0].hypot(along[1]);
         let cosine = (slope[0] * along[0] + slope[1] * along[1]) / steep;
@@ -107,12 +112,12 @@ impl Mixture {
         (coarse, mirrors): (&SquareLattice, &Mirrors),
     ) -> Option<Arc<Self>> {
         let of = |point: usize| {
-            let [i, j, k] = if mirrors.is_none() {
-                coarse.cell(point)
-            } else {
-                mirrors.image(coarse.cell(point)).0
-            };
-            let children = (0..4).map(|child| [2 * i + (child & 1), 2 * j + (child >> 1), k]);
+            let [i, j, k] =
+                if mirrors.is_none() { coarse.cell(point) } else { mirrors.image(coarse.cell(point)).0 };
+            let plane = coarse.is_plane();
+            let layer = |child: i32| if plane { k } else { 2 * k + (child >> 2) };
+            let children = (0..if plane { 4 } else { 8 })
+                .map(|child| [2 * i + (child & 1), 2 * j + (child >> 1 & 1), layer(child)]);
             let known: Vec<f64> = children.filter_map(|cell| Some(self.of(fine.number(cell)?))).collect();
             if known.is_empty() { 1.0 } else { known.iter().sum::<f64>() / known.len() as f64 }
         };

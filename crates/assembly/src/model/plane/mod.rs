@@ -6,6 +6,7 @@ mod bond;
 mod breaking;
 mod damage;
 mod edges;
+mod exceptions;
 mod fields;
 mod interface;
 mod mirrors;
@@ -19,6 +20,7 @@ mod terms;
 #[cfg(test)]
 pub(super) mod through_border;
 pub mod toughness;
+mod uneven;
 
 pub use bond::{LatticeBond, PlaneBond};
 pub use breaking::CriticalStretch;
@@ -28,17 +30,19 @@ pub use mirrors::Mirrors;
 pub use parameters::{Calibration, Edges};
 pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 
-pub(super) use body::{Kind, LatticeBody, grid, halved};
+pub(super) use body::{Kind, LatticeBody};
 pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{
     By, Cells, End, Nodes, Run, around, border_shares, can_end, energy_factor, for_each_part, is_cut,
     strain_rows, volume_factor,
 };
+pub(super) use exceptions::{grid, halved};
 pub(super) use fields::add_work_of_triangles;
 pub(super) use mixture::Mixture;
 pub(super) use near::{at, near_points};
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_up, is_within, length};
 pub(super) use projection::project;
+pub(super) use uneven::{MixedBonds, UnevenBonds};
 
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, Mat, Point};

@@ -17,6 +17,7 @@ mod corners;
 mod damage;
 mod dilatation;
 mod fields;
+mod interface;
 mod law;
 mod model;
 #[cfg(test)]

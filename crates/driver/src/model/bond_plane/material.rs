@@ -49,9 +49,9 @@ impl Material for Central {
         vec![("youngs_modulus", self.parameters.material.youngs_modulus)]
     }
 
-    fn other_materials(&self) -> Result<&'static [&'static str], (&'static str, String)> {
+    fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
         if self.parameters.edges.is_exact() {
-            return Ok(&["youngs_modulus"]);
+            return Ok(self.youngs_moduli());
         }
         let hint = "leave out `edges` and `calibration`".into();
         Err(("several materials need the edges `border` or `overlay`", hint))

@@ -260,28 +260,31 @@ impl BodyResult {
         if let Some((kept, divisor)) = self.kept(scene, field) {
             return Some(sum(kept) / divisor);
         }
+        let heaviest = weights.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?.0 as usize;
+        if field == FieldName::Material {
+            return scene.material_number(heaviest).map(f64::from);
+        }
         let recovered = self.recovered.as_ref()?;
         let origin = field.about().origin;
         if origin == Origin::Damage {
             return Some(0.0);
         }
         let medium = Medium::of(scene);
-        let of = |weights: &[(u32, f64)]| {
+        let of = |weights: &[(u32, f64)], point: usize| {
             let sum = |values: &[f64]| weights.iter().map(|&(p, w)| w * values[p as usize]).sum::<f64>();
             let stress = recovered.at(sum);
             let across = match recovered.across.is_empty() {
                 true => scene.model.across_of(stress),
                 false => sum(&recovered.across),
             };
-            let point = weights.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?.0 as usize;
             of_stress(origin, medium, (point, stress), across)
         };
         match (scene.materials().is_one(), origin) {
             // Strains are linear in stresses by the material of every point.
             (false, Origin::Strain(..) | Origin::FibreStrain(_)) => {
-                weights.iter().map(|&(p, w)| Some(w * of(&[(p, 1.0)])?)).sum()
+                weights.iter().map(|&(p, w)| Some(w * of(&[(p, 1.0)], p as usize)?)).sum()
             }
-            _ => of(weights),
+            _ => of(weights, heaviest),
         }
     }
 }

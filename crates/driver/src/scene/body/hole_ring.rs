@@ -76,7 +76,9 @@ impl HoleRing {
             inside = inside.min(level(p));
         }
         // Its fields are of one material.
-        if let (numbers @ [_, ..], Some(beside)) = (&scene.materials().numbers[..], scene.nearest(ellipse.centre)) {
+        if let (numbers @ [_, ..], Some(beside)) =
+            (&scene.materials().numbers[..], scene.nearest(ellipse.centre))
+        {
             let all = || scene.real_points().zip(numbers);
             let own = all().find(|(p, _)| *p == beside).map(|(_, number)| *number);
             for (p, _) in all().filter(|(_, number)| Some(**number) != own) {

@@ -136,6 +136,15 @@ impl BodyScene {
         &self.inputs.materials
     }
 
+    /// Number of the material of a point of the model, 0 for the base one; none of listed points.
+    pub(crate) fn material_number(&self, point: usize) -> Option<u32> {
+        let (lattice, mirrors) = self.model.lattice()?;
+        let cell = lattice.cell(point);
+        let cell = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
+        let own = self.body().cells()?.number(cell)?;
+        Some(self.materials().numbers.get(own).copied().unwrap_or(0))
+    }
+
     /// The point nearest to a place that is no image.
     pub(crate) fn nearest(&self, [x, y]: [f64; 2]) -> Option<usize> {
         let far = |p: usize| {

@@ -7,10 +7,10 @@ mod factors;
 mod overlay;
 mod triangle;
 
+pub(in super::super) use border::Path;
 pub(in crate::model) use border::border_shares;
 pub(in super::super) use border::{BorderBonds, Cells, End, Nodes, Run, around, can_end, for_each_part};
 pub use border::{BorderShares, FARTHEST};
-pub(in super::super) use border::Path;
 pub(in super::super) use cut::{Section, Strains};
 pub(super) use cut::{cut_shares, left_to_triangles, modulus};
 pub(super) use factors::{EdgeFactors, edge_factors};

@@ -33,14 +33,12 @@ impl Says {
         Self { has_materials, ..Self::default() }
     }
 
-
     /// What a case says of a material.
     pub(crate) fn of(case: &Case, material: &dyn Material) -> Self {
         Self {
             has_fibres: material.fibres().is_some(),
             has_strengths: case.strengths.is_some(),
-            // What a table shows is no value between points.
-            has_materials: false,
+            has_materials: !case.materials.is_empty(),
         }
     }
 }
@@ -130,7 +128,8 @@ pub(crate) fn probed(model: &dyn BodyModel, case: &Case, says: Says) -> Vec<Fiel
 
 /// The fields that probes of a case can ask for which has this model and whatever gives fields: rigid regions, cracks, strengths.
 pub(crate) fn askable(model: &dyn BodyModel, material: &dyn Material) -> Vec<FieldName> {
-    of_probes(model, (true, true), Says { has_fibres: material.fibres().is_some(), has_strengths: true, has_materials: false })
+    let (has_fibres, has_materials) = (material.fibres().is_some(), material.other_materials().is_ok());
+    of_probes(model, (true, true), Says { has_fibres, has_strengths: true, has_materials })
 }
 
 fn of_probes(model: &dyn BodyModel, (has_rigid, has_cracks): (bool, bool), says: Says) -> Vec<FieldName> {

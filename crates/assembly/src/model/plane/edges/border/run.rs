@@ -57,12 +57,12 @@ impl Run<'_> {
     }
 
     /// Its cells, and the parts of the whole bond that they have.
-    pub(super) fn cells(&self) -> impl Iterator<Item = (Cell, f64)> + '_ {
+    pub(in crate::model) fn cells(&self) -> impl Iterator<Item = (Cell, f64)> + '_ {
         (self.pieces[0]..self.pieces[1]).map(|p| (self.cell(p), self.path.share(p, p + 1)))
     }
 
     /// Its first and its last cell, if they are real.
-    pub(super) fn ends_of(&self, mirrors: &Mirrors) -> [Option<Cell>; 2] {
+    pub(in crate::model) fn ends_of(&self, mirrors: &Mirrors) -> [Option<Cell>; 2] {
         let ends = [self.cell(self.pieces[0]), self.cell(self.pieces[1] - 1)];
         ends.map(|cell| (mirrors.is_none() || mirrors.is_real(cell)).then_some(cell))
     }
