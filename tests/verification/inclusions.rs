@@ -110,7 +110,6 @@ fn a_disc_has_the_stress_of_goodier() {
     assert!((Goodier::new(10.0).inside()[0] - 1.4286).abs() < 1e-4);
     for (contrast, expected, across) in [(10.0, 0.0062, 0.006), (100.0, 0.0063, 0.006)] {
         let [x, y] = core(contrast, 16, 3.0);
-        println!("{contrast} {x} {y}");
         assert!((x - expected).abs() <= 5e-4 && y.abs() <= across, "{contrast}: {x} {y}");
     }
 }
@@ -119,7 +118,6 @@ fn a_disc_has_the_stress_of_goodier() {
 fn the_core_of_a_disc_is_good_at_eight_points_per_radius() {
     for (contrast, ratio) in [1e-3, 0.1, 2.0, 10.0, 100.0].into_iter().flat_map(|c| [(c, 2.0), (c, 3.0)]) {
         let [x, y] = core(contrast, 8, ratio);
-        println!("{contrast} {ratio} {x} {y}");
         assert!(x.abs() <= 0.012 && y.abs() <= 0.012, "{contrast} {ratio}: {x} {y}");
     }
 }

@@ -39,6 +39,7 @@ mod literature;
 mod material_cases;
 mod materials;
 mod mirrored_loads;
+mod mixed_solids;
 mod orthotropic_elastic;
 mod orthotropic_fracture;
 mod orthotropic_patch;

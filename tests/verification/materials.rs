@@ -49,7 +49,6 @@ fn layers_in_series_have_no_jump() {
     // Measured -0.0378, -0.0322, -0.0041 at m = 2.
     for (contrast, ratio) in [2.0, 10.0, 100.0].into_iter().flat_map(|c| [2.0, 3.0, 4.0].map(|m| (c, m))) {
         let found = jump(contrast, ratio);
-        println!("{contrast} {ratio} {found}");
         assert!(found.abs() <= 0.04, "{contrast}, {ratio}: {found}");
     }
 }
@@ -82,7 +81,6 @@ fn layers_beside_each_other_share_the_force() {
     }
     for contrast in [2.0, 10.0, 100.0] {
         let found = parallel(contrast, 2.0, Edges::Border);
-        println!("{contrast} {found:?}");
     }
 }
 
@@ -121,7 +119,6 @@ fn a_uniform_strain_has_the_stress_of_every_point() {
         worst = (0..3 * n).fold(worst, |w, k| w.max((told[k / n][k % n] - strain[k / n]).abs()));
         let energy: f64 = Stiffness::of(&plate).forces(&u).iter().zip(&u).map(|(f, u)| 0.5 * f * u).sum();
         let expected: f64 = (0..n).map(|p| fields.energy_density[p] * 0.25).sum();
-        println!("{ratio} {edges:?} {worst:e} {:e}", energy / expected - 1.0);
         assert!(worst <= 1e-13 && (energy / expected - 1.0).abs() <= 1e-12, "{worst} {energy} {expected}");
     }
 }

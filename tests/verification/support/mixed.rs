@@ -5,8 +5,9 @@ use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
+use peristat_assembly::model::bond_solid::BondSolid;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
-use peristat_assembly::model::{BodyModel, Points};
+use peristat_assembly::model::{BodyModel, Model, Points};
 use peristat_assembly::system::System;
 use std::sync::Arc;
 
@@ -39,10 +40,18 @@ pub(crate) struct Stiffness {
 
 impl Stiffness {
     pub(crate) fn of(plate: &BondPlane) -> Self {
-        let system = System::<2>::new(plate, Vec::new(), Vec::new()).expect("no contradiction");
+        Self::of_model::<2>(plate)
+    }
+
+    pub(crate) fn of_solid(solid: &BondSolid) -> Self {
+        Self::of_model::<3>(solid)
+    }
+
+    fn of_model<const D: usize>(model: &impl Model<D>) -> Self {
+        let system = System::<D>::new(model, Vec::new(), Vec::new()).expect("no contradiction");
         let n = system.points();
         let matrix = system.stiffness().to_csr(|point, component| component * n + point);
-        let mut rows = vec![Vec::new(); 2 * n];
+        let mut rows = vec![Vec::new(); D * n];
         for (&value, (i, j)) in &matrix {
             rows[i].push((j, value));
         }

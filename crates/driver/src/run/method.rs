@@ -17,7 +17,7 @@ use std::time::Instant;
 /// Right-hand sides that share a factor from which it is faster than as many multigrid solves, measured at 1e5 points.
 const MANY_SIDES: usize = 30;
 /// Root of the ratio of the moduli of points up to which coarser lattices are good preconditioners: with an inclusion or a layer a
-/// hundred times as stiff, or as soft, a cycle takes 28 iterations at most, at 1e4 times 53 to 800, growing with the lattice.
+/// hundred times as stiff, or as soft, a cycle takes 28 iterations at most, in solids 49, at 1e4 times 53 to 800, growing with the lattice.
 const MOST_CONTRAST: f64 = 10.0;
 
 /// What a right-hand side is solved with.
@@ -81,12 +81,20 @@ pub(super) fn plan<const D: usize>(problem: &dyn Problem<D>) -> Plan {
         _ if problem.breaks() => Plan::Factor,
         (Solver::Pcg, _) => Plan::Blocks,
         (Solver::Multigrid, Spread::Lattice) => Plan::Cycle,
-        (Solver::Auto, Spread::Lattice) if points <= TOO_MANY_POINTS && has_contrast(problem) => Plan::Factor,
+        (Solver::Auto, Spread::Lattice) if has_contrast(problem) && points <= worth_a_factor(problem) => {
+            Plan::Factor
+        }
         (Solver::Auto, Spread::Lattice) if few_sides => Plan::Cycle,
         (Solver::Auto, Spread::Plane) if points > TOO_MANY_POINTS => Plan::Blocks,
         (Solver::Auto, Spread::Solid) if points > problem.most_factored() => Plan::Blocks,
         _ => Plan::Factor,
     }
+}
+
+/// Points up to which a lattice is worth a factor where nothing else converges.
+fn worth_a_factor<const D: usize>(problem: &dyn Problem<D>) -> usize {
+    let is_solid = problem.most_factored() < TOO_MANY_POINTS;
+    if is_solid { FALL_BACK_OF_SOLID } else { TOO_MANY_POINTS }
 }
 
 /// Whether the moduli of points differ by more than coarser lattices can follow.

@@ -195,7 +195,10 @@ impl SolidBody {
         let coarse = mirrors.extended(&coarse, self.law.edges.depth(self.law.neighbourhood.reach()));
         let cuts = cuts(&coarse, &self.law.neighbourhood.offsets);
         let mixture = self.mixture().and_then(|own| own.coarser(&self.lattice, (&coarse, &mirrors)));
-        Self::new(Arc::new(coarse), mirrors, self.law.clone(), &cuts, mixture).ok()
+        let coarse = Arc::new(coarse);
+        let of = |mixture| Self::new(coarse.clone(), mirrors, self.law.clone(), &cuts, mixture).ok();
+        // Where no bonds end on the border of the coarser lattice it is of one material.
+        of(mixture).or_else(|| of(None))
     }
 }
 

@@ -15,10 +15,7 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
         let own = [("E", other.youngs_modulus), ("G", other.shear_modulus)].into_iter();
         let stress = |value: f64| units.quantity(&number(value), units.stress());
         let own: String = own.filter_map(|(k, value)| Some(format!(", {k} = {}", stress(value?)))).collect();
-        line(
-            &format!("material {}", other.number),
-            format!("{}: {} point{s}{own}", other.name, other.points),
-        );
+        line("material", format!("{}, {}: {} point{s}{own}", other.number, other.name, other.points));
     }
     let length = |value: f64| units.quantity(&number(value), units.length());
     let influence = m.material.influence;
