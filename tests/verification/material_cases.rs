@@ -185,7 +185,7 @@ fn ring(liner: f64, modulus: f64) -> Vec<f64> {
         -liner,
         -1.0 / liner,
     );
-    let of = matrix.lu().solve(&nalgebra::Vector4::new(-1.0, 0.0, 0.0, 0.0)).unwrap();
+    let of = matrix.lu().solve(&nalgebra::Vector4::new(-1.0, 0.0, 0.0, 0.0)).expect("two layers");
     let exact = |x: f64| {
         let r = x.hypot(0.5);
         let (a, b) = if r < liner { (of[0], of[1]) } else { (of[2], of[3]) };
