@@ -240,6 +240,15 @@ fn other_bodies_have_one_material() {
     let mut case = disc(true, 1e12, 2.0, 0.0);
     assert!(refusal(&case).contains("by more than a factor of 1e9"));
     case["materials"]["other"]["youngs_modulus"] = json!(10);
+    for (key, value, why) in [
+        ("density", json!(7.8), "the density is that of one material"),
+        ("strengths", json!({ "yield_stress": 1 }), "strengths are those of one material"),
+        ("fracture", json!({ "critical": { "stretch": 0.1 }, "load": "a" }), "do not break yet"),
+    ] {
+        let mut case = case.clone();
+        case[key] = value;
+        assert!(refusal(&case).contains(why), "{key}: {}", refusal(&case));
+    }
     case["path"] = json!({ "control": { "load": { "steps": 3 } } });
     let said = refusal(&case);
     assert!(said.contains("path"), "{said}");

@@ -71,6 +71,8 @@ fn refuse_beside(ground: &Ground, faults: &mut Faults) {
     let keys = [
         ("fracture", case.fracture.is_some(), "bodies of several materials do not break yet"),
         ("path", case.path.is_some(), "bonds of several materials do not soften yet"),
+        ("density", case.density.is_some(), "the density is that of one material"),
+        ("strengths", case.strengths.is_some(), "strengths are those of one material"),
         ("stress_intensity", !case.stress_intensity.is_empty(), "stress intensities are of one material"),
     ];
     for (key, _, why) in keys.into_iter().filter(|key| key.1) {
