@@ -2,6 +2,7 @@
 
 pub(crate) mod chain;
 pub(crate) mod handbook;
+pub(crate) mod mixed;
 pub(crate) mod noise;
 pub(crate) mod orthotropic;
 pub(crate) mod plane;

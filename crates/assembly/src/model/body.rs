@@ -95,6 +95,11 @@ pub trait BodyModel: Points + Debug + Send + Sync {
     /// stress across a section, where that is none of them.
     fn strains_of(&self, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR];
 
+    /// The same at a point, whose material may be another than the base one.
+    fn strains_at(&self, _point: usize, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        self.strains_of(stress, across)
+    }
+
     /// Stress across a section that belongs to stresses in it; zero where it is one of them.
     fn across_of(&self, _stress: [f64; TENSOR]) -> f64 {
         0.0

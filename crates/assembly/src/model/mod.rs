@@ -115,6 +115,11 @@ pub trait Model<const D: usize>: Points {
         1.0
     }
 
+    /// Root of the largest over the smallest modulus of points of several materials.
+    fn contrast_of_points(&self) -> f64 {
+        1.0
+    }
+
     /// How far a unit rigid motion moves a point: m, or m per rad. Unlike unknowns, this compares motions of all kinds.
     fn displacement(&self, kind: usize, point: usize, centre: Point) -> f64 {
         let motion = self.rigid_motion(kind, point, centre).into_iter().zip(self.components());

@@ -113,6 +113,8 @@ pub enum Origin {
     Damage,
     /// The loads: changes of temperature.
     Temperature,
+    /// The material of a point.
+    Material,
     /// The faces of a crack.
     Opening,
     /// What holds the unknown, or the motion of a rigid region, of this name.

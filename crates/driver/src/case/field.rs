@@ -146,6 +146,9 @@ pub enum FieldName {
     /// Change of temperature, kelvin, where a load changes it.
     #[serde(rename = "temperature")]
     Temperature,
+    /// Number of the material of a point: 0 for that of `model`, then 1, 2 and so on for `materials` by their names.
+    #[serde(rename = "material")]
+    Material,
     /// Strain energy density, per volume.
     #[serde(rename = "energy_density")]
     EnergyDensity,
@@ -238,6 +241,7 @@ impl FieldName {
             Self::Opening => ("opening", Length, Opening),
             Self::Damage => ("damage", One, Damage),
             Self::Temperature => ("temperature", Kelvin, Temperature),
+            Self::Material => ("material", One, Material),
             Self::EnergyDensity => ("energy_density", Unit::Stress, Energy),
             Self::ReactionForce => ("reaction_force", Force, Reaction("w")),
             Self::ReactionX => ("reaction_x", Force, Reaction("ux")),
@@ -263,8 +267,8 @@ impl FieldName {
 
     /// Whether it is recovered from the bonds, beyond the unknowns and reactions.
     pub fn is_recovered(self) -> bool {
-        use Origin::{Opening, Reaction, Turn, Unknown};
-        !matches!(self.about().origin, Reaction(_) | Unknown | Opening | Turn(_))
+        use Origin::{Material, Opening, Reaction, Turn, Unknown};
+        !matches!(self.about().origin, Reaction(_) | Unknown | Opening | Turn(_) | Material)
     }
 }
 

@@ -37,7 +37,7 @@ impl FieldName {
 
     /// The fields that points of bodies have, in the order of tables; `phi` where they turn, `w` where they move across the plane.
     /// Those that follow from the stresses of a point behind `von_mises` are found on demand, and no table has them.
-    pub const BODY: [Self; 38] = [
+    pub const BODY: [Self; 39] = [
         Self::Ux,
         Self::Uy,
         Self::Uz,
@@ -76,5 +76,6 @@ impl FieldName {
         Self::EnergyDensity,
         Self::Damage,
         Self::Temperature,
+        Self::Material,
     ];
 }

@@ -22,6 +22,7 @@ mod plane_output;
 mod read;
 mod refine;
 mod region;
+mod region_material;
 mod solid_body;
 mod specimen;
 mod strengths;
@@ -63,6 +64,7 @@ pub use region::{
     BallRegion, Bearing, BoxRegion, DiscRegion, EdgeRegion, FaceRegion, HalfPlaneRegion, HalfSpaceRegion,
     HoleRegion, Region, Rigid,
 };
+pub use region_material::RegionMaterial;
 pub use solid_body::{BallCut, BlockBody, BlockCut, BoreCut, SolidBody, SolidCut, SpaceAxis};
 pub use specimen::{CentreCrackedPanel, CompactTension, SingleEdgeBend};
 pub use strengths::Strengths;
@@ -123,6 +125,9 @@ pub struct Case {
     /// Regions of a body in the plane by name. Edges, named holes and groups of a mesh are regions of their own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub regions: BTreeMap<String, Region>,
+    /// Materials of regions by name; everything else is of the material of `model`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub materials: BTreeMap<String, RegionMaterial>,
     /// What holds the body.
     #[serde(default)]
     pub supports: Vec<Support>,

@@ -2,7 +2,7 @@
 
 use super::{
     AnyBody, Asked, Critical, Fibres, HoopPressure, MaterialSummary, Model, OnGround, OnLattice, Pressure,
-    Refusal, Resolved, USUAL_HORIZON_RATIO,
+    Refusal, Resolved, USUAL_HORIZON_RATIO, hints,
 };
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
@@ -100,6 +100,16 @@ pub trait Material: Debug + Send + Sync {
 
     /// Young's moduli, by the keys that give them.
     fn youngs_moduli(&self) -> Vec<(&'static str, f64)>;
+
+    /// Keys that materials of regions can give, with their values in the base material; else why there are none, and what to do
+    /// about it.
+    ///
+    /// # Errors
+    /// The reason and a hint.
+    fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
+        let hint = format!("several materials are known to the models {}", hints::mixtures());
+        Err(("bodies of this model have one material", hint))
+    }
 
     /// Takes another horizon per spacing.
     fn set_horizon_ratio(&mut self, horizon_ratio: f64);

@@ -17,6 +17,7 @@ mod critical;
 mod entry;
 mod material;
 mod material_summary;
+mod mixture;
 mod on;
 mod plane_state;
 mod refusal;
@@ -41,6 +42,7 @@ pub(crate) use critical::{foreign, needed};
 pub use entry::{Entry, Growth, Start};
 pub use material::{About, CriticalStretches, Material, SofteningBonds, Surface};
 pub use material_summary::{Fact, MaterialSummary};
+pub use mixture::{Mixture, OtherMaterial};
 pub use on::{Fibres, HeldRegion, OnGround, OnLattice, Resolved};
 pub use plane_state::PlaneState;
 pub use refusal::{Place, Refusal};
@@ -185,8 +187,16 @@ pub fn starts() -> impl Iterator<Item = Start> {
 pub(crate) mod hints {
     /// For bodies in the plane, and their cracks.
     pub(crate) const PLANE: &str = "bond_plane";
+    /// For bodies of several materials.
+    const MIXTURES: [&str; 3] = ["bond_plane", "bond_antiplane", "bond_solid"];
     /// For bonds that soften.
     pub(crate) const SOFTENING: &str = "bond_plane";
+    /// The models of bodies of several materials.
+    pub(crate) fn mixtures() -> String {
+        let [first, second, last] = MIXTURES;
+        format!("`{first}`, `{second}` and `{last}`")
+    }
+
     /// For thin cylinders.
     pub(crate) const SHELLS: &str = "shell_membrane";
     /// For bodies in space.

@@ -1,5 +1,6 @@
 //! What models are given of the body that they are on.
 
+use super::Mixture;
 use crate::diagnostic::JsonPath;
 use peristat_assembly::body::{Cell, Outline, SquareLattice};
 use peristat_assembly::model::BodyModel;
@@ -11,6 +12,8 @@ pub struct OnLattice<'a> {
     pub real: &'a SquareLattice,
     /// Its lines of symmetry and joined sides.
     pub mirrors: Mirrors,
+    /// The materials of these cells.
+    pub materials: &'a Mixture,
     /// Finds the cut bonds on the lattice with images, given the offsets, by index of the offset and lower point.
     pub cuts: &'a FindCuts<'a>,
     /// Whether something stands between two cells.

@@ -1,7 +1,8 @@
 //! What the record of a run says of bodies.
 
 use super::{Extremes, Forces, Located, StateSummary};
-use crate::model::{MaterialSummary, Surface};
+use crate::case::FieldName;
+use crate::model::{MaterialSummary, OtherMaterial, Surface};
 use crate::run::body::{BodyReaction, BodyResult, MirrorReaction, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
 use crate::scene::body::BodyScene;
@@ -27,6 +28,9 @@ pub struct BodySummary {
     /// What it is made of.
     #[serde(flatten)]
     pub material: MaterialSummary,
+    /// Materials of regions.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub materials: Vec<RegionSummary>,
     /// Thickness; solids have none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thickness: Option<f64>,
@@ -66,6 +70,23 @@ pub struct BodySummary {
     pub uncorrected_points: usize,
 }
 
+/// A material of regions.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RegionSummary {
+    /// Its name.
+    pub name: String,
+    /// Its number in the field `material`.
+    pub number: u32,
+    /// Points that are of it.
+    pub points: usize,
+    /// Young's modulus, where it has its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub youngs_modulus: Option<f64>,
+    /// Shear modulus, where it has its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shear_modulus: Option<f64>,
+}
+
 fn is_zero(number: &usize) -> bool {
     *number == 0
 }
@@ -75,7 +96,8 @@ pub(super) fn state(
     scene: &BodyScene,
     result: &BodyResult,
 ) -> (StateSummary, Vec<ProbeResult>, Vec<CheckResult>) {
-    let extremes = result.fields().filter_map(|field| {
+    let is_number = |field: &FieldName| *field != FieldName::Material;
+    let extremes = result.fields().filter(is_number).filter_map(|field| {
         let values = result.values(scene, field)?;
         let located = scan::extremes(&values)?.map(|point| {
             let [x, y, z] = scene.body().position(point);
@@ -110,6 +132,7 @@ pub(super) fn model(scene: &BodyScene) -> BodySummary {
     BodySummary {
         name: about.name,
         material: material.summary(&scene.resolved(&[]), ghosts, scene.units),
+        materials: materials(scene),
         thickness: (about.surface != Surface::Solid).then_some(about.thickness),
         is_solid: about.surface == Surface::Solid,
         calibration: (!about.has_families).then_some(about.calibration),
@@ -125,6 +148,19 @@ pub(super) fn model(scene: &BodyScene) -> BodySummary {
         cut_springs: if breaks { on_border } else { 0 },
         uncorrected_points: scene.model.uncorrected(),
     }
+}
+
+/// The materials of regions, with their points.
+fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
+    let mixture = scene.materials();
+    let of = |(other, number): (&OtherMaterial, u32)| RegionSummary {
+        name: other.name.clone(),
+        number,
+        points: mixture.numbers.iter().filter(|own| **own == number).count(),
+        youngs_modulus: other.youngs_modulus,
+        shear_modulus: other.shear_modulus,
+    };
+    mixture.others.iter().zip(1..).map(of).collect()
 }
 
 /// Number of bonds that cracks cut on a lattice, those of images left out.

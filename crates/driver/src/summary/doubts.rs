@@ -60,7 +60,9 @@ impl Doubts {
                 if plane.path.as_ref().is_none_or(|path| path.kinematics == Kinematics::Linear) {
                     self.take_gradients(state, steepest(plane, result));
                 }
-                let moduli = plane.material().youngs_moduli().into_iter().map(|(_, modulus)| modulus);
+                let base = plane.material().youngs_moduli().into_iter().map(|(_, modulus)| modulus);
+                let others = plane.materials().others.iter().filter_map(|other| other.youngs_modulus);
+                let moduli = base.chain(others);
                 // Materials that are given by other moduli have strains to go by.
                 if let Some(most) = moduli.reduce(f64::max) {
                     self.take_extreme(Kind::Stress, most / STIFF, 1.0, state, &["von_mises"]);

@@ -18,7 +18,7 @@ mod tests;
 pub use bond::ShearBond;
 pub use parameters::{AntiplaneError, AntiplaneParameters};
 
-use super::plane::{Kind, LatticeBody, Mirrors};
+use super::plane::{Kind, LatticeBody, Mirrors, Mixture};
 use crate::body::{Cell, SquareLattice};
 use std::sync::Arc;
 
@@ -64,6 +64,25 @@ impl BondAntiplane {
         parameters: AntiplaneParameters,
         cuts: &[(usize, usize)],
     ) -> Result<Self, AntiplaneError> {
+        Self::mixed(lattice, mirrors, parameters, cuts, Vec::new())
+    }
+
+    /// The same of several materials: `factors` are shear moduli of the points over that of the parameters, > 0, images having
+    /// those of their points; none where all are one. Edges are completed.
+    ///
+    /// # Errors
+    /// [`AntiplaneError`].
+    ///
+    /// # Panics
+    /// As [`on_lattice`](Self::on_lattice); or there is not one factor for every point.
+    pub fn mixed(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: AntiplaneParameters,
+        cuts: &[(usize, usize)],
+        factors: Vec<f64>,
+    ) -> Result<Self, AntiplaneError> {
+        assert!(factors.is_empty() || factors.len() == lattice.points(), "one factor per point");
         let neighbourhood = parameters.neighbourhood()?;
         let kind = Kind {
             bond: ShearBond { volume: lattice.spacing().powi(2) * parameters.thickness },
@@ -71,7 +90,8 @@ impl BondAntiplane {
             thickness: parameters.thickness,
             stretch_moduli: [parameters.shear_modulus; 2],
         };
-        Ok(Self { parameters, body: LatticeBody::new(lattice, mirrors, neighbourhood, kind, cuts) })
+        let body = LatticeBody::mixed(lattice, mirrors, neighbourhood, kind, cuts, Mixture::new(factors));
+        Ok(Self { parameters, body })
     }
 
     /// The parameters.

@@ -41,6 +41,14 @@ impl Model<1> for BondAntiplane {
         self.body.terms()
     }
 
+    fn contrast(&self) -> f64 {
+        self.contrast_of_points()
+    }
+
+    fn contrast_of_points(&self) -> f64 {
+        self.body.mixture().map_or(1.0, |mixture| mixture.contrast())
+    }
+
     fn sizes(&self) -> ModelSizes {
         self.body.sizes()
     }
@@ -103,6 +111,11 @@ impl BodyModel for BondAntiplane {
         in_plane(self, stress, across)
     }
 
+    fn strains_at(&self, point: usize, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        let factor = self.body.factor(point);
+        self.strains_of(stress, across).map(|strain| strain / factor)
+    }
+
     fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
         self.stress_across([x, y, shear])
     }
@@ -128,6 +141,11 @@ impl PlaneModel for BondAntiplane {
 
     fn strain_of(&self, [xz, yz, _]: [f64; 3]) -> [f64; 3] {
         [xz, yz, 0.0].map(|stress| stress / self.parameters.shear_modulus)
+    }
+
+    fn strain_at(&self, point: usize, stress: [f64; 3], _across: f64) -> [f64; 3] {
+        let factor = self.body.factor(point);
+        self.strain_of(stress).map(|strain| strain / factor)
     }
 
     fn fields(&self, u: &[f64]) -> PlaneFields {

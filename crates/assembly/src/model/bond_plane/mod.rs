@@ -15,6 +15,7 @@ mod breaking;
 mod calibration;
 mod cloud;
 mod error;
+mod in_plane;
 mod material;
 mod motion;
 mod neighbourhood;
@@ -35,11 +36,8 @@ pub use toughness::{critical_stretch, growth_stretch, published_critical_stretch
 pub(super) use calibration::overlap::cell_in_disc;
 pub(super) use calibration::published::radial_part;
 
-use super::plane::{
-    BorderShares, Edges, Kind, LatticeBody, Mirrors, PlaneFields, PlaneModel, add_work_of_triangles, in_plane,
-};
+use super::plane::{BorderShares, Edges, Kind, LatticeBody, Mirrors, Mixture, PlaneModel, in_plane};
 use crate::body::{Cell, SquareLattice};
-use crate::bonds::Mat;
 use crate::model::solid::TENSOR;
 use crate::model::{BodyFields, BodyModel};
 use crate::stiffness::Families;
@@ -92,6 +90,25 @@ impl BondPlane {
         parameters: PlaneParameters,
         cuts: &[(usize, usize)],
     ) -> Result<Self, BondPlaneError> {
+        Self::mixed(lattice, mirrors, parameters, cuts, Vec::new())
+    }
+
+    /// The same of several materials: `factors` are Young's moduli of the points over that of the parameters, > 0, images having
+    /// those of their points; none where all are one. Edges are completed.
+    ///
+    /// # Errors
+    /// As [`on_lattice`](Self::on_lattice).
+    ///
+    /// # Panics
+    /// As [`on_lattice`](Self::on_lattice); or there is not one factor for every point.
+    pub fn mixed(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: PlaneParameters,
+        cuts: &[(usize, usize)],
+        factors: Vec<f64>,
+    ) -> Result<Self, BondPlaneError> {
+        assert!(factors.is_empty() || factors.len() == lattice.points(), "one factor per point");
         let neighbourhood = neighbourhood(&parameters)?;
         let PlaneMaterial { thickness, .. } = parameters.material;
         let kind = Kind {
@@ -100,7 +117,7 @@ impl BondPlane {
             thickness,
             stretch_moduli: [parameters.material.c11(); 2],
         };
-        let body = LatticeBody::new(lattice, mirrors, neighbourhood, kind, cuts);
+        let body = LatticeBody::mixed(lattice, mirrors, neighbourhood, kind, cuts, Mixture::new(factors));
         Ok(Self { parameters, body: Body::Lattice(Box::new(body)) })
     }
 
@@ -123,6 +140,14 @@ impl BondPlane {
     /// The parameters.
     pub fn parameters(&self) -> &PlaneParameters {
         &self.parameters
+    }
+
+    /// Young's modulus of a point over that of the parameters.
+    pub fn factor(&self, point: usize) -> f64 {
+        match &self.body {
+            Body::Lattice(body) => body.factor(point),
+            Body::Cloud(_) => 1.0,
+        }
     }
 
     fn overlay(&self) -> &Arc<Families<2, 3, 2>> {
@@ -211,6 +236,11 @@ impl BodyModel for BondPlane {
         in_plane(self, stress, across)
     }
 
+    fn strains_at(&self, point: usize, stress: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        let factor = self.factor(point);
+        self.strains_of(stress, across).map(|strain| strain / factor)
+    }
+
     fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
         self.stress_across([x, y, shear])
     }
@@ -221,47 +251,5 @@ impl BodyModel for BondPlane {
 
     fn as_plane(&self) -> Option<&dyn PlaneModel> {
         Some(self)
-    }
-}
-
-impl PlaneModel for BondPlane {
-    fn thickness(&self) -> f64 {
-        self.parameters.material.thickness
-    }
-
-    fn stiffness(&self) -> Mat<3, 3> {
-        self.parameters.material.stiffness()
-    }
-
-    fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
-        self.parameters.material.strain(stress)
-    }
-
-    fn stress_across(&self, [x, y, _]: [f64; 3]) -> f64 {
-        match self.parameters.material.state {
-            PlaneState::Stress => 0.0,
-            PlaneState::Strain => PlaneState::Strain.poisson_ratio() * (x + y),
-        }
-    }
-
-    fn fields(&self, u: &[f64]) -> PlaneFields {
-        match &self.body {
-            Body::Lattice(body) => body.fields(u),
-            Body::Cloud(body) => {
-                let sums = body.sums(u, self.thickness());
-                let volume = |point: usize| body.volume(point, self.thickness());
-                PlaneFields::with_triangles(sums, &body.triangles, volume, u)
-            }
-        }
-    }
-
-    fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
-        match &self.body {
-            Body::Lattice(body) => body.add_strain_work(t, points, force),
-            Body::Cloud(body) => {
-                body.add_work(t, force);
-                add_work_of_triangles(&body.triangles, t, force);
-            }
-        }
     }
 }

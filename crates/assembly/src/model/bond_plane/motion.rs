@@ -40,6 +40,17 @@ impl Model<2> for BondPlane {
         calibration_error(self)
     }
 
+    fn contrast(&self) -> f64 {
+        self.contrast_of_points()
+    }
+
+    fn contrast_of_points(&self) -> f64 {
+        match &self.body {
+            Body::Lattice(body) => body.mixture().map_or(1.0, |mixture| mixture.contrast()),
+            Body::Cloud(_) => 1.0,
+        }
+    }
+
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
         match &self.body {
             Body::Lattice(body) => body.terms(),

@@ -7,12 +7,14 @@
 use super::apart::Parted;
 use super::bond::PlaneBond;
 use super::edges::{Completion, EdgeFactors, Overlay, edge_factors, has_border, overlay};
-use super::near::{at, near_points};
+use super::exceptions::{grid, halved, reduced, with_neighbours};
+use super::interface::Interface;
+use super::mixture::Mixture;
+use super::near::near_points;
 use super::neighbourhood::Neighbourhood;
 use super::{Edges, FindCuts, Mirrors};
 use crate::body::SquareLattice;
-use crate::bonds::BondModel;
-use crate::stiffness::{Exception, Families, GridBonds, Offset};
+use crate::stiffness::{Exception, Families, GridBonds};
 use std::collections::HashSet;
 use std::sync::Arc;
 
@@ -45,6 +47,8 @@ pub(in super::super) struct LatticeBody<const D: usize, const M: usize, const S:
     pub(in super::super) border: Completion<D, M, S>,
     /// What points near edges lack. Beside a border that is completed they tell its stresses, and have no energy.
     pub(in super::super) triangles: Arc<Families<D, S, 2>>,
+    /// What it has beside that where it is of several materials.
+    pub(super) interface: Option<Box<Interface<D, S>>>,
     pub(in super::super) uncorrected: usize,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points.
     pub(super) cuts: Vec<(usize, usize)>,
@@ -58,8 +62,20 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         lattice: Arc<SquareLattice>,
         mirrors: Mirrors,
         neighbourhood: Neighbourhood<M>,
+        kind: Kind<B>,
+        cuts: &[(usize, usize)],
+    ) -> Self {
+        Self::mixed(lattice, mirrors, neighbourhood, kind, cuts, None)
+    }
+
+    /// The same of several materials.
+    pub(in super::super) fn mixed(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        neighbourhood: Neighbourhood<M>,
         mut kind: Kind<B>,
         cuts: &[(usize, usize)],
+        mixture: Option<Arc<Mixture>>,
     ) -> Self {
         if kind.edges == Edges::Border && !has_border(&lattice, &mirrors, neighbourhood.reach()) {
             kind.edges = Edges::Overlay;
@@ -75,7 +91,9 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             _ => parted.with_ends(&lattice, &neighbourhood, near_points(&lattice, neighbourhood.reach())),
         };
         let bonds = (&neighbourhood, &kind.bond);
-        let mut border = Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, &parted.cuts);
+        let of_points = mixture.as_deref();
+        let mut border =
+            Completion::new((&lattice, &mirrors), bonds, kind.edges, &near, (&parted.cuts, of_points));
         if kind.edges != Edges::Border {
             border.gaps.extend(parted.gaps(&neighbourhood));
         }
@@ -93,10 +111,16 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                     near = with_neighbours(&lattice, &neighbourhood, near);
                 }
                 near.retain(|&p| mirrors.is_none() || mirrors.is_real(lattice.cell(p)));
-                triangles = completing(&lattice, bonds, &border, near, &parted.all);
+                triangles = completing(&lattice, bonds, &border, near, (&parted.all, of_points));
             }
         }
+        let mut interface = mixture.map(|mixture| {
+            let without = (&parted.all, &border.gaps[..]);
+            Box::new(Interface::new((&lattice, &mirrors), bonds, mixture, without, &border.lacks))
+        });
         let mut exceptions = factors.exceptions;
+        exceptions
+            .extend(interface.iter_mut().flat_map(|interface| std::mem::take(&mut interface.exceptions)));
         let mut cuts: Vec<(usize, usize)> = parted.cuts.into_iter().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
         exceptions.extend(cuts.iter().map(|&(offset, lower)| Exception { offset, lower, factor: 0.0 }));
@@ -111,7 +135,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             exceptions.extend(halved(&lattice, &mirrors, &neighbourhood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
-        let uncorrected = if border.is_none() { triangles.uncorrected } else { border.lost };
+        let mut uncorrected = if border.is_none() { triangles.uncorrected } else { border.lost };
+        uncorrected += interface.as_ref().map_or(0, |interface| interface.lost);
         let triangles = Arc::new(Families::new(lattice.points(), triangles.triangles));
         Self {
             lattice,
@@ -123,6 +148,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             felt,
             border,
             triangles,
+            interface,
             uncorrected,
             cuts,
             apart: parted.apart,
@@ -132,6 +158,16 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// Bonds as real points feel them.
     pub(super) fn whole(&self) -> &GridBonds<D, M, B> {
         self.felt.as_ref().unwrap_or(&self.bonds)
+    }
+
+    /// Moduli of the points over those of the base material, where some are others.
+    pub(in super::super) fn mixture(&self) -> Option<&Arc<Mixture>> {
+        self.interface.as_ref().map(|interface| &interface.mixture)
+    }
+
+    /// Modulus of a point over that of the base material.
+    pub(in super::super) fn factor(&self, point: usize) -> f64 {
+        self.mixture().map_or(1.0, |mixture| mixture.of(point))
     }
 
     /// Volume of a real point with a whole cell, m³.
@@ -169,7 +205,8 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let coarse = mirrors.extended(&coarse, self.kind.edges.depth(self.neighbourhood.reach()));
         let cuts = cuts(&coarse, &self.neighbourhood.offsets);
         let kind = Kind { bond: self.kind.bond.coarser(), ..self.kind.clone() };
-        Some(Self::new(Arc::new(coarse), mirrors, self.neighbourhood.clone(), kind, &cuts))
+        let mixture = self.mixture().and_then(|own| own.coarser(&self.lattice, (&coarse, &mirrors)));
+        Some(Self::mixed(Arc::new(coarse), mirrors, self.neighbourhood.clone(), kind, &cuts, mixture))
     }
 }
 
@@ -180,100 +217,11 @@ fn completing<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M,
     bonds: (&Neighbourhood<M>, &B),
     border: &Completion<D, M, S>,
     points: Vec<usize>,
-    cuts: &HashSet<(usize, usize)>,
+    cuts: (&HashSet<(usize, usize)>, Option<&Mixture>),
 ) -> Overlay<D, S> {
     let Some(strains) = &border.strains else {
         return overlay(lattice, bonds, points.into_iter(), cuts, &border.gaps);
     };
     let untold = points.into_iter().filter(|&point| !strains.tells(point));
     overlay(&lattice.clone().with_whole_cells(), bonds, untold, cuts, &border.gaps)
-}
-
-/// The bonds of the offsets that have any, with exceptions whose offsets are those of the neighbourhood.
-pub(in super::super) fn grid<const D: usize, const M: usize, B: BondModel<D, M>>(
-    lattice: &Arc<SquareLattice>,
-    neighbourhood: &Neighbourhood<M>,
-    base: &[f64],
-    bond: &B,
-    exceptions: &[Exception],
-) -> GridBonds<D, M, B> {
-    let bonded: Vec<usize> = neighbourhood.bonded().collect();
-    let mut class = vec![None; neighbourhood.offsets.len()];
-    bonded.iter().enumerate().for_each(|(index, &k)| class[k] = Some(index));
-    let offset = |&k: &usize| Offset {
-        step: neighbourhood.offsets[k],
-        weights: neighbourhood.weights[k].map(|w| base[k] * w),
-    };
-    let offsets: Vec<Offset<M>> = bonded.iter().map(offset).collect();
-    let known: Vec<Exception> =
-        exceptions.iter().filter_map(|e| Some(Exception { offset: class[e.offset]?, ..*e })).collect();
-    GridBonds::new(lattice.clone(), bond, &offsets, &known)
-}
-
-/// Factors of the bonds of cells that are not whole: the smaller part of both ends.
-fn reduced<const M: usize>(lattice: &SquareLattice, neighbourhood: &Neighbourhood<M>) -> Vec<Exception> {
-    let mut exceptions = Vec::new();
-    for &(point, part) in lattice.cut_cells() {
-        let (point, cell) = (point as usize, lattice.cell(point as usize));
-        for k in neighbourhood.bonded() {
-            for up in [true, false] {
-                let Some(other) = lattice.number(at(cell, neighbourhood.offsets[k], up)) else { continue };
-                let factor = part.min(lattice.fraction(other));
-                // A bond between two such cells is met twice.
-                if up || lattice.fraction(other) == 1.0 {
-                    let lower = if up { point } else { other };
-                    exceptions.push(Exception { offset: k, lower, factor });
-                }
-            }
-        }
-    }
-    exceptions
-}
-
-/// Some points, and those that have a bond to a cell that is not whole, in order.
-fn with_neighbours<const M: usize>(
-    lattice: &SquareLattice,
-    neighbourhood: &Neighbourhood<M>,
-    mut points: Vec<usize>,
-) -> Vec<usize> {
-    if lattice.cut_cells().is_empty() {
-        return points;
-    }
-    for &(point, _) in lattice.cut_cells() {
-        let cell = lattice.cell(point as usize);
-        let steps = neighbourhood
-            .bonded()
-            .flat_map(|k| [true, false].map(|up| at(cell, neighbourhood.offsets[k], up)));
-        points.push(point as usize);
-        points.extend(steps.filter_map(|other| lattice.number(other)));
-    }
-    points.sort_unstable();
-    points.dedup();
-    points
-}
-
-/// Factors of bonds across lines of symmetry, ½, and beyond them, 0. Across a joined side a bond has a copy across the other
-/// one, and each is half of it.
-pub(in super::super) fn halved<const M: usize>(
-    lattice: &SquareLattice,
-    mirrors: &Mirrors,
-    neighbourhood: &Neighbourhood<M>,
-    ghosts: &[u32],
-) -> Vec<Exception> {
-    let mut exceptions = Vec::new();
-    for &ghost in ghosts {
-        let cell = lattice.cell(ghost as usize);
-        for k in neighbourhood.bonded() {
-            for up in [true, false] {
-                let other = at(cell, neighbourhood.offsets[k], up);
-                let Some(number) = lattice.number(other) else { continue };
-                let is_real = mirrors.is_real(other);
-                if is_real || up {
-                    let lower = if up { ghost as usize } else { number };
-                    exceptions.push(Exception { offset: k, lower, factor: if is_real { 0.5 } else { 0.0 } });
-                }
-            }
-        }
-    }
-    exceptions
 }

@@ -28,7 +28,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             let told: Vec<usize> = self.border.strains.iter().flat_map(|strains| strains.points()).collect();
             let gaps = &self.border.gaps;
             let whole = SquareLattice::clone(&self.lattice).with_whole_cells();
-            let own = overlay(&whole, bonds, told.into_iter(), &cuts, gaps).triangles;
+            let own = overlay(&whole, bonds, told.into_iter(), (&cuts, None), gaps).triangles;
             let all = self.triangles.list().iter().copied().chain(own).collect();
             self.triangles = Arc::new(Families::new(self.lattice.points(), all));
         }

@@ -6,7 +6,7 @@ use super::edges::{By, modulus};
 use super::geometry;
 use crate::bonds::{Mat, add};
 use crate::model::BodyFields;
-use crate::stiffness::{Families, WideFamilies};
+use crate::stiffness::{Family, WideFamilies};
 use rayon::prelude::*;
 use std::array::from_fn;
 use std::ops::Range;
@@ -32,14 +32,14 @@ impl From<PlaneFields> for BodyFields {
 impl PlaneFields {
     /// Adds what triangles bring to their points to three planes of stresses and one of energy densities; `volume` is
     /// that of a point.
-    pub(in super::super) fn with_triangles<const D: usize, const S: usize>(
+    pub(in super::super) fn with_triangles<'a, const D: usize, const S: usize>(
         mut sums: Vec<f64>,
-        triangles: &Families<D, S, 2>,
+        triangles: impl Iterator<Item = &'a Family<D, S, 2>>,
         volume: impl Fn(usize) -> f64,
         u: &[f64],
     ) -> Self {
         let n = sums.len() / 4;
-        for triangle in triangles.list() {
+        for triangle in triangles {
             let point = triangle.point as usize;
             let state = triangle.measures(n, u);
             let (action, volume) = (triangle.stress(&state), volume(point));
@@ -56,12 +56,12 @@ impl PlaneFields {
 
 /// Adds the forces of triangles that do the work of their stresses with the strains `t`, three planes.
 pub(in super::super) fn add_work_of_triangles<const D: usize, const S: usize>(
-    triangles: &Families<D, S, 2>,
+    triangles: &[Family<D, S, 2>],
     t: &[f64],
     force: &mut [f64],
 ) {
     let n = t.len() / 3;
-    for triangle in triangles.list() {
+    for triangle in triangles {
         let own: [f64; S] = from_fn(|q| if q < 3 { t[q * n + triangle.point as usize] } else { 0.0 });
         if own != [0.0; S] {
             triangle.add_work(n, &triangle.stress(&own), force);
@@ -93,8 +93,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn fields(&self, u: &[f64]) -> PlaneFields {
         let n = self.lattice.points();
         let volume = self.cell_volume();
-        let mut sums = self.whole().sums::<3>(u, &self.virial_shares(1.0 / volume));
+        let shares = self.virial_shares(1.0 / volume);
+        let mut sums = self.whole().sums::<3>(u, &shares);
         sums[3 * n..].par_iter_mut().with_min_len(4096).for_each(|energy| *energy /= volume);
+        if let Some(interface) = &self.interface {
+            interface.uneven.add_to(self.whole(), (u, &shares, volume), &mut sums);
+        }
         // Beside a border that is completed a point stands for a whole cell of its stress.
         let follows = self.border.is_cut();
         let cut_cells = if follows { &[] } else { self.lattice.cut_cells() };
@@ -103,11 +107,14 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         }
         self.ghosts.iter().for_each(|&g| (0..4).for_each(|q| sums[q * n + g as usize] = 0.0));
         let of_point = |point| self.stress_volume(point);
-        let mut fields = PlaneFields::with_triangles(sums, &self.triangles, of_point, u);
+        let given_back = self.interface.iter().flat_map(|interface| interface.told());
+        let triangles = self.triangles.list().iter().chain(given_back);
+        let mut fields = PlaneFields::with_triangles(sums, triangles, of_point, u);
         if let Some(strains) = &self.border.strains {
             let c = self.stiffness();
             strains.for_each((n, u), &mut |point, strain| {
-                let stress: [f64; 3] = from_fn(|q| (0..3).map(|k| c[q][k] * strain[k]).sum());
+                let factor = self.factor(point);
+                let stress: [f64; 3] = from_fn(|q| (0..3).map(|k| factor * c[q][k] * strain[k]).sum());
                 (0..3).for_each(|q| fields.stress[q][point] = stress[q]);
                 fields.energy_density[point] = (0..3).map(|q| 0.5 * stress[q] * strain[q]).sum();
             });
@@ -150,7 +157,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             }
         }
         match &self.border.by {
-            By::Points => add_work_of_triangles(&self.triangles, t, force),
+            By::Points => add_work_of_triangles(self.triangles.list(), t, force),
             By::Bonds(border) => {
                 border.add_strain_work((&self.lattice, &self.neighbourhood, &self.kind.bond), t, force);
             }
@@ -162,7 +169,12 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn add_bond_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
         let n = self.lattice.points();
         self.ghosts.iter().for_each(|&g| (0..3).for_each(|q| t[q * n + g as usize] = 0.0));
-        self.whole().add_work::<3>(t, &self.spans(points), &self.virial_shares(1.0), force);
+        let shares = self.virial_shares(1.0);
+        self.whole().add_work::<3>(t, &self.spans(points), &shares, force);
+        if let Some(interface) = &self.interface {
+            interface.uneven.add_work(self.whole(), (t, &shares), force);
+            add_work_of_triangles(interface.told(), t, force);
+        }
     }
 
     /// `½ Uᵀ scale` per offset that has bonds: with the forces of the bonds it makes `V_k σ_k` of their points.

@@ -7,8 +7,11 @@ mod bond;
 mod breaking;
 mod damage;
 mod edges;
+mod exceptions;
 mod fields;
+mod interface;
 mod mirrors;
+mod mixture;
 mod near;
 mod neighbourhood;
 mod parameters;
@@ -18,6 +21,7 @@ mod terms;
 #[cfg(test)]
 pub(super) mod through_border;
 pub mod toughness;
+mod uneven;
 
 pub use apart::thin_points;
 pub use bond::{LatticeBond, PlaneBond};
@@ -29,16 +33,19 @@ pub use parameters::{Calibration, Edges};
 pub use solvable::{AsSolvable, BreakingModel, SofteningModel, Solvable};
 
 pub(super) use apart::{Apart, apart_bonds};
-pub(super) use body::{Kind, LatticeBody, grid, halved};
+pub(super) use body::{Kind, LatticeBody};
 pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{
     By, Cells, End, Nodes, Run, around, border_shares, can_end, energy_factor, for_each_part, is_cut,
     strain_rows, volume_factor,
 };
+pub(super) use exceptions::{grid, halved};
 pub(super) use fields::add_work_of_triangles;
+pub(super) use mixture::Mixture;
 pub(super) use near::{at, near_points};
 pub(super) use neighbourhood::{Neighbourhood, direction_product, half_offsets, is_up, is_within, length};
 pub(super) use projection::project;
+pub(super) use uneven::{MixedBonds, UnevenBonds};
 
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::{BondGeometry, Mat, Point};
@@ -122,6 +129,11 @@ pub trait PlaneModel: BodyModel {
         self.strain_of(stress)
     }
 
+    /// The same of a point, whose material may be another.
+    fn strain_at(&self, _point: usize, stress: [f64; 3], across: f64) -> [f64; 3] {
+        self.strain_with(stress, across)
+    }
+
     /// Stress across the plane that belongs to stresses in it.
     fn stress_across(&self, _stress: [f64; 3]) -> f64 {
         0.0
@@ -140,7 +152,11 @@ pub trait PlaneModel: BodyModel {
         let mut strain = stress.clone();
         let [xx, yy, xy] = &mut strain;
         let points = xx.par_iter_mut().zip(yy.par_iter_mut()).zip(xy.par_iter_mut()).with_min_len(4096);
-        points.for_each(|((x, y), s)| [*x, *y, *s] = self.strain_of([*x, *y, *s]));
+        let own = points.enumerate();
+        own.for_each(|(p, ((x, y), s))| {
+            let stress = [*x, *y, *s];
+            [*x, *y, *s] = self.strain_at(p, stress, self.stress_across(stress));
+        });
         strain
     }
 
@@ -161,7 +177,7 @@ pub trait PlaneModel: BodyModel {
         let mut enter = |point: usize, position: [f64; 2]| {
             let stress = stress_at(point, position);
             // The stress across a body of revolution is that along x.
-            let strain = self.strain_with(stress, stress[0]);
+            let strain = self.strain_at(point, stress, stress[0]);
             (0..3).for_each(|q| t[q * n + point] = strain[q]);
         };
         match (points, self.lattice()) {

@@ -3,6 +3,7 @@
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
 use super::edges::{BorderShares, By, Section, border_shares, cut_shares, left_to_triangles};
+use super::interface::Interface;
 use crate::body::Cell;
 use crate::model::ModelSizes;
 use crate::stiffness::Term;
@@ -11,6 +12,9 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     /// Terms of the energy.
     pub(in super::super) fn terms(&self) -> Vec<Box<dyn Term<D>>> {
         let mut terms: Vec<Box<dyn Term<D>>> = vec![Box::new(self.bonds.clone())];
+        if let Some(interface) = self.interface.as_ref().filter(|i| !i.families.list().is_empty()) {
+            terms.push(Box::new(interface.families.clone()));
+        }
         if self.completing() == 0 {
             return terms;
         }
@@ -58,7 +62,10 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
 
     /// Their sizes.
     pub(in super::super) fn sizes(&self) -> ModelSizes {
-        let bonds = ModelSizes::of(&self.bonds, self.bonds.elements());
+        let mut bonds = ModelSizes::of(&self.bonds, self.bonds.elements());
+        if let Some(Interface { families, .. }) = self.interface.as_deref() {
+            bonds = bonds.join(ModelSizes::of(families, 3 * families.elements()));
+        }
         bonds.join(match &self.border.by {
             By::Points => ModelSizes::of(&self.triangles, 3 * self.triangles.elements()),
             By::Bonds(border) => ModelSizes::of(&border.bonds, border.bonds.pairs()),

@@ -4,12 +4,13 @@
 //! mean of the parts of its two ends.
 
 use super::super::plane::{
-    FARTHEST, FindCuts, Mirrors, Neighbourhood, apart_bonds, at, can_end, grid, halved, near_points,
+    FARTHEST, FindCuts, Mirrors, Mixture, Neighbourhood, apart_bonds, at, can_end, grid, halved, near_points,
 };
 use super::bond::SolidBond;
 use super::border::Border;
 use super::corners::Overlay;
 use super::dilatation::families;
+use super::interface::Interface;
 use super::{SolidEdges, SolidError, SolidLaw};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::stiffness::{Exception, GridBonds, GridFamilies, Term};
@@ -71,6 +72,8 @@ pub(super) struct SolidBody {
     pub(super) overlay: Overlay,
     /// What does work with changes of volume.
     pub(super) families: Option<Arc<GridFamilies<3>>>,
+    /// What it has beside that where it is of several materials.
+    pub(super) interface: Option<Box<Interface>>,
     /// Bonds that are cut: indices of offsets of the neighbourhood and lower points, sorted by these.
     pub(super) cuts: Vec<(usize, usize)>,
     /// Bonds that never were, because the body parts their points, sorted.
@@ -78,13 +81,16 @@ pub(super) struct SolidBody {
 }
 
 impl SolidBody {
+    /// One of several materials, if there is a mixture.
+    ///
     /// # Errors
-    /// [`SolidError::TooThin`].
+    /// [`SolidError::TooThin`], [`SolidError::MaterialsNeedBorder`].
     pub(super) fn new(
         lattice: Arc<SquareLattice>,
         mirrors: Mirrors,
         mut law: SolidLaw,
         cuts: &[(usize, usize)],
+        mixture: Option<Arc<Mixture>>,
     ) -> Result<Self, SolidError> {
         let sides = [lattice.columns(), lattice.rows(), lattice.layers()];
         if sides.iter().any(|side| side.len() < 2) {
@@ -93,6 +99,9 @@ impl SolidBody {
         if law.edges == SolidEdges::Border && !has_border(&lattice, &mirrors, &law) {
             law.edges = SolidEdges::Overlay;
         }
+        if mixture.is_some() && (law.edges != SolidEdges::Border || law.dilatation.is_some()) {
+            return Err(SolidError::MaterialsNeedBorder);
+        }
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
         let mut cuts: Vec<(usize, usize)> = known.iter().copied().collect();
         cuts.sort_unstable_by_key(|&(offset, lower)| (lower, offset));
@@ -100,7 +109,9 @@ impl SolidBody {
         let mut near = near_points(&lattice, neighbourhood.reach());
         let bond = SolidBond { volume: lattice.spacing().powi(3) };
         let has_border = law.edges == SolidEdges::Border;
-        let border = has_border.then(|| Border::new((&lattice, &mirrors), (&law, bond), &near, &known));
+        let of_points = mixture.as_deref();
+        let border =
+            has_border.then(|| Border::new((&lattice, &mirrors), (&law, bond), &near, (&known, of_points)));
         let apart = apart_bonds(&lattice, &mirrors, &neighbourhood.offsets);
         let gap = |&(offset, lower): &(usize, usize)| Exception { offset, lower, factor: 0.0 };
         let parted: Vec<Exception> =
@@ -110,10 +121,16 @@ impl SolidBody {
         let completed = if law.edges.is_exact() { &near[..] } else { &[] };
         let mut overlay = Overlay::new(&lattice, &law, &reach, completed, &known, gaps);
         overlay.uncorrected = border.as_ref().map_or(overlay.uncorrected, |border| border.lost);
+        let mut interface = mixture.map(|mixture| {
+            let beside: &[(usize, usize, f64)] = border.as_ref().map_or(&[], |border| &border.lacks);
+            Box::new(Interface::new((&lattice, &mirrors), (&law, bond), mixture, (&known, gaps), beside))
+        });
+        overlay.uncorrected += interface.as_ref().map_or(0, |interface| interface.lost);
         let base = vec![1.0; neighbourhood.offsets.len()];
         let grid =
             |exceptions: &[Exception]| Arc::new(grid(&lattice, neighbourhood, &base, &bond, exceptions));
         let mut exceptions: Vec<Exception> = cuts.iter().map(gap).chain(gaps.iter().copied()).collect();
+        exceptions.extend(interface.iter_mut().flat_map(|own| std::mem::take(&mut own.exceptions)));
         let ghosts = mirrors.ghosts(&lattice);
         let mut bonds = grid(&exceptions);
         let mut felt = None;
@@ -125,7 +142,20 @@ impl SolidBody {
         let families =
             families((&lattice, &law, &reach), (&overlay, border.as_ref()), (&near, &ghosts), (&cuts, gaps))
                 .map(Arc::new);
-        Ok(Self { lattice, mirrors, ghosts, law, bonds, felt, border, overlay, families, cuts, apart })
+        Ok(Self {
+            lattice,
+            mirrors,
+            ghosts,
+            law,
+            bonds,
+            felt,
+            border,
+            overlay,
+            families,
+            interface,
+            cuts,
+            apart,
+        })
     }
 
     /// Bonds as whole real points feel them.
@@ -157,7 +187,20 @@ impl SolidBody {
         if let Some(families) = &self.families {
             terms.push(Box::new(families.clone()));
         }
+        if let Some(interface) = self.interface.as_ref().filter(|i| !i.families.list().is_empty()) {
+            terms.push(Box::new(interface.families.clone()));
+        }
         terms
+    }
+
+    /// Moduli of the points over those of the base material, where some are others.
+    pub(super) fn mixture(&self) -> Option<&Arc<Mixture>> {
+        self.interface.as_ref().map(|interface| &interface.mixture)
+    }
+
+    /// Modulus of a point over that of the base material.
+    pub(super) fn factor(&self, point: usize) -> f64 {
+        self.mixture().map_or(1.0, |mixture| mixture.of(point))
     }
 
     /// The body at twice the spacing; none where joined sides or a single layer leave no lattice for it.
@@ -169,7 +212,11 @@ impl SolidBody {
         };
         let coarse = mirrors.extended(&coarse, self.law.edges.depth(self.law.neighbourhood.reach()));
         let cuts = cuts(&coarse, &self.law.neighbourhood.offsets);
-        Self::new(Arc::new(coarse), mirrors, self.law.clone(), &cuts).ok()
+        let mixture = self.mixture().and_then(|own| own.coarser(&self.lattice, (&coarse, &mirrors)));
+        let coarse = Arc::new(coarse);
+        let of = |mixture| Self::new(coarse.clone(), mirrors, self.law.clone(), &cuts, mixture).ok();
+        // Where no bonds end on the border of the coarser lattice it is of one material.
+        of(mixture).or_else(|| of(None))
     }
 }
 

@@ -6,7 +6,7 @@
 //! Where points feel changes of volume, a point needs the elongations of all of its bonds. One that leaves the body has that of
 //! its run from the point, `e ξ/|run|`, and half of the energy of a whole bond; runs without a point have none.
 
-use super::super::plane::{Cells, End, LatticeBond, Mirrors, Nodes, Run, around, for_each_part};
+use super::super::plane::{Cells, End, LatticeBond, Mirrors, Mixture, Nodes, Run, around, for_each_part};
 use super::bond::SolidBond;
 use super::{SolidLaw, TENSOR};
 use crate::body::{Cell, SquareLattice, minus};
@@ -26,6 +26,8 @@ pub(super) struct Border {
     pub(super) gaps: Vec<Exception>,
     /// Rows of the dilatation of points that bonds on the border bring, by steps from them, per m.
     pub(super) rows: HashMap<usize, BTreeMap<Cell, [f64; 3]>>,
+    /// What bonds of several materials leave to points: these, offsets, and parts of a bond of the base material.
+    pub(super) lacks: Vec<(usize, usize, f64)>,
     /// Number of cells whose bonds are left out, because the body is too thin there to tell how they move.
     pub(super) lost: usize,
 }
@@ -52,7 +54,7 @@ impl Border {
         (lattice, mirrors): (&SquareLattice, &Mirrors),
         (law, bond): (&SolidLaw, SolidBond),
         near: &[usize],
-        cuts: &HashSet<(usize, usize)>,
+        (cuts, mixture): (&HashSet<(usize, usize)>, Option<&Mixture>),
     ) -> Self {
         let cells =
             || Cells { lattice, mirrors, neighbourhood: &law.neighbourhood, cuts: Cow::Borrowed(cuts) };
@@ -66,10 +68,23 @@ impl Border {
             corners: HashMap::new(),
             kinds: HashMap::new(),
         };
-        let mut lost = HashSet::new();
+        let (mut lost, mut lacks) = (HashSet::new(), Vec::new());
         let gaps = for_each_part(&Nodes::new(cells()), near, &mut |offset, run, part| {
             let added = match &law.dilatation {
-                None => builder.add(offset, run, part * run.share()),
+                None => {
+                    let through = mixture.map(|mixture| mixture.through((lattice, mirrors), run.cells()));
+                    if let Some(through) = through {
+                        let own = run.ends_of(mirrors).into_iter().zip(through.lacks);
+                        let own = own.filter_map(|(cell, lack)| Some((lattice.number(cell?)?, lack)));
+                        let own = own.filter(|own| own.1 > 0.0);
+                        lacks.extend(own.map(|(point, lack)| (point, offset, run.share() * lack)));
+                    }
+                    builder.add(
+                        offset,
+                        run,
+                        part * run.share() * through.map_or(1.0, |through| through.factor),
+                    )
+                }
                 Some(dilatation) => builder.add_sides(offset, run, dilatation.shares[offset]),
             };
             if added.is_none() {
@@ -77,7 +92,7 @@ impl Border {
             }
         });
         let Builder { bonds, uniform, rows, .. } = builder;
-        Self { bonds: Arc::new(bonds.build()), uniform, gaps, rows, lost: lost.len() }
+        Self { bonds: Arc::new(bonds.build()), uniform, gaps, rows, lacks, lost: lost.len() }
     }
 }
 

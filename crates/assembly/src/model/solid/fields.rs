@@ -12,17 +12,29 @@ impl SolidBody {
     /// the mean strain Ē of its tetrahedra.
     pub(super) fn fields(&self, u: &[f64]) -> SolidFields {
         let (n, volume) = (self.lattice.points(), self.cell_volume());
-        let mut sums = self.whole().sums::<TENSOR>(u, &self.virial_shares(1.0 / volume));
+        let shares = self.virial_shares(1.0 / volume);
+        let mut sums = self.whole().sums::<TENSOR>(u, &shares);
         sums[TENSOR * n..].iter_mut().for_each(|energy| *energy /= volume);
+        if let Some(interface) = &self.interface {
+            interface.uneven.add_to(self.whole(), (u, &shares, volume), &mut sums);
+            for family in interface.told() {
+                let (point, state) = (family.point as usize, family.measures(n, u));
+                let action = family.stress(&state);
+                (0..TENSOR).for_each(|q| sums[q * n + point] += action[q] / volume);
+                let energy: f64 = (0..TENSOR).map(|q| 0.5 * state[q] * action[q]).sum();
+                sums[TENSOR * n + point] += energy / volume;
+            }
+        }
         let overlay = &self.overlay;
         for family in 0..overlay.families.count() {
             let (point, kind, factor, measures) = overlay.families.family(family, u);
+            let own = self.factor(point);
             let kind = &overlay.kinds[kind];
             let strain = kind.strain_of(&measures);
             for q in 0..TENSOR {
-                sums[q * n + point] += (0..TENSOR).map(|r| kind.lack[q][r] * strain[r]).sum::<f64>();
+                sums[q * n + point] += own * (0..TENSOR).map(|r| kind.lack[q][r] * strain[r]).sum::<f64>();
             }
-            sums[TENSOR * n + point] += overlay.families.energy(family, &measures) / (factor * volume);
+            sums[TENSOR * n + point] += own * overlay.families.energy(family, &measures) / (factor * volume);
         }
         if let (Some(families), Some(law)) = (&self.families, &self.law.dilatation) {
             for (point, theta) in families.dilatations(u).into_iter().enumerate() {
@@ -60,7 +72,15 @@ impl SolidBody {
         }
         let lines = self.lattice.rows().len() * self.lattice.layers().len();
         let spans = vec![self.lattice.columns(); lines];
-        self.whole().add_work::<TENSOR>(t, &spans, &self.virial_shares(1.0), force);
+        let shares = self.virial_shares(1.0);
+        self.whole().add_work::<TENSOR>(t, &spans, &shares, force);
+        if let Some(interface) = &self.interface {
+            interface.uneven.add_work(self.whole(), (t, &shares), force);
+            for family in interface.told() {
+                let own: [f64; TENSOR] = from_fn(|q| t[q * n + family.point as usize]);
+                family.add_work(n, &family.stress(&own), force);
+            }
+        }
     }
 
     /// Gives images the strains of their points.

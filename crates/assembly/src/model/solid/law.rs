@@ -69,6 +69,11 @@ pub enum SolidError {
         "the body is one point thick; a solid needs two points in every direction, so refine the lattice"
     )]
     TooThin,
+    /// Several materials where bonds cannot end on the border, or points feel changes of volume.
+    #[error(
+        "solids of several materials need whole cells, at least two thick, and central bonds that end on the border"
+    )]
+    MaterialsNeedBorder,
     /// Poisson's ratio is that of no stable material.
     #[error("a Poisson ratio of {poisson_ratio} is not between -1 and 1/2")]
     PoissonRatio {

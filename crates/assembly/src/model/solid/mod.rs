@@ -17,6 +17,7 @@ mod corners;
 mod damage;
 mod dilatation;
 mod fields;
+mod interface;
 mod law;
 mod model;
 #[cfg(test)]
@@ -102,7 +103,7 @@ pub trait SolidModel: BodyModel {
         let n = self.points();
         let mut t = vec![0.0; TENSOR * n];
         for point in 0..n {
-            let strain = self.strain_of(stress_at(point, self.position(point)));
+            let strain = self.strains_at(point, stress_at(point, self.position(point)), 0.0);
             (0..TENSOR).for_each(|q| t[q * n + point] = strain[q]);
         }
         self.add_strain_work(&mut t, force);

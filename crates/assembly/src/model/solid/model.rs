@@ -1,6 +1,8 @@
 //! Solids as models: three unknowns per point, its displacements.
 
-use super::super::plane::{BorderShares, CALIBRATION, Edges, FindCuts, Mirrors, Solvable, border_shares};
+use super::super::plane::{
+    BorderShares, CALIBRATION, Edges, FindCuts, Mirrors, Mixture, Solvable, border_shares,
+};
 use super::body::SolidBody;
 use super::{
     COMPONENTS, RIGID_MOTIONS, SolidEdges, SolidError, SolidFields, SolidMaterial, SolidModel, TENSOR,
@@ -53,7 +55,26 @@ impl<P: SolidMaterial> Solid<P> {
         parameters: P,
         cuts: &[(usize, usize)],
     ) -> Result<Self, SolidError> {
-        let body = SolidBody::new(lattice, mirrors, parameters.law()?, cuts)?;
+        Self::mixed(lattice, mirrors, parameters, cuts, Vec::new())
+    }
+
+    /// The same of several materials: `factors` are Young's moduli of the points over that of the parameters, > 0, images having
+    /// those of their points; none where all are one. Bonds end on the border.
+    ///
+    /// # Errors
+    /// [`SolidError`].
+    ///
+    /// # Panics
+    /// As [`on_lattice`](Self::on_lattice); or there is not one factor for every point.
+    pub fn mixed(
+        lattice: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: P,
+        cuts: &[(usize, usize)],
+        factors: Vec<f64>,
+    ) -> Result<Self, SolidError> {
+        assert!(factors.is_empty() || factors.len() == lattice.points(), "one factor per point");
+        let body = SolidBody::new(lattice, mirrors, parameters.law()?, cuts, Mixture::new(factors))?;
         Ok(Self { parameters, body })
     }
 
@@ -96,7 +117,10 @@ impl<P> Model<3> for Solid<P> {
 
     fn sizes(&self) -> ModelSizes {
         let (body, overlay) = (&self.body, &self.body.overlay.families);
-        let sizes = ModelSizes::of(&body.bonds, body.bonds.elements());
+        let mut sizes = ModelSizes::of(&body.bonds, body.bonds.elements());
+        if let Some(interface) = &body.interface {
+            sizes = sizes.join(ModelSizes::of(&interface.families, 6 * interface.families.elements()));
+        }
         let sizes = sizes.join(match &body.border {
             Some(border) => ModelSizes::of(&border.bonds, border.bonds.pairs()),
             None => ModelSizes::of(overlay, overlay.pairs()),
@@ -134,7 +158,11 @@ impl<P> Model<3> for Solid<P> {
     }
 
     fn contrast(&self) -> f64 {
-        self.body.law.contrast()
+        self.body.law.contrast() * self.contrast_of_points()
+    }
+
+    fn contrast_of_points(&self) -> f64 {
+        self.body.mixture().map_or(1.0, |mixture| mixture.contrast())
     }
 }
 
@@ -190,6 +218,11 @@ impl<P: SolidMaterial> BodyModel for Solid<P> {
 
     fn strains_of(&self, stress: [f64; TENSOR], _across: f64) -> [f64; TENSOR] {
         self.strain_of(stress)
+    }
+
+    fn strains_at(&self, point: usize, stress: [f64; TENSOR], _across: f64) -> [f64; TENSOR] {
+        let factor = self.body.factor(point);
+        self.strain_of(stress).map(|strain| strain / factor)
     }
 
     fn recover(&self, u: &[f64]) -> BodyFields {

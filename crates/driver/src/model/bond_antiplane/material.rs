@@ -2,7 +2,7 @@
 
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
-    Refusal, Resolved, Surface,
+    OtherMaterial, Refusal, Resolved, Surface,
 };
 use super::{Antiplane, NAME, ShearBonds, words};
 use crate::diagnostic::{Faults, JsonPath};
@@ -42,6 +42,13 @@ impl Material for ShearBonds {
         Vec::new()
     }
 
+    fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
+        if self.parameters.edges.is_exact() {
+            return Ok(vec![("shear_modulus", self.parameters.shear_modulus)]);
+        }
+        Err(("several materials need the edges `border` or `overlay`", "leave out `edges`".into()))
+    }
+
     fn set_horizon_ratio(&mut self, horizon_ratio: f64) {
         self.parameters.horizon_ratio = horizon_ratio;
     }
@@ -63,7 +70,12 @@ impl Material for ShearBonds {
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let cuts = (on.cuts)(&lattice, &self.offsets()?);
-        let body = BondAntiplane::on_lattice(lattice, on.mirrors, self.parameters, &cuts)?;
+        let base = self.parameters.shear_modulus;
+        let factor = |other: Option<&OtherMaterial>| {
+            other.and_then(|other| other.shear_modulus).map_or(1.0, |modulus| modulus / base)
+        };
+        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors), factor);
+        let body = BondAntiplane::mixed(lattice, on.mirrors, self.parameters, &cuts, factors)?;
         Ok(AnyBody::One(Box::new(body)))
     }
 

@@ -3,7 +3,7 @@
 use super::super::material::isotropic_strain;
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
-    Refusal, Resolved, SofteningBonds, Surface,
+    OtherMaterial, Refusal, Resolved, SofteningBonds, Surface,
 };
 use super::{Central, Plane, critical, soften, words};
 use crate::diagnostic::{Faults, JsonPath};
@@ -49,6 +49,14 @@ impl Material for Central {
         vec![("youngs_modulus", self.parameters.material.youngs_modulus)]
     }
 
+    fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
+        if self.parameters.edges.is_exact() {
+            return Ok(self.youngs_moduli());
+        }
+        let hint = "leave out `edges` and `calibration`".into();
+        Err(("several materials need the edges `border` or `overlay`", hint))
+    }
+
     fn set_horizon_ratio(&mut self, horizon_ratio: f64) {
         self.parameters.horizon_ratio = horizon_ratio;
     }
@@ -70,7 +78,12 @@ impl Material for Central {
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let cuts = (on.cuts)(&lattice, &self.offsets()?);
-        let body = BondPlane::on_lattice(lattice, on.mirrors, self.parameters, &cuts)?;
+        let base = self.parameters.material.youngs_modulus;
+        let factor = |other: Option<&OtherMaterial>| {
+            other.and_then(|other| other.youngs_modulus).map_or(1.0, |modulus| modulus / base)
+        };
+        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors), factor);
+        let body = BondPlane::mixed(lattice, on.mirrors, self.parameters, &cuts, factors)?;
         Ok(AnyBody::Two(Box::new(body)))
     }
 

@@ -2,7 +2,7 @@
 
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
-    Refusal, Resolved, Surface,
+    OtherMaterial, Refusal, Resolved, Surface, hints,
 };
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::units::Units;
@@ -119,6 +119,17 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
         vec![("youngs_modulus", self.parameters.youngs_modulus())]
     }
 
+    fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
+        let hint = || format!("several materials are known to the models {}", hints::mixtures());
+        if P::HAS_FAMILIES {
+            return Err(("bodies of this model have one material", hint()));
+        }
+        if self.edges() == SolidEdges::Border {
+            return Ok(self.youngs_moduli());
+        }
+        Err(("several materials need the edges `border`", "leave out `edges` and `calibration`".into()))
+    }
+
     fn set_horizon_ratio(&mut self, horizon_ratio: f64) {
         *self.parameters.horizon_ratio() = horizon_ratio;
     }
@@ -146,7 +157,12 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
     fn on_lattice(&self, on: &OnLattice) -> Result<AnyBody, Refusal> {
         let lattice = Arc::new(on.mirrors.extended(on.real, self.depth()?));
         let cuts = (on.cuts)(&lattice, &self.offsets()?);
-        Ok(AnyBody::Three(Box::new(Solid::on_lattice(lattice, on.mirrors, self.parameters, &cuts)?)))
+        let base = self.parameters.youngs_modulus();
+        let factor = |other: Option<&OtherMaterial>| {
+            other.and_then(|other| other.youngs_modulus).map_or(1.0, |modulus| modulus / base)
+        };
+        let factors = on.materials.on_images(&lattice, (on.real, &on.mirrors), factor);
+        Ok(AnyBody::Three(Box::new(Solid::mixed(lattice, on.mirrors, self.parameters, &cuts, factors)?)))
     }
 
     fn feels_no_heat(&self) -> Option<&'static str> {

@@ -13,7 +13,7 @@ impl From<SolidError> for Refusal {
     fn from(error: SolidError) -> Self {
         let place = match error {
             SolidError::NotRepresentable { .. } | SolidError::NoNeighbours { .. } => Place::Horizon,
-            SolidError::TooThin => Place::Body,
+            SolidError::TooThin | SolidError::MaterialsNeedBorder => Place::Body,
             SolidError::EdgesNeedMatched => Place::Key("edges"),
             SolidError::PoissonRatio { .. } => Place::Key("poisson_ratio"),
         };

@@ -18,7 +18,7 @@ pub(super) fn levels<const D: usize>(
     conditions: &Conditions,
     system: &System<D>,
 ) -> Option<CubicLevels> {
-    let solid = model.as_solid()?;
+    let solid = model.as_solid().filter(|_| model.contrast_of_points() == 1.0)?;
     let (lattice, mirrors) = model.lattice()?;
     let stencil = Stencil::new(solid.bonds_of_a_point());
     let points = model.points();

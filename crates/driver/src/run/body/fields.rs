@@ -46,8 +46,14 @@ impl Recovered {
         found
     }
 
-    /// A field that follows from the stresses, as a sum over points.
-    fn of_stress(&self, medium: Medium, origin: Origin, sum: impl Fn(&[f64]) -> f64) -> Option<f64> {
+    /// A field that follows from the stresses, as a sum over points that have the material of one.
+    fn of_stress(
+        &self,
+        medium: Medium,
+        origin: Origin,
+        point: usize,
+        sum: impl Fn(&[f64]) -> f64,
+    ) -> Option<f64> {
         let stress = self.at(&sum);
         let across = match self.across.is_empty() {
             true => medium.model.across_of(stress),
@@ -58,7 +64,7 @@ impl Recovered {
             Some(heat) if is_strain => heat.add_to(sum, (stress, across)),
             _ => (stress, across),
         };
-        of_stress(origin, medium, stress, across)
+        of_stress(origin, medium, (point, stress), across)
     }
 
     /// One number of every component of the stress; zeros behind the last.
@@ -240,6 +246,7 @@ impl BodyResult {
             | Origin::HashinMatrix
             | Origin::Utilisation
             | Origin::Beam
+            | Origin::Material
             | Origin::Opening
             | Origin::Reaction(_)
             | Origin::Turn(_) => {
@@ -269,6 +276,10 @@ impl BodyResult {
                 false => scene.real_points().map(|p| kept[p] / divisor).collect(),
             });
         }
+        if field == FieldName::Material {
+            let numbers = &scene.materials().numbers;
+            return (!numbers.is_empty()).then(|| numbers.iter().map(|number| f64::from(*number)).collect());
+        }
         let recovered = self.recovered.as_ref()?;
         let origin = field.about().origin;
         // What no crack and no load has brought.
@@ -276,7 +287,7 @@ impl BodyResult {
             return Some(vec![0.0; scene.body().points()].into());
         }
         let medium = Medium::of(scene);
-        let at = |p: usize| recovered.of_stress(medium, origin, |values| values[p]);
+        let at = |p: usize| recovered.of_stress(medium, origin, p, |values| values[p]);
         match whole {
             true => (0..self.points).map(at).collect(),
             false => scene.real_points().map(at).collect(),
@@ -289,11 +300,23 @@ impl BodyResult {
         if let Some((kept, divisor)) = self.kept(scene, field) {
             return Some(sum(kept) / divisor);
         }
+        let heaviest = weights.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?.0 as usize;
+        if field == FieldName::Material {
+            return scene.material_number(heaviest).map(f64::from);
+        }
         let recovered = self.recovered.as_ref()?;
         let origin = field.about().origin;
         if matches!(origin, Origin::Damage | Origin::Temperature) {
             return Some(0.0);
         }
-        recovered.of_stress(Medium::of(scene), origin, sum)
+        let medium = Medium::of(scene);
+        match (scene.materials().is_one(), origin) {
+            // Strains are linear in stresses by the material of every point.
+            (false, Origin::Strain(..) | Origin::FibreStrain(_)) => {
+                let at = |p: usize| recovered.of_stress(medium, origin, p, |values| values[p]);
+                weights.iter().map(|&(p, w)| Some(w * at(p as usize)?)).sum()
+            }
+            _ => recovered.of_stress(medium, origin, heaviest, sum),
+        }
     }
 }

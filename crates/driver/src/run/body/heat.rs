@@ -2,7 +2,7 @@
 
 use super::fields::Recovered;
 use super::of_stress::component;
-use crate::scene::body::{Heat, UnitHeat};
+use crate::scene::body::Heat;
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::model::{BodyFields, BodyModel};
 use std::array::from_fn;
@@ -28,8 +28,11 @@ impl HeatStress {
         let own = stretches.then(|| stretched(heat, radius, model));
         let times = |value: f64, own: Option<&Vec<f64>>| -> Vec<f64> {
             match own {
-                Some(own) => heat.change.iter().zip(own).map(|(change, s)| change * s).collect(),
-                None => heat.change.iter().map(|change| change * value).collect(),
+                Some(own) => heat.free.iter().zip(own).map(|(free, s)| free * s).collect(),
+                None => {
+                    let at = |(p, free): (usize, &f64)| free * value * heat.stiffness(model, p);
+                    heat.free.iter().enumerate().map(at).collect()
+                }
             }
         };
         let planes = unit.stress.iter().zip(model.tensor_components()).enumerate();
@@ -41,8 +44,9 @@ impl HeatStress {
             (Some(own), _) => {
                 let besides = unit.across_stress - model.across_of(unit.stress);
                 let at = |p: usize| from_fn(|k| own.stress.get(k).map_or(0.0, |values| values[p]));
-                let each = heat.change.iter().enumerate();
-                each.map(|(p, change)| change * (model.across_of(at(p)) + besides)).collect()
+                let each = heat.free.iter().enumerate();
+                let across = |p: usize| model.across_of(at(p)) + besides * heat.stiffness(model, p);
+                each.map(|(p, free)| free * across(p)).collect()
             }
             (None, _) => times(unit.across_stress, None),
         };
@@ -60,7 +64,7 @@ impl HeatStress {
     }
 }
 
-/// What is recovered where a body stretches as one kelvin stretches it.
+/// What is recovered where a body stretches by a unit.
 fn stretched(heat: &Heat, radius: Option<f64>, model: &dyn BodyModel) -> BodyFields {
     let strain = model.strains_of(heat.unit.stress, heat.unit.across_stress);
     let of = |name: &str| component(model, name).map_or(0.0, |k| strain[k]);
@@ -98,7 +102,7 @@ impl Recovered {
                 *value -= across;
             }
             let across = self.across.get(p).copied().unwrap_or_default();
-            self.energy_density[p] = stored(&heat.unit, model, self.at(|s| s[p]), across);
+            self.energy_density[p] = stored(heat, (p, model), self.at(|s| s[p]), across);
         }
         self.heat = Some(own);
     }
@@ -110,8 +114,8 @@ impl Recovered {
 }
 
 /// Energy density of stresses, `½ σ : C⁻¹ σ` in space.
-fn stored(unit: &UnitHeat, model: &dyn BodyModel, stress: [f64; TENSOR], across: f64) -> f64 {
-    let strain = model.strains_of(stress, across);
+fn stored(heat: &Heat, (point, model): (usize, &dyn BodyModel), stress: [f64; TENSOR], across: f64) -> f64 {
+    let (unit, strain) = (&heat.unit, model.strains_at(point, stress, across));
     let in_plane: f64 = stress.iter().zip(strain).map(|(s, e)| s * e).sum();
     let besides = if model.is_revolved() {
         // Around the axis the material is as it is along the radius.
@@ -120,6 +124,7 @@ fn stored(unit: &UnitHeat, model: &dyn BodyModel, stress: [f64; TENSOR], across:
     } else if unit.across_strain != 0.0 {
         // Beyond the stress that follows from those in the plane there is one that acts alone.
         let modulus = (unit.across_stress - model.across_of(unit.stress)) / unit.across_strain;
+        let modulus = modulus * heat.stiffness(model, point);
         (across - model.across_of(stress)).powi(2) / modulus
     } else {
         0.0

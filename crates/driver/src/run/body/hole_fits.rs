@@ -23,7 +23,8 @@ pub(super) fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) ->
     let [x, y, shear] = fit.at(place).stress;
     let stress = [x, y, shear, 0.0, 0.0, 0.0];
     let across = scene.model.across_of(stress);
-    Some((of_stress(field.about().origin, Medium::of(scene), stress, across)?, fit.residual()))
+    let point = if scene.materials().is_one() { 0 } else { scene.nearest(place)? };
+    Some((of_stress(field.about().origin, Medium::of(scene), (point, stress), across)?, fit.residual()))
 }
 
 /// Adds a warning for every hole whose fields miss much of the displacements around it.

@@ -80,12 +80,17 @@ fn principal(s: &Matrix3<f64>) -> [f64; 3] {
 }
 
 /// A field that follows from the stresses of a point and the one across the plane; none of others.
-pub(super) fn of_stress(origin: Origin, medium: Medium, stress: [f64; TENSOR], across: f64) -> Option<f64> {
+pub(super) fn of_stress(
+    origin: Origin,
+    medium: Medium,
+    (point, stress): (usize, [f64; TENSOR]),
+    across: f64,
+) -> Option<f64> {
     let model = medium.model;
     match origin {
         Origin::Strain(name, factor) => {
             let component = component(model, name)?;
-            Some(factor * model.strains_of(stress, across)[component])
+            Some(factor * model.strains_at(point, stress, across)[component])
         }
         Origin::VonMises => Some(von_mises(&tensor(model, stress, across))),
         Origin::Principal(k) => Some(principal(&tensor(model, stress, across))[k]),
@@ -101,7 +106,7 @@ pub(super) fn of_stress(origin: Origin, medium: Medium, stress: [f64; TENSOR], a
         }
         Origin::FibreStress(k) => Some(medium.fibre_stress(stress)?[k]),
         Origin::FibreStrain(k) => {
-            let [x, y, gamma, ..] = model.strains_of(stress, across);
+            let [x, y, gamma, ..] = model.strains_at(point, stress, across);
             Some(failure::in_fibre_axes([x, y, 0.5 * gamma], medium.fibre_angle?)[k])
         }
         Origin::TsaiHill => medium.index(failure::tsai_hill, stress),
@@ -119,6 +124,7 @@ pub(super) fn of_stress(origin: Origin, medium: Medium, stress: [f64; TENSOR], a
         | Origin::Energy
         | Origin::Damage
         | Origin::Temperature
+        | Origin::Material
         | Origin::Opening
         | Origin::Reaction(_)
         | Origin::Turn(_) => None,
@@ -153,7 +159,7 @@ mod tests {
     fn of(model: &BondPlane, field: FieldName, [x, y, xy]: [f64; 3]) -> f64 {
         let stress = [x, y, xy, 0.0, 0.0, 0.0];
         let medium = Medium { model, fibre_angle: None, strengths: None };
-        of_stress(field.about().origin, medium, stress, model.across_of(stress)).unwrap()
+        of_stress(field.about().origin, medium, (0, stress), model.across_of(stress)).unwrap()
     }
 
     #[test]

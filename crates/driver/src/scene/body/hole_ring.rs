@@ -21,6 +21,8 @@ const ON_BORDER: f64 = 1e-6;
 const PLACES: usize = 64;
 /// Horizons around a hole whose points its own pressure loads.
 const OWN: f64 = 3.0;
+/// A stress along x alone.
+const ALONG_X: [f64; 6] = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 /// Forces are none below this share of the largest.
 const NO_FORCE: f64 = 1e-12;
 
@@ -77,6 +79,16 @@ impl HoleRing {
         for p in loaded(scene)?.into_iter().filter(|p| level(*p) > own).chain(held(scene)) {
             inside = inside.min(level(p));
         }
+        // Its fields are of one material.
+        if let (numbers @ [_, ..], Some(beside)) =
+            (&scene.materials().numbers[..], scene.nearest(ellipse.centre))
+        {
+            let all = || scene.real_points().zip(numbers);
+            let own = all().find(|(p, _)| *p == beside).map(|(_, number)| *number);
+            for (p, _) in all().filter(|(_, number)| Some(**number) != own) {
+                inside = inside.min(level(p) - scene.horizon() / radius);
+            }
+        }
         if inside < NARROWEST {
             return None;
         }
@@ -104,8 +116,11 @@ impl HoleRing {
             };
             images.iter().map(image)
         };
+        let strain = |point: u32| scene.model.strains_at(point as usize, ALONG_X, 0.0)[0];
+        let softness = strain(*self.points.first()?) / scene.model.strains_of(ALONG_X, 0.0)[0];
+        let stiffness = scene.model.as_plane()?.stiffness().map(|row| row.map(|c| c / softness));
         ORDERS.into_iter().find_map(|order| {
-            let fields = HoleFields::new(&scene.model.as_plane()?.stiffness(), self.ellipse, order)?;
+            let fields = HoleFields::new(&stiffness, self.ellipse, order)?;
             HoleFit::new(fields, pressure, self.points.iter().flat_map(moved))
         })
     }

@@ -29,7 +29,7 @@ pub(crate) use hold::supported::CONTRADICTION;
 pub use hole_ring::HoleRing;
 pub(crate) use hole_ring::is_on;
 pub use load::sums::BodyLoads;
-pub use load::temperature::{Heat, UnitHeat};
+pub use load::temperature::Heat;
 pub use read::checks::BodyComparison;
 pub(crate) use read::fields::{Has, Says, of_points};
 pub use read::outputs::{Intensity, LinePoint, OutputLine};

@@ -18,7 +18,7 @@ use super::site::ground::Ground;
 use super::site::interpolate::Interpolation;
 use super::site::model_inputs::ModelInputs;
 use super::site::of_case::{self, horizon_key};
-use super::site::{counts, cracks, foreign, given_body, specimen, tips};
+use super::site::{counts, cracks, foreign, given_body, materials, specimen, tips};
 use crate::case::{Case, Fracture, PATH_FACTS, Path as CasePath};
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::input::Folder;
@@ -101,6 +101,8 @@ impl BodyScene {
         if !counts::fit(&ground, max_memory, faults) {
             return None;
         }
+        inputs.materials = materials::mixture(&ground, &inputs, max_memory, faults);
+        materials::warn_of_thin(&inputs, faults);
         let held = supports::held(&ground, &inputs.symmetry, &*inputs.material, faults);
         let rigid = rigid_keys::rigid(&ground, &inputs.symmetry, faults);
         rigid_mirror::check(&rigid, &inputs, faults);

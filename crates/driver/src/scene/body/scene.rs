@@ -14,7 +14,7 @@ use super::site::cracks::NamedCrack;
 use super::site::model_inputs::ModelInputs;
 use crate::case::{Case, FieldName, Solver, Units};
 use crate::diagnostic::Faults;
-use crate::model::{AnyBody, HeldRegion, Material, Refusal, Resolved};
+use crate::model::{AnyBody, HeldRegion, Material, Mixture, Refusal, Resolved};
 use crate::scene::expectation::Expectation;
 use crate::scene::files::InputFile;
 use crate::scene::path::PathScene;
@@ -129,6 +129,29 @@ impl BodyScene {
     /// The points without images, with numbers of their own.
     pub fn body(&self) -> &PointBody {
         &self.inputs.body
+    }
+
+    /// Its materials, by points without images.
+    pub fn materials(&self) -> &Mixture {
+        &self.inputs.materials
+    }
+
+    /// Number of the material of a point of the model, 0 for the base one; none of listed points.
+    pub(crate) fn material_number(&self, point: usize) -> Option<u32> {
+        let (lattice, mirrors) = self.model.lattice()?;
+        let cell = lattice.cell(point);
+        let cell = if mirrors.is_none() { cell } else { mirrors.image(cell).0 };
+        let own = self.body().cells()?.number(cell)?;
+        Some(self.materials().numbers.get(own).copied().unwrap_or(0))
+    }
+
+    /// The point nearest to a place that is no image.
+    pub(crate) fn nearest(&self, [x, y]: [f64; 2]) -> Option<usize> {
+        let far = |p: usize| {
+            let [a, b] = self.model.place(p);
+            (a - x).hypot(b - y)
+        };
+        self.real_points().min_by(|&a, &b| far(a).total_cmp(&far(b)))
     }
 
     /// Hash of the file that lists the points, if there is one: it tells more of them than where they are.

@@ -10,6 +10,13 @@ use peristat_assembly::model::plane::Edges;
 pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
     let mut lines = m.material.facts.clone();
     let mut line = |key: &str, text: String| lines.push((key.to_string(), text));
+    for other in &m.materials {
+        let s = if other.points == 1 { "" } else { "s" };
+        let own = [("E", other.youngs_modulus), ("G", other.shear_modulus)].into_iter();
+        let stress = |value: f64| units.quantity(&number(value), units.stress());
+        let own: String = own.filter_map(|(k, value)| Some(format!(", {k} = {}", stress(value?)))).collect();
+        line("material", format!("{}, {}: {} point{s}{own}", other.number, other.name, other.points));
+    }
     let length = |value: f64| units.quantity(&number(value), units.length());
     let influence = m.material.influence;
     let (ratio, horizon) = (number(m.horizon_ratio), length(m.horizon_ratio * m.spacing));

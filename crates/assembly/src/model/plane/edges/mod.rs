@@ -7,6 +7,7 @@ mod factors;
 mod overlay;
 mod triangle;
 
+pub(in super::super) use border::Path;
 pub(in crate::model) use border::border_shares;
 pub(in super::super) use border::{BorderBonds, Cells, End, Nodes, Run, around, can_end, for_each_part};
 pub use border::{BorderShares, FARTHEST};
@@ -15,10 +16,11 @@ pub(super) use cut::{cut_shares, left_to_triangles, modulus};
 pub(super) use factors::{EdgeFactors, edge_factors};
 pub(in super::super) use factors::{energy_factor, volume_factor};
 pub(in super::super) use overlay::is_cut;
-pub(super) use overlay::{Overlay, overlay};
+pub(super) use overlay::{Overlay, overlay, triangles_of};
 pub(in super::super) use triangle::strain_rows;
 
 use super::bond::PlaneBond;
+use super::mixture::Mixture;
 use super::neighbourhood::Neighbourhood;
 use super::{Edges, Mirrors};
 use crate::body::SquareLattice;
@@ -43,6 +45,9 @@ pub(in super::super) struct Completion<const D: usize, const M: usize, const S: 
     pub(in super::super) lost: usize,
     /// Strains of the points that lack bonds, where the border cuts cells.
     pub(in super::super) strains: Option<Box<Strains>>,
+    /// What bonds of several materials that end on the border leave to points: these, offsets, and parts of a bond of the base
+    /// material.
+    pub(in super::super) lacks: Vec<(usize, usize, f64)>,
 }
 
 /// What takes the place of bonds that a border cuts off.
@@ -63,12 +68,12 @@ impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {
         bonds: (&Neighbourhood<M>, &B),
         edges: Edges,
         near: &[usize],
-        cuts: &HashSet<(usize, usize)>,
+        (cuts, mixture): (&HashSet<(usize, usize)>, Option<&Mixture>),
     ) -> Self {
         match (edges, body.0.blocks()) {
-            (Edges::Border, []) => border::completed(body, bonds, near, cuts),
-            (Edges::Border, _) => cut::completed(body, bonds, cuts, false),
-            _ => Self { by: By::Points, gaps: Vec::new(), lost: 0, strains: None },
+            (Edges::Border, []) => border::completed(body, bonds, near, (cuts, mixture)),
+            (Edges::Border, _) => cut::completed(body, bonds, (cuts, mixture), false),
+            _ => Self { by: By::Points, gaps: Vec::new(), lost: 0, strains: None, lacks: Vec::new() },
         }
     }
 
@@ -78,7 +83,7 @@ impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {
         bonds: (&Neighbourhood<M>, &B),
         cuts: &HashSet<(usize, usize)>,
     ) -> Self {
-        cut::completed(body, bonds, cuts, true)
+        cut::completed(body, bonds, (cuts, None), true)
     }
 
     /// Whether the border cuts cells, and the body ends on it.

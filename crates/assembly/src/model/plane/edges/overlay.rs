@@ -8,6 +8,7 @@
 
 use super::super::bond::PlaneBond;
 use super::super::geometry;
+use super::super::mixture::Mixture;
 use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
 use super::deficit::Shares;
@@ -27,12 +28,12 @@ pub(in super::super) struct Overlay<const D: usize, const S: usize> {
 type Corners = [Cell; 2];
 
 /// Builds the triangles of some points, but those with a cut side. Bonds of `gaps` are missing, too, although both of their
-/// points are there.
+/// points are there. Points of a mixture lack what they would have of their own material.
 pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     lattice: &SquareLattice,
     (neighbourhood, bond): (&Neighbourhood<M>, &B),
     points: impl Iterator<Item = usize>,
-    cuts: &HashSet<(usize, usize)>,
+    (cuts, mixture): (&HashSet<(usize, usize)>, Option<&Mixture>),
     gaps: &[Exception],
 ) -> Overlay<D, S> {
     let shares = Shares::new(neighbourhood, |k| {
@@ -55,26 +56,12 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
         own.for_each(|&(offset, part)| {
             add(&mut deficit, &scaled(shares.of_offset(neighbourhood.offsets[offset]), part));
         });
-        let mut corners = quadrants(lattice, cell);
-        if corners.is_empty() {
-            corners = nearest(lattice, neighbourhood, cell);
+        if let Some(mixture) = mixture {
+            deficit = scaled(&deficit, mixture.of(point));
         }
-        corners.retain(|&[a, b]| {
-            [(cell, a), (cell, b), (a, b)]
-                .into_iter()
-                .all(|(from, to)| !is_cut(lattice, neighbourhood, cuts, from, to))
-        });
-        overlay.uncorrected += usize::from(corners.is_empty());
-        let modulus = deficit.map(|row| row.map(|v| v / corners.len().max(1) as f64));
-        overlay.triangles.extend(corners.iter().filter_map(|&[a, b]| {
-            let from_point = |c: Cell| {
-                let [x, y, _] = geometry(lattice, minus(c, cell)).xi;
-                [x, y]
-            };
-            let (rows, own) = bond.triangle(from_point(a), from_point(b));
-            let others = [lattice.number(a)? as u32, lattice.number(b)? as u32];
-            Some(Family { point: point as u32, others, rows, own, modulus })
-        }));
+        let own = triangles_of(lattice, (neighbourhood, bond), (point, &deficit), cuts, mixture);
+        overlay.uncorrected += usize::from(own.is_empty());
+        overlay.triangles.extend(own);
     }
     overlay
 }
@@ -82,6 +69,51 @@ pub(in super::super) fn overlay<const D: usize, const M: usize, const S: usize, 
 /// A matrix times a factor.
 fn scaled<const S: usize>(matrix: &Mat<S, S>, factor: f64) -> Mat<S, S> {
     matrix.map(|row| row.map(|v| factor * v))
+}
+
+/// The triangles that give a point what it lacks, equal parts of it each: but those with a cut side, and in a mixture those with
+/// softer points, if there are others.
+pub(in super::super) fn triangles_of<
+    const D: usize,
+    const M: usize,
+    const S: usize,
+    B: PlaneBond<D, M, S>,
+>(
+    lattice: &SquareLattice,
+    (neighbourhood, bond): (&Neighbourhood<M>, &B),
+    (point, lacks): (usize, &Mat<S, S>),
+    cuts: &HashSet<(usize, usize)>,
+    mixture: Option<&Mixture>,
+) -> Vec<Family<D, S, 2>> {
+    let cell = lattice.cell(point);
+    let mut corners = quadrants(lattice, cell);
+    if corners.is_empty() {
+        corners = nearest(lattice, neighbourhood, cell);
+    }
+    corners.retain(|&[a, b]| {
+        [(cell, a), (cell, b), (a, b)]
+            .into_iter()
+            .all(|(from, to)| !is_cut(lattice, neighbourhood, cuts, from, to))
+    });
+    if let Some(mixture) = mixture {
+        let own = mixture.of(point);
+        let is_softer = |cell: &Cell| lattice.number(*cell).is_some_and(|other| mixture.of(other) < own);
+        let stiff: Vec<Corners> = corners.iter().copied().filter(|c| !c.iter().any(is_softer)).collect();
+        if !stiff.is_empty() {
+            corners = stiff;
+        }
+    }
+    let modulus = lacks.map(|row| row.map(|v| v / corners.len().max(1) as f64));
+    let triangle = |&[a, b]: &Corners| {
+        let from_point = |c: Cell| {
+            let [x, y, _] = geometry(lattice, minus(c, cell)).xi;
+            [x, y]
+        };
+        let (rows, own) = bond.triangle(from_point(a), from_point(b));
+        let others = [lattice.number(a)? as u32, lattice.number(b)? as u32];
+        Some(Family { point: point as u32, others, rows, own, modulus })
+    };
+    corners.iter().filter_map(triangle).collect()
 }
 
 /// The triangles with the next cells to the left or right and above or below.

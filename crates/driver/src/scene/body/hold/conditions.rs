@@ -226,15 +226,8 @@ mod tests {
         let fine = SquareLattice::rectangle(1.0, [0.0; 2], [4, 2]);
         let (points, direction) = (vec![1, 2, 5], [1.0, 0.0, 0.0]);
         let (edge, chains, origin) = (None, Vec::new(), String::new());
-        let hold = HeldPoints {
-            points,
-            edge,
-            chains,
-            pieces: Vec::new(),
-            direction,
-            values: vec![3.0; 3],
-            origin,
-        };
+        let hold =
+            HeldPoints { points, edge, chains, pieces: Vec::new(), direction, values: vec![3.0; 3], origin };
         let spring = |point| Spring { point, shares: [(1, 1.0), (1, 0.0)], stiffness: 2.0 };
         let springs = vec![spring(2), spring(3), spring(0)];
         let conditions = Conditions { holds: vec![hold], springs, ..region(&fine, [Some(1.0), None, None]) };

@@ -5,7 +5,7 @@
 //! displacement that this traction does its work on: a weighted sum over the few points behind each other, in every row.
 //! For a linear field this is the displacement of the edge.
 
-use crate::model::{Material, OnLattice};
+use crate::model::{Material, Mixture, OnLattice};
 use crate::scene::body::site::size::takes_shares;
 use peristat_assembly::body::{Cell, Edge, Face, SquareLattice, plus};
 use peristat_assembly::model::plane::{Edges, Mirrors};
@@ -111,8 +111,13 @@ fn shares(material: &dyn Material) -> Option<[Vec<f64>; 2]> {
     let real = SquareLattice::rectangle(1.0, [0.0; 2], [columns, rows]);
     let mut straight = material.boxed();
     straight.unroll();
-    let on =
-        OnLattice { real: &real, mirrors: Mirrors::NONE, cuts: &|_, _| Vec::new(), separated: &|_, _| false };
+    let on = OnLattice {
+        real: &real,
+        mirrors: Mirrors::NONE,
+        materials: &Mixture::default(),
+        cuts: &|_, _| Vec::new(),
+        separated: &|_, _| false,
+    };
     let body = straight.on_lattice(&on).ok()?;
     let (n, (lattice, _)) = (body.points(), body.lattice()?);
     let of = |stress: [f64; 3], component: usize| {

@@ -19,11 +19,13 @@ use peristat_assembly::model::solid::TENSOR;
 pub struct Heat {
     /// Kelvin by which the points of the model are warmer, images among them.
     pub change: Vec<f64>,
-    /// Per kelvin.
+    /// What they stretch by without stress, in units of what follows.
+    pub free: Vec<f64>,
+    /// A unit: a strain of one, or with fibres that of one kelvin.
     pub unit: UnitHeat,
 }
 
-/// What one kelvin does where nothing moves, in the order of [`BodyModel::tensor_components`].
+/// What a unit does in the base material where nothing moves, in the order of [`BodyModel::tensor_components`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnitHeat {
     /// Strains, shears as γ.
@@ -82,15 +84,24 @@ fn in_plane(expansion: Expansion, fibres: Option<Fibres>) -> [f64; 4] {
 impl Heat {
     /// Adds the load times a factor to forces on the unknowns of a model.
     pub(crate) fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
-        let of = |point: usize| factor * self.change[point];
-        let points: Vec<usize> = (0..self.change.len()).filter(|&p| self.change[p] != 0.0).collect();
-        let some = (points.len() < self.change.len()).then_some(&points[..]);
+        let of = |point: usize| factor * self.free[point] * self.stiffness(model, point);
+        let points: Vec<usize> = (0..self.free.len()).filter(|&p| self.free[p] != 0.0).collect();
+        let some = (points.len() < self.free.len()).then_some(&points[..]);
         if let Some(plane) = model.as_plane() {
             let [x, y, xy, ..] = self.unit.stress;
             plane.add_stress_load(some, &|p, _| [x, y, xy].map(|s| of(p) * s), force);
         } else if let Some(solid) = model.as_solid() {
             solid.add_stress_load(&|p, _| self.unit.stress.map(|s| of(p) * s), force);
         }
+    }
+
+    /// How much stiffer the material of a point is than the base one.
+    pub(crate) fn stiffness(&self, model: &dyn BodyModel, point: usize) -> f64 {
+        let (stress, across) = (self.unit.stress, self.unit.across_stress);
+        let (base, own) = (model.strains_of(stress, across), model.strains_at(point, stress, across));
+        let largest =
+            (0..TENSOR).max_by(|&a, &b| base[a].abs().total_cmp(&base[b].abs())).unwrap_or_default();
+        base[largest] / own[largest]
     }
 
     /// The load alone, on as many unknowns.
@@ -103,12 +114,13 @@ impl Heat {
     /// The sum of this and a multiple of another one of the same material.
     pub(crate) fn plus(mut self, factor: f64, other: &Self) -> Self {
         self.change.iter_mut().zip(&other.change).for_each(|(own, other)| *own += factor * other);
+        self.free.iter_mut().zip(&other.free).for_each(|(own, other)| *own += factor * other);
         self
     }
 
     /// A multiple.
     pub(crate) fn times(mut self, factor: f64) -> Self {
-        self.change.iter_mut().for_each(|change| *change *= factor);
+        self.change.iter_mut().chain(&mut self.free).for_each(|value| *value *= factor);
         self
     }
 }
@@ -146,11 +158,22 @@ pub(crate) fn resolve(
         return;
     };
     let Some(model) = context.model else { return };
-    let Some(unit) = UnitHeat::new(expansion, model, context.material) else { return };
-    let mut heat = Heat { change: vec![0.0; model.points()], unit };
+    // Materials differ by a number, fibres have directions.
+    let (unit, base) = match expansion {
+        Expansion::Alike(alpha) => (Expansion::Alike(1.0), alpha),
+        fibres => (fibres, 1.0),
+    };
+    let Some(unit) = UnitHeat::new(unit, model, context.material) else { return };
+    let mut heat = Heat { change: vec![0.0; model.points()], free: vec![0.0; model.points()], unit };
     for p in points {
         match change.at(ground.body.position(p as usize)) {
-            Ok(value) => heat.change[context.inputs.number(model, p) as usize] = value,
+            Ok(value) => {
+                let (number, other) =
+                    (context.inputs.number(model, p), context.inputs.materials.of(p as usize));
+                let alpha = other.and_then(|other| other.thermal_expansion).unwrap_or(base);
+                heat.change[number as usize] = value;
+                heat.free[number as usize] = alpha * value;
+            }
             Err(reason) => {
                 faults.error(path.key("change"), reason);
                 return;
@@ -166,6 +189,7 @@ pub(crate) fn resolve(
             .hint("models of bonds are exact beside cracks");
     }
     give_images(&mut heat.change, model);
+    give_images(&mut heat.free, model);
     to.heat = Some(match to.heat.take() {
         Some(other) => other.plus(1.0, &heat),
         None => heat,

@@ -25,6 +25,7 @@ pub(crate) struct Says {
     has_fibres: bool,
     has_strengths: bool,
     is_heated: bool,
+    has_materials: bool,
 }
 
 impl Says {
@@ -36,6 +37,7 @@ impl Says {
             has_fibres: material.fibres().is_some(),
             has_strengths: case.strengths.is_some(),
             is_heated: loads.any(heats),
+            has_materials: !case.materials.is_empty(),
         }
     }
 }
@@ -55,6 +57,7 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
             or(model.is_revolved() || model.across_of([1.0, 1.0, 0.0, 0.0, 0.0, 0.0]) != 0.0, Has::Unlisted)
         }
         Origin::Strain(..) | Origin::Stress(_) => Has::No,
+        Origin::Material => or(says.has_materials, Has::No),
         Origin::VonMises | Origin::Energy => Has::Values,
         Origin::Principal(_) | Origin::MaxShear | Origin::Hydrostatic => Has::Unlisted,
         Origin::PrincipalDirection => {
@@ -125,11 +128,8 @@ pub(crate) fn probed(model: &dyn BodyModel, case: &Case, says: Says) -> Vec<Fiel
 
 /// The fields that probes of a case can ask for which has this model and whatever gives fields: rigid regions, cracks, strengths.
 pub(crate) fn askable(model: &dyn BodyModel, material: &dyn Material) -> Vec<FieldName> {
-    of_probes(
-        model,
-        (true, true),
-        Says { has_fibres: material.fibres().is_some(), has_strengths: true, is_heated: true },
-    )
+    let (has_fibres, has_materials) = (material.fibres().is_some(), material.other_materials().is_ok());
+    of_probes(model, (true, true), Says { has_fibres, has_strengths: true, is_heated: true, has_materials })
 }
 
 fn of_probes(model: &dyn BodyModel, (has_rigid, has_cracks): (bool, bool), says: Says) -> Vec<FieldName> {

@@ -29,6 +29,9 @@ pub(crate) fn lists<'c>(case: &'c Case) -> Vec<List<'c>> {
     for (k, probe) in case.probes.iter().enumerate() {
         take(probe.at.region.as_ref(), at(root("probes").index(k)), true);
     }
+    for (name, material) in &case.materials {
+        take(Some(&material.at), root("materials").key(name).key("at"), true);
+    }
     let of_cases = case.load_cases.iter().enumerate();
     let of_cases = of_cases.map(|(k, c)| (root("load_cases").index(k).key("loads"), &c.loads));
     for (path, loads) in std::iter::once((root("loads"), &case.loads)).chain(of_cases) {

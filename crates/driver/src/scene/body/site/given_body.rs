@@ -9,7 +9,7 @@ use crate::case::Case;
 use crate::diagnostic::{Faults, tidy};
 use crate::input::Folder;
 use crate::input::gmsh::Curve;
-use crate::model::{About, Keys, Material, USUAL_HORIZON_RATIO};
+use crate::model::{About, Keys, Material, Mixture, USUAL_HORIZON_RATIO};
 use crate::scene::{horizon, root};
 use peristat_assembly::body::{Group, Outline, PointBody, SquareLattice, Wall};
 use peristat_assembly::model::plane::{Edges, FARTHEST, Mirrors};
@@ -105,7 +105,8 @@ pub(crate) fn read(
         body => body,
     };
     let breaks = case.fracture.is_some() || case.path.is_some();
-    let inputs = ModelInputs { body, file, symmetry, bearings: Vec::new(), material, horizon, breaks };
+    let (bearings, materials) = (Vec::new(), Mixture::default());
+    let inputs = ModelInputs { body, file, symmetry, bearings, material, materials, horizon, breaks };
     Some(GivenBody { inputs, outline, walls, parts, curves, cracks })
 }
 

@@ -14,6 +14,7 @@ pub(crate) mod ground;
 pub(crate) mod held_angle;
 pub(crate) mod holes;
 pub(crate) mod interpolate;
+pub(crate) mod materials;
 pub(crate) mod model_inputs;
 pub(crate) mod of_case;
 pub(crate) mod periodic;

@@ -5,7 +5,7 @@ use super::cracks::NamedCrack;
 use super::of_case::horizon_key;
 use super::symmetry::Symmetry;
 use crate::case::Case;
-use crate::model::{AnyBody, Material, OnGround, OnLattice, Refusal};
+use crate::model::{AnyBody, Material, Mixture, OnGround, OnLattice, Refusal};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds};
 use peristat_assembly::model::BodyModel;
 use std::cell::RefCell;
@@ -23,6 +23,8 @@ pub(crate) struct ModelInputs {
     pub(crate) bearings: Vec<Bearing>,
     /// Material and bonds.
     pub(crate) material: Box<dyn Material>,
+    /// Materials of regions.
+    pub(crate) materials: Mixture,
     /// Horizon, m.
     pub(crate) horizon: f64,
     /// Whether its bonds break or soften.
@@ -51,7 +53,8 @@ impl ModelInputs {
                     let ends = [lattice.place_of(a), lattice.place_of(b)];
                     cracks.iter().any(|crack| crack.cuts(ends[0], ends[1], slack))
                 };
-                let on = OnLattice { real: lattice, mirrors, cuts: &cuts, separated: &separated };
+                let materials = &self.materials;
+                let on = OnLattice { real: lattice, mirrors, materials, cuts: &cuts, separated: &separated };
                 let mut body = self.material.on_lattice(&on)?;
                 body.as_mut().never_joined(&apart.into_inner());
                 if self.breaks {

@@ -16,6 +16,7 @@ pub use shares::BorderShares;
 pub(in crate::model) use shares::border_shares;
 
 use super::super::bond::LatticeBond;
+use super::super::mixture::Mixture;
 use super::super::near::at;
 use super::super::neighbourhood::Neighbourhood;
 use super::super::{Mirrors, geometry};
@@ -24,7 +25,7 @@ use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::{BondGeometry, Mat};
 use crate::stiffness::{Exception, PlacedBond, PlacedBonds};
 pub(in super::super::super) use nodes::{Cells, Nodes, around};
-use path::Path;
+pub(in super::super::super) use path::Path;
 use run::for_each_run;
 pub(in super::super::super) use run::{End, Run};
 use std::borrow::Cow;
@@ -81,11 +82,11 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Latti
     (lattice, mirrors): (&SquareLattice, &Mirrors),
     (neighbourhood, bond): (&Neighbourhood<M>, &B),
     near: &[usize],
-    cuts: &HashSet<(usize, usize)>,
+    (cuts, mixture): (&HashSet<(usize, usize)>, Option<&Mixture>),
 ) -> Completion<D, M, S> {
     let nodes = Nodes::new(Cells { lattice, mirrors, neighbourhood, cuts: Cow::Borrowed(cuts) });
     let mut bonds = PlacedBonds::new(lattice.points());
-    let (mut kinds, mut lost) = (Vec::new(), HashSet::new());
+    let (mut kinds, mut lost, mut lacks) = (Vec::new(), HashSet::new(), Vec::new());
     let gaps = for_each_part(&nodes, near, &mut |offset, run, part| {
         let Some(ends) = run.ends(&nodes) else {
             lost.insert(run.first());
@@ -93,7 +94,13 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Latti
         };
         let (whole, share) = (geometry(lattice, neighbourhood.offsets[offset]), run.share());
         let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
-        let unit = bond.part_moduli(&whole, share);
+        let mut unit = bond.part_moduli(&whole, share);
+        if let Some(mixture) = mixture {
+            let through = mixture.through((lattice, mirrors), run.cells());
+            unit = unit.map(|modulus| through.factor * modulus);
+            let own = run.ends_of(mirrors).into_iter().zip(through.lacks).filter(|own| own.1 > 0.0);
+            lacks.extend(own.filter_map(|(cell, lack)| Some((lattice.number(cell?)?, offset, share * lack))));
+        }
         let moduli = std::array::from_fn(|m| part * neighbourhood.weights[offset][m] * unit[m]);
         // Only rotations are read on the mean.
         let mean = if B::MEAN == [[false; D]; M] { None } else { run.mean(&nodes) };
@@ -102,7 +109,7 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Latti
         kinds.push(PartOfBond { offset: offset as u32, share, of, foremost });
     });
     let by = By::Bonds(BorderBonds { bonds: Arc::new(bonds), kinds });
-    Completion { by, gaps, lost: lost.len(), strains: None }
+    Completion { by, gaps, lost: lost.len(), strains: None, lacks }
 }
 
 /// Calls `visit` with every part of a bond that ends on the border: the index of its offset, its run of cells, and the part of it

@@ -4,7 +4,7 @@ use crate::body::Cell;
 
 /// The way of a bond from the cell of its first point to that of its second one.
 #[derive(Clone, Debug)]
-pub(super) struct Path {
+pub(in super::super::super::super) struct Path {
     /// Cells in their order, from that of the first point.
     pub(super) cells: Vec<Cell>,
     /// Shares of its length at which it enters the cells, and one.
@@ -14,7 +14,7 @@ pub(super) struct Path {
 
 impl Path {
     /// That of an offset. A bond that goes through a corner or an edge of cells has no part in the cells beside it.
-    pub(super) fn of(offset: Cell) -> Self {
+    pub(in super::super::super::super) fn of(offset: Cell) -> Self {
         // Borders of cells are half a spacing beyond their centres; times 2 |a| |b| |c| all shares are whole numbers.
         let counts = offset.map(|x| x.unsigned_abs().max(1));
         let all: u32 = counts.iter().product();
@@ -29,6 +29,11 @@ impl Path {
         let entries: Vec<f64> = shares.iter().map(|&s| f64::from(s) / whole).collect();
         let cell = |ends: &[f64]| offset.map(|x| (f64::from(x) * 0.5 * (ends[0] + ends[1])).round() as i32);
         Self { cells: entries.windows(2).map(cell).collect(), entries, offset }
+    }
+
+    /// Its cells, from that of the first point, and the parts of its length that they have.
+    pub(in super::super::super::super) fn pieces(&self) -> impl Iterator<Item = (Cell, f64)> + '_ {
+        self.cells.iter().zip(self.entries.windows(2)).map(|(cell, ends)| (*cell, ends[1] - ends[0]))
     }
 
     /// The place at a share of its length, in spacings from the first point.

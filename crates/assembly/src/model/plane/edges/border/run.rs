@@ -56,6 +56,17 @@ impl Run<'_> {
         self.path.share(self.pieces[0], self.pieces[1])
     }
 
+    /// Its cells, and the parts of the whole bond that they have.
+    pub(in crate::model) fn cells(&self) -> impl Iterator<Item = (Cell, f64)> + '_ {
+        (self.pieces[0]..self.pieces[1]).map(|p| (self.cell(p), self.path.share(p, p + 1)))
+    }
+
+    /// Its first and its last cell, if they are real.
+    pub(in crate::model) fn ends_of(&self, mirrors: &Mirrors) -> [Option<Cell>; 2] {
+        let ends = [self.cell(self.pieces[0]), self.cell(self.pieces[1] - 1)];
+        ends.map(|cell| (mirrors.is_none() || mirrors.is_real(cell)).then_some(cell))
+    }
+
     /// Whether it begins, and whether it ends, at a point of the bond.
     pub(in crate::model) fn has_points(&self) -> [bool; 2] {
         [self.pieces[0] == 0, self.pieces[1] == self.path.cells.len()]

@@ -24,6 +24,7 @@ mod strains;
 use super::super::Mirrors;
 use super::super::bond::PlaneBond;
 use super::super::geometry;
+use super::super::mixture::Mixture;
 use super::super::near::{at, near_points};
 use super::super::neighbourhood::Neighbourhood;
 use super::overlay::is_cut;
@@ -89,7 +90,7 @@ fn near_blocks(lattice: &SquareLattice, reach: i32) -> BTreeSet<Cell> {
 pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     (lattice, mirrors): (&SquareLattice, &Mirrors),
     (neighbourhood, bond): (&Neighbourhood<M>, &B),
-    cuts: &HashSet<(usize, usize)>,
+    (cuts, mixture): (&HashSet<(usize, usize)>, Option<&Mixture>),
     breaks: bool,
 ) -> Completion<D, M, S> {
     let corners = beside_cracks(lattice, mirrors, neighbourhood, Cow::Borrowed(cuts));
@@ -98,7 +99,7 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Plane
     let left = near.iter().flat_map(|&at| left_to(&corners, &missing, at));
     let (by, lost) = match breaks {
         true => springs(&corners, (neighbourhood, bond), &missing, left),
-        false => triangles(&corners, (neighbourhood, bond), &missing, left),
+        false => triangles(&corners, (neighbourhood, bond), (&missing, mixture), left),
     };
     let mut gaps = BTreeSet::new();
     for &at in &near {
@@ -116,8 +117,8 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Plane
     lacking.sort_unstable();
     lacking.dedup();
     lacking.retain(|&point| mirrors.is_none() || mirrors.is_real(lattice.cell(point)));
-    let strains = Some(Box::new(Strains::new(&corners, lacking.into_iter())));
-    Completion { by, gaps, lost, strains }
+    let strains = Some(Box::new(Strains::new(&corners, lacking.into_iter(), mixture)));
+    Completion { by, gaps, lost, strains, lacks: Vec::new() }
 }
 
 /// What bonds leave to a triangle.
@@ -161,14 +162,21 @@ pub(in super::super) fn left_to_triangles<const M: usize>(
 fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     corners: &Corners,
     (neighbourhood, bond): (&Neighbourhood<M>, &B),
-    missing: &Missing,
+    (missing, mixture): (&Missing, Option<&Mixture>),
     left: impl Iterator<Item = Left>,
 ) -> (By<D, M, S>, usize) {
     let lattice = corners.blocks.lattice;
     let moduli: Vec<Mat<S, S>> =
         missing.paths.iter().map(|(k, _)| modulus(lattice, neighbourhood, bond, *k)).collect();
     let (mut families, mut lost) = (WideFamilies::new(lattice.points()), 0);
-    for Left { block, triangle, shares } in left {
+    for Left { block, triangle, mut shares } in left {
+        if let Some(mixture) = mixture {
+            let (body, cells) = ((lattice, corners.blocks.mirrors), corners_of(block, triangle));
+            for (share, (k, _)) in shares.iter_mut().zip(&missing.paths) {
+                let [x, y, _] = neighbourhood.offsets[*k].map(f64::from);
+                *share *= mixture.of_triangle(body, cells, [x, y]);
+            }
+        }
         let mut own = [[0.0; S]; S];
         for (modulus, share) in moduli.iter().zip(&shares) {
             (0..S).for_each(|r| (0..S).for_each(|c| own[r][c] += share * modulus[r][c]));

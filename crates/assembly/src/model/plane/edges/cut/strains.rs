@@ -3,6 +3,7 @@
 //! A sum over the bonds of a point is a mean over its horizon, of which half is missing beside the border: it lags behind stresses
 //! that rise towards a hole. A quadratic function through the displacements around has a strain at the point itself.
 
+use super::super::super::mixture::Mixture;
 use super::corners::{Corners, WIDE};
 use crate::body::SquareLattice;
 use std::collections::{HashMap, HashSet};
@@ -18,8 +19,13 @@ pub(in super::super::super::super) struct Strains {
 }
 
 impl Strains {
-    /// Those of some points, where enough others are around to tell.
-    pub(super) fn new(corners: &Corners, points: impl Iterator<Item = usize>) -> Self {
+    /// Those of some points, where enough others are around to tell. Where these are of several materials strains have jumps, and
+    /// are not told.
+    pub(super) fn new(
+        corners: &Corners,
+        points: impl Iterator<Item = usize>,
+        mixture: Option<&Mixture>,
+    ) -> Self {
         let lattice: &SquareLattice = corners.blocks.lattice;
         let axes = lattice.axes();
         let mut strains = Self { points: Vec::new(), ends: Vec::new(), rows: Vec::new() };
@@ -30,6 +36,10 @@ impl Strains {
                 |[_, a, b]: [f64; 3]| [0, 1].map(|k| (a * axes[0][k] + b * axes[1][k]) / lattice.spacing());
             let named = |(cell, rows)| Some((lattice.number(cell)? as u32, along(rows)));
             let Some(mut rows) = found.into_iter().map(named).collect::<Option<Vec<_>>>() else { continue };
+            let differs = |mixture: &Mixture, row: u32| mixture.of(row as usize) != mixture.of(point);
+            if mixture.is_some_and(|mixture| rows.iter().any(|row| differs(mixture, row.0))) {
+                continue;
+            }
             strains.points.push(point as u32);
             strains.rows.append(&mut rows);
             strains.ends.push(strains.rows.len() as u32);

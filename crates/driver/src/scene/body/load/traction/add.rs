@@ -32,6 +32,7 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
         // Beside the border rotations of one stress are in balance by its own loads only.
         return;
     }
+    let pulled = pulled && context.inputs.materials.is_one();
     let through = tractions.iter().map(|t| through_border::forces(t, context)).collect::<Option<Vec<_>>>();
     if let Some(forces) = through.filter(|_| !pulled) {
         for traction in tractions.iter().filter(|t| t.depth.is_some()) {
@@ -86,6 +87,10 @@ pub(crate) fn add(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLo
 
 /// Adds the load of one stress that has all tractions, if there is one.
 fn add_uniform(tractions: &[OnBorder], context: &LoadContext, to: &mut BodyLoads) -> bool {
+    // One stress has one linear displacement in one material alone.
+    if !context.inputs.materials.is_one() {
+        return false;
+    }
     let Some(uniform) = uniform_stress::find(tractions, context) else { return false };
     to.carry_ends = true;
     let stress = StressField::uniform(uniform.stress);

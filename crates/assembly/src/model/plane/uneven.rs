@@ -1,0 +1,134 @@
+//! The bonds of a lattice of several materials: their factors, what their ends lack, and those whose ends have not half of them
+//! each.
+
+use super::Mirrors;
+use super::edges::Path;
+use super::mixture::Mixture;
+use super::near::at;
+use super::neighbourhood::Neighbourhood;
+use crate::body::{SquareLattice, plus};
+use crate::bonds::{BondModel, Mat};
+use crate::stiffness::{Exception, GridBonds};
+use std::array::from_fn;
+use std::collections::HashSet;
+
+/// A bond whose ends have not half of it each.
+#[derive(Clone, Copy, Debug)]
+struct Uneven {
+    /// Index of its offset among those that have bonds.
+    class: u32,
+    points: [u32; 2],
+    /// Part of the bond that the lower point has beyond half.
+    beyond: f64,
+}
+
+/// Bonds whose ends have not half of them each.
+#[derive(Clone, Debug, Default)]
+pub(in super::super) struct UnevenBonds {
+    list: Vec<Uneven>,
+}
+
+/// What the bonds of a mixture are beside those of the base material.
+#[derive(Clone, Debug, Default)]
+pub(in super::super) struct MixedBonds {
+    /// Factors of bonds by offset and lower point.
+    pub(in super::super) exceptions: Vec<Exception>,
+    pub(in super::super) uneven: UnevenBonds,
+    /// What real points lack: these, offsets, and parts of a bond of the base material.
+    pub(in super::super) lacks: Vec<(usize, usize, f64)>,
+}
+
+impl MixedBonds {
+    /// Those of a lattice; `absent` are bonds that are not there, by offset and lower point.
+    pub(in super::super) fn new<const M: usize>(
+        (lattice, mirrors): (&SquareLattice, &Mirrors),
+        neighbourhood: &Neighbourhood<M>,
+        mixture: &Mixture,
+        absent: &HashSet<(usize, usize)>,
+    ) -> Self {
+        let mut found = Self::default();
+        for (class, offset) in neighbourhood.bonded().enumerate() {
+            let step = neighbourhood.offsets[offset];
+            let pieces: Vec<_> = Path::of(step).pieces().collect();
+            for run in lattice.runs() {
+                for column in run.columns.clone() {
+                    let (cell, lower) = (run.cell(column), run.number(column));
+                    let Some(upper) = lattice.number(at(cell, step, true)) else { continue };
+                    let path = pieces.iter().map(|&(piece, part)| (plus(cell, piece), part));
+                    let through = mixture.through((lattice, mirrors), path);
+                    if through.factor != 1.0 {
+                        found.exceptions.push(Exception { offset, lower, factor: through.factor });
+                    }
+                    if through.lacks == [0.0; 2] || absent.contains(&(offset, lower)) {
+                        continue;
+                    }
+                    found.uneven.push(class, [lower, upper], through.shares);
+                    // Bonds of cells that are not whole count by the smaller part.
+                    let part = lattice.fraction(lower).min(lattice.fraction(upper));
+                    let ends = [lower, upper].into_iter().zip(through.lacks);
+                    let is_real = |point: usize| mirrors.is_none() || mirrors.is_real(lattice.cell(point));
+                    let own = ends.filter(|&(point, lack)| lack > 0.0 && is_real(point));
+                    found.lacks.extend(own.map(|(point, lack)| (point, offset, part * lack)));
+                }
+            }
+        }
+        found
+    }
+}
+
+impl UnevenBonds {
+    fn push(&mut self, class: usize, points: [usize; 2], [a, b]: [f64; 2]) {
+        if a != b {
+            let beyond = 0.5 * (a - b) / (a + b);
+            self.list.push(Uneven { class: class as u32, points: points.map(|p| p as u32), beyond });
+        }
+    }
+
+    /// Adds to `Q` planes of sums over the bonds of points, and one of their energies, what these have beyond halves of them;
+    /// `shares` are those of halves.
+    pub(in super::super) fn add_to<const D: usize, const M: usize, const Q: usize, B: BondModel<D, M>>(
+        &self,
+        bonds: &GridBonds<D, M, B>,
+        (u, shares, volume): (&[f64], &[Mat<Q, M>], f64),
+        sums: &mut [f64],
+    ) {
+        let n = sums.len() / (Q + 1);
+        for of in &self.list {
+            let class = of.class as usize;
+            let Some(bond) = bonds.bond(class, of.points[0] as usize) else { continue };
+            let (s, sigma) = bond.response(n, u);
+            let energy: f64 = (0..M).map(|m| 0.5 * s[m] * sigma[m]).sum();
+            for (point, sign) in of.points.into_iter().zip([1.0, -1.0]) {
+                let (point, part) = (point as usize, sign * of.beyond);
+                for q in 0..Q {
+                    let own: f64 = (0..M).map(|m| shares[class][q][m] * sigma[m]).sum();
+                    sums[q * n + point] += 2.0 * part * own;
+                }
+                sums[Q * n + point] += part * energy / volume;
+            }
+        }
+    }
+
+    /// The adjoint for the sums: adds the forces that do their work in strains `t`, `Q` planes.
+    pub(in super::super) fn add_work<const D: usize, const M: usize, const Q: usize, B: BondModel<D, M>>(
+        &self,
+        bonds: &GridBonds<D, M, B>,
+        (t, shares): (&[f64], &[Mat<Q, M>]),
+        force: &mut [f64],
+    ) {
+        let n = t.len() / Q;
+        for of in &self.list {
+            let (class, [i, j]) = (of.class as usize, of.points.map(|p| p as usize));
+            let Some(bond) = bonds.bond(class, i) else { continue };
+            let sigma: [f64; M] = from_fn(|m| {
+                let own = |q: usize| shares[class][q][m] * (t[q * n + i] - t[q * n + j]);
+                2.0 * of.beyond * bond.moduli[m] * (0..Q).map(own).sum::<f64>()
+            });
+            let (first, second) = (bond.rows.first(), bond.rows.second());
+            for c in 0..D {
+                force[c * n + i] += (0..M).map(|m| first[m][c] * sigma[m]).sum::<f64>();
+                force[c * n + j] += (0..M).map(|m| second[m][c] * sigma[m]).sum::<f64>();
+            }
+        }
+    }
+}

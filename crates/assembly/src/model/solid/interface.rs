@@ -1,0 +1,102 @@
+//! What bonds through several materials leave to the points of a solid, and what these get of them.
+
+use super::super::plane::{LatticeBond, Mirrors, MixedBonds, Mixture, UnevenBonds};
+use super::bond::SolidBond;
+use super::tetrahedra::{Corners, strain_rows, tetrahedra};
+use super::{SolidLaw, TENSOR};
+use crate::body::{SquareLattice, plus};
+use crate::bonds::{BondGeometry, BondModel, Mat, add, block};
+use crate::stiffness::{Exception, Families, Family};
+use std::collections::{BTreeMap, HashSet};
+use std::sync::Arc;
+
+/// The bonds of a solid of several materials, as far as they are not those of one.
+#[derive(Clone, Debug)]
+pub(super) struct Interface {
+    pub(super) mixture: Arc<Mixture>,
+    /// Factors of bonds by offset and lower point.
+    pub(super) exceptions: Vec<Exception>,
+    pub(super) uneven: UnevenBonds,
+    /// Tetrahedra that give back what points lack: first of bonds between points, then of those that end on the border.
+    pub(super) families: Arc<Families<3, TENSOR, 3>>,
+    /// Number of the first ones, which tell stresses, too.
+    told: usize,
+    /// Points that no tetrahedron gives what they lack.
+    pub(super) lost: usize,
+}
+
+impl Interface {
+    /// That of a solid; `gaps` are bonds that give way to what completes the border, and `beside` is what bonds that end there
+    /// leave to points.
+    pub(super) fn new(
+        (lattice, mirrors): (&SquareLattice, &Mirrors),
+        (law, bond): (&SolidLaw, SolidBond),
+        mixture: Arc<Mixture>,
+        (cuts, gaps): (&HashSet<(usize, usize)>, &[Exception]),
+        beside: &[(usize, usize, f64)],
+    ) -> Self {
+        let neighbourhood = &law.neighbourhood;
+        let absent = cuts.iter().copied().chain(gaps.iter().map(|gap| (gap.offset, gap.lower))).collect();
+        let bonds = MixedBonds::new((lattice, mirrors), neighbourhood, &mixture, &absent);
+        let whole = |k: usize| -> Mat<TENSOR, TENSOR> {
+            let geometry = BondGeometry { xi: lattice.vector(neighbourhood.offsets[k]) };
+            let (uniform, [unit]) = (bond.in_uniform_state(&geometry), bond.moduli(&geometry));
+            block(&uniform, &[neighbourhood.weights[k][0] * unit], &uniform)
+        };
+        let whole: Vec<Mat<TENSOR, TENSOR>> = (0..neighbourhood.offsets.len()).map(whole).collect();
+        let (mut families, mut told, mut lost) = (Vec::new(), 0, 0);
+        for (lacks, tells) in [(&bonds.lacks[..], true), (beside, false)] {
+            let mut by_point: BTreeMap<usize, Mat<TENSOR, TENSOR>> = BTreeMap::new();
+            for &(point, k, part) in lacks {
+                let own = whole[k].map(|row| row.map(|v| part * v));
+                add(by_point.entry(point).or_insert([[0.0; TENSOR]; TENSOR]), &own);
+            }
+            for (point, own) in by_point {
+                let corners = stiff(
+                    lattice,
+                    &mixture,
+                    point,
+                    tetrahedra(lattice, neighbourhood, cuts, lattice.cell(point)),
+                );
+                lost += usize::from(corners.is_empty());
+                let modulus = own.map(|row| row.map(|v| v / corners.len().max(1) as f64));
+                families
+                    .extend(corners.iter().filter_map(|&corners| family(lattice, point, corners, modulus)));
+            }
+            told = if tells { families.len() } else { told };
+        }
+        let families = Arc::new(Families::new(lattice.points(), families));
+        let MixedBonds { exceptions, uneven, .. } = bonds;
+        Self { mixture, exceptions, uneven, families, told, lost }
+    }
+
+    /// The tetrahedra that tell stresses.
+    pub(super) fn told(&self) -> &[Family<3, TENSOR, 3>] {
+        &self.families.list()[..self.told]
+    }
+}
+
+/// Those of some tetrahedra that have no softer points, if there are such.
+fn stiff(lattice: &SquareLattice, mixture: &Mixture, point: usize, all: Vec<Corners>) -> Vec<Corners> {
+    let (cell, own) = (lattice.cell(point), mixture.of(point));
+    let is_softer =
+        |step: &[i32; 3]| lattice.number(plus(cell, *step)).is_some_and(|other| mixture.of(other) < own);
+    let stiff: Vec<Corners> = all.iter().copied().filter(|c| !c.iter().any(is_softer)).collect();
+    if stiff.is_empty() { all } else { stiff }
+}
+
+/// A tetrahedron of a point.
+fn family(
+    lattice: &SquareLattice,
+    point: usize,
+    corners: Corners,
+    modulus: Mat<TENSOR, TENSOR>,
+) -> Option<Family<3, TENSOR, 3>> {
+    let cell = lattice.cell(point);
+    let mut others = [0; 3];
+    for (other, step) in others.iter_mut().zip(corners) {
+        *other = lattice.number(plus(cell, step))? as u32;
+    }
+    let rows = strain_rows(corners, lattice.spacing());
+    Some(Family { point: point as u32, others, rows, own: [[0.0; 3]; TENSOR], modulus })
+}

@@ -1,0 +1,22 @@
+//! Materials of regions, as cases write them.
+
+use super::Names;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A material of some regions. What it does not give is that of `model`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RegionMaterial {
+    /// Name of a region whose points are of it, or a list of several.
+    pub at: Names,
+    /// Young's modulus E, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub youngs_modulus: Option<f64>,
+    /// Shear modulus G of a body in antiplane shear, > 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_modulus: Option<f64>,
+    /// Strain per kelvin, for `temperature`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thermal_expansion: Option<f64>,
+}
