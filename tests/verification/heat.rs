@@ -68,15 +68,20 @@ fn solve(case: &Value) -> Solved {
 
 /// Largest magnitude of the fields whose names begin so, of the first state.
 fn largest(solved: &Solved, of: &str) -> f64 {
-    let fields = solved.fields(0).unwrap();
+    let fields = solved.fields(0).expect("a first state");
     worst(fields.iter().filter(|field| field.starts_with(of)).flat_map(|field| {
-        solved.field(0, field).unwrap().iter().map(|value| value.abs()).collect::<Vec<_>>()
+        solved
+            .field(0, field)
+            .expect("a field of this name")
+            .iter()
+            .map(|value| value.abs())
+            .collect::<Vec<_>>()
     }))
 }
 
 /// Differences of the displacements along the first axis from those of a free body.
 fn off(solved: &Solved, strain: f64) -> f64 {
-    let (points, ux) = (solved.points(), solved.field(0, "ux").unwrap());
+    let (points, ux) = (solved.points(), solved.field(0, "ux").expect("a field of this name"));
     let straight = |k: usize| ux[k] - ux[0] - strain * (points[k][0] - points[0][0]);
     worst((0..ux.len()).filter(|&k| points[k][1] == points[0][1]).map(|k| straight(k).abs()))
 }
@@ -176,7 +181,13 @@ fn bars_between_rigid_walls_are_pressed_by_what_they_cannot_expand() {
             "state_plane, strain" => ALPHA * CHANGE / 0.7,
             _ => ALPHA * CHANGE,
         };
-        let error = worst(solved.field(0, field).unwrap().iter().map(|s| (s / (-E * strain) - 1.0).abs()));
+        let error = worst(
+            solved
+                .field(0, field)
+                .expect("a field of this name")
+                .iter()
+                .map(|s| (s / (-E * strain) - 1.0).abs()),
+        );
         // 3e-15 is found. Families of solids have no border, and sections of rings feel their corners: they do when they are pulled, too.
         let least = match name {
             "state_solid" => 6e-3,
@@ -220,7 +231,7 @@ fn heat_adds_up_with_loads_by_states() {
     let of = |case: &Value| {
         let solved = solve(case);
         (0..solved.states.len())
-            .map(|state| solved.field(state, "stress_yy").unwrap().to_vec())
+            .map(|state| solved.field(state, "stress_yy").expect("a field of this name").to_vec())
             .collect::<Vec<_>>()
     };
     case["loads"] = json!([heat, heat, weight]);

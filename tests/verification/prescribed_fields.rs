@@ -98,8 +98,11 @@ fn a_linear_motion_of_the_border_is_that_of_the_body() {
         });
         let solved = solve(&case);
         for (field, strain) in [("strain_xx", 1e-3), ("strain_yy", -5e-4), ("strain_xy", 1.5e-4)] {
-            let worst =
-                solved.field(0, field).unwrap().iter().fold(0.0_f64, |a, e| a.max((e - strain).abs()));
+            let worst = solved
+                .field(0, field)
+                .expect("a field of this name")
+                .iter()
+                .fold(0.0_f64, |a, e| a.max((e - strain).abs()));
             // 4e-16 is found, 3e-15 where the border is slanted.
             assert!(worst < least * 1e-3, "{name} {field}: {worst:e}");
         }
@@ -160,7 +163,8 @@ fn formulas_are_the_profiles_that_they_describe() {
     for (k, (profile, formula)) in pairs.into_iter().enumerate() {
         let [profile, formula] = [profile, formula].map(|case| solve(&case));
         for field in ["ux", "uy"] {
-            let [a, b] = [&profile, &formula].map(|solved| solved.field(0, field).unwrap());
+            let [a, b] =
+                [&profile, &formula].map(|solved| solved.field(0, field).expect("a field of this name"));
             let size = a.iter().fold(0.0_f64, |size, u| size.max(u.abs()));
             let worst = a.iter().zip(b.iter()).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
             // 1e-15 is found; cells that a hole has cut share what their slivers lack in another way, 9e-9.
@@ -225,7 +229,7 @@ fn formulas_that_contradict_each_other_are_told() {
         assert!(found.contains("contradicts"), "{found}");
     }
     let [first, second] = [left(json!("1e-3*y")), top(json!("9e-3 + 1e-3*x"))];
-    let solve = |supports: Value| solve(&case(supports)).field(0, "stress_xx").unwrap().to_vec();
+    let solve = |supports: Value| solve(&case(supports)).field(0, "stress_xx").expect("stresses").to_vec();
     let [one, other] = [solve(json!([first, second])), solve(json!([second, first]))];
     let size = one.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
     let worst = one.iter().zip(&other).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));

@@ -25,7 +25,7 @@ pub struct Recovered {
     /// Cut share of the family of every point; none without cracks.
     pub damage: Option<Vec<f64>>,
     /// What strains that need no stress would have.
-    pub heat: Option<HeatStress>,
+    pub heat: Option<Box<HeatStress>>,
 }
 
 impl Recovered {

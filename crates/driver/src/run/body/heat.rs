@@ -104,7 +104,7 @@ impl Recovered {
             let across = self.across.get(p).copied().unwrap_or_default();
             self.energy_density[p] = stored(heat, (p, model), self.at(|s| s[p]), across);
         }
-        self.heat = Some(own);
+        self.heat = Some(Box::new(own));
     }
 
     /// Energy of all points, J.

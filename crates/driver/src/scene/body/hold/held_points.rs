@@ -19,7 +19,7 @@ pub struct HeldPoints {
     pub pieces: Vec<Vec<(u32, f64)>>,
     /// What is held, a unit vector: a direction, or the rotation, which is the third component.
     pub direction: [f64; 3],
-    /// The unknown along it at a factor of one, of each point: a displacement, or the rotation times [`Conditions::turning`].
+    /// The unknown along it at a factor of one, of each point: a displacement, or the rotation times [`Conditions::turning`](super::conditions::Conditions::turning).
     pub values: Vec<f64>,
     /// Where it stands in the case.
     pub origin: String,
