@@ -8,7 +8,7 @@ use super::extent::{self, GivenExtent, Words};
 use super::place::Layout;
 use super::resolved_loads::ResolvedLoads;
 use super::section::Resolved;
-use crate::case::{Amount, Case, Expansion, Temperature};
+use crate::case::{Amount, Case, Expansion, Temperature, number};
 use crate::diagnostic::{Faults, JsonPath, root};
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{Grid, PointAction};
@@ -60,15 +60,7 @@ pub(super) fn add(
     let given = GivenExtent { member: load.member.as_deref(), from: None, to: None };
     let extent = extent::find(&given, layout, path, &WORDS, faults);
     let Some(alpha) = expansion(case, path, faults) else { return };
-    let change = match &load.change {
-        Some(Amount::Formula(_)) => {
-            faults
-                .error(path.key("change"), "formulas are for bodies: a line is as warm all along")
-                .hint("give a number, and members of their own where the temperature differs");
-            return;
-        }
-        given => given.as_ref().and_then(Amount::number).unwrap_or(0.0),
-    };
+    let Some(change) = change(load, path, faults) else { return };
     let difference = load.difference.unwrap_or(0.0);
     if change == 0.0 && difference == 0.0 {
         faults.error(path.clone(), "this load is zero").hint("give `change`, `difference`, or both");
@@ -112,6 +104,17 @@ pub(super) fn add(
         to.loads.point.push(PointAction { chain: extent.chain, x, force: 0.0, moment, axial, spread: false });
     }
     to.heat.push(heat);
+}
+
+/// Kelvin at the axis.
+fn change(load: &Temperature, path: &JsonPath, faults: &mut Faults) -> Option<f64> {
+    if matches!(load.change, Some(Amount::Formula(_))) {
+        faults
+            .error(path.key("change"), "formulas are for bodies: a line is as warm all along")
+            .hint("give a number, and members of their own where the temperature differs");
+        return None;
+    }
+    Some(number(load.change.as_ref()).unwrap_or(0.0))
 }
 
 /// Strain per kelvin.

@@ -57,22 +57,7 @@ pub(crate) fn resolve(
     if !positive(area, "area of the border", place.clone(), faults) {
         return None;
     }
-    let mut force = |given: &Vector, key: &str| context.force(*given, key, &path.key(key), faults);
-    let profile = match load {
-        Traction { uniform: Some(t), .. } => Profile::Linear([force(t, "uniform")?; 2]),
-        Traction { linear: Some([from, to]), .. } => {
-            Profile::Linear([force(from, "linear")?, force(to, "linear")?])
-        }
-        Traction { parabolic: Some(t), .. } => Profile::Parabolic(force(t, "parabolic")?),
-        Traction { total: Some(total), .. } => Profile::Linear([force(total, "total")?.map(|f| f / area); 2]),
-        Traction { hertz: Some(hertz), .. } => {
-            on_edge(hertz, &on.first()?.border, context.ground.body.spacing(), &path.key("hertz"), faults)?
-        }
-        Traction { formula: Some(given), .. } => {
-            Profile::Formula(Arc::new(context.along(given, "formula", &path.key("formula"), faults)?))
-        }
-        _ => pressure(load, context, &path, faults)?,
-    };
+    let profile = profile(load, (&on, area), context, &path, faults)?;
     if profile.is_formula() {
         has_values(&profile, &stretches, &path, faults)?;
     }
@@ -99,6 +84,32 @@ pub(crate) fn resolve(
         check_sharing(load, first, context, &path, faults);
     }
     Some(on.into_iter().map(|on| OnBorder { profile: profile.clone(), ..on }).collect())
+}
+
+/// How a traction varies along borders of some area, m².
+fn profile(
+    load: &Traction,
+    (on, area): (&[OnBorder], f64),
+    context: &LoadContext,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Profile> {
+    let mut force = |given: &Vector, key: &str| context.force(*given, key, &path.key(key), faults);
+    Some(match load {
+        Traction { uniform: Some(t), .. } => Profile::Linear([force(t, "uniform")?; 2]),
+        Traction { linear: Some([from, to]), .. } => {
+            Profile::Linear([force(from, "linear")?, force(to, "linear")?])
+        }
+        Traction { parabolic: Some(t), .. } => Profile::Parabolic(force(t, "parabolic")?),
+        Traction { total: Some(total), .. } => Profile::Linear([force(total, "total")?.map(|f| f / area); 2]),
+        Traction { hertz: Some(hertz), .. } => {
+            on_edge(hertz, &on.first()?.border, context.ground.body.spacing(), &path.key("hertz"), faults)?
+        }
+        Traction { formula: Some(given), .. } => {
+            Profile::Formula(Arc::new(context.along(given, "formula", &path.key("formula"), faults)?))
+        }
+        _ => pressure(load, context, &path, faults)?,
+    })
 }
 
 /// A pressure, a number or a formula.
