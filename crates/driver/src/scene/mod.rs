@@ -4,6 +4,7 @@
 
 pub mod beam;
 pub mod body;
+mod expansion;
 mod expectation;
 mod files;
 mod fingerprint;

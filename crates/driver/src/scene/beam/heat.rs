@@ -9,7 +9,8 @@ use super::place::Layout;
 use super::resolved_loads::ResolvedLoads;
 use super::section::Resolved;
 use crate::case::{Amount, Case, Expansion, Temperature, number};
-use crate::diagnostic::{Faults, JsonPath, root};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::scene::expansion;
 use peristat_assembly::material::SectionStiffness;
 use peristat_assembly::model::timoshenko_beam::{Grid, PointAction};
 
@@ -59,7 +60,7 @@ pub(super) fn add(
     }
     let given = GivenExtent { member: load.member.as_deref(), from: None, to: None };
     let extent = extent::find(&given, layout, path, &WORDS, faults);
-    let Some(alpha) = expansion(case, path, faults) else { return };
+    let Some(Expansion::Alike(alpha)) = expansion::of(case, false, path, faults) else { return };
     let Some(change) = change(load, path, faults) else { return };
     let difference = load.difference.unwrap_or(0.0);
     if change == 0.0 && difference == 0.0 {
@@ -115,23 +116,6 @@ fn change(load: &Temperature, path: &JsonPath, faults: &mut Faults) -> Option<f6
         return None;
     }
     Some(number(load.change.as_ref()).unwrap_or(0.0))
-}
-
-/// Strain per kelvin.
-fn expansion(case: &Case, path: &JsonPath, faults: &mut Faults) -> Option<f64> {
-    match case.thermal_expansion {
-        Some(Expansion::Alike(alpha)) => return Some(alpha),
-        Some(Expansion::Fibres(_)) => faults
-            .error(root("thermal_expansion"), "a material without fibres has one `thermal_expansion`")
-            .hint("give one number"),
-        None => faults
-            .error(
-                path.clone(),
-                "`temperature` needs the `thermal_expansion` of the material, beside `model`",
-            )
-            .hint("strain per kelvin: steel has `\"thermal_expansion\": 1.2e-5`, aluminium 2.3e-5"),
-    };
-    None
 }
 
 /// EA and EI of sections that are the same all along a line and do not couple them; EA is zero where it is not given.

@@ -8,8 +8,9 @@
 use super::context::LoadContext;
 use super::sums::BodyLoads;
 use crate::case::{Expansion, Temperature};
-use crate::diagnostic::{Faults, JsonPath, root};
+use crate::diagnostic::{Faults, JsonPath};
 use crate::model::{Fibres, Material};
+use crate::scene::expansion;
 use crate::scene::prescribed::Prescribed;
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
@@ -135,7 +136,8 @@ pub(crate) fn resolve(
 ) {
     let ground = context.ground;
     let is_fine = is_borne(context, path, faults);
-    let expansion = expansion(context, path, faults);
+    let has_fibres = context.material.fibres().is_some();
+    let expansion = expansion::of(ground.case, has_fibres, path, faults);
     for (key, _) in
         [("difference", load.difference.is_some()), ("member", load.member.is_some())].iter().filter(|k| k.1)
     {
@@ -236,24 +238,4 @@ fn leaves_sides_open(context: &LoadContext) -> bool {
     let is_cylinder = context.material.cylinder_radius().is_some();
     let joined = context.symmetry.mirrors.joined;
     joined != [false; 3] && !is_cylinder && !context.material.about().is_exact_at_edges
-}
-
-/// The expansion of the material, with a fault where there is none or it is another one's.
-fn expansion(context: &LoadContext, path: &JsonPath, faults: &mut Faults) -> Option<Expansion> {
-    let given = context.ground.case.thermal_expansion;
-    if given.is_none() {
-        faults
-            .error(
-                path.clone(),
-                "`temperature` needs the `thermal_expansion` of the material, beside `model`",
-            )
-            .hint("strain per kelvin: steel has `\"thermal_expansion\": 1.2e-5`, aluminium 2.3e-5");
-    }
-    if matches!(given, Some(Expansion::Fibres(_))) && context.material.fibres().is_none() {
-        faults
-            .error(root("thermal_expansion"), "a material without fibres has one `thermal_expansion`")
-            .hint("give one number");
-        return None;
-    }
-    given
 }
