@@ -171,6 +171,8 @@ pub(crate) fn refuse(
         _ if needs_strengths(field) && case.strengths.is_none() => {
             format!("`{name}` needs the `strengths` of the material, beside `model`")
         }
+        FieldName::Temperature => "`temperature` is that of a load `temperature`, and there is none".into(),
+        FieldName::Material => "`material` is the number of one of `materials`, and there are none".into(),
         FieldName::Opening => "`opening` is that of a crack, and there is none".into(),
         _ => format!("`{name}` is no field of `{model}`"),
     };
