@@ -173,9 +173,10 @@ fn warn_of_staircase(
         _ if about.horizon_ratio >= f64::from(FARTHEST + 1) => {
             ("the horizon is too long to follow it", "use a horizon of ten spacings at most")
         }
-        [false, false, _] => {
-            ("single rows and thin tips do not tell how it moves", "round off tips, or use a smaller spacing")
-        }
+        [false, false, _] => (
+            "single rows, thin tips and slots of a few rows do not tell how it moves",
+            "round off tips, draw a slot as a crack or wider than five rows, or use a smaller spacing",
+        ),
         _ => ("sides are joined", "model the whole body, or half of it beside a line of symmetry"),
     };
     let (why, hint) = left.unwrap_or_else(otherwise);

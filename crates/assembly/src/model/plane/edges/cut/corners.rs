@@ -2,6 +2,7 @@
 
 use super::blocks::{Blocks, CORNERS};
 use super::fit::fit;
+use super::sides::{NEXT, Ways, beside, is_seen};
 use crate::body::{Cell, minus, plus};
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -24,9 +25,6 @@ pub(super) const WIDE: f64 = 1.0 / 4.5;
 
 /// Steps from a corner's point to those that it follows, at most.
 const AROUND: i32 = 8;
-/// Steps to next cells.
-const NEXT: [Cell; 8] =
-    [[1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 1, 0], [-1, 0, 0], [-1, -1, 0], [0, -1, 0], [1, -1, 0]];
 
 /// Cracks that run between points.
 pub(super) struct Cracks<'a> {
@@ -164,6 +162,17 @@ impl<'a> Corners<'a> {
         Some(found)
     }
 
+    /// Leaves out the points on the other sides of slots, by their distances from a place.
+    fn leave_far_sides(&self, near: &mut Vec<(i32, Cell)>, at: Cell) {
+        let Some(start) = beside(&self.blocks, at) else { return };
+        let mut nearest = near.iter().take(2 * POINTS);
+        if nearest.all(|(_, step)| is_seen(&self.blocks, start, plus(at, *step))) {
+            return;
+        }
+        let ways = Ways::new(&self.blocks, start, at);
+        near.retain(|(_, step)| ways.lead_to(plus(at, *step)));
+    }
+
     /// The quadratic, or where that is not known linear, function that is nearest to the displacement of the next points.
     fn fitted(&self, corner: Cell, from: Cell) -> Option<Shares> {
         let all = self.fit(corner, from, CLOSE)?.into_iter();
@@ -181,6 +190,7 @@ impl<'a> Corners<'a> {
             .filter(|(d, step)| *d <= FARTHEST && self.is_near(plus(at, *step), &seen))
             .collect();
         near.sort_unstable();
+        self.leave_far_sides(&mut near, at);
         let at_least = |count: usize| {
             let last = near.get(count - 1).or(near.last())?.0;
             Some(near.partition_point(|n| n.0 <= last))

@@ -18,6 +18,7 @@ mod missing;
 mod pieces;
 mod section;
 mod shares;
+mod sides;
 mod springs;
 mod strains;
 
@@ -49,7 +50,7 @@ pub(in super::super::super) use strains::Strains;
 const LEAST: f64 = 1e-4;
 
 /// Whether all that lies in the body can be completed so: no sides are joined, every point has its part of it, and corners
-/// beyond the border can be determined.
+/// beyond the border can be determined, none of them by both sides of a slot.
 pub(super) fn can_complete(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
     if lattice.blocks().is_empty() || mirrors.joined != [false; 3] {
         return false;
@@ -68,6 +69,9 @@ pub(super) fn can_complete(lattice: &SquareLattice, mirrors: &Mirrors) -> bool {
             let all: f64 = (0..4).filter(|&t| t != 3 - k).map(|t| parts[t]).sum();
             *own.entry(cell).or_default() += all / 12.0;
         }
+    }
+    if sides::are_bridged(blocks, near.iter().copied()) {
+        return false;
     }
     let is_seen = |cell: &Cell| CORNERS.iter().all(|c| near.contains(&minus(*cell, *c)));
     // Images beyond an axis have nothing of the body.
