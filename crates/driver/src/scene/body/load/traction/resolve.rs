@@ -108,7 +108,7 @@ fn profile(
         Traction { formula: Some(given), .. } => {
             Profile::Formula(Arc::new(context.along(given, "formula", &path.key("formula"), faults)?))
         }
-        _ => pressure(load, context, &path, faults)?,
+        _ => pressure(load, context, path, faults)?,
     })
 }
 
