@@ -2,7 +2,7 @@
 
 use super::blocks::{Blocks, CORNERS};
 use super::fit::fit;
-use super::sides::{NEXT, Ways, beside, is_seen};
+use super::sides::{DETOUR, NEXT, Ways, beside, is_seen};
 use crate::body::{Cell, minus, plus};
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -162,7 +162,7 @@ impl<'a> Corners<'a> {
         Some(found)
     }
 
-    /// Leaves out the points on the other sides of slots, by their distances from a place.
+    /// Leaves out the points on the other sides of slots, by their distances from a place. Beside cracks that is done already.
     fn leave_far_sides(&self, near: &mut Vec<(i32, Cell)>, at: Cell) {
         let Some(start) = beside(&self.blocks, at) else { return };
         let mut nearest = near.iter().take(2 * POINTS);
@@ -170,7 +170,11 @@ impl<'a> Corners<'a> {
             return;
         }
         let ways = Ways::new(&self.blocks, start, at);
-        near.retain(|(_, step)| ways.lead_to(plus(at, *step)));
+        let own = |near: &(i32, Cell)| ways.lead_to(plus(at, near.1), DETOUR);
+        // A part of a few points has no others to follow.
+        if near.iter().copied().filter(own).count() >= POINTS {
+            near.retain(own);
+        }
     }
 
     /// The quadratic, or where that is not known linear, function that is nearest to the displacement of the next points.
@@ -190,7 +194,9 @@ impl<'a> Corners<'a> {
             .filter(|(d, step)| *d <= FARTHEST && self.is_near(plus(at, *step), &seen))
             .collect();
         near.sort_unstable();
-        self.leave_far_sides(&mut near, at);
+        if seen.is_none() {
+            self.leave_far_sides(&mut near, at);
+        }
         let at_least = |count: usize| {
             let last = near.get(count - 1).or(near.last())?.0;
             Some(near.partition_point(|n| n.0 <= last))

@@ -6,7 +6,9 @@ use std::collections::{HashMap, HashSet};
 
 /// Steps by which a way between two points may be longer than the straight one, as that of a bond may: ways around the end of a slot
 /// are longer, and ways around corners and small holes are not.
-const DETOUR: i32 = 1;
+pub(super) const DETOUR: i32 = 1;
+/// The same of ways around a slot that a corner lies in: those around a sharp tip are no slots.
+const AROUND_TIP: i32 = 4;
 /// Rows and columns around a place that are looked at: as far as what it follows, and around that.
 const AROUND: i32 = 9;
 /// Steps to next cells.
@@ -24,7 +26,7 @@ pub(super) fn are_bridged(blocks: &Blocks, near: impl Iterator<Item = Cell>) -> 
         let unseen: Vec<Cell> = beside.filter(|cell| !is_seen(blocks, first, *cell)).collect();
         !unseen.is_empty() && {
             let ways = Ways::new(blocks, first, corner);
-            unseen.iter().any(|cell| !ways.lead_to(*cell))
+            unseen.iter().any(|cell| !ways.lead_to(*cell, AROUND_TIP))
         }
     })
 }
@@ -69,10 +71,10 @@ impl Ways {
         Self { from, steps }
     }
 
-    /// Whether a way that is about straight leads to a point.
-    pub(super) fn lead_to(&self, to: Cell) -> bool {
+    /// Whether a way leads to a point that is no longer than the straight one and a detour.
+    pub(super) fn lead_to(&self, to: Cell, detour: i32) -> bool {
         let d = minus(to, self.from);
         let straight = d[0].abs().max(d[1].abs());
-        self.steps.get(&to).is_some_and(|steps| *steps <= straight + DETOUR)
+        self.steps.get(&to).is_some_and(|steps| *steps <= straight + detour)
     }
 }
