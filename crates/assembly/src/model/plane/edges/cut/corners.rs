@@ -15,6 +15,8 @@ type Asked = (Cell, Option<Cell>);
 
 /// Points of a quadratic continuation, at least; equally far ones follow each other or none.
 const POINTS: usize = 16;
+/// Points that tell one at all.
+const FEWEST: usize = 6;
 /// Square of how far they may be from the corner, spacings.
 const FARTHEST: i32 = 25;
 /// How fast the weights of points fall with the square of their distance where they continue a corner. Of those tried on rings,
@@ -171,8 +173,8 @@ impl<'a> Corners<'a> {
         }
         let ways = Ways::new(&self.blocks, start, at);
         let own = |near: &(i32, Cell)| ways.lead_to(plus(at, near.1), DETOUR);
-        // A part of a few points has no others to follow.
-        if near.iter().copied().filter(own).count() >= POINTS {
+        // A part of fewer points tells no quadratic function.
+        if near.iter().copied().filter(own).count() >= FEWEST {
             near.retain(own);
         }
     }
