@@ -119,6 +119,31 @@ fn free_bodies_of_all_models_expand_without_stress() {
     }
 }
 
+/// A cylinder widens with its bonds as chords, however coarse it is.
+#[test]
+fn a_quarter_of_a_tube_widens_without_stress() {
+    let radius = 10.0;
+    for cells in [4, 10] {
+        let arc = 0.5 * std::f64::consts::PI * radius;
+        let spacing = arc / f64::from(cells);
+        let case = json!({
+            "title": "tube", "units": "mm-N-MPa", "thermal_expansion": ALPHA,
+            "model": { "shell_membrane": { "youngs_modulus": E, "thickness": 0.1, "radius": radius } },
+            "body": { "rectangle": { "size": [8.0 * spacing, arc], "spacing": spacing } }, "symmetry": ["bottom", "top"],
+            "supports": [ { "at": { "x": 0.5 * spacing, "y": 0.5 * spacing }, "ux": 0 } ],
+            "loads": [ { "temperature": { "change": CHANGE } } ]
+        });
+        let solved = solve(&case);
+        let stress = largest(&solved, "stress") / (E * ALPHA * CHANGE);
+        // 3e-15 is found.
+        assert!(stress < 5e-14, "{cells}: {stress:e}");
+        let widening = solved.field(0, "w").expect("a field of this name");
+        let error = worst(widening.iter().map(|w| (w / (radius * ALPHA * CHANGE) - 1.0).abs()));
+        // 1.6e-12 is found.
+        assert!(error < 5e-12, "{cells}: {error:e}");
+    }
+}
+
 /// Bonds that edges lack have no share in the heat either.
 #[test]
 fn free_bodies_expand_without_stress_whatever_their_edges() {

@@ -86,7 +86,7 @@ fn layers_beside_each_other_share_the_force() {
     }
 }
 
-/// Strains of every material are told: stresses of a layer are those of its own modulus.
+/// Under one strain, every layer has the stress of its own modulus.
 #[test]
 fn a_uniform_strain_has_the_stress_of_every_point() {
     for (ratio, edges) in

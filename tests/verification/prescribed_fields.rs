@@ -160,7 +160,24 @@ fn formulas_are_the_profiles_that_they_describe() {
             plate(json!({ "body_force": { "density": ["1 + 0*x", "-2"] } })),
         ),
     ];
-    for (k, (profile, formula)) in pairs.into_iter().enumerate() {
+    // Where no bond ends on the border, a traction fades inwards, which asks how it varies along the edge.
+    let fading = |load: Value| {
+        let mut case = plate(load);
+        case["model"] = json!({ "state_plane": { "youngs_modulus": 2e5, "poisson_ratio": 0.3, "state": "plane_stress" } });
+        case["body"] = json!({ "rectangle": { "size": [12, 8], "spacing": 0.5 } });
+        case
+    };
+    let pairs = pairs.into_iter().chain([
+        (
+            on(&fading, "edge", "right", ("parabolic", json!([5, 6]))),
+            on(&fading, "edge", "right", ("formula", json!(["20*y/8*(1 - y/8)", "24*y/8*(1 - y/8)"]))),
+        ),
+        (
+            on(&fading, "edge", "top", ("pressure", json!(5))),
+            on(&fading, "edge", "top", ("pressure", json!("5 + 0*x"))),
+        ),
+    ]);
+    for (k, (profile, formula)) in pairs.enumerate() {
         let [profile, formula] = [profile, formula].map(|case| solve(&case));
         for field in ["ux", "uy"] {
             let [a, b] =
@@ -213,9 +230,10 @@ fn formulas_without_a_value_are_faults_where_they_stand() {
     assert!(faults(&beam).contains("formulas are for bodies"), "{}", faults(&beam));
 }
 
-/// Corners belong to two edges: where both say the same there, the body is the same in either order, where they do not, that is told.
+/// A corner belongs to two edges. Where both prescribe the same motion there, their order changes nothing; where they do not, the case
+/// is refused.
 #[test]
-fn formulas_that_contradict_each_other_are_told() {
+fn formulas_that_contradict_each_other_are_refused() {
     let case = |supports: Value| {
         json!({
             "title": "corner", "units": "mm-N-MPa", "model": { "bond_plane": { "youngs_modulus": 2e5, "state": "plane_stress" } },

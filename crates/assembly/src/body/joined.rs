@@ -11,6 +11,9 @@
 
 use super::lattice::{Cell, SquareLattice, plus};
 
+/// Cells by which the box of an offset is widened, and steps that a chain may have more.
+const SLACK: i32 = 1;
+
 /// The cells of a body, and which next ones of them nothing parts.
 pub(crate) struct Chains<'a> {
     /// Whether there is a cell, images among them.
@@ -32,12 +35,13 @@ struct Ways {
 }
 
 impl Ways {
-    fn of(offset: Cell, axes: usize) -> Self {
+    /// Chains may leave the box by some cells, and have as many steps more than the bond.
+    fn of(offset: Cell, axes: usize, slack: i32) -> Self {
         let far = offset.iter().map(|k| k.abs()).max().unwrap_or(0);
-        let along = |k: usize| i32::from(k < axes);
+        let along = |k: usize| if k < axes { slack } else { 0 };
         let low = [0, 1, 2].map(|k| offset[k].min(0) - along(k));
         let size = [0, 1, 2].map(|k| (offset[k].max(0) + along(k) - low[k] + 1) as usize);
-        Self { offset, stairs: stairs(offset), low, size, far, steps: far + 1 }
+        Self { offset, stairs: stairs(offset), low, size, far, steps: far + slack }
     }
 
     fn index(&self, cell: Cell) -> Option<usize> {
@@ -64,7 +68,13 @@ fn stairs(offset: Cell) -> Vec<Cell> {
 impl Chains<'_> {
     /// Whether a chain joins a cell of a lattice of some axes to the one at an offset.
     pub(crate) fn join(&self, start: Cell, offset: Cell, axes: usize) -> bool {
-        self.joins(start, &Ways::of(offset, axes))
+        self.joins(start, &Ways::of(offset, axes, SLACK))
+    }
+
+    /// The same, for next cells too, by chains that may go further around: they may leave the box of the offset by some cells, and have
+    /// as many steps more.
+    pub(crate) fn join_around(&self, start: Cell, offset: Cell, axes: usize, slack: i32) -> bool {
+        self.search(start, &Ways::of(offset, axes, slack))
     }
 
     /// Whether a chain joins the points of a bond; `start` is the cell of the first one.
@@ -166,7 +176,7 @@ pub(crate) fn parted_bonds(
     near: &[usize],
 ) -> [Vec<(usize, usize)>; 2] {
     let axes = if lattice.is_plane() { 2 } else { 3 };
-    let ways: Vec<Ways> = steps.iter().map(|&step| Ways::of(step, axes)).collect();
+    let ways: Vec<Ways> = steps.iter().map(|&step| Ways::of(step, axes, SLACK)).collect();
     let mut found = [Vec::new(), Vec::new()];
     for &point in near {
         let cell = lattice.cell(point);

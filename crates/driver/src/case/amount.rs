@@ -31,12 +31,6 @@ pub(crate) fn number(given: Option<&Amount>) -> Option<f64> {
     given.and_then(Amount::number)
 }
 
-impl From<f64> for Amount {
-    fn from(value: f64) -> Self {
-        Self::Number(value)
-    }
-}
-
 impl<'de> Deserialize<'de> for Amount {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Given;

@@ -94,11 +94,11 @@ fn the_stairs_of_a_bond_are_a_chain() {
         let has = |cell: Cell| lattice.number(cell).is_some();
         let chains = Chains { has: &has, is_open: &|_, _| true };
         for (point, &step) in (0..lattice.points()).flat_map(|p| steps.iter().map(move |s| (p, s))) {
-            let ways = Ways::of(step, 2);
+            let ways = Ways::of(step, 2, SLACK);
             let start = lattice.cell(point);
             if has(plus(start, step)) {
                 assert_eq!(chains.joins(start, &ways), chains.search(start, &ways), "{start:?} {step:?}");
-                let back = Ways::of(minus([0; 3], step), 2);
+                let back = Ways::of(minus([0; 3], step), 2, SLACK);
                 assert_eq!(chains.joins(plus(start, step), &back), chains.joins(start, &ways));
             }
         }

@@ -165,9 +165,19 @@ fn has<'a>(lattice: &'a SquareLattice, mirrors: &'a Mirrors) -> impl Fn(Cell) ->
     move |cell| lattice.number(if mirrors.is_none() { cell } else { mirrors.image(cell).0 }).is_some()
 }
 
-/// Whether no slot parts two next cells; images are parted as their cells are.
+/// Whether no slot parts two next cells; images are parted as their cells are, and a diagonal step over joined sides, of which no slot
+/// is known, as the ways around its corners.
 fn is_open<'a>(lattice: &'a SquareLattice, mirrors: &'a Mirrors) -> impl Fn(Cell, Cell) -> bool + 'a {
-    move |from, to| lattice.is_open(mirrors.image(from).0, mirrors.image(to).0)
+    let of_images = |from: Cell, to: Cell| lattice.is_open(mirrors.image(from).0, mirrors.image(to).0);
+    move |from, to| {
+        let [a, b] = [from, to].map(|cell| mirrors.image(cell).0);
+        let goes_over = (0..2).any(|k| (a[k] - b[k]).abs() > 1);
+        if !goes_over || from[0] == to[0] || from[1] == to[1] {
+            return lattice.is_open(a, b);
+        }
+        let corners = [[to[0], from[1], from[2]], [from[0], to[1], from[2]]];
+        corners.into_iter().any(|corner| of_images(from, corner) && of_images(corner, to))
+    }
 }
 
 /// Pairs of cells that the body parts, beside bonds that it parts.

@@ -2,7 +2,7 @@
 
 use super::blocks::{Blocks, CORNERS};
 use super::fit::fit;
-use super::sides::{DETOUR, NEXT, Ways, beside, is_seen};
+use super::sides::on_own_side;
 use crate::body::{Cell, minus, plus};
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
@@ -27,6 +27,10 @@ pub(super) const WIDE: f64 = 1.0 / 4.5;
 
 /// Steps from a corner's point to those that it follows, at most.
 const AROUND: i32 = 8;
+
+/// Steps to next cells.
+pub(super) const NEXT: [Cell; 8] =
+    [[1, 0, 0], [1, 1, 0], [0, 1, 0], [-1, 1, 0], [-1, 0, 0], [-1, -1, 0], [0, -1, 0], [1, -1, 0]];
 
 /// Cracks that run between points.
 pub(super) struct Cracks<'a> {
@@ -164,21 +168,6 @@ impl<'a> Corners<'a> {
         Some(found)
     }
 
-    /// Leaves out the points on the other sides of slots, by their distances from a place. Beside cracks that is done already.
-    fn leave_far_sides(&self, near: &mut Vec<(i32, Cell)>, at: Cell) {
-        let Some(start) = beside(&self.blocks, at) else { return };
-        let mut nearest = near.iter().take(2 * POINTS);
-        if nearest.all(|(_, step)| is_seen(&self.blocks, start, plus(at, *step))) {
-            return;
-        }
-        let ways = Ways::new(&self.blocks, start, at);
-        let own = |near: &(i32, Cell)| ways.lead_to(plus(at, near.1), DETOUR);
-        // A part of fewer points tells no quadratic function.
-        if near.iter().copied().filter(own).count() >= FEWEST {
-            near.retain(own);
-        }
-    }
-
     /// The quadratic, or where that is not known linear, function that is nearest to the displacement of the next points.
     fn fitted(&self, corner: Cell, from: Cell) -> Option<Shares> {
         let all = self.fit(corner, from, CLOSE)?.into_iter();
@@ -196,8 +185,10 @@ impl<'a> Corners<'a> {
             .filter(|(d, step)| *d <= FARTHEST && self.is_near(plus(at, *step), &seen))
             .collect();
         near.sort_unstable();
+        // Beside cracks that is done already, and a part of fewer points tells no quadratic function.
         if seen.is_none() {
-            self.leave_far_sides(&mut near, at);
+            let own = on_own_side(&self.blocks, at, &near, 2 * POINTS);
+            near = own.filter(|own| own.len() >= FEWEST).unwrap_or(near);
         }
         let at_least = |count: usize| {
             let last = near.get(count - 1).or(near.last())?.0;
