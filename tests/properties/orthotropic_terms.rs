@@ -51,7 +51,7 @@ fn check_broken(plate: &mut BeamBondOrthotropic, noise: &mut Noise, seed: u64) {
     let u = noise.vector(3 * plate.points());
     let offsets = BeamBondOrthotropic::offsets(plate.parameters()).expect("the bonds exist").len();
     let mut bonds = Vec::new();
-    plate.for_each_ratio(&u, &CriticalStretch(vec![1.0; offsets]), &mut |bond, _| bonds.push(bond));
+    plate.for_each_ratio(&u, &CriticalStretch::new(vec![1.0; offsets]), &mut |bond, _| bonds.push(bond));
     let mut broken: Vec<u64> = bonds.into_iter().filter(|_| noise.next() > 0.6).collect();
     broken.sort_unstable();
     let (before, part) = (energy(&plate.terms(), &u), energy(&plate.part(&broken), &u));

@@ -1,46 +1,7 @@
 //! Bodies in the plane that break: what energies must do, what is known in closed form, what holds nothing any more.
 
-use peristat::case::from_text;
-use peristat::run::fracture::{Event, FractureReport};
-use peristat::run::{Advance, Restart, RunOptions, RunReport, Sink, StateResult, run};
-use peristat::scene::Scene;
+use crate::support::breaking::{broke, fact, imbalance, solve};
 use serde_json::{Value, json};
-use std::io;
-use std::path::Path;
-
-/// The equilibria of a run.
-#[derive(Default)]
-struct Kept(Vec<Event>);
-
-impl Sink for Kept {
-    fn take(&mut self, _result: StateResult) -> io::Result<()> {
-        Ok(())
-    }
-
-    fn advance(&mut self, advance: Advance<'_>, _restart: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
-        let Advance::Break(event) = advance else { return Ok(()) };
-        self.0.push(*event);
-        Ok(())
-    }
-}
-
-fn solve(case: &Value) -> (Vec<Event>, RunReport) {
-    let source = from_text("case", format!("{case:#}"), &[]).unwrap_or_else(|e| panic!("{e}"));
-    let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
-    let scene = scene.unwrap_or_else(|e| panic!("{e}"));
-    let mut kept = Kept::default();
-    let report = run(&scene, &RunOptions::default(), None, &mut kept).unwrap_or_else(|e| panic!("{e}"));
-    assert!(report.converged);
-    (kept.0, report)
-}
-
-fn broke(report: &RunReport) -> &FractureReport {
-    report.fracture.as_ref().expect("a body that breaks")
-}
-
-fn fact(report: &RunReport, name: &str) -> f64 {
-    broke(report).facts[name].as_f64().expect("a number")
-}
 
 /// A plate with an edge crack between two clamps that move apart.
 fn pulled() -> Value {
@@ -66,11 +27,6 @@ fn loaded(strategy: &str) -> Value {
     case["fracture"]["no_fail"] = json!(["high"]);
     case["fracture"]["stop_below"] = json!(1e-6);
     case
-}
-
-/// Largest lack of the balance of work, strain energy and released energy.
-fn imbalance(events: &[Event]) -> f64 {
-    events.iter().map(|e| e.balance.abs()).fold(0.0, f64::max)
 }
 
 #[test]

@@ -1,28 +1,7 @@
 //! Long cracks grow where Griffith says, whatever their direction on the lattice.
 
-use peristat::case::from_text;
-use peristat::run::fracture::Event;
-use peristat::run::{Advance, Restart, RunOptions, Sink, StateResult, run};
-use peristat::scene::Scene;
+use crate::support::breaking::{growing, solve};
 use serde_json::{Value, json};
-use std::io;
-use std::path::Path;
-
-/// Keeps the equilibria.
-#[derive(Default)]
-struct Kept(Vec<Event>);
-
-impl Sink for Kept {
-    fn take(&mut self, _: StateResult) -> io::Result<()> {
-        Ok(())
-    }
-
-    fn advance(&mut self, advance: Advance<'_>, _: Option<&dyn Fn() -> Restart>) -> io::Result<()> {
-        let Advance::Break(event) = advance else { panic!("it breaks") };
-        self.0.push(*event);
-        Ok(())
-    }
-}
 
 const YOUNGS_MODULUS: f64 = 3000.0;
 const RELEASE_RATE: f64 = 0.3;
@@ -57,20 +36,13 @@ fn ribbon(angle: f64, model: Value, horizon_ratio: f64) -> Value {
 /// Largest motion on the first half of the way of a crack, over Griffith's: `G = M H ε²/2`, `M` the modulus between grips.
 fn over_griffith(angle: f64, state: &str, horizon_ratio: f64, influence: &str) -> f64 {
     let model = json!({ "youngs_modulus": YOUNGS_MODULUS, "state": state, "influence": influence });
-    let text = ribbon(angle, model, horizon_ratio).to_string();
-    let source = from_text("case", text, &[]).unwrap_or_else(|e| panic!("{e}"));
-    let scene = Scene::new(source.case, Path::new("."), "case", &source.text, None);
-    let scene = scene.unwrap_or_else(|e| panic!("{e}"));
-    let mut kept = Kept::default();
-    run(&scene, &RunOptions::default(), None, &mut kept).unwrap_or_else(|e| panic!("{e}"));
+    let (events, _) = solve(&ribbon(angle, model, horizon_ratio));
     let modulus = match state {
         "plane_stress" => YOUNGS_MODULUS / (1.0 - 1.0 / 9.0),
         _ => YOUNGS_MODULUS * 0.75 / (1.25 * 0.5),
     };
     let griffith = (2.0 * RELEASE_RATE * SIZE[1] / modulus).sqrt() / MOTION;
-    let broken = kept.0.last().map_or(0, |event| event.broken);
-    let early = kept.0.iter().filter(|event| 5 * event.broken < 3 * broken);
-    early.map(|event| event.load_factor).fold(0.0, f64::max) / griffith
+    growing(&events) / griffith
 }
 
 #[test]

@@ -36,6 +36,7 @@ mod heat;
 mod held_borders;
 mod hole_stress;
 mod inclusions;
+mod interfaces;
 mod literature;
 mod material_cases;
 mod materials;

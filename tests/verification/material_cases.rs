@@ -243,11 +243,20 @@ fn other_bodies_have_one_material() {
     for (key, value, why) in [
         ("density", json!(7.8), "the density is that of one material"),
         ("strengths", json!({ "yield_stress": 1 }), "strengths are those of one material"),
-        ("fracture", json!({ "critical": { "stretch": 0.1 }, "load": "a" }), "do not break yet"),
     ] {
         let mut case = case.clone();
         case[key] = value;
         assert!(refusal(&case).contains(why), "{key}: {}", refusal(&case));
+    }
+    let mut antiplane = case.clone();
+    antiplane["model"] = json!({ "bond_antiplane": { "shear_modulus": 1 } });
+    antiplane["materials"]["other"] = json!({ "at": "disc", "shear_modulus": 2 });
+    antiplane["fracture"] = json!({ "critical": { "stretch": 0.1 }, "load": "a" });
+    assert!(refusal(&antiplane).contains("do not break in this model"), "{}", refusal(&antiplane));
+    for key in ["critical", "interface"] {
+        let mut case = case.clone();
+        case["materials"]["other"][key] = json!({ "stretch": 0.1 });
+        assert!(refusal(&case).contains("this case has no `fracture`"), "{}", refusal(&case));
     }
     case["path"] = json!({ "control": { "load": { "steps": 3 } } });
     let said = refusal(&case);

@@ -1,6 +1,7 @@
 //! Materials of regions, as cases write them.
 
 use super::Names;
+use crate::model::Critical;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +17,14 @@ pub struct RegionMaterial {
     /// Shear modulus G of a body in antiplane shear, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_modulus: Option<f64>,
+    /// At which strains its bonds break, in bodies with `fracture`; default: as those of `model`, at the energy release rate or the
+    /// stretch of `fracture.critical`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub critical: Option<Critical>,
+    /// At which strains the bonds between it and other materials break; default: at the energy of the weaker of both. Of two
+    /// materials that give one for their interface the weaker one counts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub interface: Option<Critical>,
     /// Strain per kelvin, for `temperature`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub thermal_expansion: Option<f64>,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Critical strains of bonds. By their stretch: `stretch`, or `fibre_stretch` and `matrix_stretch`. By the energy it takes to
 /// open a crack: `energy_release_rate`, or `fibre_energy_release_rate` and `matrix_energy_release_rate`. By their bending:
 /// `curvature` and `shear_strain`. One of these is given; which ones apply depends on the model.
-#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Critical {
     /// Elongation over length at which every bond of a body in the plane breaks, > 0.

@@ -67,7 +67,7 @@ impl CriticalStretches {
     /// One for all of some offsets; bonds of listed points have it, too.
     pub(super) fn alike(stretch: f64, offsets: Option<&[Cell]>) -> Self {
         let count = offsets.map_or(1, <[Cell]>::len);
-        Self { by_offset: CriticalStretch(vec![stretch; count]), fibres: Vec::new() }
+        Self { by_offset: CriticalStretch::new(vec![stretch; count]), fibres: Vec::new() }
     }
 }
 
@@ -207,6 +207,12 @@ pub trait Material: Debug + Send + Sync {
         path: &JsonPath,
         faults: &mut Faults,
     ) -> Option<CriticalStretches>;
+
+    /// How many times the energy of one in the base material a crack along the interface of two others takes, at the same stretch of
+    /// its bonds; `moduli` are those of the two over that of the base. None where bodies of several materials do not break.
+    fn interface_factor(&self, _moduli: [f64; 2]) -> Option<f64> {
+        None
+    }
 
     /// Bonds that soften by the law in the keys.
     fn soften(&self, _on: &OnGround, _faults: &mut Faults) -> Option<SofteningBonds> {

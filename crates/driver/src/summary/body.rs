@@ -85,6 +85,12 @@ pub struct RegionSummary {
     /// Shear modulus, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shear_modulus: Option<f64>,
+    /// Critical stretch of its bonds, where they break.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub critical_stretch: Option<f64>,
+    /// That of the bonds between it and the base material.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub interface_stretch: Option<f64>,
 }
 
 fn is_zero(number: &usize) -> bool {
@@ -153,12 +159,18 @@ pub(super) fn model(scene: &BodyScene) -> BodySummary {
 /// The materials of regions, with their points.
 fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
     let mixture = scene.materials();
+    let stretch = |between: [u32; 2]| {
+        let critical = &scene.fracture.as_ref()?.steps.critical;
+        Some(critical.by_offset().first()? * critical.ratio_between(between))
+    };
     let of = |(other, number): (&OtherMaterial, u32)| RegionSummary {
         name: other.name.clone(),
         number,
         points: mixture.numbers.iter().filter(|own| **own == number).count(),
         youngs_modulus: other.youngs_modulus,
         shear_modulus: other.shear_modulus,
+        critical_stretch: stretch([number; 2]),
+        interface_stretch: stretch([0, number]),
     };
     mixture.others.iter().zip(1..).map(of).collect()
 }

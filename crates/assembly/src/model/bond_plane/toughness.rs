@@ -35,6 +35,17 @@ pub fn growth_stretch(
     Ok(energy / trapping(parameters.influence, parameters.horizon_ratio))
 }
 
+/// How many times the energy of one in the base material a crack takes along the interface of two others, at the same stretch of the
+/// bonds that it cuts; `moduli` are those of the two over that of the base.
+///
+/// # Errors
+/// As [`super::BondPlane::offsets`].
+pub fn interface_factor(parameters: &PlaneParameters, moduli: [f64; 2]) -> Result<f64, BondPlaneError> {
+    let neighbourhood = neighbourhood(parameters)?;
+    let weights: Vec<f64> = neighbourhood.weights.iter().map(|[a]| *a).collect();
+    Ok(toughness::interface_factor(&weights, &neighbourhood.offsets, moduli))
+}
+
 /// The critical stretch of the continuum with the influence function 1, `√(4πG/(9Eδ))` in plane stress and
 /// `√(5πG/(12Eδ))` in plane strain; `horizon` δ in m.
 pub fn published_critical_stretch(release_rate: f64, parameters: &PlaneParameters, horizon: f64) -> f64 {

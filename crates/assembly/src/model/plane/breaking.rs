@@ -2,6 +2,7 @@
 
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
+use super::critical::CriticalStretch;
 use super::edges::{By, Completion, overlay};
 use super::geometry;
 use super::near::at;
@@ -10,12 +11,6 @@ use crate::stiffness::{Bond, Bonds, Families, Family, GridBonds, Term};
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// Critical stretches of the bonds of every offset, infinite where none break; of a cloud there is one.
-///
-/// A bond fails in tension alone: where its stretch, the elongation over its length, reaches the critical one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CriticalStretch(pub Vec<f64>);
-
 impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> LatticeBody<D, M, S, B> {
     /// Prepares for bonds that break: what a border leaves to the triangles that it cuts is taken apart into springs by the
     /// directions of bonds. It resists as before.
@@ -23,12 +18,14 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         if self.border.is_cut() {
             let cuts = self.cuts.iter().copied().collect();
             let (body, bonds) = ((&*self.lattice, &self.mirrors), (&self.neighbourhood, &self.kind.bond));
-            self.border = Completion::breaking(body, bonds, &cuts);
+            let mixture = self.interface.as_ref().map(|interface| interface.mixture.clone());
+            let of_points = mixture.as_deref();
+            self.border = Completion::breaking(body, bonds, (&cuts, of_points));
             // Strains that follow from both sides of a crack are forgotten: then triangles tell the stress.
             let told: Vec<usize> = self.border.strains.iter().flat_map(|strains| strains.points()).collect();
             let gaps = &self.border.gaps;
             let whole = SquareLattice::clone(&self.lattice).with_whole_cells();
-            let own = overlay(&whole, bonds, told.into_iter(), (&cuts, None), gaps).triangles;
+            let own = overlay(&whole, bonds, told.into_iter(), (&cuts, of_points), gaps).triangles;
             let all = self.triangles.list().iter().copied().chain(own).collect();
             self.triangles = Arc::new(Families::new(self.lattice.points(), all));
         }
@@ -85,19 +82,23 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             .iter()
             .map(|&k| {
                 let bond = geometry(&self.lattice, self.neighbourhood.offsets[k]);
-                self.kind.bond.stretch_per_measure(&bond) / critical.0[k]
+                self.kind.bond.stretch_per_measure(&bond) / critical.by_offset()[k]
             })
             .collect();
         self.bonds.for_each_measured(u, |index, lower, s| {
             let ratio = ratios[index] * s[0];
             if ratio > 0.0 {
-                visit((offsets[index] * points + lower) as u64, ratio);
+                let bond = (offsets[index] * points + lower) as u64;
+                visit(bond, ratio / critical.ratio(|| self.ends(bond)));
             }
         });
         if let Some(border) = self.border.bonds() {
             let whole = self.whole_bonds() as u64;
             let body = (&*self.lattice, &self.neighbourhood, &self.kind.bond);
-            border.for_each_ratio(body, (u, &critical.0), &mut |k, ratio| visit(whole + k as u64, ratio));
+            border.for_each_ratio(body, (u, critical.by_offset()), &mut |k, ratio| {
+                let bond = whole + k as u64;
+                visit(bond, ratio / critical.ratio(|| self.ends(bond)));
+            });
         }
     }
 
@@ -112,12 +113,17 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
     pub(in super::super) fn part(&self, bonds: &[u64]) -> Vec<Box<dyn Term<D>>> {
         let (between, ended) = self.sorted(bonds);
         let listed = self.listed(&between);
+        let parted = self.parted(&ended, &listed);
         let n = self.lattice.points();
         let completing: Box<dyn Term<D>> = match self.border.bonds() {
             Some(border) => Box::new(border.bonds.part(&self.with_spanning(ended, &listed))),
             None => Box::new(Families::new(n, spanning(&self.triangles, &listed))),
         };
-        vec![Box::new(Bonds::new(n, listed.into_iter())), completing]
+        let mut gone: Vec<Box<dyn Term<D>>> = vec![Box::new(Bonds::new(n, listed.into_iter())), completing];
+        if let Some(interface) = &self.interface {
+            gone.push(Box::new(Families::new(n, interface.beside(&parted))));
+        }
+        gone
     }
 
     /// Removes bonds of a body without images; bits of other bonds do not change.
@@ -143,6 +149,9 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
         let grid: Vec<(usize, usize)> = between.iter().filter_map(of_grid).collect();
         Arc::<GridBonds<D, M, B>>::make_mut(&mut self.bonds).break_bonds(grid);
         remove_spanning(&mut self.triangles, &parted);
+        if let Some(interface) = &mut self.interface {
+            interface.part(&parted);
+        }
         self.cuts.extend(between);
     }
 
@@ -194,7 +203,10 @@ pub(in super::super) fn remove_spanning<const D: usize, const S: usize>(
 }
 
 /// Whether a side of a triangle is one of some pairs, the lower point first.
-fn spans<const D: usize, const S: usize>(triangle: &Family<D, S, 2>, pairs: &HashSet<[u32; 2]>) -> bool {
+pub(super) fn spans<const D: usize, const S: usize>(
+    triangle: &Family<D, S, 2>,
+    pairs: &HashSet<[u32; 2]>,
+) -> bool {
     let ([a, b], p) = (triangle.others, triangle.point);
     [[p, a], [p, b], [a, b]].into_iter().any(|[i, j]| pairs.contains(&[i.min(j), i.max(j)]))
 }

@@ -2,6 +2,7 @@
 
 use super::Mirrors;
 use super::bond::PlaneBond;
+use super::breaking::{remove_spanning, spans};
 use super::edges::{modulus, triangles_of};
 use super::mixture::Mixture;
 use super::neighbourhood::Neighbourhood;
@@ -58,6 +59,17 @@ impl<const D: usize, const S: usize> Interface<D, S> {
         let families = Arc::new(Families::new(lattice.points(), families));
         let MixedBonds { exceptions, uneven, .. } = bonds;
         Self { mixture, exceptions, uneven, families, told, lost }
+    }
+
+    /// The triangles that have one of some pairs of points for a side.
+    pub(super) fn beside(&self, pairs: &HashSet<[u32; 2]>) -> Vec<Family<D, S, 2>> {
+        self.families.list().iter().filter(|triangle| spans(triangle, pairs)).copied().collect()
+    }
+
+    /// Forgets the triangles that have one of some pairs of points for a side.
+    pub(super) fn part(&mut self, pairs: &HashSet<[u32; 2]>) {
+        self.told -= self.told().iter().filter(|triangle| spans(triangle, pairs)).count();
+        remove_spanning(&mut self.families, pairs);
     }
 
     /// The triangles that tell stresses.

@@ -5,6 +5,7 @@ mod apart;
 mod body;
 mod bond;
 mod breaking;
+mod critical;
 mod damage;
 mod edges;
 mod exceptions;
@@ -25,7 +26,7 @@ mod uneven;
 
 pub use apart::thin_points;
 pub use bond::{LatticeBond, PlaneBond};
-pub use breaking::CriticalStretch;
+pub use critical::CriticalStretch;
 pub use edges::{BorderShares, FARTHEST, has_border};
 pub use fields::PlaneFields;
 pub use mirrors::Mirrors;

@@ -34,6 +34,23 @@ pub fn critical_stretch(
     if sum > 0.0 { (2.0 * release_rate / sum).sqrt() } else { 0.0 }
 }
 
+/// How many times the energy of one in the base material a crack between rows takes along the interface of two others, at the same
+/// stretch of the bonds that it cuts: `Σ f a |ξ·n|/Σ a |ξ·n|`, with the modulus f of a bond through both, in series but no more than
+/// their mean, wherever along it the interface is. `moduli` are those of the two over that of the base.
+pub fn interface_factor(weights: &[f64], offsets: &[Cell], [first, second]: [f64; 2]) -> f64 {
+    let (mut mixed, mut base) = (0.0, 0.0);
+    for (weight, step) in weights.iter().zip(offsets) {
+        let rows = step[1].unsigned_abs();
+        for row in 0..rows {
+            let part = (f64::from(row) + 0.5) / f64::from(rows);
+            let series = 1.0 / (part / first + (1.0 - part) / second);
+            mixed += weight * series.min(0.5 * (first + second));
+            base += weight;
+        }
+    }
+    if base > 0.0 { mixed / base } else { 1.0 }
+}
+
 /// Critical stretch `s = √(4πG/(9Eδ))` of the continuum of central bonds in plane stress, with `G` in J/m², `E` in Pa, δ in m.
 pub fn published_critical_stretch(release_rate: f64, youngs_modulus: f64, horizon: f64) -> f64 {
     (4.0 * std::f64::consts::PI * release_rate / (9.0 * youngs_modulus * horizon)).sqrt()

@@ -113,7 +113,7 @@ impl Breakable<2> for StateBased {
         bonds.for_each_measured(u, |index, lower, [elongation]| {
             let k = bonded[index];
             let [a, b, _] = lattice.vector(self.body.families.offsets[k]);
-            let ratio = elongation / (a.hypot(b) * critical.0[k]);
+            let ratio = elongation / (a.hypot(b) * critical.by_offset()[k]);
             if ratio > 0.0 && is_own(lower) && self.body.upper(k, lower).is_some_and(is_own) {
                 visit((k * points + lower) as u64, ratio);
             }

@@ -84,5 +84,5 @@ pub(super) fn stretches(
     };
     let fibres = bonds.is_fibre().to_vec();
     let by_offset = fibres.iter().map(|&along| if along { critical.fibre } else { critical.matrix });
-    Some(CriticalStretches { by_offset: CriticalStretch(by_offset.collect()), fibres })
+    Some(CriticalStretches { by_offset: CriticalStretch::new(by_offset.collect()), fibres })
 }

@@ -9,7 +9,7 @@ use super::{Central, Plane, critical, soften, words};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::units::Units;
 use peristat_assembly::body::Cell;
-use peristat_assembly::model::bond_plane::{BondPlane, PlaneState, VolumeFactor};
+use peristat_assembly::model::bond_plane::{BondPlane, PlaneState, VolumeFactor, interface_factor};
 use peristat_assembly::model::plane::{Calibration, Edges};
 use std::sync::Arc;
 
@@ -114,6 +114,10 @@ impl Material for Central {
     ) -> Option<CriticalStretches> {
         let stretch = critical::stretch(given, &self.parameters, on, path, faults)?;
         Some(CriticalStretches::alike(stretch, self.offsets().ok().as_deref()))
+    }
+
+    fn interface_factor(&self, moduli: [f64; 2]) -> Option<f64> {
+        interface_factor(&self.parameters, moduli).ok()
     }
 
     fn soften(&self, on: &OnGround, faults: &mut Faults) -> Option<SofteningBonds> {

@@ -15,7 +15,13 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
         let own = [("E", other.youngs_modulus), ("G", other.shear_modulus)].into_iter();
         let stress = |value: f64| units.quantity(&number(value), units.stress());
         let own: String = own.filter_map(|(k, value)| Some(format!(", {k} = {}", stress(value?)))).collect();
-        line("material", format!("{}, {}: {} point{s}{own}", other.number, other.name, other.points));
+        let breaks = other.critical_stretch.zip(other.interface_stretch).map_or_else(
+            String::new,
+            |(own, interface)| {
+                format!(", breaks at a stretch of {}, its interface at {}", number(own), number(interface))
+            },
+        );
+        line("material", format!("{}, {}: {} point{s}{own}{breaks}", other.number, other.name, other.points));
     }
     let length = |value: f64| units.quantity(&number(value), units.length());
     let influence = m.material.influence;

@@ -30,7 +30,7 @@ impl CloudBody {
     ) {
         for bond in self.bonds.list() {
             let ([e], _) = bond.response(self.positions.len(), u);
-            let ratio = e / (self.length(bond) * critical.0[0]);
+            let ratio = e / (self.length(bond) * critical.by_offset()[0]);
             if ratio > 0.0 {
                 visit(self.number(bond), ratio);
             }

@@ -138,7 +138,7 @@ fn a_point_that_loses_its_bonds_is_damaged_wholly() {
         // All bonds are longer in a body that swells.
         let u: Vec<f64> = (0..2 * n).map(|k| plane.place(k % n)[k / n]).collect();
         let (mut own, mut neighbours) = (Vec::new(), Vec::new());
-        plane.for_each_ratio(&u, &CriticalStretch(vec![0.5]), &mut |bond, ratio| {
+        plane.for_each_ratio(&u, &CriticalStretch::new(vec![0.5]), &mut |bond, ratio| {
             // A stretch of one.
             assert!((ratio - 2.0).abs() < 1e-12);
             let [i, j] = plane.ends(bond);

@@ -199,7 +199,7 @@ fn a_body_breaks_from_border_to_border() {
                 a != b && above(a) != above(b)
             };
             let mut broken: Vec<u64> = (0..plane.bond_numbers()).filter(is_across).collect();
-            let critical = CriticalStretch(vec![1e-6; 14]);
+            let critical = CriticalStretch::new(vec![1e-6; 14]);
             plane.for_each_ratio(&u, &critical, &mut |bond, ratio| {
                 if ratio > 1.0 {
                     broken.push(bond)

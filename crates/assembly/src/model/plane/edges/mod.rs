@@ -81,9 +81,9 @@ impl<const D: usize, const M: usize, const S: usize> Completion<D, M, S> {
     pub(super) fn breaking<B: PlaneBond<D, M, S>>(
         body: (&SquareLattice, &Mirrors),
         bonds: (&Neighbourhood<M>, &B),
-        cuts: &HashSet<(usize, usize)>,
+        known: (&HashSet<(usize, usize)>, Option<&Mixture>),
     ) -> Self {
-        cut::completed(body, bonds, (cuts, None), true)
+        cut::completed(body, bonds, known, true)
     }
 
     /// Whether the border cuts cells, and the body ends on it.

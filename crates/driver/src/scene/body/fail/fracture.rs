@@ -1,5 +1,6 @@
 //! How the bonds of a body in the plane break.
 
+use super::toughness;
 use crate::case::{Case, CrackDirection, FRACTURE_FACTS, FieldName, Fracture};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::CriticalStretches;
@@ -55,6 +56,7 @@ pub(crate) fn resolve(
     let on = site.inputs.on_ground(case);
     let critical =
         site.inputs.material.critical(&mut fracture.critical, &on, &path.key("critical"), faults)?;
+    let critical = toughness::of_materials(critical, &fracture.critical, site, faults)?;
     let CriticalStretches { by_offset: critical, fibres } = critical;
     check_directions(fracture, &general_facts(&fibres), &path.key("directions"), faults);
     check_load(&fracture.load, site.ground.case, &path.key("load"), faults);

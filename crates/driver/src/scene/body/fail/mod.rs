@@ -3,3 +3,4 @@
 pub(crate) mod elastic;
 pub(crate) mod fracture;
 pub(crate) mod path;
+mod toughness;

@@ -38,7 +38,7 @@ pub(crate) fn mixture(
         );
         return Mixture::default();
     }
-    refuse_beside(ground, faults);
+    refuse_beside(ground, inputs, faults);
     let mut mixture = Mixture { others: Vec::new(), numbers: vec![0; inputs.body.points()] };
     for (name, given) in &case.materials {
         let path = root("materials").key(name);
@@ -46,6 +46,9 @@ pub(crate) fn mixture(
         let RegionMaterial { youngs_modulus, shear_modulus, thermal_expansion, .. } = *given;
         let other = OtherMaterial { name: name.clone(), youngs_modulus, shear_modulus, thermal_expansion };
         check(&other, &takes, &path, faults);
+        if case.fracture.is_none() {
+            refuse_unbroken(given, &path, faults);
+        }
         mixture.others.push(other);
         let number = mixture.others.len() as u32;
         let taken = at.iter().find_map(|&p| mixture.of(p as usize)).map(|other| other.name.clone());
@@ -66,10 +69,15 @@ pub(crate) fn mixture(
 }
 
 /// Adds a fault for every key beside `materials` that knows one material alone.
-fn refuse_beside(ground: &Ground, faults: &mut Faults) {
+fn refuse_beside(ground: &Ground, inputs: &ModelInputs, faults: &mut Faults) {
     let case = ground.case;
+    let breaks = inputs.material.interface_factor([1.0; 2]).is_some();
     let keys = [
-        ("fracture", case.fracture.is_some(), "bodies of several materials do not break yet"),
+        (
+            "fracture",
+            case.fracture.is_some() && !breaks,
+            "bodies of several materials do not break in this model",
+        ),
         ("path", case.path.is_some(), "bonds of several materials do not soften yet"),
         ("density", case.density.is_some(), "the density is that of one material"),
         ("strengths", case.strengths.is_some(), "strengths are those of one material"),
@@ -77,6 +85,15 @@ fn refuse_beside(ground: &Ground, faults: &mut Faults) {
     ];
     for (key, _, why) in keys.into_iter().filter(|key| key.1) {
         faults.error(root(key), why).hint(format!("leave out `{key}` or `materials`"));
+    }
+}
+
+/// Adds a fault for everything that a material says of how it breaks, in a body that does not.
+fn refuse_unbroken(given: &RegionMaterial, path: &JsonPath, faults: &mut Faults) {
+    let keys = [("critical", given.critical.is_some()), ("interface", given.interface.is_some())];
+    for (key, _) in keys.into_iter().filter(|key| key.1) {
+        let message = format!("`{key}` is for bodies that break, and this case has no `fracture`");
+        faults.error(path.key(key), message).hint("give `fracture`, or remove it");
     }
 }
 

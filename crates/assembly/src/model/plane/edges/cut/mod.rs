@@ -102,7 +102,7 @@ pub(super) fn completed<const D: usize, const M: usize, const S: usize, B: Plane
     let near = near_blocks(lattice, neighbourhood.reach());
     let left = near.iter().flat_map(|&at| left_to(&corners, &missing, at));
     let (by, lost) = match breaks {
-        true => springs(&corners, (neighbourhood, bond), &missing, left),
+        true => springs(&corners, (neighbourhood, bond), (&missing, mixture), left),
         false => triangles(&corners, (neighbourhood, bond), (&missing, mixture), left),
     };
     let mut gaps = BTreeSet::new();
@@ -175,10 +175,9 @@ fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, 
     let (mut families, mut lost) = (WideFamilies::new(lattice.points()), 0);
     for Left { block, triangle, mut shares } in left {
         if let Some(mixture) = mixture {
-            let (body, cells) = ((lattice, corners.blocks.mirrors), corners_of(block, triangle));
+            let cells = corners_of(block, triangle);
             for (share, (k, _)) in shares.iter_mut().zip(&missing.paths) {
-                let [x, y, _] = neighbourhood.offsets[*k].map(f64::from);
-                *share *= mixture.of_triangle(body, cells, [x, y]);
+                *share *= stiffness(corners, mixture, cells, neighbourhood.offsets[*k]);
             }
         }
         let mut own = [[0.0; S]; S];
@@ -191,6 +190,12 @@ fn triangles<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, 
         }
     }
     (By::Triangles(Arc::new(families)), lost)
+}
+
+/// How much stiffer than the base material a triangle is for bonds of an offset.
+fn stiffness(corners: &Corners, mixture: &Mixture, cells: [Cell; 3], offset: Cell) -> f64 {
+    let [x, y, _] = offset.map(f64::from);
+    mixture.of_triangle((corners.blocks.lattice, corners.blocks.mirrors), cells, [x, y])
 }
 
 /// How corners of triangles move beside some cracks.

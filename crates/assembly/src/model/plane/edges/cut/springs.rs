@@ -6,12 +6,13 @@
 
 use super::super::super::bond::PlaneBond;
 use super::super::super::geometry;
+use super::super::super::mixture::Mixture;
 use super::super::super::neighbourhood::Neighbourhood;
 use super::super::border::{BorderBonds, PartOfBond};
 use super::corners::Corners;
 use super::members::{corner_shares, corners_of};
 use super::missing::Missing;
-use super::{By, Left};
+use super::{By, Left, stiffness};
 use crate::body::Cell;
 use crate::bonds::BondGeometry;
 use crate::stiffness::{Place, PlacedBond, PlacedBonds};
@@ -23,7 +24,7 @@ use std::sync::Arc;
 pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>>(
     corners: &Corners,
     (neighbourhood, bond): (&Neighbourhood<M>, &B),
-    missing: &Missing,
+    (missing, mixture): (&Missing, Option<&Mixture>),
     left: impl Iterator<Item = Left>,
 ) -> (By<D, M, S>, usize) {
     let lattice = corners.blocks.lattice;
@@ -42,7 +43,8 @@ pub(super) fn springs<const D: usize, const M: usize, const S: usize, B: PlaneBo
             let whole = geometry(lattice, step);
             let short = BondGeometry { xi: whole.xi.map(|x| share * x) };
             let unit = bond.part_moduli(&whole, share);
-            let moduli = from_fn(|m| left / share * neighbourhood.weights[offset][m] * unit[m]);
+            let stiff = mixture.map_or(1.0, |mixture| stiffness(corners, mixture, cells, step));
+            let moduli = from_fn(|m| stiff * left / share * neighbourhood.weights[offset][m] * unit[m]);
             let ends = [-0.5, 0.5]
                 .map(|half| place(&cells, &places, [0, 1].map(|c| half * share * f64::from(step[c]))));
             let foremost = bonds.push(&PlacedBond { ends, mean: None, rows: bond.rows(&short), moduli });
