@@ -26,7 +26,10 @@ pub(super) fn largest_eigenvalues<H: Hierarchy>(hierarchy: &H, options: &Multigr
 /// the Lanczos process (Saad, Iterative methods for sparse linear systems, 2nd ed., section 6.7.3). 1 without unknowns.
 fn largest_eigenvalue<H: Hierarchy>(hierarchy: &H, level: usize, steps: usize) -> f64 {
     let size = hierarchy.size(level);
-    let mut r: Vec<H::Real> = (0..size).map(|i| H::Real::of(arbitrary(i))).collect();
+    let arbitrary: Vec<H::Real> = (0..size).map(|i| H::Real::of(arbitrary(i))).collect();
+    // Residuals are what the operator makes of something: zero where unknowns depend on others.
+    let mut r = vec![H::Real::default(); size];
+    hierarchy.apply(level, &arbitrary, &mut r);
     let mut p = vec![H::Real::default(); size];
     hierarchy.smooth(level, 1.0, &r, &mut p);
     let mut rz = hierarchy.dot(level, &r, &p);
@@ -36,7 +39,7 @@ fn largest_eigenvalue<H: Hierarchy>(hierarchy: &H, level: usize, steps: usize) -
     // The product, then the preconditioned residual.
     let mut image = vec![H::Real::default(); size];
     // A residual at rounding level has no more to tell.
-    while diagonal.len() < steps && rz > 1.0e-24 * first {
+    while diagonal.len() + 1 < steps && rz > 1.0e-24 * first {
         hierarchy.apply(level, &p, &mut image);
         let length = rz / hierarchy.dot(level, &p, &image);
         subtract(&mut r, length, &image);
