@@ -72,6 +72,7 @@ mod short_beams;
 mod skipping;
 mod slots;
 mod softening_edges;
+mod solid_cracks;
 mod solid_files;
 mod solid_joined;
 mod solid_rigid;

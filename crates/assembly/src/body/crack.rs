@@ -1,10 +1,14 @@
-//! Cracks: polylines that cut the bonds they meet.
+//! Cracks: polylines in the plane, and surfaces in space, that cut the bonds they meet.
+
+mod surface;
 
 use super::convex::strip;
-use super::geometry::{Point, between_segments, minus};
+use super::geometry::{Point, between_segments, in_space, minus};
 use super::lattice::{Cell, SquareLattice, plus};
 use std::ops::Range;
 use thiserror::Error;
+
+pub use surface::{CrackSurface, CrackSurfaceError};
 
 /// A bond this close to a crack meets it, in spacings.
 pub const CRACK_SLACK: f64 = 1e-6;
@@ -32,16 +36,26 @@ pub enum CrackError {
     },
 }
 
-/// A polyline that cuts bonds.
+/// A polyline, or in solids a surface, that cuts bonds.
 ///
-/// One rule decides: a bond is cut if its segment comes within a slack of the polyline, [`CRACK_SLACK`] spacings for a
+/// One rule decides: a bond is cut if its segment comes within a slack of it, [`CRACK_SLACK`] spacings for a
 /// lattice. Ties are therefore cut: bonds through a tip or a bend, bonds that end on the crack or
 /// run along it. Whether segments cross is decided by exact predicates, and the slack is far above the rounding of
 /// coordinates, so rounding decides nothing. A crack through points cuts all bonds of these points; place it between
 /// them. A crack that shall open the border of a body starts a spacing outside it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Crack {
-    vertices: Vec<Point>,
+pub struct Crack(Shape);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Shape {
+    Path(Vec<Point>),
+    Surface(CrackSurface),
+}
+
+impl From<CrackSurface> for Crack {
+    fn from(surface: CrackSurface) -> Self {
+        Self(Shape::Surface(surface))
+    }
 }
 
 impl Crack {
@@ -58,22 +72,56 @@ impl Crack {
         }
         match vertices.windows(2).position(|w| w[0] == w[1]) {
             Some(k) => Err(CrackError::Repeated { vertex: k + 1 }),
-            None => Ok(Self { vertices }),
+            None => Ok(Self(Shape::Path(vertices))),
         }
     }
 
-    /// Vertices from end to end, m.
+    /// Vertices from end to end, m; a surface has none.
     pub fn vertices(&self) -> &[[f64; 2]] {
-        &self.vertices
+        match &self.0 {
+            Shape::Path(vertices) => vertices,
+            Shape::Surface(_) => &[],
+        }
+    }
+
+    /// The surface, of a crack in a solid.
+    pub fn surface(&self) -> Option<&CrackSurface> {
+        match &self.0 {
+            Shape::Path(_) => None,
+            Shape::Surface(surface) => Some(surface),
+        }
     }
 
     fn segments(&self) -> impl Iterator<Item = [Point; 2]> + '_ {
-        self.vertices.windows(2).map(|w| [w[0], w[1]])
+        self.vertices().windows(2).map(|w| [w[0], w[1]])
     }
 
     /// Whether the bond from `a` to `b` (m) comes within `slack` (m) of the crack: the same for both directions of both.
-    pub fn cuts(&self, a: [f64; 2], b: [f64; 2], slack: f64) -> bool {
-        self.segments().any(|segment| segment_cuts(segment, a, b, slack))
+    pub fn cuts(&self, a: [f64; 3], b: [f64; 3], slack: f64) -> bool {
+        let flat = |[x, y, _]: [f64; 3]| [x, y];
+        match &self.0 {
+            Shape::Path(_) => self.segments().any(|segment| segment_cuts(segment, flat(a), flat(b), slack)),
+            Shape::Surface(surface) => surface.cuts(a, b, slack),
+        }
+    }
+
+    /// The same moved by a vector, m.
+    #[must_use]
+    pub fn shifted(&self, by: [f64; 3]) -> Self {
+        Self(match &self.0 {
+            Shape::Path(path) => Shape::Path(path.iter().map(|v| [v[0] + by[0], v[1] + by[1]]).collect()),
+            Shape::Surface(surface) => Shape::Surface(surface.shifted(by)),
+        })
+    }
+
+    /// Its image in lines or planes across the axes, at these positions, m.
+    #[must_use]
+    pub fn reflected(&self, at: [Option<f64>; 3]) -> Self {
+        let image = |v: &Point| [0, 1].map(|k| at[k].map_or(v[k], |line| 2.0 * line - v[k]));
+        Self(match &self.0 {
+            Shape::Path(path) => Shape::Path(path.iter().map(image).collect()),
+            Shape::Surface(surface) => Shape::Surface(surface.reflected(at)),
+        })
     }
 }
 
@@ -112,9 +160,48 @@ pub fn cut_bonds(lattice: &SquareLattice, steps: &[Cell], cracks: &[Crack]) -> V
             });
         }
     }
+    for surface in cracks.iter().filter_map(Crack::surface) {
+        for bounds in surface.boxes() {
+            cut_by(lattice, steps, (surface, bounds), &mut found);
+        }
+    }
     found.sort_unstable();
     found.dedup();
     found
+}
+
+/// Adds the bonds that a surface cuts and that reach into a box around a part of it.
+fn cut_by(
+    lattice: &SquareLattice,
+    steps: &[Cell],
+    (surface, [low, high]): (&CrackSurface, [[f64; 3]; 2]),
+    found: &mut Vec<(usize, usize)>,
+) {
+    let (spacing, corner) = (lattice.spacing(), lattice.corner());
+    let slack = CRACK_SLACK * spacing;
+    let reach = steps.iter().flatten().map(|k| k.abs()).max().unwrap_or(0);
+    let ends = [(low, -1), (high, 1)].map(|(at, side)| {
+        [0, 1, 2]
+            .map(|k| ((at[k] - corner[k]) / spacing).clamp(-1e9, 1e9).floor() as i32 + side * (reach + 1))
+    });
+    let within = |own: Range<i32>, k: usize| own.start.max(ends[0][k])..own.end.min(ends[1][k] + 1);
+    for layer in within(lattice.layers(), 2) {
+        for row in within(lattice.rows(), 1) {
+            for run in lattice.runs_of(row, layer) {
+                for column in within(run.columns.clone(), 0) {
+                    let (lower, cell) = (run.number(column), run.cell(column));
+                    let from = lattice.centre(cell);
+                    for (class, step) in steps.iter().enumerate() {
+                        let upper = plus(cell, *step);
+                        if surface.cuts(from, lattice.centre(upper), slack) && lattice.number(upper).is_some()
+                        {
+                            found.push((class, lower));
+                        }
+                    }
+                }
+            }
+        }
+    }
 }
 
 /// Columns per row from which a step may meet a segment: those of the parallelogram that the segment sweeps backwards
@@ -145,7 +232,7 @@ pub fn cut_pairs(
     cracks: &[Crack],
 ) -> Vec<usize> {
     let cut = |[i, j]: [u32; 2]| {
-        let [a, b] = [i, j].map(|p| positions[p as usize]);
+        let [a, b] = [i, j].map(|p| in_space(positions[p as usize]));
         cracks.iter().any(|c| c.cuts(a, b, slack))
     };
     pairs.into_iter().enumerate().filter_map(|(k, pair)| cut(pair).then_some(k)).collect()

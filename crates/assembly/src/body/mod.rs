@@ -31,7 +31,7 @@ mod turn;
 pub use border::BorderPart;
 pub(crate) use centres::middle;
 pub use cloud::{Cloud, CloudError, Group};
-pub use crack::{CRACK_SLACK, Crack, CrackError, cut_bonds, cut_pairs};
+pub use crack::{CRACK_SLACK, Crack, CrackError, CrackSurface, CrackSurfaceError, cut_bonds, cut_pairs};
 pub use fill::FillError;
 pub use geometry::in_space;
 pub(crate) use joined::{Chains, parted_bonds};

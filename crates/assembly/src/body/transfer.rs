@@ -61,19 +61,19 @@ struct Stretch {
 
 impl Transfer {
     /// Interpolation to `fine` from `coarse`, its coarser lattice. For the fine points that are `near_crack`, coarse
-    /// cells that are not `visible` from them (places in the plane, m) take no part unless none is.
+    /// cells that are not `visible` from them (positions, m) take no part unless none is.
     pub fn new(
         fine: &SquareLattice,
         coarse: &SquareLattice,
         near_crack: &dyn Fn(usize) -> bool,
-        visible: &dyn Fn([f64; 2], [f64; 2]) -> bool,
+        visible: &dyn Fn([f64; 3], [f64; 3]) -> bool,
     ) -> Self {
         let weights = |point: usize, cell: Cell| -> Vec<(u32, f64)> {
             let known = candidates(cell, fine.is_plane())
                 .into_iter()
                 .filter_map(|(c, w)| Some((coarse.number(c)? as u32, c, w)));
             let all: Vec<(u32, Cell, f64)> = known.collect();
-            let seen = |c: &(u32, Cell, f64)| visible(fine.place_of(cell), coarse.place_of(c.1));
+            let seen = |c: &(u32, Cell, f64)| visible(fine.centre(cell), coarse.centre(c.1));
             let near = near_crack(point);
             let mut kept: Vec<&(u32, Cell, f64)> = all.iter().filter(|c| !near || seen(c)).collect();
             if kept.is_empty() {

@@ -4,6 +4,7 @@ mod about_field;
 mod amount;
 mod body;
 mod condition;
+mod crack;
 mod expectation;
 mod facts;
 mod field;
@@ -40,6 +41,7 @@ pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
     Sine, Steps, Support,
 };
+pub use crack::{CrackDisc, GivenCrack};
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Reduction, Value};
 pub use facts::{FRACTURE_FACTS, PATH_FACTS};
 pub use field::FieldName;
@@ -53,8 +55,7 @@ pub use path::{Path, PathControl, Turn};
 pub use periodic::Periodic;
 pub use peristat_assembly::material::Rolled;
 pub use plane_body::{
-    CircleHole, CrackName, CrackPath, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
-    SlotHole,
+    CircleHole, CrackName, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody, SlotHole,
 };
 pub use plane_load::{BodyForce, Hertz, Traction};
 pub use plane_output::{LineOutput, StressIntensity, Tips};
@@ -119,9 +120,9 @@ pub struct Case {
     /// Pairs of opposite sides of a body that are joined: behind one of them the body goes on at the other.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub periodic: Vec<Periodic>,
-    /// Cracks of a body in the plane.
+    /// Cracks of a body: lines in the plane, surfaces in a solid.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub cracks: Vec<CrackPath>,
+    pub cracks: Vec<GivenCrack>,
     /// Regions of a body in the plane by name. Edges, named holes and groups of a mesh are regions of their own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub regions: BTreeMap<String, Region>,
@@ -192,7 +193,8 @@ impl Case {
             Body::Outline(body) => body.file.as_mut(),
             _ => None,
         };
-        baselines.chain(body).collect()
+        let surfaces = self.cracks.iter_mut().filter_map(|crack| crack.file.as_mut());
+        baselines.chain(body).chain(surfaces).collect()
     }
 
     /// Whether the body breaks or softens: its states are found one after the other, and it is not known how many there are.

@@ -130,17 +130,6 @@ impl Hole {
     }
 }
 
-/// A crack that is there from the start: it cuts all bonds that it meets.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct CrackPath {
-    /// Name; a crack without one is called by its number, the first is 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub name: Option<String>,
-    /// Positions from end to end. A crack that opens an edge starts outside the body.
-    pub path: Vec<[f64; 2]>,
-}
-
 /// Which crack: its name, or its number, the first is 1.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct CrackName(pub String);

@@ -29,8 +29,10 @@ pub struct StressIntensity {
     pub name: String,
     /// Name of the crack, or its number, the first is 1.
     pub crack: CrackName,
-    /// Which of its tips are in the body.
-    pub tips: Tips,
+    /// Which of its tips are in the body; of cracks in the plane. In a solid it is the mean along the front of a `disc`: its rim, or the
+    /// inner one of a ring.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tips: Option<Tips>,
 }
 
 /// Tips of a crack.

@@ -6,7 +6,6 @@ use crate::model::{MaterialSummary, OtherMaterial, Surface};
 use crate::run::body::{BodyReaction, BodyResult, MirrorReaction, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
 use crate::scene::body::BodyScene;
-use peristat_assembly::body::PointBody;
 use peristat_assembly::model::plane::{Calibration, Edges};
 use serde::{Deserialize, Serialize};
 
@@ -107,7 +106,7 @@ pub(super) fn state(
         let values = result.values(scene, field)?;
         let located = scan::extremes(&values)?.map(|point| {
             let [x, y, z] = scene.body().position(point);
-            let z = matches!(scene.body(), PointBody::Solid(_)).then_some(z);
+            let z = (scene.body().axes() == 3).then_some(z);
             Located { value: values[point], x, y: Some(y), z, member: None }
         });
         let [smallest, largest] = located;
@@ -177,13 +176,13 @@ fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
 
 /// Number of bonds that cracks cut on a lattice, those of images left out.
 fn cut_bonds(scene: &BodyScene) -> Option<usize> {
-    let PointBody::Lattice(lattice) = scene.body() else { return None };
+    let lattice = scene.body().cells()?;
     if scene.cracks.is_empty() {
         return None;
     }
     let about = scene.material().about();
     let reach = about.horizon_ratio + about.partial_neighbours + 1e-9;
     let mut offsets = scene.material().offsets().ok()?;
-    offsets.retain(|[i, j, _]| f64::from(*i).hypot(f64::from(*j)) <= reach);
+    offsets.retain(|step| f64::from(step.iter().map(|k| k * k).sum::<i32>()).sqrt() <= reach);
     Some(scene.cuts(lattice, &offsets).len())
 }

@@ -16,7 +16,7 @@ fn every_cut_bond(lattice: &SquareLattice, steps: &[Cell], cracks: &[Crack]) -> 
         for p in 0..lattice.points() {
             let cell = lattice.cell(p);
             let other = plus(cell, *step);
-            let [a, b] = [cell, other].map(|c| lattice.place_of(c));
+            let [a, b] = [cell, other].map(|c| lattice.centre(c));
             let slack = CRACK_SLACK * lattice.spacing();
             if lattice.number(other).is_some() && cracks.iter().any(|c| c.cuts(a, b, slack)) {
                 found.push((class, p));
@@ -48,7 +48,7 @@ fn cut_bonds_of_the_compact_tension_specimen() {
 #[test]
 fn ties_count_as_cut() {
     let crack = Crack::new(vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]).unwrap();
-    let cuts = |a, b| crack.cuts(a, b, 1e-6);
+    let cuts = |a, b| crack.cuts(in_space(a), in_space(b), 1e-6);
     assert!(cuts([0.5, -1.0], [0.5, 1.0]));
     // Through a tip, to the crack, along it, through the bend.
     assert!(cuts([-0.5, 0.5], [0.5, -0.5]));
@@ -102,9 +102,10 @@ proptest! {
         let crack = Crack::new(vec![c1, d1]).unwrap();
         let back = Crack::new(vec![d1, c1]).unwrap();
         let slack = 1e-6 * h;
-        let cut = crack.cuts(a1, b1, slack);
-        prop_assert_eq!(cut, crack.cuts(b1, a1, slack));
-        prop_assert_eq!(cut, back.cuts(a1, b1, slack));
+        let ends = [in_space(a1), in_space(b1)];
+        let cut = crack.cuts(ends[0], ends[1], slack);
+        prop_assert_eq!(cut, crack.cuts(ends[1], ends[0], slack));
+        prop_assert_eq!(cut, back.cuts(ends[0], ends[1], slack));
         // Turning moves ties off by rounding; the answer is that of whole numbers.
         let whole = [a, b, c, d].map(|p| p.map(f64::from));
         prop_assert_eq!(cut, crate::body::geometry::meet(whole[0], whole[1], whole[2], whole[3]));
@@ -132,4 +133,96 @@ proptest! {
         let near = cut_bonds(&lattice, &steps, std::slice::from_ref(&crack));
         prop_assert_eq!(near, every_cut_bond(&lattice, &steps, &[crack]));
     }
+}
+
+/// Half of the offsets within a distance in space.
+fn half_offsets(reach: f64) -> Vec<Cell> {
+    let far = reach.floor() as i32;
+    let side = || -far..=far;
+    let all = side().flat_map(|c| side().flat_map(move |b| side().map(move |a| [a, b, c])));
+    let is_half = |[a, b, c]: &Cell| (*c, *b, *a) > (0, 0, 0);
+    let length = |step: &Cell| f64::from(step.iter().map(|k| k * k).sum::<i32>()).sqrt();
+    all.filter(|step| is_half(step) && length(step) <= reach).collect()
+}
+
+fn cuts_of(cube: &SquareLattice, surface: &CrackSurface) -> Vec<(usize, usize)> {
+    cut_bonds(cube, &half_offsets(3.0), &[Crack::from(surface.clone())])
+}
+
+#[test]
+fn surfaces_cut_what_they_meet_and_nothing_else() {
+    let cube = SquareLattice::cuboid(0.5, [-2.0, -1.5, -2.5], [8, 7, 9]);
+    let slanted = [[-1.0, -1.0, -1.2], [1.3, -0.9, 0.4], [1.1, 0.8, 0.7], [0.1, 0.3, -0.1]];
+    // The last corner is put into the plane of the first ones.
+    let corner = [0, 1, 2].map(|k| slanted[0][k] + 0.3 * (slanted[2][k] - slanted[0][k]));
+    let surfaces = [
+        CrackSurface::disc([0.1, 0.0, 0.25], [0.0, 0.0, 2.0], [0.0, 1.2]).unwrap(),
+        CrackSurface::disc([0.1, 0.0, 0.25], [1.0, -2.0, 0.5], [0.4, 1.3]).unwrap(),
+        CrackSurface::polygon(&[slanted[0], slanted[1], slanted[2], corner]).unwrap(),
+    ];
+    let steps = half_offsets(3.0);
+    for surface in &surfaces {
+        let mut every = Vec::new();
+        for (class, step) in steps.iter().enumerate() {
+            for point in 0..cube.points() {
+                let upper = plus(cube.cell(point), *step);
+                let ends = [cube.position(point), cube.centre(upper)];
+                let met = surface.cuts(ends[0], ends[1], 5e-7);
+                assert_eq!(met, surface.cuts(ends[1], ends[0], 5e-7));
+                if met && cube.number(upper).is_some() {
+                    every.push((class, point));
+                }
+            }
+        }
+        assert!(every.len() > 50);
+        assert_eq!(cuts_of(&cube, surface), every);
+    }
+}
+
+#[test]
+fn triangles_cut_as_the_polygon_that_they_fill() {
+    let cube = SquareLattice::cuboid(1.0, [0.0; 3], [9, 8, 7]);
+    let [a, b, c, d] = [[1.0, 1.0, 3.0], [7.0, 1.0, 3.0], [7.0, 6.0, 3.0], [1.0, 6.0, 3.0]];
+    let whole = CrackSurface::polygon(&[a, b, c, d]).unwrap();
+    let halves = CrackSurface::triangles([[a, b, c], [a, c, d], [a, a, d]]).unwrap();
+    assert_eq!(cuts_of(&cube, &whole), cuts_of(&cube, &halves));
+    // Bonds straight across: one per cell of 6 × 5 for lengths 1, 2 and 3, times the layers they begin in.
+    let straight = |rows: i32| half_offsets(3.0).iter().position(|step| *step == [0, 0, rows]).unwrap();
+    for rows in 1..=3 {
+        let count = cuts_of(&cube, &whole).iter().filter(|cut| cut.0 == straight(rows)).count();
+        assert_eq!(count, 30 * rows as usize);
+    }
+}
+
+#[test]
+fn images_and_moved_surfaces_cut_images_and_moved_bonds() {
+    let surface = CrackSurface::disc([0.4, 0.2, 0.1], [1.0, 2.0, 3.0], [0.0, 1.0]).unwrap();
+    let bonds = [
+        ([0.0, 0.0, 0.0], [0.5, 0.4, 0.4]),
+        ([0.2, 0.9, -0.6], [0.3, 0.1, 0.5]),
+        ([2.0, 0.0, 0.0], [2.0, 1.0, 1.0]),
+    ];
+    for (a, b) in bonds {
+        let cut = surface.cuts(a, b, 1e-9);
+        let image = |at: [f64; 3]| [6.0 - at[0], at[1], -2.0 - at[2]];
+        assert_eq!(surface.reflected([Some(3.0), None, Some(-1.0)]).cuts(image(a), image(b), 1e-9), cut);
+        let moved = |at: [f64; 3]| [at[0] + 1.0, at[1] - 2.0, at[2] + 0.5];
+        assert_eq!(surface.shifted([1.0, -2.0, 0.5]).cuts(moved(a), moved(b), 1e-9), cut);
+    }
+}
+
+#[test]
+fn what_is_no_surface_is_refused() {
+    use CrackSurfaceError::{NoArea, NoNormal, NoRadius, NotFinite, NotFlat};
+    let disc = |normal, radii| CrackSurface::disc([0.0; 3], normal, radii);
+    assert_eq!(disc([0.0; 3], [0.0, 1.0]), Err(NoNormal));
+    assert_eq!(disc([0.0, 0.0, 1.0], [1.0, 1.0]), Err(NoRadius));
+    assert_eq!(disc([0.0, 0.0, 1.0], [0.0, f64::NAN]), Err(NoRadius));
+    let polygon = |corners: &[[f64; 3]]| CrackSurface::polygon(corners);
+    assert_eq!(polygon(&[[0.0; 3], [1.0; 3]]), Err(NoArea));
+    assert_eq!(polygon(&[[0.0; 3], [1.0; 3], [2.0; 3]]), Err(NoArea));
+    assert_eq!(polygon(&[[0.0; 3], [f64::INFINITY; 3], [2.0; 3]]), Err(NotFinite));
+    let square = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.1]];
+    assert!(matches!(polygon(&square), Err(NotFlat { .. })));
+    assert_eq!(CrackSurface::triangles([]), Err(NoArea));
 }

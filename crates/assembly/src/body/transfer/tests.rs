@@ -10,7 +10,7 @@ fn lattice() -> SquareLattice {
     SquareLattice::plane(1.0, [0.0; 2], -1..40, 3..33, inside)
 }
 
-fn checks(fine: &SquareLattice, near: &dyn Fn(usize) -> bool, visible: &dyn Fn([f64; 2], [f64; 2]) -> bool) {
+fn checks(fine: &SquareLattice, near: &dyn Fn(usize) -> bool, visible: &dyn Fn([f64; 3], [f64; 3]) -> bool) {
     let coarse = fine.coarser();
     let transfer = Transfer::new(fine, &coarse, near, visible);
     let mut ones = vec![0.0; fine.points()];

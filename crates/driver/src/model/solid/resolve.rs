@@ -7,12 +7,7 @@ use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::solid::SolidEdges;
 
 /// Keys that have no meaning for solids yet, with the reason and what to do.
-pub(in super::super) const REFUSED: [Refused; 5] = [
-    Refused {
-        key: "cracks",
-        message: "`cracks` are lines in the plane",
-        hint: "model a slice of the body in the plane",
-    },
+pub(in super::super) const REFUSED: [Refused; 3] = [
     Refused {
         key: "fracture",
         message: "the bonds of solids do not break",
@@ -27,11 +22,6 @@ pub(in super::super) const REFUSED: [Refused; 5] = [
         key: "rigid.bearing",
         message: "a `bearing` is that of a pin in the plane",
         hint: "leave `bearing` out: a rigid region bears all around",
-    },
-    Refused {
-        key: "stress_intensity",
-        message: "`stress_intensity` is of cracks in the plane",
-        hint: "model a slice of the body in the plane",
     },
 ];
 

@@ -1,7 +1,7 @@
 //! Where the blocks of a map have come apart, by cracks from the start or by bonds that broke.
 
 use super::raster::{AROUND, Raster};
-use peristat_assembly::body::Crack;
+use peristat_assembly::body::{Crack, in_space};
 use std::collections::{BTreeMap, HashSet};
 
 /// A side of a block: the block, and 0 for its side on the right, 1 for that above.
@@ -16,7 +16,7 @@ impl Raster {
         let is_torn = |&side: &Side| {
             self.beyond(side).is_some_and(|other| {
                 let (a, b) = (self.middle(side[0]), self.middle(other));
-                cracks.iter().any(|crack| crack.cuts(a, b, 0.0))
+                cracks.iter().any(|crack| crack.cuts(in_space(a), in_space(b), 0.0))
             })
         };
         (0..self.blocks.len()).flat_map(|block| [[block, 0], [block, 1]]).filter(is_torn).collect()

@@ -119,7 +119,7 @@ mod tests {
         let cells = on_lattice(&lattice, &[]);
         assert_eq!(cells.quads.len(), 4 * 15);
         for quad in cells.quads.as_chunks::<4>().0 {
-            let at = quad.map(|p| lattice.place(p as usize));
+            let at = quad.map(|p| lattice.position(p as usize));
             for k in 0..4 {
                 let (a, b) = (at[k], at[(k + 1) % 4]);
                 assert!(((a[0] - b[0]).hypot(a[1] - b[1]) - 0.5).abs() < 1e-14);
@@ -137,7 +137,7 @@ mod tests {
         assert!(cells.vertices.is_empty());
         let slanted = Crack::new(vec![[1.0, 1.0], [5.0, 4.0]]).unwrap();
         for quad in on_lattice(&lattice, std::slice::from_ref(&slanted)).quads.as_chunks::<4>().0 {
-            let at = quad.map(|p| lattice.place(p as usize));
+            let at = quad.map(|p| lattice.position(p as usize));
             assert!(!(0..4).any(|k| (0..k).any(|l| slanted.cuts(at[k], at[l], 1e-6))));
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! `√(E' G)`, `G = −dΠ/dA` at constant loads and prescribed motions, `Π` the stored energy less the work of the loads.
 //! The derivative is a central difference of two more solves, the tips moved by one spacing back and forth along the last
-//! segments of the crack (`E' = E` in plane stress, `E/(1 − ν²)` in plane strain). Mode II, if there is any, is in G, too; in antiplane
+//! segments of the crack, or of its front along a disc (`E' = E` in plane stress, `E/(1 − ν²)` in plane strain). Mode II, if there is any, is in G, too; in antiplane
 //! shear it is K_III, with twice the shear modulus in place of E'.
 
 use crate::case::Tips;
@@ -11,6 +11,7 @@ use crate::model::with_body;
 use crate::run::body::BodyProblem;
 use crate::run::{Counters, RunError, RunOptions, SolvedState, prepare, solve_states};
 use crate::scene::body::{BodyScene, Intensity};
+use peristat_assembly::body::in_space;
 use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::sum::Sum;
 use std::time::Instant;
@@ -41,11 +42,7 @@ pub(super) fn of_states(scene: &BodyScene, options: &RunOptions) -> Result<Found
         let step = scene.spacing();
         let longer = potentials(scene, intensity, step, options, &mut found)?;
         let shorter = potentials(scene, intensity, -step, options, &mut found)?;
-        // E' of an isotropic material, and 2 G of one in antiplane shear.
-        let modulus = 1.0 / scene.model.strains_of(ALONG_X, 0.0)[0];
-        let stiffness = if scene.model.along(0).is_some() { modulus } else { 2.0 * modulus };
-        let tips = if intensity.tips == Tips::Both { 2.0 } else { 1.0 };
-        let area = 2.0 * step * tips * scene.material().about().thickness / sides(scene, intensity);
+        let (stiffness, area) = (stiffness(scene), area(scene, intensity, step));
         let of = |(longer, shorter): (f64, f64)| {
             let release = (shorter - longer) / area;
             (stiffness * release.max(0.0)).sqrt()
@@ -56,16 +53,55 @@ pub(super) fn of_states(scene: &BodyScene, options: &RunOptions) -> Result<Found
     Ok(found)
 }
 
+/// E' of an isotropic material, and 2 G of one in antiplane shear, Pa.
+fn stiffness(scene: &BodyScene) -> f64 {
+    let [along, across, ..] = scene.model.strains_of(ALONG_X, 0.0);
+    let modulus = 1.0 / along;
+    if scene.model.as_solid().is_some() {
+        // The front of a crack in a solid does not stretch along itself.
+        modulus / (1.0 - (across / along).powi(2))
+    } else if scene.model.along(0).is_some() {
+        modulus
+    } else {
+        2.0 * modulus
+    }
+}
+
+/// The area by which a crack grows where its tips, or its front, move from a step back to one ahead, m².
+fn area(scene: &BodyScene, intensity: &Intensity, step: f64) -> f64 {
+    let sides = sides(scene, intensity);
+    let (Some(surface), Some((lattice, mirrors))) =
+        (scene.cracks[intensity.crack].crack.surface(), scene.model.lattice())
+    else {
+        let tips = if intensity.tips == Some(Tips::Both) { 2.0 } else { 1.0 };
+        return 2.0 * step * tips * scene.material().about().thickness / sides;
+    };
+    let beside = 1e-3 * lattice.spacing();
+    // Parts between two cells belong to the body if one of them does.
+    let is_own = |at: &[f64; 3]| {
+        [-beside, beside].into_iter().any(|off| {
+            let cell = lattice.cell_around(at.map(|x| x + off));
+            mirrors.is_real(cell) && lattice.number(cell).is_some()
+        })
+    };
+    let (middles, part) = surface.added([-step, step]);
+    middles.iter().filter(|at| is_own(at)).count() as f64 * part / sides
+}
+
 /// Sides of a crack that the body has: one if it lies on a line of symmetry, so that the body releases half the energy.
 fn sides(scene: &BodyScene, intensity: &Intensity) -> f64 {
     let Some((lattice, mirrors)) = scene.model.lattice() else { return 1.0 };
-    let vertices = scene.cracks[intensity.crack].crack.vertices();
+    let crack = &scene.cracks[intensity.crack].crack;
+    let bounds: Vec<[[f64; 3]; 2]> =
+        crack.surface().map_or_else(Vec::new, |surface| surface.boxes().collect());
+    let corners = crack.vertices().iter().map(|v| in_space(*v)).chain(bounds.into_iter().flatten());
+    let corners: Vec<[f64; 3]> = corners.collect();
     let lies_on = |axis: usize, line: i32| {
         let at = lattice.corner()[axis] + f64::from(line) * lattice.spacing();
-        vertices.iter().all(|v| (v[axis] - at).abs() <= 1e-6 * lattice.spacing())
+        corners.iter().all(|v| (v[axis] - at).abs() <= 1e-6 * lattice.spacing())
     };
-    let mut all =
-        (0..2).flat_map(|axis| mirrors.lines[axis].into_iter().flatten().map(move |line| (axis, line)));
+    let mut all = (0..if lattice.is_plane() { 2 } else { 3 })
+        .flat_map(|axis| mirrors.lines[axis].into_iter().flatten().map(move |line| (axis, line)));
     if all.any(|(axis, line)| lies_on(axis, line)) { 2.0 } else { 1.0 }
 }
 
@@ -83,7 +119,7 @@ fn potentials(
         let path = crate::diagnostic::JsonPath::default().key("stress_intensity").index(number);
         faults
             .error(path, message)
-            .hint("use a smaller spacing: the crack needs several spacings at each tip");
+            .hint("use a smaller spacing: the crack needs several spacings at each tip, or in its radius");
         RunError::Case(faults)
     };
     let (model, cracks) = match scene.with_moved_tips(intensity, by) {

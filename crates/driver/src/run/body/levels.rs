@@ -64,7 +64,9 @@ pub(super) fn coarser<const D: usize>(
     conditions: &Conditions,
     system: &System<D>,
 ) -> Option<Coarser<D>> {
-    match cubes::levels(model, conditions, system) {
+    // Cubes with one stencil know no cracks.
+    let cubes = if cracks.is_empty() { cubes::levels(model, conditions, system) } else { None };
+    match cubes {
         Some(levels) => Some(Coarser::Cubes(levels)),
         None => models(model, cracks, conditions).map(Coarser::Models),
     }
@@ -142,10 +144,6 @@ fn beside_border(model: &dyn BodyModel) -> Vec<usize> {
 /// a coarser one and cut all of their bonds; moved, it leaves them on one of its sides.
 fn beside(cracks: &[Crack], lattice: &SquareLattice) -> Vec<Crack> {
     /// In spacings, in no direction that cracks are likely to have.
-    const SHIFT: [f64; 2] = [0.047, 0.029];
-    let moved = |crack: &Crack| {
-        let shift = |v: &[f64; 2]| [0, 1].map(|k| v[k] + SHIFT[k] * lattice.spacing());
-        Crack::new(crack.vertices().iter().map(shift).collect()).unwrap_or_else(|_| crack.clone())
-    };
-    cracks.iter().map(moved).collect()
+    const SHIFT: [f64; 3] = [0.047, 0.029, 0.037];
+    cracks.iter().map(|crack| crack.shifted(SHIFT.map(|part| part * lattice.spacing()))).collect()
 }

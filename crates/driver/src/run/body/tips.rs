@@ -34,12 +34,14 @@ impl Tips {
         let moves = [0, 1].iter().all(|&axis| scene.model.along(axis).is_some());
         for (k, intensity) in scene.intensities.iter().enumerate().filter(|_| moves) {
             let vertices = scene.cracks[intensity.crack].crack.vertices();
-            let last = vertices.len() - 1;
-            if intensity.tips != case::Tips::End {
+            if vertices.is_empty() {
+                continue;
+            }
+            if intensity.tips != Some(case::Tips::End) {
                 all.extend(faces(scene, k, vertices[0], vertices[1]));
             }
-            if intensity.tips != case::Tips::Start {
-                all.extend(faces(scene, k, vertices[last], vertices[last - 1]));
+            if intensity.tips != Some(case::Tips::Start) {
+                all.extend(faces(scene, k, vertices[vertices.len() - 1], vertices[vertices.len() - 2]));
             }
         }
         Self(all)

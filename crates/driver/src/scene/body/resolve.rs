@@ -10,7 +10,8 @@ use super::load::context::LoadContext;
 use super::load::{joined_sides, load_cases};
 use super::read::checks;
 use super::read::fields::Says;
-use super::read::outputs::{self, Intensity, OutputLine};
+use super::read::intensities::{self, Intensity};
+use super::read::outputs::{self, OutputLine};
 use super::read::probes::{self, BodyProbe, Quantity};
 use super::read::strengths;
 use super::scene::{BodyScene, BodyState};
@@ -239,7 +240,7 @@ impl Readings {
             site.outline.map_or_else(is_near, |outline| outline.contains(tip))
         };
         let around = tips::Around { symmetry: &site.inputs.symmetry, spacing: site.inputs.body.spacing() };
-        let intensities = outputs::intensities(site.ground.case, site.cracks, &contains, &around, faults);
+        let intensities = intensities::intensities(site.ground.case, site.cracks, &contains, &around, faults);
         probes.extend(intensities.iter().enumerate().map(|(k, intensity)| BodyProbe {
             name: intensity.name.clone(),
             quantity: Quantity::StressIntensity(k),

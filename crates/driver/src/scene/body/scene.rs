@@ -8,7 +8,8 @@ use super::load::sums::BodyLoads;
 use super::motions;
 use super::read::checks::BodyComparison;
 use super::read::fields;
-use super::read::outputs::{self, Intensity, OutputLine};
+use super::read::intensities::{self, Intensity};
+use super::read::outputs::OutputLine;
 use super::read::probes::BodyProbe;
 use super::site::cracks::NamedCrack;
 use super::site::model_inputs::ModelInputs;
@@ -209,7 +210,7 @@ impl BodyScene {
         by: f64,
     ) -> Result<Option<(AnyBody, Vec<Crack>)>, Refusal> {
         let mut cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
-        match outputs::moved(&cracks[intensity.crack], intensity.tips, by) {
+        match intensities::moved(&cracks[intensity.crack], intensity.tips, by) {
             Some(crack) => cracks[intensity.crack] = crack,
             None => return Ok(None),
         }

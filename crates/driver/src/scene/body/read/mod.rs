@@ -2,6 +2,7 @@
 
 pub(crate) mod checks;
 pub(crate) mod fields;
+pub(crate) mod intensities;
 pub(crate) mod opening;
 pub(crate) mod outputs;
 pub(crate) mod probes;

@@ -1,14 +1,11 @@
-//! Lines through a body and stress intensities of its cracks.
+//! Lines through a body.
 
-use crate::case::{Case, Tips};
-use crate::diagnostic::{Faults, root, suggest, tidy};
+use crate::diagnostic::{Faults, root};
 use crate::memory;
-use crate::scene::body::site::cracks::NamedCrack;
 use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::interpolate::{Interpolation, Weights};
-use crate::scene::body::site::{regions, tips};
+use crate::scene::body::site::regions;
 use crate::scene::words;
-use peristat_assembly::body::Crack;
 use std::collections::HashSet;
 
 /// A line along which all fields are written.
@@ -29,17 +26,6 @@ pub struct LinePoint {
     pub position: [f64; 3],
     /// Points of the model and their shares; none outside of the body.
     pub weights: Option<Weights>,
-}
-
-/// A stress intensity that is asked for.
-#[derive(Clone, Debug)]
-pub struct Intensity {
-    /// Name.
-    pub name: String,
-    /// Index of the crack.
-    pub crack: usize,
-    /// Which tips move.
-    pub tips: Tips,
 }
 
 /// Memory of a position with the shares of the points around it, bytes.
@@ -118,73 +104,4 @@ pub(crate) fn lines(
         lines.push(OutputLine { name: line.name.clone(), points });
     }
     lines
-}
-
-/// Stress intensities of the case.
-pub(crate) fn intensities(
-    case: &Case,
-    cracks: &[NamedCrack],
-    contains: &dyn Fn([f64; 2]) -> bool,
-    around: &tips::Around,
-    faults: &mut Faults,
-) -> Vec<Intensity> {
-    let mut found = Vec::new();
-    let mut names: HashSet<&str> = case.probes.iter().map(|p| p.name.as_str()).collect();
-    for (k, given) in case.stress_intensity.iter().enumerate() {
-        let path = root("stress_intensity").index(k);
-        if !names.insert(&given.name) {
-            faults
-                .error(path.key("name"), format!("the name `{}` is taken", given.name))
-                .hint("probes and stress intensities must differ in their names");
-        }
-        let Some(crack) = cracks.iter().position(|c| c.name == given.crack.0) else {
-            faults
-                .error(path.key("crack"), format!("there is no crack `{}`", given.crack.0))
-                .hint(suggest(&given.crack.0, cracks.iter().map(|c| c.name.as_str())));
-            continue;
-        };
-        let vertices = cracks[crack].crack.vertices();
-        let ends = [("start", vertices[0], Tips::End), ("end", vertices[vertices.len() - 1], Tips::Start)];
-        for (end, tip, other) in ends {
-            if given.tips != other && !contains(tip) {
-                let at = format!("({}, {})", tidy(tip[0]), tidy(tip[1]));
-                faults
-                    .error(path.key("tips"), format!("the {end} of the crack at {at} is not in the body"))
-                    .hint(
-                        "name the tips that are: `start` is the first position of the path, `end` the last",
-                    );
-            }
-        }
-        for (end, tip, _) in ends.into_iter().filter(|e| given.tips != e.2) {
-            let before = if end == "start" { vertices[1] } else { vertices[vertices.len() - 2] };
-            if let Some(met) = tips::met(tip, before, crack, cracks, around) {
-                let at = format!("({}, {})", tidy(tip[0]), tidy(tip[1]));
-                faults
-                    .error(path.key("tips"), format!("the {end} of the crack at {at} {met}, so it is no tip"))
-                    .hint("a tip needs a spacing of whole body before it, and no other crack along the last spacing");
-            }
-        }
-        found.push(Intensity { name: given.name.clone(), crack, tips: given.tips });
-    }
-    found
-}
-
-/// A crack with some of its tips moved along it, outwards if `by` (m) is positive.
-pub(crate) fn moved(crack: &Crack, tips: Tips, by: f64) -> Option<Crack> {
-    let mut vertices = crack.vertices().to_vec();
-    let last = vertices.len() - 1;
-    let mut shift = |tip: usize, before: usize| {
-        let d = [0, 1].map(|k| vertices[tip][k] - vertices[before][k]);
-        let length = d[0].hypot(d[1]);
-        (0..2).for_each(|k| vertices[tip][k] += by / length * d[k]);
-        length + by > 0.0
-    };
-    let mut fine = true;
-    if tips != Tips::End {
-        fine &= shift(0, 1);
-    }
-    if tips != Tips::Start {
-        fine &= shift(last, last - 1);
-    }
-    if fine { Crack::new(vertices).ok() } else { None }
 }

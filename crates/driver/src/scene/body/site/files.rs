@@ -4,8 +4,8 @@ use crate::diagnostic::{Faults, JsonPath};
 use crate::input::drawing::{self, Drawing};
 use crate::input::gmsh::{self, Curve};
 use crate::input::surface::SolidFile;
-use crate::input::{Folder, ReadError, Refusal, points, solid};
-use peristat_assembly::body::PointBody;
+use crate::input::{Folder, ReadError, Refusal, points, solid, stl};
+use peristat_assembly::body::{Facet, PointBody};
 
 /// The body of a list of points, of this thickness, and the hash of the file.
 pub(crate) fn points(
@@ -61,6 +61,19 @@ pub(crate) fn solid(
     let bytes = bytes(folder, file, "solid", max_memory, path, faults)?;
     let solid = solid::read(&bytes).map_err(|error| refuse(file, "solid", &error, path, faults)).ok()?;
     Some((solid, blake3::hash(&bytes)))
+}
+
+/// The triangles of a surface, which need not be closed.
+pub(crate) fn surface(
+    folder: &Folder,
+    file: &str,
+    max_memory: Option<u64>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Vec<Facet>> {
+    let bytes = bytes(folder, file, "surface", max_memory, path, faults)?;
+    let triangles = stl::read(&bytes).map_err(|error| refuse(file, "surface", &error, path, faults)).ok()?;
+    Some(triangles.facets)
 }
 
 fn bytes(

@@ -37,7 +37,7 @@ pub(crate) fn read(
 ) -> Option<GivenBody> {
     let asked = of_case::asked(case);
     let mut material = keys.resolve(&asked, faults);
-    let cracks = cracks::cracks(case, faults);
+    let cracks = cracks::cracks((case, keys.is_solid()), folder, max_memory, faults);
     let built = body::build(case, keys, folder, max_memory, faults);
     let spacing = built.as_ref().map(|b| b.body.spacing());
     let lattice = match built.as_ref().map(|b| &b.body) {

@@ -1,6 +1,8 @@
 //! Values at any position as sums over points.
 
-use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, Region, Regions, SquareLattice};
+use peristat_assembly::body::{
+    CRACK_SLACK, Cell, Crack, PointBody, Region, Regions, SquareLattice, in_space,
+};
 use std::collections::BTreeMap;
 
 /// Points and their shares; the shares sum to one.
@@ -25,7 +27,7 @@ impl Interpolation<'_> {
     pub(crate) fn at(&self, at: [f64; 3], nearest: u32) -> Weights {
         let position = [at[0], at[1]];
         let found = match self.body {
-            PointBody::Solid(lattice) => trilinear(lattice, at),
+            PointBody::Solid(lattice) => self.trilinear(lattice, at),
             PointBody::Lattice(lattice) => self.bilinear(lattice, position),
             PointBody::Cloud(cloud) => {
                 let slack = 4.0 * self.body.spacing();
@@ -43,7 +45,7 @@ impl Interpolation<'_> {
         found.unwrap_or_else(|| vec![(nearest, 1.0)])
     }
 
-    fn sees(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+    fn sees(&self, a: [f64; 3], b: [f64; 3]) -> bool {
         let slack = CRACK_SLACK * self.body.spacing();
         !self.cracks.iter().any(|c| c.cuts(a, b, slack))
     }
@@ -66,7 +68,7 @@ impl Interpolation<'_> {
             let corner = |[i, j]: [usize; 2]| {
                 let cell: Cell = [block[0] as i32 + i as i32, block[1] as i32 + j as i32, 0];
                 let point = lattice.number(cell)?;
-                let seen = self.sees(position, lattice.place_of(cell));
+                let seen = self.sees(in_space(position), lattice.centre(cell));
                 let along = |k: usize, side: usize| if side == 1 { share[k] } else { 1.0 - share[k] };
                 seen.then_some((point as u32, along(0, i) * along(1, j)))
             };
@@ -78,7 +80,7 @@ impl Interpolation<'_> {
     fn in_triangle(&self, positions: &[[f64; 2]], mut near: Vec<u32>, position: [f64; 2]) -> Option<Weights> {
         let at = |p: u32| positions[p as usize];
         let distance = |p: u32| (at(p)[0] - position[0]).hypot(at(p)[1] - position[1]);
-        near.retain(|&p| self.sees(position, at(p)));
+        near.retain(|&p| self.sees(in_space(position), in_space(at(p))));
         near.sort_by(|&a, &b| distance(a).total_cmp(&distance(b)));
         near.truncate(NEAREST);
         let cross = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
@@ -164,35 +166,38 @@ impl Interpolation<'_> {
                 .collect(),
         )
     }
-}
 
-/// Weights of the eight points around a position in a solid, or of the block of points that is nearest to it.
-fn trilinear(lattice: &SquareLattice, at: [f64; 3]) -> Option<Weights> {
-    let corner = lattice.corner();
-    let at = [0, 1, 2].map(|k| (at[k] - corner[k]) / lattice.spacing() - 0.5);
-    let low = at.map(f64::floor);
-    let steps = || [0.0, -1.0, 1.0].into_iter();
-    let all = steps().flat_map(|a| steps().flat_map(move |b| steps().map(move |c| [a, b, c])));
-    let far = |block: &[f64; 3]| (0..3).map(|k| (at[k] - block[k] - 0.5).powi(2)).sum::<f64>();
-    let mut blocks: Vec<[f64; 3]> = all.map(|step| [0, 1, 2].map(|k| low[k] + step[k])).collect();
-    blocks.retain(|block| (0..3).all(|k| (at[k] - block[k] - 0.5).abs() <= 1.0 + 1e-6));
-    blocks.sort_by(|a, b| far(a).total_cmp(&far(b)));
-    blocks.into_iter().find_map(|block| {
-        let weight = |corner: usize| {
-            let side = |k: usize| corner >> k & 1;
-            let cell = [0, 1, 2].map(|k| block[k] as i32 + side(k) as i32);
-            let share = |k: usize| if side(k) == 1 { at[k] - block[k] } else { 1.0 - at[k] + block[k] };
-            Some((lattice.number(cell)? as u32, share(0) * share(1) * share(2)))
-        };
-        let corners: Option<Weights> = (0..8).map(weight).collect();
-        corners.map(|all| all.into_iter().filter(|w| w.1 != 0.0).collect())
-    })
+    /// Weights of the eight points around a position in a solid, or of the block of points that is nearest to it, on its side of
+    /// cracks.
+    fn trilinear(&self, lattice: &SquareLattice, at: [f64; 3]) -> Option<Weights> {
+        let corner = lattice.corner();
+        let position = at;
+        let at = [0, 1, 2].map(|k| (at[k] - corner[k]) / lattice.spacing() - 0.5);
+        let low = at.map(f64::floor);
+        let steps = || [0.0, -1.0, 1.0].into_iter();
+        let all = steps().flat_map(|a| steps().flat_map(move |b| steps().map(move |c| [a, b, c])));
+        let far = |block: &[f64; 3]| (0..3).map(|k| (at[k] - block[k] - 0.5).powi(2)).sum::<f64>();
+        let mut blocks: Vec<[f64; 3]> = all.map(|step| [0, 1, 2].map(|k| low[k] + step[k])).collect();
+        blocks.retain(|block| (0..3).all(|k| (at[k] - block[k] - 0.5).abs() <= 1.0 + 1e-6));
+        blocks.sort_by(|a, b| far(a).total_cmp(&far(b)));
+        blocks.into_iter().find_map(|block| {
+            let weight = |corner: usize| {
+                let side = |k: usize| corner >> k & 1;
+                let cell = [0, 1, 2].map(|k| block[k] as i32 + side(k) as i32);
+                let share = |k: usize| if side(k) == 1 { at[k] - block[k] } else { 1.0 - at[k] + block[k] };
+                let is_seen = self.cracks.is_empty() || self.sees(position, lattice.centre(cell));
+                let number = lattice.number(cell).filter(|_| is_seen)?;
+                Some((number as u32, share(0) * share(1) * share(2)))
+            };
+            let corners: Option<Weights> = (0..8).map(weight).collect();
+            corners.map(|all| all.into_iter().filter(|w| w.1 != 0.0).collect())
+        })
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use peristat_assembly::body::in_space;
 
     fn value(body: &PointBody, weights: &Weights, field: impl Fn([f64; 2]) -> f64) -> f64 {
         weights.iter().map(|w| w.1 * field(body.place(w.0 as usize))).sum()

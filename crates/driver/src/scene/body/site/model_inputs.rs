@@ -6,7 +6,7 @@ use super::of_case::horizon_key;
 use super::symmetry::Symmetry;
 use crate::case::Case;
 use crate::model::{AnyBody, Material, Mixture, OnGround, OnLattice, Refusal};
-use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds};
+use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds, in_space};
 use peristat_assembly::model::BodyModel;
 use std::cell::RefCell;
 
@@ -50,7 +50,7 @@ impl ModelInputs {
                 };
                 let slack = CRACK_SLACK * lattice.spacing();
                 let separated = |a: Cell, b: Cell| {
-                    let ends = [lattice.place_of(a), lattice.place_of(b)];
+                    let ends = [lattice.centre(a), lattice.centre(b)];
                     cracks.iter().any(|crack| crack.cuts(ends[0], ends[1], slack))
                 };
                 let materials = &self.materials;
@@ -65,8 +65,10 @@ impl ModelInputs {
             PointBody::Cloud(cloud) => {
                 let slack = CRACK_SLACK * cloud.spacing();
                 let apart = bearing::between(&self.bearings, &self.body);
-                let cut =
-                    |a: [f64; 2], b: [f64; 2]| cracks.iter().any(|c| c.cuts(a, b, slack)) || apart(a, b);
+                let cut = |a: [f64; 2], b: [f64; 2]| {
+                    let ends = [in_space(a), in_space(b)];
+                    cracks.iter().any(|c| c.cuts(ends[0], ends[1], slack)) || apart(a, b)
+                };
                 let points = (cloud.positions().to_vec(), cloud.areas().to_vec());
                 self.material.on_points(points, self.horizon, &cut)
             }
@@ -98,7 +100,7 @@ impl ModelInputs {
                 let slack = CRACK_SLACK * cloud.spacing();
                 let neighbours = cloud.neighbours(self.horizon * (1.0 + 1e-9));
                 let at = |p: u32| cloud.positions()[p as usize];
-                neighbours.pairs().any(|[i, j]| crack.cuts(at(i), at(j), slack))
+                neighbours.pairs().any(|[i, j]| crack.cuts(in_space(at(i)), in_space(at(j)), slack))
             }
         }
     }

@@ -161,7 +161,7 @@ pub(crate) fn edge_on(outline: &Outline, side: usize) -> Option<(String, f64)> {
 impl Symmetry {
     /// Cracks with their images, by one reflection along each axis.
     pub(crate) fn with_images(&self, cracks: &[Crack]) -> Vec<Crack> {
-        let [left, right, below, above, ..] = self.at;
+        let [left, right, below, above, back, front] = self.at;
         let along = |low: Option<f64>, high: Option<f64>| {
             [None].into_iter().chain([low, high].into_iter().flatten().map(Some)).collect::<Vec<_>>()
         };
@@ -169,9 +169,7 @@ impl Symmetry {
         for crack in cracks {
             for x in along(left, right) {
                 for y in along(below, above) {
-                    let reflect = |at: Option<f64>, v: f64| at.map_or(v, |at| 2.0 * at - v);
-                    let image = crack.vertices().iter().map(|v| [reflect(x, v[0]), reflect(y, v[1])]);
-                    all.extend(Crack::new(image.collect()).ok());
+                    all.extend(along(back, front).into_iter().map(|z| crack.reflected([x, y, z])));
                 }
             }
         }

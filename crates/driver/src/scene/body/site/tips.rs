@@ -2,7 +2,7 @@
 
 use super::cracks::NamedCrack;
 use super::symmetry::Symmetry;
-use peristat_assembly::body::{CRACK_SLACK, Crack};
+use peristat_assembly::body::{CRACK_SLACK, Crack, in_space};
 
 /// What tips are looked at in.
 pub(crate) struct Around<'a> {
@@ -26,14 +26,14 @@ pub(crate) fn met(
     let moved = |by: f64| [0, 1].map(|k| tip[k] + by / length * d[k]);
     let (back, ahead) = (moved(-around.spacing.min(length)), moved(around.spacing));
     for (_, other) in cracks.iter().enumerate().filter(|c| c.0 != own) {
-        if other.crack.cuts(back, ahead, slack) {
+        if other.crack.cuts(in_space(back), in_space(ahead), slack) {
             return Some(format!("lies on the crack `{}`, or within a spacing of it", other.name));
         }
     }
     let vertices = cracks[own].crack.vertices();
     let crosses = vertices.windows(2).filter(|w| !w.contains(&tip)).any(|w| {
         let part = Crack::new(w.to_vec());
-        part.is_ok_and(|part| part.cuts(tip, ahead, slack))
+        part.is_ok_and(|part| part.cuts(in_space(tip), in_space(ahead), slack))
     });
     if crosses || (vertices.len() > 2 && vertices.first() == vertices.last()) {
         return Some("lies on the crack itself".into());

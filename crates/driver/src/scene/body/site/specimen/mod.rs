@@ -6,7 +6,7 @@ mod compact_tension;
 mod plan;
 mod single_edge_bend;
 
-use crate::case::{Body, Case, CrackPath, RectangleBody, Region, Rigid, Support};
+use crate::case::{Body, Case, GivenCrack, RectangleBody, Region, Rigid, Support};
 use crate::diagnostic::{Faults, JsonPath, Segment, root};
 use plan::Plan;
 
@@ -70,7 +70,11 @@ pub(crate) fn expand(case: &mut Case, usual: f64, faults: &mut Faults) -> Option
     let mut whole = case.clone();
     let regions = parts.regions.iter().map(|r| r.0).collect();
     whole.body = Body::Rectangle(parts.body);
-    whole.cracks.push(CrackPath { name: Some(CRACK.into()), path: parts.crack });
+    whole.cracks.push(GivenCrack {
+        name: Some(CRACK.into()),
+        path: Some(parts.crack),
+        ..GivenCrack::default()
+    });
     whole.regions.extend(parts.regions.into_iter().map(|(name, region)| (name.to_string(), region)));
     whole.rigid.extend(parts.rigid);
     whole.supports.extend(parts.supports);

@@ -1,0 +1,125 @@
+//! Stress intensities of cracks, as a case asks for them.
+
+use crate::case::{Case, Tips};
+use crate::diagnostic::{Faults, JsonPath, root, suggest, tidy};
+use crate::scene::body::site::cracks::NamedCrack;
+use crate::scene::body::site::tips;
+use peristat_assembly::body::Crack;
+use std::collections::HashSet;
+
+/// A stress intensity that is asked for.
+#[derive(Clone, Debug)]
+pub struct Intensity {
+    /// Name.
+    pub name: String,
+    /// Index of the crack.
+    pub crack: usize,
+    /// Which tips move; none of the front of a crack in a solid.
+    pub tips: Option<Tips>,
+}
+
+/// Stress intensities of the case.
+pub(crate) fn intensities(
+    case: &Case,
+    cracks: &[NamedCrack],
+    contains: &dyn Fn([f64; 2]) -> bool,
+    around: &tips::Around,
+    faults: &mut Faults,
+) -> Vec<Intensity> {
+    let mut found = Vec::new();
+    let mut names: HashSet<&str> = case.probes.iter().map(|p| p.name.as_str()).collect();
+    for (k, given) in case.stress_intensity.iter().enumerate() {
+        let path = root("stress_intensity").index(k);
+        if !names.insert(&given.name) {
+            faults
+                .error(path.key("name"), format!("the name `{}` is taken", given.name))
+                .hint("probes and stress intensities must differ in their names");
+        }
+        let Some(crack) = cracks.iter().position(|c| c.name == given.crack.0) else {
+            faults
+                .error(path.key("crack"), format!("there is no crack `{}`", given.crack.0))
+                .hint(suggest(&given.crack.0, cracks.iter().map(|c| c.name.as_str())));
+            continue;
+        };
+        let tips = match (&cracks[crack].crack, given.tips) {
+            (solid, tips) if solid.surface().is_some() => {
+                check_front(solid, tips, &path, faults);
+                None
+            }
+            (_, None) => {
+                faults
+                    .error(path, "`tips` is missing")
+                    .hint("`start`, `end` or `both`: those that are in the body");
+                continue;
+            }
+            (_, Some(tips)) => {
+                check_tips((crack, tips), cracks, (contains, around), &path, faults);
+                Some(tips)
+            }
+        };
+        found.push(Intensity { name: given.name.clone(), crack, tips });
+    }
+    found
+}
+
+/// Faults of tips that are none.
+fn check_tips(
+    (crack, tips): (usize, Tips),
+    cracks: &[NamedCrack],
+    (contains, around): (&dyn Fn([f64; 2]) -> bool, &tips::Around),
+    path: &JsonPath,
+    faults: &mut Faults,
+) {
+    let vertices = cracks[crack].crack.vertices();
+    let ends = [("start", vertices[0], Tips::End), ("end", vertices[vertices.len() - 1], Tips::Start)];
+    for (end, tip, other) in ends {
+        if tips != other && !contains(tip) {
+            let at = format!("({}, {})", tidy(tip[0]), tidy(tip[1]));
+            faults
+                .error(path.key("tips"), format!("the {end} of the crack at {at} is not in the body"))
+                .hint("name the tips that are: `start` is the first position of the path, `end` the last");
+        }
+    }
+    for (end, tip, _) in ends.into_iter().filter(|e| tips != e.2) {
+        let before = if end == "start" { vertices[1] } else { vertices[vertices.len() - 2] };
+        if let Some(met) = tips::met(tip, before, crack, cracks, around) {
+            let at = format!("({}, {})", tidy(tip[0]), tidy(tip[1]));
+            faults
+                .error(path.key("tips"), format!("the {end} of the crack at {at} {met}, so it is no tip"))
+                .hint("a tip needs a spacing of whole body before it, and no other crack along the last spacing");
+        }
+    }
+}
+
+/// Faults of a crack in a solid that has no front to move.
+fn check_front(crack: &Crack, tips: Option<Tips>, path: &JsonPath, faults: &mut Faults) {
+    if tips.is_some() {
+        faults.error(path.key("tips"), "the front of a crack in a solid has no tips").hint("leave it out");
+    }
+    if crack.surface().and_then(|surface| surface.grown(0.0)).is_none() {
+        faults
+            .error(path.key("crack"), "stress intensities of solids are those of a `disc`")
+            .hint("find others from the energies of two runs with cracks of different size");
+    }
+}
+
+/// A crack with some of its tips, or without them its front, moved along it, outwards if `by` (m) is positive.
+pub(crate) fn moved(crack: &Crack, tips: Option<Tips>, by: f64) -> Option<Crack> {
+    let Some(tips) = tips else { return crack.surface()?.grown(by).map(Crack::from) };
+    let mut vertices = crack.vertices().to_vec();
+    let last = vertices.len() - 1;
+    let mut shift = |tip: usize, before: usize| {
+        let d = [0, 1].map(|k| vertices[tip][k] - vertices[before][k]);
+        let length = d[0].hypot(d[1]);
+        (0..2).for_each(|k| vertices[tip][k] += by / length * d[k]);
+        length + by > 0.0
+    };
+    let mut fine = true;
+    if tips != Tips::End {
+        fine &= shift(0, 1);
+    }
+    if tips != Tips::Start {
+        fine &= shift(last, last - 1);
+    }
+    if fine { Crack::new(vertices).ok() } else { None }
+}
