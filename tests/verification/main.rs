@@ -42,6 +42,7 @@ mod material_cases;
 mod materials;
 mod mirrored_loads;
 mod mixed_solids;
+mod one_way;
 mod orthotropic_elastic;
 mod orthotropic_fracture;
 mod orthotropic_patch;

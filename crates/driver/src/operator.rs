@@ -11,7 +11,8 @@ use std::array::from_fn;
 
 /// The stiffness of a case under its supports, links and springs, with its loads: `K q = f`, in the units of the case. Its unknowns are
 /// the displacements and rotations that no equation prescribes; a case without supports keeps its free motions, and `K` is then
-/// singular. Bonds are as they are before any of them breaks or yields.
+/// singular. Bonds are as they are before any of them breaks or yields, and
+/// what acts one way acts both ways.
 pub struct Operator {
     form: Box<dyn Form>,
     components: Vec<&'static str>,

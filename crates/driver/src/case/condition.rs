@@ -84,6 +84,33 @@ pub struct Support {
     /// Stiffness of a spring against rotation, moment per radian, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi_spring: Option<f64>,
+    /// The only sign that the reaction can have, on beams and frames: a bearing beneath a beam pushes `positive`, and the beam lifts
+    /// off it; a stop that it moves towards pushes `negative`. The support then holds one motion.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub only: Option<Sign>,
+    /// How far the prescribed motion may be passed before the support acts, >= 0; with `only`. Load factors do not change it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<f64>,
+}
+
+/// A sign of forces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Sign {
+    /// Along the axis that a displacement or a rotation is counted along.
+    Positive,
+    /// Against it.
+    Negative,
+}
+
+impl Sign {
+    /// 1 or −1.
+    pub fn factor(self) -> f64 {
+        match self {
+            Self::Positive => 1.0,
+            Self::Negative => -1.0,
+        }
+    }
 }
 
 /// A roller on an inclined plane: it holds the displacement normal to that plane.

@@ -1,5 +1,6 @@
 //! Winkler foundations of a case.
 
+use super::Sign;
 use peristat_assembly::material::Profile;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -19,4 +20,8 @@ pub struct Foundation {
     pub to: Option<f64>,
     /// Force per length and deflection, >= 0, by the distance s from the start of the foundation.
     pub stiffness: Profile,
+    /// The only sign of the force with which it pushes: `positive` along w, as ground beneath a beam that is loaded downwards does.
+    /// The beam lifts off it elsewhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub only: Option<Sign>,
 }

@@ -39,7 +39,7 @@ pub use amount::{Amount, Amounts};
 pub use body::{Body, Line};
 pub use condition::{
     At, Combination, Distributed, DistributedForce, Inclined, Link, Load, LoadCase, PointLoad, RigidLink,
-    Sine, Steps, Support,
+    Sign, Sine, Steps, Support,
 };
 pub use crack::{CrackDisc, GivenCrack};
 pub use expectation::{Baseline, Check, ClosedForm, Formula, Limit, Probe, Reduction, Value};

@@ -7,6 +7,7 @@ use super::problem::{Problem, Spread};
 use super::scene_sizes::Sizes;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::CONTRADICTION;
+use peristat_assembly::condition::Contradiction;
 use peristat_assembly::stiffness::{Springs, Term};
 use peristat_assembly::system::{FreeMotion, System, free_motions};
 use std::collections::{HashMap, HashSet};
@@ -95,7 +96,8 @@ pub(crate) fn constrained<const D: usize>(
     system(problem)
 }
 
-fn check_memory(needed: u64, max_memory: Option<u64>) -> Result<(), RunError> {
+/// An error if more memory is needed than is allowed.
+pub(super) fn check_memory(needed: u64, max_memory: Option<u64>) -> Result<(), RunError> {
     let allowed = crate::memory::allowed(max_memory);
     match allowed.filter(|&allowed| needed > allowed) {
         Some(allowed) => Err(RunError::Memory { needed, allowed }),
@@ -103,12 +105,20 @@ fn check_memory(needed: u64, max_memory: Option<u64>) -> Result<(), RunError> {
     }
 }
 
-fn system<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, RunError> {
+/// The terms, springs and equations of a problem.
+///
+/// # Errors
+/// A contradiction of its equations.
+pub(super) fn assembled<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, Contradiction> {
     let (points, mut springs): (usize, Vec<Box<dyn Term<D>>>) = (problem.model().points(), Vec::new());
     if !problem.springs().is_empty() {
         springs.push(Box::new(Springs::new(points, problem.springs().to_vec())));
     }
-    match System::new(problem.model(), springs, problem.equations().to_vec()) {
+    System::new(problem.model(), springs, problem.equations().to_vec())
+}
+
+fn system<const D: usize>(problem: &dyn Problem<D>) -> Result<System<D>, RunError> {
+    match assembled(problem) {
         Ok(system) => Ok(system),
         Err(contradiction) => {
             let mut faults = Faults::default();

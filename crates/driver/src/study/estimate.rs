@@ -83,6 +83,11 @@ impl Loaded {
         if self.scene.case().is_traced() {
             return Err("bodies that break or soften jump from state to state".into());
         }
+        if self.scene.case().foundation.iter().any(|foundation| foundation.only.is_some()) {
+            return Err(
+                "the part of a foundation that acts one way changes from grid to grid by whole cells".into(),
+            );
+        }
         if matches!(summary.status, Status::NotConverged | Status::Interrupted) {
             return Err("a state did not converge".into());
         }

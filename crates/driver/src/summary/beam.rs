@@ -1,7 +1,9 @@
 //! What the record of a run says of beams and frames.
 
 use super::{Extremes, Forces, Located, StateSummary};
-use crate::run::beam::{BeamResult, JointReaction, MemberForces, Reaction, checks, member_forces, probes};
+use crate::run::beam::{
+    BeamResult, JointReaction, MemberForces, OneWayState, Reaction, checks, member_forces, probes,
+};
 use crate::run::{CheckResult, ProbeResult};
 use crate::scene::beam::BeamScene;
 use peristat_assembly::material::{Profile, SectionStiffness};
@@ -18,6 +20,9 @@ pub struct BeamForces {
     /// Reactions of the supports of a frame, in the order of the case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub joint_reactions: Vec<JointReaction>,
+    /// Which of what acts one way does act, if there is any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub one_way: Option<OneWayState>,
 }
 
 /// The beam that was solved.
@@ -78,6 +83,7 @@ pub(super) fn state(
             members: member_forces(scene, result),
             reactions: result.reactions.clone(),
             joint_reactions: result.joint_reactions.clone(),
+            one_way: result.one_way.clone(),
         }),
         certificate: result.record.certificate.clone(),
     };

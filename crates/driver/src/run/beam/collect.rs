@@ -2,32 +2,34 @@
 
 use super::{BeamResult, LineFields, LinePoints, heat, reaction};
 use crate::case::FieldName;
+use crate::run::workspace::StateSolution;
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::beam::{BeamScene, State, resultant, resultant_of};
 use peristat_assembly::model::timoshenko_beam::{BeamLoads, Grid, TimoshenkoBeam};
+use peristat_assembly::stiffness::Spring;
 
 /// Collects the result of a state.
 pub(super) fn result(scene: &BeamScene, solved: SolvedState, recover: bool) -> BeamResult {
     let state = &scene.states[solved.state];
-    of_beam(scene, &scene.beam, state, solved, recover)
+    of_beam(scene, (&scene.beam, &scene.springs), state, solved, recover)
 }
 
-/// The same for a beam that has broken bonds, maybe, under a state of its own.
+/// The same for a beam that has broken bonds, maybe, on the springs that act, under a state of its own.
 pub(super) fn of_beam(
     scene: &BeamScene,
-    beam: &TimoshenkoBeam,
+    (beam, springs): (&TimoshenkoBeam, &[Spring]),
     state: &State,
     solved: SolvedState,
     recover: bool,
 ) -> BeamResult {
-    let SolvedState { state: index, load, solution, mut certificate } = solved;
+    let SolvedState { state: index, load, mut solution, mut certificate } = solved;
     let n = beam.points();
-    let mut u = solution.u;
+    let mut u = std::mem::take(&mut solution.u);
     if scene.has_axial {
         beam.fill_axial(&mut u);
     }
-    let all = recover.then(|| forces_on_points(scene, load, &solution.held, &solution.multipliers, &u));
-    let lumped = if recover { lumped_forces(scene, &state.loads, &u) } else { None };
+    let all = recover.then(|| forces_on_points(scene, springs, load, &solution, &u));
+    let lumped = if recover { lumped_forces(scene, springs, &state.loads, &u) } else { None };
     let area = |c: usize| scene.sections[c].area.as_ref().and_then(|area| area.uniform());
     let line = |c: usize| {
         let chain = &beam.chains()[c];
@@ -53,12 +55,12 @@ pub(super) fn of_beam(
     certificate.energy += heat::energy(&state.heat, beam, &u);
     // A strain form whose forces on points nobody asks for has none.
     if !load.is_empty() {
-        let resultants = resultants(scene, beam, state, (load, &solution.held), &u);
+        let resultants = resultants(scene, (beam, springs), state, (load, &solution.held), &u);
         // Loads on parts that have come off act no more.
         let whole = scene.fracture.is_none() || index == 0;
         certificate.account(resultants, if whole { scene.slack(&state.loads) } else { f64::INFINITY });
     }
-    let held = reaction::forces(scene, &solution.multipliers, &u);
+    let held = reaction::forces(scene, &solution.multipliers, springs, &u);
     let fields = FieldName::of_beam(scene.frame.is_some(), scene.has_axial);
     let (name, load_factor) = (state.name.clone(), state.load_factor);
     BeamResult {
@@ -67,6 +69,7 @@ pub(super) fn of_beam(
         reactions: reaction::of_lines(scene, &held),
         joint_reactions: reaction::of_joints(scene, &held),
         held,
+        one_way: None,
         points: n,
         fields,
     }
@@ -75,13 +78,13 @@ pub(super) fn of_beam(
 /// Resultants of the loads of a state, and of what holds the beam.
 fn resultants(
     scene: &BeamScene,
-    beam: &TimoshenkoBeam,
+    (beam, springs): (&TimoshenkoBeam, &[Spring]),
     state: &State,
     (load, held): (&[f64], &[(usize, f64)]),
     u: &[f64],
 ) -> Resultants {
     let n = beam.points();
-    let springs = scene.springs.iter().flat_map(|spring| spring.forces(n, u)).map(|(k, f)| (k, -f));
+    let springs = springs.iter().flat_map(|spring| spring.forces(n, u)).map(|(k, f)| (k, -f));
     let reactions = resultant_of(beam, held.iter().copied().chain(springs));
     Resultants::new(&scene.asked(state), &resultant(beam, load), &reactions, (scene.statical(), [false; 3]))
 }
@@ -89,9 +92,9 @@ fn resultants(
 /// Loads and the forces of supports, links and springs, by unknown.
 fn forces_on_points(
     scene: &BeamScene,
+    springs: &[Spring],
     load: &[f64],
-    held: &[(usize, f64)],
-    multipliers: &[f64],
+    StateSolution { held, multipliers, .. }: &StateSolution,
     u: &[f64],
 ) -> Vec<f64> {
     let n = scene.beam.points();
@@ -108,14 +111,14 @@ fn forces_on_points(
             }
         }
     }
-    for (unknown, force) in scene.springs.iter().flat_map(|spring| spring.forces(n, u)) {
+    for (unknown, force) in springs.iter().flat_map(|spring| spring.forces(n, u)) {
         forces[unknown] -= force;
     }
     forces
 }
 
 /// Forces on points that stand for what acts all along their parts: lumped loads and foundations.
-fn lumped_forces(scene: &BeamScene, loads: &BeamLoads, u: &[f64]) -> Option<Vec<f64>> {
+fn lumped_forces(scene: &BeamScene, springs: &[Spring], loads: &BeamLoads, u: &[f64]) -> Option<Vec<f64>> {
     let has_loads = loads.lumped && !loads.distributed.is_empty();
     if !has_loads && scene.bedding.is_empty() {
         return None;
@@ -124,8 +127,7 @@ fn lumped_forces(scene: &BeamScene, loads: &BeamLoads, u: &[f64]) -> Option<Vec<
     if has_loads {
         BeamLoads { point: Vec::new(), ..loads.clone() }.add_to(&scene.beam, &mut forces);
     }
-    for (unknown, force) in scene.springs[scene.bedding.clone()].iter().flat_map(|spring| spring.forces(n, u))
-    {
+    for (unknown, force) in springs[scene.bedding.clone()].iter().flat_map(|spring| spring.forces(n, u)) {
         forces[unknown] -= force;
     }
     Some(forces)

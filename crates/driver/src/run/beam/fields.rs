@@ -1,6 +1,7 @@
 //! Results of one state of a beam.
 
 use super::line_points::LinePoints;
+use super::one_way::OneWayState;
 use super::reaction::{HeldForce, JointReaction, Reaction};
 use crate::case::FieldName;
 use crate::run::StateRecord;
@@ -38,6 +39,8 @@ pub struct BeamResult {
     pub reactions: Vec<Reaction>,
     /// Reactions of the supports of a frame, in the order of the case.
     pub joint_reactions: Vec<JointReaction>,
+    /// Which of what acts one way does act, if there is any.
+    pub one_way: Option<OneWayState>,
     pub(super) held: Vec<HeldForce>,
     /// Number of points, ghosts included.
     pub(super) points: usize,

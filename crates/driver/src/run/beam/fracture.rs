@@ -101,7 +101,9 @@ where
         // Others are refused.
         let Some(point) = probe.point().map(|p| p.point) else { return 0.0 };
         let unknown = |component: usize| u.get(component * n + point).copied().unwrap_or(0.0);
-        let held = || reaction::forces(scene, multipliers, u).into_iter().filter(|h| h.point == point);
+        let held = || {
+            reaction::forces(scene, multipliers, &scene.springs, u).into_iter().filter(|h| h.point == point)
+        };
         match probe.field {
             FieldName::W => unknown(W),
             FieldName::Phi => unknown(PHI),
@@ -137,7 +139,7 @@ where
         let BrokenBeam { scene, beam } = &self.problem;
         let loads = scene.states[0].loads.scaled(load_factor);
         let state = State { name, load_factor, motion_factor: load_factor, loads, heat: Vec::new() };
-        let mut result = collect::of_beam(scene, beam, &state, solved, self.recover);
+        let mut result = collect::of_beam(scene, (beam, &scene.springs), &state, solved, self.recover);
         result.record.facts = Some(facts);
         StateResult::Beam(result)
     }

@@ -10,6 +10,7 @@ mod fracture;
 mod heat;
 mod law;
 mod line_points;
+mod one_way;
 mod problem;
 mod reaction;
 mod reduced;
@@ -23,6 +24,7 @@ pub use extremes::MemberForces;
 pub(crate) use extremes::member_forces;
 pub use fields::{BeamResult, LineFields};
 pub use line_points::LinePoints;
+pub use one_way::{OneWayCount, OneWayState};
 pub use reaction::{JointReaction, Reaction};
 pub(crate) use verdict::{checks, probes};
 
@@ -64,10 +66,17 @@ fn run_linear(
 ) -> Result<RunReport, RunError> {
     let recover = recovers(scene, options);
     let options = &RunOptions { recover, ..*options };
-    let mut take = |solved: SolvedState| sink(collect::result(scene, solved, recover));
-    let mut report = match scene.has_axial {
-        true => solve::<3>(scene, options, &mut take)?,
-        false => solve::<2>(scene, options, &mut take)?,
+    let mut report = if scene.one_way.is_empty() {
+        let mut take = |solved: SolvedState| sink(collect::result(scene, solved, recover));
+        match scene.has_axial {
+            true => solve::<3>(scene, options, &mut take)?,
+            false => solve::<2>(scene, options, &mut take)?,
+        }
+    } else {
+        match scene.has_axial {
+            true => one_way::solve_states::<3>(scene, options, sink)?,
+            false => one_way::solve_states::<2>(scene, options, sink)?,
+        }
     };
     report.skipped = skipped::skipped(scene, &report, recover);
     Ok(report)
@@ -145,7 +154,10 @@ where
         Ok(Some(parts)) => strain::memory::<D>(scene, &parts.form, options.recover),
         _ => memory::estimate::<D>(scene, options.recover),
     };
-    let prepared = prepare_within(scene, needed, options)?;
+    let prepared = match scene.one_way.is_empty() {
+        true => prepare_within(scene, needed, options)?,
+        false => one_way::prepare_within(scene, needed, options)?,
+    };
     // Faults of the beam come before that of its solver.
     chosen?;
     Ok(prepared)

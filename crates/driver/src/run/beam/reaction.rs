@@ -2,6 +2,7 @@
 
 use crate::scene::beam::{BeamScene, HeldPoint, How, Motion};
 use peristat_assembly::model::Points;
+use peristat_assembly::stiffness::Spring;
 use serde::{Deserialize, Serialize};
 
 /// What a support does to a line.
@@ -50,17 +51,23 @@ pub(super) struct HeldForce {
 }
 
 /// Forces of the supports on points, in the order of the case. The first multipliers are those of what they prescribe, in
-/// this order.
-pub(super) fn forces(scene: &BeamScene, multipliers: &[f64], u: &[f64]) -> Vec<HeldForce> {
-    let (n, mut multipliers) = (scene.beam.points(), multipliers.iter());
+/// this order; the first springs are theirs.
+pub(super) fn forces(
+    scene: &BeamScene,
+    multipliers: &[f64],
+    springs: &[Spring],
+    u: &[f64],
+) -> Vec<HeldForce> {
+    let (n, mut multipliers, mut springs) = (scene.beam.points(), multipliers.iter(), springs.iter());
     let mut of = |held: &HeldPoint, point: usize| {
         let mut sum = HeldForce { point, ..Default::default() };
         for hold in &held.holds {
             let value = match hold.how {
-                // What the scene knows to be at rest has no equation.
-                How::Prescribed(_) if hold.terms.is_empty() => 0.0,
+                // What the scene knows to be at rest has no equation and no spring.
+                _ if hold.terms.is_empty() => 0.0,
                 How::Prescribed(_) => multipliers.next().copied().unwrap_or(0.0),
-                How::Spring(stiffness) => {
+                How::Spring(_) => {
+                    let stiffness = springs.next().map_or(0.0, |spring| spring.stiffness);
                     let moved: f64 = hold.terms.iter().map(|&(c, share)| share * u[c * n + hold.point]).sum();
                     -stiffness * moved
                 }

@@ -18,7 +18,10 @@ fn spared_axial(scene: &BeamScene) -> Option<String> {
 /// What the scene was spared.
 pub(super) fn skipped(scene: &BeamScene, report: &RunReport, recover: bool) -> Vec<String> {
     let counters = &report.counters;
-    let mut skipped = vec!["Newton iterations: every term is linear".to_string()];
+    let mut skipped = Vec::new();
+    if scene.one_way.is_empty() {
+        skipped.push("Newton iterations: every term is linear".to_string());
+    }
     let is_uniform = scene.beam.chains().iter().all(|c| c.is_uniform());
     if is_uniform {
         skipped.push("bond geometry: bonds of one offset share it".into());

@@ -49,6 +49,9 @@ pub(super) fn facts(
         let Some(stiffness) = bed.stiffness.uniform().filter(|_| whole) else {
             return Err("foundations that are uniform and under the whole beam");
         };
+        if bed.only.is_some() {
+            return Err("foundations that push and pull");
+        }
         loads.push(Load::Foundation { stiffness });
     }
     Ok(Facts {

@@ -1,9 +1,10 @@
 //! Winkler foundations of a scene: springs against deflection on the points above them.
 
 use super::extent::{self, Extent, GivenExtent, Words};
+use super::one_way::{OneWay, Origin, Part};
 use super::place::Layout;
 use super::profile;
-use crate::case::{Case, Foundation};
+use crate::case::{Case, Foundation, Sign};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, tidy};
 use peristat_assembly::material::Profile;
@@ -27,6 +28,8 @@ pub(super) struct Bed {
     pub(super) extent: [f64; 2],
     /// Force per length and deflection, by the distance from the start.
     pub(super) stiffness: Profile,
+    /// Sign of the only force with which it pushes, 1 or −1.
+    pub(super) only: Option<f64>,
 }
 
 /// The foundations of the case.
@@ -43,7 +46,8 @@ fn bed(foundation: &Foundation, layout: &Layout, path: &JsonPath, faults: &mut F
     let stiffness = foundation.stiffness.clone();
     let fine =
         profile::is_well_formed(&stiffness, &at, faults) && can_carry(&stiffness, to - from, &at, faults);
-    fine.then_some(Bed { chain, extent: [from, to], stiffness })
+    let only = foundation.only.map(Sign::factor);
+    fine.then_some(Bed { chain, extent: [from, to], stiffness, only })
 }
 
 /// A foundation must not push, and must hold something.
@@ -76,9 +80,15 @@ pub(super) fn count(beds: &[Bed], layout: &Layout) -> f64 {
 }
 
 /// Adds the springs of foundations: the value at a point times its part of the line; the integral over a part that the
-/// foundation covers in part or on which it does not vary smoothly.
-pub(super) fn add_springs(beds: &[Bed], beam: &TimoshenkoBeam, springs: &mut Vec<Spring>) {
-    for bed in beds {
+/// foundation covers in part or on which it does not vary smoothly. Those of foundations that push one way are named, too.
+pub(super) fn add_springs(
+    beds: &[Bed],
+    beam: &TimoshenkoBeam,
+    springs: &mut Vec<Spring>,
+    one_way: &mut Vec<OneWay>,
+) {
+    for (number, bed) in beds.iter().enumerate() {
+        let before = springs.len();
         let (chain, [from, to]) = (&beam.chains()[bed.chain], bed.extent);
         let (first, last) = (chain.nearest(from), chain.nearest(to));
         // They may be as many as points: none is copied.
@@ -93,6 +103,10 @@ pub(super) fn add_springs(beds: &[Bed], beam: &TimoshenkoBeam, springs: &mut Vec
             if stiffness > 0.0 {
                 springs.push(Spring::on(W, beam.first_real(bed.chain) + k, stiffness));
             }
+        }
+        if let Some(sign) = bed.only {
+            let of = |k| OneWay { part: Part::Spring(k), sign, gap: 0.0, origin: Origin::Foundation(number) };
+            one_way.extend((before..springs.len()).map(of));
         }
     }
 }

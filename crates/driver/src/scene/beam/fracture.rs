@@ -42,6 +42,18 @@ pub(super) fn check(case: &Case, layout: &Layout, faults: &mut Faults) {
             "beams with `links` do not break: a part that comes off could still hang in one",
         ),
     ];
+    let one_way = [
+        ("supports", case.supports.iter().any(|support| support.only.is_some())),
+        ("foundation", case.foundation.iter().any(|foundation| foundation.only.is_some())),
+    ];
+    for (key, _) in one_way.iter().filter(|o| o.1) {
+        faults
+            .error(
+                root(key),
+                "beams that break have nothing that acts one way: their load factors come from sums of states",
+            )
+            .hint("leave out `only`, or leave out `fracture`");
+    }
     for (key, _, reason) in joined.iter().filter(|j| j.1) {
         faults
             .error(root(key), *reason)

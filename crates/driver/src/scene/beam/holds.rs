@@ -1,7 +1,8 @@
 //! What supports do to points: motions that they prescribe or resist, as equations and springs.
 
+use super::one_way::{OneWay, Origin, Part};
 use super::supports::HeldPoint;
-use crate::case::{Support, number};
+use crate::case::{Sign, Support, number};
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::timoshenko_beam::{PHI, U, W};
 use peristat_assembly::stiffness::Spring;
@@ -19,6 +20,8 @@ pub struct Hold {
     pub point: usize,
     /// Unknowns of the point that make up the motion, with their coefficients, the largest first.
     pub terms: Vec<(usize, f64)>,
+    /// Sign of the only force that it exerts, 1 or −1, and how far the motion may be passed before it does.
+    pub(super) only: Option<[f64; 2]>,
     key: &'static str,
 }
 
@@ -87,9 +90,10 @@ pub(super) fn holds(support: &Support, moving: (usize, usize), turning: (usize, 
     ];
     let prescribed = prescribed.into_iter().map(|(m, value, key)| (m, value.map(How::Prescribed), key));
     let springs = springs.into_iter().map(|(m, value, key)| (m, value.map(How::Spring), key));
+    let only = support.only.map(|only| [Sign::factor(only), support.gap.unwrap_or(0.0)]);
     let hold = |(motion, how, key): (Motion, Option<How>, &'static str)| {
         let local = if motion == Motion::Rotation { turning } else { moving };
-        Some(Hold { motion, how: how?, local, point: 0, terms: Vec::new(), key })
+        Some(Hold { motion, how: how?, local, point: 0, terms: Vec::new(), only, key })
     };
     prescribed.chain(springs).filter_map(hold).collect()
 }
@@ -109,6 +113,24 @@ pub(super) fn equations(held: &[HeldPoint]) -> Vec<Equation> {
         }
     }
     equations
+}
+
+/// What supports hold one way, by its number among the [`equations`] or the [`springs`].
+pub(super) fn one_way(held: &[HeldPoint]) -> Vec<OneWay> {
+    let (mut equations, mut springs, mut found) = (0, 0, Vec::new());
+    for (number, h) in held.iter().enumerate() {
+        for hold in h.holds.iter().filter(|hold| !hold.terms.is_empty()) {
+            let (next, part): (&mut usize, fn(usize) -> Part) = match hold.how {
+                How::Prescribed(_) => (&mut equations, Part::Equation),
+                How::Spring(_) => (&mut springs, Part::Spring),
+            };
+            if let Some([sign, gap]) = hold.only {
+                found.push(OneWay { part: part(*next), sign, gap, origin: Origin::Support(number) });
+            }
+            *next += 1;
+        }
+    }
+    found
 }
 
 /// Springs of supports, in their order.

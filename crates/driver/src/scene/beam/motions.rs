@@ -1,7 +1,8 @@
-//! Free motions in words.
+//! Free motions, and what acts one way, in words.
 
+use super::one_way::Origin;
 use super::scene::BeamScene;
-use crate::diagnostic::tidy;
+use crate::diagnostic::{JsonPath, root, tidy};
 use peristat_assembly::system::{FreeMotion, PartMotion};
 
 /// Names of members that a message lists, at most.
@@ -13,6 +14,22 @@ impl BeamScene {
         match &self.frame {
             None => format!("{}: no support or link prevents it", of_lines(self, motion)),
             Some(_) => format!("{}; no support or joint prevents it", of_members(self, motion)),
+        }
+    }
+
+    /// Where something that acts one way stands in the case.
+    pub(crate) fn path_of(&self, origin: Origin) -> JsonPath {
+        match origin {
+            Origin::Support(number) => self.held[number].path.clone(),
+            Origin::Foundation(number) => root("foundation").index(number),
+        }
+    }
+
+    /// What it is called.
+    pub(crate) fn name_of(&self, origin: Origin) -> String {
+        match origin {
+            Origin::Support(number) => format!("the support at {}", self.held[number].name),
+            Origin::Foundation(_) => "the foundation".into(),
         }
     }
 

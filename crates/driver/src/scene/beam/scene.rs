@@ -3,6 +3,7 @@
 use super::checks::BeamComparison;
 use super::frame_layout::FrameLayout;
 use super::links::RigidBar;
+use super::one_way::OneWay;
 use super::probes::BeamProbe;
 use super::section::SectionAlong;
 use super::state::State;
@@ -52,6 +53,8 @@ pub struct BeamScene {
     pub springs: Vec<Spring>,
     /// Which of the springs are those of foundations.
     pub bedding: Range<usize>,
+    /// Equations and springs that act one way.
+    pub one_way: Vec<OneWay>,
     /// What is solved, in this order.
     pub states: Vec<State>,
     /// How to solve.
@@ -181,9 +184,9 @@ impl BeamScene {
             max_memory,
         };
         let expectations = checks::expectations(case, &context, &probes, faults);
-        let mut springs = holds::springs(&held);
+        let (mut springs, mut one_way) = (holds::springs(&held), holds::one_way(&held));
         let supports = springs.len();
-        foundation::add_springs(&beds, &beam, &mut springs);
+        foundation::add_springs(&beds, &beam, &mut springs, &mut one_way);
         Some(Self {
             case: case.clone(),
             files: Vec::new(),
@@ -191,6 +194,7 @@ impl BeamScene {
             equations: equations(&held, &bars, &layout, &numbers, has_axial),
             bedding: supports..springs.len(),
             springs,
+            one_way,
             has_axial,
             frame: layout.frame,
             solver: case.solver,

@@ -1,7 +1,7 @@
 //! Which keys of a support fit its body and each other.
 
 use crate::case::{Amount, Support};
-use crate::diagnostic::{Faults, JsonPath, positive};
+use crate::diagnostic::{Faults, JsonPath, positive, tidy};
 
 /// A key of a support with the key that does its work on the other kind of body.
 struct Misplaced {
@@ -65,6 +65,9 @@ pub(super) fn check(support: &Support, on_frame: bool, path: &JsonPath, faults: 
             )
             .hint("it is the direction that is held, counter-clockwise from x");
     }
+    let held = pairs.iter().filter(|pair| pair.1.is_some()).count() + usize::from(support.inclined.is_some());
+    let sprung = pairs.iter().filter(|pair| pair.3.is_some()).count();
+    check_one_way(support, [held, sprung], path, faults);
     for (held, value, spring, stiffness) in pairs {
         let Some(stiffness) = stiffness else { continue };
         positive(stiffness, spring, path.key(spring), faults);
@@ -74,5 +77,33 @@ pub(super) fn check(support: &Support, on_frame: bool, path: &JsonPath, faults: 
                 .error(path.key(spring), format!("`{held}` is prescribed, so `{spring}` would do nothing"))
                 .hint("remove one of them");
         }
+    }
+}
+
+/// What a support that acts one way must be, with the numbers of motions that it prescribes and that springs of it resist.
+fn check_one_way(support: &Support, [held, sprung]: [usize; 2], path: &JsonPath, faults: &mut Faults) {
+    if support.only.is_some() && held + sprung > 1 {
+        faults
+            .error(
+                path.key("only"),
+                format!("a support that acts one way holds one motion, and this one holds {}", held + sprung),
+            )
+            .hint("give each motion a support of its own at the same place");
+    }
+    let Some(gap) = support.gap else { return };
+    if support.only.is_none() {
+        faults
+            .error(path.key("gap"), "`gap` is for a support that acts one way")
+            .hint(r#"give `only`, the sign of its reaction: `"only": "positive"` pushes along w, x or y"#);
+    }
+    if !(gap >= 0.0 && gap.is_finite()) {
+        faults
+            .error(path.key("gap"), format!("`gap` must not be negative, found {}", tidy(gap)))
+            .hint("a support that is set too high prescribes its motion: `\"w\": 0.001` with `only`");
+    }
+    if sprung > 0 {
+        faults.error(path.key("gap"), "a spring has no `gap`").hint(
+            "prescribe the motion in place of the spring, or put a short member of the same stiffness before the stop",
+        );
     }
 }

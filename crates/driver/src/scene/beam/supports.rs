@@ -130,9 +130,12 @@ fn hold(
     Some(held)
 }
 
-/// What closed forms call a support; they know no springs and no settlements.
+/// What closed forms call a support; they know no springs, no settlements and nothing that acts one way.
 fn kind(support: &Support) -> End {
     let [w, phi] = [&support.w, &support.phi].map(|given| number(given.as_ref()));
+    if support.only.is_some() {
+        return End::Other;
+    }
     match (w, phi, support.w_spring.or(support.phi_spring)) {
         (Some(0.0), Some(0.0), None) => End::Clamped,
         (Some(0.0), None, None) => End::Simple,
@@ -157,6 +160,14 @@ fn check_end(support: &Support, layout: &Layout, end: &EndSupport, path: &JsonPa
     if support.w_spring.is_some() || support.phi_spring.is_some() || support.ux_spring.is_some() {
         faults
             .error(path.clone(), "a spring needs a point, and a grid of cells has none on its end")
+            .hint("use the grid `nodes`");
+    }
+    if support.only.is_some() {
+        faults
+            .error(
+                path.key("only"),
+                "a support that acts one way needs a point, and a grid of cells has none on its end",
+            )
             .hint("use the grid `nodes`");
     }
     if support.ux.is_some() {

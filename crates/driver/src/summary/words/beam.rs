@@ -2,7 +2,7 @@
 
 use super::{Fact, Listing, MOST_ROWS, number};
 use crate::case::Units;
-use crate::run::beam::{JointReaction, MemberForces, Reaction};
+use crate::run::beam::{JointReaction, MemberForces, OneWayCount, Reaction};
 use crate::summary::{BeamForces, BeamSummary};
 
 /// Model, horizon and section.
@@ -61,9 +61,9 @@ fn section(m: &BeamSummary, units: Units) -> String {
     known.join(", ") + &member + if m.varies { " at the start" } else { "" }
 }
 
-/// Smallest and largest section forces of members, and forces of supports.
+/// Smallest and largest section forces of members, forces of supports, and which of them act.
 pub(super) fn forces(beam: &BeamForces) -> Vec<Listing> {
-    [members(beam), reactions(beam), joint_reactions(beam)].into_iter().flatten().collect()
+    [members(beam), reactions(beam), joint_reactions(beam), one_way(beam)].into_iter().flatten().collect()
 }
 
 /// Smallest and largest section forces of every member of a frame.
@@ -113,4 +113,17 @@ fn joint_reactions(beam: &BeamForces) -> Option<Listing> {
     let rows: Vec<Vec<String>> = all.iter().take(MOST_ROWS).map(row).collect();
     let header = ["support", "force x", "force y", "moment", "inclined"];
     Listing::new(&header[..if inclined { 5 } else { 4 }], rows, all.len(), "supports")
+}
+
+/// How much of what acts one way does, and how well it is known.
+fn one_way(beam: &BeamForces) -> Option<Listing> {
+    let parts = &beam.one_way.as_ref()?.parts;
+    let row = |part: &OneWayCount| {
+        let counts = [part.act, part.all - part.act].map(|count| count.to_string());
+        let [act, rest] = counts;
+        let errors = [part.wrong_force, part.penetration].map(|error| format!("{error:.1e}"));
+        [vec![part.kind.words().into(), act, rest], errors.to_vec()].concat()
+    };
+    let rows: Vec<Vec<String>> = parts.iter().map(row).collect();
+    Listing::new(&["one way", "act", "do not", "wrong force", "penetration"], rows, parts.len(), "kinds")
 }

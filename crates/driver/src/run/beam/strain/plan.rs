@@ -19,6 +19,9 @@ fn applies(scene: &BeamScene) -> Result<StrainProblem<'_>, String> {
     if scene.fracture.is_some() {
         return Err("the beam breaks".into());
     }
+    if !scene.one_way.is_empty() {
+        return Err("supports or foundations act one way".into());
+    }
     if scene.has_axial {
         return Err("it is for beams with the unknowns w and phi".into());
     }

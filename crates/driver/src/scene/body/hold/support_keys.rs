@@ -6,6 +6,12 @@ use crate::model::Material;
 
 /// Adds a fault for every key of a support that does not fit the body, or another key.
 pub(crate) fn check(support: &Support, material: &dyn Material, path: &JsonPath, faults: &mut Faults) {
+    for (key, _) in [("only", support.only.is_some()), ("gap", support.gap.is_some())].iter().filter(|k| k.1)
+    {
+        faults
+            .error(path.key(*key), format!("`{key}` is for the supports of beams"))
+            .hint("supports of a body push and pull: leave it out");
+    }
     let (points_turn, deflects) = (material.has("phi"), material.has("w"));
     let is_solid = material.has("uz");
     if !material.has("ux") {

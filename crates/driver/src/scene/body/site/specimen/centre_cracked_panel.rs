@@ -68,5 +68,7 @@ fn support(at: At, ux: Option<f64>, uy: Option<f64>) -> Support {
         uy_spring: None,
         uz_spring: None,
         phi_spring: None,
+        only: None,
+        gap: None,
     }
 }
