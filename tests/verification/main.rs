@@ -43,6 +43,7 @@ mod materials;
 mod mirrored_loads;
 mod mixed_solids;
 mod one_way;
+mod one_way_members;
 mod orthotropic_elastic;
 mod orthotropic_fracture;
 mod orthotropic_patch;

@@ -13,7 +13,7 @@ use serde_json::json;
 /// The file of the schema, for editors.
 const SCHEMA: &str = "case.schema.json";
 
-const LOADS: [(&str, &str); 18] = [
+const LOADS: [(&str, &str); 19] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -27,6 +27,10 @@ const LOADS: [(&str, &str); 18] = [
     (
         "w_spring, phi_spring, ux_spring, uy_spring",
         "springs from a point to the ground; in the plane ux_spring and uy_spring, shared by the points of a region",
+    ),
+    (
+        "only, gap",
+        "supports, springs and foundations of beams that push one way, once a gap is closed; members of a frame that bear tension alone, or compression",
     ),
     ("hinges", "ends of the members of a frame that turn freely"),
     ("foundation", "springs per length against deflection under a part of a line, uniform or not"),

@@ -43,6 +43,10 @@ pub struct Member {
     /// Ends that turn freely in their joints.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub hinges: Vec<MemberEnd>,
+    /// The only axial force that it bears: a cable bears tension, a strut that rests on its joints bears compression. It is then slack
+    /// wherever it would bear the other, and has hinges at both ends.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub only: Option<AxialForce>,
     /// Cross-section, where it is not that of the model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub section: Option<Section>,
@@ -55,6 +59,26 @@ pub struct Member {
     /// Cells of different lengths; all the same if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub grading: Option<Grading>,
+}
+
+/// A kind of axial force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum AxialForce {
+    /// N > 0.
+    Tension,
+    /// N < 0.
+    Compression,
+}
+
+impl AxialForce {
+    /// Sign of N.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Tension => 1.0,
+            Self::Compression => -1.0,
+        }
+    }
 }
 
 /// An end of a member.

@@ -1,5 +1,6 @@
 //! Whether a scene has axial unknowns, and on which points of its lines something reads them.
 
+use super::frame_layout::FrameLayout;
 use super::holds::{How, Motion};
 use super::links::RigidBar;
 use super::model_path::beam_path;
@@ -32,7 +33,8 @@ pub(super) fn is_needed(
             Motion::Direction(_) => !(on_frame && hold.how == How::Prescribed(0.0) && hold.is_along_x()),
         })
     };
-    layout.frame.as_ref().is_some_and(|frame| !frame.is_straight())
+    let bears_one_way = |frame: &FrameLayout| frame.members.iter().any(|member| member.only.is_some());
+    layout.frame.as_ref().is_some_and(|frame| !frame.is_straight() || bears_one_way(frame))
         || cases.iter().any(pulls)
         || held.iter().any(moves)
         || sections.iter().any(|s| s.couples())

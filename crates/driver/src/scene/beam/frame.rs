@@ -5,7 +5,8 @@ use super::frame_layout::{EndOfMember, FrameLayout, JointLayout, MemberLayout, R
 use super::line::{MOST_POINTS, layout_line};
 use super::model_path::beam_path;
 use super::place::{Layout, LayoutLine};
-use crate::case::{Case, Frame, Line, Member, MemberEnd};
+use super::release;
+use crate::case::{AxialForce, Case, Frame, Line, Member, MemberEnd};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
 use peristat_assembly::model::timoshenko_beam::Grid;
@@ -59,7 +60,9 @@ pub(super) fn layout(
     }
     frame_checks::check_joints(frame, &known, faults);
     frame_checks::check_hinges(frame, faults);
+    frame_checks::check_one_way(frame, faults);
     if faults.errors() == before {
+        release::release(&mut joints, &mut members, faults);
         frame_checks::warn_of_places(frame, faults);
     }
     if lines.iter().map(|l| l.cells + 1).sum::<usize>() > MOST_POINTS {
@@ -137,6 +140,8 @@ fn place_member(
     let line = Line { from: 0.0, length, cells, grid: Grid::Nodes, grading };
     let line = layout_line(case, &line, at, faults)?;
     let direction = [dx, dy].map(|d| if d.abs() <= ROUNDING * length { 0.0 } else { d / length });
-    let laid = MemberLayout { name: member.name.clone(), joints: [from, to], direction };
+    let only = member.only.map(AxialForce::sign);
+    let laid =
+        MemberLayout { name: member.name.clone(), joints: [from, to], direction, only, released: None };
     Some((line, laid))
 }

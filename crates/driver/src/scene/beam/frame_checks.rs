@@ -1,7 +1,7 @@
 //! What a frame must be beside well-formed: names that tell things apart, joints that join, hinges that turn.
 
 use super::frame_layout::path;
-use crate::case::Frame;
+use crate::case::{Frame, MemberEnd};
 use crate::diagnostic::{Faults, JsonPath};
 use std::collections::{HashMap, HashSet};
 
@@ -42,6 +42,20 @@ pub(super) fn check_hinges(frame: &Frame, faults: &mut Faults) {
             if member.hinges[..h].contains(hinge) {
                 faults.error(at.index(h), "this end has a hinge already").hint("remove one of them");
             }
+        }
+    }
+}
+
+/// A member that bears one axial force alone is a bar: bent ends would bear something where it is slack.
+pub(super) fn check_one_way(frame: &Frame, faults: &mut Faults) {
+    for (k, member) in frame.members.iter().enumerate().filter(|(_, m)| m.only.is_some()) {
+        if ![MemberEnd::From, MemberEnd::To].iter().all(|end| member.hinges.contains(end)) {
+            faults
+                .error(
+                    path().key("members").index(k).key("only"),
+                    "a member that bears one kind of axial force is a bar, and this one lacks a hinge",
+                )
+                .hint(r#"give it `"hinges": ["from", "to"]`"#);
         }
     }
 }

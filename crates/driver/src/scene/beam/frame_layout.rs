@@ -21,7 +21,7 @@ pub struct JointLayout {
     pub name: String,
     /// Position in the plane.
     pub position: [f64; 2],
-    /// The ends of members that meet in it.
+    /// The ends of members that meet in it; those that may leave it come last.
     pub ends: Vec<EndOfMember>,
 }
 
@@ -45,6 +45,10 @@ pub struct MemberLayout {
     pub joints: [usize; 2],
     /// Unit vector from `from` to `to`.
     pub direction: [f64; 2],
+    /// Sign of the only axial force that it bears.
+    pub only: Option<f64>,
+    /// The end that leaves its joint along the member where that is slack: 0 at `from`, 1 at `to`.
+    pub released: Option<usize>,
 }
 
 impl JointLayout {

@@ -2,6 +2,7 @@
 
 use super::frame_layout::{self, EndOfMember, JointLayout};
 use super::frame_place::{self, FramePlace};
+use super::one_way::{OneWay, Origin, Part};
 use super::place::{Layout, Place};
 use crate::case::{At, Case, Link};
 use crate::diagnostic::root;
@@ -87,15 +88,21 @@ pub(super) fn bar_equations(bars: &[RigidBar], has_axial: bool) -> Vec<Equation>
 }
 
 /// Equations of joints: all ends move as the first one does and, unless they are hinged, turn as the first one that is not
-/// hinged. `first` are the numbers of the first points of the members.
-pub(super) fn joint_equations(layout: &Layout, first: &[usize], has_axial: bool) -> Vec<Equation> {
-    let Some(frame) = &layout.frame else { return Vec::new() };
-    let mut equations = Vec::new();
+/// hinged. Members that bear one axial force alone are held along themselves one way. `first` are the numbers of the first points of the
+/// members.
+pub(super) fn add_joint_equations(
+    layout: &Layout,
+    first: &[usize],
+    has_axial: bool,
+    equations: &mut Vec<Equation>,
+    one_way: &mut Vec<OneWay>,
+) {
+    let Some(frame) = &layout.frame else { return };
     let point = |end: EndOfMember| {
         let (chain, k) = layout.end(end);
         first[chain] + k
     };
-    let tie = |joint: &JointLayout, origin: &str, equations: &mut Vec<Equation>| {
+    let mut tie = |joint: &JointLayout, origin: &str| {
         let leader = joint.first();
         let (a, [c1, s1]) = (point(leader), frame.members[leader.member].direction);
         for &end in &joint.ends[1..] {
@@ -103,7 +110,18 @@ pub(super) fn joint_equations(layout: &Layout, first: &[usize], has_axial: bool)
             // Cosine and sine of the angle from the first member to this one.
             let (cos, sin) = (c1 * c2 + s1 * s2, c1 * s2 - s1 * c2);
             if has_axial {
-                equations.push(equation(&[(U, b, 1.0), (U, a, -cos), (W, a, -sin)], origin));
+                let (member, along) = (end.member, [(U, b, 1.0), (U, a, -cos), (W, a, -sin)]);
+                let only =
+                    frame.members[member].only.filter(|_| frame.members[member].released == Some(end.side));
+                let mut own = None;
+                if let Some(sign) = only {
+                    // At its start the force on a member in tension is against its axis.
+                    let sign = if end.side == 1 { sign } else { -sign };
+                    let (part, origin) = (Part::Equation(equations.len()), Origin::Member(member));
+                    one_way.push(OneWay { part, sign, gap: 0.0, origin });
+                    own = Some(frame_layout::path().key("members").index(member).to_string());
+                }
+                equations.push(equation(&along, own.as_deref().unwrap_or(origin)));
                 equations.push(equation(&[(W, b, 1.0), (W, a, -cos), (U, a, sin)], origin));
             } else {
                 equations.push(equation(&[(W, b, 1.0), (W, a, -cos)], origin));
@@ -116,7 +134,6 @@ pub(super) fn joint_equations(layout: &Layout, first: &[usize], has_axial: bool)
         }
     };
     for (k, joint) in frame.joints.iter().enumerate() {
-        tie(joint, &frame_layout::path().key("joints").index(k).to_string(), &mut equations);
+        tie(joint, &frame_layout::path().key("joints").index(k).to_string());
     }
-    equations
 }

@@ -29,6 +29,7 @@ mod point_load;
 mod probes;
 mod profile;
 mod reduced;
+mod release;
 mod resolved_loads;
 mod scene;
 mod section;

@@ -1,5 +1,6 @@
 //! Free motions, and what acts one way, in words.
 
+use super::frame_layout;
 use super::one_way::Origin;
 use super::scene::BeamScene;
 use crate::diagnostic::{JsonPath, root, tidy};
@@ -22,6 +23,7 @@ impl BeamScene {
         match origin {
             Origin::Support(number) => self.held[number].path.clone(),
             Origin::Foundation(number) => root("foundation").index(number),
+            Origin::Member(number) => frame_layout::path().key("members").index(number),
         }
     }
 
@@ -30,6 +32,10 @@ impl BeamScene {
         match origin {
             Origin::Support(number) => format!("the support at {}", self.held[number].name),
             Origin::Foundation(_) => "the foundation".into(),
+            Origin::Member(number) => {
+                let name = self.frame.as_ref().map_or("", |frame| frame.members[number].name.as_str());
+                format!("the member `{name}`")
+            }
         }
     }
 

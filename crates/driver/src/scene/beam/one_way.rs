@@ -1,4 +1,5 @@
-//! What acts one way: supports and foundations that push and do not pull, or the reverse.
+//! What acts one way: supports and foundations that push and do not pull, or the reverse; members that bear tension alone, or
+//! compression.
 //!
 //! Such a part exerts a force of one sign on a motion s of the body, or none: with the sign σ, the value v that an equation prescribes
 //! and the gap g it holds `s = v − σg` by a force p with `σp ≥ 0`, or `σ(s − v) + g ≥ 0` and `p = 0`.
@@ -34,6 +35,8 @@ pub enum Origin {
     Support(usize),
     /// A foundation of the case.
     Foundation(usize),
+    /// A member of a frame.
+    Member(usize),
 }
 
 /// Kinds of what acts one way.
@@ -44,17 +47,20 @@ pub enum OneWayKind {
     Supports,
     /// Points above foundations.
     Foundation,
+    /// Members of a frame.
+    Members,
 }
 
 impl OneWayKind {
     /// All kinds.
-    pub const ALL: [Self; 2] = [Self::Supports, Self::Foundation];
+    pub const ALL: [Self; 3] = [Self::Supports, Self::Foundation, Self::Members];
 
     /// In words.
     pub fn words(self) -> &'static str {
         match self {
             Self::Supports => "supports",
             Self::Foundation => "points on foundations",
+            Self::Members => "members",
         }
     }
 }
@@ -65,6 +71,7 @@ impl Origin {
         match self {
             Self::Support(_) => OneWayKind::Supports,
             Self::Foundation(_) => OneWayKind::Foundation,
+            Self::Member(_) => OneWayKind::Members,
         }
     }
 }

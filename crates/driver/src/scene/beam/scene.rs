@@ -9,7 +9,7 @@ use super::section::SectionAlong;
 use super::state::State;
 use super::supports::HeldPoint;
 use super::{
-    axial, body, checks, foreign, foundation, fracture, holds, links, loads, material, place, probes, size,
+    axial, body, checks, foreign, foundation, fracture, holds, links, loads, material, probes, size,
     supports, warnings,
 };
 use crate::case::{Case, Check, FieldName, Fracture, Model, Solver, Units};
@@ -67,22 +67,6 @@ pub struct BeamScene {
     pub expectations: Vec<Expectation<BeamComparison>>,
     /// Faults that do not keep the case from running.
     pub warnings: Faults,
-}
-
-/// Equations of supports, links and joints; `first` are the numbers of the first real points of the lines.
-fn equations(
-    held: &[HeldPoint],
-    bars: &[RigidBar],
-    layout: &place::Layout,
-    first: &[usize],
-    has_axial: bool,
-) -> Vec<Equation> {
-    [
-        holds::equations(held),
-        links::bar_equations(bars, has_axial),
-        links::joint_equations(layout, first, has_axial),
-    ]
-    .concat()
 }
 
 impl BeamScene {
@@ -187,11 +171,13 @@ impl BeamScene {
         let (mut springs, mut one_way) = (holds::springs(&held), holds::one_way(&held));
         let supports = springs.len();
         foundation::add_springs(&beds, &beam, &mut springs, &mut one_way);
+        let mut equations = [holds::equations(&held), links::bar_equations(&bars, has_axial)].concat();
+        links::add_joint_equations(&layout, &numbers, has_axial, &mut equations, &mut one_way);
         Some(Self {
             case: case.clone(),
             files: Vec::new(),
             units: case.units,
-            equations: equations(&held, &bars, &layout, &numbers, has_axial),
+            equations,
             bedding: supports..springs.len(),
             springs,
             one_way,
