@@ -42,6 +42,7 @@ mod material_cases;
 mod materials;
 mod mirrored_loads;
 mod mixed_solids;
+mod offsets;
 mod one_way;
 mod one_way_members;
 mod orthotropic_elastic;

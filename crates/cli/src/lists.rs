@@ -13,7 +13,7 @@ use serde_json::json;
 /// The file of the schema, for editors.
 const SCHEMA: &str = "case.schema.json";
 
-const LOADS: [(&str, &str); 19] = [
+const LOADS: [(&str, &str); 20] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -33,8 +33,9 @@ const LOADS: [(&str, &str); 19] = [
         "supports, springs and foundations of beams that push one way, once a gap is closed; members of a frame that bear tension alone, or compression",
     ),
     ("hinges", "ends of the members of a frame that turn freely"),
+    ("offsets", "rigid arms from the joints of a frame to the ends of its members"),
     ("foundation", "springs per length against deflection under a part of a line, uniform or not"),
-    ("rigid", "a rigid link between two points"),
+    ("rigid", "a rigid link between two points, or two joints"),
     (
         "traction",
         "a force per area on an edge or hole in the plane, or on a face or in a cut of a solid: uniform, linear, parabolic, pressure, total, or hertz, the pressure of a contact; depth is how far inwards it fades",

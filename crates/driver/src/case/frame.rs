@@ -43,6 +43,9 @@ pub struct Member {
     /// Ends that turn freely in their joints.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub hinges: Vec<MemberEnd>,
+    /// Where it begins and ends beside its joints: rigid arms join it to them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub offsets: Option<Offsets>,
     /// The only axial force that it bears: a cable bears tension, a strut that rests on its joints bears compression. It is then slack
     /// wherever it would bear the other, and has hinges at both ends.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -59,6 +62,34 @@ pub struct Member {
     /// Cells of different lengths; all the same if not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub grading: Option<Grading>,
+}
+
+/// Rigid arms from joints to the ends of a member.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Offsets {
+    /// Along x and y from the joint `from` to the beginning of the member.
+    #[serde(default, skip_serializing_if = "is_nowhere")]
+    pub from: [f64; 2],
+    /// Along x and y from the joint `to` to the end of the member.
+    #[serde(default, skip_serializing_if = "is_nowhere")]
+    pub to: [f64; 2],
+}
+
+fn is_nowhere(offset: &[f64; 2]) -> bool {
+    *offset == [0.0; 2]
+}
+
+impl Frame {
+    /// Where a member begins and ends, if its joints are there.
+    pub fn ends(&self, member: &Member) -> Option<[[f64; 2]; 2]> {
+        let offsets = member.offsets.unwrap_or_default();
+        let end = |name: &str, [x, y]: [f64; 2]| {
+            let joint = self.joints.iter().find(|joint| joint.name == name)?;
+            Some([joint.x + x, joint.y + y])
+        };
+        Some([end(&member.from, offsets.from)?, end(&member.to, offsets.to)?])
+    }
 }
 
 /// A kind of axial force.

@@ -47,7 +47,7 @@ pub use facts::{FRACTURE_FACTS, PATH_FACTS};
 pub use field::FieldName;
 pub use foundation::Foundation;
 pub use fracture::{CrackDirection, Fracture, Strategy};
-pub use frame::{AxialForce, Frame, Joint, Member, MemberEnd};
+pub use frame::{AxialForce, Frame, Joint, Member, MemberEnd, Offsets};
 pub use grading::Grading;
 pub use mass_load::{Gravity, Spin};
 pub use names::Names;

@@ -4,7 +4,7 @@ use crate::case::FieldName;
 use crate::output::plot::{Label, Look, Picture, Shape, thin, write_picture};
 use crate::results::factor::magnification;
 use crate::run::beam::{BeamResult, LineFields};
-use crate::scene::beam::{BeamScene, EndOfMember, FrameLayout, JointLayout};
+use crate::scene::beam::{BeamScene, EndOfMember, FrameLayout};
 use std::io;
 use std::path::Path;
 
@@ -61,17 +61,18 @@ pub(super) fn skeleton(frame: &FrameLayout, look: Look) -> Vec<Shape> {
     let mut shapes: Vec<Shape> = frame
         .members
         .iter()
-        .map(|m| Shape { look, points: m.joints.iter().map(|&j| place(j)).collect() })
+        .map(|m| Shape { look, points: [0, 1].map(|side| frame.end(m, side).into()).to_vec() })
         .collect();
     let dots = (0..frame.joints.len()).map(place).collect();
     shapes.push(Shape { look: Look::Dots, points: dots });
     // A hinge stands beside its joint, on the member that turns.
     let shift = 0.015 * size(frame);
-    let hinges = frame.joints.iter().flat_map(|j| j.ends.iter().filter(|e| e.hinged).map(move |e| (j, e)));
-    let circle = |(joint, end): (&JointLayout, &EndOfMember)| {
+    let hinges = frame.joints.iter().flat_map(|j| j.ends.iter().filter(|e| e.hinged));
+    let circle = |end: &EndOfMember| {
         let sign = if end.side == 0 { shift } else { -shift };
-        let [c, s] = frame.members[end.member].direction;
-        (joint.position[0] + sign * c, joint.position[1] + sign * s)
+        let member = &frame.members[end.member];
+        let ([x, y], [c, s]) = (frame.end(member, end.side), member.direction);
+        (x + sign * c, y + sign * s)
     };
     shapes.push(Shape { look: Look::Circles, points: hinges.map(circle).collect() });
     shapes

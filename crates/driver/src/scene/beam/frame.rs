@@ -1,13 +1,12 @@
 //! The frame of a scene: joints and members before any bond exists.
 
+use super::ends;
 use super::frame_checks;
 use super::frame_layout::{EndOfMember, FrameLayout, JointLayout, MemberLayout, ROUNDING, path};
 use super::line::{MOST_POINTS, layout_line};
 use super::model_path::beam_path;
 use super::place::{Layout, LayoutLine};
-use super::release;
 use crate::case::{AxialForce, Case, Frame, Line, Member, MemberEnd};
-use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, suggest, tidy};
 use peristat_assembly::model::timoshenko_beam::Grid;
 use peristat_assembly::model::timoshenko_beam::end_treatment::EndTreatment;
@@ -28,11 +27,6 @@ pub(super) fn layout(
                 format!("members of a frame cannot have the end treatment `{}`", treatment.name),
             )
             .hint("leave `end_treatment` out: a frame needs `cover`");
-    }
-    if !case.links.is_empty() {
-        faults
-            .error(root("links"), "links join lines, not members of a frame")
-            .hint("a stiff member between two joints does the same");
     }
     if frame.members.is_empty() {
         faults.error(path().key("members"), "the frame has no members");
@@ -62,7 +56,7 @@ pub(super) fn layout(
     frame_checks::check_hinges(frame, faults);
     frame_checks::check_one_way(frame, faults);
     if faults.errors() == before {
-        release::release(&mut joints, &mut members, faults);
+        ends::arrange(&mut joints, &mut members, faults);
         frame_checks::warn_of_places(frame, faults);
     }
     if lines.iter().map(|l| l.cells + 1).sum::<usize>() > MOST_POINTS {
@@ -115,7 +109,10 @@ fn place_member(
         faults.error(at.key("to"), format!("the member begins and ends at the joint `{}`", member.to));
         return None;
     }
-    let (a, b) = (joints[from].position, joints[to].position);
+    let given = member.offsets.unwrap_or_default();
+    let offsets = [given.from, given.to];
+    let end = |joint: usize, offset: [f64; 2]| [0, 1].map(|k| joints[joint].position[k] + offset[k]);
+    let (a, b) = (end(from, offsets[0]), end(to, offsets[1]));
     let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
     let length = dx.hypot(dy);
     // Positions of points must differ, so cells must be seen beside the coordinates.
@@ -123,7 +120,7 @@ fn place_member(
     let spacing = length / member.cells.max(1) as f64;
     if length == 0.0 {
         faults.error(at.clone(), format!("the member `{}` has no length", member.name)).hint(format!(
-            "its joints are both at ({}, {})",
+            "its ends are both at ({}, {})",
             tidy(a[0]),
             tidy(a[1])
         ));
@@ -141,7 +138,13 @@ fn place_member(
     let line = layout_line(case, &line, at, faults)?;
     let direction = [dx, dy].map(|d| if d.abs() <= ROUNDING * length { 0.0 } else { d / length });
     let only = member.only.map(AxialForce::sign);
-    let laid =
-        MemberLayout { name: member.name.clone(), joints: [from, to], direction, only, released: None };
+    let laid = MemberLayout {
+        name: member.name.clone(),
+        joints: [from, to],
+        direction,
+        offsets,
+        only,
+        released: None,
+    };
     Some((line, laid))
 }

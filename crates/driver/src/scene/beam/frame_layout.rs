@@ -21,7 +21,7 @@ pub struct JointLayout {
     pub name: String,
     /// Position in the plane.
     pub position: [f64; 2],
-    /// The ends of members that meet in it; those that may leave it come last.
+    /// The ends of members that meet in it; those beside it, and then those that may leave it, come last.
     pub ends: Vec<EndOfMember>,
 }
 
@@ -45,6 +45,8 @@ pub struct MemberLayout {
     pub joints: [usize; 2],
     /// Unit vector from `from` to `to`.
     pub direction: [f64; 2],
+    /// From its joints to its ends.
+    pub offsets: [[f64; 2]; 2],
     /// Sign of the only axial force that it bears.
     pub only: Option<f64>,
     /// The end that leaves its joint along the member where that is slack: 0 at `from`, 1 at `to`.
@@ -64,6 +66,12 @@ impl JointLayout {
 }
 
 impl FrameLayout {
+    /// Where a member begins, or ends, in the plane.
+    pub fn end(&self, member: &MemberLayout, side: usize) -> [f64; 2] {
+        let (joint, offset) = (self.joints[member.joints[side]].position, member.offsets[side]);
+        [joint[0] + offset[0], joint[1] + offset[1]]
+    }
+
     /// Whether all members lie on one straight line along x, so that axial and transverse motions have nothing to do
     /// with each other.
     pub fn is_straight(&self) -> bool {
@@ -71,7 +79,8 @@ impl FrameLayout {
             let first = self.joints[0].position[k];
             self.joints.iter().map(|j| (j.position[k] - first).abs()).fold(0.0, f64::max)
         };
-        self.members.iter().all(|m| m.direction[1] == 0.0) && farthest(1) <= ROUNDING * farthest(0)
+        self.members.iter().all(|m| m.direction[1] == 0.0 && m.offsets == [[0.0; 2]; 2])
+            && farthest(1) <= ROUNDING * farthest(0)
     }
 }
 

@@ -1,4 +1,4 @@
-//! What joins points: rigid bars between lines, and the joints of a frame.
+//! What joins points: rigid bars, and the joints of a frame with the arms of its members.
 
 use super::frame_layout::{self, EndOfMember, JointLayout};
 use super::frame_place::{self, FramePlace};
@@ -17,10 +17,14 @@ pub struct RigidBar {
     pub from: (usize, usize),
     /// Line and real point of the other end.
     pub to: (usize, usize),
-    /// Numbers of the points.
-    pub points: [usize; 2],
-    /// Signed length.
-    pub length: f64,
+    /// Lines and real points that turn as the ends do: hinged ends of joints do not.
+    turning: [(usize, usize); 2],
+    /// Numbers of the points: those that move, and those that turn.
+    points: [[usize; 2]; 2],
+    /// Directions of the lines of the ends.
+    directions: [[f64; 2]; 2],
+    /// From one end to the other.
+    arm: [f64; 2],
     /// Where it stands in the case.
     pub path: JsonPath,
 }
@@ -28,60 +32,108 @@ pub struct RigidBar {
 impl RigidBar {
     /// The same with the numbers of its points.
     pub(super) fn numbered(self, first: &[usize]) -> Self {
-        Self { points: [first[self.from.0] + self.from.1, first[self.to.0] + self.to.1], ..self }
+        let number = |(chain, point): (usize, usize)| first[chain] + point;
+        Self { points: [[self.from, self.to].map(number), self.turning.map(number)], ..self }
     }
 }
 
-/// Rigid bars of the case; a frame has none.
+/// Points that move and turn at an end of a bar, with a fault where there are none.
+fn end(at: &At, layout: &Layout, path: &JsonPath, faults: &mut Faults) -> Option<[(usize, usize); 2]> {
+    match frame_place::find(at, layout, path, "the end of the link", faults)? {
+        FramePlace::On(Place::Point { chain, point }) => Some([(chain, point); 2]),
+        FramePlace::On(Place::End { chain, .. } | Place::Between { chain, .. }) => {
+            let x = at.x.unwrap_or(0.0);
+            layout.needs_point(chain, x, &path.key("x"), "the end of the link", faults);
+            None
+        }
+        FramePlace::Joint(joint) => {
+            let joint = &layout.frame.as_ref()?.joints[joint];
+            let Some(turning) = joint.turning() else {
+                let place = layout.example(joint.first());
+                faults
+                    .error(
+                        path.clone(),
+                        format!(
+                            "all members are hinged at the joint `{}`: no rotation turns the link",
+                            joint.name
+                        ),
+                    )
+                    .hint(format!("to join the end of one member give it as the place: {place}"));
+                return None;
+            };
+            Some([joint.first(), turning].map(|end| layout.end(end)))
+        }
+    }
+}
+
+/// Rigid bars of the case.
 pub(super) fn bars(case: &Case, layout: &Layout, faults: &mut Faults) -> Vec<RigidBar> {
     let mut bars = Vec::new();
-    if layout.frame.is_some() {
-        return bars;
-    }
     for (k, link) in case.links.iter().enumerate() {
         let Link::Rigid(link) = link;
         let path = root("links").index(k).key("rigid");
-        let mut end = |at: &At, key: &str| {
-            let path = path.key(key);
-            match frame_place::find(at, layout, &path, "the end of the link", faults)? {
-                FramePlace::On(Place::Point { chain, point }) => Some((chain, point)),
-                FramePlace::On(Place::End { chain, .. } | Place::Between { chain, .. }) => {
-                    let x = at.x.unwrap_or(0.0);
-                    layout.needs_point(chain, x, &path.key("x"), "the end of the link", faults);
-                    None
-                }
-                FramePlace::Joint(_) => None,
-            }
-        };
-        let (Some(from), Some(to)) = (end(&link.from, "from"), end(&link.to, "to")) else {
-            continue;
-        };
+        let from = end(&link.from, layout, &path.key("from"), faults);
+        let to = end(&link.to, layout, &path.key("to"), faults);
+        let (Some([from, first]), Some([to, second])) = (from, to) else { continue };
         if from == to {
             faults.error(path, "a link joins a point to itself");
             continue;
         }
-        let x = |(chain, point): (usize, usize)| layout.lines[chain].position(point);
-        bars.push(RigidBar { from, to, points: [0; 2], length: x(to) - x(from), path });
+        let directions = [from, to].map(|end| layout.direction(end.0));
+        let place = |(chain, point): (usize, usize)| {
+            let (x, [c, s], [x0, y0]) =
+                (layout.lines[chain].position(point), layout.direction(chain), layout.origin(chain));
+            [x0 + c * x, y0 + s * x]
+        };
+        let (a, b) = (place(from), place(to));
+        let (turning, arm) = ([first, second], [b[0] - a[0], b[1] - a[1]]);
+        bars.push(RigidBar { from, to, turning, points: [[0; 2]; 2], directions, arm, path });
     }
     bars
 }
 
+/// An equation without what rounding leaves of a right angle, which is no share.
 fn equation(terms: &[(usize, usize, f64)], origin: &str) -> Equation {
     let term = |&(component, point, c): &(usize, usize, f64)| (Unknown { component, point }, c);
-    // What rounding leaves of a right angle is no share.
     let terms = terms.iter().filter(|t| t.2.abs() > 1e-15).map(term).collect();
     Equation { terms, value: 0.0, origin: origin.into() }
 }
 
-/// Equations of rigid bars, `w₂ = w₁ + length φ₁`, `φ₂ = φ₁` and, with axial unknowns, `u₂ = u₁`.
+/// A point b on a line that moves as an arm from a point a does, which turns by the rotation of a third point:
+/// `u_b = u_a + φ (−r_y, r_x)`.
+struct Tie {
+    /// Numbers of the points a and b, and directions of their lines.
+    points: [usize; 2],
+    directions: [[f64; 2]; 2],
+    /// Number of the point whose rotation it is.
+    turning: usize,
+    /// The arm.
+    arm: [f64; 2],
+}
+
+impl Tie {
+    /// Terms of the equations across and along the line of b; without axial unknowns there is none along it.
+    fn terms(&self, has_axial: bool) -> [[(usize, usize, f64); 4]; 2] {
+        let ([a, b], [[c1, s1], [c, s]], [x, y]) = (self.points, self.directions, self.arm);
+        // Cosine and sine of the angle from the line of a to that of b.
+        let (cos, sin) = (c1 * c + s1 * s, c1 * s - s1 * c);
+        let turn = [x * c + y * s, x * s - y * c].map(|share| (PHI, self.turning, -share));
+        let across = [(W, b, 1.0), (W, a, -cos), (U, a, if has_axial { sin } else { 0.0 }), turn[0]];
+        [across, [(U, b, 1.0), (U, a, -cos), (W, a, -sin), turn[1]]]
+    }
+}
+
+/// Equations of rigid bars: the second end moves as part of the first, and turns as it does.
 pub(super) fn bar_equations(bars: &[RigidBar], has_axial: bool) -> Vec<Equation> {
     let mut equations = Vec::new();
     for bar in bars {
-        let ([a, b], origin) = (bar.points, bar.path.to_string());
-        equations.push(equation(&[(W, b, 1.0), (W, a, -1.0), (PHI, a, -bar.length)], &origin));
-        equations.push(equation(&[(PHI, b, 1.0), (PHI, a, -1.0)], &origin));
+        let ([points, [first, second]], origin) = (bar.points, bar.path.to_string());
+        let tie = Tie { points, directions: bar.directions, turning: first, arm: bar.arm };
+        let [across, along] = tie.terms(has_axial);
+        equations.push(equation(&across, &origin));
+        equations.push(equation(&[(PHI, second, 1.0), (PHI, first, -1.0)], &origin));
         if has_axial {
-            equations.push(equation(&[(U, b, 1.0), (U, a, -1.0)], &origin));
+            equations.push(equation(&along, &origin));
         }
     }
     equations
@@ -104,28 +156,26 @@ pub(super) fn add_joint_equations(
     };
     let mut tie = |joint: &JointLayout, origin: &str| {
         let leader = joint.first();
-        let (a, [c1, s1]) = (point(leader), frame.members[leader.member].direction);
+        let turning = point(joint.turning().unwrap_or(leader));
         for &end in &joint.ends[1..] {
-            let (b, [c2, s2]) = (point(end), frame.members[end.member].direction);
-            // Cosine and sine of the angle from the first member to this one.
-            let (cos, sin) = (c1 * c2 + s1 * s2, c1 * s2 - s1 * c2);
+            let member = &frame.members[end.member];
+            let directions = [leader.member, end.member].map(|k| frame.members[k].direction);
+            let points = [point(leader), point(end)];
+            let tie = Tie { points, directions, turning, arm: member.offsets[end.side] };
+            let [across, along] = tie.terms(has_axial);
             if has_axial {
-                let (member, along) = (end.member, [(U, b, 1.0), (U, a, -cos), (W, a, -sin)]);
-                let only =
-                    frame.members[member].only.filter(|_| frame.members[member].released == Some(end.side));
+                let only = member.only.filter(|_| member.released == Some(end.side));
                 let mut own = None;
                 if let Some(sign) = only {
                     // At its start the force on a member in tension is against its axis.
                     let sign = if end.side == 1 { sign } else { -sign };
-                    let (part, origin) = (Part::Equation(equations.len()), Origin::Member(member));
+                    let (part, origin) = (Part::Equation(equations.len()), Origin::Member(end.member));
                     one_way.push(OneWay { part, sign, gap: 0.0, origin });
-                    own = Some(frame_layout::path().key("members").index(member).to_string());
+                    own = Some(frame_layout::path().key("members").index(end.member).to_string());
                 }
                 equations.push(equation(&along, own.as_deref().unwrap_or(origin)));
-                equations.push(equation(&[(W, b, 1.0), (W, a, -cos), (U, a, sin)], origin));
-            } else {
-                equations.push(equation(&[(W, b, 1.0), (W, a, -cos)], origin));
             }
+            equations.push(equation(&across, origin));
         }
         let mut turning = joint.ends.iter().filter(|end| !end.hinged);
         if let Some(&leader) = turning.next() {

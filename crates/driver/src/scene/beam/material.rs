@@ -59,10 +59,8 @@ fn of_members(
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Vec<Resolved>> {
-    let joint = |name: &str| frame.joints.iter().find(|j| j.name == name);
     let of = |(k, member): (usize, &Member)| {
-        let ends = joint(&member.from).zip(joint(&member.to));
-        let length = usable(ends.map_or(1.0, |(a, b)| (b.x - a.x).hypot(b.y - a.y)));
+        let length = usable(frame.ends(member).map_or(1.0, |[a, b]| (b[0] - a[0]).hypot(b[1] - a[1])));
         match with_own_section(beam, member) {
             None => stiffness(beam, units, length, path, path, faults),
             Some(beam) => {

@@ -159,7 +159,7 @@ impl Layout {
 
     /// Position in the plane of the coordinate 0 of a line.
     pub(super) fn origin(&self, chain: usize) -> [f64; 2] {
-        self.frame.as_ref().map_or([0.0; 2], |frame| frame.joints[frame.members[chain].joints[0]].position)
+        self.frame.as_ref().map_or([0.0; 2], |frame| frame.end(&frame.members[chain], 0))
     }
 
     /// Direction of a line in the plane.
