@@ -37,6 +37,7 @@ mod held_borders;
 mod hole_stress;
 mod inclusions;
 mod interfaces;
+mod initial_strain;
 mod literature;
 mod material_cases;
 mod materials;

@@ -13,7 +13,7 @@ use serde_json::json;
 /// The file of the schema, for editors.
 const SCHEMA: &str = "case.schema.json";
 
-const LOADS: [(&str, &str); 20] = [
+const LOADS: [(&str, &str); 21] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -50,6 +50,10 @@ const LOADS: [(&str, &str); 20] = [
     (
         "temperature",
         "a change of temperature of a body or a region, a number or a formula of the position, with the `thermal_expansion` of the material",
+    ),
+    (
+        "initial_strain",
+        "a strain and a curvature that a line or member would have if nothing held it: prestress, a member that is too short or too long",
     ),
     ("symmetry", "edges or faces that are mirrors"),
     (

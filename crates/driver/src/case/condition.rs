@@ -1,6 +1,6 @@
 //! Supports, links and loads of a case.
 
-use super::{Amount, BodyForce, Gravity, Names, Pressure, Spin, Temperature, Traction};
+use super::{Amount, BodyForce, Gravity, InitialStrain, Names, Pressure, Spin, Temperature, Traction};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -162,6 +162,8 @@ pub enum Load {
     Pressure(Pressure),
     /// A change of temperature.
     Temperature(Temperature),
+    /// A strain that a line or member has from the beginning.
+    InitialStrain(InitialStrain),
 }
 
 /// A concentrated force and moment.

@@ -53,7 +53,8 @@ fn of_loads(loads: &[Load], path: &JsonPath, faults: &mut Faults) {
             | Load::Gravity(_)
             | Load::Spin(_)
             | Load::Pressure(_)
-            | Load::Temperature(_) => {}
+            | Load::Temperature(_)
+            | Load::InitialStrain(_) => {}
         }
     }
 }

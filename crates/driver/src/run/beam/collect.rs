@@ -1,6 +1,6 @@
 //! From a solved state to its result.
 
-use super::{BeamResult, LineFields, LinePoints, heat, reaction};
+use super::{BeamResult, LineFields, LinePoints, eigenstrain, reaction};
 use crate::case::FieldName;
 use crate::run::workspace::StateSolution;
 use crate::run::{Resultants, SolvedState, StateRecord};
@@ -43,16 +43,16 @@ pub(super) fn of_beam(
             recovered: all.as_ref().map(|all| {
                 let mut fields = beam.fields(c, &u, all, lumped.as_deref(), &state.loads);
                 state
-                    .heat
+                    .eigenstrains
                     .iter()
-                    .filter(|heat| heat.chain == c)
-                    .for_each(|heat| heat::take_off(heat, &mut fields, area(c)));
+                    .filter(|given| given.chain == c)
+                    .for_each(|given| eigenstrain::take_off(given, &mut fields, area(c)));
                 fields
             }),
         }
     };
     let lines = (0..beam.chains().len()).map(line).collect();
-    certificate.energy += heat::energy(&state.heat, beam, &u);
+    certificate.energy += eigenstrain::energy(&state.eigenstrains, beam, &u);
     // A strain form whose forces on points nobody asks for has none.
     if !load.is_empty() {
         let resultants = resultants(scene, (beam, springs), state, (load, &solution.held), &u);

@@ -138,7 +138,7 @@ where
     ) -> StateResult {
         let BrokenBeam { scene, beam } = &self.problem;
         let loads = scene.states[0].loads.scaled(load_factor);
-        let state = State { name, load_factor, motion_factor: load_factor, loads, heat: Vec::new() };
+        let state = State { name, load_factor, motion_factor: load_factor, loads, eigenstrains: Vec::new() };
         let mut result = collect::of_beam(scene, (beam, &scene.springs), &state, solved, self.recover);
         result.record.facts = Some(facts);
         StateResult::Beam(result)

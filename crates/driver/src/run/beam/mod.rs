@@ -3,11 +3,11 @@
 mod between;
 mod collect;
 mod comparison;
+mod eigenstrain;
 mod exact_state;
 mod extremes;
 mod fields;
 mod fracture;
-mod heat;
 mod law;
 mod line_points;
 mod one_way;

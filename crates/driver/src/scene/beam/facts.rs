@@ -72,7 +72,7 @@ pub(super) fn facts(
 }
 
 fn loads(state: &State, left: f64, right: f64, close: impl Fn(f64, f64) -> bool) -> Vec<Load> {
-    let mut loads: Vec<Load> = state.heat.iter().map(|_| Load::Other).collect();
+    let mut loads: Vec<Load> = state.eigenstrains.iter().map(|_| Load::Other).collect();
     for p in &state.loads.point {
         let x = p.x - left;
         if p.force != 0.0 {

@@ -66,7 +66,11 @@ pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
         Load::BodyForce(_) => "body_force",
         Load::Pressure(_) => "pressure",
         Load::Spin(_) => "spin",
-        Load::Point(_) | Load::Distributed(_) | Load::Gravity(_) | Load::Temperature(_) => return,
+        Load::Point(_)
+        | Load::Distributed(_)
+        | Load::Gravity(_)
+        | Load::Temperature(_)
+        | Load::InitialStrain(_) => return,
     };
     faults
         .error(path.key(key), format!("`{key}` is for bodies in the plane"))

@@ -5,7 +5,7 @@ use super::place::Layout;
 use super::resolved_loads::ResolvedLoads;
 use super::section::Resolved;
 use super::state::State;
-use super::{distributed_load, heat, point_load, weight};
+use super::{distributed_load, heat, initial_strain, point_load, weight};
 use crate::case::{Case, Load, LoadSharing};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::model::Beam;
@@ -62,6 +62,10 @@ pub(super) fn load_cases(
                     let path = path.index(k).key("temperature");
                     heat::add(load, (case, layout), sections, &path, &mut resolved, faults);
                 }
+                Load::InitialStrain(load) => {
+                    let path = path.index(k).key("initial_strain");
+                    initial_strain::add(load, (case, layout), sections, &path, &mut resolved, faults);
+                }
                 Load::Distributed(load) => {
                     let path = path.index(k).key("distributed");
                     distributed_load::add(load, layout, &path, &mut resolved, faults);
@@ -91,9 +95,16 @@ pub(super) fn states(
     let state = |sum: Sum| {
         let mut loads = BeamLoads { lumped, ..Default::default() };
         sum.terms.iter().for_each(|&(k, factor)| loads.extend(cases[k].loads.scaled(factor)));
-        let of_case = |&(k, factor): &(usize, f64)| cases[k].heat.iter().map(move |heat| heat.times(factor));
-        let heat = sum.terms.iter().flat_map(of_case).collect();
-        State { name: sum.name, load_factor: sum.load_factor, motion_factor: sum.load_factor, loads, heat }
+        let of_case =
+            |&(k, factor): &(usize, f64)| cases[k].eigenstrains.iter().map(move |given| given.times(factor));
+        let eigenstrains = sum.terms.iter().flat_map(of_case).collect();
+        State {
+            name: sum.name,
+            load_factor: sum.load_factor,
+            motion_factor: sum.load_factor,
+            loads,
+            eigenstrains,
+        }
     };
     Some(sums.into_iter().map(state).collect())
 }

@@ -1,6 +1,6 @@
 //! The loads of one load case.
 
-use super::heat::LineHeat;
+use super::eigenstrain::Eigenstrain;
 use peristat_assembly::model::timoshenko_beam::BeamLoads;
 
 /// Loads of one load case, and the points they split.
@@ -8,8 +8,8 @@ use peristat_assembly::model::timoshenko_beam::BeamLoads;
 pub(super) struct ResolvedLoads {
     /// The loads.
     pub(super) loads: BeamLoads,
-    /// What becomes warmer.
-    pub(super) heat: Vec<LineHeat>,
+    /// Strains without stress.
+    pub(super) eigenstrains: Vec<Eigenstrain>,
     /// Line and real point of concentrated loads that act on a point.
     pub(super) splits: Vec<(usize, usize)>,
 }

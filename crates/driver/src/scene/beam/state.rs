@@ -1,6 +1,6 @@
 //! Right-hand sides of a beam.
 
-use super::heat::LineHeat;
+use super::eigenstrain::Eigenstrain;
 use peristat_assembly::model::timoshenko_beam::BeamLoads;
 
 /// One right-hand side: a load step, a load case or a combination.
@@ -14,6 +14,6 @@ pub struct State {
     pub motion_factor: f64,
     /// The loads, factors included.
     pub loads: BeamLoads,
-    /// What becomes warmer, factors included.
-    pub heat: Vec<LineHeat>,
+    /// Strains without stress, factors included.
+    pub eigenstrains: Vec<Eigenstrain>,
 }

@@ -40,6 +40,11 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
                 Load::Temperature(load) => {
                     temperature::resolve(load, context, &path.key("temperature"), &mut resolved, faults)
                 }
+                Load::InitialStrain(_) => {
+                    faults
+                        .error(path.key("initial_strain"), "an `initial_strain` is for lines and members")
+                        .hint("in a body a `temperature` with a `thermal_expansion` stretches a region without stress");
+                }
                 Load::Distributed(_) => {
                     faults
                         .error(path.key("distributed"), "`distributed` loads are for beams")
