@@ -41,6 +41,7 @@ mod initial_strain;
 mod literature;
 mod material_cases;
 mod materials;
+mod member_materials;
 mod mirrored_loads;
 mod mixed_solids;
 mod offsets;

@@ -1,20 +1,21 @@
-//! Materials of regions, as cases write them.
+//! Materials of regions and of members of frames, as cases write them.
 
 use super::Names;
 use crate::model::Critical;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A material of some regions. What it does not give is that of `model`.
+/// A material of some regions, or of some members of a frame. What it does not give is that of `model`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RegionMaterial {
-    /// Name of a region whose points are of it, or a list of several.
+    /// Name of a region whose points are of it, or of a member of a frame, or a list of several.
     pub at: Names,
     /// Young's modulus E, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub youngs_modulus: Option<f64>,
-    /// Shear modulus G of a body in antiplane shear, > 0.
+    /// Shear modulus G of a body in antiplane shear, or of members, > 0; without it that of members follows from E and the
+    /// `poisson_ratio` of the model.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shear_modulus: Option<f64>,
     /// At which strains its bonds break, in bodies with `fracture`; default: as those of `model`, at the energy release rate or the

@@ -12,7 +12,11 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
         format!("stress intensities are those of `cracks`, which need the model `{}`", hints::PLANE);
     let keys = [
         ("symmetry", !case.symmetry.is_empty(), "hold the motions that the symmetry excludes by a support"),
-        ("materials", !case.materials.is_empty(), "the sections and moduli of a line are in `model`"),
+        (
+            "materials",
+            !case.materials.is_empty() && !matches!(case.body, Body::Frame(_)),
+            "the moduli of a line are in `model`, those that vary along it in `stiffness`; members of a `frame` have `materials`",
+        ),
         ("periodic", !case.periodic.is_empty(), "join the ends of a line by `links`"),
         ("cracks", !case.cracks.is_empty(), &*cracks),
         (

@@ -5,12 +5,12 @@
 
 use super::eigenstrain::{self, Eigenstrain, Load};
 use super::extent::{self, GivenExtent, Words};
+use super::member_material;
 use super::place::Layout;
 use super::resolved_loads::ResolvedLoads;
 use super::section::Resolved;
-use crate::case::{Amount, Case, Expansion, Temperature, number};
+use crate::case::{Amount, Case, Temperature, number};
 use crate::diagnostic::{Faults, JsonPath};
-use crate::scene::expansion;
 
 /// What messages say of what becomes warmer.
 const WORDS: Words = Words {
@@ -42,7 +42,7 @@ pub(super) fn add(
     }
     let given = GivenExtent { member: load.member.as_deref(), from: None, to: None };
     let extent = extent::find(&given, layout, path, &WORDS, faults);
-    let Some(Expansion::Alike(alpha)) = expansion::of(case, false, path, faults) else { return };
+    let Some(alpha) = member_material::expansion(case, load.member.as_deref(), path, faults) else { return };
     let Some(change) = change(load, path, faults) else { return };
     let difference = load.difference.unwrap_or(0.0);
     if change == 0.0 && difference == 0.0 {

@@ -1,12 +1,12 @@
 //! Material, section and calibration of a scene.
 
+use super::member_material;
 use super::model_path::beam_path;
 use super::section::{Resolved, stiffness};
 use crate::case::{Body, Case, Frame, Member};
 use crate::diagnostic::root;
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::model::Beam;
-use crate::units::Units;
 use peristat_assembly::model::timoshenko_beam::{
     BeamParameters, Grid,
     bond_law::{self, BondLaw},
@@ -30,7 +30,7 @@ pub(super) fn material(
         beam.shear_correction.get_or_insert_default();
     }
     let sections: Option<Vec<Resolved>> = match &case.body {
-        Body::Frame(frame) => of_members(beam, frame, case.units, &path, faults),
+        Body::Frame(frame) => of_members(beam, frame, case, &path, faults),
         _ => lines
             .iter()
             .map(|l| stiffness(beam, case.units, usable(l.length), &path, &path, faults))
@@ -55,17 +55,25 @@ fn usable(length: f64) -> f64 {
 fn of_members(
     beam: &Beam,
     frame: &Frame,
-    units: Units,
+    case: &Case,
     path: &JsonPath,
     faults: &mut Faults,
 ) -> Option<Vec<Resolved>> {
+    let before = faults.errors();
+    member_material::check(case, frame, beam, faults);
+    if faults.errors() > before {
+        return None;
+    }
     let of = |(k, member): (usize, &Member)| {
         let length = usable(frame.ends(member).map_or(1.0, |[a, b]| (b[0] - a[0]).hypot(b[1] - a[1])));
-        match with_own_section(beam, member) {
-            None => stiffness(beam, units, length, path, path, faults),
-            Some(beam) => {
-                let own = root("body").key("frame").key("members").index(k);
-                stiffness(&beam, units, length, path, &own, faults)
+        let own_section = with_own_section(beam, member);
+        let own_path = root("body").key("frame").key("members").index(k);
+        let own = if own_section.is_some() { &own_path } else { path };
+        match own_section.or_else(|| member_material::has_moduli(case, &member.name).then(|| beam.clone())) {
+            None => stiffness(beam, case.units, length, path, path, faults),
+            Some(mut beam) => {
+                member_material::apply(case, &member.name, &mut beam);
+                stiffness(&beam, case.units, length, path, own, faults)
             }
         }
     };

@@ -24,6 +24,7 @@ mod line;
 mod links;
 mod loads;
 mod material;
+mod member_material;
 mod model_path;
 mod motions;
 mod one_way;

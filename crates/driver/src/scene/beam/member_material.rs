@@ -1,0 +1,81 @@
+//! Materials of members of a frame.
+
+use crate::case::{Case, Expansion, Frame, RegionMaterial};
+use crate::diagnostic::{Faults, JsonPath, positive, root, suggest};
+use crate::model::Beam;
+use crate::scene::expansion;
+use std::collections::HashMap;
+
+/// The material of a member, if it is not that of the model.
+fn of<'a>(case: &'a Case, member: &str) -> Option<&'a RegionMaterial> {
+    case.materials.values().find(|material| material.at.each().iter().any(|name| name == member))
+}
+
+/// Adds faults of materials that are none, and of members that cannot have one.
+pub(super) fn check(case: &Case, frame: &Frame, beam: &Beam, faults: &mut Faults) {
+    let mut owners: HashMap<&str, &str> = HashMap::new();
+    for (name, material) in &case.materials {
+        let path = root("materials").key(name);
+        let moduli = [("youngs_modulus", material.youngs_modulus), ("shear_modulus", material.shear_modulus)];
+        for (key, value) in moduli.iter().filter_map(|(key, value)| Some((key, (*value)?))) {
+            positive(value, key, path.key(*key), faults);
+        }
+        let has_moduli = moduli.iter().any(|(_, value)| value.is_some());
+        if !has_moduli && material.thermal_expansion.is_none() {
+            faults
+                .error(path.clone(), format!("the material `{name}` is that of `model`"))
+                .hint("give `youngs_modulus`, `shear_modulus` or `thermal_expansion`");
+        }
+        for member in material.at.each() {
+            let Some(given) = frame.members.iter().find(|given| given.name == *member) else {
+                faults
+                    .error(path.key("at"), format!("there is no member `{member}`"))
+                    .hint(suggest(member, frame.members.iter().map(|given| given.name.as_str())));
+                continue;
+            };
+            if let Some(other) = owners.insert(&given.name, name) {
+                faults.error(path.key("at"), format!("the member `{member}` is of the material `{other}`"));
+            }
+            let by_numbers = given.stiffness.is_some() || given.section.is_none() && beam.section.is_none();
+            if has_moduli && by_numbers {
+                faults
+                    .error(
+                        path.key("at"),
+                        format!("the member `{member}` has no `section` that moduli could make stiff"),
+                    )
+                    .hint("give it a `section`, or all of its `stiffness` by numbers");
+            }
+        }
+    }
+}
+
+/// Gives a beam the moduli of a member.
+pub(super) fn apply(case: &Case, member: &str, beam: &mut Beam) {
+    let Some(material) = of(case, member) else { return };
+    beam.youngs_modulus = material.youngs_modulus.or(beam.youngs_modulus);
+    if material.shear_modulus.is_some() {
+        (beam.shear_modulus, beam.poisson_ratio) = (material.shear_modulus, None);
+    }
+}
+
+/// Whether a member has moduli of its own.
+pub(super) fn has_moduli(case: &Case, member: &str) -> bool {
+    of(case, member).is_some_and(|m| m.youngs_modulus.is_some() || m.shear_modulus.is_some())
+}
+
+/// How much a line or a member stretches by heat, with a fault at the load that needs it where that is not known.
+pub(super) fn expansion(
+    case: &Case,
+    member: Option<&str>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<f64> {
+    let own = member.and_then(|member| of(case, member)?.thermal_expansion);
+    match own {
+        Some(own) => Some(own),
+        None => match expansion::of(case, false, path, faults)? {
+            Expansion::Alike(alpha) => Some(alpha),
+            Expansion::Fibres(_) => None,
+        },
+    }
+}
