@@ -366,7 +366,14 @@ fn a_bimetal_strip_bends_as_timoshenko_says() {
 /// Materials of one expansion stay free of stress together, whatever their moduli and whatever crosses between them.
 #[test]
 fn two_materials_of_one_expansion_expand_without_stress() {
-    for name in ["bond_plane", "bond_plane, strain", "bond_solid"] {
+    for name in [
+        "bond_plane",
+        "bond_plane, strain",
+        "bond_solid",
+        "state_plane",
+        "state_plane, strain",
+        "axisymmetric",
+    ] {
         let (_, model) = models().into_iter().find(|(own, _)| *own == name).unwrap();
         let mut case = free(name, &model);
         case["regions"] = match name.contains("solid") {

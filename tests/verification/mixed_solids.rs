@@ -40,7 +40,7 @@ fn jump(contrast: f64, ratio: f64) -> f64 {
             ratio,
             |[_, _, z]| if z < 14.0 { 1.0 } else { contrast },
         );
-    let (stiffness, n) = (Stiffness::of_solid(&block), block.points());
+    let (stiffness, n) = (Stiffness::of(&block), block.points());
     let layer = SIDE * SIDE;
     let column = |at: usize| -> Vec<f64> {
         let moved = (0..3 * n).map(|k| f64::from(u8::from(k >= 2 * n && (k - 2 * n) / layer == at)));
@@ -106,7 +106,7 @@ fn uniform_strains_of_solids_have_the_stress_of_every_point() {
         let stretched: Vec<f64> = (0..3 * n).map(|k| strain[k / n] * at(k % n)[k / n]).collect();
         let of_points: f64 = block.fields(&stretched).energy_density.iter().sum();
         let energy = 0.5
-            * Stiffness::of_solid(&block)
+            * Stiffness::of(&block)
                 .forces(&stretched)
                 .iter()
                 .zip(&stretched)
@@ -130,11 +130,11 @@ fn solids_of_several_materials_are_definite_and_alike_ones_the_same() {
         let solid = |factors: Vec<f64>| {
             BondSolid::mixed(lattice.clone(), Mirrors::NONE, parameters(ratio), &[], factors).unwrap()
         };
-        let eigenvalues = SymmetricEigen::new(Stiffness::of_solid(&solid(factors)).dense()).eigenvalues;
+        let eigenvalues = SymmetricEigen::new(Stiffness::of(&solid(factors)).dense()).eigenvalues;
         let most = eigenvalues.max();
         assert!(eigenvalues.min() >= -1e-14 * most, "{}", eigenvalues.min() / most);
         let u: Vec<f64> = (0..450).map(|k| (0.7 * f64::from(k)).sin()).collect();
-        let of = |factors: Vec<f64>| Stiffness::of_solid(&solid(factors)).forces(&u);
+        let of = |factors: Vec<f64>| Stiffness::of(&solid(factors)).forces(&u);
         let plain = of(Vec::new());
         assert_eq!(plain, of(vec![1.0; 150]));
         let worst =

@@ -5,9 +5,8 @@ use peristat_assembly::body::SquareLattice;
 use peristat_assembly::model::bond_plane::{
     BondPlane, Influence, PlaneMaterial, PlaneParameters, PlaneState, VolumeFactor,
 };
-use peristat_assembly::model::bond_solid::BondSolid;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
-use peristat_assembly::model::{BodyModel, Model, Points};
+use peristat_assembly::model::{BodyModel, Model};
 use peristat_assembly::system::System;
 use std::sync::Arc;
 
@@ -39,15 +38,7 @@ pub(crate) struct Stiffness {
 }
 
 impl Stiffness {
-    pub(crate) fn of(plate: &BondPlane) -> Self {
-        Self::of_model::<2>(plate)
-    }
-
-    pub(crate) fn of_solid(solid: &BondSolid) -> Self {
-        Self::of_model::<3>(solid)
-    }
-
-    fn of_model<const D: usize>(model: &impl Model<D>) -> Self {
+    pub(crate) fn of<const D: usize>(model: &impl Model<D>) -> Self {
         let system = System::<D>::new(model, Vec::new(), Vec::new()).expect("no contradiction");
         let n = system.points();
         let matrix = system.stiffness().to_csr(|point, component| component * n + point);
@@ -77,8 +68,9 @@ impl Stiffness {
         let free = |of: Vec<f64>| -> Vec<f64> {
             of.iter().zip(prescribed).map(|(v, p)| if p.is_some() { 0.0 } else { *v }).collect()
         };
-        let diagonal: Vec<f64> =
-            (0..u.len()).map(|i| self.rows[i].iter().find(|e| e.0 == i).map_or(1.0, |e| e.1)).collect();
+        let diagonal: Vec<f64> = (0..u.len())
+            .map(|i| self.rows[i].iter().find(|e| e.0 == i && e.1 > 0.0).map_or(1.0, |e| e.1))
+            .collect();
         let scaled = |r: &[f64]| -> Vec<f64> { r.iter().zip(&diagonal).map(|(r, d)| r / d).collect() };
         let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
         let mut r = free(self.forces(&u).iter().map(|f| -f).collect());
@@ -98,13 +90,13 @@ impl Stiffness {
             p.iter_mut().zip(&z).for_each(|(p, z)| *p = z + next / rz * *p);
             rz = next;
         }
-        panic!("conjugate gradients did not settle")
+        panic!("conjugate gradients did not settle: {:e}", rz / first)
     }
 }
 
 /// Components `[ux, uy]` that are prescribed, by points.
 pub(crate) fn prescribed(
-    plate: &BondPlane,
+    plate: &impl BodyModel,
     of: impl Fn(usize, [f64; 2]) -> [Option<f64>; 2],
 ) -> Vec<Option<f64>> {
     let n = plate.points();

@@ -2,6 +2,7 @@
 
 pub(crate) mod breaking;
 pub(crate) mod chain;
+pub(crate) mod goodier;
 pub(crate) mod handbook;
 pub(crate) mod mixed;
 pub(crate) mod noise;

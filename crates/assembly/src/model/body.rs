@@ -105,6 +105,11 @@ pub trait BodyModel: Points + Debug + Send + Sync {
         0.0
     }
 
+    /// The same at a point, whose material may be another than the base one.
+    fn across_at(&self, _point: usize, stress: [f64; TENSOR]) -> f64 {
+        self.across_of(stress)
+    }
+
     /// Stresses and energy densities of a state.
     fn recover(&self, u: &[f64]) -> BodyFields;
 

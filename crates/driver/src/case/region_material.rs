@@ -14,6 +14,9 @@ pub struct RegionMaterial {
     /// Young's modulus E, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub youngs_modulus: Option<f64>,
+    /// Poisson's ratio ν of families, between −1 and 1/2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub poisson_ratio: Option<f64>,
     /// Shear modulus G of a body in antiplane shear, or of members, > 0; without it that of members follows from E and the
     /// `poisson_ratio` of the model.
     #[serde(default, skip_serializing_if = "Option::is_none")]

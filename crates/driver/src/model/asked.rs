@@ -15,6 +15,8 @@ pub struct Asked<'a> {
     pub softens: bool,
     /// Whether cracks are drawn.
     pub has_cracks: bool,
+    /// Poisson's ratios of the materials of regions, where these give any; none where all of the body is of the base material.
+    pub materials: Option<Vec<f64>>,
     /// Sides that are lines of symmetry, by name.
     pub symmetry: &'a [String],
     /// Pairs of sides that are joined, in the order of the case.
@@ -28,6 +30,11 @@ impl Asked<'_> {
     /// Whether the body stays whole and elastic.
     pub fn stays_whole(&self) -> bool {
         !(self.breaks || self.softens || self.has_cracks)
+    }
+
+    /// The largest Poisson's ratio of a body whose base material has one.
+    pub fn most_poisson_ratio(&self, base: f64) -> f64 {
+        self.materials.iter().flatten().copied().fold(base, f64::max)
     }
 
     /// Horizon per spacing, if nothing else is given, of a plate whose bonds are exact at its edges. On a lattice that stays whole a

@@ -10,6 +10,8 @@ pub struct OtherMaterial {
     pub name: String,
     /// Young's modulus.
     pub youngs_modulus: Option<f64>,
+    /// Poisson's ratio.
+    pub poisson_ratio: Option<f64>,
     /// Shear modulus.
     pub shear_modulus: Option<f64>,
     /// Strain per kelvin.
@@ -18,8 +20,12 @@ pub struct OtherMaterial {
 
 impl OtherMaterial {
     /// What it gives, by keys.
-    pub fn keys(&self) -> [(&'static str, Option<f64>); 2] {
-        [("youngs_modulus", self.youngs_modulus), ("shear_modulus", self.shear_modulus)]
+    pub fn keys(&self) -> [(&'static str, Option<f64>); 3] {
+        [
+            ("youngs_modulus", self.youngs_modulus),
+            ("poisson_ratio", self.poisson_ratio),
+            ("shear_modulus", self.shear_modulus),
+        ]
     }
 }
 

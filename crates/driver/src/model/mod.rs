@@ -48,6 +48,7 @@ pub use plane_state::PlaneState;
 pub use refusal::{Place, Refusal};
 pub use sharing::LoadSharing;
 pub use shell_membrane::{HoopPressure, Pressure, Shell};
+pub(crate) use state_based::admissible;
 pub use state_plane::StatePlane;
 pub use state_solid::StateSolidKeys;
 pub use timoshenko_beam::{Beam, PowerLaw, Stiffness};
@@ -188,13 +189,14 @@ pub(crate) mod hints {
     /// For bodies in the plane, and their cracks.
     pub(crate) const PLANE: &str = "bond_plane";
     /// For bodies of several materials.
-    const MIXTURES: [&str; 3] = ["bond_plane", "bond_antiplane", "bond_solid"];
+    const MIXTURES: [&str; 5] =
+        ["bond_plane", "bond_antiplane", "bond_solid", "state_plane", "axisymmetric"];
     /// For bonds that soften.
     pub(crate) const SOFTENING: &str = "bond_plane";
     /// The models of bodies of several materials.
     pub(crate) fn mixtures() -> String {
-        let [first, second, last] = MIXTURES;
-        format!("`{first}`, `{second}` and `{last}`")
+        let [rest @ .., last] = MIXTURES.map(|name| format!("`{name}`"));
+        format!("{} and {last}", rest.join(", "))
     }
 
     /// For thin cylinders.

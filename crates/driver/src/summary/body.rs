@@ -81,6 +81,9 @@ pub struct RegionSummary {
     /// Young's modulus, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub youngs_modulus: Option<f64>,
+    /// Poisson's ratio, where it has its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub poisson_ratio: Option<f64>,
     /// Shear modulus, where it has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shear_modulus: Option<f64>,
@@ -167,6 +170,7 @@ fn materials(scene: &BodyScene) -> Vec<RegionSummary> {
         number,
         points: mixture.numbers.iter().filter(|own| **own == number).count(),
         youngs_modulus: other.youngs_modulus,
+        poisson_ratio: other.poisson_ratio,
         shear_modulus: other.shear_modulus,
         critical_stretch: stretch([number; 2]),
         interface_stretch: stretch([0, number]),

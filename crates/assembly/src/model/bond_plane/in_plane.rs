@@ -13,6 +13,11 @@ impl PlaneModel for BondPlane {
         self.parameters.material.stiffness()
     }
 
+    fn stiffness_at(&self, point: usize) -> Mat<3, 3> {
+        let factor = self.factor(point);
+        self.stiffness().map(|row| row.map(|c| factor * c))
+    }
+
     fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
         self.parameters.material.strain(stress)
     }

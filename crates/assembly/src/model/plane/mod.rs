@@ -37,7 +37,7 @@ pub(super) use apart::{Apart, apart_bonds};
 pub(super) use body::{Kind, LatticeBody};
 pub(super) use breaking::{remove_spanning, spanning};
 pub(super) use edges::{
-    By, Cells, End, Nodes, Run, around, border_shares, can_end, energy_factor, for_each_part, is_cut,
+    By, Cells, End, Nodes, Path, Run, around, border_shares, can_end, energy_factor, for_each_part, is_cut,
     strain_rows, volume_factor,
 };
 pub(super) use exceptions::{grid, halved};
@@ -121,6 +121,11 @@ pub trait PlaneModel: BodyModel {
 
     /// Stiffness of the material, Pa, from strains `[ε_xx, ε_yy, γ_xy]` to stresses `[σ_xx, σ_yy, σ_xy]`.
     fn stiffness(&self) -> Mat<3, 3>;
+
+    /// The same of a point, whose material may be another.
+    fn stiffness_at(&self, _point: usize) -> Mat<3, 3> {
+        self.stiffness()
+    }
 
     /// Strains of stresses: its inverse.
     fn strain_of(&self, stress: [f64; 3]) -> [f64; 3];

@@ -2,9 +2,10 @@
 
 use super::super::bond_plane::CentralBond;
 use super::super::plane::{Apart, Mirrors};
-use super::ghosts::{Fit, Separated, fits, nearest, outside};
+use super::ghosts::{Fit, Separated, fits, outside, parted_ghosts};
+use super::materials::{Mixture, StateMaterials};
 use super::term::StateTerm;
-use super::weights::{FamilyWeights, offsets};
+use super::weights::{FamilyWeights, Set, offsets};
 use super::{Axis, Dilatation, StateEdges, StateError, StateParameters};
 use crate::body::{Cell, SquareLattice, plus};
 use crate::stiffness::{GridBonds, GridFamilies, GridFamily, Offset};
@@ -25,6 +26,8 @@ pub(super) struct StateBody {
     /// Shares of real points in the ghosts that are no images.
     pub(super) fits: BTreeMap<Cell, Fit>,
     pub(super) families: FamilyWeights,
+    /// Where there are several materials.
+    pub(super) mixture: Option<Mixture>,
     pub(super) term: StateTerm,
     /// Bonds that are cut: offset of the half and lower point, sorted.
     pub(super) cuts: Vec<(usize, usize)>,
@@ -70,7 +73,7 @@ pub(super) fn extended(
     parameters: &StateParameters,
     real: &SquareLattice,
     mirrors: Mirrors,
-    separated: &Separated,
+    (separated, foreign): (&Separated, &Separated),
 ) -> Result<(SquareLattice, Mirrors, BTreeMap<Cell, Fit>), StateError> {
     let (mirrors, _) = with_axis(parameters, real, mirrors)?;
     let half = offsets(parameters);
@@ -84,7 +87,7 @@ pub(super) fn extended(
     let is_behind = |cell: &Cell| real.corner()[0] / real.spacing() + f64::from(cell[0]) < -1e-6;
     let mut beyond = outside(real, &mirrors, &all);
     beyond.retain(|cell| !(ends_at_axis && is_behind(cell)));
-    let fits = fits(real, &beyond, separated);
+    let fits = fits(real, &beyond, separated, foreign);
     let widened = |range: std::ops::Range<i32>| range.start - reach..range.end + reach;
     let inside = |cell: Cell| real.number(cell).is_some() || fits.contains_key(&cell);
     let ranges = [widened(real.columns()), widened(real.rows()), real.layers()];
@@ -103,6 +106,7 @@ impl StateBody {
         mirrors: Mirrors,
         separated: &Separated,
         cut: &dyn Fn(&SquareLattice) -> Vec<(usize, usize)>,
+        materials: Option<&Arc<StateMaterials>>,
     ) -> Result<Self, StateError> {
         let half = offsets(parameters);
         let (with_axis, has_axis) = with_axis(parameters, &real, mirrors)?;
@@ -111,7 +115,9 @@ impl StateBody {
         let (parts, parted) = Apart::new(&images, &with_axis, &half);
         let from_crack = separated;
         let separated = &|a: Cell, b: Cell| from_crack(a, b) || parts.parts(a, b);
-        let (lattice, mirrors, fits) = extended(parameters, &real, mirrors, separated)?;
+        let number = |cell: Cell| materials.map(|of| Some(of.number(real.number(cell)?)));
+        let foreign = &|a: Cell, b: Cell| number(a) != number(b);
+        let (lattice, mirrors, fits) = extended(parameters, &real, mirrors, (separated, foreign))?;
         let lattice = Arc::new(lattice);
         let is_real: Vec<bool> = (0..lattice.points())
             .map(|p| {
@@ -132,7 +138,9 @@ impl StateBody {
         }
         apart.sort_unstable();
         apart.dedup();
-        let families = FamilyWeights::new(parameters, (&lattice, &apart), &is_real, has_axis)?;
+        let mixture = materials.map(|of| Mixture::new(of, &real, (&lattice, &mirrors)));
+        let families =
+            FamilyWeights::new(parameters, (&lattice, &apart), &is_real, has_axis, mixture.as_ref())?;
         let mut cuts = cut(&lattice);
         cuts.extend(ghost_bonds(&|a, b| real.number(b).is_some() && from_crack(a, b)));
         let mut body = Self {
@@ -143,6 +151,7 @@ impl StateBody {
             ghosts,
             fits,
             families,
+            mixture,
             cuts: Vec::new(),
             apart,
         };
@@ -172,7 +181,7 @@ impl StateBody {
         self.cuts.dedup();
     }
 
-    /// Bonds, and families where they have energy of their own.
+    /// Bonds, and families of the materials where they have energy of their own.
     pub(super) fn energy(&self, parameters: &StateParameters) -> StateTerm {
         let (families, spacing) = (&self.families, self.lattice.spacing());
         let volume = cell_volume(parameters, spacing);
@@ -190,31 +199,38 @@ impl StateBody {
             .collect();
         let factor = |k: usize, [lower, upper]: [usize; 2]| families.bond_factor(bonded[k], lower, upper);
         let bonds = GridBonds::with_factors(self.lattice.clone(), &CentralBond { volume }, &steps, factor);
-        let modulus = parameters.family_modulus();
-        let mean_modulus = match parameters.dilatation {
-            Dilatation::Blocks => parameters.bulk_modulus(),
-            Dilatation::Points => 0.0,
-        };
-        let families = parameters.has_families().then(|| {
-            let family = GridFamily {
-                steps: families.offsets.clone(),
-                sets: families.sets.iter().map(|set| self.dilatation_rows(set)).collect(),
-                set_of: families.set_of.clone(),
-                volume: families.energy.iter().map(|v| v * volume).collect(),
-                own: if parameters.is_axisymmetric() { self.hoop_rows() } else { Vec::new() },
-                modulus,
-                mean_modulus,
-            };
-            GridFamilies::new(self.lattice.clone(), family)
-        });
-        StateTerm::new(bonds, families)
+        let own = self.mixture.as_ref().map_or(std::slice::from_ref(parameters), |m| &m.materials.of);
+        let all = own.iter().enumerate().filter(|(_, material)| material.has_families());
+        StateTerm::new(bonds, all.filter_map(|(k, material)| self.families_of(k, material)).collect())
     }
 
-    /// `(2/q) w |ξ| n` per offset, 1/m.
-    pub(super) fn dilatation_rows(&self, set: &super::weights::Set) -> Vec<[f64; 2]> {
+    /// What the families of a material have beside bonds; none where no point is of it.
+    fn families_of(&self, number: usize, material: &StateParameters) -> Option<GridFamilies> {
+        let (families, volume) = (&self.families, cell_volume(material, self.lattice.spacing()));
+        let part = |p: usize| self.mixture.as_ref().map_or(1.0, |mixture| mixture.part(number, p));
+        let parts: Vec<f64> = (0..self.lattice.points()).map(part).collect();
+        let set = |(set, part): (&Option<u32>, &f64)| set.filter(|_| *part > 0.0);
+        let family = GridFamily {
+            steps: families.offsets.clone(),
+            sets: families.sets.iter().map(|set| self.dilatation_rows(set)).collect(),
+            set_of: families.set_of.iter().zip(&parts).map(set).collect(),
+            volume: families.energy.iter().zip(&parts).map(|(v, part)| part * v * volume).collect(),
+            own: if material.is_axisymmetric() { self.hoop_rows() } else { Vec::new() },
+            modulus: material.family_modulus(),
+            mean_modulus: match material.dilatation {
+                Dilatation::Blocks => material.bulk_modulus(),
+                Dilatation::Points => 0.0,
+            },
+        };
+        let has_any = family.set_of.iter().any(Option::is_some);
+        has_any.then(|| GridFamilies::new(self.lattice.clone(), family))
+    }
+
+    /// `(2/q) w |ξ| n` per offset, 1/m, of what a point sees of elongations.
+    pub(super) fn dilatation_rows(&self, set: &Set) -> Vec<[f64; 2]> {
         let scale = 2.0 / (set.q * self.lattice.spacing());
-        let rows = self.families.offsets.iter().zip(&set.weights);
-        rows.map(|(o, w)| [0, 1].map(|k| scale * w * f64::from(o[k]))).collect()
+        let rows = self.families.offsets.iter().zip(&set.weights).enumerate();
+        rows.map(|(k, (o, w))| [0, 1].map(|c| scale * w * set.own(k) * f64::from(o[c]))).collect()
     }
 
     /// `1/x` of the points that have a family.
@@ -225,38 +241,4 @@ impl StateBody {
         };
         (0..self.lattice.points()).map(of).collect()
     }
-}
-
-/// Bonds from ghosts, images of them among those, to points from which the nearest point of the ghost is separated.
-fn parted_ghosts(
-    (real, lattice, mirrors): (&SquareLattice, &SquareLattice, &Mirrors),
-    ghosts: &BTreeMap<Cell, Fit>,
-    half: &[Cell],
-    separated: &Separated,
-) -> Vec<(usize, usize)> {
-    let mut parted = Vec::new();
-    if ghosts.is_empty() {
-        return parted;
-    }
-    let is_point = |cell: Cell| real.number(mirrors.image(cell).0).is_some();
-    for own in 0..lattice.points() {
-        let cell = lattice.cell(own);
-        let (ghost, signs) = mirrors.image(cell);
-        if real.number(ghost).is_some() {
-            continue;
-        }
-        let Some(middle) = ghosts.get(&ghost).and_then(|_| nearest(real, ghost)) else { continue };
-        for (k, &step) in half.iter().enumerate() {
-            for up in [true, false] {
-                let step = if up { step } else { step.map(|k| -k) };
-                let other = lattice.number(plus(cell, step)).filter(|_| is_point(plus(cell, step)));
-                // An image sees what its ghost sees, mirrored.
-                let seen = plus(ghost, [0, 1, 2].map(|k| signs[k] as i32 * step[k]));
-                if let Some(other) = other.filter(|_| separated(middle, seen)) {
-                    parted.push((k, if up { own } else { other }));
-                }
-            }
-        }
-    }
-    parted
 }

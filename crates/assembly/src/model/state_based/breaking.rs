@@ -128,9 +128,10 @@ impl Breakable<2> for StateBased {
             let listed = self.in_grid(&gone).into_iter().filter_map(|(k, lower)| grid.bond(k, lower));
             part.push(Box::new(Bonds::new(n, listed)));
         }
-        if let Some(before) = self.body.term.families() {
+        let rows = self.body.rows_without(&gone);
+        for before in self.body.term.families() {
             let mut after = (**before).clone();
-            after.set_rows(self.body.rows_without(&gone));
+            after.set_rows(&rows);
             part.push(Box::new(before.clone()));
             part.push(Box::new(after.negated()));
         }
@@ -140,7 +141,7 @@ impl Breakable<2> for StateBased {
     fn break_bonds(&mut self, bonds: &[u64]) {
         let (gone, ghosts) = self.gone(bonds);
         let rows = self.body.rows_without(&gone);
-        self.body.term.change(&self.in_grid(&gone), rows);
+        self.body.term.change(&self.in_grid(&gone), &rows);
         self.body.remove(&gone);
         ghosts.iter().for_each(|ghost| _ = self.body.fits.remove(ghost));
     }

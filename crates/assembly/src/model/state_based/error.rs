@@ -33,6 +33,9 @@ pub enum StateError {
         "the table of the axis is made for neighbours that count by their areas; use the measure `section`, or \"axis\": \"images\""
     )]
     AxisNeedsSection,
+    /// Families beside what completes an edge would be of several materials.
+    #[error("families of several materials are completed by ghosts of their own; use the edges `ghosts`")]
+    MaterialsNeedGhosts,
     /// The lattice does not stand on the axis as it must.
     #[error(
         "the axis runs through cells; let the body begin at x = 0, or at a whole number of spacings from it"

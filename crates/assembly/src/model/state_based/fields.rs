@@ -1,10 +1,12 @@
-//! Strains and stresses of the points of a state-based body, and the loads that belong to stresses.
+//! Strains and stresses of the points of a state-based body.
+//!
+//! Of several materials a point tells the state that it sees, `g e` in place of e.
 //!
 //! `S_ab = (8/q) Σ w |ξ| n_a n_b e` makes the dilatation `ϑ = (S_xx + S_yy)/4` and the strains `E_ab = ½(S_ab − δ_ab ϑ)`; these
 //! are exact for every uniform strain.
 
 use super::super::plane::PlaneFields;
-use super::body::{StateBody, cell_volume};
+use super::body::StateBody;
 use super::{Dilatation, StateParameters};
 use crate::body::{Cell, SquareLattice, plus};
 use rayon::prelude::*;
@@ -35,13 +37,14 @@ impl StateBody {
         let cell = self.lattice.cell(point);
         let own = [u[point], u[n + point]];
         let (mut sums, mut squares) = ([0.0; 3], 0.0);
-        for (&step, &w) in self.families.offsets.iter().zip(&set.weights) {
+        for (k, (&step, &w)) in self.families.offsets.iter().zip(&set.weights).enumerate() {
             let Some(other) = self.lattice.number(plus(cell, step)).filter(|_| w != 0.0) else {
                 continue;
             };
             let [x, y, _] = step.map(f64::from);
             let square = x * x + y * y;
-            let stretch = (x * (u[other] - own[0]) + y * (u[n + other] - own[1])) / square;
+            let along = x * (u[other] - own[0]) + y * (u[n + other] - own[1]);
+            let stretch = set.own(k) * along / square;
             // e |ξ| n_a n_b = stretch ξ_a ξ_b.
             for (sum, product) in sums.iter_mut().zip([x * x, y * y, x * y]) {
                 *sum += w * stretch * product;
@@ -62,13 +65,14 @@ impl StateBody {
         }
     }
 
-    /// Means of the dilatation over blocks, or those of the points.
+    /// Means of the dilatation over the points of a material in every block, or those of the points.
     fn dilatations(&self, parameters: &StateParameters, states: &[State]) -> Vec<f64> {
         if parameters.dilatation == Dilatation::Points {
             return states.iter().map(State::dilatation).collect();
         }
-        let block = |p: usize| SquareLattice::parent(self.lattice.cell(p));
-        let mut sums: HashMap<Cell, [f64; 2]> = HashMap::new();
+        let number = |p: usize| self.mixture.as_ref().map_or(0, |mixture| mixture.number(p));
+        let block = |p: usize| (SquareLattice::parent(self.lattice.cell(p)), number(p));
+        let mut sums: HashMap<(Cell, usize), [f64; 2]> = HashMap::new();
         for (p, state) in states.iter().enumerate() {
             let volume = self.families.energy[p];
             let sum = sums.entry(block(p)).or_default();
@@ -78,19 +82,31 @@ impl StateBody {
         (0..states.len()).map(mean).collect()
     }
 
+    /// λ, μ and the bulk modulus of a point, Pa.
+    pub(super) fn moduli(&self, parameters: &StateParameters) -> impl Fn(usize) -> [f64; 3] {
+        let of = |own: &StateParameters| [own.lame(), own.shear_modulus(), own.bulk_modulus()];
+        let all: Vec<[f64; 3]> = match &self.mixture {
+            Some(mixture) => mixture.materials.of.iter().map(of).collect(),
+            None => vec![of(parameters)],
+        };
+        move |point| all[self.mixture.as_ref().map_or(0, |mixture| mixture.number(point))]
+    }
+
     /// Stresses and energy densities; ghosts have those of their fits.
     pub(super) fn fields(&self, parameters: &StateParameters, u: &[f64]) -> PlaneFields {
         let n = self.lattice.points();
         let states: Vec<State> =
             (0..n).into_par_iter().with_min_len(1024).map(|p| self.state(parameters, p, u)).collect();
         let means = self.dilatations(parameters, &states);
-        let (shear, bulk) = (parameters.shear_modulus(), parameters.bulk_modulus());
-        let lame = parameters.lame();
-        let pressure = |p: usize| bulk * means[p] - 2.0 / 3.0 * shear * states[p].dilatation();
-        let direct = |k: usize| -> Vec<f64> {
-            (0..n).map(|p| pressure(p) + 2.0 * shear * states[p].strain[k]).collect()
+        let moduli = self.moduli(parameters);
+        let pressure = |p: usize| {
+            let [_, shear, bulk] = moduli(p);
+            bulk * means[p] - 2.0 / 3.0 * shear * states[p].dilatation()
         };
+        let stress = |p: usize, strain: f64| pressure(p) + 2.0 * moduli(p)[1] * strain;
+        let direct = |k: usize| -> Vec<f64> { (0..n).map(|p| stress(p, states[p].strain[k])).collect() };
         let energy = |p: usize| {
+            let [lame, shear, bulk] = moduli(p);
             let State { strain, across: h, bonds } = states[p];
             let (theta, whole) = (strain[0] + strain[1], states[p].dilatation());
             let families = 0.5 * (lame - shear) * theta * theta
@@ -99,12 +115,12 @@ impl StateBody {
                 + 0.5 * bulk * (means[p] * means[p] - whole * whole);
             families + 4.0 * shear * bonds
         };
-        let shears = states.iter().map(|s| 2.0 * shear * s.strain[2]).collect();
+        let shears = (0..n).map(|p| 2.0 * moduli(p)[1] * states[p].strain[2]).collect();
         let mut fields = PlaneFields {
             stress: [direct(0), direct(1), shears],
             energy_density: (0..n).map(energy).collect(),
             across: match parameters.is_axisymmetric() {
-                true => (0..n).map(|p| pressure(p) + 2.0 * shear * states[p].across).collect(),
+                true => (0..n).map(|p| stress(p, states[p].across)).collect(),
                 false => Vec::new(),
             },
         };
@@ -140,46 +156,6 @@ impl StateBody {
                     }
                 }
             }
-        }
-    }
-
-    /// Adds the forces `Σ_k V_k S_k : E_k` of stresses `[S_xx, S_yy, S_xy]`, Pa, of some points; none for all. The volumes
-    /// are those of the energies, so that a uniform stress does the same work in the load and in the stiffness.
-    pub(super) fn add_stress_work(
-        &self,
-        parameters: &StateParameters,
-        points: Option<&[usize]>,
-        stress: &dyn Fn(usize) -> [f64; 3],
-        force: &mut [f64],
-    ) {
-        let n = self.lattice.points();
-        let volume = cell_volume(parameters, self.lattice.spacing());
-        let mut add = |point: usize| {
-            let Some(number) = self.families.set_of[point] else { return };
-            let s = stress(point);
-            let energy = volume * self.families.energy[point];
-            if s == [0.0; 3] || energy == 0.0 {
-                return;
-            }
-            let set = &self.families.sets[number as usize];
-            let cell = self.lattice.cell(point);
-            let scale = energy / (set.q * self.lattice.spacing());
-            for (&step, &w) in self.families.offsets.iter().zip(&set.weights) {
-                let Some(other) = self.lattice.number(plus(cell, step)).filter(|_| w != 0.0) else {
-                    continue;
-                };
-                let [x, y, _] = step.map(f64::from);
-                let along = (s[0] * x * x + s[1] * y * y + 2.0 * s[2] * x * y) / (x * x + y * y);
-                let action = scale * w * (4.0 * along - s[0] - s[1]);
-                for (plane, part) in [(0, x), (n, y)] {
-                    force[plane + other] += action * part;
-                    force[plane + point] -= action * part;
-                }
-            }
-        };
-        match points {
-            Some(points) => points.iter().for_each(|&p| add(p)),
-            None => (0..n).for_each(add),
         }
     }
 }

@@ -53,9 +53,15 @@ pub(super) fn outside(real: &SquareLattice, mirrors: &Mirrors, offsets: &[Cell])
     cells
 }
 
-/// The fit of every ghost. A fit takes no point that is separated from its middle.
-pub(super) fn fits(real: &SquareLattice, ghosts: &[Cell], separated: &Separated) -> BTreeMap<Cell, Fit> {
-    let fit = |&ghost: &Cell| Some((ghost, affine(real, ghost, nearest(real, ghost)?, separated)));
+/// The fit of every ghost. A fit takes no point that is separated from its middle, and none of a foreign material where those of its
+/// own tell how the body turns.
+pub(super) fn fits(
+    real: &SquareLattice,
+    ghosts: &[Cell],
+    separated: &Separated,
+    foreign: &Separated,
+) -> BTreeMap<Cell, Fit> {
+    let fit = |&ghost: &Cell| Some((ghost, affine(real, ghost, nearest(real, ghost)?, (separated, foreign))));
     ghosts.iter().filter_map(fit).collect()
 }
 
@@ -85,9 +91,18 @@ pub(super) fn nearest(real: &SquareLattice, [column, row, layer]: Cell) -> Optio
 
 /// Shares of the points near `middle` in a ghost. Where those nearest stand in one row, as in a ligament one cell wide, farther ones
 /// are taken, too, as far as it takes: a fit that does not know how the body turns would resist it.
-fn affine(real: &SquareLattice, ghost: Cell, middle: Cell, separated: &Separated) -> Fit {
-    let near = |wider: i32| of_points_within(real, ghost, middle, (separated, wider));
-    (0..=WIDEST).map(near).find_map(|(fit, is_whole)| is_whole.then_some(fit)).unwrap_or_else(|| near(0).0)
+fn affine(
+    real: &SquareLattice,
+    ghost: Cell,
+    middle: Cell,
+    (separated, foreign): (&Separated, &Separated),
+) -> Fit {
+    let of_all = |wider: i32| of_points_within(real, ghost, middle, (separated, wider));
+    let stays = |a: Cell, b: Cell| separated(a, b) || foreign(a, b);
+    let of_own = |wider: i32| of_points_within(real, ghost, middle, (&stays, wider));
+    let whole = |(fit, is_whole): (Fit, bool)| is_whole.then_some(fit);
+    let own = (0..=WIDEST).find_map(|wider| whole(of_own(wider)));
+    own.or_else(|| (0..=WIDEST).find_map(|wider| whole(of_all(wider)))).unwrap_or_else(|| of_all(0).0)
 }
 
 /// The fit to the points near `middle`, some steps wider than usual, and whether they tell all of it.
@@ -119,9 +134,45 @@ fn of_points_within(
     (fit, least > RANK * most)
 }
 
+/// Bonds from ghosts, images of them among those, to points from which the nearest point of the ghost is separated.
+pub(super) fn parted_ghosts(
+    (real, lattice, mirrors): (&SquareLattice, &SquareLattice, &Mirrors),
+    ghosts: &BTreeMap<Cell, Fit>,
+    half: &[Cell],
+    separated: &Separated,
+) -> Vec<(usize, usize)> {
+    let mut parted = Vec::new();
+    if ghosts.is_empty() {
+        return parted;
+    }
+    let is_point = |cell: Cell| real.number(mirrors.image(cell).0).is_some();
+    for own in 0..lattice.points() {
+        let cell = lattice.cell(own);
+        let (ghost, signs) = mirrors.image(cell);
+        if real.number(ghost).is_some() {
+            continue;
+        }
+        let Some(middle) = ghosts.get(&ghost).and_then(|_| nearest(real, ghost)) else { continue };
+        for (k, &step) in half.iter().enumerate() {
+            for up in [true, false] {
+                let step = if up { step } else { step.map(|k| -k) };
+                let other = lattice.number(plus(cell, step)).filter(|_| is_point(plus(cell, step)));
+                // An image sees what its ghost sees, mirrored.
+                let seen = plus(ghost, [0, 1, 2].map(|k| signs[k] as i32 * step[k]));
+                if let Some(other) = other.filter(|_| separated(middle, seen)) {
+                    parted.push((k, if up { own } else { other }));
+                }
+            }
+        }
+    }
+    parted
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const NONE: fn(Cell, Cell) -> bool = |_, _| false;
 
     fn ring() -> Vec<Cell> {
         (-3..=3).flat_map(|b| (-3..=3).map(move |a| [a, b, 0])).filter(|c| *c != [0; 3]).collect()
@@ -132,7 +183,7 @@ mod tests {
         let real = SquareLattice::plane(1.0, [0.0; 2], 0..8, 0..7, |c| c != [4, 3]);
         let ghosts = outside(&real, &Mirrors::NONE, &ring());
         assert_eq!(ghosts.len(), 14 * 13 - 55);
-        let fits = fits(&real, &ghosts, &|_, _| false);
+        let fits = fits(&real, &ghosts, &NONE, &NONE);
         for (ghost, fit) in &fits {
             let sum = |of: &dyn Fn(Cell) -> f64| fit.iter().map(|(c, share)| share * of(*c)).sum::<f64>();
             assert!((sum(&|_| 1.0) - 1.0).abs() < 1e-13);
@@ -145,7 +196,7 @@ mod tests {
     #[test]
     fn a_single_row_is_continued_along_itself() {
         let real = SquareLattice::rectangle(1.0, [0.0; 2], [9, 1]);
-        let fit = affine(&real, [-2, 0, 0], nearest(&real, [-2, 0, 0]).unwrap(), &|_, _| false);
+        let fit = affine(&real, [-2, 0, 0], nearest(&real, [-2, 0, 0]).unwrap(), (&NONE, &NONE));
         assert!(fit.iter().all(|(cell, _)| cell[1] == 0));
         let linear: f64 = fit.iter().map(|(c, share)| share * f64::from(c[0])).sum();
         assert!((linear + 2.0).abs() < 1e-13);
@@ -157,7 +208,7 @@ mod tests {
         let inside = |[i, j]: [i32; 2]| j == 3 || !(5..12).contains(&i);
         let real = SquareLattice::plane(1.0, [0.0; 2], 0..17, 0..7, inside);
         let ghosts = outside(&real, &Mirrors::NONE, &ring());
-        for (ghost, fit) in &fits(&real, &ghosts, &|_, _| false) {
+        for (ghost, fit) in &fits(&real, &ghosts, &NONE, &NONE) {
             for k in 0..2 {
                 let linear: f64 = fit.iter().map(|(c, share)| share * f64::from(c[k])).sum();
                 assert!((linear - f64::from(ghost[k])).abs() < 1e-9, "{ghost:?} {k}: {linear}");
@@ -171,7 +222,7 @@ mod tests {
         let mirrors = Mirrors::in_plane([Some(0), None], [None; 2]);
         assert!(outside(&real, &mirrors, &ring()).iter().all(|c| c[0] >= 0));
         let apart = |a: Cell, b: Cell| (a[1] < 3) != (b[1] < 3);
-        let fit = affine(&real, [6, 3, 0], [5, 3, 0], &apart);
+        let fit = affine(&real, [6, 3, 0], [5, 3, 0], (&apart, &NONE));
         assert!(fit.iter().all(|(cell, _)| cell[1] >= 3));
     }
 }

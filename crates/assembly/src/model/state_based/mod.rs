@@ -22,6 +22,7 @@ mod breaking;
 mod error;
 mod fields;
 mod ghosts;
+mod materials;
 mod model;
 mod moments;
 mod parameters;
@@ -31,8 +32,10 @@ mod term;
 #[cfg(test)]
 mod tests;
 mod weights;
+mod work;
 
 pub use bordered::BorderedState;
 pub use error::StateError;
+pub use materials::StateMaterials;
 pub use model::StateBased;
 pub use parameters::{Axis, Dilatation, Geometry, Measure, StateEdges, StateParameters};

@@ -5,6 +5,7 @@ use super::super::plane::{
 };
 use super::body::{StateBody, cell_volume};
 use super::ghosts::Separated;
+use super::materials::{Mixture, StateMaterials};
 use super::weights::offsets;
 use super::{StateEdges, StateError, StateParameters};
 use crate::body::{Cell, SquareLattice};
@@ -27,7 +28,7 @@ impl StateBased {
         offsets(parameters)
     }
 
-    /// A body on the cells of a lattice without images. `cut` tells which bonds of the lattice with ghosts and images
+    /// A body of one material on the cells of a lattice without images. `cut` tells which bonds of the lattice with ghosts and images
     /// something cuts, by index into [`offsets`](Self::offsets) and lower point; `separated` whether it stands between cells.
     ///
     /// # Errors
@@ -39,11 +40,45 @@ impl StateBased {
         separated: &Separated,
         cut: &dyn Fn(&SquareLattice) -> Vec<(usize, usize)>,
     ) -> Result<Self, StateError> {
+        Self::mixed(real, mirrors, parameters, separated, cut, None)
+    }
+
+    /// The same of several materials, where there are such, of which the parameters are those of the first.
+    ///
+    /// # Errors
+    /// [`StateError`].
+    pub fn mixed(
+        real: Arc<SquareLattice>,
+        mirrors: Mirrors,
+        parameters: StateParameters,
+        separated: &Separated,
+        cut: &dyn Fn(&SquareLattice) -> Vec<(usize, usize)>,
+        materials: Option<&Arc<StateMaterials>>,
+    ) -> Result<Self, StateError> {
         if parameters.edges == StateEdges::Border {
             return Err(StateError::NoBorder);
         }
-        let body = StateBody::new(&parameters, real, mirrors, separated, cut)?;
+        if materials.is_some() && parameters.edges != StateEdges::Ghosts {
+            return Err(StateError::MaterialsNeedGhosts);
+        }
+        let body = StateBody::new(&parameters, real, mirrors, separated, cut, materials)?;
         Ok(Self { parameters, body })
+    }
+
+    /// The material that a point has most of.
+    pub(super) fn material(&self, point: usize) -> &StateParameters {
+        match &self.body.mixture {
+            Some(mixture) => &mixture.materials.of[mixture.number(point)],
+            None => &self.parameters,
+        }
+    }
+
+    /// All materials.
+    pub(super) fn materials(&self) -> &[StateParameters] {
+        match &self.body.mixture {
+            Some(mixture) => &mixture.materials.of,
+            None => std::slice::from_ref(&self.parameters),
+        }
     }
 
     /// The parameters.
@@ -83,7 +118,12 @@ impl Model<2> for StateBased {
     }
 
     fn contrast(&self) -> f64 {
-        self.parameters.contrast()
+        let own = self.materials().iter().map(StateParameters::contrast);
+        self.contrast_of_points() * own.fold(1.0, f64::max)
+    }
+
+    fn contrast_of_points(&self) -> f64 {
+        self.body.mixture.as_ref().map_or(1.0, Mixture::contrast)
     }
 
     fn terms(&self) -> Vec<Box<dyn Term<2>>> {
@@ -146,7 +186,9 @@ impl Solvable<2> for StateBased {
         }
         let half = offsets(parameters);
         let cut = |lattice: &SquareLattice| cuts(lattice, &half);
-        Some(Box::new(Self::on_lattice(real, mirrors, *parameters, &|_, _| false, &cut).ok()?))
+        let materials = body.mixture.as_ref().map(|mixture| mixture.materials.coarser(&body.real, &real));
+        let made = Self::mixed(real, mirrors, *parameters, &|_, _| false, &cut, materials.as_ref());
+        Some(Box::new(made.ok()?))
     }
 
     fn breaking(&self) -> Option<Box<dyn BreakingModel<2>>> {

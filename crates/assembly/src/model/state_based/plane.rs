@@ -2,7 +2,7 @@
 
 use super::super::plane::{Mirrors, PlaneFields, PlaneModel, in_plane};
 use super::body::cell_volume;
-use super::{Geometry, StateBased};
+use super::{Geometry, StateBased, StateParameters};
 use crate::body::{Cell, SquareLattice};
 use crate::bonds::Mat;
 use crate::model::solid::TENSOR;
@@ -55,7 +55,7 @@ impl BodyModel for StateBased {
     }
 
     fn hardly_compresses(&self) -> bool {
-        self.parameters.hardly_compresses()
+        self.materials().iter().any(StateParameters::hardly_compresses)
     }
 
     fn fold(&self, force: &mut [f64]) {
@@ -66,8 +66,17 @@ impl BodyModel for StateBased {
         in_plane(self, stress, across)
     }
 
+    fn strains_at(&self, point: usize, [x, y, shear, ..]: [f64; TENSOR], across: f64) -> [f64; TENSOR] {
+        let [x, y, shear] = self.strain_at(point, [x, y, shear], across);
+        [x, y, shear, 0.0, 0.0, 0.0]
+    }
+
     fn across_of(&self, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
         self.stress_across([x, y, shear])
+    }
+
+    fn across_at(&self, point: usize, [x, y, shear, ..]: [f64; TENSOR]) -> f64 {
+        self.material(point).stress_across([x, y, shear])
     }
 
     fn recover(&self, u: &[f64]) -> BodyFields {
@@ -91,12 +100,20 @@ impl PlaneModel for StateBased {
         self.parameters.stiffness()
     }
 
+    fn stiffness_at(&self, point: usize) -> Mat<3, 3> {
+        self.material(point).stiffness()
+    }
+
     fn strain_of(&self, stress: [f64; 3]) -> [f64; 3] {
         self.parameters.strain(stress)
     }
 
     fn strain_with(&self, stress: [f64; 3], across: f64) -> [f64; 3] {
         self.parameters.strain_with(stress, across)
+    }
+
+    fn strain_at(&self, point: usize, stress: [f64; 3], across: f64) -> [f64; 3] {
+        self.material(point).strain_with(stress, across)
     }
 
     fn stress_across(&self, stress: [f64; 3]) -> f64 {
@@ -108,11 +125,7 @@ impl PlaneModel for StateBased {
     }
 
     fn add_strain_work(&self, t: &mut [f64], points: Option<&[usize]>, force: &mut [f64]) {
-        let n = self.points();
-        let c = self.parameters.stiffness();
-        let t = &*t;
-        let stress = |p: usize| [0, 1, 2].map(|k| (0..3).map(|q| c[k][q] * t[q * n + p]).sum::<f64>());
-        self.body.add_stress_work(&self.parameters, points, &stress, force);
+        self.body.add_stretch_work(&self.parameters, points, t, force);
     }
 
     fn add_stress_load(

@@ -105,7 +105,7 @@ impl<'a> Maker<'a> {
         if self.parameters.edges == StateEdges::None {
             q = self.continuum();
         }
-        Set { weights, q }
+        Set { weights, q, own: Vec::new() }
     }
 
     /// `∫ ω ξ² dA` over the disc of the horizon.
@@ -120,7 +120,7 @@ impl<'a> Maker<'a> {
             let plain = self.plain();
             let own = table.weights[ring].iter().zip(present);
             let weights = own.map(|(w, present)| if *present { *w } else { 0.0 }).collect();
-            return Set { weights, q: plain.q };
+            return Set { weights, q: plain.q, own: Vec::new() };
         }
         let own = self.radius(class - 1);
         let mut weights = self.influence.clone();

@@ -14,22 +14,23 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(super) struct StateTerm {
     bonds: Option<Arc<GridBonds<2, 1, CentralBond>>>,
-    families: Option<Arc<GridFamilies>>,
+    /// By material, where that has any.
+    families: Vec<Arc<GridFamilies>>,
 }
 
 impl StateTerm {
     /// Of no body yet.
     pub(super) fn empty() -> Self {
-        Self { bonds: None, families: None }
+        Self { bonds: None, families: Vec::new() }
     }
 
-    pub(super) fn new(bonds: GridBonds<2, 1, CentralBond>, families: Option<GridFamilies>) -> Self {
-        Self { bonds: Some(Arc::new(bonds)), families: families.map(Arc::new) }
+    pub(super) fn new(bonds: GridBonds<2, 1, CentralBond>, families: Vec<GridFamilies>) -> Self {
+        Self { bonds: Some(Arc::new(bonds)), families: families.into_iter().map(Arc::new).collect() }
     }
 
     /// Whether there are families beside the bonds.
     pub(super) fn has_families(&self) -> bool {
-        self.families.is_some()
+        !self.families.is_empty()
     }
 
     /// The bonds.
@@ -37,17 +38,17 @@ impl StateTerm {
         self.bonds.as_ref()
     }
 
-    /// The families.
-    pub(super) fn families(&self) -> Option<&Arc<GridFamilies>> {
-        self.families.as_ref()
+    /// The families of every material that has any.
+    pub(super) fn families(&self) -> &[Arc<GridFamilies>] {
+        &self.families
     }
 
     /// Removes bonds, by index of their offset and lower point, and gives points new rows.
-    pub(super) fn change(&mut self, bonds: &[(usize, usize)], rows: Vec<(usize, FamilyRows)>) {
+    pub(super) fn change(&mut self, bonds: &[(usize, usize)], rows: &[(usize, FamilyRows)]) {
         if let Some(own) = &mut self.bonds {
             Arc::make_mut(own).break_bonds(bonds.iter().copied());
         }
-        if let Some(own) = &mut self.families {
+        for own in &mut self.families {
             Arc::make_mut(own).set_rows(rows);
         }
     }
@@ -77,8 +78,8 @@ impl Term<2> for StateTerm {
     }
 
     fn sweep(&self, u: &[f64], out: &mut [f64], take: TakeForces<'_, 2>) -> bool {
-        match (&self.bonds, &self.families) {
-            (Some(bonds), None) => bonds.sweep(u, out, take),
+        match (&self.bonds, &self.families[..]) {
+            (Some(bonds), []) => bonds.sweep(u, out, take),
             _ => false,
         }
     }

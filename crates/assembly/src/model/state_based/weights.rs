@@ -1,6 +1,7 @@
 //! Weights of the families of all points of a lattice, and the volumes that their energies have.
 
 use super::super::plane::{half_offsets, is_within};
+use super::materials::{Mixture, paths};
 use super::sets::Maker;
 use super::{StateEdges, StateError, StateParameters};
 use crate::body::{Cell, SquareLattice, plus};
@@ -16,6 +17,15 @@ pub(super) struct Set {
     pub(super) weights: Vec<f64>,
     /// Weighted volume `Σ w ξ²` of the undamaged family.
     pub(super) q: f64,
+    /// Per offset, what of an elongation belongs to the material of the point; empty where that is all.
+    pub(super) own: Vec<f64>,
+}
+
+impl Set {
+    /// What of the elongation towards a neighbour belongs to the material of the point.
+    pub(super) fn own(&self, offset: usize) -> f64 {
+        self.own.get(offset).copied().unwrap_or(1.0)
+    }
 }
 
 /// Families of the points of a lattice.
@@ -31,6 +41,8 @@ pub(super) struct FamilyWeights {
     pub(super) energy: Vec<f64>,
     /// The same of the volumes that they have.
     pub(super) volume: Vec<f64>,
+    /// Shear moduli of the points over that of the base material; empty where all have that.
+    shear: Vec<f64>,
 }
 
 /// One of each pair of opposite offsets to the neighbours of a point.
@@ -50,6 +62,7 @@ impl FamilyWeights {
         (lattice, apart): (&SquareLattice, &[(usize, usize)]),
         real: &[bool],
         has_axis: bool,
+        mixture: Option<&Mixture>,
     ) -> Result<Self, StateError> {
         if parameters.horizon_ratio < 1.5 {
             return Err(StateError::NoNeighbours(parameters.horizon_ratio));
@@ -61,11 +74,13 @@ impl FamilyWeights {
         let (mut sets, mut known, mut set_of) = (Vec::new(), HashMap::new(), vec![None; n]);
         let mut negative = Vec::new();
         sets.push(maker.plain());
-        known.insert((0, vec![true; offsets.len()]), 0);
+        known.insert(((0, vec![true; offsets.len()]), Vec::new()), 0);
+        let paths = paths(&offsets);
         for (point, set) in set_of.iter_mut().enumerate().filter(|(p, _)| real[*p]) {
-            let key = maker.key(point);
-            let number = *known.entry(key).or_insert_with_key(|key| {
-                sets.push(maker.set(key));
+            let own = mixture.map_or(Vec::new(), |mixture| mixture.own(lattice, point, &paths));
+            let bits: Vec<u64> = own.iter().map(|part| part.to_bits()).collect();
+            let number = *known.entry((maker.key(point), bits)).or_insert_with_key(|(key, _)| {
+                sets.push(Set { own, ..maker.set(key) });
                 sets.len() as u32 - 1
             });
             let own = &sets[number as usize];
@@ -77,7 +92,12 @@ impl FamilyWeights {
         }
         let volume: Vec<f64> = (0..n).map(|p| if real[p] { maker.volume(p, false) } else { 0.0 }).collect();
         let energy: Vec<f64> = (0..n).map(|p| if real[p] { maker.volume(p, true) } else { 0.0 }).collect();
-        let mut families = Self { offsets, sets, set_of, energy, volume };
+        let base = parameters.shear_modulus();
+        let of_base = |mixture: &Mixture| -> Vec<f64> {
+            (0..n).map(|p| mixture.mean(p, StateParameters::shear_modulus) / base).collect()
+        };
+        let shear = mixture.map_or(Vec::new(), of_base);
+        let mut families = Self { offsets, sets, set_of, energy, volume, shear };
         match parameters.edges {
             StateEdges::Moment if !negative.is_empty() => {
                 return Err(StateError::NegativeWeights(negative.len()));
@@ -91,6 +111,7 @@ impl FamilyWeights {
     /// The energies of some points go to the nearest ones that are not among them.
     fn give_away(&mut self, lattice: &SquareLattice, from: &[usize]) {
         let keeps = |p: usize| self.set_of[p].is_some() && from.binary_search(&p).is_err();
+        let shear = |p: usize| self.shear.get(p).copied().unwrap_or(1.0);
         let mut moved = Vec::new();
         for &point in from {
             let cell = lattice.cell(point);
@@ -100,7 +121,7 @@ impl FamilyWeights {
                 let near = ring.filter(|[i, j, _]| i * i + j * j <= reach * reach);
                 let points =
                     near.filter_map(|s| Some((s[0] * s[0] + s[1] * s[1], lattice.number(plus(cell, s))?)));
-                points.filter(|(_, p)| keeps(*p)).min()
+                points.filter(|(_, p)| keeps(*p) && shear(*p) == shear(point)).min()
             });
             moved.extend(found.map(|(_, to)| (point, to)));
         }
@@ -115,15 +136,16 @@ impl FamilyWeights {
         (offset + self.offsets.len() / 2) % self.offsets.len()
     }
 
-    /// Weight over weighted volume of a point's neighbour, per that of the plain family.
+    /// Weight over weighted volume of a point's neighbour, per that of the plain family of the base material.
     fn share(&self, point: usize, offset: usize) -> f64 {
         let Some(number) = self.set_of[point] else { return 0.0 };
         let (own, plain) = (&self.sets[number as usize], &self.sets[0]);
-        self.energy[point] * (own.weights[offset] / own.q) / (plain.weights[offset] / plain.q)
+        let material = self.shear.get(point).copied().unwrap_or(1.0) * own.own(offset).powi(2);
+        material * self.energy[point] * (own.weights[offset] / own.q) / (plain.weights[offset] / plain.q)
     }
 
-    /// Stiffness of the bond at an offset of the half from a lower to an upper point, per that in a plain lattice of cells
-    /// whose energies count one: the mean of what both families give.
+    /// Stiffness of the bond at an offset of the half from a lower to an upper point, per that in a plain lattice of cells of the
+    /// base material whose energies count one: the mean of what both families give.
     pub(super) fn bond_factor(&self, offset: usize, lower: usize, upper: usize) -> f64 {
         0.5 * (self.share(lower, offset) + self.share(upper, self.opposite(offset)))
     }

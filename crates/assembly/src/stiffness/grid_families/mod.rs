@@ -89,12 +89,14 @@ impl<const D: usize> GridFamilies<D> {
         Self { lattice, family, stretches, bands, blocks, odd }
     }
 
-    /// Gives some points rows of their own.
-    pub fn set_rows(&mut self, rows: impl IntoIterator<Item = (usize, FamilyRows<D>)>) {
+    /// Gives some points rows of their own, those that have a family.
+    pub fn set_rows(&mut self, rows: &[(usize, FamilyRows<D>)]) {
         for (point, rows) in rows {
-            self.family.set_of[point] = Some(self.family.sets.len() as u32);
-            self.odd.push(is_odd(&self.family.steps, &rows));
-            self.family.sets.push(rows);
+            if let Some(set) = &mut self.family.set_of[*point] {
+                *set = self.family.sets.len() as u32;
+                self.odd.push(is_odd(&self.family.steps, rows));
+                self.family.sets.push(rows.clone());
+            }
         }
         self.stretches = stretches(&self.lattice, &self.family.set_of);
         let reach = self.family.steps.iter().flat_map(|s| s.map(i32::abs)).max().unwrap_or(0);
@@ -113,6 +115,11 @@ impl<const D: usize> GridFamilies<D> {
     pub fn dilatations(&self, u: &[f64]) -> Vec<f64> {
         let [theta, _] = self.measures(u);
         theta
+    }
+
+    /// Adds the forces that do the work of the stresses of measures ϑ and h, of all points.
+    pub fn add_work_of(&self, [theta, hoop]: [&[f64]; 2], force: &mut [f64]) {
+        self.push(&self.stresses(theta, hoop), force);
     }
 
     /// Adds the forces that do the work of stresses, times volumes, of the points with their dilatations and, if there are any

@@ -37,9 +37,9 @@ impl Keys for Axisymmetric {
         Model::Axisymmetric(Self { edges: None, measure: Measure::default(), axis: None, ..self.clone() })
     }
 
-    fn resolve(&self, _: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
+    fn resolve(&self, asked: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
         let mut keys = self.clone();
-        let parameters = parameters(&mut keys, faults)?;
+        let parameters = parameters(&mut keys, asked, faults)?;
         let filled = |of: &StateParameters, keys: &Self| {
             let axis = (of.edges != StateEdges::Border).then_some(of.axis);
             Model::Axisymmetric(Self { edges: Some(of.edges), axis, ..keys.clone() })
@@ -57,7 +57,7 @@ impl Keys for Axisymmetric {
 }
 
 /// The parameters, filling in the defaults of the keys; the horizon ratio is to be set.
-fn parameters(model: &mut Axisymmetric, faults: &mut Faults) -> Option<StateParameters> {
+fn parameters(model: &mut Axisymmetric, asked: &Asked, faults: &mut Faults) -> Option<StateParameters> {
     let path = root("model").key(NAME);
     let mut fine = positive(model.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
     fine &= admissible(model.poisson_ratio, &path, faults);
@@ -76,7 +76,8 @@ fn parameters(model: &mut Axisymmetric, faults: &mut Faults) -> Option<StatePara
     let is_full =
         matches!(edges, StateEdges::Border | StateEdges::Ghosts) && model.measure == Measure::Section;
     let axis = if is_full { Axis::Table } else { Axis::Images };
-    let blocks = if model.poisson_ratio > LOCKS { Dilatation::Blocks } else { Dilatation::Points };
+    let locks = asked.most_poisson_ratio(model.poisson_ratio) > LOCKS;
+    let blocks = if locks { Dilatation::Blocks } else { Dilatation::Points };
     fine.then(|| StateParameters {
         youngs_modulus: model.youngs_modulus,
         poisson_ratio: model.poisson_ratio,

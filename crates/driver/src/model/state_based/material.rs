@@ -3,7 +3,7 @@
 use super::super::material::isotropic_strain;
 use super::super::{
     About, AnyBody, Asked, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround,
-    OnLattice, Refusal, Resolved, Surface,
+    OnLattice, OtherMaterial, Refusal, Resolved, Surface,
 };
 use super::{Families, critical, section, warn, words};
 use crate::diagnostic::{Faults, JsonPath};
@@ -12,7 +12,7 @@ use peristat_assembly::body::{Cell, Outline, SquareLattice};
 use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
 use peristat_assembly::model::state_based::{
-    BorderedState, Geometry, StateBased, StateEdges, StateParameters,
+    BorderedState, Geometry, StateBased, StateEdges, StateMaterials, StateParameters,
 };
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -54,6 +54,14 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
 
     fn youngs_moduli(&self) -> Vec<(&'static str, f64)> {
         vec![("youngs_modulus", self.parameters.youngs_modulus)]
+    }
+
+    fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
+        if self.parameters.edges == StateEdges::Ghosts {
+            let of = &self.parameters;
+            return Ok(vec![("youngs_modulus", of.youngs_modulus), ("poisson_ratio", of.poisson_ratio)]);
+        }
+        Err(("families of several materials need the edges `ghosts`", "leave out `edges`".into()))
     }
 
     fn set_horizon_ratio(&mut self, horizon_ratio: f64) {
@@ -100,7 +108,16 @@ impl<K: Clone + Debug + Send + Sync + 'static> Material for Families<K> {
         }
         let offsets = self.offsets()?;
         let cut = |lattice: &SquareLattice| (on.cuts)(lattice, &offsets);
-        let body = StateBased::on_lattice(real, on.mirrors, self.parameters, on.separated, &cut)?;
+        let of = &self.parameters;
+        let constants = |other: &OtherMaterial| {
+            [
+                other.youngs_modulus.unwrap_or(of.youngs_modulus),
+                other.poisson_ratio.unwrap_or(of.poisson_ratio),
+            ]
+        };
+        let others: Vec<[f64; 2]> = on.materials.others.iter().map(constants).collect();
+        let materials = StateMaterials::new(of, &others, &on.materials.numbers);
+        let body = StateBased::mixed(real, on.mirrors, *of, on.separated, &cut, materials.as_ref())?;
         Ok(AnyBody::Two(Box::new(body)))
     }
 

@@ -30,8 +30,8 @@ pub(super) struct Families<K> {
     pub(super) filled: fn(&StateParameters, &K) -> Model,
 }
 
-/// Whether Poisson's ratio is that of a stable material; `path` is that of the model.
-pub(super) fn admissible(nu: f64, path: &JsonPath, faults: &mut Faults) -> bool {
+/// Whether Poisson's ratio is that of a stable material; `path` is that of what has it.
+pub(crate) fn admissible(nu: f64, path: &JsonPath, faults: &mut Faults) -> bool {
     let fine = -1.0 < nu && nu < 0.5;
     if !fine {
         faults
@@ -48,7 +48,9 @@ impl From<StateError> for Refusal {
     fn from(error: StateError) -> Self {
         let at = match error {
             StateError::NoNeighbours(_) => Place::Horizon,
-            StateError::NegativeWeights(_) | StateError::NoBorder => Place::Key("edges"),
+            StateError::NegativeWeights(_) | StateError::NoBorder | StateError::MaterialsNeedGhosts => {
+                Place::Key("edges")
+            }
             StateError::NegativeAxis => Place::Key("influence"),
             StateError::AxisNeedsGhosts | StateError::AxisNeedsSection => Place::Key("axis"),
             StateError::OffAxis => Place::Body,

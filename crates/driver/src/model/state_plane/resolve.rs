@@ -38,7 +38,8 @@ impl Keys for StatePlane {
         };
         let ends_where_cut = self.edges.is_none();
         // Ghosts, which edges between cells have, and weights of what is left want more neighbours than cut edges do.
-        let is_cut = self.edges.is_none_or(|edges| edges == StateEdges::Border)
+        let is_cut = asked.materials.is_none()
+            && self.edges.is_none_or(|edges| edges == StateEdges::Border)
             && !matches!(asked.body, BodyKind::Rectangle { has_holes: false, .. });
         let usual_horizon_ratio = if is_cut { asked.usual_horizon_ratio() } else { USUAL_HORIZON_RATIO };
         Some(Box::new(Families { name: NAME, keys, parameters, usual_horizon_ratio, ends_where_cut, filled }))
@@ -56,11 +57,13 @@ fn parameters(model: &mut StatePlane, asked: &Asked, faults: &mut Faults) -> Opt
         PlaneState::PlaneStrain => Geometry::PlaneStrain(model.thickness),
     };
     let usual = match model.state {
-        PlaneState::PlaneStrain if model.poisson_ratio > LOCKS => Dilatation::Blocks,
+        PlaneState::PlaneStrain if asked.most_poisson_ratio(model.poisson_ratio) > LOCKS => {
+            Dilatation::Blocks
+        }
         _ => Dilatation::Points,
     };
-    let breaks = asked.breaks || asked.has_cracks;
-    let edges = if breaks { StateEdges::Ghosts } else { StateEdges::Border };
+    let needs_ghosts = asked.breaks || asked.has_cracks || asked.materials.is_some();
+    let edges = if needs_ghosts { StateEdges::Ghosts } else { StateEdges::Border };
     fine.then(|| StateParameters {
         youngs_modulus: model.youngs_modulus,
         poisson_ratio: model.poisson_ratio,

@@ -56,7 +56,7 @@ impl Recovered {
     ) -> Option<f64> {
         let stress = self.at(&sum);
         let across = match self.across.is_empty() {
-            true => medium.model.across_of(stress),
+            true => medium.model.across_at(point, stress),
             false => sum(&self.across),
         };
         let is_strain = matches!(origin, Origin::Strain(..) | Origin::FibreStrain(_));

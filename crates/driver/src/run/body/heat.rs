@@ -93,7 +93,7 @@ impl Recovered {
     pub(super) fn take_off(&mut self, heat: &Heat, radius: Option<f64>, model: &dyn BodyModel) {
         let own = HeatStress::new(heat, radius, model);
         if !own.across.is_empty() && self.across.is_empty() {
-            self.across = (0..heat.change.len()).map(|p| model.across_of(self.at(|s| s[p]))).collect();
+            self.across = (0..heat.change.len()).map(|p| model.across_at(p, self.at(|s| s[p]))).collect();
         }
         for p in 0..heat.change.len() {
             let (held, across) = own.add_to(|s| s[p], ([0.0; TENSOR], 0.0));
@@ -120,7 +120,7 @@ fn stored(heat: &Heat, (point, model): (usize, &dyn BodyModel), stress: [f64; TE
     let besides = if model.is_revolved() {
         // Around the axis the material is as it is along the radius.
         let [x, y, shear, ..] = stress;
-        across * model.strains_of([across, y, shear, 0.0, 0.0, 0.0], x)[0]
+        across * model.strains_at(point, [across, y, shear, 0.0, 0.0, 0.0], x)[0]
     } else if unit.across_strain != 0.0 {
         // Beyond the stress that follows from those in the plane there is one that acts alone.
         let modulus = (unit.across_stress - model.across_of(unit.stress)) / unit.across_strain;

@@ -22,8 +22,8 @@ pub(super) fn read(scene: &BodyScene, result: &BodyResult, probe: &BodyProbe) ->
     let fit = at(result, place)?;
     let [x, y, shear] = fit.at(place).stress;
     let stress = [x, y, shear, 0.0, 0.0, 0.0];
-    let across = scene.model.across_of(stress);
     let point = if scene.materials().is_one() { 0 } else { scene.nearest(place)? };
+    let across = scene.model.across_at(point, stress);
     Some((of_stress(field.about().origin, Medium::of(scene), (point, stress), across)?, fit.residual()))
 }
 

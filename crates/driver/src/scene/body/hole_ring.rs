@@ -21,8 +21,6 @@ const ON_BORDER: f64 = 1e-6;
 const PLACES: usize = 64;
 /// Horizons around a hole whose points its own pressure loads.
 const OWN: f64 = 3.0;
-/// A stress along x alone.
-const ALONG_X: [f64; 6] = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 /// Forces are none below this share of the largest.
 const NO_FORCE: f64 = 1e-12;
 
@@ -116,9 +114,7 @@ impl HoleRing {
             };
             images.iter().map(image)
         };
-        let strain = |point: u32| scene.model.strains_at(point as usize, ALONG_X, 0.0)[0];
-        let softness = strain(*self.points.first()?) / scene.model.strains_of(ALONG_X, 0.0)[0];
-        let stiffness = scene.model.as_plane()?.stiffness().map(|row| row.map(|c| c / softness));
+        let stiffness = scene.model.as_plane()?.stiffness_at(*self.points.first()? as usize);
         ORDERS.into_iter().find_map(|order| {
             let fields = HoleFields::new(&stiffness, self.ellipse, order)?;
             HoleFit::new(fields, pressure, self.points.iter().flat_map(moved))

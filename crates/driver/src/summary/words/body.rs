@@ -14,14 +14,13 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
         let s = if other.points == 1 { "" } else { "s" };
         let own = [("E", other.youngs_modulus), ("G", other.shear_modulus)].into_iter();
         let stress = |value: f64| units.quantity(&number(value), units.stress());
-        let own: String = own.filter_map(|(k, value)| Some(format!(", {k} = {}", stress(value?)))).collect();
-        let breaks = other.critical_stretch.zip(other.interface_stretch).map_or_else(
-            String::new,
-            |(own, interface)| {
-                format!(", breaks at a stretch of {}, its interface at {}", number(own), number(interface))
-            },
-        );
-        line("material", format!("{}, {}: {} point{s}{own}{breaks}", other.number, other.name, other.points));
+        let mut own: String =
+            own.filter_map(|(k, value)| Some(format!(", {k} = {}", stress(value?)))).collect();
+        own.extend(other.poisson_ratio.map(|nu| format!(", ν = {}", number(nu))));
+        own.extend(other.critical_stretch.zip(other.interface_stretch).map(|(own, interface)| {
+            format!(", breaks at a stretch of {}, its interface at {}", number(own), number(interface))
+        }));
+        line("material", format!("{}, {}: {} point{s}{own}", other.number, other.name, other.points));
     }
     let length = |value: f64| units.quantity(&number(value), units.length());
     let influence = m.material.influence;

@@ -3,6 +3,7 @@
 mod axis;
 mod border;
 mod lame;
+mod materials;
 mod patch;
 mod ring_border;
 mod spectrum;

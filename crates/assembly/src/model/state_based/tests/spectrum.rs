@@ -3,7 +3,7 @@
 use super::*;
 use crate::model::Points;
 
-fn eigenvalues(model: &StateBased) -> Vec<f64> {
+pub(super) fn eigenvalues(model: &StateBased) -> Vec<f64> {
     let system = System::new(model, Vec::new(), Vec::new()).unwrap();
     let full = stiffness(&system);
     // Rows of dependent unknowns are inert.

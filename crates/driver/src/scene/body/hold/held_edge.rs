@@ -154,6 +154,7 @@ mod tests {
             breaks: false,
             softens: false,
             has_cracks: false,
+            materials: None,
             symmetry: &[],
             joined: Vec::new(),
         };

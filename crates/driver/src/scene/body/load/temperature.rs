@@ -85,13 +85,17 @@ fn in_plane(expansion: Expansion, fibres: Option<Fibres>) -> [f64; 4] {
 impl Heat {
     /// Adds the load times a factor to forces on the unknowns of a model.
     pub(crate) fn add_to(&self, model: &dyn BodyModel, factor: f64, force: &mut [f64]) {
-        let of = |point: usize| factor * self.free[point] * self.stiffness(model, point);
         let points: Vec<usize> = (0..self.free.len()).filter(|&p| self.free[p] != 0.0).collect();
         let some = (points.len() < self.free.len()).then_some(&points[..]);
         if let Some(plane) = model.as_plane() {
-            let [x, y, xy, ..] = self.unit.stress;
-            plane.add_stress_load(some, &|p, _| [x, y, xy].map(|s| of(p) * s), force);
+            let strain = model.strains_of(self.unit.stress, self.unit.across_stress);
+            let mut t: Vec<f64> = strain[..3]
+                .iter()
+                .flat_map(|e| self.free.iter().map(move |free| factor * free * e))
+                .collect();
+            plane.add_strain_work(&mut t, some, force);
         } else if let Some(solid) = model.as_solid() {
+            let of = |point: usize| factor * self.free[point] * self.stiffness(model, point);
             solid.add_stress_load(&|p, _| self.unit.stress.map(|s| of(p) * s), force);
         }
     }
@@ -224,6 +228,11 @@ fn is_borne(context: &LoadContext, path: &JsonPath, faults: &mut Faults) -> bool
             "bodies that break or soften have no `temperature`",
             "find the stresses of the body with its cracks, without `fracture` and `path`",
         )
+    } else if differ_in_contraction(context) {
+        (
+            "bodies of materials with other Poisson's ratios have no `temperature`",
+            "give all of them the `poisson_ratio` of `model`",
+        )
     } else if !case.stress_intensity.is_empty() {
         ("stress intensities of bodies with a `temperature` are not found", "remove `stress_intensity`")
     } else {
@@ -231,6 +240,14 @@ fn is_borne(context: &LoadContext, path: &JsonPath, faults: &mut Faults) -> bool
     };
     faults.error(path.clone(), message).hint(hint);
     false
+}
+
+/// Whether materials are other than the base one not by a factor alone.
+fn differ_in_contraction(context: &LoadContext) -> bool {
+    let known = context.material.other_materials().unwrap_or_default();
+    let base = known.iter().find(|(key, _)| *key == "poisson_ratio").map(|(_, value)| *value);
+    let mut ratios = context.inputs.materials.others.iter().filter_map(|other| other.poisson_ratio);
+    ratios.any(|ratio| Some(ratio) != base)
 }
 
 /// Whether sides are joined and edges are not complete, which leaves the free stresses of points beside them unknown.

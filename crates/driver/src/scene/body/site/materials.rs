@@ -5,7 +5,7 @@ use super::model_inputs::ModelInputs;
 use crate::case::RegionMaterial;
 use crate::diagnostic::{Faults, JsonPath, positive, root, tidy};
 use crate::memory;
-use crate::model::{Mixture, OtherMaterial};
+use crate::model::{Mixture, OtherMaterial, admissible};
 use peristat_assembly::body::{SquareLattice, plus};
 
 /// How many times stiffer or softer than the base a material may be: beyond it forces of the one are rounding beside the other.
@@ -43,8 +43,9 @@ pub(crate) fn mixture(
     for (name, given) in &case.materials {
         let path = root("materials").key(name);
         let at = ground.region(&given.at, &path.key("at"), faults).unwrap_or_default();
-        let RegionMaterial { youngs_modulus, shear_modulus, thermal_expansion, .. } = *given;
-        let other = OtherMaterial { name: name.clone(), youngs_modulus, shear_modulus, thermal_expansion };
+        let RegionMaterial { youngs_modulus, poisson_ratio, shear_modulus, thermal_expansion, .. } = *given;
+        let name = name.clone();
+        let other = OtherMaterial { name, youngs_modulus, poisson_ratio, shear_modulus, thermal_expansion };
         check(&other, &takes, &path, faults);
         if case.fracture.is_none() {
             refuse_unbroken(given, &path, faults);
@@ -108,6 +109,10 @@ fn check(other: &OtherMaterial, takes: &[(&'static str, f64)], path: &JsonPath, 
                 .hint(format!("they differ in {}", all.join(", ")));
             continue;
         };
+        if key == "poisson_ratio" {
+            admissible(value, path, faults);
+            continue;
+        }
         let ratio = value / base;
         if positive(value, key, path.key(key), faults) && !(1.0 / MOST_RATIO..=MOST_RATIO).contains(&ratio) {
             faults

@@ -15,12 +15,14 @@ pub(crate) fn asked(case: &Case) -> Asked<'_> {
         _ => BodyKind::Other,
     };
     let joined = |p: &crate::case::Periodic| JoinedSides { axis: p.along.number(), stretches: p.stretches };
+    let poisson_ratios = case.materials.values().filter_map(|material| material.poisson_ratio).collect();
     Asked {
         body,
         body_path: body::path(case),
         breaks: case.fracture.is_some(),
         softens: case.path.is_some(),
         has_cracks: !case.cracks.is_empty() || specimen::kind(&case.body).is_some(),
+        materials: (!case.materials.is_empty()).then_some(poisson_ratios),
         symmetry: &case.symmetry,
         joined: case.periodic.iter().map(joined).collect(),
     }
