@@ -370,6 +370,7 @@ fn two_materials_of_one_expansion_expand_without_stress() {
         "bond_plane",
         "bond_plane, strain",
         "bond_solid",
+        "state_solid",
         "state_plane",
         "state_plane, strain",
         "axisymmetric",

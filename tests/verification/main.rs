@@ -45,6 +45,7 @@ mod materials;
 mod member_materials;
 mod mirrored_loads;
 mod mixed_families;
+mod mixed_family_solids;
 mod mixed_solids;
 mod offsets;
 mod one_way;

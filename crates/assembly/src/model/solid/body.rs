@@ -99,7 +99,7 @@ impl SolidBody {
         if law.edges == SolidEdges::Border && !has_border(&lattice, &mirrors, &law) {
             law.edges = SolidEdges::Overlay;
         }
-        if mixture.is_some() && (law.edges != SolidEdges::Border || law.dilatation.is_some()) {
+        if mixture.is_some() && law.edges != SolidEdges::Border {
             return Err(SolidError::MaterialsNeedBorder);
         }
         let known: HashSet<(usize, usize)> = cuts.iter().copied().collect();
@@ -139,9 +139,9 @@ impl SolidBody {
             exceptions.extend(halved(&lattice, &mirrors, neighbourhood, &ghosts));
             felt = Some(std::mem::replace(&mut bonds, grid(&exceptions)));
         }
+        let complete = (&overlay, border.as_ref(), interface.as_deref());
         let families =
-            families((&lattice, &law, &reach), (&overlay, border.as_ref()), (&near, &ghosts), (&cuts, gaps))
-                .map(Arc::new);
+            families((&lattice, &law, &reach), complete, (&near, &ghosts), (&cuts, gaps)).map(Arc::new);
         Ok(Self {
             lattice,
             mirrors,

@@ -32,6 +32,22 @@ pub(super) struct Border {
     pub(super) lost: usize,
 }
 
+/// What a point has of a bond that ends on the border.
+#[derive(Clone, Copy)]
+struct Part {
+    /// The modulus of the point over that of the base material.
+    own: f64,
+    /// What the bond has of that.
+    seen: f64,
+}
+
+impl Part {
+    /// That of a point with a modulus and a bond with another.
+    fn new(own: f64, of_bond: f64) -> Self {
+        Self { own, seen: (of_bond / own).min(1.0) }
+    }
+}
+
 /// A corner and, where there are cracks, the cell from which a bond comes.
 type Asked = (Cell, Option<Cell>);
 
@@ -70,9 +86,9 @@ impl Border {
         };
         let (mut lost, mut lacks) = (HashSet::new(), Vec::new());
         let gaps = for_each_part(&Nodes::new(cells()), near, &mut |offset, run, part| {
+            let through = mixture.map(|mixture| mixture.through((lattice, mirrors), run.cells()));
             let added = match &law.dilatation {
                 None => {
-                    let through = mixture.map(|mixture| mixture.through((lattice, mirrors), run.cells()));
                     if let Some(through) = through {
                         let own = run.ends_of(mirrors).into_iter().zip(through.lacks);
                         let own = own.filter_map(|(cell, lack)| Some((lattice.number(cell?)?, lack)));
@@ -85,7 +101,13 @@ impl Border {
                         part * run.share() * through.map_or(1.0, |through| through.factor),
                     )
                 }
-                Some(dilatation) => builder.add_sides(offset, run, dilatation.shares[offset]),
+                Some(dilatation) => {
+                    let whole = |own: u32| match (mixture, through) {
+                        (Some(mixture), Some(through)) => Part::new(mixture.of(own as usize), through.factor),
+                        _ => Part { own: 1.0, seen: 1.0 },
+                    };
+                    builder.add_sides(offset, run, (dilatation.shares[offset], &whole), &mut lacks)
+                }
             };
             if added.is_none() {
                 lost.insert(run.first());
@@ -124,8 +146,15 @@ impl Builder<'_> {
         Some(())
     }
 
-    /// Adds a run as half of the whole bond of each real point that it begins or ends at, with its part of their dilatation.
-    fn add_sides(&mut self, offset: usize, run: &Run, share: f64) -> Option<()> {
+    /// Adds a run as half of the whole bond of each real point that it begins or ends at, with its part of their dilatation; what
+    /// it leaves of that through softer materials is what the point lacks.
+    fn add_sides(
+        &mut self,
+        offset: usize,
+        run: &Run,
+        (share, part): (f64, &dyn Fn(u32) -> Part),
+        lacks: &mut Vec<(usize, usize, f64)>,
+    ) -> Option<()> {
         let cells = &self.nodes.cells;
         let spacing = cells.lattice.spacing();
         for side in [0, 1].into_iter().filter(|&side| run.has_points()[side]) {
@@ -134,7 +163,8 @@ impl Builder<'_> {
             };
             let cells = &self.nodes.cells;
             let (true, Some(point)) = (cells.mirrors.is_real(own), cells.number(own)) else { continue };
-            let away = if side == 0 { 1.0 } else { -1.0 };
+            let Part { own: modulus, seen } = part(point);
+            let away = if side == 0 { seen } else { -seen };
             let row = self.law.neighbourhood.offsets[offset]
                 .map(|x| away * share / (spacing * run.share()) * f64::from(x));
             let shares = self.nodes.place(at, from)?;
@@ -143,7 +173,10 @@ impl Builder<'_> {
                 let sum = rows.entry(minus(cell, own)).or_insert([0.0; 3]);
                 (0..3).for_each(|c| sum[c] += part * row[c]);
             }
-            self.add(offset, run, 0.5)?;
+            self.add(offset, run, 0.5 * modulus * seen)?;
+            if seen < 1.0 {
+                lacks.push((point as usize, offset, 0.5 * modulus * (1.0 - seen)));
+            }
         }
         Some(())
     }

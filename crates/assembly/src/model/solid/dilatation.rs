@@ -1,20 +1,25 @@
 //! Families that feel changes of volume, `ϑ_k = Σ (3w/q) |ξ| e`, with what tetrahedra, or bonds on the
 //! border, measure in place of missing bonds.
+//!
+//! Of several materials a point takes of every bond the part that it owns of half a bond of its own material, and the rest from the
+//! tetrahedra that give it back: then ϑ is exact in every uniform strain, and by the inequality of Cauchy and Schwarz it never takes
+//! more energy than what it is made of has, whatever Poisson's ratio.
 
 use super::super::plane::is_up;
 use super::body::Reach;
 use super::border::Border;
 use super::corners::Overlay;
+use super::interface::Interface;
 use super::{SolidLaw, TENSOR};
-use crate::body::{Cell, SquareLattice, plus};
-use crate::stiffness::{Exception, FamilyRows, GridFamilies, GridFamily};
+use crate::body::{Cell, SquareLattice, minus, plus};
+use crate::stiffness::{Exception, Family, FamilyRows, GridFamilies, GridFamily};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
 /// The families of the real points of a lattice; none of a law without dilatation. Points that lack nothing share their rows.
 pub(super) fn families(
     (lattice, law, reach): (&Arc<SquareLattice>, &SolidLaw, &Reach),
-    (overlay, border): (&Overlay, Option<&Border>),
+    (overlay, border, interface): (&Overlay, Option<&Border>, Option<&Interface>),
     (near, ghosts): (&[usize], &[u32]),
     (cuts, gaps): (&[(usize, usize)], &[Exception]),
 ) -> Option<GridFamilies<3>> {
@@ -30,13 +35,27 @@ pub(super) fn families(
     let mut sets = vec![plain];
     let mut known: HashMap<Vec<[u64; 3]>, u32> = HashMap::new();
     let mut set_of = vec![Some(0); lattice.points()];
-    for (point, gone) in without(lattice, law, reach, near, (cuts, gaps)) {
+    let mut lacking = without(lattice, law, reach, near, (cuts, gaps));
+    let own = |point: usize| interface.map_or(1.0, |interface| interface.mixture.of(point));
+    let given = interface.map(Interface::by_points).unwrap_or_default();
+    for point in given.keys() {
+        lacking.entry(*point).or_insert_with(|| vec![false; reach.steps.len()]);
+    }
+    for (point, gone) in lacking {
         let mut rows = sets[0].clone();
         let lost = gone.iter().zip(&reach.steps).filter(|(gone, _)| **gone);
         lost.for_each(|(_, step)| rows[steps.of[step]] = [0.0; 3]);
+        if let Some(interface) = interface {
+            let seen = |step: &Cell| interface.seen(lattice, point, *step);
+            let kept = gone.iter().zip(&reach.steps).filter(|(gone, _)| !**gone);
+            kept.for_each(|(_, step)| rows[steps.of[step]].iter_mut().for_each(|r| *r *= seen(step)));
+        }
         match border {
             Some(border) => add_border(&mut rows, &steps, border.rows.get(&point)),
             None => add_tetrahedra(&mut rows, &steps, overlay, point),
+        }
+        for family in given.get(&point).into_iter().flatten() {
+            add_given(&mut rows, &steps, (lattice, law.shear_modulus() * own(point)), family);
         }
         let bits = rows.iter().map(|row| row.map(f64::to_bits)).collect();
         set_of[point] = Some(*known.entry(bits).or_insert_with(|| {
@@ -45,7 +64,7 @@ pub(super) fn families(
         }));
     }
     ghosts.iter().for_each(|&ghost| set_of[ghost as usize] = None);
-    let volume = |point: usize| spacing.powi(3) * lattice.fraction(point);
+    let volume = |point: usize| spacing.powi(3) * lattice.fraction(point) * own(point);
     let family = GridFamily {
         steps: steps.all,
         sets,
@@ -116,5 +135,22 @@ fn add_tetrahedra(rows: &mut FamilyRows<3>, steps: &Steps, overlay: &Overlay, po
     for (other, strain) in kind.others.iter().zip(kind.strain.chunks_exact(3)) {
         let row = &mut rows[steps.of[other]];
         (0..3).for_each(|c| row[c] += (0..TENSOR).map(|q| kind.dilatation[q] * strain[c][q]).sum::<f64>());
+    }
+}
+
+/// Adds what a tetrahedron of a point with the shear modulus G measures in place of what bonds through softer materials leave: with
+/// the stiffness `D` of that it is `D 1 : E/(5 G V)`, as a bond of the weight a has `(3w/q) ξ² = a/(10 G)`.
+fn add_given(
+    rows: &mut FamilyRows<3>,
+    steps: &Steps,
+    (lattice, shear): (&SquareLattice, f64),
+    family: &Family<3, TENSOR, 3>,
+) {
+    let scale = 1.0 / (5.0 * shear * lattice.spacing().powi(3));
+    let trace = family.modulus.map(|row| scale * (row[0] + row[1] + row[2]));
+    let cell = lattice.cell(family.point as usize);
+    for (&other, strain) in family.others.iter().zip(&family.rows) {
+        let row = &mut rows[steps.of[&minus(lattice.cell(other as usize), cell)]];
+        (0..3).for_each(|c| row[c] += (0..TENSOR).map(|q| trace[q] * strain[q][c]).sum::<f64>());
     }
 }

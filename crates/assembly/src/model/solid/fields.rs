@@ -38,8 +38,9 @@ impl SolidBody {
         }
         if let (Some(families), Some(law)) = (&self.families, &self.law.dilatation) {
             for (point, theta) in families.dilatations(u).into_iter().enumerate() {
-                (0..3).for_each(|q| sums[q * n + point] += law.modulus * theta);
-                sums[TENSOR * n + point] += 0.5 * law.modulus * theta * theta;
+                let modulus = law.modulus * self.factor(point);
+                (0..3).for_each(|q| sums[q * n + point] += modulus * theta);
+                sums[TENSOR * n + point] += 0.5 * modulus * theta * theta;
             }
         }
         for &ghost in &self.ghosts {
@@ -67,7 +68,8 @@ impl SolidBody {
         }
         if let (Some(families), Some(law)) = (&self.families, &self.law.dilatation) {
             let trace = |p: usize| t[p] + t[n + p] + t[2 * n + p];
-            let stress = (0..n).map(|p| self.cell_volume() * law.modulus * trace(p)).collect();
+            let stress =
+                (0..n).map(|p| self.cell_volume() * law.modulus * self.factor(p) * trace(p)).collect();
             families.add_measure_work([stress, Vec::new()], force);
         }
         let lines = self.lattice.rows().len() * self.lattice.layers().len();

@@ -1,10 +1,10 @@
 //! What bonds through several materials leave to the points of a solid, and what these get of them.
 
-use super::super::plane::{LatticeBond, Mirrors, MixedBonds, Mixture, UnevenBonds};
+use super::super::plane::{LatticeBond, Mirrors, MixedBonds, Mixture, Path, UnevenBonds};
 use super::bond::SolidBond;
 use super::tetrahedra::{Corners, strain_rows, tetrahedra};
 use super::{SolidLaw, TENSOR};
-use crate::body::{SquareLattice, plus};
+use crate::body::{Cell, SquareLattice, plus};
 use crate::bonds::{BondGeometry, BondModel, Mat, add, block};
 use crate::stiffness::{Exception, Families, Family};
 use std::collections::{BTreeMap, HashSet};
@@ -21,6 +21,7 @@ pub(super) struct Interface {
     pub(super) families: Arc<Families<3, TENSOR, 3>>,
     /// Number of the first ones, which tell stresses, too.
     told: usize,
+    mirrors: Mirrors,
     /// Points that no tetrahedron gives what they lack.
     pub(super) lost: usize,
 }
@@ -67,7 +68,24 @@ impl Interface {
         }
         let families = Arc::new(Families::new(lattice.points(), families));
         let MixedBonds { exceptions, uneven, .. } = bonds;
-        Self { mixture, exceptions, uneven, families, told, lost }
+        Self { mixture, exceptions, uneven, families, told, mirrors: *mirrors, lost }
+    }
+
+    /// What a point owns of the bond at a step, of half a bond of its own material.
+    pub(super) fn seen(&self, lattice: &SquareLattice, point: usize, step: Cell) -> f64 {
+        let (cell, path) = (lattice.cell(point), Path::of(step));
+        let pieces = path.pieces().map(|(piece, part)| (plus(cell, piece), part));
+        let through = self.mixture.through((lattice, &self.mirrors), pieces);
+        1.0 - 2.0 * through.lacks[0] / self.mixture.of(point)
+    }
+
+    /// The tetrahedra by their points.
+    pub(super) fn by_points(&self) -> BTreeMap<usize, Vec<&Family<3, TENSOR, 3>>> {
+        let mut by_points: BTreeMap<usize, Vec<_>> = BTreeMap::new();
+        for family in self.families.list() {
+            by_points.entry(family.point as usize).or_default().push(family);
+        }
+        by_points
     }
 
     /// The tetrahedra that tell stresses.

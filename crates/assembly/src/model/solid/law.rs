@@ -69,9 +69,9 @@ pub enum SolidError {
         "the body is one point thick; a solid needs two points in every direction, so refine the lattice"
     )]
     TooThin,
-    /// Several materials where bonds cannot end on the border, or points feel changes of volume.
+    /// Several materials where bonds cannot end on the border.
     #[error(
-        "solids of several materials need whole cells, at least two thick, and central bonds that end on the border"
+        "solids of several materials need whole cells, at least two thick, and bonds that end on the border"
     )]
     MaterialsNeedBorder,
     /// Poisson's ratio is that of no stable material.

@@ -2,7 +2,7 @@
 
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
-    OtherMaterial, Refusal, Resolved, Surface, hints,
+    OtherMaterial, Refusal, Resolved, Surface,
 };
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::units::Units;
@@ -120,10 +120,6 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
     }
 
     fn other_materials(&self) -> Result<Vec<(&'static str, f64)>, (&'static str, String)> {
-        let hint = || format!("several materials are known to the models {}", hints::mixtures());
-        if P::HAS_FAMILIES {
-            return Err(("bodies of this model have one material", hint()));
-        }
         if self.edges() == SolidEdges::Border {
             return Ok(self.youngs_moduli());
         }
