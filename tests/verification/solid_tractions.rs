@@ -74,6 +74,8 @@ fn one_pressure_on_every_wall_is_one_stress() {
             { "at": { "x": 15.5, "y": 0.5, "z": 0.5 }, "uy": 0.0, "uz": 0.0 },
             { "at": { "x": 0.5, "y": 9.5, "z": 0.5 }, "uz": 0.0 },
         ]);
+        // Rounding is looked at, not where cycles end.
+        case["solver"] = json!("sparse");
         let found = solved(&case);
         for (field, axis) in [("ux", 0), ("uy", 1), ("uz", 2)] {
             let values = found.field(0, field).expect("a field");
