@@ -56,7 +56,7 @@ impl Finish {
             stagnation_window: max_iterations,
             ..PcgOptions::default()
         };
-        Self { options, settled: 1e-9, is_exact: false }
+        Self { options, settled: 2e-10, is_exact: false }
     }
 }
 
