@@ -145,6 +145,17 @@ impl CrackSurface {
         fine.then(|| Self::disc(piece.origin.into(), piece.axes[2].into(), radii).ok()).flatten()
     }
 
+    /// Places of a disc or ring a length, m, behind its front, in eight directions, and its normal; none of other surfaces.
+    pub fn behind_front(&self, by: f64) -> Vec<([f64; 3], [f64; 3])> {
+        let [Piece { origin, axes, shape: Flat::Ring { inner, outer }, .. }] = self.pieces[..] else {
+            return Vec::new();
+        };
+        let radius = if inner > 0.0 { inner + by } else { outer - by };
+        let angles = (0..8).map(|k| std::f64::consts::TAU * (f64::from(k) + 0.5) / 8.0);
+        let at = |angle: f64| origin + (axes[0] * angle.cos() + axes[1] * angle.sin()) * radius;
+        angles.map(|angle| (at(angle).into(), axes[2].into())).collect()
+    }
+
     /// Middles of small parts of the plane of a disc or ring that [`Self::grown`] adds between two lengths, m, with their area, m²; none
     /// of other surfaces.
     pub fn added(&self, [from, to]: [f64; 2]) -> (Vec<[f64; 3]>, f64) {

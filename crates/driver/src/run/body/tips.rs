@@ -5,6 +5,7 @@
 use crate::case;
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::BodyScene;
+use peristat_assembly::model::BodyModel;
 
 /// Sliding over opening above which a tip is no longer one of mode I: 4 % of G.
 const MIXED: f64 = 0.2;
@@ -19,7 +20,7 @@ struct Faces {
     /// The point on the side of the normal, and that on the other one.
     points: [usize; 2],
     /// Unit normal of the crack.
-    normal: [f64; 2],
+    normal: [f64; 3],
 }
 
 /// The tips of all stress intensities of a scene.
@@ -34,7 +35,9 @@ impl Tips {
         let moves = [0, 1].iter().all(|&axis| scene.model.along(axis).is_some());
         for (k, intensity) in scene.intensities.iter().enumerate().filter(|_| moves) {
             let vertices = scene.cracks[intensity.crack].crack.vertices();
-            if vertices.is_empty() {
+            if let Some(surface) = scene.cracks[intensity.crack].crack.surface() {
+                let places = surface.behind_front(scene.spacing());
+                all.extend(places.into_iter().filter_map(|(at, normal)| beside(scene, k, at, normal)));
                 continue;
             }
             if intensity.tips != Some(case::Tips::End) {
@@ -50,7 +53,7 @@ impl Tips {
     /// Adds a warning for every stress intensity of a state whose tips close or slide.
     pub(super) fn check(&self, scene: &BodyScene, state: usize, u: &[f64], warnings: &mut Faults) {
         for k in 0..scene.intensities.len() {
-            let parts = self.0.iter().filter(|f| f.intensity == k).map(|f| f.part(scene.model.points(), u));
+            let parts = self.0.iter().filter(|f| f.intensity == k).map(|f| f.part(&*scene.model, u));
             let (mut closes, mut slides) = (false, false);
             for [opening, sliding] in parts {
                 closes |= opening < -CLOSED * sliding.abs();
@@ -77,10 +80,15 @@ impl Tips {
 
 impl Faces {
     /// Opening and sliding.
-    fn part(&self, points: usize, u: &[f64]) -> [f64; 2] {
-        let (n, [above, below], [x, y]) = (points, self.points, self.normal);
-        let d = [u[above] - u[below], u[n + above] - u[n + below]];
-        [d[0] * x + d[1] * y, d[1] * x - d[0] * y]
+    fn part(&self, model: &dyn BodyModel, u: &[f64]) -> [f64; 2] {
+        let [above, below] = self.points;
+        let d = [0, 1, 2].map(|axis| {
+            let plane = model.along(axis).map(|plane| plane * model.points());
+            plane.map_or(0.0, |plane| u[plane + above] - u[plane + below])
+        });
+        let opening: f64 = (0..3).map(|k| d[k] * self.normal[k]).sum();
+        let sliding: f64 = (0..3).map(|k| (d[k] - opening * self.normal[k]).powi(2)).sum();
+        [opening, sliding.sqrt()]
     }
 }
 
@@ -89,17 +97,24 @@ fn faces(scene: &BodyScene, intensity: usize, tip: [f64; 2], before: [f64; 2]) -
     let d = [tip[0] - before[0], tip[1] - before[1]];
     let length = d[0].hypot(d[1]);
     let (tangent, h) = (d.map(|d| d / length), scene.spacing());
-    let normal = [-tangent[1], tangent[0]];
-    let beside = |side: f64| {
-        let at = [0, 1].map(|k| tip[k] - h * tangent[k] + side * 0.6 * h * normal[k]);
+    let at = [tip[0] - h * tangent[0], tip[1] - h * tangent[1], 0.0];
+    beside(scene, intensity, at, [-tangent[1], tangent[0], 0.0])
+}
+
+/// The points half a spacing beside a crack, nearest to a place in it.
+fn beside(scene: &BodyScene, intensity: usize, place: [f64; 3], normal: [f64; 3]) -> Option<Faces> {
+    let h = scene.spacing();
+    let nearest = |side: f64| {
+        let at = [0, 1, 2].map(|k| place[k] + side * 0.6 * h * normal[k]);
         let key = |p: usize| {
-            let [x, y] = scene.model.place(p);
+            let position = scene.model.position(p);
             // Only points on this side.
-            let off = side * ((x - tip[0]) * normal[0] + (y - tip[1]) * normal[1]);
-            (off > 0.0).then(|| (x - at[0]).hypot(y - at[1])).filter(|far| *far < 2.0 * h)
+            let off = side * (0..3).map(|k| (position[k] - place[k]) * normal[k]).sum::<f64>();
+            let far = (0..3).map(|k| (position[k] - at[k]).powi(2)).sum::<f64>().sqrt();
+            (off > 0.0 && far < 2.0 * h).then_some(far)
         };
         let near = (0..scene.model.points()).filter_map(|p| Some((key(p)?, p)));
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, p)| p)
     };
-    Some(Faces { intensity, points: [beside(1.0)?, beside(-1.0)?], normal })
+    Some(Faces { intensity, points: [nearest(1.0)?, nearest(-1.0)?], normal })
 }

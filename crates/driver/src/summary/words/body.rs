@@ -56,7 +56,9 @@ pub(super) fn model(m: &BodySummary, units: Units) -> Vec<Fact> {
     }
     if m.cracks > 0 {
         let s = if m.cracks == 1 { "" } else { "s" };
-        let cut = m.cut_bonds.map_or(String::new(), |cut| format!(", {cut} bonds cut"));
+        // One in a mirror cuts bonds to images alone.
+        let cut =
+            m.cut_bonds.filter(|cut| *cut > 0).map_or(String::new(), |cut| format!(", {cut} bonds cut"));
         line("cracks", format!("{} crack{s}{cut}", m.cracks));
     }
     lines
