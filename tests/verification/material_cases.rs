@@ -232,6 +232,30 @@ fn factors_take_what_cycles_would_not() {
     }
 }
 
+/// A uniform traction is one stress in families, too, however many materials there are, where they are alike.
+#[test]
+fn families_of_alike_materials_bear_one_stress() {
+    for model in ["state_plane", "axisymmetric"] {
+        let mut case = rectangle([12.0, 10.0], 1.0);
+        case["model"] = json!({ model: { "youngs_modulus": 1000, "poisson_ratio": 0.3 } });
+        if model == "state_plane" {
+            case["model"][model]["state"] = json!("plane_stress");
+            case["symmetry"] = json!(["left", "bottom"]);
+        } else {
+            case["body"]["rectangle"]["from"] = json!([10.0, 0.0]);
+            case["symmetry"] = json!(["bottom"]);
+        }
+        case["regions"] = json!({ "part": { "box": { "from": [0, 0], "to": [14, 4] } } });
+        case["materials"] = json!({ "other": { "at": "part", "youngs_modulus": 1000 } });
+        case["loads"] = json!([{ "traction": { "edge": "top", "uniform": [0, 1] } }]);
+        let found = peristat::solve_text(&case.to_string()).unwrap_or_else(|error| panic!("{error}"));
+        let stress = found.field(0, "stress_yy").expect("a field");
+        let off = stress.iter().map(|s| (s - 1.0).abs()).fold(0.0, f64::max);
+        // 7e-15 found of plates; with tractions that fade it is 0.12.
+        assert!(off < 1e-12, "{model}: {off:e}");
+    }
+}
+
 #[test]
 fn other_bodies_have_one_material() {
     let mut case = disc(true, 10.0, 2.0, 0.0);

@@ -3,10 +3,10 @@
 use super::body::LatticeBody;
 use super::bond::PlaneBond;
 use super::critical::CriticalStretch;
-use super::edges::{By, Completion, overlay};
+use super::edges::{By, Completion, Path, overlay};
 use super::geometry;
 use super::near::at;
-use crate::body::SquareLattice;
+use crate::body::{Cell, SquareLattice, plus};
 use crate::stiffness::{Bond, Bonds, Families, Family, GridBonds, Term};
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -85,11 +85,18 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
                 self.kind.bond.stretch_per_measure(&bond) / critical.by_offset()[k]
             })
             .collect();
+        let path =
+            |k: &usize| Path::of(self.neighbourhood.offsets[*k]).pieces().map(|piece| piece.0).collect();
+        let paths: Vec<Vec<Cell>> =
+            if critical.has_materials() { offsets.iter().map(path).collect() } else { Vec::new() };
         self.bonds.for_each_measured(u, |index, lower, s| {
             let ratio = ratios[index] * s[0];
             if ratio > 0.0 {
-                let bond = (offsets[index] * points + lower) as u64;
-                visit(bond, ratio / critical.ratio(|| self.ends(bond)));
+                let further = paths.get(index).map_or(1.0, |path| {
+                    let first = self.lattice.cell(lower);
+                    critical.ratio(path.iter().filter_map(|step| self.lattice.number(plus(first, *step))))
+                });
+                visit((offsets[index] * points + lower) as u64, ratio / further);
             }
         });
         if let Some(border) = self.border.bonds() {
@@ -97,7 +104,7 @@ impl<const D: usize, const M: usize, const S: usize, B: PlaneBond<D, M, S>> Latt
             let body = (&*self.lattice, &self.neighbourhood, &self.kind.bond);
             border.for_each_ratio(body, (u, critical.by_offset()), &mut |k, ratio| {
                 let bond = whole + k as u64;
-                visit(bond, ratio / critical.ratio(|| self.ends(bond)));
+                visit(bond, ratio / critical.ratio(self.ends(bond)));
             });
         }
     }

@@ -103,7 +103,7 @@ impl BodyScene {
             return None;
         }
         inputs.materials = materials::mixture(&ground, &inputs, max_memory, faults);
-        materials::warn(&inputs, inputs.breaks, faults);
+        materials::warn(&inputs, faults);
         let held = supports::held(&ground, &inputs.symmetry, &*inputs.material, faults);
         let rigid = rigid_keys::rigid(&ground, &inputs.symmetry, faults);
         rigid_mirror::check(&rigid, &inputs, faults);

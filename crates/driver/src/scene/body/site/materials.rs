@@ -126,7 +126,7 @@ fn check(other: &OtherMaterial, takes: &[(&'static str, f64)], path: &JsonPath, 
 }
 
 /// Warns of materials that are nowhere as wide as bonds reach, and of families in the plane that pass an interface.
-pub(crate) fn warn(inputs: &ModelInputs, breaks: bool, faults: &mut Faults) {
+pub(crate) fn warn(inputs: &ModelInputs, faults: &mut Faults) {
     let Some(lattice) = inputs.body.cells() else { return };
     let axes = &[[1, 0, 0], [0, 1, 0], [0, 0, 1]][..inputs.body.axes()];
     let rows = inputs.material.about().horizon_ratio as i32;
@@ -134,9 +134,12 @@ pub(crate) fn warn(inputs: &ModelInputs, breaks: bool, faults: &mut Faults) {
         faults
             .warning(
                 root("materials"),
-                "strains and stresses of families are off by some tenths in the rows beside interfaces and loaded edges",
+                "strains and stresses of families are off by some tenths in the rows beside interfaces",
             )
-            .hint(format!("read them {} rows away, or take a model of bonds, which has them there", rows + 1));
+            .hint(format!(
+                "read them {} rows away, or take a model of bonds, which has them there",
+                rows + 1
+            ));
     }
     for (k, other) in inputs.materials.others.iter().enumerate() {
         let is_own = |point: &usize| inputs.materials.numbers[*point] == k as u32 + 1;
@@ -144,15 +147,10 @@ pub(crate) fn warn(inputs: &ModelInputs, breaks: bool, faults: &mut Faults) {
         let is_wide =
             |&point: &usize| axes.iter().all(|step| width(inputs, lattice, point, *step, rows) >= rows);
         if !own.is_empty() && !own.iter().any(is_wide) {
-            let breaks = if breaks {
-                ": bonds across it are as tough as what is beside it, however weak it is"
-            } else {
-                ""
-            };
             faults
                 .warning(
                     root("materials").key(&other.name).key("at"),
-                    format!("`{}` is nowhere {rows} rows wide, as far as bonds reach{breaks}", other.name),
+                    format!("`{}` is nowhere {rows} rows wide, as far as bonds reach", other.name),
                 )
                 .hint("use a smaller spacing: the moduli of layers of a row or two are off by some per cent");
         }
