@@ -110,6 +110,18 @@ fn faces_that_close_are_told() {
 }
 
 #[test]
+fn fronts_of_few_spacings_are_told() {
+    let warned = |disc: Value| {
+        let mut case = penny("bond_solid", [true; 3], 2.0, 0.25);
+        case["cracks"][0]["disc"] = disc;
+        solved(&case).summary.warnings.iter().any(|warning| warning.contains("less than 4 spacings"))
+    };
+    let disc = |inner: f64, radius: f64| json!({ "centre": [0, 0, 0], "normal": [0, 0, 1], "radius": radius, "inner_radius": inner });
+    assert!(warned(disc(0.0, 0.9)) && warned(disc(0.9, 9.0)));
+    assert!(!warned(disc(0.0, 1.1)) && !warned(disc(1.1, 9.0)));
+}
+
+#[test]
 fn surfaces_that_are_none_are_refused() {
     let with = |crack: Value| {
         let mut case = penny("bond_solid", [true; 3], 2.0, 0.25);

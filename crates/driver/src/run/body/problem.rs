@@ -97,7 +97,8 @@ impl<const D: usize, M: Solvable<D> + ?Sized> Problem<D> for BodyProblem<'_, M> 
 
     fn solid_bytes(&self) -> Option<usize> {
         let (lattice, _) = self.model.lattice().filter(|(lattice, _)| !lattice.is_plane())?;
-        Some(solid_memory::of(lattice, &self.scene.material().about()))
+        let has_fronts = !self.scene.intensities.is_empty();
+        Some(solid_memory::of(lattice, &self.scene.material().about(), has_fronts))
     }
 
     fn positions(&self) -> Option<Vec<[f64; 2]>> {

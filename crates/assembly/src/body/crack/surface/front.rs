@@ -4,6 +4,12 @@ use super::{CrackSurface, Flat, Piece};
 use std::f64::consts::TAU;
 
 impl CrackSurface {
+    /// Radius of the front of a disc or ring, m; none of other surfaces.
+    pub fn front_radius(&self) -> Option<f64> {
+        let [Piece { shape: Flat::Ring { inner, outer }, .. }] = self.pieces[..] else { return None };
+        Some(if inner > 0.0 { inner } else { outer })
+    }
+
     /// A disc with its front moved outwards by a length, m, or a ring with its inner one moved inwards; none of other surfaces, or where
     /// nothing would be left.
     pub fn grown(&self, by: f64) -> Option<Self> {
