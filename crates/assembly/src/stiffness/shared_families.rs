@@ -9,6 +9,7 @@ use crate::bonds::{Mat, add};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::array::from_fn;
+use std::collections::HashSet;
 
 /// What families have that lie alike.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,6 +76,29 @@ impl<const D: usize> SharedFamilies<D> {
     /// Number of families.
     pub fn count(&self) -> usize {
         self.entries.len()
+    }
+
+    /// The families that have both points of one of some pairs, the lower one first.
+    pub fn spanning(&self, pairs: &HashSet<[u32; 2]>) -> Vec<usize> {
+        let ends: HashSet<u32> = pairs.iter().flatten().copied().collect();
+        let spans = |family: &usize| {
+            let entry = &self.entries[*family];
+            let all = self.others(entry).iter().chain([&entry.point]);
+            let met: Vec<u32> = all.filter(|point| ends.contains(point)).copied().collect();
+            (1..met.len()).any(|k| met[..k].iter().any(|&p| pairs.contains(&[p.min(met[k]), p.max(met[k])])))
+        };
+        if pairs.is_empty() { Vec::new() } else { (0..self.count()).filter(spans).collect() }
+    }
+
+    /// Some of the families.
+    pub fn part(&self, families: &[usize]) -> Self {
+        Self { entries: families.iter().map(|&family| self.entries[family]).collect(), ..self.clone() }
+    }
+
+    /// Removes families, ascending numbers.
+    pub fn remove(&mut self, families: &[usize]) {
+        let mut number = 0..;
+        self.entries.retain(|_| number.next().is_none_or(|number| families.binary_search(&number).is_err()));
     }
 
     /// Point, kind, factor and measures of a family.

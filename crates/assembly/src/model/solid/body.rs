@@ -13,7 +13,7 @@ use super::dilatation::families;
 use super::interface::Interface;
 use super::{SolidEdges, SolidError, SolidLaw};
 use crate::body::{Cell, SquareLattice, plus};
-use crate::stiffness::{Exception, GridBonds, GridFamilies, Term};
+use crate::stiffness::{BondPoints, Exception, GridBonds, GridFamilies, Term};
 use std::collections::HashSet;
 use std::sync::Arc;
 
@@ -68,6 +68,8 @@ pub(super) struct SolidBody {
     pub(super) felt: Option<Bonds>,
     /// Bonds that end on the border.
     pub(super) border: Option<Border>,
+    /// What moves these, of a body that breaks.
+    pub(super) on_border: Option<Arc<BondPoints>>,
     /// What tetrahedra have of the energy, or beside a border that is completed tell of stresses alone.
     pub(super) overlay: Overlay,
     /// What does work with changes of volume.
@@ -150,6 +152,7 @@ impl SolidBody {
             bonds,
             felt,
             border,
+            on_border: None,
             overlay,
             families,
             interface,

@@ -22,6 +22,8 @@ pub(super) struct Border {
     pub(super) bonds: Arc<NodedBonds<3, 1>>,
     /// Elongation of the bonds of every kind per unit of every uniform strain.
     pub(super) uniform: Vec<Mat<TENSOR, 1>>,
+    /// Per kind of bonds: index of the offset of the whole bond that they are parts of, and their length over that of it.
+    pub(super) wholes: Vec<(usize, f64)>,
     /// Bonds between points that give way to it.
     pub(super) gaps: Vec<Exception>,
     /// Rows of the dilatation of points that bonds on the border bring, by steps from them, per m.
@@ -58,6 +60,7 @@ struct Builder<'a> {
     bond: SolidBond,
     bonds: NodedBondsBuilder<3, 1>,
     uniform: Vec<Mat<TENSOR, 1>>,
+    wholes: Vec<(usize, f64)>,
     rows: HashMap<usize, BTreeMap<Cell, [f64; 3]>>,
     corners: HashMap<Asked, Option<u32>>,
     /// By offset, run and modulus.
@@ -80,6 +83,7 @@ impl Border {
             bond,
             bonds: NodedBondsBuilder::new(lattice.points()),
             uniform: Vec::new(),
+            wholes: Vec::new(),
             rows: HashMap::new(),
             corners: HashMap::new(),
             kinds: HashMap::new(),
@@ -113,8 +117,8 @@ impl Border {
                 lost.insert(run.first());
             }
         });
-        let Builder { bonds, uniform, rows, .. } = builder;
-        Self { bonds: Arc::new(bonds.build()), uniform, gaps, rows, lacks, lost: lost.len() }
+        let Builder { bonds, uniform, wholes, rows, .. } = builder;
+        Self { bonds: Arc::new(bonds.build()), uniform, wholes, gaps, rows, lacks, lost: lost.len() }
     }
 }
 
@@ -128,10 +132,11 @@ impl Builder<'_> {
             BondGeometry { xi: self.nodes.cells.lattice.vector(self.law.neighbourhood.offsets[offset]) };
         let short = BondGeometry { xi: whole.xi.map(|x| run.share() * x) };
         let (bond, weight) = (self.bond, self.law.neighbourhood.weights[offset][0]);
-        let (bonds, uniform) = (&mut self.bonds, &mut self.uniform);
+        let (bonds, uniform, wholes) = (&mut self.bonds, &mut self.uniform, &mut self.wholes);
         let kind = *self.kinds.entry((offset, run.pieces(), part.to_bits())).or_insert_with(|| {
             let [elongation] = bond.in_uniform_state(&short);
             uniform.push(elongation.map(|e| [e]));
+            wholes.push((offset, run.share()));
             let [modulus] = bond.moduli(&short);
             bonds.add_kind(NodedKind {
                 shares: ends.map(|end| match end {

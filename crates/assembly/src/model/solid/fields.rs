@@ -113,7 +113,7 @@ impl SolidBody {
         }
     }
 
-    fn bond(&self) -> SolidBond {
+    pub(super) fn bond(&self) -> SolidBond {
         SolidBond { volume: self.cell_volume() }
     }
 

@@ -13,6 +13,7 @@
 mod body;
 mod bond;
 mod border;
+mod breaking;
 mod corners;
 mod damage;
 mod dilatation;

@@ -1,7 +1,7 @@
 //! Solids as models: three unknowns per point, its displacements.
 
 use super::super::plane::{
-    BorderShares, CALIBRATION, Edges, FindCuts, Mirrors, Mixture, Solvable, border_shares,
+    BorderShares, BreakingModel, CALIBRATION, Edges, FindCuts, Mirrors, Mixture, Solvable, border_shares,
 };
 use super::body::SolidBody;
 use super::{
@@ -19,7 +19,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Solid<P> {
     parameters: P,
-    body: SolidBody,
+    pub(super) body: SolidBody,
 }
 
 impl<P: SolidMaterial> Solid<P> {
@@ -272,5 +272,9 @@ impl<P: SolidMaterial> SolidModel for Solid<P> {
 impl<P: SolidMaterial> Solvable<3> for Solid<P> {
     fn coarser(&self, cuts: &FindCuts) -> Option<Box<dyn Solvable<3>>> {
         Some(Box::new(Self { parameters: self.parameters, body: self.body.coarser(cuts)? }))
+    }
+
+    fn breaking(&self) -> Option<Box<dyn BreakingModel<3>>> {
+        self.to_break()
     }
 }

@@ -4,11 +4,13 @@
 //! their kind. Along a flat border bonds of a kind follow each other, each a step on from the one before, and so do nodes: what is
 //! stored grows with the rows of cells beside the border, and many of them are evaluated at once.
 
+mod breaking;
 mod build;
 mod evaluate;
 mod number;
 mod stretches;
 
+pub use breaking::BondPoints;
 pub use build::NodedBondsBuilder;
 pub use number::Number;
 
@@ -51,6 +53,8 @@ pub struct NodedBonds<const D: usize, const M: usize, T = f64> {
     shares: Vec<[Vec<T>; 2]>,
     rows: Vec<Law<D, M, T>>,
     bonds: Stretches,
+    /// Per bond: one, or zero where it has broken; empty as long as none has.
+    factors: Vec<T>,
 }
 
 impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
@@ -65,10 +69,10 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
         let law = |kind: &NodedKind<D, M>| (kind.rows.map(|row| row.map(T::of)), kind.moduli.map(T::of));
         let rows = kinds.iter().map(law).collect();
         let node_shares = node_shares.iter().map(of).collect();
-        Self { points, node_shares, nodes, node_count, shares, rows, bonds }
+        Self { points, node_shares, nodes, node_count, shares, rows, bonds, factors: Vec::new() }
     }
 
-    /// Number of bonds.
+    /// Number of bonds, broken ones among them.
     pub fn count(&self) -> usize {
         self.bonds.all().iter().map(|stretch| stretch.count as usize).sum()
     }
@@ -152,16 +156,24 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
         places
     }
 
-    /// Calls `visit` with every bond: its kind and the points or nodes at its ends.
+    /// Calls `visit` with every bond that there is: its kind and the points or nodes at its ends.
     fn for_each(&self, mut visit: impl FnMut(usize, [&[u32]; 2])) {
-        let mut ids = Vec::new();
+        self.for_each_numbered(|_, kind, ends| visit(kind, ends));
+    }
+
+    /// The same with the number of the bond first.
+    fn for_each_numbered(&self, mut visit: impl FnMut(usize, usize, [&[u32]; 2])) {
+        let (mut ids, mut number) = (Vec::new(), 0);
         for stretch in self.bonds.all() {
             let [(first, _), (second, _)] = self.hung(stretch);
             for k in 0..stretch.count as usize {
-                ids.clear();
-                ids.extend(first.iter().chain(second).map(|walk| walk.at(k) as u32));
-                let (first, second) = ids.split_at(first.len());
-                visit(stretch.kind as usize, [first, second]);
+                if !self.is_broken(number) {
+                    ids.clear();
+                    ids.extend(first.iter().chain(second).map(|walk| walk.at(k) as u32));
+                    let (first, second) = ids.split_at(first.len());
+                    visit(number, stretch.kind as usize, [first, second]);
+                }
+                number += 1;
             }
         }
     }
@@ -172,26 +184,53 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
         const PART: usize = 1024;
         let places = self.places();
         let mut placed = PlacedBonds::new(self.points);
-        self.for_each(|kind, [first, second]| {
-            let end = |ids: &[u32], shares: &[f64]| -> Place {
-                if shares.is_empty() {
-                    return vec![(ids[0], 1.0)];
-                }
-                let nodes = ids.iter().zip(shares);
-                nodes
-                    .flat_map(|(id, share)| places[*id as usize].iter().map(move |(p, s)| (*p, share * s)))
-                    .collect()
-            };
-            let ([of_first, of_second], (rows, moduli)) = (&self.shares[kind], &self.rows[kind]);
-            let rows = Rows { difference: *rows, mean: [[0.0; D]; M] };
-            let ends = [end(first, of_first), end(second, of_second)];
-            placed.push(&PlacedBond { ends, mean: None, rows, moduli: *moduli });
+        self.for_each(|kind, ends| {
+            placed.push(&self.placed(&places, kind, ends));
             if placed.count() == PART {
                 visit(&placed);
                 placed = PlacedBonds::new(self.points);
             }
         });
         visit(&placed);
+    }
+
+    /// A bond of a kind by the points that it moves with; `places` are those of the nodes.
+    fn placed(&self, places: &[Place], kind: usize, ends: [&[u32]; 2]) -> PlacedBond<D, M> {
+        let end = |side: usize| -> Place {
+            let (ids, shares) = (ends[side], &self.shares[kind][side]);
+            if shares.is_empty() {
+                return vec![(ids[0], 1.0)];
+            }
+            let nodes = ids.iter().zip(shares);
+            nodes
+                .flat_map(|(id, share)| places[*id as usize].iter().map(move |(p, s)| (*p, share * s)))
+                .collect()
+        };
+        let (difference, moduli) = self.rows[kind];
+        let rows = Rows { difference, mean: [[0.0; D]; M] };
+        PlacedBond { ends: [end(0), end(1)], mean: None, rows, moduli }
+    }
+
+    /// Calls `visit` with every bond that there is, by its number, its kind and its measures in some displacements.
+    pub fn for_each_measured(&self, u: &[f64], mut visit: impl FnMut(usize, usize, [f64; M])) {
+        let nodes = self.of_nodes::<D>(u);
+        self.for_each_numbered(|number, kind, ends| {
+            let mut difference = [0.0; D];
+            for ((ids, shares), sign) in ends.into_iter().zip(&self.shares[kind]).zip([-1.0, 1.0]) {
+                for (c, difference) in difference.iter_mut().enumerate() {
+                    *difference += match shares.is_empty() {
+                        true => sign * u[c * self.points + ids[0] as usize],
+                        false => {
+                            let of = ids.iter().zip(shares);
+                            of.map(|(id, share)| sign * share * nodes[c * self.node_count + *id as usize])
+                                .sum()
+                        }
+                    };
+                }
+            }
+            let rows = &self.rows[kind].0;
+            visit(number, kind, from_fn(|m| (0..D).map(|c| rows[m][c] * difference[c]).sum()));
+        });
     }
 }
 
@@ -220,13 +259,18 @@ impl<const D: usize, const M: usize> Term<D> for NodedBonds<D, M> {
 
     fn join(&self, parts: &mut ConnectedParts) {
         let places = self.places();
-        for place in &places {
+        let join_all = |place: &Place, parts: &mut ConnectedParts| {
             place.windows(2).for_each(|pair| parts.join(pair[0].0 as usize, pair[1].0 as usize));
-        }
+        };
+        let mut joined = vec![false; places.len()];
         self.for_each(|kind, ends| {
             let mut last = None;
             for (ids, shares) in ends.into_iter().zip(&self.shares[kind]) {
                 for id in ids {
+                    // A node that no bond hangs on any more joins nothing.
+                    if !shares.is_empty() && !std::mem::replace(&mut joined[*id as usize], true) {
+                        join_all(&places[*id as usize], parts);
+                    }
                     let point = if shares.is_empty() { *id } else { places[*id as usize][0].0 } as usize;
                     last.into_iter().for_each(|last| parts.join(last, point));
                     last = Some(point);
@@ -240,24 +284,9 @@ impl<const D: usize, const M: usize> Term<D> for NodedBonds<D, M> {
     }
 
     fn survey(&self, u: &[f64]) -> Survey<D> {
-        let nodes = self.of_nodes::<D>(u);
         let mut survey = Survey::EMPTY;
-        self.for_each(|kind, ends| {
-            let mut difference = [0.0; D];
-            for ((ids, shares), sign) in ends.into_iter().zip(&self.shares[kind]).zip([-1.0, 1.0]) {
-                for c in 0..D {
-                    difference[c] += match shares.is_empty() {
-                        true => sign * u[c * self.points + ids[0] as usize],
-                        false => {
-                            let of = ids.iter().zip(shares);
-                            of.map(|(id, share)| sign * share * nodes[c * self.node_count + *id as usize])
-                                .sum()
-                        }
-                    };
-                }
-            }
+        self.for_each_measured(u, |_, kind, s| {
             let (rows, moduli) = &self.rows[kind];
-            let s: [f64; M] = from_fn(|m| (0..D).map(|c| rows[m][c] * difference[c]).sum());
             let action = |c: usize| (0..M).map(|m| rows[m][c] * moduli[m] * s[m]).sum::<f64>().abs();
             let energy = (0..M).map(|m| 0.5 * moduli[m] * s[m] * s[m]).sum();
             survey = survey.join(Survey { energy, largest_action: from_fn(action) });

@@ -6,6 +6,7 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 pub trait Number:
     Copy
     + Default
+    + PartialEq
     + Send
     + Sync
     + std::fmt::Debug

@@ -10,7 +10,8 @@ use super::entry::plain;
 use super::solid::SolidParameters;
 use super::{Entry, Growth, MaterialSummary, Model, Start};
 use crate::units::Units;
-use peristat_assembly::model::bond_solid::BondSolidParameters;
+use peristat_assembly::model::bond_plane::Influence;
+use peristat_assembly::model::bond_solid::{BondSolidParameters, POISSON_RATIO};
 use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::solid::SolidEdges;
 
@@ -28,6 +29,14 @@ impl SolidParameters for BondSolidParameters {
 
     fn youngs_modulus(&self) -> f64 {
         self.youngs_modulus
+    }
+
+    fn bulk_modulus(&self) -> f64 {
+        self.youngs_modulus / (3.0 * (1.0 - 2.0 * POISSON_RATIO))
+    }
+
+    fn influence(&self) -> Influence {
+        self.influence
     }
 
     fn horizon_ratio(&mut self) -> &mut f64 {

@@ -1,5 +1,6 @@
 //! The bonds of solids on bodies.
 
+use super::critical;
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
     OtherMaterial, Refusal, Resolved, Surface,
@@ -7,6 +8,7 @@ use super::super::{
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::units::Units;
 use peristat_assembly::body::{Cell, SquareLattice};
+use peristat_assembly::model::bond_plane::Influence;
 use peristat_assembly::model::plane::{Calibration, Edges, Mirrors};
 use peristat_assembly::model::solid::{Solid, SolidEdges, SolidMaterial, SolidModel};
 use std::fmt::Debug;
@@ -26,6 +28,12 @@ pub(in super::super) trait SolidParameters: SolidMaterial {
 
     /// Young's modulus.
     fn youngs_modulus(&self) -> f64;
+
+    /// Bulk modulus.
+    fn bulk_modulus(&self) -> f64;
+
+    /// How the stiffness of bonds depends on their length.
+    fn influence(&self) -> Influence;
 
     /// Horizon per spacing.
     fn horizon_ratio(&mut self) -> &mut f64;
@@ -173,13 +181,12 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
 
     fn critical(
         &self,
-        _: &mut Critical,
-        _: &OnGround,
-        _: &JsonPath,
-        _: &mut Faults,
+        given: &mut Critical,
+        on: &OnGround,
+        path: &JsonPath,
+        faults: &mut Faults,
     ) -> Option<CriticalStretches> {
-        // The keys refuse `fracture`.
-        None
+        critical::stretches(given, self.parameters, on, path, faults)
     }
 
     fn warn(&self, on: &Resolved, faults: &mut Faults) {

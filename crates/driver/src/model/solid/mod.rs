@@ -1,10 +1,11 @@
 //! What both models of solids share: their keys but for the moduli, and their bonds on bodies.
 
+mod critical;
 mod material;
 mod resolve;
 
 pub(super) use material::{SolidBonds, SolidParameters};
-pub(super) use resolve::{Bonds, REFUSED, bonds};
+pub(super) use resolve::{Bonds, bonds, refused};
 
 use super::{Place, Refusal};
 use peristat_assembly::model::solid::SolidError;

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod border;
+mod breaking;
 mod cut;
 mod golden;
 mod mirrors;

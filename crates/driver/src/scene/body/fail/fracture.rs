@@ -69,12 +69,12 @@ pub(crate) fn resolve(
 
 /// Fault of a load, the name of a probe, that would take fields of every equilibrium.
 pub(crate) fn check_load(load: &str, case: &Case, path: &JsonPath, faults: &mut Faults) {
-    use FieldName::{Opening, ReactionX, ReactionY, Ux, Uy};
+    use FieldName::{Opening, ReactionX, ReactionY, ReactionZ, Ux, Uy, Uz};
     let probe = case.probes.iter().find(|p| p.name == load);
     if refuse_reduced(load, "load", case, path, faults) {
         return;
     }
-    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | Ux | Uy | Opening)) {
+    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | ReactionZ | Ux | Uy | Uz | Opening)) {
         let message = format!("the probe `{load}` is one of `{}`, which is no load", probe.field.name());
         faults
             .error(path.clone(), message)

@@ -1,0 +1,184 @@
+//! Breaking bonds of a solid.
+//!
+//! A bond breaks where its stretch reaches the critical one. One that ends on the border has a part of the length of a whole
+//! bond, and a crack that opens it takes the energy of a whole one. What a broken bond between neighbouring points spanned goes
+//! with it: tetrahedra, and bonds on the border that would move with points on both sides of a crack.
+
+use super::super::plane::{BreakingModel, CriticalStretch, LatticeBond, at};
+use super::body::SolidBody;
+use super::{Solid, SolidMaterial};
+use crate::bonds::BondGeometry;
+use crate::model::Breakable;
+use crate::stiffness::{BondPoints, Bonds, Term};
+use std::collections::{BTreeSet, HashSet};
+use std::sync::Arc;
+
+/// Offset of the neighbourhood and lower point.
+type Place = (usize, usize);
+
+/// What goes when bonds break.
+struct Gone {
+    between: Vec<Place>,
+    /// Bonds that end on the border, ascending.
+    ended: Vec<usize>,
+    /// Families of tetrahedra, ascending.
+    families: Vec<usize>,
+}
+
+impl SolidBody {
+    /// Why its bonds cannot break; none if they can.
+    fn unbreakable(&self) -> bool {
+        self.families.is_some() || self.interface.is_some()
+    }
+
+    /// Above the number of any bond between two points: one has the number `offset · points + lower point`; behind them are those
+    /// that end on the border.
+    fn whole_bonds(&self) -> usize {
+        self.law.neighbourhood.offsets.len() * self.lattice.points()
+    }
+
+    fn upper(&self, (offset, lower): Place) -> Option<usize> {
+        self.lattice.number(at(self.lattice.cell(lower), self.law.neighbourhood.offsets[offset], true))
+    }
+
+    /// Bonds between two points, and the numbers of those that end on the border.
+    fn sorted(&self, bonds: &[u64]) -> (Vec<Place>, Vec<usize>) {
+        let (whole, points) = (self.whole_bonds(), self.lattice.points());
+        let (between, ended): (Vec<usize>, Vec<usize>) =
+            bonds.iter().map(|&bond| bond as usize).partition(|&bond| bond < whole);
+        let between = between.into_iter().map(|bond| (bond / points, bond % points)).collect();
+        (between, ended.into_iter().map(|bond| bond - whole).collect())
+    }
+
+    /// What goes with some bonds.
+    fn gone(&self, bonds: &[u64]) -> Gone {
+        let (between, ended) = self.sorted(bonds);
+        let pairs = self.neighbours_parted(&between);
+        let mut all: BTreeSet<usize> = ended.into_iter().collect();
+        if let (Some(border), Some(points)) = (&self.border, &self.on_border) {
+            let spanning = pairs.iter().flat_map(|pair| points.moved_by_both(*pair));
+            all.extend(spanning.filter(|bond| !border.bonds.is_broken(*bond)));
+        }
+        Gone { between, ended: all.into_iter().collect(), families: self.overlay.families.spanning(&pairs) }
+    }
+
+    /// Pairs of points next to each other between which one of some bonds was.
+    fn neighbours_parted(&self, bonds: &[Place]) -> HashSet<[u32; 2]> {
+        let offsets = &self.law.neighbourhood.offsets;
+        let near = bonds.iter().filter(|bond| offsets[bond.0].iter().all(|step| step.abs() <= 1));
+        near.filter_map(|&bond| Some([bond.1 as u32, self.upper(bond)? as u32]))
+            .map(|[a, b]| [a.min(b), a.max(b)])
+            .collect()
+    }
+
+    /// Places with indices among the offsets that have bonds.
+    fn in_grid(&self, bonds: &[Place]) -> Vec<Place> {
+        let bonded: Vec<usize> = self.law.neighbourhood.bonded().collect();
+        let index = |k: usize| bonded.iter().position(|b| *b == k);
+        bonds.iter().filter_map(|&(k, lower)| Some((index(k)?, lower))).collect()
+    }
+
+    /// Finds what breaking bonds ask for again and again.
+    fn prepare_to_break(&mut self) {
+        self.on_border = self.border.as_ref().map(|border| Arc::new(border.bonds.points()));
+    }
+
+    fn break_bonds(&mut self, bonds: &[u64]) {
+        let Gone { between, ended, families } = self.gone(bonds);
+        let grid = self.in_grid(&between);
+        for bonds in std::iter::once(&mut self.bonds).chain(&mut self.felt) {
+            Arc::make_mut(bonds).break_bonds(grid.iter().copied());
+        }
+        if let Some(border) = self.border.as_mut().filter(|_| !ended.is_empty()) {
+            Arc::make_mut(&mut border.bonds).break_bonds(&ended);
+        }
+        if !families.is_empty() {
+            Arc::make_mut(&mut self.overlay.families).remove(&families);
+        }
+        self.cuts.extend(between);
+    }
+
+    fn part(&self, bonds: &[u64]) -> Vec<Box<dyn Term<3>>> {
+        let Gone { between, ended, families } = self.gone(bonds);
+        let listed = self.in_grid(&between).into_iter().filter_map(|(k, lower)| self.bonds.bond(k, lower));
+        let completing: Box<dyn Term<3>> = match &self.border {
+            Some(border) => Box::new(border.bonds.part(&ended)),
+            // Beside a border tetrahedra tell of stresses alone.
+            None => Box::new(self.overlay.families.part(&families)),
+        };
+        vec![Box::new(Bonds::new(self.lattice.points(), listed)), completing]
+    }
+
+    fn for_each_ratio(&self, u: &[f64], critical: &CriticalStretch, visit: &mut dyn FnMut(u64, f64)) {
+        let (points, offsets) = (self.lattice.points(), &self.law.neighbourhood.offsets);
+        let of_whole = |k: usize| {
+            let whole = BondGeometry { xi: self.lattice.vector(offsets[k]) };
+            self.bond().stretch_per_measure(&whole) / critical.by_offset()[k]
+        };
+        let per_elongation: Vec<f64> = (0..offsets.len()).map(of_whole).collect();
+        let bonded: Vec<usize> = self.law.neighbourhood.bonded().collect();
+        self.bonds.for_each_measured(u, |index, lower, [elongation]| {
+            let k = bonded[index];
+            if elongation > 0.0 {
+                visit((k * points + lower) as u64, per_elongation[k] * elongation);
+            }
+        });
+        if let Some(border) = &self.border {
+            let whole = self.whole_bonds();
+            border.bonds.for_each_measured(u, |bond, kind, [elongation]| {
+                let (offset, share) = border.wholes[kind];
+                if elongation > 0.0 {
+                    visit((whole + bond) as u64, per_elongation[offset] * elongation / share.sqrt());
+                }
+            });
+        }
+    }
+}
+
+impl<P: SolidMaterial> Solid<P> {
+    /// A copy whose bonds can break; none where points feel the families of their neighbours or are of several materials.
+    pub(super) fn to_break(&self) -> Option<Box<dyn BreakingModel<3>>> {
+        let mut solid = self.clone();
+        solid.body.prepare_to_break();
+        (!self.body.unbreakable()).then(|| Box::new(solid) as Box<dyn BreakingModel<3>>)
+    }
+}
+
+impl<P: SolidMaterial> Breakable<3> for Solid<P> {
+    type Critical = CriticalStretch;
+
+    fn bond_numbers(&self) -> u64 {
+        let ended = self.body.border.as_ref().map_or(0, |border| border.bonds.count());
+        (self.body.whole_bonds() + ended) as u64
+    }
+
+    fn ends(&self, bond: u64) -> [usize; 2] {
+        let (bond, points) = (bond as usize, self.body.lattice.points());
+        if let Some(ended) = bond.checked_sub(self.body.whole_bonds()) {
+            let known: Option<&BondPoints> = self.body.on_border.as_deref();
+            let pair = known.and_then(|known| known.foremost.get(ended));
+            return pair.map_or([0; 2], |pair| pair.map(|point| point as usize));
+        }
+        let place = (bond / points, bond % points);
+        [place.1, self.body.upper(place).unwrap_or(place.1)]
+    }
+
+    fn offset(&self, bond: u64) -> usize {
+        bond as usize / self.body.lattice.points()
+    }
+
+    fn for_each_ratio(&self, u: &[f64], critical: &CriticalStretch, visit: &mut dyn FnMut(u64, f64)) {
+        self.body.for_each_ratio(u, critical, visit);
+    }
+
+    fn part(&self, bonds: &[u64]) -> Vec<Box<dyn Term<3>>> {
+        self.body.part(bonds)
+    }
+
+    /// # Panics
+    /// The body has images in planes of symmetry.
+    fn break_bonds(&mut self, bonds: &[u64]) {
+        assert!(self.body.ghosts.is_empty(), "the image of a bond would not break with it");
+        self.body.break_bonds(bonds);
+    }
+}

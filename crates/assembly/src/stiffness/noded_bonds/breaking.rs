@@ -1,0 +1,64 @@
+//! Bonds between points and nodes that break one by one. They keep their numbers.
+
+use super::number::Number;
+use super::{NodedBonds, PlacedBonds};
+use std::collections::HashMap;
+
+/// What moves the bonds, by their numbers.
+#[derive(Clone, Debug, Default)]
+pub struct BondPoints {
+    /// Per bond: the two points that have the largest parts in the relative displacement of its ends, one on either side.
+    pub foremost: Vec<[u32; 2]>,
+    /// Per point: the bonds whose middle it moves, ascending.
+    moved: HashMap<u32, Vec<u32>>,
+}
+
+impl BondPoints {
+    /// The bonds whose middles both of two points move, ascending.
+    pub fn moved_by_both(&self, pair: [u32; 2]) -> impl Iterator<Item = usize> + '_ {
+        let [first, second] = pair.map(|point| self.moved.get(&point).map_or(&[][..], Vec::as_slice));
+        first.iter().filter(|bond| second.binary_search(bond).is_ok()).map(|bond| *bond as usize)
+    }
+}
+
+impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
+    /// Whether a bond has broken.
+    pub fn is_broken(&self, bond: usize) -> bool {
+        self.factors.get(bond).is_some_and(|factor| *factor == T::default())
+    }
+}
+
+impl<const D: usize, const M: usize> NodedBonds<D, M> {
+    /// Removes bonds by their numbers, which the others keep.
+    pub fn break_bonds(&mut self, bonds: &[usize]) {
+        if self.factors.is_empty() && !bonds.is_empty() {
+            self.factors = vec![1.0; self.count()];
+        }
+        bonds.iter().for_each(|&bond| self.factors[bond] = 0.0);
+    }
+
+    /// Some of the bonds, ascending numbers, as far as they have not broken.
+    pub fn part(&self, bonds: &[usize]) -> PlacedBonds<D, M> {
+        let (places, mut part) = (self.places(), PlacedBonds::new(self.points));
+        self.for_each_numbered(|number, kind, ends| {
+            if bonds.binary_search(&number).is_ok() {
+                part.push(&self.placed(&places, kind, ends));
+            }
+        });
+        part
+    }
+
+    /// What moves all bonds.
+    pub fn points(&self) -> BondPoints {
+        let (places, mut found) = (self.places(), BondPoints::default());
+        found.foremost = vec![[0; 2]; self.count()];
+        self.for_each_numbered(|number, kind, ends| {
+            let mut one = PlacedBonds::new(self.points);
+            found.foremost[number] = one.push(&self.placed(&places, kind, ends));
+            for (point, _) in one.middle(0) {
+                found.moved.entry(point as u32).or_default().push(number as u32);
+            }
+        });
+        found
+    }
+}
