@@ -25,6 +25,7 @@ fn report(side: i32, horizon: i32) {
         held: (0..(side * side) as usize).flat_map(|k| (0..3).map(move |c| (k * side as usize, c))).collect(),
         springs: Vec::new(),
         followers: Vec::new(),
+        cuts: Vec::new(),
         faces: CubicFaces::Other,
     };
     let begin = Instant::now();

@@ -58,6 +58,19 @@ pub(super) fn assemble(level: &CubicLevel) -> CoarsestMatrix {
             }
         }
     });
+    for gap in level.gaps.list() {
+        let block = &level.stencil.blocks[gap.step];
+        let scale = |at: usize| f64::from(level.inverse_scale[at]);
+        let [p, q] = gap.ends;
+        for c in 0..3 {
+            for d in 0..3 {
+                add(unknown[c][p], unknown[d][p], -block[c][d] * scale(p) / scale(q));
+                add(unknown[c][q], unknown[d][q], -block[c][d] * scale(q) / scale(p));
+                add(unknown[c][p], unknown[d][q], block[c][d]);
+                add(unknown[c][q], unknown[d][p], block[c][d]);
+            }
+        }
+    }
     let mut images = Vec::new();
     for c in 0..3 {
         let own = |place: usize| {

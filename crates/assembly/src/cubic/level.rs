@@ -6,6 +6,7 @@ use super::build::{self, Blocks};
 use super::cells::{Cells, SOLID};
 use super::finish::{Apply, Relax, Residual};
 use super::followers::Followers;
+use super::gaps::Gaps;
 use super::grid::Grid;
 use super::kernel::{Bonds, Finish, LayerSweep};
 use super::stencil::Stencil;
@@ -46,6 +47,8 @@ pub struct CubicLevel {
     held: Vec<u32>,
     border: Option<Border>,
     followers: Followers,
+    /// Bonds that are not there.
+    pub(super) gaps: Gaps,
 }
 
 impl CubicLevel {
@@ -64,6 +67,11 @@ impl CubicLevel {
     /// Adds bonds on the border, and components that follow others.
     pub(super) fn with(self, border: Option<Border>, followers: Followers) -> Self {
         Self { border, followers, ..self }
+    }
+
+    /// Takes bonds away.
+    pub(super) fn without(self, gaps: Gaps) -> Self {
+        Self { gaps, ..self }
     }
 
     fn of_blocks(cells: Cells, stencil: Stencil, blocks: Blocks) -> Self {
@@ -99,6 +107,7 @@ impl CubicLevel {
             held,
             border: None,
             followers: Followers::default(),
+            gaps: Gaps::default(),
         }
     }
 
@@ -148,14 +157,14 @@ impl CubicLevel {
     /// Writes `Â v` over `out`.
     pub fn apply(&self, v: &[f32], out: &mut [f32]) {
         self.sweep(v, out, &Apply { level: self, v: self.planes(v) });
-        self.on_border(v, out, |block, f| [0, 1, 2].map(|c| block.free[c] * f[c]));
+        self.correct(v, out, |block, f| [0, 1, 2].map(|c| block.free[c] * f[c]));
         self.hand_over(out);
     }
 
     /// Writes `b − Â v` over `out`.
     pub fn residual(&self, b: &[f32], v: &[f32], out: &mut [f32]) {
         self.sweep(v, out, &Residual { level: self, v: self.planes(v), b: self.planes(b) });
-        self.on_border(v, out, |block, f| [0, 1, 2].map(|c| -block.free[c] * f[c]));
+        self.correct(v, out, |block, f| [0, 1, 2].map(|c| -block.free[c] * f[c]));
         self.hand_over(out);
     }
 
@@ -165,7 +174,7 @@ impl CubicLevel {
         let moved =
             self.followers.entries().map(|k| v[k] + step[0] * (v[k] - previous[k])).collect::<Vec<_>>();
         self.sweep(v, previous, &Relax { level: self, v: self.planes(v), b: self.planes(b), step });
-        self.on_border(v, previous, |block, f| {
+        self.correct(v, previous, |block, f| {
             [0, 1, 2].map(|c| -step[1] * (0..3).map(|d| block.inverse[c][d] * f[d]).sum::<f32>())
         });
         let len = self.grid().len();
@@ -222,8 +231,8 @@ impl CubicLevel {
         self.each_layer(out, work);
     }
 
-    /// Adds what `part` makes of the forces of the border.
-    fn on_border(&self, v: &[f32], out: &mut [f32], part: impl Fn(&Block, [f32; 3]) -> [f32; 3]) {
+    /// Adds what `part` makes of the forces of the border, less those of bonds that are not there.
+    fn correct(&self, v: &[f32], out: &mut [f32], part: impl Fn(&Block, [f32; 3]) -> [f32; 3]) {
         let grid = self.grid();
         if let Some(border) = &self.border {
             border.for_each_force(grid, v, |place, force| {
@@ -231,6 +240,10 @@ impl CubicLevel {
                 (0..3).for_each(|c| out[c * grid.len() + place] += part[c]);
             });
         }
+        self.gaps.for_each_force(grid.len(), (v, &self.inverse_scale), |place, force| {
+            let part = part(&self.table[self.of[place] as usize], force);
+            (0..3).for_each(|c| out[c * grid.len() + place] -= part[c]);
+        });
     }
 
     /// Whether its eigenvalues are not those of coarser levels.

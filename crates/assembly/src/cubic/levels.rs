@@ -4,6 +4,7 @@ use super::border::Border;
 use super::cells::{Cells, FOLLOWING, SOLID};
 use super::coarsest::{self, CoarsestMatrix};
 use super::followers::Followers;
+use super::gaps::Gaps;
 use super::grid::Grid;
 use super::level::CubicLevel;
 use super::stencil::Stencil;
@@ -31,6 +32,8 @@ pub struct CubicSolid<'a> {
     pub springs: Vec<(usize, Mat<3, 3>)>,
     /// Components of points that follow those of others, and their shares in them.
     pub followers: Vec<Follower>,
+    /// Bonds that are cut or broken: the steps of the stencil, and their lower points.
+    pub cuts: Vec<(Cell, usize)>,
     /// What is done about the bonds that points beside faces lack.
     pub faces: CubicFaces<'a>,
 }
@@ -70,9 +73,11 @@ pub struct CubicLevels {
 
 impl CubicLevels {
     /// Levels down to the first that `is_coarsest` by its numbers of columns, rows and layers and of its points; none if sides are
-    /// joined, if that is the first one, or if the solid fills so little of its box that empty cells would be most of the work.
+    /// joined, if that is the first one, if bonds are cut beside images, or if the solid fills so little of its box that empty cells
+    /// would be most of the work.
     pub fn new(solid: &CubicSolid<'_>, is_coarsest: &dyn Fn([usize; 3], usize) -> bool) -> Option<Self> {
-        if solid.mirrors.joined != [false; 3] {
+        let has_cut_images = !solid.cuts.is_empty() && !solid.mirrors.is_none();
+        if solid.mirrors.joined != [false; 3] || has_cut_images {
             return None;
         }
         let unit = solid.stencil.stiffness();
@@ -109,7 +114,12 @@ impl CubicLevels {
             CubicFaces::Border(bonds) => (CubicLevel::bare, CubicLevel::stiffened, Some(border(bonds))),
             CubicFaces::Other => (CubicLevel::stiffened, CubicLevel::stiffened, None),
         };
-        let mut levels = vec![finest(cells, stencil).with(border, followers)];
+        let cut = |(step, lower): &(Cell, usize)| {
+            let cell = solid.lattice.cell(*lower);
+            ([0, 1, 2].map(|k| cell[k] - first[k]), *step)
+        };
+        let gaps = Gaps::new(solid.cuts.iter().map(cut).collect(), &cells, &stencil);
+        let mut levels = vec![finest(cells, stencil).with(border, followers).without(gaps)];
         let mut transfers = Vec::new();
         loop {
             let fine = &levels[levels.len() - 1];
@@ -117,6 +127,8 @@ impl CubicLevels {
                 break;
             }
             let coarse = coarser(fine.cells.coarser(), fine.stencil.scaled(2.0));
+            let gaps = Gaps::new(fine.gaps.coarser(fine.cells.shift), &coarse.cells, &coarse.stencil);
+            let coarse = coarse.without(gaps);
             transfers.push(Transfer::new(fine, &coarse));
             levels.push(coarse);
         }

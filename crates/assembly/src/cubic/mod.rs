@@ -12,12 +12,14 @@
 //!
 //! A preconditioner needs neither more digits nor the exact operator: conjugate gradients correct both.
 
+mod across;
 mod border;
 mod build;
 mod cells;
 mod coarsest;
 mod finish;
 mod followers;
+mod gaps;
 mod grid;
 mod kernel;
 mod level;

@@ -30,6 +30,7 @@ fn levels(mirrors: Mirrors) -> (CubicLevels, SquareLattice) {
         held,
         springs: vec![(200, [[4.0, 1.0, 0.0], [1.0, 3.0, 0.0], [0.0, 0.0, 2.0]])],
         followers: vec![((611, 1), vec![((612, 1), 0.4), ((700, 0), -0.2)])],
+        cuts: Vec::new(),
         faces: CubicFaces::Other,
     };
     let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 5).expect("a coarser level");
@@ -129,7 +130,7 @@ fn forces(model: &BondSolid, faces: CubicFaces<'_>, u: &[f64]) -> Vec<f64> {
     let stencil = Stencil::new(model.bonds_of_a_point());
     let unit = stencil.stiffness();
     let (held, springs, followers) = (Vec::new(), Vec::new(), Vec::new());
-    let solid = CubicSolid { lattice, mirrors, stencil, held, springs, followers, faces };
+    let solid = CubicSolid { lattice, mirrors, stencil, held, springs, followers, cuts: Vec::new(), faces };
     let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 10).expect("a coarser level");
     let finest = &levels.levels()[0];
     let [mut v, mut image] = [0; 2].map(|_| vec![0.0; finest.size()]);

@@ -3,6 +3,7 @@
 //! Along every axis a cell has 3/4 of its parent and 1/4 of the cell beside it. Where some of the eight do not belong to the body
 //! the others share the weight. Unknowns are scaled on both levels, and so is what goes between them.
 
+use super::across::{Apart, apart};
 use super::grid::Grid;
 use super::level::CubicLevel;
 use pulp::Arch;
@@ -17,6 +18,8 @@ const FEW: usize = 8192;
 pub(super) struct Transfer {
     /// Per place of the finer level: what interpolated values are multiplied with, zero outside of the body.
     weights: Vec<f32>,
+    /// Points beside cracks, which have weights of their own.
+    apart: Vec<Apart>,
 }
 
 impl Transfer {
@@ -39,8 +42,10 @@ impl Transfer {
                 weights[place] = 1.0 / (sum * fine.inverse_scale[place]);
             }
         });
+        let apart = apart(fine, coarse);
+        apart.iter().for_each(|of| weights[of.place] = 0.0);
         grid.mirror(&mut weights, |weight, _| weight);
-        Self { weights }
+        Self { weights, apart }
     }
 
     /// Adds to `out`, of the finer level, what is interpolated from `v`.
@@ -78,6 +83,13 @@ impl Transfer {
             }
         };
         each_layer(grid, out, work);
+        for Apart { place, parents } in &self.apart {
+            for c in 0..3 {
+                let v = &v[c * coarse_grid.len()..];
+                out[c * grid.len() + place] +=
+                    parents.iter().map(|(at, weight)| weight * v[*at]).sum::<f32>();
+            }
+        }
         fine.complete(out);
     }
 
@@ -112,12 +124,18 @@ impl Transfer {
             }
         };
         each_layer(coarse_grid, out, work);
+        for Apart { place, parents } in &self.apart {
+            for c in 0..3 {
+                let r = r[c * grid.len() + place];
+                parents.iter().for_each(|(at, weight)| out[c * coarse_grid.len() + at] += weight * r);
+            }
+        }
         coarse.hand_over(out);
     }
 }
 
 /// The parent of a cell and the cell beside it, with their weights.
-fn parents(cell: usize, shift: usize) -> [(i64, f32); 2] {
+pub(super) fn parents(cell: usize, shift: usize) -> [(i64, f32); 2] {
     let (parent, is_upper) = (((cell + shift) / 2) as i64, (cell + shift) % 2 == 1);
     [(parent, 0.75), (if is_upper { parent + 1 } else { parent - 1 }, 0.25)]
 }

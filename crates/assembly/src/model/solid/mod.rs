@@ -81,6 +81,9 @@ pub trait SolidModel: BodyModel {
     /// Offsets of half of the bonds of a point, cells, and their stiffnesses, N/m.
     fn bonds_of_a_point(&self) -> Vec<(Cell, f64)>;
 
+    /// Steps and lower points of those that are cut or broken.
+    fn cut_bonds(&self) -> Vec<(Cell, usize)>;
+
     /// Bonds that end on the border.
     fn bonds_on_border(&self) -> Option<&NodedBonds<3, 1>>;
 

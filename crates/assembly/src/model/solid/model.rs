@@ -248,6 +248,12 @@ impl<P: SolidMaterial> SolidModel for Solid<P> {
         of.offsets.iter().zip(&of.weights).map(|(step, weight)| (*step, stiffness(step, weight))).collect()
     }
 
+    fn cut_bonds(&self) -> Vec<(Cell, usize)> {
+        let of = &self.body.law.neighbourhood;
+        let bonded = self.body.cuts.iter().filter(|cut| of.has_bonds(cut.0));
+        bonded.map(|&(offset, lower)| (of.offsets[offset], lower)).collect()
+    }
+
     fn bonds_on_border(&self) -> Option<&NodedBonds<3, 1>> {
         self.body.border.as_ref().map(|border| &*border.bonds)
     }

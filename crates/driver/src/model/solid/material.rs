@@ -1,10 +1,10 @@
 //! The bonds of solids on bodies.
 
-use super::critical;
 use super::super::{
     About, AnyBody, Critical, CriticalStretches, Material, MaterialSummary, Model, OnGround, OnLattice,
     OtherMaterial, Refusal, Resolved, Surface,
 };
+use super::critical;
 use crate::diagnostic::{Faults, JsonPath, root};
 use crate::units::Units;
 use peristat_assembly::body::{Cell, SquareLattice};

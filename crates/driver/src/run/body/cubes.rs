@@ -69,7 +69,8 @@ pub(super) fn levels<const D: usize>(
         None if solid.faces() == SolidEdges::None => CubicFaces::Bare,
         None => CubicFaces::Other,
     };
-    let solid = CubicSolid { lattice, mirrors, stencil, held, springs, followers, faces };
+    let cuts = solid.cut_bonds();
+    let solid = CubicSolid { lattice, mirrors, stencil, held, springs, followers, cuts, faces };
     let is_coarsest = |sides: [usize; 3], points: usize| points <= COARSEST_SOLID || is_narrow(sides);
     CubicLevels::new(&solid, &is_coarsest)
 }

@@ -64,9 +64,7 @@ pub(super) fn coarser<const D: usize>(
     conditions: &Conditions,
     system: &System<D>,
 ) -> Option<Coarser<D>> {
-    // Cubes with one stencil know no cracks.
-    let cubes = if cracks.is_empty() { cubes::levels(model, conditions, system) } else { None };
-    match cubes {
+    match cubes::levels(model, conditions, system) {
         Some(levels) => Some(Coarser::Cubes(levels)),
         None => models(model, cracks, conditions).map(Coarser::Models),
     }

@@ -74,7 +74,9 @@ pub(crate) fn check_load(load: &str, case: &Case, path: &JsonPath, faults: &mut 
     if refuse_reduced(load, "load", case, path, faults) {
         return;
     }
-    if let Some(probe) = probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | ReactionZ | Ux | Uy | Uz | Opening)) {
+    if let Some(probe) =
+        probe.filter(|p| !matches!(p.field, ReactionX | ReactionY | ReactionZ | Ux | Uy | Uz | Opening))
+    {
         let message = format!("the probe `{load}` is one of `{}`, which is no load", probe.field.name());
         faults
             .error(path.clone(), message)
