@@ -122,6 +122,27 @@ fn so_does_a_run_in_load_steps() {
 }
 
 #[test]
+fn so_does_a_solid_with_a_factor_and_with_cycles() {
+    for solver in ["sparse", "multigrid"] {
+        let solid = json!({
+            "title": "Bar that breaks", "units": "none", "solver": solver, "horizon_ratio": 2,
+            "model": { "bond_solid": { "youngs_modulus": 1000 } },
+            "body": { "block": { "size": [8, 16, 4], "spacing": 1 } },
+            "cracks": [ { "polygon": [[-1, 8, -1], [3, 8, -1], [3, 8, 5], [-1, 8, 5]] } ],
+            "supports": [
+                { "at": { "region": "bottom" }, "ux": 0, "uy": 0, "uz": 0 },
+                { "at": { "region": "top" }, "ux": 0, "uy": 0.3, "uz": 0 }
+            ],
+            "probes": [ { "name": "pull", "at": { "region": "top" }, "field": "reaction_y" } ],
+            "fracture": {
+                "critical": { "energy_release_rate": 1 }, "strategy": "worst", "load": "pull", "record_every": 12
+            }
+        });
+        killed_again_and_again(&solid);
+    }
+}
+
+#[test]
 fn so_do_runs_along_paths() {
     let mut path = case();
     path.as_object_mut().unwrap().remove("fracture");

@@ -82,6 +82,7 @@ mod slots;
 mod softening_edges;
 mod solid_cracks;
 mod solid_files;
+mod solid_fracture;
 mod solid_joined;
 mod solid_rigid;
 mod solid_tractions;

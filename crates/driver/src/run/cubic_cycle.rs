@@ -8,6 +8,7 @@ use peristat_assembly::system::System;
 use peristat_solve::{
     Hierarchy, Multigrid, MultigridOptions, Ordering, Preconditioner, Relaxation, SparseCholesky,
 };
+use std::borrow::Borrow;
 
 /// Relative lifts of the diagonal of the coarsest level, all but the first where supports that fall together make it singular.
 const LIFTS: [f64; 3] = [0.0, 1e-6, 1e-4];
@@ -20,12 +21,17 @@ const SMOOTHER: MultigridOptions = MultigridOptions { degree: 3, range: 8.0, ..M
 /// The cycle as a preconditioner of a system.
 pub(super) struct CubicCycle<'a, const D: usize> {
     system: &'a System<D>,
-    multigrid: Multigrid<Levels<'a>>,
+    cubes: Cubes<&'a CubicLevels>,
+}
+
+/// A cycle over levels.
+pub(super) struct Cubes<L: Borrow<CubicLevels> + Sync> {
+    multigrid: Multigrid<Levels<L>>,
     /// Right-hand side and solution of the finest level.
     vectors: [Vec<f32>; 2],
 }
 
-/// Sets it up; also the entries of the factor of the coarsest level.
+/// Sets it up for a system; also the entries of the factor of the coarsest level.
 ///
 /// # Errors
 /// [`SolveFailure`] if the coarsest level has no factor.
@@ -34,6 +40,19 @@ pub(super) fn cycle<'a, const D: usize>(
     levels: &'a CubicLevels,
     counters: &mut Counters,
 ) -> Result<(CubicCycle<'a, D>, usize), SolveFailure> {
+    let (cubes, fill) = cubes(levels, counters)?;
+    Ok((CubicCycle { system, cubes }, fill))
+}
+
+/// The same by itself.
+///
+/// # Errors
+/// [`SolveFailure`] if the coarsest level has no factor.
+pub(super) fn cubes<L: Borrow<CubicLevels> + Sync>(
+    of: L,
+    counters: &mut Counters,
+) -> Result<(Cubes<L>, usize), SolveFailure> {
+    let levels = of.borrow();
     let CoarsestMatrix { mut matrix, entries, images } = levels.coarsest();
     let mut factor =
         SparseCholesky::analyse(&matrix, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
@@ -51,8 +70,19 @@ pub(super) fn cycle<'a, const D: usize>(
     let measured_size = if levels.levels()[0].is_unlike() { usize::MAX } else { MEASURED };
     let options = MultigridOptions { measured_size, ..SMOOTHER };
     let size = levels.levels()[0].size();
-    let multigrid = Multigrid::new(Levels(levels), Box::new(coarsest), &options);
-    Ok((CubicCycle { system, multigrid, vectors: [0; 2].map(|_| vec![0.0; size]) }, fill))
+    let multigrid = Multigrid::new(Levels(of), Box::new(coarsest), &options);
+    Ok((Cubes { multigrid, vectors: [0; 2].map(|_| vec![0.0; size]) }, fill))
+}
+
+impl<L: Borrow<CubicLevels> + Sync> Cubes<L> {
+    /// Writes what a cycle makes of the forces `r` over `z`; what depends on others does not follow them.
+    pub(super) fn correct(&mut self, r: &[f64], z: &mut [f64]) {
+        let Self { multigrid, vectors: [b, v] } = self;
+        let levels = multigrid.hierarchy().0.borrow();
+        let norm = levels.enter(r, b);
+        multigrid.apply(b, v);
+        multigrid.hierarchy().0.borrow().leave(v, norm, z);
+    }
 }
 
 impl<const D: usize> Preconditioner for CubicCycle<'_, D> {
@@ -61,30 +91,26 @@ impl<const D: usize> Preconditioner for CubicCycle<'_, D> {
     }
 
     fn apply(&mut self, r: &[f64], z: &mut [f64]) {
-        let Self { system, multigrid, vectors: [b, v] } = self;
-        let levels = multigrid.hierarchy().0;
-        let norm = levels.enter(r, b);
-        multigrid.apply(b, v);
-        levels.leave(v, norm, z);
+        self.cubes.correct(r, z);
         // What is held stays at zero, what depends on others follows them.
-        system.constraints().expand(0.0, z);
+        self.system.constraints().expand(0.0, z);
     }
 }
 
 /// The levels, as a cycle asks for them.
-pub(super) struct Levels<'a>(&'a CubicLevels);
+pub(super) struct Levels<L>(L);
 
-impl Levels<'_> {
+impl<L: Borrow<CubicLevels> + Sync> Levels<L> {
     fn level(&self, level: usize) -> &CubicLevel {
-        &self.0.levels()[level]
+        &self.0.borrow().levels()[level]
     }
 }
 
-impl Hierarchy for Levels<'_> {
+impl<L: Borrow<CubicLevels> + Sync> Hierarchy for Levels<L> {
     type Real = f32;
 
     fn depth(&self) -> usize {
-        self.0.levels().len()
+        self.0.borrow().levels().len()
     }
 
     fn size(&self, level: usize) -> usize {
@@ -120,11 +146,11 @@ impl Hierarchy for Levels<'_> {
     }
 
     fn restrict(&self, level: usize, fine: &[f32], coarse: &mut [f32]) {
-        self.0.restrict(level, fine, coarse);
+        self.0.borrow().restrict(level, fine, coarse);
     }
 
     fn prolong_add(&self, level: usize, coarse: &[f32], fine: &mut [f32]) {
-        self.0.prolong_add(level, coarse, fine);
+        self.0.borrow().prolong_add(level, coarse, fine);
     }
 }
 

@@ -75,9 +75,17 @@ pub(super) enum Plan {
 /// faster than a factor on squares of 1600 points already, about the smallest that have a coarser lattice.
 pub(super) fn plan<const D: usize>(problem: &dyn Problem<D>) -> Plan {
     let points = problem.model().points();
+    let is_solid = problem.solid_bytes().is_some();
     let few_sides = problem.states() < MANY_SIDES || points > TOO_MANY_POINTS;
     match (problem.solver(), problem.spread()) {
         (_, Spread::Chain) => Plan::Factor,
+        (Solver::Multigrid, Spread::Lattice) if problem.breaks() && is_solid => Plan::Cycle,
+        // A bar of 4096 points takes as long either way, one of 1728 three times as long with cycles.
+        (Solver::Auto, Spread::Lattice)
+            if problem.breaks() && is_solid && points > problem.most_factored() =>
+        {
+            Plan::Cycle
+        }
         _ if problem.breaks() => Plan::Factor,
         (Solver::Pcg, _) => Plan::Blocks,
         (Solver::Multigrid, Spread::Lattice) => Plan::Cycle,

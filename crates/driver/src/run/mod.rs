@@ -12,6 +12,7 @@ mod extent;
 mod factor;
 pub mod fracture;
 mod kept_factor;
+mod kept_inverse;
 mod linear;
 mod load;
 mod measures;

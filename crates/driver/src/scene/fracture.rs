@@ -121,8 +121,10 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
     for (key, _, hint) in foreign.iter().filter(|f| f.1) {
         faults.error(root(key), format!("`{key}` and `fracture` do not go together")).hint(*hint);
     }
+    let is_solid = case.model.keys().is_ok_and(|keys| keys.is_solid());
     match case.solver {
         Solver::Auto | Solver::Sparse => {}
+        Solver::Multigrid if is_solid => {}
         Solver::Strain | Solver::Band | Solver::Multigrid | Solver::Pcg => {
             faults
                 .error(

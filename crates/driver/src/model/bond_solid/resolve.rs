@@ -1,6 +1,6 @@
 //! What the keys become.
 
-use super::super::solid::{Bonds, SolidBonds, bonds, refused};
+use super::super::solid::{Bonds, SolidBonds, bonds, refused, usual_horizon_ratio};
 use super::super::{Asked, Keys, Material, Model, Refused};
 use super::{BondSolidKeys, NAME};
 use crate::diagnostic::{Faults, positive, root, tidy};
@@ -28,7 +28,7 @@ impl Keys for BondSolidKeys {
         refused(false)
     }
 
-    fn resolve(&self, _: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
+    fn resolve(&self, asked: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
         let path = root("model").key(NAME);
         let mut fine = positive(self.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
         if let Some(nu) = self.poisson_ratio.filter(|nu| (nu - POISSON_RATIO).abs() > 1e-3) {
@@ -52,6 +52,9 @@ impl Keys for BondSolidKeys {
             edges,
         };
         let keys = Self { calibration: Some(calibration), volume_factor, edges: Some(edges), ..self.clone() };
-        fine.then(|| Box::new(SolidBonds { keys, parameters }) as Box<dyn Material>)
+        fine.then(|| {
+            Box::new(SolidBonds { keys, parameters, usual_horizon_ratio: usual_horizon_ratio(asked) })
+                as Box<dyn Material>
+        })
     }
 }

@@ -59,7 +59,7 @@ fn of_rate<P: SolidParameters>(
         CriticalFormula::Growth => {
             faults
                 .error(path.key("formula"), "what the lattice adds to the growth of a crack is known in the plane alone")
-                .hint("use `energy`, the default of solids: a long crack then needs more motion, about a tenth at three spacings per horizon");
+                .hint("use `energy`, the default of solids: with three spacings per horizon a long crack grows at that to 3 %");
             None
         }
         CriticalFormula::Published => {

@@ -53,6 +53,7 @@ pub(in super::super) trait SolidParameters: SolidMaterial {
 pub(in super::super) struct SolidBonds<P: SolidParameters> {
     pub(in super::super) keys: P::Keys,
     pub(in super::super) parameters: P,
+    pub(in super::super) usual_horizon_ratio: f64,
 }
 
 impl<P: SolidParameters> SolidBonds<P> {
@@ -116,7 +117,7 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
     }
 
     fn usual_horizon_ratio(&self) -> f64 {
-        2.0
+        self.usual_horizon_ratio
     }
 
     fn boxed(&self) -> Box<dyn Material> {

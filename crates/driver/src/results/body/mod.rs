@@ -3,6 +3,7 @@
 mod apart;
 mod blocks;
 mod cells;
+mod crack_surface;
 mod lines;
 mod plots;
 mod raster;
@@ -81,6 +82,9 @@ pub(super) fn write(
     }
     if kept.grids {
         write_grid(&file(name, "vtu"), scene, &fields)?;
+        if let (PointBody::Solid(lattice), true) = (scene.body(), scene.fracture.is_some()) {
+            crack_surface::write(&file(&format!("{name}_crack"), "vtu"), (scene, lattice), result)?;
+        }
     }
     lines::write(&|line: &str| file(&format!("{name}_{line}"), "csv"), scene, result)
 }

@@ -27,7 +27,7 @@ pub(super) struct Breaking<'a, const D: usize, P> {
     pub(super) ledger: Ledger,
     pub(super) events: Vec<Event>,
     pub(super) broken: Vec<u64>,
-    /// Of the broken bonds, those that were broken when the factor was made.
+    /// Of the broken bonds, those that were broken when the inverse was made.
     pub(super) factored: usize,
     pub(super) recorded: usize,
     pub(super) step: usize,
@@ -72,14 +72,14 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     /// From the intact body.
     pub(super) fn begin(body: &'a mut P, system: System<D>) -> Result<Self, RunError> {
         let mut all = Self::new(body, system)?;
-        (all.outcome, _) = all.unit.solve(&all.system, &mut all.timing)?;
+        (all.outcome, _) = all.unit.solve(all.body.problem(), &all.system, &mut all.timing)?;
         if all.outcome != Outcome::Found {
             all.unit.rest();
         }
         Ok(all)
     }
 
-    /// From a restart: with the factor that there was, of the matrix that was analysed, so that all goes on to the last bit
+    /// From a restart: with the inverse that there was, so that all goes on to the last bit
     /// as if it had not stopped.
     pub(super) fn resume(
         body: &'a mut P,
@@ -93,7 +93,7 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         all.unit.u.clone_from(&restart.unit);
         if !factored.is_empty() {
             all.remove(factored);
-            all.unit.refactor(&all.system, &mut all.timing)?;
+            all.unit.renew(all.body.problem(), &all.system, &mut all.timing)?;
         }
         all.remove(later);
         all.islands.set_frozen(restart.frozen.clone());
@@ -134,9 +134,9 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
             let off = self.islands.frozen().iter().map(|&(unknown, _)| unknown as usize);
             self.ledger.come_off(off.map(|k| (forces[k], before[k])));
         }
-        let refactored;
-        (self.outcome, refactored) = self.unit.solve(&self.system, &mut self.timing)?;
-        if refactored {
+        let renewed;
+        (self.outcome, renewed) = self.unit.solve(self.body.problem(), &self.system, &mut self.timing)?;
+        if renewed {
             self.factored = self.broken.len();
         }
         if self.outcome != Outcome::Found {
@@ -174,8 +174,11 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
     ) -> Result<(), RunError> {
         let at = (load_factor, ending == Some(Ending::CameOff));
         self.converged &= self.outcome != Outcome::Lost;
-        let (load, solution, certificate) =
-            self.unit.certified(self.body.problem(), &self.system, at, &mut self.timing);
+        let (load, solution, certificate, renewed) =
+            self.unit.certified(self.body.problem(), &self.system, at, &mut self.timing)?;
+        if renewed {
+            self.factored = self.broken.len();
+        }
         self.converged &= certificate.converged;
         let begin = Instant::now();
         let facts = Facts::of(&self.events, self.body.facts(&self.broken));

@@ -46,9 +46,10 @@ impl<const D: usize, P: BreakingBody<D>> Breaking<'_, D, P> {
     pub(super) fn report(self, sizes: Sizes, ending: Ending) -> RunReport {
         let facts = Facts::of(&self.events, self.body.facts(&self.broken));
         let mut counters: Counters = self.unit.counters.clone();
+        let (method, reason) = self.unit.inverse.method(self.body.problem().solver());
         let solver = SolverReport {
-            method: "sparse_cholesky".into(),
-            reason: "a body that breaks keeps its factor from equilibrium to equilibrium".into(),
+            method: method.into(),
+            reason,
             factor_entries: counters.factor_bytes / size_of::<f64>(),
             ..SolverReport::default()
         };

@@ -1,7 +1,7 @@
-//! The equilibrium at the unit load of a body that changes, found again and again: from the last one, with the last factor.
+//! The equilibrium at the unit load of a body that changes, found again and again: from the last one, with the last inverse.
 
 use super::super::certificate::{self, Certificate};
-use super::super::kept_factor::KeptFactor;
+use super::super::kept_inverse::KeptInverse;
 use super::super::load::Load;
 use super::super::solve_failure::SolveFailure;
 use super::super::workspace::{StateSolution, Workspace, jump, jump_energy};
@@ -12,19 +12,19 @@ use peristat_assembly::system::System;
 use peristat_solve::PcgStatus;
 use std::time::Instant;
 
-/// Iterations after which a new factor is cheaper than going on: breaking n bonds of m measures costs about n m of them.
-const REFACTOR: usize = 16;
 /// Residual over the sudden jump of what is recorded, and the iterations that may take.
 const POLISHED: f64 = 1e-12;
 const POLISHING: usize = 60;
-/// Iterations with a new factor.
+/// Part of an error that a cycle corrects, below which rounding is what is left.
+const LEAST: f64 = 1e-3;
+/// Iterations with a new inverse.
 const PATIENCE: usize = 100;
 /// Residual over the sudden jump up to which rounding may be what is left.
 const ROUGH: f64 = 1e-6;
 
 /// The unit load and the displacements under it.
 pub(super) struct Unit<const D: usize> {
-    factor: KeptFactor,
+    pub(super) inverse: KeptInverse,
     work: Workspace<D>,
     pub(super) counters: Counters,
     /// Loads at a load factor of one.
@@ -70,7 +70,7 @@ impl<const D: usize> Unit<D> {
         let jump = jump(system, &loads);
         let mut counters = Counters::default();
         Ok(Self {
-            factor: KeptFactor::new(problem, system, timing, &mut counters)?,
+            inverse: KeptInverse::new(problem, system, timing, &mut counters)?,
             work: Workspace::new(problem, system),
             counters,
             loads,
@@ -84,20 +84,21 @@ impl<const D: usize> Unit<D> {
         })
     }
 
-    /// Finds the displacements of the system as it is now. How, and whether a new factor was made.
+    /// Finds the displacements of the system as it is now. How, and whether a new inverse was made.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
     pub(super) fn solve(
         &mut self,
+        problem: &dyn Problem<D>,
         system: &System<D>,
         timing: &mut Timing,
     ) -> Result<(Outcome, bool), SolveFailure> {
         let begin = Instant::now();
-        let mut refactored = false;
+        let mut renewed = false;
         let follow = |unit: &mut Self, iterations: usize| {
             let vectors = (&unit.loads[..], &mut unit.u[..]);
-            let followed = unit.work.follow(system, &mut unit.factor, vectors, unit.target, iterations);
+            let followed = unit.work.follow(system, &mut unit.inverse, vectors, unit.target, iterations);
             unit.residual = followed.residual;
             unit.iterations += followed.iterations;
             followed.reached
@@ -105,35 +106,40 @@ impl<const D: usize> Unit<D> {
         self.iterations = 0;
         // A mechanism leaves nothing of the displacements that are improved.
         let before = self.u.clone();
-        let mut reached = follow(self, REFACTOR);
+        let mut reached = follow(self, self.inverse.patience());
         if !reached {
-            self.refactor(system, timing)?;
-            refactored = true;
+            self.renew(problem, system, timing)?;
+            renewed = true;
             reached = follow(self, PATIENCE);
         }
         let outcome = match reached {
             true => Outcome::Found,
             false if self.residual <= ROUGH * self.jump => {
-                // A new factor does no better: more is not to be had.
+                // A new inverse does no better: more is not to be had.
                 self.target = 2.0 * self.residual;
                 Outcome::Found
             }
-            false if self.work.yields(system, &mut self.factor, (&self.loads, &before)) => Outcome::Unborne,
+            false if self.work.yields(system, &mut self.inverse, (&self.loads, &before)) => Outcome::Unborne,
             false => Outcome::Lost,
         };
         self.counters.right_hand_sides += 1;
         self.counters.pcg_iterations += self.iterations;
         timing.solve += begin.elapsed().as_secs_f64();
         self.weigh(system);
-        Ok((outcome, refactored))
+        Ok((outcome, renewed))
     }
 
-    /// Factors the system as it is now.
+    /// Makes the inverse that of the system as it is now.
     ///
     /// # Errors
     /// [`SolveFailure`] if the stiffness has no factor.
-    pub(super) fn refactor(&mut self, system: &System<D>, timing: &mut Timing) -> Result<(), SolveFailure> {
-        self.factor.refill(system, timing, &mut self.counters)
+    pub(super) fn renew(
+        &mut self,
+        problem: &dyn Problem<D>,
+        system: &System<D>,
+        timing: &mut Timing,
+    ) -> Result<(), SolveFailure> {
+        self.inverse.renew(problem, system, timing, &mut self.counters)
     }
 
     /// Goes on with the displacements at hand after the equilibria of another run.
@@ -173,42 +179,59 @@ impl<const D: usize> Unit<D> {
     }
 
     /// Solution and certificate at a load factor, of a body that may be slack: its forces are rounding, which has no
-    /// balance.
+    /// balance. Also whether a new inverse was made.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if the stiffness has no factor.
     pub(super) fn certified(
         &mut self,
         problem: &dyn Problem<D>,
         system: &System<D>,
         (load_factor, is_slack): (f64, bool),
         timing: &mut Timing,
-    ) -> (Vec<f64>, StateSolution, Certificate) {
+    ) -> Result<(Vec<f64>, StateSolution, Certificate, bool), SolveFailure> {
         let begin = Instant::now();
         let loads: Vec<f64> = self.loads.iter().map(|f| load_factor * f).collect();
         // What is recorded is better than what the next break is found with, and does not change it.
         let (mut u, mut least_eigenvalue, mut status) = (self.u.clone(), 1.0, PcgStatus::Converged);
-        if load_factor > 0.0 {
+        let (mut renewed, mut target) = (false, POLISHED * self.jump);
+        while load_factor > 0.0 {
             let vectors = (&self.loads[..], &mut u[..]);
-            let target = POLISHED * self.jump;
-            let polished = self.work.follow(system, &mut self.factor, vectors, target, POLISHING);
+            let polished = self.work.follow(system, &mut self.inverse, vectors, target, POLISHING);
             self.counters.pcg_iterations += polished.iterations;
-            least_eigenvalue = polished.least_eigenvalue;
-            if !polished.reached {
-                status = PcgStatus::IterationLimit;
+            least_eigenvalue = polished.least_eigenvalue.min(least_eigenvalue);
+            // Where a cycle corrects a small part of an error, the residual tells that much less of it.
+            let least = least_eigenvalue.max(LEAST) * POLISHED * self.jump;
+            if polished.reached && (self.inverse.is_factor() || target <= least) {
+                break;
             }
+            if polished.reached {
+                target = least;
+                continue;
+            }
+            // A factor that is old does as well as a new one; an old cycle does not know what has nearly come off.
+            if renewed || self.inverse.is_factor() {
+                status = PcgStatus::IterationLimit;
+                break;
+            }
+            self.renew(problem, system, timing)?;
+            renewed = true;
         }
         let mut solution = StateSolution::of(u.into_iter().map(|u| load_factor * u).collect());
         (solution.iterations, solution.least_eigenvalue, solution.status) =
             (self.iterations, least_eigenvalue, status);
+        solution.by_factor = self.inverse.is_factor();
         let suddenly = load_factor * load_factor * jump_energy(system);
         solution.jump_energy = if is_slack { f64::INFINITY } else { suddenly };
-        self.work.weigh(system, &mut self.factor, (&loads, load_factor), &mut solution);
+        self.work.weigh(system, &mut self.inverse, (&loads, load_factor), &mut solution);
         let load = Load::new(problem.model(), &loads);
-        self.work.doubt(system, &mut self.factor, &load, &mut solution);
+        self.work.doubt(system, &mut self.inverse, &load, &mut solution);
         if is_slack {
             // Displacements are rounding, too, and so is what would correct them.
             solution.next_correction = 0.0;
         }
         let certificate = certificate::certify(problem, system, &loads, &solution, &self.work.scales);
         timing.certify += begin.elapsed().as_secs_f64();
-        (loads, solution, certificate)
+        Ok((loads, solution, certificate, renewed))
     }
 }
