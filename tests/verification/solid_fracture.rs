@@ -29,8 +29,8 @@ fn energies_balance_bond_by_bond_whatever_solves() {
         let (events, report) = solve(&case);
         assert!(events.len() > 60, "{solver}: {}", events.len());
         assert_eq!(broke(&report).ending, "the load fell below its part of the peak");
-        // Found SPARSE and CYCLES.
-        assert!(imbalance(&events) < 1e-9, "{solver}: {:e}", imbalance(&events));
+        // Found 2e-13 and 2e-12.
+        assert!(imbalance(&events) < 1e-10, "{solver}: {:e}", imbalance(&events));
         for pair in events.windows(2) {
             assert!(pair[1].released > pair[0].released && pair[1].bond_energy > pair[0].bond_energy);
             assert_eq!(pair[1].broken, pair[0].broken + pair[0].broken_now);
@@ -105,9 +105,9 @@ fn a_long_crack_grows_at_the_energy_that_it_takes() {
     });
     let (_, report) = solve(&case);
     let griffith = (2.0 * 0.96 * 12.0 * (1.0 - 1.0 / 16.0) / 1000.0_f64).sqrt() / 0.24;
-    // Found FOUND of it.
+    // Found 0.978.
     let found = fact(&report, "load_factor") / griffith;
-    assert!((found - 1.0).abs() < 0.06, "{found}");
+    assert!((found - 1.0).abs() < 0.04, "{found}");
 }
 
 #[test]

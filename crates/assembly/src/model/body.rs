@@ -118,6 +118,11 @@ pub trait BodyModel: Points + Debug + Send + Sync {
         None
     }
 
+    /// Why its bonds cannot break, where those of other bodies of its model can.
+    fn unbreakable(&self) -> Option<&'static str> {
+        None
+    }
+
     /// It as a solid, if it is one.
     fn as_solid(&self) -> Option<&dyn SolidModel> {
         None

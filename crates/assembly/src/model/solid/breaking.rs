@@ -2,15 +2,17 @@
 //!
 //! A bond breaks where its stretch reaches the critical one. One that ends on the border has a part of the length of a whole
 //! bond, and a crack that opens it takes the energy of a whole one. What a broken bond between neighbouring points spanned goes
-//! with it: tetrahedra, and bonds on the border that would move with points on both sides of a crack.
+//! with it: tetrahedra, and bonds on the border that would move with points on both sides of a crack. A bond is gone from the
+//! dilatations of its points, too; what these lack then makes them softer, and no energy is negative.
 
-use super::super::plane::{BreakingModel, CriticalStretch, LatticeBond, at};
+use super::super::plane::{CriticalStretch, LatticeBond, at};
 use super::body::SolidBody;
 use super::{Solid, SolidMaterial};
+use crate::body::minus;
 use crate::bonds::BondGeometry;
 use crate::model::Breakable;
-use crate::stiffness::{BondPoints, Bonds, Term};
-use std::collections::{BTreeSet, HashSet};
+use crate::stiffness::{BondPoints, Bonds, FamilyRows, GridFamilies, Term};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::Arc;
 
 /// Offset of the neighbourhood and lower point.
@@ -26,11 +28,6 @@ struct Gone {
 }
 
 impl SolidBody {
-    /// Why its bonds cannot break; none if they can.
-    fn unbreakable(&self) -> bool {
-        self.families.is_some() || self.interface.is_some()
-    }
-
     /// Above the number of any bond between two points: one has the number `offset · points + lower point`; behind them are those
     /// that end on the border.
     fn whole_bonds(&self) -> usize {
@@ -78,14 +75,64 @@ impl SolidBody {
         bonds.iter().filter_map(|&(k, lower)| Some((index(k)?, lower))).collect()
     }
 
+    /// Rows of the dilatations of the points that lose bonds, without these.
+    fn rows_without(&self, gone: &Gone) -> Vec<(usize, FamilyRows<3>)> {
+        let (Some(families), Some(law)) = (&self.families, &self.law.dilatation) else { return Vec::new() };
+        let mut changed: BTreeMap<usize, FamilyRows<3>> = BTreeMap::new();
+        let spacing = self.lattice.spacing();
+        let mut take = |point: usize, other: usize, part: [f64; 3]| {
+            let step = minus(self.lattice.cell(other), self.lattice.cell(point));
+            let (Some(rows), Some(step)) = (families.rows(point), families.step(step)) else { return };
+            let row = &mut changed.entry(point).or_insert_with(|| rows.clone())[step];
+            (0..3).for_each(|c| row[c] -= part[c]);
+        };
+        for &(offset, lower) in &gone.between {
+            let Some(upper) = self.upper((offset, lower)) else { continue };
+            let row =
+                self.law.neighbourhood.offsets[offset].map(|x| law.shares[offset] / spacing * f64::from(x));
+            take(lower, upper, row);
+            take(upper, lower, row.map(|x| -x));
+        }
+        if let Some(border) = &self.border {
+            border.bonds.for_each_of(&gone.ended, |kind, own, bond| {
+                let (Some(own), (offset, share)) = (own, border.wholes[kind]) else { return };
+                let step = self.law.neighbourhood.offsets[offset];
+                // Shares in the relative displacement have the sign of the side that the point is on, and so has the bond.
+                for (end, sign) in bond.ends.iter().zip([-1.0, 1.0]) {
+                    for &(other, part) in end.iter().filter(|of| of.0 as usize != own) {
+                        let scale = sign * part * law.shares[offset] / (spacing * share);
+                        take(own, other as usize, step.map(|x| scale * f64::from(x)));
+                    }
+                }
+            });
+        }
+        changed.into_iter().collect()
+    }
+
+    /// Why its bonds cannot break.
+    pub(super) fn unbreakable(&self) -> Option<&'static str> {
+        match &self.families {
+            _ if self.interface.is_some() => Some("solids of several materials do not break"),
+            // What tetrahedra tell of changes of volume across a crack would be left.
+            Some(_) if self.border.is_none() && self.overlay.families.count() > 0 => Some(
+                "solids whose points feel changes of volume do not break where tetrahedra complete them: leave out `edges`, and have the body two cells thick everywhere",
+            ),
+            _ => None,
+        }
+    }
+
     /// Finds what breaking bonds ask for again and again.
-    fn prepare_to_break(&mut self) {
+    pub(super) fn prepare_to_break(&mut self) {
         self.on_border = self.border.as_ref().map(|border| Arc::new(border.bonds.points()));
     }
 
     fn break_bonds(&mut self, bonds: &[u64]) {
-        let Gone { between, ended, families } = self.gone(bonds);
-        let grid = self.in_grid(&between);
+        let gone = self.gone(bonds);
+        let (rows, grid) = (self.rows_without(&gone), self.in_grid(&gone.between));
+        let Gone { between, ended, families } = gone;
+        if let Some(of) = self.families.as_mut().filter(|_| !rows.is_empty()) {
+            Arc::make_mut(of).set_rows(&rows);
+        }
         for bonds in std::iter::once(&mut self.bonds).chain(&mut self.felt) {
             Arc::make_mut(bonds).break_bonds(grid.iter().copied());
         }
@@ -99,14 +146,23 @@ impl SolidBody {
     }
 
     fn part(&self, bonds: &[u64]) -> Vec<Box<dyn Term<3>>> {
-        let Gone { between, ended, families } = self.gone(bonds);
+        let gone = self.gone(bonds);
+        let rows = self.rows_without(&gone);
+        let Gone { between, ended, families } = gone;
         let listed = self.in_grid(&between).into_iter().filter_map(|(k, lower)| self.bonds.bond(k, lower));
         let completing: Box<dyn Term<3>> = match &self.border {
             Some(border) => Box::new(border.bonds.part(&ended)),
             // Beside a border tetrahedra tell of stresses alone.
             None => Box::new(self.overlay.families.part(&families)),
         };
-        vec![Box::new(Bonds::new(self.lattice.points(), listed)), completing]
+        let mut part: Vec<Box<dyn Term<3>>> =
+            vec![Box::new(Bonds::new(self.lattice.points(), listed)), completing];
+        if let Some(before) = &self.families {
+            let mut after = GridFamilies::clone(before);
+            after.set_rows(&rows);
+            part.extend([Box::new(before.clone()) as Box<dyn Term<3>>, Box::new(after.negated())]);
+        }
+        part
     }
 
     fn for_each_ratio(&self, u: &[f64], critical: &CriticalStretch, visit: &mut dyn FnMut(u64, f64)) {
@@ -132,15 +188,6 @@ impl SolidBody {
                 }
             });
         }
-    }
-}
-
-impl<P: SolidMaterial> Solid<P> {
-    /// A copy whose bonds can break; none where points feel the families of their neighbours or are of several materials.
-    pub(super) fn to_break(&self) -> Option<Box<dyn BreakingModel<3>>> {
-        let mut solid = self.clone();
-        solid.body.prepare_to_break();
-        (!self.body.unbreakable()).then(|| Box::new(solid) as Box<dyn BreakingModel<3>>)
     }
 }
 

@@ -229,6 +229,14 @@ impl<P: SolidMaterial> BodyModel for Solid<P> {
         self.fields(u).into()
     }
 
+    fn prepare_to_break(&mut self) {
+        self.body.prepare_to_break();
+    }
+
+    fn unbreakable(&self) -> Option<&'static str> {
+        self.body.unbreakable()
+    }
+
     fn as_solid(&self) -> Option<&dyn SolidModel> {
         Some(self)
     }
@@ -281,6 +289,6 @@ impl<P: SolidMaterial> Solvable<3> for Solid<P> {
     }
 
     fn breaking(&self) -> Option<Box<dyn BreakingModel<3>>> {
-        self.to_break()
+        self.body.unbreakable().is_none().then(|| Box::new(self.clone()) as Box<dyn BreakingModel<3>>)
     }
 }

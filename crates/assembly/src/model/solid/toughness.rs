@@ -37,3 +37,11 @@ pub fn published_critical_stretch(
     let ratio = influence.fourth_moment() / influence.third_moment();
     (4.0 * release_rate / (9.0 * bulk_modulus * ratio * horizon)).sqrt()
 }
+
+/// The same of a state-based continuum, `G = (3 G + (3/4)⁴ (K − 5 G/3)) δ s²` (Madenci and Oterkus 2014) with the shear modulus G on the
+/// right, Pa. Bonds share their dilatation, so that what a broken one releases depends on the others: counted on lattices with all
+/// bonds across a plane stretched alike, the formula is 11 % too much at a Poisson's ratio of 0, and a quarter too little at 0.45.
+pub fn published_state_stretch(release_rate: f64, [bulk, shear]: [f64; 2], horizon: f64) -> f64 {
+    let modulus = 3.0 * shear + 0.75_f64.powi(4) * (bulk - 5.0 * shear / 3.0);
+    (release_rate / (modulus * horizon)).sqrt()
+}

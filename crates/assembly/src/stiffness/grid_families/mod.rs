@@ -89,6 +89,16 @@ impl<const D: usize> GridFamilies<D> {
         Self { lattice, family, stretches, bands, blocks, odd }
     }
 
+    /// Rows of the first measure of a point by the steps of [`GridFamily::steps`]; none where there is no family.
+    pub fn rows(&self, point: usize) -> Option<&FamilyRows<D>> {
+        self.family.set_of[point].map(|set| &self.family.sets[set as usize])
+    }
+
+    /// Index of a step among those of all families.
+    pub fn step(&self, step: Cell) -> Option<usize> {
+        self.family.steps.iter().position(|own| *own == step)
+    }
+
     /// Gives some points rows of their own, those that have a family.
     pub fn set_rows(&mut self, rows: &[(usize, FamilyRows<D>)]) {
         for (point, rows) in rows {

@@ -1,7 +1,7 @@
 //! Bonds between points and nodes that break one by one. They keep their numbers.
 
 use super::number::Number;
-use super::{NodedBonds, PlacedBonds};
+use super::{NodedBonds, PlacedBond, PlacedBonds};
 use std::collections::HashMap;
 
 /// What moves the bonds, by their numbers.
@@ -39,13 +39,25 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
 
     /// Some of the bonds, ascending numbers, as far as they have not broken.
     pub fn part(&self, bonds: &[usize]) -> PlacedBonds<D, M> {
-        let (places, mut part) = (self.places(), PlacedBonds::new(self.points));
+        let mut part = PlacedBonds::new(self.points);
+        self.for_each_of(bonds, |_, _, bond| _ = part.push(bond));
+        part
+    }
+
+    /// Calls `visit` with some of the bonds, ascending numbers, as far as they have not broken: their kind and the point that one of
+    /// their ends is, if it is one.
+    pub fn for_each_of(
+        &self,
+        bonds: &[usize],
+        mut visit: impl FnMut(usize, Option<usize>, &PlacedBond<D, M>),
+    ) {
+        let places = self.places();
         self.for_each_numbered(|number, kind, ends| {
             if bonds.binary_search(&number).is_ok() {
-                part.push(&self.placed(&places, kind, ends));
+                let own = ends.into_iter().zip(&self.shares[kind]).find(|(_, shares)| shares.is_empty());
+                visit(kind, own.map(|(ids, _)| ids[0] as usize), &self.placed(&places, kind, ends));
             }
         });
-        part
     }
 
     /// What moves all bonds.

@@ -1,6 +1,6 @@
 //! What the keys become.
 
-use super::super::solid::{Bonds, SolidBonds, bonds, refused, usual_horizon_ratio};
+use super::super::solid::{Bonds, REFUSED, SolidBonds, bonds, usual_horizon_ratio};
 use super::super::{Asked, Keys, Material, Model, Refused};
 use super::{BondSolidKeys, NAME};
 use crate::diagnostic::{Faults, positive, root, tidy};
@@ -25,7 +25,7 @@ impl Keys for BondSolidKeys {
     }
 
     fn refuses(&self) -> Vec<Refused> {
-        refused(false)
+        REFUSED.to_vec()
     }
 
     fn resolve(&self, asked: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {

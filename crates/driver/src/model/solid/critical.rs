@@ -4,7 +4,9 @@ use super::super::{Critical, CriticalFormula, CriticalStretches, OnGround, Refus
 use super::SolidParameters;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::solid::Solid;
-use peristat_assembly::model::solid::toughness::{critical_stretch, published_critical_stretch};
+use peristat_assembly::model::solid::toughness::{
+    critical_stretch, published_critical_stretch, published_state_stretch,
+};
 
 /// Normal of the plane whose bonds have an energy release rate: that of a layer of cells.
 const ALONG_LAYERS: [f64; 3] = [0.0, 0.0, 1.0];
@@ -45,6 +47,11 @@ pub(super) fn stretches<P: SolidParameters>(
     Some(CriticalStretches::alike(stretch, Some(&offsets)))
 }
 
+/// Whether nothing but bonds resists: Poisson's ratio is 1/4.
+fn has_no_dilatation(parameters: impl SolidParameters) -> bool {
+    (parameters.bulk_modulus() / parameters.shear_modulus() - 5.0 / 3.0).abs() < 1e-3
+}
+
 /// The stretch of an energy release rate.
 fn of_rate<P: SolidParameters>(
     rate: f64,
@@ -63,8 +70,20 @@ fn of_rate<P: SolidParameters>(
             None
         }
         CriticalFormula::Published => {
-            let (modulus, influence) = (parameters.bulk_modulus(), parameters.influence());
-            Some(published_critical_stretch(rate, modulus, influence, on.horizon))
+            let (bulk, shear) = (parameters.bulk_modulus(), parameters.shear_modulus());
+            Some(match P::HAS_FAMILIES {
+                true => published_state_stretch(rate, [bulk, shear], on.horizon),
+                false => published_critical_stretch(rate, bulk, parameters.influence(), on.horizon),
+            })
+        }
+        CriticalFormula::Energy if P::HAS_FAMILIES && !has_no_dilatation(parameters) => {
+            faults
+                .error(
+                    path.key("energy_release_rate"),
+                    "what a bond releases depends on the others of its points, but for a Poisson's ratio of 1/4: no energy release rate belongs to a stretch",
+                )
+                .hint("give `stretch`; or take \"formula\": \"published\", which is off by tenths away from 1/4");
+            None
         }
         CriticalFormula::Energy => critical_stretch(rate, &parameters, on.spacing, ALONG_LAYERS)
             .map_err(|error| Refusal::from(error).tell(P::NAME, on.horizon_key, faults))

@@ -32,6 +32,9 @@ pub(in super::super) trait SolidParameters: SolidMaterial {
     /// Bulk modulus.
     fn bulk_modulus(&self) -> f64;
 
+    /// Shear modulus.
+    fn shear_modulus(&self) -> f64;
+
     /// How the stiffness of bonds depends on their length.
     fn influence(&self) -> Influence;
 

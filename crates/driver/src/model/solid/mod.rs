@@ -5,7 +5,7 @@ mod material;
 mod resolve;
 
 pub(super) use material::{SolidBonds, SolidParameters};
-pub(super) use resolve::{Bonds, bonds, refused, usual_horizon_ratio};
+pub(super) use resolve::{Bonds, REFUSED, bonds, usual_horizon_ratio};
 
 use super::{Place, Refusal};
 use peristat_assembly::model::solid::SolidError;

@@ -6,18 +6,8 @@ use peristat_assembly::model::bond_plane::VolumeFactor;
 use peristat_assembly::model::plane::Calibration;
 use peristat_assembly::model::solid::SolidEdges;
 
-/// Keys that have no meaning for solids, with the reason and what to do; bonds of points that feel the families of their neighbours
-/// do not break.
-pub(in super::super) fn refused(has_families: bool) -> Vec<Refused> {
-    let of_families = Refused {
-        key: "fracture",
-        message: "bonds of solids whose points feel changes of volume do not break",
-        hint: "use `bond_solid`, or model a slice of the body in the plane",
-    };
-    has_families.then_some(of_families).into_iter().chain(REFUSED).collect()
-}
-
-const REFUSED: [Refused; 2] = [
+/// Keys that have no meaning for solids, with the reason and what to do.
+pub(in super::super) const REFUSED: [Refused; 2] = [
     Refused {
         key: "path",
         message: "the bonds of solids do not soften",

@@ -35,6 +35,10 @@ impl SolidParameters for StateSolidParameters {
         self.youngs_modulus / (3.0 * (1.0 - 2.0 * self.poisson_ratio))
     }
 
+    fn shear_modulus(&self) -> f64 {
+        0.5 * self.youngs_modulus / (1.0 + self.poisson_ratio)
+    }
+
     fn influence(&self) -> Influence {
         self.influence
     }

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::body::Cell;
+use crate::model::BodyModel;
 use crate::model::plane::{BreakingModel, CriticalStretch};
 use crate::stiffness::Term;
 use crate::system::System;
@@ -9,10 +10,23 @@ use crate::system::System;
 const SPACING: f64 = 0.5;
 
 /// A block whose bonds break.
-fn block(cells: [i32; 3], parameters: BondSolidParameters) -> Box<dyn BreakingModel<3>> {
+fn block<P: SolidMaterial>(cells: [i32; 3], parameters: P) -> Box<dyn BreakingModel<3>> {
     let lattice = SquareLattice::cuboid(SPACING, [0.0; 3], cells);
-    let body = BondSolid::on_lattice(Arc::new(lattice), Mirrors::NONE, parameters, &[]).unwrap();
+    let mut body = Solid::on_lattice(Arc::new(lattice), Mirrors::NONE, parameters, &[]).unwrap();
+    body.prepare_to_break();
     body.breaking().unwrap()
+}
+
+/// Blocks of either kind with some edges and horizon.
+fn blocks(cells: [i32; 3], edges: SolidEdges, horizon_ratio: f64) -> Vec<Box<dyn BreakingModel<3>>> {
+    let mut all = vec![block(cells, BondSolidParameters { edges, horizon_ratio, ..BONDS })];
+    // Families do not break where tetrahedra complete them.
+    if edges != SolidEdges::Overlay {
+        for poisson_ratio in [0.4, 0.1] {
+            all.push(block(cells, StateSolidParameters { edges, horizon_ratio, poisson_ratio, ..STATE }));
+        }
+    }
+    all
 }
 
 /// All bonds, whose ratios are those of a uniform growth.
@@ -100,9 +114,8 @@ fn gram_of(a: Cell, b: Cell) -> i32 {
 #[test]
 fn what_is_left_and_what_has_gone_are_the_whole() {
     for edges in [SolidEdges::Border, SolidEdges::Overlay, SolidEdges::None] {
-        for horizon_ratio in [2.0, 3.0] {
-            let parameters = BondSolidParameters { horizon_ratio, edges, ..BONDS };
-            let mut model = block([7, 6, 5], parameters);
+        let models = [2.0, 3.0].into_iter().flat_map(|horizon_ratio| blocks([7, 6, 5], edges, horizon_ratio));
+        for mut model in models {
             let n = model.points();
             let u: Vec<f64> =
                 (0..3 * n).map(|k| ((37 * k * k + 11 * k) % 101) as f64 / 101.0 - 0.5).collect();
@@ -144,8 +157,10 @@ fn what_is_left_and_what_has_gone_are_the_whole() {
 
 #[test]
 fn a_cut_through_leaves_two_parts() {
-    for edges in [SolidEdges::Border, SolidEdges::Overlay, SolidEdges::None] {
-        let mut model = block([6, 4, 4], BondSolidParameters { edges, ..BONDS });
+    let edges = [SolidEdges::Border, SolidEdges::Overlay, SolidEdges::None];
+    for (edges, mut model) in
+        edges.into_iter().flat_map(|edges| blocks([6, 4, 4], edges, 2.0).into_iter().map(move |b| (edges, b)))
+    {
         let n = model.points();
         let bonds: Vec<u64> = all_bonds(&*model)
             .into_iter()

@@ -47,6 +47,10 @@ pub(crate) fn resolve(
         // It is refused already; images have numbers of their own.
         return None;
     }
+    if let Some(why) = site.model.unbreakable() {
+        faults.error(path, why);
+        return None;
+    }
     let mut exempt = vec![false; site.model.points()];
     for (k, name) in fracture.no_fail.iter().enumerate() {
         let points = site.ground.region(name, &path.key("no_fail").index(k), faults).unwrap_or_default();

@@ -132,9 +132,9 @@ fn complete(
     let about = material.about();
     let ends_on_border = about.edges == Some(Edges::Border);
     let is_cut = lattice.is_some_and(|lattice| !lattice.blocks().is_empty());
-    // Families in the plane do not break beside a border that completes them; those of solids are beside cracks as elsewhere.
+    // Families in the plane do not break beside a border that completes them; those of solids do.
     let is_plane = lattice.is_none_or(SquareLattice::is_plane);
-    let breaks = case.is_traced() || is_plane && !case.cracks.is_empty();
+    let breaks = is_plane && (case.is_traced() || !case.cracks.is_empty());
     let may_break = breaks && about.has_families;
     // On whole cells ghosts are as good, at less cost.
     if about.ends_where_cut && !is_cut {
