@@ -122,3 +122,20 @@ fn a_stretch_is_that_of_its_energy() {
     let [first, second] = [by_energy, by_stretch].map(|case| solve(&case).0[0].load_factor);
     assert!((first / second - 1.0).abs() < 1e-6, "{first} {second}");
 }
+
+#[test]
+fn families_break_whatever_their_ratio() {
+    // With a ratio below 1/4 changes of volume take from the energy of bonds: what is left is never negative.
+    for poisson_ratio in [-0.3, 0.1, 0.4] {
+        let mut case = pulled([6, 12, 4]);
+        case["model"] = json!({ "state_solid": { "youngs_modulus": 1000, "poisson_ratio": poisson_ratio } });
+        case["fracture"]["critical"] = json!({ "stretch": 0.01 });
+        case["fracture"]["stop_below"] = json!(0.01);
+        let (events, report) = solve(&case);
+        assert!(report.converged && events.len() > 40, "{poisson_ratio}: {}", events.len());
+        assert!(broke(&report).ending != "as many equilibria as allowed were found");
+        // Found 3e-13.
+        assert!(imbalance(&events) < 1e-10, "{poisson_ratio}: {:e}", imbalance(&events));
+        assert!(events.iter().all(|e| e.stored > 0.0 && e.unstable_release > -1e-12 * e.work));
+    }
+}

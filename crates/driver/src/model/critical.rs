@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Critical {
-    /// Elongation over length at which every bond of a body in the plane breaks, > 0.
+    /// Elongation over length at which every bond of a body in the plane or of a solid breaks, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stretch: Option<f64>,
     /// Elongation over length at which a bond along the fibres breaks, > 0.
@@ -28,7 +28,7 @@ pub struct Critical {
     /// Energy per area of a crack along the fibres, > 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub matrix_energy_release_rate: Option<f64>,
-    /// How a stretch follows from an energy release rate; `growth` if not given, of beam bonds `energy`.
+    /// How a stretch follows from an energy release rate; `growth` if not given, of beam bonds and of solids `energy`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub formula: Option<CriticalFormula>,
     /// Change of rotation over length at which a bond of a beam breaks, > 0.
@@ -45,7 +45,7 @@ pub struct Critical {
 pub enum CriticalFormula {
     /// A long crack grows at the energy release rate, in any direction to a few percent with three spacings per
     /// horizon or more: the stretch of `energy` less what
-    /// the lattice adds by holding each bond back until it breaks (lattice trapping, measured). Of central bonds.
+    /// the lattice adds by holding each bond back until it breaks (lattice trapping, measured). Of central bonds in the plane.
     Growth,
     /// The bonds that a crack on this lattice cuts take up the energy release rate. A long crack then needs more motion:
     /// 20 % with a horizon ratio of 3, 11 % with 4.

@@ -111,14 +111,11 @@ impl SolidBody {
 
     /// Why its bonds cannot break.
     pub(super) fn unbreakable(&self) -> Option<&'static str> {
-        match &self.families {
-            _ if self.interface.is_some() => Some("solids of several materials do not break"),
-            // What tetrahedra tell of changes of volume across a crack would be left.
-            Some(_) if self.border.is_none() && self.overlay.families.count() > 0 => Some(
-                "solids whose points feel changes of volume do not break where tetrahedra complete them: leave out `edges`, and have the body two cells thick everywhere",
-            ),
-            _ => None,
-        }
+        // What tetrahedra tell of changes of volume across a crack would be left.
+        let is_completed = self.border.is_none() && self.overlay.families.count() > 0;
+        (self.families.is_some() && is_completed).then_some(
+            "solids whose points feel changes of volume do not break where tetrahedra complete them: leave out `edges`, and have the body two cells thick everywhere",
+        )
     }
 
     /// Finds what breaking bonds ask for again and again.
