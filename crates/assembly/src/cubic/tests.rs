@@ -18,11 +18,32 @@ fn stencil() -> Stencil {
     Stencil::new(bonds)
 }
 
-/// A block of cells with a hole, in two mirrors, held at some points.
+/// Bonds of a lattice that a plane across the columns cuts, as far as it reaches.
+fn cut(
+    lattice: &SquareLattice,
+    stencil: &Stencil,
+    is_cut: &dyn Fn([i32; 3]) -> bool,
+) -> Vec<([i32; 3], usize)> {
+    let mut cuts = Vec::new();
+    for lower in 0..lattice.points() {
+        let cell = lattice.cell(lower);
+        for &step in &stencil.steps {
+            let upper = [0, 1, 2].map(|k| cell[k] + step[k]);
+            let crosses = (cell[0] <= 6) != (upper[0] <= 6) && is_cut(cell) && is_cut(upper);
+            if crosses && lattice.number(upper).is_some() {
+                cuts.push((step, lower));
+            }
+        }
+    }
+    cuts
+}
+
+/// A block of cells with a hole, in two mirrors or with a crack, held at some points.
 fn levels(mirrors: Mirrors) -> (CubicLevels, SquareLattice) {
     let hole = |cell: [i32; 3]| (4..6).contains(&cell[0]) && cell[1] >= 7;
     let lattice = SquareLattice::new(0.5, [0.0; 3], [0..13, 0..11, 0..12], |cell| !hole(cell));
     let held = (0..40).map(|k| (3 * k, k % 3)).collect();
+    let is_cut = |cell: [i32; 3]| mirrors.is_none() && cell[1] < 6;
     let solid = CubicSolid {
         lattice: &lattice,
         mirrors: &mirrors,
@@ -30,7 +51,7 @@ fn levels(mirrors: Mirrors) -> (CubicLevels, SquareLattice) {
         held,
         springs: vec![(200, [[4.0, 1.0, 0.0], [1.0, 3.0, 0.0], [0.0, 0.0, 2.0]])],
         followers: vec![((611, 1), vec![((612, 1), 0.4), ((700, 0), -0.2)])],
-        cuts: Vec::new(),
+        cuts: cut(&lattice, &stencil(), &is_cut),
         faces: CubicFaces::Other,
     };
     let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 5).expect("a coarser level");
@@ -55,6 +76,44 @@ fn mirrors() -> [Mirrors; 2] {
     mirrors.set_line(0, 0);
     mirrors.set_line(3, 11);
     [Mirrors::NONE, mirrors]
+}
+
+#[test]
+fn a_plane_cuts_coarser_levels_where_it_runs_between_their_first_cells() {
+    let (levels, _) = levels(Mirrors::NONE);
+    let counts: Vec<usize> = levels.levels().iter().map(|level| level.gaps.list().len()).collect();
+    assert!(counts[0] > 100 && counts[1] > 10, "{counts:?}");
+    // Between columns 6 and 7 of the finest level there are 3 and 4 of the next one.
+    let gaps = &levels.levels()[1].gaps;
+    assert!(gaps.has([3, 1, 2], [4, 1, 2]) && gaps.has([4, 1, 2], [3, 1, 2]));
+    assert!(!gaps.has([2, 1, 2], [3, 1, 2]) && !gaps.has([3, 4, 2], [4, 4, 2]));
+}
+
+#[test]
+fn nothing_is_interpolated_across_a_crack() {
+    let (levels, _) = levels(Mirrors::NONE);
+    let [fine, coarse] = [&levels.levels()[0], &levels.levels()[1]];
+    // Behind the crack the coarser level has ones, before it nothing.
+    let mut v = vec![0.0; coarse.size()];
+    coarse.grid().for_each(|cell, place| {
+        if cell[0] >= 4 && coarse.cells.is_solid(place) {
+            v[place] = 1.0 / coarse.inverse_scale[place];
+        }
+    });
+    let mut up = vec![0.0; fine.size()];
+    levels.prolong_add(0, &v, &mut up);
+    let mut seen = 0;
+    fine.grid().for_each(|cell, place| {
+        // Beside the crack, and not beside its front.
+        let is_beside = (6..8).contains(&cell[0]) && cell[1] < 4 && fine.block(place).1[0] == 1.0;
+        if is_beside {
+            let expected = if cell[0] > 6 { 1.0 } else { 0.0 };
+            let found = up[place] * fine.inverse_scale[place];
+            assert!((found - expected).abs() < 1e-6, "{cell:?} {found}");
+            seen += 1;
+        }
+    });
+    assert!(seen > 50, "{seen}");
 }
 
 #[test]
@@ -110,7 +169,7 @@ fn restriction_is_the_transpose_of_interpolation() {
     }
 }
 
-/// A cube of central bonds and nothing at its faces.
+/// A cube of central bonds and nothing at its faces, with a crack.
 fn truncated() -> BondSolid {
     let parameters = BondSolidParameters {
         youngs_modulus: 7.0,
@@ -121,7 +180,12 @@ fn truncated() -> BondSolid {
         edges: SolidEdges::None,
     };
     let lattice = SquareLattice::cuboid(0.5, [0.0; 3], [12; 3]);
-    BondSolid::on_lattice(lattice.into(), Mirrors::NONE, parameters, &[]).unwrap()
+    let offsets = BondSolid::offsets(&parameters).unwrap();
+    let of = cut(&lattice, &stencil(), &|cell| cell[1] < 6);
+    let index = |step: [i32; 3]| offsets.iter().position(|offset| *offset == step);
+    let cuts: Vec<(usize, usize)> =
+        of.into_iter().filter_map(|(step, lower)| Some((index(step)?, lower))).collect();
+    BondSolid::on_lattice(lattice.into(), Mirrors::NONE, parameters, &cuts).unwrap()
 }
 
 /// Forces of displacements on the finest level of the solid, N.
@@ -130,7 +194,8 @@ fn forces(model: &BondSolid, faces: CubicFaces<'_>, u: &[f64]) -> Vec<f64> {
     let stencil = Stencil::new(model.bonds_of_a_point());
     let unit = stencil.stiffness();
     let (held, springs, followers) = (Vec::new(), Vec::new(), Vec::new());
-    let solid = CubicSolid { lattice, mirrors, stencil, held, springs, followers, cuts: Vec::new(), faces };
+    let solid =
+        CubicSolid { lattice, mirrors, stencil, held, springs, followers, cuts: model.cut_bonds(), faces };
     let levels = CubicLevels::new(&solid, &|sides, _| sides[0] < 10).expect("a coarser level");
     let finest = &levels.levels()[0];
     let [mut v, mut image] = [0; 2].map(|_| vec![0.0; finest.size()]);
