@@ -76,9 +76,14 @@ impl PlateBending {
         &self.nodes
     }
 
-    /// Bonds and pieces of bonds.
+    /// Number of bonds that are whole, or half along an edge.
     pub fn bonds(&self) -> usize {
-        self.bonds.elements() + self.pieces.count()
+        self.bonds.elements()
+    }
+
+    /// Number of pieces of bonds that leave the body.
+    pub fn pieces(&self) -> usize {
+        self.pieces.count()
     }
 
     pub(super) fn offsets(&self) -> &[Weighted] {
