@@ -133,15 +133,7 @@ fn at_place(
     let spot = site.spot(&probe.at, path, "the probe", faults)?;
     if let Some(&(_, component)) = REACTIONS.iter().find(|reaction| reaction.0 == probe.field) {
         let sides = probe.at.region.as_ref().and_then(|name| site.sides(name));
-        let share = |point: u32| sides.as_ref().map_or(1.0, |own| of_corner(point, own, site));
-        let found = reaction(
-            component,
-            &|point| {
-                let is_here = spot.points.binary_search(&point).is_ok();
-                if is_here { share(point) } else { 0.0 }
-            },
-            held,
-        );
+        let found = reaction(component, &spot.points, sides.as_deref(), held);
         if found.is_none() {
             let places: Vec<&str> = held.supports.iter().map(|support| support.name.as_str()).collect();
             faults
@@ -163,18 +155,25 @@ fn at_place(
     Some((PlateQuantity::Field(weights), spot.words))
 }
 
-/// What a point counts on some of the sides that meet at it: a half where two edges share a corner, so that reactions of all edges
-/// sum to the whole.
-fn of_corner(point: u32, own: &[Side], site: &Site) -> f64 {
-    let count =
-        |sides: &[Side]| sides.iter().filter(|side| side.segment.points.contains(&point)).count() as f64;
-    count(own) / count(site.border.all())
+/// What a point that a support holds by some sides counts on others: a half where both of its edges at a corner are held and one is
+/// asked for, so that reactions of all edges sum to the whole.
+fn share(point: u32, held: &[Side], asked: &[Side]) -> f64 {
+    let at = |side: &&Side| side.segment.points.contains(&point);
+    let is_asked = |side: &&Side| asked.iter().any(|own| own.segment == side.segment);
+    let all = held.iter().filter(at).count();
+    let own = held.iter().filter(at).filter(is_asked).count();
+    if all == 0 { 1.0 } else { own as f64 / all as f64 }
 }
 
-/// All that supports do to points, each of which counts with a share.
-fn reaction(component: usize, share: &dyn Fn(u32) -> f64, held: &Held) -> Option<PlateQuantity> {
+/// All that supports do to points, of a part of the border by its sides.
+fn reaction(component: usize, points: &[u32], asked: Option<&[Side]>, held: &Held) -> Option<PlateQuantity> {
     let (mut equations, mut springs) = (Vec::new(), Vec::new());
-    for support in &held.supports {
+    for (support, sides) in held.supports.iter().zip(&held.sides) {
+        let share = |point: u32| match (points.binary_search(&point), asked) {
+            (Err(_), _) => 0.0,
+            (Ok(_), Some(asked)) => share(point, sides, asked),
+            (Ok(_), None) => 1.0,
+        };
         for k in support.equations.clone() {
             let own = held.equations[k].terms.iter().filter(|(unknown, _)| unknown.component == component);
             let sum: f64 = own.map(|(unknown, c)| c * share(unknown.point as u32)).sum();

@@ -27,13 +27,21 @@ pub struct PlateSupport {
 #[derive(Default)]
 pub(super) struct Held {
     pub(super) supports: Vec<PlateSupport>,
+    /// The sides of cells that each of them holds.
+    pub(super) sides: Vec<Vec<Side>>,
     pub(super) equations: Vec<Equation>,
     pub(super) springs: Vec<Spring>,
 }
 
 impl Held {
     /// Takes the equations and springs of one support.
-    pub(super) fn take(&mut self, name: String, equations: Vec<Equation>, springs: Vec<Spring>) {
+    pub(super) fn take(
+        &mut self,
+        (name, sides): (String, Vec<Side>),
+        equations: Vec<Equation>,
+        springs: Vec<Spring>,
+    ) {
+        self.sides.push(sides);
         let [first, from] = [self.equations.len(), self.springs.len()];
         self.equations.extend(equations);
         self.springs.extend(springs);
@@ -68,7 +76,7 @@ pub(super) fn held(site: &Site, faults: &mut Faults) -> Held {
         let share = support.w_spring.unwrap_or(0.0) / spot.points.len() as f64;
         let sprung = spot.points.iter().filter(|_| share > 0.0);
         let springs = sprung.map(|&p| Spring::on(W, p as usize, share)).collect();
-        held.take(spot.words, equations, springs);
+        held.take((spot.words, sides), equations, springs);
     }
     held
 }
@@ -119,10 +127,9 @@ impl OneSupport<'_> {
         let Some(given) = self.prescribed("w", self.support.w.as_ref(), faults) else { return };
         let mut ways: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
         if !self.clamps() {
-            for side in sides.iter().filter(|side| !side.is_true) {
-                for point in side.segment.points {
-                    ways.insert(point, self.site.border.way(side, self.site.nodes.place(point as usize)));
-                }
+            for point in sides.iter().filter(|side| !side.is_true).flat_map(|side| side.segment.points) {
+                let way = || self.site.border.way(sides, self.site.nodes.place(point as usize));
+                ways.entry(point).or_insert_with(way);
             }
             // Where a straight edge begins its own points are held.
             for point in sides.iter().filter(|side| side.is_true).flat_map(|side| side.segment.points) {

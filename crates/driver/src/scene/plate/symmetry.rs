@@ -31,6 +31,6 @@ pub(super) fn hold(site: &Site, held: &mut Held, faults: &mut Faults) {
             origin: path.to_string(),
         };
         let equations = points_of(&sides).into_iter().map(equation).collect();
-        held.take(format!("symmetry `{name}`"), equations, Vec::new());
+        held.take((format!("symmetry `{name}`"), sides), equations, Vec::new());
     }
 }
