@@ -1,19 +1,12 @@
 //! What the record of a run says of plates in bending.
 
-use super::{Extremes, Forces, Located, StateSummary};
+use super::{Extremes, Forces, Located, PlateForces, StateSummary};
 use crate::case::Model;
-use crate::run::plate::{PlateReaction, PlateResult, checks, probes};
+use crate::run::plate::{PlateResult, checks, probes};
 use crate::run::{CheckResult, ProbeResult, scan};
 use crate::scene::PlateScene;
 use peristat_assembly::model::plate_bending::ShearLaw;
-use serde::{Deserialize, Serialize};
-
-/// Forces of what holds a plate in bending.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PlateForces {
-    /// Forces of supports on the plate, in the order of the case, lines of symmetry last.
-    pub reactions: Vec<PlateReaction>,
-}
+use serde::Serialize;
 
 /// The plate that was solved.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -3,7 +3,7 @@
 use super::beam::BeamForces;
 use super::body::BodyForces;
 use super::extremes::Extremes;
-use super::plate::PlateForces;
+use super::plate_forces::PlateForces;
 use crate::run::Certificate;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;

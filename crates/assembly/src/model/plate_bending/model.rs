@@ -2,7 +2,7 @@
 
 use super::bond::{PieceBond, PlateBond, moduli};
 use super::cover;
-use super::curvature;
+use super::curvature::{Triangles, triangles};
 use super::nodes::PlateNodes;
 use super::weights::{Weighted, weights};
 use super::{PlateError, PlateParameters};
@@ -10,7 +10,7 @@ use crate::body::SquareLattice;
 use crate::bonds::Point;
 use crate::condition::Equation;
 use crate::model::{Component, Model, Points, RigidMotion};
-use crate::stiffness::{Families, GridBonds, Offset, SharedFamilies, Term};
+use crate::stiffness::{Families, GridBonds, Offset, Term};
 use std::sync::Arc;
 
 /// A plate in bending.
@@ -22,7 +22,7 @@ pub struct PlateBending {
     bonds: Arc<GridBonds<3, 2, PlateBond>>,
     /// Pieces of bonds by their number of points: two, three and four.
     pieces: Pieces,
-    triangles: Option<Arc<SharedFamilies<3>>>,
+    triangles: Option<Arc<Triangles>>,
 }
 
 /// Pieces of bonds by their number of points.
@@ -62,7 +62,7 @@ impl PlateBending {
         };
         let bonds = GridBonds::with_factors(lattice.clone(), &PlateBond { area: h * h }, &whole, part);
         let pieces = Pieces::new(&nodes, &parameters, &offsets);
-        let triangles = curvature::triangles(&nodes, &parameters.section).map(Arc::new);
+        let triangles = triangles(&nodes, &parameters.section).map(Arc::new);
         Ok(Self { parameters, bonds: Arc::new(bonds), pieces, triangles, offsets, nodes })
     }
 

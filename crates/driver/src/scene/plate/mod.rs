@@ -1,5 +1,6 @@
 //! Scenes of plates in bending.
 
+mod balance;
 mod border;
 mod foreign;
 mod foundation;

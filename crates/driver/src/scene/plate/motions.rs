@@ -21,7 +21,10 @@ impl PlateScene {
                 }
             };
             let last = part.amounts.iter().rposition(|amount| *amount != 0.0).unwrap_or(0);
+            // A tilt and a translation are a tilt about another line.
             let [x, y, _] = part.centre;
+            let moved = |kind: usize| if kind == last { part.amounts[0] / part.amounts[last] } else { 0.0 };
+            let [x, y] = [x - moved(1), y - moved(2)];
             let verb = motions[last].verb.replace("{centre}", &format!("({}, {})", tidy(x), tidy(y)));
             told.push(format!("{what} is free to {verb}"));
         }

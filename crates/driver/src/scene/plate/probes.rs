@@ -1,7 +1,6 @@
 //! Probes of a plate.
 
 use super::border::Side;
-use super::scene::PlateScene;
 use super::site::Site;
 use super::supports::Held;
 use crate::case::{FieldName, Probe, Reduction};
@@ -64,23 +63,21 @@ impl PlateProbe {
     }
 }
 
-impl PlateScene {
-    /// The fields that probes can ask for.
-    pub(in crate::scene) fn askable() -> Vec<FieldName> {
-        FieldName::PLATE.into_iter().chain(REACTIONS.map(|(field, _)| field)).collect()
-    }
+/// The fields that probes can ask for.
+pub(super) fn askable() -> Vec<FieldName> {
+    FieldName::PLATE.into_iter().chain(REACTIONS.map(|(field, _)| field)).collect()
 }
 
 /// Probes of the case.
 pub(super) fn probes(site: &Site, held: &Held, faults: &mut Faults) -> Vec<PlateProbe> {
     let resolve = |probe: &Probe, path: &JsonPath, faults: &mut Faults| {
-        if !PlateScene::askable().contains(&probe.field) {
+        if !askable().contains(&probe.field) {
             faults
                 .error(
                     path.key("field"),
                     format!("`{}` is no field of a plate in bending", probe.field.name()),
                 )
-                .hint(words::there_are(&PlateScene::askable()));
+                .hint(words::there_are(&askable()));
             return None;
         }
         let (quantity, place) = match probe.of {

@@ -80,12 +80,17 @@ pub struct PlateState {
 }
 
 impl PlateScene {
+    /// The fields that probes can ask for.
+    pub(crate) fn askable() -> Vec<FieldName> {
+        probes::askable()
+    }
+
     /// Resolves a case of a plate. `folder` is where files that the case names are looked for, `faults` are those found so far;
     /// `max_memory` is in bytes.
     ///
     /// # Errors
     /// All faults of the case.
-    pub(in crate::scene) fn new(
+    pub(crate) fn new(
         mut case: Case,
         folder: &Folder,
         max_memory: Option<u64>,
