@@ -24,6 +24,7 @@
 //! `κ = sym ∇φ`; `V = S (∇w − φ)`; `div M + V = 0`, `div V + q = 0`.
 
 mod bond;
+mod coarser;
 mod cover;
 mod curvature;
 mod error;
@@ -37,6 +38,7 @@ mod tests;
 mod weights;
 
 pub use bond::PlateBond;
+pub use coarser::PlateTransfer;
 pub use error::PlateError;
 pub use model::PlateBending;
 pub use nodes::{EdgeSegment, PlateNodes};

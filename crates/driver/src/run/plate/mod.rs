@@ -1,6 +1,7 @@
 //! Running plates in bending: the common run, and the fields recovered.
 
 mod fields;
+mod levels;
 mod of_moments;
 mod problem;
 mod reaction;

@@ -1,12 +1,16 @@
 //! A plate as a problem to be solved.
 
+use super::levels;
 use crate::case::Solver;
-use crate::run::{Problem, Spread};
+use crate::run::{Coarser, Problem, Spread};
 use crate::scene::PlateScene;
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
 use peristat_assembly::stiffness::Spring;
-use peristat_assembly::system::FreeMotion;
+use peristat_assembly::system::{FreeMotion, System};
+
+/// Points up to which a factor is taken: it leaves thirteen digits, where cycles leave nine.
+const MOST_FACTORED: usize = 60_000;
 
 impl Problem<3> for PlateScene {
     fn model(&self) -> &dyn Model<3> {
@@ -39,7 +43,16 @@ impl Problem<3> for PlateScene {
     }
 
     fn spread(&self) -> Spread {
-        Spread::Plane
+        let nodes = self.plate.nodes();
+        let is_factored = self.solver == Solver::Auto && nodes.points() <= MOST_FACTORED;
+        match is_factored || levels::is_coarsest(nodes) {
+            true => Spread::Plane,
+            false => Spread::Lattice,
+        }
+    }
+
+    fn coarser(&self, _system: &System<3>) -> Option<Coarser<3>> {
+        levels::coarser(self)
     }
 
     fn positions(&self) -> Option<Vec<[f64; 2]>> {

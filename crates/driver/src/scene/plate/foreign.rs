@@ -25,15 +25,14 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
         faults.error(root(key), format!("`{key}` is not for plates in bending")).hint(*hint);
     }
     let name = match case.solver {
-        Solver::Auto | Solver::Sparse => return,
+        Solver::Auto | Solver::Sparse | Solver::Multigrid => return,
         Solver::Strain => "strain",
         Solver::Band => "band",
-        Solver::Multigrid => "multigrid",
         Solver::Pcg => "pcg",
     };
     faults
         .error(root("solver"), format!("the solver `{name}` does not solve for plates in bending"))
-        .hint("use `auto` or `sparse`");
+        .hint("use `auto`, `sparse` or `multigrid`");
 }
 
 /// Adds a fault for a load of another body.

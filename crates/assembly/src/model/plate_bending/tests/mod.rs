@@ -6,6 +6,7 @@ mod closed_forms;
 mod fields;
 mod patch;
 mod reference;
+mod transfer;
 mod weights;
 
 use super::{PHI_X, PHI_Y, PlateBending, PlateParameters, PlateSection, ShearLaw, W};
