@@ -22,6 +22,8 @@ pub struct CoarserModels<const D: usize> {
     pub is_loose: bool,
     /// Whether the finest level of all has other elements than these, so that its eigenvalues are its own.
     pub is_unlike: bool,
+    /// Whether every level is visited once: corrections of coarser ones may overshoot, where their supports are further out.
+    pub visits_once: bool,
     /// Points of the finest level of all, beside a border that cuts cells, that are smoothed together.
     pub beside_border: Vec<usize>,
 }

@@ -52,6 +52,9 @@ pub(super) fn cycle<'a, const D: usize>(
     if coarser.is_unlike {
         options.measured_size = usize::MAX;
     }
+    if coarser.visits_once {
+        options.single_visits = usize::MAX;
+    }
     Ok((Multigrid::new(levels, Box::new(factor), &options), entries))
 }
 

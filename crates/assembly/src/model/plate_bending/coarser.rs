@@ -63,6 +63,29 @@ impl PlateTransfer {
         self.parents[point].iter().map(|&parent| (parent as usize, 0.25))
     }
 
+    /// What an unknown of a fine point is, as a sum of unknowns of coarse points: components, points and coefficients.
+    pub fn row(&self, component: usize, point: usize) -> Vec<(usize, usize, f64)> {
+        /// How the rotations of the parents bend the deflection between them.
+        const BOW: [[f64; 2]; 4] = [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]];
+        let mut row: Vec<(usize, usize, f64)> = Vec::with_capacity(12);
+        let mut add = |component: usize, point: usize, share: f64| match row
+            .iter_mut()
+            .find(|term| (term.0, term.1) == (component, point))
+        {
+            Some(term) => term.2 += share,
+            None => row.push((component, point, share)),
+        };
+        self.shares(point).for_each(|(parent, share)| add(component, parent, share));
+        if component == W {
+            for (&parent, [x, y]) in self.parents[point].iter().zip(BOW) {
+                add(PHI_X, parent as usize, x * self.spacing / 16.0);
+                add(PHI_Y, parent as usize, y * self.spacing / 16.0);
+            }
+        }
+        row.retain(|term| term.2 != 0.0);
+        row
+    }
+
     /// `[w, φ_x, φ_y]` of a fine point.
     #[inline(always)]
     fn at(&self, parents: &[u32; 4], coarse: &[f64]) -> [f64; 3] {

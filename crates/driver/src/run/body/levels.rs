@@ -88,6 +88,7 @@ fn models<const D: usize>(
         transfers: Vec::new(),
         is_loose: false,
         is_unlike,
+        visits_once: false,
         beside_border,
     };
     let (mut coarsest, mut conditions): (Option<Box<dyn Solvable<D>>>, _) = (None, conditions.clone());

@@ -3,7 +3,7 @@
 use crate::run::{Coarser, CoarserModels};
 use crate::scene::PlateScene;
 use peristat_assembly::condition::{Equation, Unknown};
-use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, PlateBending, PlateNodes, PlateTransfer, W};
+use peristat_assembly::model::plate_bending::{PlateBending, PlateNodes, PlateTransfer, W};
 use peristat_assembly::stiffness::{Spring, Springs, Term};
 use peristat_assembly::system::{System, free_motions};
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,6 +26,7 @@ pub(super) fn coarser(scene: &PlateScene) -> Option<Coarser<3>> {
         transfers: Vec::new(),
         is_loose: false,
         is_unlike: true,
+        visits_once: true,
         beside_border: Vec::new(),
     };
     let (mut coarsest, mut held): (Option<PlateBending>, _) = (None, Conditions::of(scene));
@@ -62,35 +63,38 @@ impl Conditions {
         Self { equations: scene.equations.clone(), springs: scene.springs.clone() }
     }
 
-    /// The same on the coarser plate. What holds a point that both have holds it there, too; what holds another one, unless a
-    /// coarse point beside it is held so, is held by a coarse point beside it: a deflection by that and its slopes.
+    /// The same on the coarser plate: what the interpolation makes of a held unknown is zero. Where a coarse point is held, those
+    /// between it and its neighbours are held as well as they can be.
     fn coarser(&self, fine: &PlateNodes, coarse: &PlateNodes, transfer: &PlateTransfer) -> Self {
+        let parents = |point: usize| {
+            let mut parents: Vec<usize> = transfer.shares(point).map(|share| share.0).collect();
+            parents.sort_unstable();
+            parents.dedup();
+            parents
+        };
+        let mut by_parents: [Vec<(&Equation, Unknown, Vec<usize>)>; 3] = Default::default();
+        for equation in &self.equations {
+            let Some(&(pivot, _)) = equation.terms.first() else { continue };
+            let parents = parents(pivot.point);
+            by_parents[parents.len() / 2].push((equation, pivot, parents));
+        }
+        let is_beyond = |point: usize| fine.number(coarse.node(point).map(|k| 2 * k)).is_none();
         let mut held: BTreeSet<(usize, usize)> = BTreeSet::new();
         let mut equations = Vec::new();
-        let mut apart = Vec::new();
-        for equation in &self.equations {
-            let Some(&(Unknown { component, point }, _)) = equation.terms.first() else { continue };
-            let node = fine.node(point);
-            match node.iter().all(|k| k % 2 == 0).then(|| coarse.number(node.map(|k| k / 2))).flatten() {
-                Some(number) if held.insert((component, number)) => {
-                    equations.push(moved(equation, number, [0.0; 2]));
+        for group in by_parents {
+            let before = held.clone();
+            for (equation, pivot, parents) in group {
+                let of_pivot = parents.iter().map(|&parent| (pivot.component, parent));
+                if of_pivot.clone().any(|unknown| before.contains(&unknown)) {
+                    continue;
                 }
-                Some(_) => {}
-                None => apart.push((equation, component, point)),
-            }
-        }
-        for (equation, component, point) in apart {
-            let mut parents: Vec<usize> = transfer.shares(point).map(|share| share.0).collect();
-            if parents.iter().any(|&parent| held.contains(&(component, parent))) {
-                continue;
-            }
-            // A point beyond the edge of the fine plate is nearer to what holds it than one inside.
-            let is_beyond = |parent: &usize| fine.number(coarse.node(*parent).map(|k| 2 * k)).is_none();
-            parents.sort_by_key(|parent| !is_beyond(parent));
-            if let Some(&parent) = parents.first() {
-                let ([x, y], [a, b]) = (fine.place(point), coarse.place(parent));
-                held.insert((component, parent));
-                equations.push(moved(equation, parent, [x - a, y - b]));
+                held.extend(of_pivot);
+                let mut terms = interpolated(equation, transfer);
+                // A point beyond the edge follows those inside.
+                terms.sort_by_key(|(unknown, _)| {
+                    (unknown.component != pivot.component, !is_beyond(unknown.point))
+                });
+                equations.push(Equation { terms, value: 0.0, origin: equation.origin.clone() });
             }
         }
         Self { equations, springs: self.coarser_springs(transfer) }
@@ -108,20 +112,13 @@ impl Conditions {
     }
 }
 
-/// An equation on another point, which is a way before the one that it held, at rest.
-fn moved(equation: &Equation, point: usize, way: [f64; 2]) -> Equation {
-    let mut terms: Vec<(Unknown, f64)> = equation
-        .terms
-        .iter()
-        .map(|&(Unknown { component, .. }, share)| (Unknown { component, point }, share))
-        .collect();
-    if terms[0].0.component == W {
-        for (component, d) in [PHI_X, PHI_Y].into_iter().zip(way).filter(|turn| turn.1 != 0.0) {
-            match terms.iter_mut().find(|term| term.0.component == component) {
-                Some(term) => term.1 += d,
-                None => terms.push((Unknown { component, point }, d)),
-            }
+/// What an equation says of coarse unknowns.
+fn interpolated(equation: &Equation, transfer: &PlateTransfer) -> Vec<(Unknown, f64)> {
+    let mut sums: BTreeMap<Unknown, f64> = BTreeMap::new();
+    for (of, share) in &equation.terms {
+        for (component, point, part) in transfer.row(of.component, of.point) {
+            *sums.entry(Unknown { component, point }).or_default() += share * part;
         }
     }
-    Equation { terms, value: 0.0, origin: equation.origin.clone() }
+    sums.into_iter().collect()
 }

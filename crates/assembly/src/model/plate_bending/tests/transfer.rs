@@ -45,3 +45,19 @@ fn the_restriction_is_the_transpose() {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     assert!((dot(&up, &y) - dot(&x, &down)).abs() < 1e-12);
 }
+
+#[test]
+fn rows_are_those_of_the_interpolation() {
+    let fine = holed(parameters(1.5, 0.1));
+    let coarse = fine.coarser().unwrap();
+    let transfer = PlateTransfer::new(fine.nodes(), coarse.nodes());
+    let [n, m] = [&fine, &coarse].map(|plate| plate.nodes().points());
+    let x: Vec<f64> = (0..3 * m).map(|k| (1.3 * k as f64).sin()).collect();
+    let mut all = vec![0.0; 3 * n];
+    transfer.prolong_all(&x, &mut all);
+    for (unknown, expected) in all.into_iter().enumerate() {
+        let row = transfer.row(unknown / n, unknown % n);
+        let found: f64 = row.iter().map(|&(component, point, share)| share * x[component * m + point]).sum();
+        assert!((found - expected).abs() < 1e-14, "{unknown}: {found} {expected}");
+    }
+}
