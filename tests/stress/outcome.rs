@@ -162,6 +162,8 @@ fn imbalance(asked: &Resultant, state: &StateResult) -> f64 {
                 add(force, held.moment.unwrap_or(0.0), [0.0; 2]);
             }
         }
+        // Rows of the table are beams and bodies.
+        StateResult::Plate(_) => {}
         StateResult::Body(plane) => {
             for (k, r) in plane.reactions.iter().enumerate() {
                 let centre = r.centre.map(|centre| centre.parts().0).map(|[x, y, _]| [x, y]);

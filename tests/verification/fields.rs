@@ -10,7 +10,7 @@ fn names() -> Vec<String> {
     let schema = serde_json::to_value(schemars::schema_for!(FieldName)).expect("a schema");
     let values = schema["oneOf"].as_array().expect("a list of names");
     let names: Vec<String> = values.iter().map(|v| v["const"].as_str().expect("a name").into()).collect();
-    assert_eq!(names.len(), 57);
+    assert_eq!(names.len(), 72);
     names
 }
 
@@ -132,8 +132,24 @@ fn models() -> Vec<Model> {
     rigid.answered.extend(["reaction_moment_x", "reaction_moment_y", "reaction_moment_z"]);
     rigid.hidden.extend(TURNS);
     all.push(rigid);
+    all.push(plate());
     all.extend(beams());
     all
+}
+
+/// A plate in bending, clamped at its left side.
+fn plate() -> Model {
+    let case = json!({
+        "title": "plate_bending", "units": "mm-N-MPa",
+        "model": { "plate_bending": { "youngs_modulus": 7e4, "poisson_ratio": 0.3, "thickness": 0.5 } },
+        "body": { "rectangle": { "size": [10, 6], "spacing": 1 } },
+        "supports": [ { "at": { "region": "left" }, "w": 0, "phi_n": 0, "phi_t": 0 } ],
+        "loads": [ { "pressure": { "value": 1e-3 } } ]
+    });
+    let reactions = ["reaction_force", "reaction_moment_x", "reaction_moment_y"];
+    let answered = FieldName::PLATE.iter().map(|field| field.name()).chain(reactions).collect();
+    let places = vec![json!({ "x": 0, "y": 2 }), json!({ "region": "left" })];
+    Model { case, places, answered, hidden: Vec::new() }
 }
 
 fn solid(name: &str) -> Model {
@@ -244,7 +260,10 @@ fn every_field_of_every_model_can_be_checked_at_all_points_or_is_refused_with_th
 
 #[test]
 fn every_field_that_tables_show_is_a_number_along_lines() {
-    for model in models().into_iter().filter(|m| m.case["model"].get("timoshenko_beam").is_none()) {
+    let is_body = |m: &Model| {
+        ["timoshenko_beam", "plate_bending"].iter().all(|name| m.case["model"].get(*name).is_none())
+    };
+    for model in models().into_iter().filter(is_body) {
         let mut case = model.case.clone();
         let from = if model.case["title"] == "axisymmetric" { 4.1 } else { 0.1 };
         let is_solid = model.case["body"].get("block").is_some();

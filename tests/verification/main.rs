@@ -64,6 +64,7 @@ mod plane_patch;
 mod plane_patch_holes;
 mod plane_results;
 mod plane_solvers;
+mod plates;
 mod plausibility;
 mod polygons;
 mod prescribed_fields;

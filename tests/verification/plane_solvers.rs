@@ -50,7 +50,7 @@ fn every_plate_passes_with_the_direct_solver_and_multigrid_agrees() {
         assert!(failed.is_empty(), "{name}: {failed:?}");
         let listed = Loaded::read(&case, &[], None).map(|l| match l.scene {
             Scene::Body(scene) => scene.outline().is_none(),
-            Scene::Beam(_) => panic!("{name} is a beam"),
+            Scene::Beam(_) | Scene::Plate(_) => panic!("{name} is no body in the plane"),
         });
         let solver = if listed.unwrap_or_else(|e| panic!("{e}")) { "pcg" } else { "multigrid" };
         let (found, other) = solve(&case, solver);

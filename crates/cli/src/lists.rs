@@ -13,7 +13,7 @@ use serde_json::json;
 /// The file of the schema, for editors.
 const SCHEMA: &str = "case.schema.json";
 
-const LOADS: [(&str, &str); 21] = [
+const LOADS: [(&str, &str); 23] = [
     (
         "point",
         "a force and a moment at a position: force across, axial along the line, force_x and force_y in a frame; in the plane force_x and force_y, where points turn a moment, shared by the points of a region",
@@ -46,7 +46,15 @@ const LOADS: [(&str, &str); 21] = [
         "spin",
         "the inertia of a body of some density that turns: omega or rpm, about a point, of a solid along an axis",
     ),
-    ("pressure", "a force per area outwards on a shell, the same all around or a cosine of it"),
+    (
+        "pressure",
+        "a force per area outwards on a shell, the same all around or a cosine of it; along w on a plate in bending or a region of it, by a formula, too",
+    ),
+    ("line", "a force or moment per length of an edge of a plate in bending, or a force along a line on it"),
+    (
+        "w, phi_n, phi_t, phi_x, phi_y",
+        "prescribed deflections and slopes of a plate in bending, zero or not: clamped, simply supported hard and soft, guided",
+    ),
     (
         "temperature",
         "a change of temperature of a body or a region, a number or a formula of the position, with the `thermal_expansion` of the material",

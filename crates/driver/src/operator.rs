@@ -51,6 +51,9 @@ impl Operator {
             Scene::Body(scene) => with_body!(&scene.model, body => {
                 Self::of((loaded, max_memory), &BodyProblem::new(scene, body.clone()), scene.real_points().collect())
             }),
+            Scene::Plate(scene) => {
+                Self::of((loaded, max_memory), &**scene, (0..scene.body.points()).collect())
+            }
         }
     }
 

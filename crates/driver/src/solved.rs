@@ -87,6 +87,7 @@ impl Solved {
                 scene.body().visit(|at| points.push(at));
                 points
             }
+            Scene::Plate(scene) => (0..scene.body.points()).map(|p| scene.body.position(p)).collect(),
         }
     }
 
@@ -105,6 +106,10 @@ impl Solved {
                 Some(volumes)
             }
             Scene::Body(scene) => Some(scene.real_points().map(|p| scene.model.volume(p)).collect()),
+            Scene::Plate(scene) => {
+                let nodes = scene.plate.nodes();
+                Some((0..nodes.points()).map(|p| scene.thickness * nodes.area(p)).collect())
+            }
         }
     }
 
@@ -121,6 +126,9 @@ impl Solved {
             (Scene::Body(scene), StateResult::Body(result)) => {
                 result.values(scene, FieldName::BODY.into_iter().find(named)?)
             }
+            (Scene::Plate(_), StateResult::Plate(result)) => {
+                result.values(FieldName::PLATE.into_iter().find(named)?)
+            }
             _ => unreachable!("a scene has results of its own kind"),
         }
     }
@@ -128,6 +136,7 @@ impl Solved {
     fn names(&self, result: &StateResult) -> Vec<&'static str> {
         match result {
             StateResult::Body(result) => result.fields().map(FieldName::name).collect(),
+            StateResult::Plate(result) => result.fields().map(FieldName::name).collect(),
             StateResult::Beam(result) => {
                 let fields = result.fields().iter().filter(|&&field| result.all_values(field).is_some());
                 fields.map(|field| field.name()).collect()

@@ -61,6 +61,24 @@ impl Units {
         }
     }
 
+    /// Unit of curvature.
+    pub fn per_length(self) -> &'static str {
+        match self {
+            Self::MetreNewtonPascal => "1/m",
+            Self::MillimetreNewtonMegapascal => "1/mm",
+            Self::Dimensionless => "",
+        }
+    }
+
+    /// Unit of a force along a line.
+    pub fn force_per_length(self) -> &'static str {
+        match self {
+            Self::MetreNewtonPascal => "N/m",
+            Self::MillimetreNewtonMegapascal => "N/mm",
+            Self::Dimensionless => "",
+        }
+    }
+
     /// Unit of stress intensity.
     pub fn stress_intensity(self) -> &'static str {
         match self {

@@ -45,7 +45,7 @@ pub use solid::{
     Cut, CutError, Face, Facet, Filled, Grid, GridError, Patch, SIDES, ShapeError, Side, SolidRegion,
     SolidShape, Surface, SurfaceError, Wall, WallKind, WallSide,
 };
-pub use transfer::Transfer;
+pub use transfer::{LevelTransfer, Transfer};
 
 /// Positions this close to a border lie on it, in spacings.
 pub const BORDER: f64 = 1e-9;

@@ -18,6 +18,27 @@ const FEW: usize = 8192;
 /// Runs that one thread takes at a time.
 const PART: usize = 16;
 
+/// Interpolation of vectors of component planes from the points of a coarse level to those of a fine one.
+pub trait LevelTransfer: Send + Sync {
+    /// Overwrites a vector of the coarse level with what the transpose collects from one of the fine level.
+    fn restrict_all(&self, fine: &[f64], coarse: &mut [f64]);
+
+    /// Adds to a vector of the fine level what is interpolated from one of the coarse level.
+    fn prolong_all(&self, coarse: &[f64], fine: &mut [f64]);
+}
+
+impl LevelTransfer for Transfer {
+    fn restrict_all(&self, fine: &[f64], coarse: &mut [f64]) {
+        let planes = fine.chunks_exact(self.fine.points).zip(coarse.chunks_exact_mut(self.coarse.points));
+        planes.for_each(|(fine, coarse)| self.restrict(fine, coarse));
+    }
+
+    fn prolong_all(&self, coarse: &[f64], fine: &mut [f64]) {
+        let planes = fine.chunks_exact_mut(self.fine.points).zip(coarse.chunks_exact(self.coarse.points));
+        planes.for_each(|(fine, coarse)| self.prolong_add(coarse, fine));
+    }
+}
+
 /// Interpolation from the points of a coarse lattice to those of a fine one.
 #[derive(Clone, Debug)]
 pub struct Transfer {

@@ -7,6 +7,7 @@ pub mod bond_plane;
 pub mod bond_solid;
 mod breaking;
 pub mod plane;
+pub mod plate_bending;
 mod points;
 pub mod shell_membrane;
 pub mod solid;

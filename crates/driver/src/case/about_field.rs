@@ -30,6 +30,10 @@ pub enum Unit {
     Moment,
     /// A difference of temperatures.
     Kelvin,
+    /// One over a length.
+    PerLength,
+    /// A force over a length.
+    ForcePerLength,
 }
 
 impl Unit {
@@ -43,6 +47,8 @@ impl Unit {
             Self::Force => units.force(),
             Self::Moment => units.moment(),
             Self::Kelvin => units.temperature(),
+            Self::PerLength => units.per_length(),
+            Self::ForcePerLength => units.force_per_length(),
         }
     }
 }
@@ -58,6 +64,8 @@ impl Unit {
             Self::Force => (units.force(), 0),
             Self::Moment => (units.force(), 1),
             Self::Kelvin => (units.temperature(), 0),
+            Self::PerLength => ("", -1),
+            Self::ForcePerLength => (units.force(), -1),
         };
         let length = match (units.length(), power + own) {
             ("", _) | (_, 0) => return force.into(),
@@ -72,6 +80,23 @@ impl Unit {
     }
 }
 
+/// What a field of a plate in bending is: components xx, yy and xy by their numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PlateOrigin {
+    /// A curvature.
+    Curvature(usize),
+    /// A moment.
+    Moment(usize),
+    /// A principal moment: the larger one, or the smaller one.
+    Principal(usize),
+    /// The direction of the larger principal moment.
+    Direction,
+    /// A shear force, across sections normal to x or y.
+    Shear(usize),
+    /// A moment of design: along x and y on the side of −w, then on that of +w.
+    Design(usize),
+}
+
 /// What a field follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Origin {
@@ -79,6 +104,8 @@ pub enum Origin {
     Unknown,
     /// The bonds of a beam.
     Beam,
+    /// The rotations and the bonds of a plate in bending.
+    Plate(PlateOrigin),
     /// The component of the strains of this name, such as `xy`, and what multiplies it.
     Strain(&'static str, f64),
     /// The component of the stresses of this name; `zz` of bodies in the plane is that across it.

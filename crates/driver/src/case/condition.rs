@@ -1,6 +1,8 @@
 //! Supports, links and loads of a case.
 
-use super::{Amount, BodyForce, Gravity, InitialStrain, Names, Pressure, Spin, Temperature, Traction};
+use super::{
+    Amount, BodyForce, Gravity, InitialStrain, LineLoad, Names, Pressure, Spin, Temperature, Traction,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -51,7 +53,7 @@ pub struct Support {
     /// Where; a point of the grid, the end of a line, or a joint; in the plane a region or a point. A straight edge along
     /// the lattice is held on its line, with forces that reach its points as a uniform traction does; of other regions the points are.
     pub at: At,
-    /// Prescribed deflection of a line, or displacement of a shell outwards.
+    /// Prescribed deflection of a line or a plate in bending, or displacement of a shell outwards.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub w: Option<Amount>,
     /// Prescribed displacement along x.
@@ -66,10 +68,22 @@ pub struct Support {
     /// Prescribed rotation, rad; in the plane where points turn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phi: Option<Amount>,
+    /// Prescribed rotation of a plate in bending that is the slope of w along x where shear is rigid, rad.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_x: Option<Amount>,
+    /// The same along y.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_y: Option<Amount>,
+    /// The same along the outward normal of an edge of a plate: `w` and `phi_n` clamp it together with `phi_t`, `phi_n` alone guides it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_n: Option<Amount>,
+    /// The same along an edge of a plate, counter-clockwise around the body: `w` and `phi_t` are a hard simple support, `w` alone is a soft one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phi_t: Option<Amount>,
     /// Prescribed displacement in one direction that is neither x nor y, on a frame or in the plane.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inclined: Option<Inclined>,
-    /// Stiffness of a spring against deflection of a line, force per length, > 0.
+    /// Stiffness of a spring against deflection of a line, or of a plate in bending, force per length, > 0; all points of a region share it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub w_spring: Option<f64>,
     /// Stiffness of a spring against displacement along x, force per length, > 0; all points of a region share it.
@@ -158,8 +172,10 @@ pub enum Load {
     Gravity(Gravity),
     /// The inertia of a body that turns about an axis.
     Spin(Spin),
-    /// A pressure on a shell.
+    /// A pressure on a shell, or on a plate in bending.
     Pressure(Pressure),
+    /// A force or moment per length along a line on a plate in bending.
+    Line(LineLoad),
     /// A change of temperature.
     Temperature(Temperature),
     /// A strain that a line or member has from the beginning.
@@ -172,7 +188,7 @@ pub enum Load {
 pub struct PointLoad {
     /// Where.
     pub at: At,
-    /// Force along w, across a line or member; outwards on a shell.
+    /// Force along w, across a line or member, or a plate in bending; outwards on a shell.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub force: f64,
     /// Force along a line or member, in the direction in which its position grows.
@@ -190,10 +206,10 @@ pub struct PointLoad {
     /// Moment along phi; in the plane where points turn, and the points of a region share it.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub moment: f64,
-    /// Moment about x, on a rigid region of a solid.
+    /// Moment about x, on a rigid region of a solid; on a plate in bending the one that turns phi_x.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub moment_x: f64,
-    /// Moment about y, on a rigid region of a solid.
+    /// Moment about y, on a rigid region of a solid; on a plate in bending the one that turns phi_y.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub moment_y: f64,
     /// Moment about z, on a rigid region of a solid.

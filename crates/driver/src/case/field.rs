@@ -1,6 +1,6 @@
 //! Fields of results and their names.
 
-use super::about_field::{Field, Origin, Unit};
+use super::about_field::{Field, Origin, PlateOrigin, Unit};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -25,10 +25,10 @@ pub enum FieldName {
     /// Rotation, rad; in the plane that of a rigid region, or of a point where points turn.
     #[serde(rename = "phi")]
     Phi,
-    /// Rotation of a rigid region of a solid about x, rad.
+    /// Rotation of a rigid region of a solid about x, rad; of a plate in bending the slope of w along x where shear is rigid.
     #[serde(rename = "phi_x")]
     PhiX,
-    /// Rotation of a rigid region of a solid about y, rad.
+    /// Rotation of a rigid region of a solid about y, rad; of a plate in bending the slope of w along y where shear is rigid.
     #[serde(rename = "phi_y")]
     PhiY,
     /// Rotation of a rigid region of a solid about z, rad.
@@ -40,6 +40,51 @@ pub enum FieldName {
     V,
     /// Axial force, tension positive.
     N,
+    /// Curvature ∂φ_x/∂x of a plate in bending.
+    #[serde(rename = "curvature_xx")]
+    CurvatureXx,
+    /// Curvature ∂φ_y/∂y of a plate in bending.
+    #[serde(rename = "curvature_yy")]
+    CurvatureYy,
+    /// Twist of a plate in bending, (∂φ_x/∂y + ∂φ_y/∂x)/2.
+    #[serde(rename = "curvature_xy")]
+    CurvatureXy,
+    /// Moment per width of a plate in bending, of stresses along x; positive, it shortens the side of +w.
+    #[serde(rename = "M_xx")]
+    MomentXx,
+    /// The same of stresses along y.
+    #[serde(rename = "M_yy")]
+    MomentYy,
+    /// Twisting moment per width of a plate in bending.
+    #[serde(rename = "M_xy")]
+    MomentXy,
+    /// Larger principal moment per width of a plate in bending.
+    #[serde(rename = "M_1")]
+    PrincipalMoment1,
+    /// Smaller principal moment per width of a plate in bending.
+    #[serde(rename = "M_2")]
+    PrincipalMoment2,
+    /// Angle from the x axis to the direction of the larger principal moment, rad, above −π/2 and at most π/2.
+    #[serde(rename = "M_direction")]
+    MomentDirection,
+    /// Shear force per width of a plate in bending, across sections normal to x.
+    #[serde(rename = "V_x")]
+    ShearX,
+    /// The same across sections normal to y.
+    #[serde(rename = "V_y")]
+    ShearY,
+    /// Moment per width for which reinforcement along x on the side of −w is designed, by Wood and Armer; zero where none is needed.
+    #[serde(rename = "design_x_bottom")]
+    DesignXBottom,
+    /// The same along y on the side of −w.
+    #[serde(rename = "design_y_bottom")]
+    DesignYBottom,
+    /// The same along x on the side of +w, by its magnitude.
+    #[serde(rename = "design_x_top")]
+    DesignXTop,
+    /// The same along y on the side of +w, by its magnitude.
+    #[serde(rename = "design_y_top")]
+    DesignYTop,
     /// Normal stress at the extreme fibre on the side of +w.
     #[serde(rename = "stress_top")]
     StressTop,
@@ -205,6 +250,22 @@ impl FieldName {
             Self::M => ("M", Moment, Beam),
             Self::V => ("V", Force, Beam),
             Self::N => ("N", Force, Beam),
+            Self::CurvatureXx => ("curvature_xx", PerLength, Plate(PlateOrigin::Curvature(0))),
+            Self::CurvatureYy => ("curvature_yy", PerLength, Plate(PlateOrigin::Curvature(1))),
+            Self::CurvatureXy => ("curvature_xy", PerLength, Plate(PlateOrigin::Curvature(2))),
+            // A moment per width is a force.
+            Self::MomentXx => ("M_xx", Force, Plate(PlateOrigin::Moment(0))),
+            Self::MomentYy => ("M_yy", Force, Plate(PlateOrigin::Moment(1))),
+            Self::MomentXy => ("M_xy", Force, Plate(PlateOrigin::Moment(2))),
+            Self::PrincipalMoment1 => ("M_1", Force, Plate(PlateOrigin::Principal(0))),
+            Self::PrincipalMoment2 => ("M_2", Force, Plate(PlateOrigin::Principal(1))),
+            Self::MomentDirection => ("M_direction", Angle, Plate(PlateOrigin::Direction)),
+            Self::ShearX => ("V_x", ForcePerLength, Plate(PlateOrigin::Shear(0))),
+            Self::ShearY => ("V_y", ForcePerLength, Plate(PlateOrigin::Shear(1))),
+            Self::DesignXBottom => ("design_x_bottom", Force, Plate(PlateOrigin::Design(0))),
+            Self::DesignYBottom => ("design_y_bottom", Force, Plate(PlateOrigin::Design(1))),
+            Self::DesignXTop => ("design_x_top", Force, Plate(PlateOrigin::Design(2))),
+            Self::DesignYTop => ("design_y_top", Force, Plate(PlateOrigin::Design(3))),
             Self::StressTop => ("stress_top", Unit::Stress, Beam),
             Self::StressBottom => ("stress_bottom", Unit::Stress, Beam),
             Self::StrainXx => ("strain_xx", One, Strain("xx", 1.0)),
@@ -278,7 +339,7 @@ mod tests {
 
     #[test]
     fn names_are_those_of_case_files() {
-        for field in FieldName::FRAME.into_iter().chain(FieldName::BODY) {
+        for field in FieldName::FRAME.into_iter().chain(FieldName::BODY).chain(FieldName::PLATE) {
             assert_eq!(serde_json::to_value(field).unwrap(), field.name());
         }
     }

@@ -35,6 +35,33 @@ impl FieldName {
         Self::EnergyDensity,
     ];
 
+    /// The fields that every point of a plate in bending has, in the order of tables. Stresses are those on the side of +w; on the
+    /// other side they are opposite.
+    pub const PLATE: [Self; 22] = [
+        Self::W,
+        Self::PhiX,
+        Self::PhiY,
+        Self::CurvatureXx,
+        Self::CurvatureYy,
+        Self::CurvatureXy,
+        Self::MomentXx,
+        Self::MomentYy,
+        Self::MomentXy,
+        Self::PrincipalMoment1,
+        Self::PrincipalMoment2,
+        Self::MomentDirection,
+        Self::ShearX,
+        Self::ShearY,
+        Self::DesignXBottom,
+        Self::DesignYBottom,
+        Self::DesignXTop,
+        Self::DesignYTop,
+        Self::StressXx,
+        Self::StressYy,
+        Self::StressXy,
+        Self::VonMises,
+    ];
+
     /// The fields that points of bodies have, in the order of tables; `phi` where they turn, `w` where they move across the plane.
     /// Those that follow from the stresses of a point behind `von_mises` are found on demand, and no table has them.
     pub const BODY: [Self; 39] = [

@@ -20,6 +20,7 @@ mod material_summary;
 mod mixture;
 mod on;
 mod plane_state;
+mod plate_bending;
 mod refusal;
 mod sharing;
 mod shell_membrane;
@@ -45,6 +46,7 @@ pub use material_summary::{Fact, MaterialSummary};
 pub use mixture::{Mixture, OtherMaterial};
 pub use on::{Fibres, HeldRegion, OnGround, OnLattice, Resolved};
 pub use plane_state::PlaneState;
+pub use plate_bending::Bending;
 pub use refusal::{Place, Refusal};
 pub use sharing::LoadSharing;
 pub use shell_membrane::{HoopPressure, Pressure, Shell};
@@ -68,6 +70,11 @@ pub trait Keys: Debug + Send + Sync {
 
     /// Whether bodies are solids.
     fn is_solid(&self) -> bool {
+        false
+    }
+
+    /// Whether bodies are plates in bending, which have a scene of their own and no [`Material`].
+    fn bends(&self) -> bool {
         false
     }
 
@@ -156,6 +163,8 @@ models! {
     ShellMembrane(Shell) = shell_membrane,
     /// Isotropic plate of bonds in antiplane shear: displacements across the plane.
     BondAntiplane(Antiplane) = bond_antiplane,
+    /// Isotropic plate in bending, with shear: deflections across the plane and two rotations.
+    PlateBending(Bending) = plate_bending,
     /// Isotropic solid of central bonds: displacements along x, y and z.
     BondSolid(BondSolidKeys) = bond_solid,
     /// Isotropic solid of state-based families, any Poisson's ratio: displacements along x, y and z.
@@ -203,6 +212,8 @@ pub(crate) mod hints {
     pub(crate) const SHELLS: &str = "shell_membrane";
     /// For bodies in space.
     pub(crate) const SOLIDS: [&str; 2] = ["bond_solid", "state_solid"];
+    /// For plates in bending.
+    pub(crate) const PLATES: &str = "plate_bending";
     /// For lines and frames.
     pub(crate) const LINES: &str = "timoshenko_beam";
 }

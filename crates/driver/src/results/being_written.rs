@@ -8,7 +8,7 @@ use super::files::{clear, fields, lost, step, step_name, write_case};
 use super::kept::{FieldFiles, FieldStates};
 use super::report::Report;
 use super::restart::Kept;
-use super::{beam, body, curve, report, restart};
+use super::{beam, body, curve, plate, report, restart};
 use crate::case::Case;
 use crate::output::{self, atomic, csv, pvd};
 use crate::run::{Advance, ProbeResult, Restart, StateResult};
@@ -58,6 +58,7 @@ pub fn finite(result: &StateResult) -> bool {
         && match result {
             StateResult::Beam(result) => beam::fields(result).all(|(_, values)| finite(&values)),
             StateResult::Body(result) => body::finite(result),
+            StateResult::Plate(result) => plate::finite(result),
         }
 }
 
@@ -110,6 +111,12 @@ impl Results {
                 self.files.extend(scene.lines.iter().map(|line| format!("fields/{name}_{}.csv", line.name)));
                 let draw = || body::draw(plots.as_deref(), scene, result);
                 (crate::run::body::probes(scene, result), is_drawn.then(draw).transpose()?)
+            }
+            (Scene::Plate(scene), StateResult::Plate(result)) => {
+                plate::write(&self.folder, &name, scene, result, (kept, self.envelope.as_mut()))?;
+                self.files.extend(scene.lines.iter().map(|line| format!("fields/{name}_{}.csv", line.name)));
+                let draw = || plate::draw(plots.as_deref(), scene, result);
+                (crate::run::plate::probes(scene, result), is_drawn.then(draw).transpose()?)
             }
             _ => unreachable!("a scene has results of its own kind"),
         };

@@ -14,6 +14,7 @@ mod files;
 mod inputs;
 mod kept;
 mod path_curve;
+mod plate;
 mod report;
 mod restart;
 mod resume;

@@ -39,6 +39,15 @@ pub fn write(loaded: &Loaded, file: &Path) -> Result<(), Error> {
             let system = prepare(&problem, &RunOptions::default());
             write_stiffness(loaded, system, file, &in_plane(scene.model.components()))
         }),
+        Scene::Plate(scene) => {
+            let system = prepare(&**scene, &RunOptions::default());
+            write_stiffness(
+                loaded,
+                system,
+                file,
+                "w_0, phi_x_0, phi_y_0, w_1, ... of the points row by row from the lower left",
+            )
+        }
     }
 }
 

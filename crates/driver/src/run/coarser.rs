@@ -1,6 +1,6 @@
 //! Coarser levels of a problem.
 
-use peristat_assembly::body::Transfer;
+use peristat_assembly::body::LevelTransfer;
 use peristat_assembly::cubic::CubicLevels;
 use peristat_assembly::system::System;
 
@@ -17,11 +17,13 @@ pub struct CoarserModels<const D: usize> {
     /// Systems, the finest of them first.
     pub systems: Vec<System<D>>,
     /// Interpolation to every level that has a coarser one, the finest level of all first.
-    pub transfers: Vec<Transfer>,
+    pub transfers: Vec<Box<dyn LevelTransfer>>,
     /// Whether the coarsest one can move as a body: supports that are close to each other fall together there.
     pub is_loose: bool,
     /// Whether the finest level of all has other elements than these, so that its eigenvalues are its own.
     pub is_unlike: bool,
+    /// Whether every level is visited once: corrections of coarser ones may overshoot, where their supports are further out.
+    pub visits_once: bool,
     /// Points of the finest level of all, beside a border that cuts cells, that are smoothed together.
     pub beside_border: Vec<usize>,
 }

@@ -5,14 +5,14 @@ use super::border_block::BorderBlock;
 use super::coarser::CoarserModels;
 use super::factor::lifted;
 use super::solve_failure::SolveFailure;
-use peristat_assembly::body::Transfer;
+use peristat_assembly::body::LevelTransfer;
 use peristat_assembly::system::{Level, System};
 use peristat_solve::{Hierarchy, Multigrid, MultigridOptions, Ordering, Relaxation, SparseCholesky};
 
 /// All levels of a problem.
 pub(super) struct Levels<'a, const D: usize> {
     levels: Vec<Level<'a, D>>,
-    transfers: &'a [Transfer],
+    transfers: &'a [Box<dyn LevelTransfer>],
     /// What smooths beside a border that cuts cells.
     block: Option<BorderBlock>,
 }
@@ -51,6 +51,9 @@ pub(super) fn cycle<'a, const D: usize>(
     let mut options = MultigridOptions::STANDARD;
     if coarser.is_unlike {
         options.measured_size = usize::MAX;
+    }
+    if coarser.visits_once {
+        options.single_visits = usize::MAX;
     }
     Ok((Multigrid::new(levels, Box::new(factor), &options), entries))
 }
@@ -107,15 +110,11 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
     }
 
     fn restrict(&self, level: usize, fine: &[f64], coarse: &mut [f64]) {
-        let [n, m] = [level, level + 1].map(|l| self.levels[l].system().points());
-        for (fine, coarse) in fine.chunks_exact(n).zip(coarse.chunks_exact_mut(m)) {
-            self.transfers[level].restrict(fine, coarse);
-        }
+        self.transfers[level].restrict_all(fine, coarse);
         self.levels[level + 1].system().constraints().restrict(coarse);
     }
 
     fn prolong_add(&self, level: usize, coarse: &[f64], fine: &mut [f64]) {
-        let [n, m] = [level, level + 1].map(|l| self.levels[l].system().points());
         // The factor of the coarsest level leaves dependent unknowns at zero; the smoother of the others does not.
         let mut expanded = Vec::new();
         if level + 2 == self.depth() && self.levels[level + 1].system().constraints().has_slaves() {
@@ -123,9 +122,7 @@ impl<const D: usize> Hierarchy for Levels<'_, D> {
             self.levels[level + 1].expand(&mut expanded);
         }
         let coarse = if expanded.is_empty() { coarse } else { &expanded };
-        for (fine, coarse) in fine.chunks_exact_mut(n).zip(coarse.chunks_exact(m)) {
-            self.transfers[level].prolong_add(coarse, fine);
-        }
+        self.transfers[level].prolong_all(coarse, fine);
         // What is held stays at zero, what depends on others follows them.
         self.levels[level].system().constraints().expand(0.0, fine);
     }

@@ -7,7 +7,7 @@ use super::restart::Restart;
 use super::scene_sizes::Sizes;
 use super::sink::Sink;
 use super::state::StateResult;
-use super::{beam, body};
+use super::{beam, body, plate};
 use crate::scene::Scene;
 
 /// Solves every state of a scene and hands its result to `sink` as it comes; one that breaks or softens goes on from `resume`.
@@ -28,6 +28,9 @@ pub fn run(
         _ if resume.is_some() => Err(RunError::NotResumable),
         Scene::Beam(scene) => beam::run(scene, options, &mut |result| sink.take(StateResult::Beam(result))),
         Scene::Body(scene) => body::run(scene, options, &mut |result| sink.take(StateResult::Body(result))),
+        Scene::Plate(scene) => {
+            plate::run(scene, options, &mut |result| sink.take(StateResult::Plate(result)))
+        }
     }
 }
 
@@ -40,6 +43,7 @@ pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
     match scene {
         Scene::Beam(scene) => beam::sizes(scene, options),
         Scene::Body(scene) => body::sizes(scene, options),
+        Scene::Plate(scene) => plate::sizes(scene, options),
     }
 }
 

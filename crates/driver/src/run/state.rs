@@ -2,6 +2,7 @@
 
 use super::beam::BeamResult;
 use super::body::BodyResult;
+use super::plate::PlateResult;
 use super::state_record::StateRecord;
 
 /// The result of one state.
@@ -11,6 +12,8 @@ pub enum StateResult {
     Beam(BeamResult),
     /// Of a body in the plane.
     Body(BodyResult),
+    /// Of a plate in bending.
+    Plate(PlateResult),
 }
 
 impl StateResult {
@@ -19,6 +22,7 @@ impl StateResult {
         match self {
             Self::Beam(result) => &result.record,
             Self::Body(result) => &result.record,
+            Self::Plate(result) => &result.record,
         }
     }
 
@@ -27,6 +31,7 @@ impl StateResult {
         match self {
             Self::Beam(result) => &mut result.record,
             Self::Body(result) => &mut result.record,
+            Self::Plate(result) => &mut result.record,
         }
     }
 }

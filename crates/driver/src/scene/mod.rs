@@ -14,6 +14,8 @@ mod horizon;
 mod mass;
 mod numbers;
 pub mod path;
+pub mod plate;
+mod plates_only;
 mod prescribed;
 mod probes;
 mod resultant;
@@ -25,6 +27,7 @@ pub use beam::BeamScene;
 pub use body::BodyScene;
 pub use expectation::{Bound, Expectation, ExpectationKind};
 pub use files::{INPUTS, InputFile};
+pub use plate::PlateScene;
 pub(crate) use resultant::ASKED;
 pub use resultant::{Counted, Resultant};
 
@@ -39,6 +42,8 @@ pub enum Scene {
     Beam(Box<BeamScene>),
     /// A body in the plane.
     Body(Box<BodyScene>),
+    /// A plate in bending.
+    Plate(Box<PlateScene>),
 }
 
 fn check_title(title: &str, faults: &mut Faults) {
@@ -65,7 +70,14 @@ impl Scene {
         numbers::check(&case, &mut faults);
         mass::check(&case, &mut faults);
         check_title(&case.title, &mut faults);
+        let bends = case.model.keys().is_ok_and(|keys| keys.bends());
+        if !bends {
+            plates_only::refuse(&case, &mut faults);
+        }
         let resolved = match case.model.keys().map_err(Clone::clone) {
+            Ok(_) if bends => {
+                PlateScene::new(case, folder, max_memory, faults).map(|scene| Self::Plate(Box::new(scene)))
+            }
             Ok(_) => {
                 BodyScene::new(case, folder, max_memory, faults).map(|scene| Self::Body(Box::new(scene)))
             }
@@ -80,6 +92,7 @@ impl Scene {
         match self {
             Self::Beam(scene) => &scene.case,
             Self::Body(scene) => &scene.case,
+            Self::Plate(scene) => &scene.case,
         }
     }
 
@@ -88,6 +101,7 @@ impl Scene {
         match self {
             Self::Beam(scene) => &scene.files,
             Self::Body(scene) => &scene.files,
+            Self::Plate(scene) => &scene.files,
         }
     }
 
@@ -96,6 +110,7 @@ impl Scene {
         match self {
             Self::Beam(scene) => &scene.warnings,
             Self::Body(scene) => &scene.warnings,
+            Self::Plate(scene) => &scene.warnings,
         }
     }
 
@@ -104,6 +119,7 @@ impl Scene {
         match self {
             Self::Beam(scene) => scene.states.len(),
             Self::Body(scene) => scene.states.len(),
+            Self::Plate(scene) => scene.states.len(),
         }
     }
 
@@ -112,6 +128,7 @@ impl Scene {
         match self {
             Self::Beam(_) => BeamScene::askable(),
             Self::Body(scene) => scene.askable(),
+            Self::Plate(_) => PlateScene::askable(),
         }
     }
 
@@ -124,14 +141,14 @@ impl Scene {
     pub fn into_beam(self) -> Option<BeamScene> {
         match self {
             Self::Beam(scene) => Some(*scene),
-            Self::Body(_) => None,
+            Self::Body(_) | Self::Plate(_) => None,
         }
     }
 
     /// The scene of a body in the plane.
     pub fn into_body(self) -> Option<BodyScene> {
         match self {
-            Self::Beam(_) => None,
+            Self::Beam(_) | Self::Plate(_) => None,
             Self::Body(scene) => Some(*scene),
         }
     }

@@ -51,6 +51,7 @@ fn of_loads(loads: &[Load], path: &JsonPath, faults: &mut Faults) {
             Load::Distributed(_)
             | Load::BodyForce(_)
             | Load::Gravity(_)
+            | Load::Line(_)
             | Load::Spin(_)
             | Load::Pressure(_)
             | Load::Temperature(_)

@@ -1,7 +1,7 @@
 //! What the summary needs of states, collected as they come.
 
 use super::doubts::Doubts;
-use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, body};
+use super::{Extremes, Forces, Located, ModelSummary, StateSummary, Status, Summary, beam, body, plate};
 use crate::case::{Case, Check};
 use crate::memory;
 use crate::run::{CheckResult, FEW_DIGITS, ProbeResult, Range, RunReport, StateResult};
@@ -25,6 +25,7 @@ impl Collector {
         let (state, probes, checks) = match (scene, result) {
             (Scene::Beam(scene), StateResult::Beam(result)) => beam::state(scene, result),
             (Scene::Body(scene), StateResult::Body(result)) => body::state(scene, result),
+            (Scene::Plate(scene), StateResult::Plate(result)) => plate::state(scene, result),
             _ => unreachable!("a scene has results of its own kind"),
         };
         self.doubts.take(scene, result, &state);
@@ -51,6 +52,7 @@ impl Collector {
         match scene {
             Scene::Beam(_) => Self::read(saved, Forces::Beam),
             Scene::Body(_) => Self::read(saved, Forces::Body),
+            Scene::Plate(_) => Self::read(saved, Forces::Plate),
         }
     }
 
@@ -95,6 +97,7 @@ impl Collector {
         let model = match scene {
             Scene::Beam(scene) => ModelSummary::Beam(beam::model(scene)),
             Scene::Body(scene) => ModelSummary::Body(body::model(scene)),
+            Scene::Plate(scene) => ModelSummary::Plate(plate::model(scene)),
         };
         let envelope = if scene.has_envelope() { envelope(&self.states) } else { BTreeMap::new() };
         Summary {

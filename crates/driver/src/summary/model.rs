@@ -2,6 +2,7 @@
 
 use super::beam::BeamSummary;
 use super::body::BodySummary;
+use super::plate::PlateSummary;
 use serde::Serialize;
 
 /// Model and its derived numbers.
@@ -12,6 +13,8 @@ pub enum ModelSummary {
     Beam(BeamSummary),
     /// A body in the plane.
     Body(BodySummary),
+    /// A plate in bending.
+    Plate(PlateSummary),
 }
 
 impl ModelSummary {
@@ -20,6 +23,7 @@ impl ModelSummary {
         match self {
             Self::Beam(beam) => beam.spacing[0],
             Self::Body(plane) => plane.spacing,
+            Self::Plate(plate) => plate.spacing,
         }
     }
 
@@ -28,6 +32,7 @@ impl ModelSummary {
         match self {
             Self::Beam(beam) => beam.spacing[0] * beam.horizon_ratio[0],
             Self::Body(plane) => plane.spacing * plane.horizon_ratio,
+            Self::Plate(plate) => plate.spacing * plate.horizon_ratio,
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::beam::BeamForces;
 use super::body::BodyForces;
 use super::extremes::Extremes;
+use super::plate_forces::PlateForces;
 use crate::run::Certificate;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -32,4 +33,6 @@ pub enum Forces {
     Beam(BeamForces),
     /// Of a body in the plane.
     Body(BodyForces),
+    /// Of a plate in bending.
+    Plate(PlateForces),
 }

@@ -8,12 +8,19 @@ use peristat_assembly::model::shell_membrane::{ShellMembrane, ShellParameters};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A pressure on a whole shell.
+/// A pressure on a whole shell, or on a plate in bending.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Pressure {
-    /// Force per area, outwards; with `harmonic` its largest value.
+    /// Force per area, outwards, of a plate in bending along w; with `harmonic` its largest value.
+    #[serde(default, skip_serializing_if = "is_nothing")]
     pub value: f64,
+    /// The same on a plate in bending by a formula of the position, such as `"9810*(2 - y)"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub formula: Option<String>,
+    /// Name of the region of a plate in bending that it acts on, with all of the cells whose middles are in it; the whole plate if not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub region: Option<String>,
     /// Waves around the circumference: the pressure is `value` cos(n y/R); 0, the same all around, if not given.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub harmonic: u32,
@@ -99,6 +106,10 @@ fn check_harmonic(
         _ => format!("{} waves do not fit into the part of the circumference that is joined", load.harmonic),
     };
     faults.error(path.key("harmonic"), message).hint("model the whole tube");
+}
+
+fn is_nothing(value: &f64) -> bool {
+    *value == 0.0
 }
 
 fn is_zero(number: &u32) -> bool {

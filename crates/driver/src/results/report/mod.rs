@@ -51,6 +51,7 @@ impl Report {
         // A point of a beam is one in each of its charts, as numbers and not as bytes.
         let cost = match scene {
             Scene::Body(scene) => scene.body().points(),
+            Scene::Plate(scene) => scene.body.points(),
             Scene::Beam(scene) => {
                 15 * scene.beam.chains().iter().map(|c| c.points).sum::<usize>().min(MOST_DRAWN)
             }
@@ -59,6 +60,7 @@ impl Report {
         let all = !is_traced && states <= MOST_STATES && states * cost <= MOST_POINTS;
         let has_maps = match scene {
             Scene::Body(scene) => !matches!(scene.body(), PointBody::Solid(_)),
+            Scene::Plate(_) => true,
             Scene::Beam(_) => false,
         };
         let maps = Frames::new((!is_traced).then_some(states));

@@ -246,6 +246,7 @@ impl BodyResult {
             | Origin::HashinMatrix
             | Origin::Utilisation
             | Origin::Beam
+            | Origin::Plate(_)
             | Origin::Material
             | Origin::Opening
             | Origin::Reaction(_)

@@ -86,6 +86,7 @@ fn models<const D: usize>(
         transfers: Vec::new(),
         is_loose: false,
         is_unlike,
+        visits_once: false,
         beside_border,
     };
     let (mut coarsest, mut conditions): (Option<Box<dyn Solvable<D>>>, _) = (None, conditions.clone());
@@ -99,12 +100,12 @@ fn models<const D: usize>(
         let (coarse_lattice, _) = coarse.lattice()?;
         let damage = if cracks.is_empty() { Vec::new() } else { fine.damage() };
         let slack = CRACK_SLACK * lattice.spacing();
-        levels.transfers.push(Transfer::new(
+        levels.transfers.push(Box::new(Transfer::new(
             lattice,
             coarse_lattice,
             &|point| damage.get(point).is_some_and(|damage| *damage > 0.0),
             &|a, b| !cracks.iter().any(|crack| crack.cuts(a, b, slack)),
-        ));
+        )));
         conditions = conditions.coarser(lattice, coarse_lattice);
         let mut springs: Vec<Box<dyn Term<D>>> = Vec::new();
         if !conditions.springs.is_empty() {

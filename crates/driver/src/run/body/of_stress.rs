@@ -121,6 +121,7 @@ pub(super) fn of_stress(
         Origin::Stress(name) => Some(stress[component(model, name)?]),
         Origin::Unknown
         | Origin::Beam
+        | Origin::Plate(_)
         | Origin::Energy
         | Origin::Damage
         | Origin::Temperature

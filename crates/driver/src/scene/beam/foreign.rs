@@ -73,6 +73,7 @@ pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
         Load::Point(_)
         | Load::Distributed(_)
         | Load::Gravity(_)
+        | Load::Line(_)
         | Load::Temperature(_)
         | Load::InitialStrain(_) => return,
     };

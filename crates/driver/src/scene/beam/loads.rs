@@ -55,6 +55,8 @@ pub(super) fn load_cases(
                     let path = path.index(k).key("gravity");
                     weight::add(load, (case, layout), sections, &path, &mut resolved, faults);
                 }
+                // Refused with the other keys of plates in bending.
+                Load::Line(_) => {}
                 Load::Traction(_) | Load::BodyForce(_) | Load::Pressure(_) | Load::Spin(_) => {
                     super::foreign::refuse(load, &path.index(k), faults)
                 }

@@ -5,6 +5,7 @@ mod body;
 mod estimate;
 mod fracture;
 mod path;
+mod plate;
 mod resultants;
 mod state;
 
@@ -55,6 +56,7 @@ pub fn model(summary: &Summary) -> Vec<Fact> {
     let mut lines = match &summary.model {
         ModelSummary::Beam(model) => beam::model(model, summary.units),
         ModelSummary::Body(model) => body::model(model, summary.units),
+        ModelSummary::Plate(model) => plate::model(model, summary.units),
     };
     let sizes = &summary.sizes;
     let size = format!("{} points, {} bonds, {} unknowns", sizes.points, sizes.bonds, sizes.unknowns);
@@ -83,6 +85,7 @@ pub fn forces(state: &StateSummary, units: Units) -> Vec<Listing> {
     let mut tables = match &state.forces {
         Forces::Beam(forces) => beam::forces(forces),
         Forces::Body(forces) => body::forces(forces, units),
+        Forces::Plate(forces) => plate::forces(forces, units),
     };
     tables.extend(state.certificate.resultants.as_ref().map(|found| resultants::table(found, state, units)));
     tables

@@ -40,6 +40,8 @@ pub(crate) fn load_cases(context: &LoadContext, faults: &mut Faults) -> Vec<Body
                 Load::Temperature(load) => {
                     temperature::resolve(load, context, &path.key("temperature"), &mut resolved, faults)
                 }
+                // Refused with the other keys of plates in bending.
+                Load::Line(_) => {}
                 Load::InitialStrain(_) => {
                     faults
                         .error(path.key("initial_strain"), "an `initial_strain` is for lines and members")

@@ -55,7 +55,7 @@ pub(crate) fn expectations(
             None
         }
         PointsCheck::Baseline(check) => is_field(check.field, path, faults)
-            .then(|| baseline(check, body, (folder, max_memory), path, faults))?,
+            .then(|| of_baseline(check, body, (folder, max_memory), path, faults))?,
         PointsCheck::Formula(check) => {
             is_field(check.field, path, faults).then(|| of_formula(check, body, path, faults))?
         }
@@ -63,7 +63,7 @@ pub(crate) fn expectations(
     expectation::expectations(case, states, probes, compare, faults)
 }
 
-fn of_formula(
+pub(crate) fn of_formula(
     check: &Formula,
     body: &PointBody,
     path: &JsonPath,
@@ -86,7 +86,7 @@ fn of_formula(
     }
 }
 
-fn baseline(
+pub(crate) fn of_baseline(
     check: &Baseline,
     body: &PointBody,
     (folder, max_memory): (&Folder, Option<u64>),

@@ -78,7 +78,7 @@ pub(crate) fn of_points(field: FieldName, model: &dyn BodyModel, is_damaged: boo
         | Origin::HashinFibre
         | Origin::HashinMatrix
         | Origin::Utilisation => Has::No,
-        Origin::Beam | Origin::Opening | Origin::Reaction(_) | Origin::Turn(_) => Has::No,
+        Origin::Beam | Origin::Opening | Origin::Plate(_) | Origin::Reaction(_) | Origin::Turn(_) => Has::No,
     }
 }
 

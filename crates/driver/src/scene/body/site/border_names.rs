@@ -39,6 +39,7 @@ pub(crate) fn lists<'c>(case: &'c Case) -> Vec<List<'c>> {
             let path = path.index(k);
             match load {
                 Load::Point(load) => take(load.at.region.as_ref(), at(path.key("point")), true),
+                Load::Line(load) => take(load.edge.as_ref(), path.key("line").key("edge"), false),
                 Load::Traction(load) => take(load.edge.as_ref(), path.key("traction").key("edge"), false),
                 _ => {}
             }

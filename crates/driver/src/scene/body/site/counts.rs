@@ -41,7 +41,11 @@ pub(crate) fn fit(ground: &Ground, max_memory: Option<u64>, faults: &mut Faults)
         }
         Load::Traction(load) => at(load.border().map(|(_, name)| name)),
         // What the points of the model have is counted with the model.
-        Load::Distributed(_) | Load::Pressure(_) | Load::Temperature(_) | Load::InitialStrain(_) => 0.0,
+        Load::Distributed(_)
+        | Load::Line(_)
+        | Load::Pressure(_)
+        | Load::Temperature(_)
+        | Load::InitialStrain(_) => 0.0,
     };
     let loads: f64 = case.loads.iter().map(&mut of_load).sum();
     let cases: f64 = case.load_cases.iter().flat_map(|c| &c.loads).map(&mut of_load).sum();

@@ -1,0 +1,135 @@
+//! Line cover: the pieces of the bonds of the infinite lattice that lie in the body.
+//!
+//! * An oblique bond is cut where it crosses lines of the lattice; every longest run of its segments in cells of the body is one
+//!   piece.
+//! * Of a bond along a line of the lattice a half lies in the cells on either side. What all of its segments have is one bond,
+//!   what a segment has beyond that a bond between next points.
+//!
+//! The lengths of all pieces add up to the area of the body.
+
+use super::nodes::PlateNodes;
+use crate::body::Cell;
+
+/// Coordinates nearer to a line of the lattice are on it, spacings.
+const ON_LINE: f64 = 1e-9;
+
+/// An end of a piece: a part of the way from one point to the next one on its edge; on the first point if that is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PieceEnd {
+    pub(super) points: [usize; 2],
+    pub(super) fraction: f64,
+}
+
+/// A piece of a bond that is not a whole bond of the lattice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Piece {
+    /// Index of the offset.
+    pub(super) offset: usize,
+    pub(super) ends: [PieceEnd; 2],
+    /// Its length per that of the bond.
+    pub(super) part: f64,
+    /// Part of it in the body: 1, or 1/2 along edges.
+    pub(super) weight: f64,
+}
+
+/// Part in the body of the bond at an offset from a point, as a whole.
+pub(super) fn whole(nodes: &PlateNodes, node: [i32; 2], [p, q, _]: Cell) -> f64 {
+    match (p, q) {
+        (0, _) | (_, 0) => {
+            let parts = unit_parts(nodes, node, [p, q]);
+            parts.into_iter().fold(1.0, f64::min)
+        }
+        _ => {
+            let inside = crossed([p, q]).1.into_iter().all(|cell| nodes.has_cell(sum(node, cell)));
+            f64::from(u8::from(inside))
+        }
+    }
+}
+
+/// All pieces of the bonds at some offsets that are no whole bonds.
+pub(super) fn pieces(nodes: &PlateNodes, steps: &[Cell]) -> Vec<Piece> {
+    let lattice = nodes.lattice();
+    let (columns, rows) = (lattice.columns(), lattice.rows());
+    let mut pieces = Vec::new();
+    for (offset, &[p, q, _]) in steps.iter().enumerate() {
+        let [left, right] = [p.min(0), p.max(0)];
+        for row in rows.start - q..rows.end {
+            for column in columns.start - right..columns.end - left {
+                match p * q {
+                    0 => along(nodes, offset, [column, row], [p, q], &mut pieces),
+                    _ => oblique(nodes, offset, [column, row], [p, q], &mut pieces),
+                }
+            }
+        }
+    }
+    pieces
+}
+
+fn sum(a: [i32; 2], b: [i32; 2]) -> [i32; 2] {
+    [a[0] + b[0], a[1] + b[1]]
+}
+
+/// Parts in the body of the unit segments of a bond along a line of the lattice.
+fn unit_parts(nodes: &PlateNodes, node: [i32; 2], [p, q]: [i32; 2]) -> Vec<f64> {
+    let axis = usize::from(p == 0);
+    let unit = [p.signum(), q.signum()];
+    (0..p + q).map(|k| nodes.part_along(sum(node, unit.map(|c| c * k)), axis)).collect()
+}
+
+/// What the segments of a bond along a line have beyond what all of them have.
+fn along(nodes: &PlateNodes, offset: usize, node: [i32; 2], [p, q]: [i32; 2], pieces: &mut Vec<Piece>) {
+    let parts = unit_parts(nodes, node, [p, q]);
+    let least = parts.iter().copied().fold(1.0, f64::min);
+    let unit = [p.signum(), q.signum()];
+    for (k, part) in (0..).zip(&parts).filter(|(_, part)| **part > least) {
+        let from = sum(node, unit.map(|c| c * k));
+        let ends = [from, sum(from, unit)].map(|node| nodes.number(node));
+        if let [Some(a), Some(b)] = ends {
+            let ends = [a, b].map(|point| PieceEnd { points: [point; 2], fraction: 0.0 });
+            pieces.push(Piece { offset, ends, part: 1.0 / f64::from(p + q), weight: part - least });
+        }
+    }
+}
+
+/// The runs of the segments of an oblique bond that lie in the body, but for that of all of them.
+fn oblique(nodes: &PlateNodes, offset: usize, node: [i32; 2], step: [i32; 2], pieces: &mut Vec<Piece>) {
+    let (cuts, cells) = crossed(step);
+    let inside: Vec<bool> = cells.iter().map(|&cell| nodes.has_cell(sum(node, cell))).collect();
+    let mut first = 0;
+    while first < inside.len() {
+        let count = inside[first..].iter().take_while(|inside| **inside).count();
+        if count > 0 && count < inside.len() {
+            let range = [cuts[first], cuts[first + count]];
+            let ends = range.map(|t| end(nodes, node, step.map(|c| t * f64::from(c))));
+            if let [Some(a), Some(b)] = ends {
+                pieces.push(Piece { offset, ends: [a, b], part: range[1] - range[0], weight: 1.0 });
+            }
+        }
+        first += count.max(1);
+    }
+}
+
+/// Where a bond crosses lines of the lattice, in parts of its length with both ends, and the cells between.
+fn crossed([p, q]: [i32; 2]) -> (Vec<f64>, Vec<[i32; 2]>) {
+    let lines = |n: i32| (1..n.abs()).map(move |k| f64::from(k) / f64::from(n.abs()));
+    let mut cuts: Vec<f64> = [0.0, 1.0].into_iter().chain(lines(p)).chain(lines(q)).collect();
+    cuts.sort_by(f64::total_cmp);
+    cuts.dedup_by(|later, cut| *later - *cut < ON_LINE);
+    let middle = |pair: &[f64]| [p, q].map(|c| (0.5 * (pair[0] + pair[1]) * f64::from(c)).floor() as i32);
+    let cells = cuts.windows(2).map(middle).collect();
+    (cuts, cells)
+}
+
+/// The end of a piece at a place relative to a point, spacings.
+fn end(nodes: &PlateNodes, node: [i32; 2], place: [f64; 2]) -> Option<PieceEnd> {
+    let lower = place.map(|c| (c + ON_LINE).floor());
+    let rest = [0, 1].map(|k| place[k] - lower[k]);
+    let from = sum(node, lower.map(|c| c as i32));
+    let on_line = rest.map(|r| r.abs() < ON_LINE);
+    let (to, fraction) = match on_line {
+        [true, true] => (from, 0.0),
+        [true, false] => (sum(from, [0, 1]), rest[1]),
+        _ => (sum(from, [1, 0]), rest[0]),
+    };
+    Some(PieceEnd { points: [nodes.number(from)?, nodes.number(to)?], fraction })
+}

@@ -1,0 +1,148 @@
+//! Curvatures, moments and shear forces of a state.
+//!
+//! Moments come from differences of the rotations, one-sided ones of second order at edges. `S (∇w − φ)` would be the small
+//! difference of large numbers in a thin plate, and hundreds of times too large; shear forces come from the bonds, each of which
+//! knows `V·n = s γ_b/(2ω)`. At an edge half of the bonds are missing: there shear forces are continued from inside.
+
+use super::{PHI_X, PHI_Y, PlateBending};
+
+/// Fields of a state per point.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PlateFields {
+    /// Curvatures `[κ_xx, κ_yy, κ_xy]`, 1/m, the last one of the tensor.
+    pub curvature: Vec<[f64; 3]>,
+    /// Moments `[M_xx, M_yy, M_xy]` per width, N.
+    pub moment: Vec<[f64; 3]>,
+    /// Shear forces `[V_x, V_y]` per width, N/m.
+    pub shear: Vec<[f64; 2]>,
+}
+
+impl PlateBending {
+    /// The fields of unknowns.
+    pub fn fields(&self, u: &[f64]) -> PlateFields {
+        let n = self.nodes().points();
+        let rotation = |c: usize| &u[c * n..(c + 1) * n];
+        let curvature = |point: usize| {
+            let slope = |c: usize, axis: usize| self.slope(rotation(c), point, axis);
+            let twist = 0.5 * (slope(PHI_X, 1) + slope(PHI_Y, 0));
+            [slope(PHI_X, 0), slope(PHI_Y, 1), twist]
+        };
+        let curvature: Vec<[f64; 3]> = (0..n).map(curvature).collect();
+        let moment = curvature.iter().map(|&k| self.parameters().section.moments(k)).collect();
+        PlateFields { curvature, moment, shear: self.shear_forces(u) }
+    }
+
+    /// Numbers of the points up to `count` steps along an axis, as far as the body goes.
+    fn ahead(&self, point: usize, axis: usize, sign: i32, count: usize) -> Vec<usize> {
+        let nodes = self.nodes();
+        let mut node = nodes.node(point);
+        let mut found = Vec::with_capacity(count);
+        while found.len() < count {
+            let mut next = node;
+            next[axis] += sign;
+            let lower = if sign > 0 { node } else { next };
+            match nodes.number(next).filter(|_| nodes.is_joined(lower, axis)) {
+                Some(number) => found.push(number),
+                None => break,
+            }
+            node = next;
+        }
+        found
+    }
+
+    /// Derivative of values along an axis at a point.
+    fn slope(&self, values: &[f64], point: usize, axis: usize) -> f64 {
+        let h = self.nodes().spacing();
+        let own = values[point];
+        let of = |points: &[usize]| points.iter().map(|&p| values[p] - own).collect::<Vec<_>>();
+        let [back, ahead] = [-1, 1].map(|sign| of(&self.ahead(point, axis, sign, 2)));
+        // Differences to the own value: a uniform rotation has no curvature.
+        match (&back[..], &ahead[..]) {
+            ([b, ..], [a, ..]) => (a - b) / (2.0 * h),
+            ([], [a, b]) => (4.0 * a - b) / (2.0 * h),
+            ([a, b], []) => -(4.0 * a - b) / (2.0 * h),
+            ([], [a, ..]) => a / h,
+            ([a, ..], []) => -a / h,
+            ([], []) => 0.0,
+        }
+    }
+
+    /// Shear forces of all points.
+    fn shear_forces(&self, u: &[f64]) -> Vec<[f64; 2]> {
+        let by_bonds = self.shear_of_bonds(u);
+        let h = self.nodes().spacing();
+        // All four cells about it belong to the body.
+        let is_inner = |point: usize| self.nodes().area(point) > 0.99 * h * h;
+        let of_point = |point: usize| match is_inner(point) {
+            true => by_bonds[point],
+            false => self.continued(&by_bonds, point, &is_inner).unwrap_or(by_bonds[point]),
+        };
+        (0..by_bonds.len()).map(of_point).collect()
+    }
+
+    /// Values at inner points next to a point, continued to it: linearly where two follow each other, the mean of all ways.
+    fn continued(
+        &self,
+        values: &[[f64; 2]],
+        point: usize,
+        is_inner: &dyn Fn(usize) -> bool,
+    ) -> Option<[f64; 2]> {
+        let nodes = self.nodes();
+        let [i, j] = nodes.node(point);
+        let (mut sum, mut ways) = ([0.0; 2], 0.0);
+        let around = [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [-1, 1], [1, -1], [-1, -1]];
+        for [a, b] in around {
+            // Diagonal ways are for corners, which have no others.
+            if a * b != 0 && ways > 0.0 {
+                break;
+            }
+            let at = |k: i32| nodes.number([i + k * a, j + k * b]).filter(|&p| is_inner(p));
+            if let Some(near) = at(1) {
+                let far = at(2).unwrap_or(near);
+                (0..2).for_each(|c| sum[c] += 2.0 * values[near][c] - values[far][c]);
+                ways += 1.0;
+            }
+        }
+        (ways > 0.0).then(|| sum.map(|v| v / ways))
+    }
+
+    /// Shear forces by the bonds of every point: least squares of `V·n = s γ_b/(2ω)`, weighed by ω and the part in the body.
+    fn shear_of_bonds(&self, u: &[f64]) -> Vec<[f64; 2]> {
+        let (nodes, n) = (self.nodes(), self.nodes().points());
+        let directions: Vec<([f64; 2], f64, f64)> = self
+            .offsets()
+            .iter()
+            .map(|offset| {
+                let [x, y, _] = nodes.lattice().vector(offset.step);
+                let length = x.hypot(y);
+                let unit = self.parameters().shear(1.0, length);
+                ([x / length, y / length], length, unit)
+            })
+            .collect();
+        let mut sums = vec![([0.0; 3], [0.0; 2]); n];
+        self.whole_bonds().for_each_bond(|offset, [i, j], factor| {
+            let (direction, length, unit) = directions[offset];
+            let weight = factor * self.offsets()[offset].shear;
+            let turn = |k: usize| direction[k] * 0.5 * (u[(k + 1) * n + i] + u[(k + 1) * n + j]);
+            let strain = (u[j] - u[i]) / length - turn(0) - turn(1);
+            let [x, y] = direction;
+            for point in [i, j] {
+                let (matrix, right) = &mut sums[point];
+                let products = [x * x, x * y, y * y];
+                matrix.iter_mut().zip(products).for_each(|(sum, part)| *sum += weight * part);
+                let along = weight * 0.5 * unit * strain;
+                right.iter_mut().zip([x, y]).for_each(|(sum, part)| *sum += along * part);
+            }
+        });
+        sums.into_iter().map(|(matrix, right)| solved(matrix, right)).collect()
+    }
+}
+
+/// Solution of a symmetric 2 × 2 system `[xx, xy, yy]`; zero where it has none.
+fn solved([xx, xy, yy]: [f64; 3], [x, y]: [f64; 2]) -> [f64; 2] {
+    let determinant = xx * yy - xy * xy;
+    match determinant > 1e-9 * (xx + yy).powi(2) {
+        true => [(yy * x - xy * y) / determinant, (xx * y - xy * x) / determinant],
+        false => [0.0; 2],
+    }
+}

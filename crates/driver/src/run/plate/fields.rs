@@ -1,0 +1,94 @@
+//! Results of one state of a plate.
+
+use super::of_moments::of_moments;
+use super::reaction::{self, PlateReaction};
+use crate::case::{FieldName, Origin, PlateOrigin};
+use crate::run::{Resultants, SolvedState, StateRecord};
+use crate::scene::PlateScene;
+use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, PlateFields, W};
+use std::borrow::Cow;
+
+/// The result of one state of a plate in bending.
+#[derive(Clone, Debug)]
+pub struct PlateResult {
+    /// State, unknowns (the planes of w, φ_x and φ_y) and certificate.
+    pub record: StateRecord,
+    /// Curvatures, moments and shear forces, where they were asked for.
+    pub recovered: Option<PlateFields>,
+    /// Forces of the supports on the plate, in the order of the case, lines of symmetry last.
+    pub reactions: Vec<PlateReaction>,
+    /// Forces that hold the equations of the scene, in their order.
+    pub(super) multipliers: Vec<f64>,
+    points: usize,
+    thickness: f64,
+}
+
+/// Collects the result of a state.
+pub(super) fn collect(scene: &PlateScene, solved: SolvedState, recover: bool) -> PlateResult {
+    let SolvedState { state: index, load, solution, mut certificate } = solved;
+    let (state, u) = (&scene.states[index], solution.u);
+    let n = scene.plate.nodes().points();
+    let springs = scene.springs.iter().flat_map(|spring| spring.forces(n, &u)).map(|(k, f)| (k, -f));
+    let held = scene.resultant(solution.held.iter().copied().chain(springs));
+    let applied = scene.resultant(load.iter().copied().enumerate());
+    let resultants = Resultants::new(&scene.asked(state), &applied, &held, (scene.statical(), [false; 3]));
+    certificate.account(resultants, scene.slack(state));
+    PlateResult {
+        reactions: reaction::of_supports(scene, &solution.multipliers, &u),
+        recovered: recover.then(|| scene.plate.fields(&u)),
+        multipliers: solution.multipliers,
+        points: n,
+        thickness: scene.thickness,
+        record: StateRecord {
+            index,
+            name: state.name.clone(),
+            load_factor: state.load_factor,
+            u,
+            certificate,
+            facts: None,
+        },
+    }
+}
+
+impl PlateResult {
+    /// The fields that tables show, in their order.
+    pub fn fields(&self) -> impl Iterator<Item = FieldName> {
+        FieldName::PLATE.into_iter().filter(|f| self.recovered.is_some() || !f.is_recovered())
+    }
+
+    /// The unknowns that are a field.
+    fn unknowns(&self, field: FieldName) -> Option<&[f64]> {
+        let component = match field {
+            FieldName::W => W,
+            FieldName::PhiX => PHI_X,
+            FieldName::PhiY => PHI_Y,
+            _ => return None,
+        };
+        Some(&self.record.u[component * self.points..(component + 1) * self.points])
+    }
+
+    /// Values of a field at all points; `None` where it was not recovered or does not exist.
+    pub fn values(&self, field: FieldName) -> Option<Cow<'_, [f64]>> {
+        if let Some(values) = self.unknowns(field) {
+            return Some(values.into());
+        }
+        (0..self.points as u32).map(|point| self.value(field, &[(point, 1.0)])).collect()
+    }
+
+    /// Value of a field as a sum over points; what follows from moments is that of the summed moments.
+    pub fn value(&self, field: FieldName, weights: &[(u32, f64)]) -> Option<f64> {
+        if let Some(values) = self.unknowns(field) {
+            return Some(weights.iter().map(|&(p, w)| w * values[p as usize]).sum());
+        }
+        let recovered = self.recovered.as_ref()?;
+        let sum = |of: &dyn Fn(usize) -> f64| weights.iter().map(|&(p, w)| w * of(p as usize)).sum::<f64>();
+        match field.about().origin {
+            Origin::Plate(PlateOrigin::Curvature(k)) => Some(sum(&|p| recovered.curvature[p][k])),
+            Origin::Plate(PlateOrigin::Shear(k)) => Some(sum(&|p| recovered.shear[p][k])),
+            origin => {
+                let moment = [0, 1, 2].map(|k| sum(&|p| recovered.moment[p][k]));
+                of_moments(origin, moment, self.thickness)
+            }
+        }
+    }
+}

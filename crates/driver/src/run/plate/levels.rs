@@ -1,0 +1,124 @@
+//! The coarser levels of a plate: the same plate and conditions at twice the spacing, again and again.
+
+use crate::run::{Coarser, CoarserModels};
+use crate::scene::PlateScene;
+use peristat_assembly::condition::{Equation, Unknown};
+use peristat_assembly::model::plate_bending::{PlateBending, PlateNodes, PlateTransfer, W};
+use peristat_assembly::stiffness::{Spring, Springs, Term};
+use peristat_assembly::system::{System, free_motions};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Points that a direct factor takes in no time.
+const COARSEST: usize = 1500;
+/// Rows or columns of cells that a coarsest plate keeps.
+const NARROW: usize = 4;
+
+/// Whether a plate has no coarser one, or none that would help.
+pub(super) fn is_coarsest(nodes: &PlateNodes) -> bool {
+    let cells = nodes.cells();
+    nodes.points() <= COARSEST || cells.columns().len().min(cells.rows().len()) < 2 * NARROW
+}
+
+/// The coarser levels of a plate; none if it is coarse itself.
+pub(super) fn coarser(scene: &PlateScene) -> Option<Coarser<3>> {
+    let mut levels = CoarserModels {
+        systems: Vec::new(),
+        transfers: Vec::new(),
+        is_loose: false,
+        is_unlike: true,
+        visits_once: true,
+        beside_border: Vec::new(),
+    };
+    let (mut coarsest, mut held): (Option<PlateBending>, _) = (None, Conditions::of(scene));
+    loop {
+        let fine = coarsest.as_ref().unwrap_or(&scene.plate);
+        if is_coarsest(fine.nodes()) {
+            break;
+        }
+        let coarse = fine.coarser().ok()?;
+        let transfer = PlateTransfer::new(fine.nodes(), coarse.nodes());
+        held = held.coarser(fine.nodes(), coarse.nodes(), &transfer);
+        let mut springs: Vec<Box<dyn Term<3>>> = Vec::new();
+        if !held.springs.is_empty() {
+            springs.push(Box::new(Springs::new(coarse.nodes().points(), held.springs.clone())));
+        }
+        // Conditions at rest contradict each other nowhere; if they do, there are no coarser levels.
+        levels.systems.push(System::new(&coarse, springs, held.equations.clone()).ok()?);
+        levels.transfers.push(Box::new(transfer));
+        coarsest = Some(coarse);
+    }
+    let last = levels.systems.last()?;
+    levels.is_loose = !free_motions(&coarsest?, last).is_empty();
+    Some(Coarser::Models(levels))
+}
+
+/// What holds a plate at rest.
+struct Conditions {
+    equations: Vec<Equation>,
+    springs: Vec<Spring>,
+}
+
+impl Conditions {
+    fn of(scene: &PlateScene) -> Self {
+        Self { equations: scene.equations.clone(), springs: scene.springs.clone() }
+    }
+
+    /// The same on the coarser plate: what the interpolation makes of a held unknown is zero. Where a coarse point is held, those
+    /// between it and its neighbours are held as well as they can be.
+    fn coarser(&self, fine: &PlateNodes, coarse: &PlateNodes, transfer: &PlateTransfer) -> Self {
+        let parents = |point: usize| {
+            let mut parents: Vec<usize> = transfer.shares(point).map(|share| share.0).collect();
+            parents.sort_unstable();
+            parents.dedup();
+            parents
+        };
+        let mut by_parents: [Vec<(&Equation, Unknown, Vec<usize>)>; 3] = Default::default();
+        for equation in &self.equations {
+            let Some(&(pivot, _)) = equation.terms.first() else { continue };
+            let parents = parents(pivot.point);
+            by_parents[parents.len() / 2].push((equation, pivot, parents));
+        }
+        let is_beyond = |point: usize| fine.number(coarse.node(point).map(|k| 2 * k)).is_none();
+        let mut held: BTreeSet<(usize, usize)> = BTreeSet::new();
+        let mut equations = Vec::new();
+        for group in by_parents {
+            let before = held.clone();
+            for (equation, pivot, parents) in group {
+                let of_pivot = parents.iter().map(|&parent| (pivot.component, parent));
+                if of_pivot.clone().any(|unknown| before.contains(&unknown)) {
+                    continue;
+                }
+                held.extend(of_pivot);
+                let mut terms = interpolated(equation, transfer);
+                // A point beyond the edge follows those inside.
+                terms.sort_by_key(|(unknown, _)| {
+                    (unknown.component != pivot.component, !is_beyond(unknown.point))
+                });
+                equations.push(Equation { terms, value: 0.0, origin: equation.origin.clone() });
+            }
+        }
+        Self { equations, springs: self.coarser_springs(transfer) }
+    }
+
+    /// Springs shared by the coarse points around theirs.
+    fn coarser_springs(&self, transfer: &PlateTransfer) -> Vec<Spring> {
+        let mut sums: BTreeMap<usize, f64> = BTreeMap::new();
+        for (spring, (_, stiffness)) in self.springs.iter().filter_map(|s| Some((s, s.single()?))) {
+            for (point, share) in transfer.shares(spring.point) {
+                *sums.entry(point).or_default() += share * stiffness;
+            }
+        }
+        sums.into_iter().map(|(point, stiffness)| Spring::on(W, point, stiffness)).collect()
+    }
+}
+
+/// What an equation says of coarse unknowns.
+fn interpolated(equation: &Equation, transfer: &PlateTransfer) -> Vec<(Unknown, f64)> {
+    let mut sums: BTreeMap<Unknown, f64> = BTreeMap::new();
+    for (of, share) in &equation.terms {
+        for (component, point, part) in transfer.row(of.component, of.point) {
+            *sums.entry(Unknown { component, point }).or_default() += share * part;
+        }
+    }
+    sums.into_iter().collect()
+}

@@ -1,0 +1,70 @@
+//! A plate as a problem to be solved.
+
+use super::levels;
+use crate::case::Solver;
+use crate::run::{Coarser, Problem, Spread};
+use crate::scene::PlateScene;
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::Model;
+use peristat_assembly::stiffness::Spring;
+use peristat_assembly::system::{FreeMotion, System};
+
+/// Points up to which a factor is taken: it leaves thirteen digits, where cycles leave nine.
+const MOST_FACTORED: usize = 60_000;
+
+impl Problem<3> for PlateScene {
+    fn model(&self) -> &dyn Model<3> {
+        &self.plate
+    }
+
+    fn springs(&self) -> &[Spring] {
+        &self.springs
+    }
+
+    fn equations(&self) -> &[Equation] {
+        &self.equations
+    }
+
+    fn solver(&self) -> Solver {
+        self.solver
+    }
+
+    fn states(&self) -> usize {
+        self.states.len()
+    }
+
+    fn add_load(&self, state: usize, force: &mut [f64]) -> f64 {
+        let state = &self.states[state];
+        for &(case, factor) in &state.terms {
+            let loads = &self.load_cases[case].force;
+            force.iter_mut().zip(loads).for_each(|(sum, load)| *sum += factor * load);
+        }
+        state.motion_factor
+    }
+
+    fn spread(&self) -> Spread {
+        let nodes = self.plate.nodes();
+        let is_factored = self.solver == Solver::Auto && nodes.points() <= MOST_FACTORED;
+        match is_factored || levels::is_coarsest(nodes) {
+            true => Spread::Plane,
+            false => Spread::Lattice,
+        }
+    }
+
+    fn coarser(&self, _system: &System<3>) -> Option<Coarser<3>> {
+        levels::coarser(self)
+    }
+
+    fn positions(&self) -> Option<Vec<[f64; 2]>> {
+        let nodes = self.plate.nodes();
+        Some((0..nodes.points()).map(|point| nodes.place(point)).collect())
+    }
+
+    fn describe(&self, motion: &FreeMotion) -> String {
+        PlateScene::describe(self, motion)
+    }
+
+    fn remedy(&self) -> &'static str {
+        "a plate in bending needs `w` held at three points that are not in a line, or `w` and a rotation along an edge"
+    }
+}

@@ -1,0 +1,87 @@
+//! Probes and checks on the result of a plate.
+
+use super::PlateResult;
+use crate::run::reducer::{Reduced, Reducer};
+use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
+use crate::scene::body::BodyComparison;
+use crate::scene::plate::{PlateProbe, PlateQuantity};
+use crate::scene::{Expectation, ExpectationKind, PlateScene};
+use peristat_assembly::sum::Sum;
+
+/// Whether a check of all points needs moments; those of probes are known from the probes.
+pub(super) fn is_recovered(expectation: &Expectation<BodyComparison>) -> bool {
+    matches!(&expectation.kind, ExpectationKind::Points(points) if points.field.is_recovered())
+}
+
+/// Values of all probes on one state.
+pub(crate) fn probes(scene: &PlateScene, result: &PlateResult) -> Vec<ProbeResult> {
+    let probe = |p: &PlateProbe| {
+        let found = read(scene, result, p)?;
+        let position = p.position.or_else(|| found.place.map(|point| scene.plate.nodes().place(point)));
+        Some(ProbeResult {
+            name: p.name.clone(),
+            state: result.record.name.clone(),
+            x: position.map(|at| at[0]),
+            y: position.map(|at| at[1]),
+            z: None,
+            place: position.is_none().then(|| p.place.clone()),
+            field: p.field.name().into(),
+            of: p.reduction(),
+            value: found.value,
+            unit: verdict::unit(p.field, p.reduction(), 2, scene.units),
+            extent: found.extent,
+            misfit: None,
+        })
+    };
+    scene.probes.iter().filter_map(probe).collect()
+}
+
+/// What a probe finds; means and integrals are over areas.
+fn read(scene: &PlateScene, result: &PlateResult, probe: &PlateProbe) -> Option<Reduced<usize>> {
+    let plain = |value: f64| Reduced { value, place: None, extent: None };
+    match &probe.quantity {
+        PlateQuantity::Field(weights) => result.value(probe.field, weights).map(plain),
+        PlateQuantity::Reduced { of, points } => {
+            let (values, mut reducer) = (result.values(probe.field)?, Reducer::new(*of));
+            let mut take = |p: usize| reducer.take(values[p], p, |p| scene.plate.nodes().area(p));
+            match points {
+                Some(points) => points.iter().for_each(|&p| take(p as usize)),
+                None => (0..values.len()).for_each(&mut take),
+            }
+            reducer.found()
+        }
+        PlateQuantity::Reaction { component, equations, springs } => {
+            let n = scene.plate.nodes().points();
+            let mut sum = Sum::default();
+            equations.iter().for_each(|&(k, share)| sum.add(share * result.multipliers[k]));
+            for &(k, share) in springs {
+                let forces = scene.springs[k].forces(n, &result.record.u).into_iter();
+                let own = forces.filter(|(unknown, _)| unknown / n == *component);
+                own.for_each(|(_, force)| sum.add(-share * force));
+            }
+            Some(plain(sum.total()))
+        }
+    }
+}
+
+/// Outcomes of the checks that are made on this state, with what its probes found.
+pub(crate) fn checks(scene: &PlateScene, result: &PlateResult, probes: &[ProbeResult]) -> Vec<CheckResult> {
+    let mine = scene.expectations.iter().filter(|e| e.state == result.record.index);
+    let probed = |k: usize| {
+        let name = scene.probes.get(k).map(|probe| &probe.name);
+        let found = probes.iter().find(|found| Some(&found.name) == name);
+        found.map_or(f64::NAN, |found| found.value)
+    };
+    let check = |expectation: &Expectation<BodyComparison>| {
+        let points = |points: &BodyComparison| {
+            let found = result.values(points.field).unwrap_or_default();
+            let worst = match found.len() == points.expected.len() {
+                true => Worst::of(&points.expected, &found),
+                false => Worst { difference: f64::NAN, scale: 1.0, ..Worst::NONE },
+            };
+            CheckResult::of(&expectation.name, points.kind, worst, points.tolerance, &*points.source)
+        };
+        verdict::check(expectation, probed, |probe| [probed(probe); 2], points)
+    };
+    mine.map(check).collect()
+}

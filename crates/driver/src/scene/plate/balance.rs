@@ -1,0 +1,31 @@
+//! What acts on a plate as a whole.
+
+use super::scene::{PlateScene, PlateState};
+use super::statics;
+use crate::scene::{ASKED, Counted, Resultant};
+
+impl PlateScene {
+    /// Resultant of the loads of a state, as the case asks for them.
+    pub fn asked(&self, state: &PlateState) -> Resultant {
+        let mut sum = Resultant::default();
+        state.terms.iter().for_each(|&(case, factor)| sum.add_multiple(factor, &self.load_cases[case].asked));
+        sum
+    }
+
+    /// Resultant of forces on some unknowns, by number.
+    pub fn resultant(&self, forces: impl Iterator<Item = (usize, f64)>) -> Resultant {
+        statics::resultant(self.plate.nodes(), forces)
+    }
+
+    /// Which parts of resultants mean anything: the force across the plane, and the moments about axes in it.
+    pub fn statical(&self) -> Counted {
+        Counted { force: [false, false, true], moment: [true, true, false] }
+    }
+
+    /// Difference of the loads as asked and as applied, relative to their magnitudes, that is no fault: formulas act by their
+    /// values at points.
+    pub fn slack(&self, state: &PlateState) -> f64 {
+        let is_approximate = |&(case, _): &(usize, f64)| self.load_cases[case].is_approximate;
+        if state.terms.iter().any(is_approximate) { f64::INFINITY } else { ASKED }
+    }
+}

@@ -1,0 +1,53 @@
+//! Keys of a case that have no meaning for a plate in bending.
+
+use crate::case::{Case, Load, Solver};
+use crate::diagnostic::{Faults, JsonPath, root};
+
+/// Adds a fault for every such key.
+pub(super) fn check(case: &Case, faults: &mut Faults) {
+    let keys = [
+        ("materials", !case.materials.is_empty(), "a plate in bending has one material"),
+        ("links", !case.links.is_empty(), "points are held by `supports`"),
+        ("rigid", !case.rigid.is_empty(), "points are held by `supports`"),
+        ("periodic", !case.periodic.is_empty(), "model half of the plate beside a line of `symmetry`"),
+        ("cracks", !case.cracks.is_empty(), "a slot that parts cells is a `holes` polygon"),
+        ("stress_intensity", !case.stress_intensity.is_empty(), "plates in bending have no cracks"),
+        ("fracture", case.fracture.is_some(), "the bonds of a plate in bending do not break"),
+        ("path", case.path.is_some(), "the bonds of a plate in bending do not soften"),
+        ("strengths", case.strengths.is_some(), "put a `limit` on a probe of `von_mises`, or of `M_1`"),
+        (
+            "thermal_expansion",
+            case.thermal_expansion.is_some(),
+            "a plate in bending has no change of temperature",
+        ),
+    ];
+    for (key, _, hint) in keys.iter().filter(|key| key.1) {
+        faults.error(root(key), format!("`{key}` is not for plates in bending")).hint(*hint);
+    }
+    let name = match case.solver {
+        Solver::Auto | Solver::Sparse | Solver::Multigrid => return,
+        Solver::Strain => "strain",
+        Solver::Band => "band",
+        Solver::Pcg => "pcg",
+    };
+    faults
+        .error(root("solver"), format!("the solver `{name}` does not solve for plates in bending"))
+        .hint("use `auto`, `sparse` or `multigrid`");
+}
+
+/// Adds a fault for a load of another body.
+pub(super) fn refuse(load: &Load, path: &JsonPath, faults: &mut Faults) {
+    let (key, hint) = match load {
+        Load::Distributed(_) => ("distributed", "a force per length is a `line`, one per area a `pressure`"),
+        Load::Traction(_) => ("traction", "a force or moment per length of an edge is a `line`"),
+        Load::BodyForce(_) => ("body_force", "a force per area is a `pressure`"),
+        Load::Gravity(_) => {
+            ("gravity", "weight is a `pressure` of density times thickness times acceleration")
+        }
+        Load::Spin(_) => ("spin", "plates in bending move across their plane alone"),
+        Load::Temperature(_) => ("temperature", "plates in bending have no change of temperature"),
+        Load::InitialStrain(_) => ("initial_strain", "plates in bending have no initial strains"),
+        Load::Point(_) | Load::Pressure(_) | Load::Line(_) => return,
+    };
+    faults.error(path.key(key), format!("`{key}` does not act on plates in bending")).hint(hint);
+}

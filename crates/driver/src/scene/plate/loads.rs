@@ -1,0 +1,58 @@
+//! Loads of a plate on its points.
+
+use super::site::Site;
+use super::{foreign, line_load, point_load, pressure};
+use crate::case::Load;
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::scene::Resultant;
+use crate::scene::states;
+use peristat_assembly::model::plate_bending::PlateBending;
+
+/// A load case.
+#[derive(Clone, Debug)]
+pub struct PlateLoads {
+    /// Forces and moments on the unknowns, component by component.
+    pub force: Vec<f64>,
+    /// Resultant as the case asks for it.
+    pub asked: Resultant,
+    /// Whether something follows a formula, or the steps of a border that cuts cells: its integrals are approximate.
+    pub is_approximate: bool,
+}
+
+/// All load cases.
+pub(super) fn load_cases(site: &Site, plate: &PlateBending, faults: &mut Faults) -> Vec<PlateLoads> {
+    let resolve = |loads: &[Load], path: &JsonPath, faults: &mut Faults| {
+        let mut to = PlateLoads {
+            force: vec![0.0; 3 * site.nodes.points()],
+            asked: Resultant::default(),
+            is_approximate: false,
+        };
+        for (k, load) in loads.iter().enumerate() {
+            let path = path.index(k);
+            match load {
+                Load::Pressure(load) => {
+                    pressure::add(load, site, plate, &path.key("pressure"), &mut to, faults);
+                }
+                Load::Line(load) => line_load::add(load, site, plate, &path.key("line"), &mut to, faults),
+                Load::Point(load) => point_load::add(load, site, &path.key("point"), &mut to, faults),
+                other => foreign::refuse(other, &path, faults),
+            }
+        }
+        if !to.force.iter().all(|f| f.is_finite()) {
+            faults.error(path.clone(), "a formula of these loads has no value where it acts");
+        }
+        to
+    };
+    states::load_cases(site.case, resolve, faults)
+}
+
+/// A doubt where nothing acts.
+pub(super) fn check_loaded(site: &Site, cases: &[PlateLoads], moves: bool, faults: &mut Faults) {
+    let acts = |loads: &PlateLoads| loads.force.iter().any(|f| *f != 0.0);
+    if !cases.iter().any(acts) && !moves && !faults.has_errors() {
+        let key = if site.case.load_cases.is_empty() { "loads" } else { "load_cases" };
+        faults
+            .warning(root(key), "nothing acts on the plate: all results will be zero")
+            .hint("give `loads`, or a support with a deflection that is not zero");
+    }
+}

@@ -1,0 +1,24 @@
+//! Scenes of plates in bending.
+
+mod balance;
+mod border;
+mod foreign;
+mod foundation;
+mod line_load;
+mod loads;
+mod motions;
+mod point_load;
+mod pressure;
+mod probes;
+mod scene;
+mod site;
+mod statics;
+mod support_keys;
+mod supports;
+mod symmetry;
+mod warnings;
+
+pub use loads::PlateLoads;
+pub use probes::{PlateProbe, PlateQuantity};
+pub use scene::{PlateScene, PlateState};
+pub use supports::PlateSupport;

@@ -1,0 +1,56 @@
+//! Pressures on plates.
+
+use super::loads::PlateLoads;
+use super::site::Site;
+use crate::case::{Amount, Pressure};
+use crate::diagnostic::{Faults, JsonPath};
+use crate::scene::prescribed::Prescribed;
+use peristat_assembly::model::plate_bending::PlateBending;
+
+/// Adds a pressure.
+pub(super) fn add(
+    load: &Pressure,
+    site: &Site,
+    plate: &PlateBending,
+    path: &JsonPath,
+    to: &mut PlateLoads,
+    faults: &mut Faults,
+) {
+    for (key, _) in
+        [("harmonic", load.harmonic != 0), ("sharing", load.sharing.is_some())].iter().filter(|key| key.1)
+    {
+        faults.error(path.key(*key), format!("`{key}` is for shells")).hint("leave it out");
+    }
+    let given = match &load.formula {
+        Some(_) if load.value != 0.0 => {
+            faults.error(path.clone(), "`value` and `formula` are both given").hint("remove one of them");
+            return;
+        }
+        Some(formula) => Amount::Formula(formula.clone()),
+        None => Amount::Number(load.value),
+    };
+    let Some(pressure) = Prescribed::new(&given, 2, &path.key("formula"), faults) else { return };
+    if pressure.is_zero() {
+        faults.error(path.clone(), "this load is zero").hint("give `value`, or a `formula`");
+    }
+    let region = match &load.region {
+        None => None,
+        Some(name) => match site.cells.region(name, &path.key("region"), faults) {
+            Some(cells) => Some(cells),
+            None => return,
+        },
+    };
+    let cells = site.nodes.cells();
+    let inside = |[column, row]: [i32; 2]| match (&region, cells.number([column, row, 0])) {
+        (Some(region), Some(number)) => region.binary_search(&(number as u32)).is_ok(),
+        _ => true,
+    };
+    let at = |[x, y]: [f64; 2]| pressure.at([x, y, 0.0]).unwrap_or(f64::NAN);
+    plate.add_pressure(inside, at, &mut to.force);
+    let area = site.nodes.spacing() * site.nodes.spacing();
+    for cell in site.nodes.all_cells().filter(|&cell| inside(cell)) {
+        let [x, y] = cells.place_of([cell[0], cell[1], 0]);
+        to.asked.add([0.0, 0.0, area * at([x, y])], [x, y, 0.0]);
+    }
+    to.is_approximate |= load.formula.is_some();
+}

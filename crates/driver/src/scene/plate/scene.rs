@@ -1,0 +1,236 @@
+//! From a case of a plate in bending to its scene.
+
+use super::border::Border;
+use super::loads::{self, PlateLoads};
+use super::probes::{self, PlateProbe};
+use super::site::Site;
+use super::supports::{self, PlateSupport};
+use super::{foreign, foundation, symmetry, warnings};
+use crate::case::{Case, FieldName, Model, Solver, Units};
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::input::Folder;
+use crate::scene::body::site::body;
+use crate::scene::body::site::ground::Ground;
+use crate::scene::body::site::interpolate::Interpolation;
+use crate::scene::body::site::of_case::horizon_key;
+use crate::scene::body::{BodyComparison, OutputLine, lines, of_baseline, of_formula};
+use crate::scene::expectation::{self, Expectation, PointsCheck};
+use crate::scene::files::{self, InputFile};
+use crate::scene::states::{self, Sum};
+use crate::scene::{horizon, words};
+use peristat_assembly::body::{Outline, PointBody, SquareLattice};
+use peristat_assembly::condition::Equation;
+use peristat_assembly::model::plate_bending::{PlateBending, PlateError};
+use peristat_assembly::stiffness::Spring;
+use std::sync::Arc;
+
+/// The usual horizon per spacing: bonds to the eight next points are the most accurate, and the cheapest.
+const USUAL_RATIO: f64 = 1.5;
+/// The largest one: bonds and their pieces grow with its square.
+const MOST_RATIO: f64 = 10.0;
+
+/// A plate in bending, resolved.
+#[derive(Debug)]
+pub struct PlateScene {
+    /// The case with its defaults filled in.
+    pub case: Case,
+    /// Files that it names.
+    pub files: Vec<InputFile>,
+    /// Units of all numbers.
+    pub units: Units,
+    /// The plate with its bonds.
+    pub plate: PlateBending,
+    /// Thickness.
+    pub thickness: f64,
+    /// Its points as a body.
+    pub body: PointBody,
+    /// What holds it, lines of symmetry last.
+    pub supports: Vec<PlateSupport>,
+    /// Equations of the supports.
+    pub equations: Vec<Equation>,
+    /// Springs of the supports, then those of the foundation.
+    pub springs: Vec<Spring>,
+    /// Load cases.
+    pub load_cases: Vec<PlateLoads>,
+    /// What is solved, in this order.
+    pub states: Vec<PlateState>,
+    /// How to solve.
+    pub solver: Solver,
+    /// Values to report.
+    pub probes: Vec<PlateProbe>,
+    /// Lines along which fields are written.
+    pub lines: Vec<OutputLine>,
+    /// What the results must be.
+    pub expectations: Vec<Expectation<BodyComparison>>,
+    /// Faults that do not keep the case from running.
+    pub warnings: Faults,
+}
+
+/// One right-hand side.
+#[derive(Clone, Debug)]
+pub struct PlateState {
+    /// Name.
+    pub name: String,
+    /// Factor on the loads as written.
+    pub load_factor: f64,
+    /// Factor on prescribed motions.
+    pub motion_factor: f64,
+    /// Load cases by number, and their factors.
+    pub terms: Vec<(usize, f64)>,
+}
+
+impl PlateScene {
+    /// The fields that probes can ask for.
+    pub(crate) fn askable() -> Vec<FieldName> {
+        probes::askable()
+    }
+
+    /// Resolves a case of a plate. `folder` is where files that the case names are looked for, `faults` are those found so far;
+    /// `max_memory` is in bytes.
+    ///
+    /// # Errors
+    /// All faults of the case.
+    pub(crate) fn new(
+        mut case: Case,
+        folder: &Folder,
+        max_memory: Option<u64>,
+        mut faults: Faults,
+    ) -> Result<Self, Faults> {
+        let resolved = Self::resolve(&case, folder, max_memory, &mut faults);
+        let Some(scene) = resolved.filter(|_| !faults.has_errors()) else { return Err(faults) };
+        if case.horizon.is_none() {
+            case.horizon_ratio = Some(scene.plate.parameters().horizon_ratio);
+        }
+        let files = files::keep(&mut case, folder, max_memory);
+        Ok(Self { case, files, warnings: faults, ..scene })
+    }
+
+    fn resolve(case: &Case, folder: &Folder, max_memory: Option<u64>, faults: &mut Faults) -> Option<Self> {
+        let Model::PlateBending(keys) = &case.model else { return None };
+        foreign::check(case, faults);
+        let built = body::build(case, keys, folder, max_memory, faults);
+        let spacing = built.as_ref().map_or(1.0, |built| built.body.spacing());
+        let ratio = horizon::horizon_ratio(case, spacing, USUAL_RATIO, faults)?;
+        if ratio > MOST_RATIO {
+            faults
+                .error(
+                    root(horizon_key(case)),
+                    format!("a horizon of {ratio} spacings has too many bonds per point"),
+                )
+                .hint(format!(
+                    "the largest horizon ratio of plates in bending is {MOST_RATIO}; 1.5 is the most accurate"
+                ));
+        }
+        let parameters = keys.parameters(ratio, faults);
+        let body::Built { body: given, outline, parts, .. } = built?;
+        let (PointBody::Lattice(cells), Some(outline)) = (given, outline) else { return None };
+        let parameters = parameters.filter(|_| !faults.has_errors())?;
+        let cells = Arc::new(inside(&cells, &outline));
+        let plate = PlateBending::new(cells.clone(), parameters);
+        let plate = plate.map_err(|error| refuse(&error, case, faults)).ok()?;
+        let (nodes, of_cells) = (plate.nodes(), PointBody::Lattice((*cells).clone()));
+        let points = PointBody::Lattice((**nodes.lattice()).clone());
+        let site = Site {
+            case,
+            outline: &outline,
+            nodes,
+            ground: &Ground::new(case, &points, (Some(&outline), &[], &parts), faults),
+            cells: &Ground::new(case, &of_cells, (Some(&outline), &[], &parts), &mut Faults::default()),
+            border: &Border::new(&outline, nodes),
+        };
+        let mut held = supports::held(&site, faults);
+        symmetry::hold(&site, &mut held, faults);
+        let load_cases = loads::load_cases(&site, &plate, faults);
+        loads::check_loaded(&site, &load_cases, held.moves(), faults);
+        let probes = probes::probes(&site, &held, faults);
+        let interpolation = Interpolation { body: &points, cracks: &[], reach: 1 };
+        let lines = lines(site.ground, &interpolation, &|p| p, max_memory, faults);
+        let states = states(case, faults);
+        let expectations = expectations(case, &points, (&states, &probes), (folder, max_memory), faults);
+        held.springs.extend(foundation::springs(&site, faults));
+        warnings::collect(&site, (&parameters, keys.thickness), faults);
+        Some(Self {
+            case: case.clone(),
+            files: Vec::new(),
+            units: case.units,
+            thickness: keys.thickness,
+            supports: held.supports,
+            equations: held.equations,
+            springs: held.springs,
+            load_cases,
+            states,
+            solver: case.solver,
+            probes,
+            lines,
+            expectations,
+            warnings: Faults::default(),
+            body: points,
+            plate,
+        })
+    }
+}
+
+/// The cells whose middles lie in the body, all of them whole.
+fn inside(cells: &SquareLattice, outline: &Outline) -> SquareLattice {
+    if cells.cut_cells().is_empty() {
+        return cells.clone();
+    }
+    let [x, y, _] = cells.corner();
+    let is_in =
+        |[i, j]: [i32; 2]| cells.number([i, j, 0]).is_some() && outline.contains(cells.place_of([i, j, 0]));
+    SquareLattice::plane(cells.spacing(), [x, y], cells.columns(), cells.rows(), is_in)
+}
+
+fn refuse(error: &PlateError, case: &Case, faults: &mut Faults) {
+    let path = match error {
+        PlateError::Lattice => root("body"),
+        PlateError::NotIsotropic { .. } | PlateError::NegativeShear { .. } => root(horizon_key(case)),
+    };
+    faults.error(path, error.to_string());
+}
+
+/// The right-hand sides.
+fn states(case: &Case, faults: &mut Faults) -> Vec<PlateState> {
+    let state = |Sum { name, load_factor, terms }: Sum| PlateState {
+        name,
+        load_factor,
+        motion_factor: if case.steps.is_some() { load_factor } else { 1.0 },
+        terms,
+    };
+    states::sums(case, faults).into_iter().map(state).collect()
+}
+
+/// Checks of the case.
+fn expectations(
+    case: &Case,
+    body: &PointBody,
+    (states, probes): (&[PlateState], &[PlateProbe]),
+    (folder, max_memory): (&Folder, Option<u64>),
+    faults: &mut Faults,
+) -> Vec<Expectation<BodyComparison>> {
+    let states: Vec<&str> = states.iter().map(|state| state.name.as_str()).collect();
+    let probes: Vec<&str> = probes.iter().map(|probe| probe.name.as_str()).collect();
+    let is_field = |field: FieldName, path: &JsonPath, faults: &mut Faults| {
+        let is_there = FieldName::PLATE.contains(&field);
+        if !is_there {
+            faults
+                .error(path.key("field"), format!("`{}` is no field of all points of a plate", field.name()))
+                .hint(words::there_are(&FieldName::PLATE));
+        }
+        is_there
+    };
+    let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| match check {
+        PointsCheck::ClosedForm(_) => {
+            faults
+                .error(path.clone(), "closed forms are for beams")
+                .hint("compare all points with a `formula` or a `baseline`, or a probe with a number by a `value` check");
+            None
+        }
+        PointsCheck::Baseline(check) => is_field(check.field, path, faults)
+            .then(|| of_baseline(check, body, (folder, max_memory), path, faults))?,
+        PointsCheck::Formula(check) => {
+            is_field(check.field, path, faults).then(|| of_formula(check, body, path, faults))?
+        }
+    };
+    expectation::expectations(case, &states, &probes, compare, faults)
+}

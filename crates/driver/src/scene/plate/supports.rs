@@ -1,0 +1,217 @@
+//! Supports of a plate as equations and springs.
+
+use super::border::Side;
+use super::site::Site;
+use super::support_keys;
+use crate::case::{Amount, Support};
+use crate::diagnostic::{Faults, JsonPath, root};
+use crate::scene::prescribed::Prescribed;
+use peristat_assembly::condition::{Equation, Unknown};
+use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, W};
+use peristat_assembly::stiffness::Spring;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// What holds a plate at a place.
+#[derive(Clone, Debug)]
+pub struct PlateSupport {
+    /// What the user calls the place.
+    pub name: String,
+    /// Which of the equations of the scene are its.
+    pub equations: Range<usize>,
+    /// Which of the springs of the scene are its.
+    pub springs: Range<usize>,
+}
+
+/// All that supports make.
+#[derive(Default)]
+pub(super) struct Held {
+    pub(super) supports: Vec<PlateSupport>,
+    /// The sides of cells that each of them holds.
+    pub(super) sides: Vec<Vec<Side>>,
+    pub(super) equations: Vec<Equation>,
+    pub(super) springs: Vec<Spring>,
+}
+
+impl Held {
+    /// Takes the equations and springs of one support.
+    pub(super) fn take(
+        &mut self,
+        (name, sides): (String, Vec<Side>),
+        equations: Vec<Equation>,
+        springs: Vec<Spring>,
+    ) {
+        self.sides.push(sides);
+        let [first, from] = [self.equations.len(), self.springs.len()];
+        self.equations.extend(equations);
+        self.springs.extend(springs);
+        let (equations, springs) = (first..self.equations.len(), from..self.springs.len());
+        self.supports.push(PlateSupport { name, equations, springs });
+    }
+
+    /// Whether something that it prescribes is not zero.
+    pub(super) fn moves(&self) -> bool {
+        self.equations.iter().any(|equation| equation.value != 0.0)
+    }
+}
+
+/// The supports of the case.
+pub(super) fn held(site: &Site, faults: &mut Faults) -> Held {
+    let mut held = Held::default();
+    if site.case.supports.is_empty() && site.case.foundation.is_empty() {
+        faults
+            .error(root("supports"), "nothing holds the plate: `supports` is empty")
+            .hint(r#"a simple support all around is { "at": { "region": "all" }, "w": 0.0, "phi_t": 0.0 }"#)
+            .in_solution_only();
+    }
+    for (k, support) in site.case.supports.iter().enumerate() {
+        let path = root("supports").index(k);
+        support_keys::check(support, &path, faults);
+        let Some(spot) = site.spot(&support.at, &path.key("at"), "the support", faults) else { continue };
+        let mut of = OneSupport { site, path: &path, support, equations: Vec::new() };
+        let sides = of.sides(&spot.points);
+        of.hold_deflection(&spot.points, &sides, faults);
+        of.hold_rotations(&spot.points, &sides, faults);
+        let equations = of.equations;
+        let share = support.w_spring.unwrap_or(0.0) / spot.points.len() as f64;
+        let sprung = spot.points.iter().filter(|_| share > 0.0);
+        let springs = sprung.map(|&p| Spring::on(W, p as usize, share)).collect();
+        held.take((spot.words, sides), equations, springs);
+    }
+    held
+}
+
+struct OneSupport<'a> {
+    site: &'a Site<'a>,
+    path: &'a JsonPath,
+    support: &'a Support,
+    equations: Vec<Equation>,
+}
+
+impl OneSupport<'_> {
+    /// The sides that it holds: those of its part of the border, or all between its points.
+    fn sides(&self, points: &[u32]) -> Vec<Side> {
+        let named = self.support.at.region.as_ref().and_then(|name| self.site.sides(name));
+        named.unwrap_or_else(|| {
+            let all = self.site.border.all().iter();
+            let is_own = |side: &&Side| side.segment.points.iter().all(|p| points.binary_search(p).is_ok());
+            all.filter(is_own).copied().collect()
+        })
+    }
+
+    /// Whether all rotations are held, too: then stairs are as good a clamp as the cells are a body.
+    fn clamps(&self) -> bool {
+        let Support { phi_x, phi_y, phi_n, phi_t, .. } = self.support;
+        phi_n.is_some() && phi_t.is_some() || phi_x.is_some() && phi_y.is_some()
+    }
+
+    fn prescribed(&self, key: &str, given: Option<&Amount>, faults: &mut Faults) -> Option<Prescribed> {
+        Prescribed::new(given?, 2, &self.path.key(key), faults)
+    }
+
+    fn value(&self, key: &str, of: &Prescribed, point: u32, faults: &mut Faults) -> f64 {
+        let [x, y] = self.site.nodes.place(point as usize);
+        of.at([x, y, 0.0]).unwrap_or_else(|reason| {
+            faults.error(self.path.key(key), reason);
+            0.0
+        })
+    }
+
+    fn push(&mut self, key: &str, terms: Vec<(Unknown, f64)>, value: f64) {
+        self.equations.push(Equation { terms, value, origin: self.path.key(key).to_string() });
+    }
+
+    /// `w` at points; on stairs it is that of the true border, `w + φ·d`: were the steps themselves held, they would clamp a
+    /// thin plate however fine they are.
+    fn hold_deflection(&mut self, points: &[u32], sides: &[Side], faults: &mut Faults) {
+        let Some(given) = self.prescribed("w", self.support.w.as_ref(), faults) else { return };
+        let mut ways: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
+        if !self.clamps() {
+            for point in sides.iter().filter(|side| !side.is_true).flat_map(|side| side.segment.points) {
+                let way = || self.site.border.way(sides, self.site.nodes.place(point as usize));
+                ways.entry(point).or_insert_with(way);
+            }
+            // Where a straight edge begins its own points are held.
+            for point in sides.iter().filter(|side| side.is_true).flat_map(|side| side.segment.points) {
+                ways.remove(&point);
+            }
+        }
+        for &point in points {
+            let unknown = |component| Unknown { component, point: point as usize };
+            let mut terms = vec![(unknown(W), 1.0)];
+            if let Some(way) = ways.get(&point) {
+                let turns = [PHI_X, PHI_Y].into_iter().zip(way);
+                terms.extend(turns.filter(|turn| *turn.1 != 0.0).map(|(c, d)| (unknown(c), *d)));
+            }
+            let value = self.value("w", &given, point, faults);
+            self.push("w", terms, value);
+        }
+    }
+
+    /// Rotations along x and y, or along and across the sides.
+    fn hold_rotations(&mut self, points: &[u32], sides: &[Side], faults: &mut Faults) {
+        let along_axes =
+            [("phi_x", self.support.phi_x.as_ref(), PHI_X), ("phi_y", self.support.phi_y.as_ref(), PHI_Y)];
+        for (key, given, component) in along_axes {
+            let Some(given) = self.prescribed(key, given, faults) else { continue };
+            for &point in points {
+                let value = self.value(key, &given, point, faults);
+                self.push(key, vec![(Unknown { component, point: point as usize }, 1.0)], value);
+            }
+        }
+        let [normal, tangential] = [self.support.phi_n.as_ref(), self.support.phi_t.as_ref()];
+        if (normal.is_some() || tangential.is_some()) && sides.is_empty() {
+            faults
+                .error(
+                    self.path.key("at"),
+                    "`phi_n` and `phi_t` are along and across an edge, and here is none",
+                )
+                .hint("name an edge, or hold `phi_x` and `phi_y`");
+            return;
+        }
+        let on_stairs = sides.iter().any(|side| !side.is_true);
+        if normal.is_some() != tangential.is_some() && on_stairs {
+            let (key, hint) = match normal {
+                None => (
+                    "phi_t",
+                    "leave `phi_t` out: `w` alone is held on the true edge, not on the steps of the cells",
+                ),
+                Some(_) => ("phi_n", "guide straight edges along x or y"),
+            };
+            faults
+                .error(
+                    self.path.key(key),
+                    format!("`{key}` is for edges along x or y: the cells of this one are steps"),
+                )
+                .hint(hint);
+            return;
+        }
+        self.hold_along("phi_n", normal, |[x, y]| [x, y], sides, faults);
+        self.hold_along("phi_t", tangential, |[x, y]| [-y, x], sides, faults);
+    }
+
+    /// The rotation along a direction that follows from the normals of the sides.
+    fn hold_along(
+        &mut self,
+        key: &str,
+        given: Option<&Amount>,
+        direction: impl Fn([f64; 2]) -> [f64; 2],
+        sides: &[Side],
+        faults: &mut Faults,
+    ) {
+        let Some(given) = self.prescribed(key, given, faults) else { return };
+        let mut held: BTreeMap<(usize, u32), f64> = BTreeMap::new();
+        for side in sides {
+            let direction = direction(side.segment.outward);
+            let component = if direction[0] != 0.0 { PHI_X } else { PHI_Y };
+            for point in side.segment.points {
+                let value = (direction[0] + direction[1]) * self.value(key, &given, point, faults);
+                held.entry((component, point)).or_insert(value);
+            }
+        }
+        for ((component, point), value) in held {
+            // −0 is no value of its own.
+            self.push(key, vec![(Unknown { component, point: point as usize }, 1.0)], value + 0.0);
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Lines of symmetry of a plate: it does not turn across them.
+
+use super::site::{Site, points_of};
+use super::supports::Held;
+use crate::diagnostic::{Faults, root, suggest};
+use peristat_assembly::condition::{Equation, Unknown};
+use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y};
+
+/// The sides that a case may name.
+const SIDES: [(&str, usize); 4] = [("left", PHI_X), ("right", PHI_X), ("bottom", PHI_Y), ("top", PHI_Y)];
+
+/// Adds what lines of symmetry hold.
+pub(super) fn hold(site: &Site, held: &mut Held, faults: &mut Faults) {
+    for (k, name) in site.case.symmetry.iter().enumerate() {
+        let path = root("symmetry").index(k);
+        let Some(&(_, component)) = SIDES.iter().find(|side| side.0 == name) else {
+            faults
+                .error(path, format!("there is no side `{name}`"))
+                .hint(suggest(name, SIDES.iter().map(|side| side.0)));
+            continue;
+        };
+        let Some(sides) = site.sides(name).filter(|sides| sides.iter().all(|side| side.is_true)) else {
+            faults
+                .error(path, format!("`{name}` is no straight side of this plate"))
+                .hint("lines of symmetry are sides of a rectangle");
+            continue;
+        };
+        let equation = |point: u32| Equation {
+            terms: vec![(Unknown { component, point: point as usize }, 1.0)],
+            value: 0.0,
+            origin: path.to_string(),
+        };
+        let equations = points_of(&sides).into_iter().map(equation).collect();
+        held.take((format!("symmetry `{name}`"), sides), equations, Vec::new());
+    }
+}

@@ -1,0 +1,66 @@
+//! Doubts about a plate that is solved all the same.
+
+use super::site::Site;
+use crate::case::{Load, Support};
+use crate::diagnostic::{Faults, JsonPath, root, tidy};
+use peristat_assembly::model::plate_bending::{PlateParameters, ShearLaw};
+
+/// Horizon ratios above this have bonds that pass over points.
+const NEXT: f64 = 1.5;
+
+/// Adds the doubts.
+pub(super) fn collect(site: &Site, (parameters, thickness): (&PlateParameters, f64), faults: &mut Faults) {
+    let (h, ratio) = (site.nodes.spacing(), parameters.horizon_ratio);
+    let model = site.case.model.name();
+    if parameters.shear_law == ShearLaw::Published && ratio * h > thickness {
+        faults
+            .warning(
+                root("model").key(model).key("shear_law"),
+                format!(
+                    "the horizon {} is longer than the plate is thick, {}: as published it locks, and deflects too little, in thin plates by nearly all",
+                    tidy(ratio * h),
+                    tidy(thickness)
+                ),
+            )
+            .hint("use `corrected`, the default, or a spacing below the thickness over the horizon ratio");
+    }
+    for (path, load) in all_loads(site) {
+        if matches!(load, Load::Point(load) if load.force != 0.0) && ratio > NEXT + 1e-9 {
+            faults
+                .warning(
+                    path.key("point"),
+                    "bonds pass over the point that is loaded: its deflection is too large, at 16 cells along a side by 3 to 6 per cent",
+                )
+                .hint("use a `horizon_ratio` of 1.5, the default, or spread the force over a region");
+        }
+    }
+    for (k, support) in site.case.supports.iter().enumerate() {
+        let Some(sides) = support.at.region.as_ref().and_then(|name| site.sides(name)) else { continue };
+        let Support { w, phi_x, phi_y, phi_n, phi_t, .. } = support;
+        let turns = [phi_x, phi_y, phi_n, phi_t].iter().any(|given| given.is_some());
+        let path = root("supports").index(k);
+        if w.is_some() && !turns && thickness < 2.0 * h && sides.iter().any(|side| side.is_true) {
+            faults
+                .warning(
+                    path.clone(),
+                    "beside a simple support that lets the edge turn along itself, thin plates have a layer as wide as they are thick, which this spacing does not resolve",
+                )
+                .hint("add `phi_t`: 0.0, the hard simple support, to which thin plates tend");
+        }
+        if w.is_some() && turns && sides.iter().any(|side| !side.is_true) {
+            faults
+                .warning(path, "the cells of this edge are steps: a clamp on them is right to first order only, with errors of a few per cent at 20 cells along the radius")
+                .hint("use a small spacing");
+        }
+    }
+}
+
+/// All loads with their paths.
+fn all_loads<'a>(site: &'a Site) -> impl Iterator<Item = (JsonPath, &'a Load)> {
+    let own = site.case.loads.iter().enumerate().map(|(k, load)| (root("loads").index(k), load));
+    let of_cases = site.case.load_cases.iter().enumerate().flat_map(|(c, load_case)| {
+        let path = root("load_cases").index(c).key("loads");
+        load_case.loads.iter().enumerate().map(move |(k, load)| (path.index(k), load))
+    });
+    own.chain(of_cases)
+}

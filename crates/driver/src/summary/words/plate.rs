@@ -1,0 +1,55 @@
+//! Plates in bending in words: the model and the forces of what holds it.
+
+use super::{Fact, Listing, MOST_ROWS, number};
+use crate::case::Units;
+use crate::summary::{PlateForces, PlateSummary};
+use peristat_assembly::model::plate_bending::ShearLaw;
+
+/// Model, material, stiffness, horizon and edges.
+pub(super) fn model(m: &PlateSummary, units: Units) -> Vec<Fact> {
+    let length = |value: f64| units.quantity(&number(value), units.length());
+    let law = match m.shear_law {
+        ShearLaw::Corrected => "shear as corrected",
+        ShearLaw::Published => "shear as published",
+    };
+    let e = units.quantity(&number(m.youngs_modulus), units.stress());
+    let [d, s] = [(m.bending_stiffness, units.moment()), (m.shear_stiffness, units.force_per_length())]
+        .map(|(value, unit)| units.quantity(&number(value), unit));
+    let edges = match m.pieces {
+        0 => "points lie on the edges, and half of a bond along one counts".to_string(),
+        pieces => format!("points lie on the edges, {pieces} pieces of bonds end there"),
+    };
+    [
+        ("model", format!("{}, {law}", m.name)),
+        ("material", format!("E = {e}, ν = {}, thickness {}", number(m.poisson_ratio), length(m.thickness))),
+        ("stiffness", format!("D = {d}, κGt = {s}")),
+        (
+            "horizon",
+            format!("{} spacings = {}", number(m.horizon_ratio), length(m.horizon_ratio * m.spacing)),
+        ),
+        ("edges", edges),
+    ]
+    .map(|(key, text)| (key.to_string(), text))
+    .into()
+}
+
+/// Forces of supports and lines of symmetry.
+pub(super) fn forces(forces: &PlateForces, units: Units) -> Vec<Listing> {
+    let size = |of: fn(&crate::run::plate::PlateReaction) -> f64| {
+        forces.reactions.iter().fold(0.0, |most: f64, r| most.max(of(r).abs()))
+    };
+    let (force, turn) = (size(|r| r.force), size(|r| r.moment_x).max(size(|r| r.moment_y)));
+    // What is rounding beside the largest reads as zero.
+    let clean = |value: f64, size: f64| number(if value.abs() < 1e-11 * size { 0.0 } else { value });
+    let rows = forces.reactions.iter().take(MOST_ROWS).map(|r| {
+        vec![r.place.clone(), clean(r.force, force), clean(r.moment_x, turn), clean(r.moment_y, turn)]
+    });
+    let header = [
+        "support".to_string(),
+        units.label("force", units.force()),
+        units.label("moment x", units.moment()),
+        units.label("moment y", units.moment()),
+    ];
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    Listing::new(&header, rows.collect(), forces.reactions.len(), "supports").into_iter().collect()
+}
