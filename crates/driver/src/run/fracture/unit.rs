@@ -43,6 +43,15 @@ pub(super) struct Unit<const D: usize> {
     jump: f64,
 }
 
+/// How displacements were improved before they are recorded.
+struct Polished {
+    status: PcgStatus,
+    /// Part of an error that the inverse corrects at the least.
+    least_eigenvalue: f64,
+    /// Whether a new inverse was made.
+    renewed: bool,
+}
+
 /// How displacements were found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
@@ -178,6 +187,42 @@ impl<const D: usize> Unit<D> {
             UnitEnergy { work: 0.5 * (loads_work + held_work), stored: system.survey(&self.u).energy };
     }
 
+    /// Improves displacements at the unit load to what is recorded.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if the stiffness has no factor.
+    fn polish(
+        &mut self,
+        problem: &dyn Problem<D>,
+        system: &System<D>,
+        u: &mut [f64],
+        timing: &mut Timing,
+    ) -> Result<Polished, SolveFailure> {
+        let mut target = POLISHED * self.jump;
+        let mut found = Polished { status: PcgStatus::Converged, least_eigenvalue: 1.0, renewed: false };
+        loop {
+            let vectors = (&self.loads[..], &mut *u);
+            let followed = self.work.follow(system, &mut self.inverse, vectors, target, POLISHING);
+            self.counters.pcg_iterations += followed.iterations;
+            found.least_eigenvalue = followed.least_eigenvalue.min(found.least_eigenvalue);
+            // Where a cycle corrects a small part of an error, the residual tells that much less of it.
+            let least = found.least_eigenvalue.max(LEAST) * POLISHED * self.jump;
+            match followed.reached {
+                true if self.inverse.is_factor() || target <= least => return Ok(found),
+                true => target = least,
+                // A factor that is old does as well as a new one; an old cycle does not know what has nearly come off.
+                false if found.renewed || self.inverse.is_factor() => {
+                    found.status = PcgStatus::IterationLimit;
+                    return Ok(found);
+                }
+                false => {
+                    self.renew(problem, system, timing)?;
+                    found.renewed = true;
+                }
+            }
+        }
+    }
+
     /// Solution and certificate at a load factor, of a body that may be slack: its forces are rounding, which has no
     /// balance. Also whether a new inverse was made.
     ///
@@ -193,30 +238,11 @@ impl<const D: usize> Unit<D> {
         let begin = Instant::now();
         let loads: Vec<f64> = self.loads.iter().map(|f| load_factor * f).collect();
         // What is recorded is better than what the next break is found with, and does not change it.
-        let (mut u, mut least_eigenvalue, mut status) = (self.u.clone(), 1.0, PcgStatus::Converged);
-        let (mut renewed, mut target) = (false, POLISHED * self.jump);
-        while load_factor > 0.0 {
-            let vectors = (&self.loads[..], &mut u[..]);
-            let polished = self.work.follow(system, &mut self.inverse, vectors, target, POLISHING);
-            self.counters.pcg_iterations += polished.iterations;
-            least_eigenvalue = polished.least_eigenvalue.min(least_eigenvalue);
-            // Where a cycle corrects a small part of an error, the residual tells that much less of it.
-            let least = least_eigenvalue.max(LEAST) * POLISHED * self.jump;
-            if polished.reached && (self.inverse.is_factor() || target <= least) {
-                break;
-            }
-            if polished.reached {
-                target = least;
-                continue;
-            }
-            // A factor that is old does as well as a new one; an old cycle does not know what has nearly come off.
-            if renewed || self.inverse.is_factor() {
-                status = PcgStatus::IterationLimit;
-                break;
-            }
-            self.renew(problem, system, timing)?;
-            renewed = true;
-        }
+        let mut u = self.u.clone();
+        let Polished { status, least_eigenvalue, renewed } = match load_factor > 0.0 {
+            true => self.polish(problem, system, &mut u, timing)?,
+            false => Polished { status: PcgStatus::Converged, least_eigenvalue: 1.0, renewed: false },
+        };
         let mut solution = StateSolution::of(u.into_iter().map(|u| load_factor * u).collect());
         (solution.iterations, solution.least_eigenvalue, solution.status) =
             (self.iterations, least_eigenvalue, status);
