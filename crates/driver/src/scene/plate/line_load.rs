@@ -1,7 +1,7 @@
 //! Forces and moments along lines on plates.
 
 use super::border::Side;
-use super::loads::PlateLoads;
+use super::plate_loads::PlateLoads;
 use super::site::Site;
 use super::statics;
 use crate::case::{Amount, LineLoad};

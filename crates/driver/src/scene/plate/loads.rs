@@ -1,5 +1,6 @@
 //! Loads of a plate on its points.
 
+use super::plate_loads::PlateLoads;
 use super::site::Site;
 use super::{foreign, line_load, point_load, pressure};
 use crate::case::Load;
@@ -7,17 +8,6 @@ use crate::diagnostic::{Faults, JsonPath, root};
 use crate::scene::Resultant;
 use crate::scene::states;
 use peristat_assembly::model::plate_bending::PlateBending;
-
-/// A load case.
-#[derive(Clone, Debug)]
-pub struct PlateLoads {
-    /// Forces and moments on the unknowns, component by component.
-    pub force: Vec<f64>,
-    /// Resultant as the case asks for it.
-    pub asked: Resultant,
-    /// Whether something follows a formula, or the steps of a border that cuts cells: its integrals are approximate.
-    pub is_approximate: bool,
-}
 
 /// All load cases.
 pub(super) fn load_cases(site: &Site, plate: &PlateBending, faults: &mut Faults) -> Vec<PlateLoads> {

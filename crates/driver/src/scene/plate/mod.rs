@@ -7,6 +7,7 @@ mod foundation;
 mod line_load;
 mod loads;
 mod motions;
+mod plate_loads;
 mod point_load;
 mod pressure;
 mod probes;
@@ -18,7 +19,7 @@ mod supports;
 mod symmetry;
 mod warnings;
 
-pub use loads::PlateLoads;
+pub use plate_loads::PlateLoads;
 pub use probes::{PlateProbe, PlateQuantity};
 pub use scene::{PlateScene, PlateState};
 pub use supports::PlateSupport;

@@ -1,6 +1,6 @@
 //! Forces and moments at places of a plate.
 
-use super::loads::PlateLoads;
+use super::plate_loads::PlateLoads;
 use super::site::Site;
 use super::statics;
 use crate::case::PointLoad;

@@ -1,6 +1,6 @@
 //! Pressures on plates.
 
-use super::loads::PlateLoads;
+use super::plate_loads::PlateLoads;
 use super::site::Site;
 use crate::case::{Amount, Pressure};
 use crate::diagnostic::{Faults, JsonPath};

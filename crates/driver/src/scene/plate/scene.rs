@@ -1,7 +1,8 @@
 //! From a case of a plate in bending to its scene.
 
 use super::border::Border;
-use super::loads::{self, PlateLoads};
+use super::loads;
+use super::plate_loads::PlateLoads;
 use super::probes::{self, PlateProbe};
 use super::site::Site;
 use super::supports::{self, PlateSupport};
