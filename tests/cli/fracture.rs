@@ -123,10 +123,16 @@ fn so_does_a_run_in_load_steps() {
 
 #[test]
 fn so_does_a_solid_with_a_factor_and_with_cycles() {
-    for solver in ["sparse", "multigrid"] {
+    let bonds = json!({ "bond_solid": { "youngs_modulus": 1000 } });
+    let families = json!({ "state_solid": { "youngs_modulus": 1000, "poisson_ratio": 0.3 } });
+    for (solver, model, critical) in [
+        ("sparse", &bonds, json!({ "energy_release_rate": 1 })),
+        ("multigrid", &bonds, json!({ "energy_release_rate": 1 })),
+        ("sparse", &families, json!({ "stretch": 0.012 })),
+    ] {
         let solid = json!({
             "title": "Bar that breaks", "units": "none", "solver": solver, "horizon_ratio": 2,
-            "model": { "bond_solid": { "youngs_modulus": 1000 } },
+            "model": model,
             "body": { "block": { "size": [8, 16, 4], "spacing": 1 } },
             "cracks": [ { "polygon": [[-1, 8, -1], [3, 8, -1], [3, 8, 5], [-1, 8, 5]] } ],
             "supports": [
@@ -135,7 +141,7 @@ fn so_does_a_solid_with_a_factor_and_with_cycles() {
             ],
             "probes": [ { "name": "pull", "at": { "region": "top" }, "field": "reaction_y" } ],
             "fracture": {
-                "critical": { "energy_release_rate": 1 }, "strategy": "worst", "load": "pull", "record_every": 12
+                "critical": critical, "strategy": "worst", "load": "pull", "record_every": 12
             }
         });
         killed_again_and_again(&solid);

@@ -1,7 +1,8 @@
 //! Bonds of a level that are not there although both of their points are: cut by cracks, or broken.
 //!
-//! The coarser level lacks a bond if the finer one lacks one of the two that lie between the first of the cells that its points
-//! cover. So a crack is cut where it runs between these, on every level.
+//! A bond of the coarser level stands for the pairs of bonds of the finer one that lead from the cells that its one point covers to
+//! those of the other, on the sides of cracks on which the first of these cells are. It is missing if most of them are broken: of a
+//! ligament half a cell wide all is left, so that what hangs on it does not come off.
 
 use super::cells::Cells;
 use super::stencil::Stencil;
@@ -67,16 +68,36 @@ impl Gaps {
 
     /// The bonds that the coarser level lacks, whose cells begin `shift` cells before those of this one.
     pub(super) fn coarser(&self, shift: [usize; 3]) -> HashSet<Bond> {
-        let mut coarse = HashSet::new();
+        let shift = shift.map(|s| s as i32);
+        let mut candidates = HashSet::new();
         for &(cell, step) in &self.bonds {
             for before in [0, 1] {
-                let first = [0, 1, 2].map(|k| cell[k] - before * step[k] + shift[k] as i32);
-                if first.iter().all(|k| k.rem_euclid(2) == 0) {
-                    coarse.insert((first.map(|k| k / 2), step));
-                }
+                let start = [0, 1, 2].map(|k| cell[k] - before * step[k] + shift[k]);
+                candidates.insert((start.map(|k| k.div_euclid(2)), step));
             }
         }
-        coarse
+        candidates.retain(|bond| self.breaks_most(*bond, shift));
+        candidates
+    }
+
+    /// Whether most of what a bond of the coarser level stands for is broken.
+    fn breaks_most(&self, (parent, step): Bond, shift: [i32; 3]) -> bool {
+        let plus = |a: [i32; 3], b: [i32; 3]| [0, 1, 2].map(|k| a[k] + b[k]);
+        let first = |parent: [i32; 3]| [0, 1, 2].map(|k| 2 * parent[k] - shift[k]);
+        let ends = [first(parent), first(plus(parent, step))];
+        let [mut broken, mut whole] = [0; 2];
+        for corner in 0..8 {
+            let start = plus(ends[0], [0, 1, 2].map(|k| corner >> k & 1));
+            let [middle, end] = [plus(start, step), plus(plus(start, step), step)];
+            if self.has(ends[0], start) || self.has(ends[1], end) {
+                continue;
+            }
+            match self.has(start, middle) || self.has(middle, end) {
+                true => broken += 1,
+                false => whole += 1,
+            }
+        }
+        broken > whole
     }
 
     /// Calls `take` with the places of the points of all missing bonds, and with the forces that these would have.

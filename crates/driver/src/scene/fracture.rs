@@ -131,7 +131,11 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
                     root("solver"),
                     "a body that breaks keeps a sparse factor from equilibrium to equilibrium",
                 )
-                .hint("use `auto` or `sparse`");
+                .hint(if is_solid {
+                    "use `auto`, `sparse` or `multigrid`"
+                } else {
+                    "use `auto` or `sparse`"
+                });
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What the keys become.
 
-use super::super::solid::{Bonds, REFUSED, SolidBonds, bonds, usual_horizon_ratio};
-use super::super::{Asked, Keys, Material, Model, Refused};
+use super::super::solid::{Bonds, REFUSED, SolidBonds, USUAL, bonds};
+use super::super::{Asked, Keys, Material, Model, Refused, USUAL_HORIZON_RATIO};
 use super::{BondSolidKeys, NAME};
 use crate::diagnostic::{Faults, positive, root, tidy};
 use peristat_assembly::model::bond_solid::BondSolidParameters;
@@ -26,6 +26,10 @@ impl Keys for BondSolidKeys {
 
     fn refuses(&self) -> Vec<Refused> {
         REFUSED.to_vec()
+    }
+
+    fn with_usual_bonds(&self) -> Model {
+        Model::BondSolid(Self { calibration: None, volume_factor: None, edges: None, ..self.clone() })
     }
 
     fn resolve(&self, asked: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
@@ -57,4 +61,10 @@ impl Keys for BondSolidKeys {
                 as Box<dyn Material>
         })
     }
+}
+
+/// Horizon per spacing, if nothing else is given. A crack in a slab with an energy release rate that does not depend on its length grows
+/// at 19 % more motion than that says with two spacings, and with three at 2 % less.
+fn usual_horizon_ratio(asked: &Asked) -> f64 {
+    if asked.breaks { USUAL_HORIZON_RATIO } else { USUAL }
 }

@@ -66,12 +66,28 @@ impl<P: SolidParameters> SolidBonds<P> {
     }
 }
 
+/// Spacings per horizon up to which families beside faces are stretched as those inside, to a half of a per cent.
+const WELL_STRETCHED: f64 = 2.0 + 1e-9;
+
 /// Bulk over shear modulus from which stresses are doubtful: a Poisson's ratio of 0.48.
 const DOUBTFUL: f64 = 24.0;
 /// Error of the stresses of a bar that is bent, eight cells high, per bulk over shear modulus; of the largest stress.
 const ERROR: f64 = 0.00174;
 
 impl<P: SolidParameters> SolidBonds<P> {
+    /// Adds a warning where bonds at faces reach farther than they are stretched alike.
+    fn warn_of_first_breaks(&self, faults: &mut Faults) {
+        let About { horizon_ratio, name, .. } = self.about();
+        if horizon_ratio > WELL_STRETCHED {
+            faults
+                .warning(
+                    root("fracture"),
+                    "bonds beside faces are stretched farther than those inside: under one stress the first one breaks 11 % early with three spacings per horizon, 31 % with four",
+                )
+                .hint(format!("leave `horizon_ratio` out: with two spacings it is 0.5 %, and with {name} a longer reach brings little"));
+        }
+    }
+
     /// Adds a warning where the material hardly changes its volume.
     fn warn_of_volumes(&self, solid: &dyn SolidModel, faults: &mut Faults) {
         let stiffness = solid.stiffness();
@@ -190,6 +206,9 @@ impl<P: SolidParameters> Material for SolidBonds<P> {
         path: &JsonPath,
         faults: &mut Faults,
     ) -> Option<CriticalStretches> {
+        if P::HAS_FAMILIES && self.edges() == SolidEdges::Border {
+            self.warn_of_first_breaks(faults);
+        }
         critical::stretches(given, self.parameters, on, path, faults)
     }
 

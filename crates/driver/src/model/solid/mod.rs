@@ -5,7 +5,7 @@ mod material;
 mod resolve;
 
 pub(super) use material::{SolidBonds, SolidParameters};
-pub(super) use resolve::{Bonds, REFUSED, bonds, usual_horizon_ratio};
+pub(super) use resolve::{Bonds, REFUSED, USUAL, bonds};
 
 use super::{Place, Refusal};
 use peristat_assembly::model::solid::SolidError;

@@ -1,6 +1,6 @@
 //! Keys that both models of solids have, checked and filled in.
 
-use super::super::{Asked, Refused, USUAL_HORIZON_RATIO};
+use super::super::Refused;
 use crate::diagnostic::{Faults, JsonPath};
 use peristat_assembly::model::bond_plane::VolumeFactor;
 use peristat_assembly::model::plane::Calibration;
@@ -20,11 +20,8 @@ pub(in super::super) const REFUSED: [Refused; 2] = [
     },
 ];
 
-/// Horizon per spacing, if nothing else is given. A crack in a slab with an energy release rate that does not depend on its length grows
-/// at 19 % more motion than that says with two spacings, and with three at 3 % less.
-pub(in super::super) fn usual_horizon_ratio(asked: &Asked) -> f64 {
-    if asked.breaks { USUAL_HORIZON_RATIO } else { 2.0 }
-}
+/// Horizon per spacing of solids, if nothing else is given.
+pub(in super::super) const USUAL: f64 = 2.0;
 
 /// Where the stiffness of bonds comes from, and what is done about faces.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! What the keys become.
 
-use super::super::solid::{Bonds, REFUSED, SolidBonds, bonds, usual_horizon_ratio};
+use super::super::solid::{Bonds, REFUSED, SolidBonds, USUAL, bonds};
 use super::super::{Asked, Keys, Material, Model, Refused};
 use super::{NAME, StateSolidKeys};
 use crate::diagnostic::{Faults, positive, root};
@@ -27,7 +27,11 @@ impl Keys for StateSolidKeys {
         REFUSED.to_vec()
     }
 
-    fn resolve(&self, asked: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
+    fn with_usual_bonds(&self) -> Model {
+        Model::StateSolid(Self { calibration: None, volume_factor: None, edges: None, ..self.clone() })
+    }
+
+    fn resolve(&self, _: &Asked, faults: &mut Faults) -> Option<Box<dyn Material>> {
         let path = root("model").key(NAME);
         let mut fine = positive(self.youngs_modulus, "youngs_modulus", path.key("youngs_modulus"), faults);
         if !(self.poisson_ratio > -1.0 && self.poisson_ratio < 0.5) {
@@ -50,8 +54,7 @@ impl Keys for StateSolidKeys {
         };
         let keys = Self { calibration: Some(calibration), volume_factor, edges: Some(edges), ..self.clone() };
         fine.then(|| {
-            Box::new(SolidBonds { keys, parameters, usual_horizon_ratio: usual_horizon_ratio(asked) })
-                as Box<dyn Material>
+            Box::new(SolidBonds { keys, parameters, usual_horizon_ratio: USUAL }) as Box<dyn Material>
         })
     }
 }

@@ -11,6 +11,7 @@ use super::{BreakRestart, Event};
 use crate::case::Strategy;
 use peristat_assembly::model::Breakable;
 use peristat_assembly::system::System;
+use std::ops::Range;
 use std::time::Instant;
 
 /// Residual of an equilibrium over the sudden jump: the energies of `worst` are to balance from event to event.
@@ -88,14 +89,13 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         restart: BreakRestart,
     ) -> Result<Self, RunError> {
         restart.fits(system.size(), body.model().bond_numbers())?;
-        let (factored, later) = restart.broken.split_at(restart.factored);
         let mut all = Self::new(body, system)?;
         all.unit.u.clone_from(&restart.unit);
-        if !factored.is_empty() {
-            all.remove(factored);
+        if restart.factored > 0 {
+            all.remove_again(&restart, 0..restart.factored);
             all.unit.renew(all.body.problem(), &all.system, &mut all.timing)?;
         }
-        all.remove(later);
+        all.remove_again(&restart, restart.factored..restart.broken.len());
         all.islands.set_frozen(restart.frozen.clone());
         all.unit.resume(&all.system, &restart);
         let last = restart.events.last().copied().unwrap_or_default();
@@ -103,6 +103,18 @@ impl<'a, const D: usize, P: BreakingBody<D>> Breaking<'a, D, P> {
         (all.events, all.broken, all.factored) = (restart.events, restart.broken, restart.factored);
         (all.recorded, all.step) = (recorded, restart.step);
         Ok(all)
+    }
+
+    /// Removes some bonds of a restart as they went, equilibrium by equilibrium: sums of what is left depend on the order to the last bit.
+    fn remove_again(&mut self, restart: &BreakRestart, range: Range<usize>) {
+        let ends = restart.events.iter().map(|event| event.broken).filter(|end| range.contains(end));
+        let mut begin = range.start;
+        for end in ends.chain([range.end]).collect::<Vec<_>>() {
+            if begin < end {
+                self.remove(&restart.broken[begin..end]);
+                begin = end;
+            }
+        }
     }
 
     /// Removes bonds, and takes out what comes off with them: it bears no loads any more. Whether there is such.

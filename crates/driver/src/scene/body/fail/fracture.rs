@@ -62,6 +62,14 @@ pub(crate) fn resolve(
         site.inputs.material.critical(&mut fracture.critical, &on, &path.key("critical"), faults)?;
     let critical = toughness::of_materials(critical, &fracture.critical, site, faults)?;
     let CriticalStretches { by_offset: critical, fibres } = critical;
+    if site.model.as_solid().is_some() && !fracture.directions.is_empty() {
+        faults
+            .error(
+                path.key("directions"),
+                "a crack in a solid is a surface, which has no direction in the plane",
+            )
+            .hint("leave `directions` out: `fields/step_*_crack.vtu` has the surface");
+    }
     check_directions(fracture, &general_facts(&fibres), &path.key("directions"), faults);
     check_load(&fracture.load, site.ground.case, &path.key("load"), faults);
     let directions = fracture.directions.clone();
@@ -84,7 +92,7 @@ pub(crate) fn check_load(load: &str, case: &Case, path: &JsonPath, faults: &mut 
         let message = format!("the probe `{load}` is one of `{}`, which is no load", probe.field.name());
         faults
             .error(path.clone(), message)
-            .hint("use a probe of `reaction_x` or `reaction_y`, or of `ux` or `uy` where forces are given");
+            .hint("use a probe of a reaction such as `reaction_x`, or of a displacement such as `ux` where forces are given");
     }
 }
 
