@@ -1,6 +1,6 @@
 //! Keys of a case that have no meaning for a plate in bending.
 
-use crate::case::{Case, Load, Solver};
+use crate::case::{Body, Case, Load, Solver};
 use crate::diagnostic::{Faults, JsonPath, root};
 
 /// Adds a fault for every such key.
@@ -23,6 +23,11 @@ pub(super) fn check(case: &Case, faults: &mut Faults) {
     ];
     for (key, _, hint) in keys.iter().filter(|key| key.1) {
         faults.error(root(key), format!("`{key}` is not for plates in bending")).hint(*hint);
+    }
+    if matches!(case.body, Body::Points(_) | Body::Mesh(_)) {
+        faults
+            .error(root("body"), "a plate in bending needs a lattice, with points on its edges")
+            .hint("take `rectangle` or `outline`; an outline is also read from a drawing");
     }
     let name = match case.solver {
         Solver::Auto | Solver::Sparse | Solver::Multigrid => return,

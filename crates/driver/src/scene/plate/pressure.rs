@@ -37,7 +37,16 @@ pub(super) fn add(
         None => None,
         Some(name) => match site.cells.region(name, &path.key("region"), faults) {
             Some(cells) => Some(cells),
-            None => return,
+            None => {
+                // One without points has its fault already; here it may have points, and no middles.
+                if site.case.regions.contains_key(name) {
+                    let message = format!("no cell has its middle in the region `{name}`: nothing is loaded");
+                    faults
+                        .error(path.key("region"), message)
+                        .hint("use a larger region, or a smaller spacing");
+                }
+                return;
+            }
         },
     };
     let cells = site.nodes.cells();

@@ -24,6 +24,14 @@ pub(super) fn collect(site: &Site, (parameters, thickness): (&PlateParameters, f
             )
             .hint("use `corrected`, the default, or a spacing below the thickness over the horizon ratio");
     }
+    if ratio > NEXT + 1e-9 && !site.case.symmetry.is_empty() {
+        faults
+            .warning(
+                root("symmetry"),
+                "bonds longer than those to the next points are cut at lines of symmetry: shear forces beside these are off by 9 per cent with three spacings per horizon",
+            )
+            .hint("use a `horizon_ratio` of 1.5, the default, with which a part is the whole plate exactly");
+    }
     for (path, load) in all_loads(site) {
         if matches!(load, Load::Point(load) if load.force != 0.0) && ratio > NEXT + 1e-9 {
             faults
