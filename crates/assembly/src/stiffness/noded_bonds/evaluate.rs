@@ -105,13 +105,15 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
             move || {
                 let mut on_nodes = on_nodes;
                 let (mut sums, mut sigma) = ([[T::default(); TILE]; Q], [[T::default(); TILE]; M]);
-                let mut before = 0;
+                let (mut before, has_broken) = (0, !self.factors.is_empty());
                 for stretch in self.bonds.all() {
                     let hung = self.hung(stretch);
                     for (from, len) in tiles(stretch) {
                         self.sum(&hung, ([u, &nodes], signs.map(T::of)), &mut sums, from, len);
                         stress(stretch.kind as usize, len, &sums, &mut sigma);
-                        self.leave_out_broken(&mut sigma, before + from, len);
+                        if has_broken {
+                            self.leave_out_broken(&mut sigma, before + from, len);
+                        }
                         let rows = &self.rows[stretch.kind as usize].0;
                         self.pull(&hung, (rows, &sigma), [force, &mut on_nodes], from, len);
                     }
@@ -124,12 +126,11 @@ impl<const D: usize, const M: usize, T: Number> NodedBonds<D, M, T> {
     }
 
     /// Takes what broken bonds would bear from that of some bonds, the first of which has a number.
-    #[inline(always)]
+    #[inline(never)]
     fn leave_out_broken(&self, sigma: &mut [Tile<T>; M], number: usize, len: usize) {
-        if let Some(factors) = self.factors.get(number..number + len) {
-            let numbers = sigma.iter_mut().flat_map(|sigma| sigma.iter_mut().zip(factors));
-            numbers.for_each(|(sigma, factor)| *sigma = *factor * *sigma);
-        }
+        let factors = &self.factors[number..number + len];
+        let numbers = sigma.iter_mut().flat_map(|sigma| sigma.iter_mut().zip(factors));
+        numbers.for_each(|(sigma, factor)| *sigma = *factor * *sigma);
     }
 
     /// Sums of the values at the ends of some bonds of a stretch.
