@@ -2,7 +2,7 @@
 
 use super::cubic_cycle::{self, Cubes};
 use super::kept_factor::KeptFactor;
-use super::method::{Plan, plan};
+use super::method::{Plan, plan, worth_a_factor};
 use super::solve_failure::SolveFailure;
 use super::{Coarser, Counters, Problem, Timing};
 use crate::case::Solver;
@@ -23,7 +23,7 @@ impl KeptInverse {
     /// The one that suits a problem.
     ///
     /// # Errors
-    /// [`SolveFailure`] if there is no factor.
+    /// [`SolveFailure`] if there is no factor, or it would be too large.
     pub(super) fn new<const D: usize>(
         problem: &dyn Problem<D>,
         system: &System<D>,
@@ -32,6 +32,9 @@ impl KeptInverse {
     ) -> Result<Self, SolveFailure> {
         match cycle(problem, system, timing, counters) {
             Some(cycle) => Ok(cycle),
+            None if plan(problem) == Plan::Cycle && system.points() > worth_a_factor(problem) => {
+                Err(SolveFailure::TooLarge { points: system.points() })
+            }
             None => Ok(Self::Factor(KeptFactor::new(problem, system, timing, counters)?)),
         }
     }

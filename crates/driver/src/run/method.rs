@@ -100,7 +100,7 @@ pub(super) fn plan<const D: usize>(problem: &dyn Problem<D>) -> Plan {
 }
 
 /// Points up to which a lattice is worth a factor where nothing else converges.
-fn worth_a_factor<const D: usize>(problem: &dyn Problem<D>) -> usize {
+pub(super) fn worth_a_factor<const D: usize>(problem: &dyn Problem<D>) -> usize {
     let is_solid = problem.most_factored() < TOO_MANY_POINTS;
     if is_solid { FALL_BACK_OF_SOLID } else { TOO_MANY_POINTS }
 }

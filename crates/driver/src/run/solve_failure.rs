@@ -27,6 +27,14 @@ pub enum SolveFailure {
     /// The supports do not determine the reactions.
     #[error("the supports do not determine the reactions")]
     Supports,
+    /// Nothing but a factor would do, and it would take too much memory.
+    #[error(
+        "a solid of {points} points that breaks needs coarser lattices, and has none: its rigid regions are free to move, or it fills little of its box; use a larger spacing"
+    )]
+    TooLarge {
+        /// Number of points.
+        points: usize,
+    },
     /// Anything else.
     #[error(transparent)]
     Factor(FactorError),

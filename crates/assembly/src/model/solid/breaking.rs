@@ -207,10 +207,6 @@ impl<P: SolidMaterial> Breakable<3> for Solid<P> {
         [place.1, self.body.upper(place).unwrap_or(place.1)]
     }
 
-    fn offset(&self, bond: u64) -> usize {
-        bond as usize / self.body.lattice.points()
-    }
-
     fn for_each_ratio(&self, u: &[f64], critical: &CriticalStretch, visit: &mut dyn FnMut(u64, f64)) {
         self.body.for_each_ratio(u, critical, visit);
     }

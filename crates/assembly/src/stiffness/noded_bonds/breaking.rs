@@ -51,6 +51,9 @@ impl<const D: usize, const M: usize> NodedBonds<D, M> {
         bonds: &[usize],
         mut visit: impl FnMut(usize, Option<usize>, &PlacedBond<D, M>),
     ) {
+        if bonds.is_empty() {
+            return;
+        }
         let places = self.places();
         self.for_each_numbered(|number, kind, ends| {
             if bonds.binary_search(&number).is_ok() {
