@@ -2,6 +2,7 @@
 
 use super::scan;
 use crate::case::{FieldName, Reduction};
+use crate::scene::body::BodyComparison;
 use crate::scene::{Bound, Expectation, ExpectationKind};
 use crate::units::Units;
 use serde::{Deserialize, Serialize};
@@ -219,6 +220,15 @@ pub(super) fn check<F>(
         }
         ExpectationKind::Points(points) => of_points(points),
     }
+}
+
+/// Outcome of a check of all points by its name, with the values that were found there.
+pub(super) fn compared(name: &str, points: &BodyComparison, found: &[f64]) -> CheckResult {
+    let worst = match found.len() == points.expected.len() {
+        true => Worst::of(&points.expected, found),
+        false => Worst { difference: f64::NAN, scale: 1.0, ..Worst::NONE },
+    };
+    CheckResult::of(name, points.kind, worst, points.tolerance, &*points.source)
 }
 
 #[cfg(test)]

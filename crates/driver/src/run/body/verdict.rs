@@ -2,7 +2,7 @@
 
 use super::{BodyResult, hole_fits, reduced};
 use crate::case::{FieldName, Origin};
-use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
+use crate::run::verdict::{self, CheckResult, ProbeResult};
 use crate::scene::body::{BodyComparison, BodyProbe, BodyScene, Quantity};
 use crate::scene::{Expectation, ExpectationKind};
 use peristat_assembly::sum::Sum;
@@ -129,12 +129,11 @@ pub(crate) fn checks(scene: &BodyScene, result: &BodyResult, probes: &[ProbeResu
     };
     let check = |expectation: &Expectation<BodyComparison>| {
         let points = |points: &BodyComparison| {
-            let found = result.values(scene, points.field).unwrap_or_default();
-            let worst = match found.len() == points.expected.len() {
-                true => Worst::of(&points.expected, &found),
-                false => Worst { difference: f64::NAN, scale: 1.0, ..Worst::NONE },
-            };
-            CheckResult::of(&expectation.name, points.kind, worst, points.tolerance, &*points.source)
+            verdict::compared(
+                &expectation.name,
+                points,
+                &result.values(scene, points.field).unwrap_or_default(),
+            )
         };
         verdict::check(expectation, probed, |probe| [probed(probe); 2], points)
     };

@@ -2,7 +2,7 @@
 
 use super::PlateResult;
 use crate::run::reducer::{Reduced, Reducer};
-use crate::run::verdict::{self, CheckResult, ProbeResult, Worst};
+use crate::run::verdict::{self, CheckResult, ProbeResult};
 use crate::scene::body::BodyComparison;
 use crate::scene::plate::{PlateProbe, PlateQuantity};
 use crate::scene::{Expectation, ExpectationKind, PlateScene};
@@ -74,12 +74,7 @@ pub(crate) fn checks(scene: &PlateScene, result: &PlateResult, probes: &[ProbeRe
     };
     let check = |expectation: &Expectation<BodyComparison>| {
         let points = |points: &BodyComparison| {
-            let found = result.values(points.field).unwrap_or_default();
-            let worst = match found.len() == points.expected.len() {
-                true => Worst::of(&points.expected, &found),
-                false => Worst { difference: f64::NAN, scale: 1.0, ..Worst::NONE },
-            };
-            CheckResult::of(&expectation.name, points.kind, worst, points.tolerance, &*points.source)
+            verdict::compared(&expectation.name, points, &result.values(points.field).unwrap_or_default())
         };
         verdict::check(expectation, probed, |probe| [probed(probe); 2], points)
     };

@@ -31,7 +31,7 @@ pub(crate) use hole_ring::is_on;
 pub use load::sums::BodyLoads;
 pub use load::temperature::Heat;
 pub use read::checks::BodyComparison;
-pub(crate) use read::checks::{of_baseline, of_formula};
+pub(in crate::scene) use read::checks::compare;
 pub(crate) use read::fields::{Has, Says, of_points};
 pub use read::intensities::Intensity;
 pub(crate) use read::outputs::lines;

@@ -27,7 +27,6 @@ use crate::model::{USUAL_HORIZON_RATIO, with_body};
 use crate::scene::files;
 use crate::scene::path::PathScene;
 use crate::scene::solids_only;
-use crate::scene::states::{self, Sum};
 use peristat_assembly::body::{Crack, PointBody, in_space};
 use peristat_assembly::model::BodyModel;
 
@@ -126,7 +125,7 @@ impl BodyScene {
         let moves = held.iter().flat_map(|h| &h.motions).any(|m| !m.1.is_zero())
             || rigid.iter().flat_map(|r| r.prescribed).flatten().any(|v| v != 0.0);
         load_cases::check_loaded(&ground, &load_cases, moves, faults);
-        let states = states(case, faults);
+        let states = BodyState::all(case, faults);
         cracks::check(
             &cracks,
             &inputs.body,
@@ -279,15 +278,4 @@ impl Failure {
         }
         Self { fracture, path, facts }
     }
-}
-
-/// The right-hand sides.
-fn states(case: &Case, faults: &mut Faults) -> Vec<BodyState> {
-    let state = |Sum { name, load_factor, terms }: Sum| BodyState {
-        name,
-        load_factor,
-        motion_factor: if case.steps.is_some() { load_factor } else { 1.0 },
-        terms,
-    };
-    states::sums(case, faults).into_iter().map(state).collect()
 }

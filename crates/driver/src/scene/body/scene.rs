@@ -19,6 +19,7 @@ use crate::model::{AnyBody, HeldRegion, Material, Mixture, Refusal, Resolved};
 use crate::scene::expectation::Expectation;
 use crate::scene::files::InputFile;
 use crate::scene::path::PathScene;
+use crate::scene::states::{self, Sum};
 use peristat_assembly::body::{Cell, Crack, Outline, PointBody, SquareLattice};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
@@ -82,6 +83,19 @@ pub struct BodyState {
     pub motion_factor: f64,
     /// Load cases by number, and their factors.
     pub terms: Vec<(usize, f64)>,
+}
+
+impl BodyState {
+    /// The right-hand sides of a case.
+    pub(in crate::scene) fn all(case: &Case, faults: &mut Faults) -> Vec<Self> {
+        let state = |Sum { name, load_factor, terms }: Sum| Self {
+            name,
+            load_factor,
+            motion_factor: if case.steps.is_some() { load_factor } else { 1.0 },
+            terms,
+        };
+        states::sums(case, faults).into_iter().map(state).collect()
+    }
 }
 
 impl BodyScene {

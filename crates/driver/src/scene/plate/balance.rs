@@ -1,12 +1,13 @@
 //! What acts on a plate as a whole.
 
-use super::scene::{PlateScene, PlateState};
+use super::scene::PlateScene;
 use super::statics;
+use crate::scene::body::BodyState;
 use crate::scene::{ASKED, Counted, Resultant};
 
 impl PlateScene {
     /// Resultant of the loads of a state, as the case asks for them.
-    pub fn asked(&self, state: &PlateState) -> Resultant {
+    pub fn asked(&self, state: &BodyState) -> Resultant {
         let mut sum = Resultant::default();
         state.terms.iter().for_each(|&(case, factor)| sum.add_multiple(factor, &self.load_cases[case].asked));
         sum
@@ -24,7 +25,7 @@ impl PlateScene {
 
     /// Difference of the loads as asked and as applied, relative to their magnitudes, that is no fault: formulas act by their
     /// values at points.
-    pub fn slack(&self, state: &PlateState) -> f64 {
+    pub fn slack(&self, state: &BodyState) -> f64 {
         let is_approximate = |&(case, _): &(usize, f64)| self.load_cases[case].is_approximate;
         if state.terms.iter().any(is_approximate) { f64::INFINITY } else { ASKED }
     }

@@ -21,5 +21,5 @@ mod warnings;
 
 pub use plate_loads::PlateLoads;
 pub use probes::{PlateProbe, PlateQuantity};
-pub use scene::{PlateScene, PlateState};
+pub use scene::PlateScene;
 pub use supports::PlateSupport;

@@ -14,10 +14,9 @@ use crate::scene::body::site::body;
 use crate::scene::body::site::ground::Ground;
 use crate::scene::body::site::interpolate::Interpolation;
 use crate::scene::body::site::of_case::horizon_key;
-use crate::scene::body::{BodyComparison, OutputLine, lines, of_baseline, of_formula};
+use crate::scene::body::{BodyComparison, BodyState, OutputLine, compare, lines};
 use crate::scene::expectation::{self, Expectation, PointsCheck};
 use crate::scene::files::{self, InputFile};
-use crate::scene::states::{self, Sum};
 use crate::scene::{horizon, words};
 use peristat_assembly::body::{Outline, PointBody, SquareLattice};
 use peristat_assembly::condition::Equation;
@@ -54,7 +53,7 @@ pub struct PlateScene {
     /// Load cases.
     pub load_cases: Vec<PlateLoads>,
     /// What is solved, in this order.
-    pub states: Vec<PlateState>,
+    pub states: Vec<BodyState>,
     /// How to solve.
     pub solver: Solver,
     /// Values to report.
@@ -65,19 +64,6 @@ pub struct PlateScene {
     pub expectations: Vec<Expectation<BodyComparison>>,
     /// Faults that do not keep the case from running.
     pub warnings: Faults,
-}
-
-/// One right-hand side.
-#[derive(Clone, Debug)]
-pub struct PlateState {
-    /// Name.
-    pub name: String,
-    /// Factor on the loads as written.
-    pub load_factor: f64,
-    /// Factor on prescribed motions.
-    pub motion_factor: f64,
-    /// Load cases by number, and their factors.
-    pub terms: Vec<(usize, f64)>,
 }
 
 impl PlateScene {
@@ -146,7 +132,7 @@ impl PlateScene {
         let probes = probes::probes(&site, &held, faults);
         let interpolation = Interpolation { body: &points, cracks: &[], reach: 1 };
         let lines = lines(site.ground, &interpolation, &|p| p, max_memory, faults);
-        let states = states(case, faults);
+        let states = BodyState::all(case, faults);
         let expectations = expectations(case, &points, (&states, &probes), (folder, max_memory), faults);
         held.springs.extend(foundation::springs(&site, faults));
         warnings::collect(&site, (&parameters, keys.thickness), faults);
@@ -190,22 +176,11 @@ fn refuse(error: &PlateError, case: &Case, faults: &mut Faults) {
     faults.error(path, error.to_string());
 }
 
-/// The right-hand sides.
-fn states(case: &Case, faults: &mut Faults) -> Vec<PlateState> {
-    let state = |Sum { name, load_factor, terms }: Sum| PlateState {
-        name,
-        load_factor,
-        motion_factor: if case.steps.is_some() { load_factor } else { 1.0 },
-        terms,
-    };
-    states::sums(case, faults).into_iter().map(state).collect()
-}
-
 /// Checks of the case.
 fn expectations(
     case: &Case,
     body: &PointBody,
-    (states, probes): (&[PlateState], &[PlateProbe]),
+    (states, probes): (&[BodyState], &[PlateProbe]),
     (folder, max_memory): (&Folder, Option<u64>),
     faults: &mut Faults,
 ) -> Vec<Expectation<BodyComparison>> {
@@ -220,18 +195,8 @@ fn expectations(
         }
         is_there
     };
-    let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| match check {
-        PointsCheck::ClosedForm(_) => {
-            faults
-                .error(path.clone(), "closed forms are for beams")
-                .hint("compare all points with a `formula` or a `baseline`, or a probe with a number by a `value` check");
-            None
-        }
-        PointsCheck::Baseline(check) => is_field(check.field, path, faults)
-            .then(|| of_baseline(check, body, (folder, max_memory), path, faults))?,
-        PointsCheck::Formula(check) => {
-            is_field(check.field, path, faults).then(|| of_formula(check, body, path, faults))?
-        }
+    let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| {
+        compare(check, body, (is_field, folder, max_memory), path, faults)
     };
     expectation::expectations(case, &states, &probes, compare, faults)
 }

@@ -47,7 +47,25 @@ pub(crate) fn expectations(
         }
         is_there
     };
-    let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| match check {
+    let compare = |check: PointsCheck, path: &JsonPath, _: usize, faults: &mut Faults| {
+        compare(check, body, (is_field, folder, max_memory), path, faults)
+    };
+    expectation::expectations(case, states, probes, compare, faults)
+}
+
+/// What a check of all points of a body compares. `is_field` tells whether they have a field, with a fault if not.
+pub(in crate::scene) fn compare(
+    check: PointsCheck,
+    body: &PointBody,
+    (is_field, folder, max_memory): (
+        impl Fn(FieldName, &JsonPath, &mut Faults) -> bool,
+        &Folder,
+        Option<u64>,
+    ),
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<BodyComparison> {
+    match check {
         PointsCheck::ClosedForm(_) => {
             faults
                 .error(path.clone(), "closed forms are for beams")
@@ -59,11 +77,10 @@ pub(crate) fn expectations(
         PointsCheck::Formula(check) => {
             is_field(check.field, path, faults).then(|| of_formula(check, body, path, faults))?
         }
-    };
-    expectation::expectations(case, states, probes, compare, faults)
+    }
 }
 
-pub(crate) fn of_formula(
+fn of_formula(
     check: &Formula,
     body: &PointBody,
     path: &JsonPath,
@@ -86,7 +103,7 @@ pub(crate) fn of_formula(
     }
 }
 
-pub(crate) fn of_baseline(
+fn of_baseline(
     check: &Baseline,
     body: &PointBody,
     (folder, max_memory): (&Folder, Option<u64>),
