@@ -17,6 +17,21 @@ const REFUSED: [(&str, &str); 4] = [
     ("REGION", "explode regions to lines and arcs before the export"),
 ];
 
+/// Bit of a vertex that controls a fitted curve and is not on it.
+const FRAME: i64 = 16;
+/// Bits of polylines that are curves or meshes in space.
+const IN_SPACE: i64 = 8 | 16 | 64;
+
+/// Entities that lie in a plane of their own, by the groups of the heights of their ends.
+const FLAT: [(&str, &[i32]); 6] = [
+    ("LINE", &[30, 31]),
+    ("CIRCLE", &[]),
+    ("ARC", &[]),
+    ("ELLIPSE", &[31]),
+    ("LWPOLYLINE", &[]),
+    ("POLYLINE", &[]),
+];
+
 /// An entity with its groups.
 struct Entity<'a> {
     kind: &'a str,
@@ -34,6 +49,7 @@ pub(super) fn read(bytes: &[u8], deviation: f64) -> Result<Strokes, ReadError> {
                 ReadError::at(entity.line, format!("entities `{}` are not read", entity.kind)).hint(hint)
             );
         }
+        entity.check_is_flat()?;
         match entity.kind {
             "LINE" => {
                 let points = vec![entity.point(10, 20)?, entity.point(11, 21)?];
@@ -56,7 +72,8 @@ pub(super) fn read(bytes: &[u8], deviation: f64) -> Result<Strokes, ReadError> {
             "LWPOLYLINE" => entity.polyline()?.add(&entity, deviation, &mut strokes)?,
             "POLYLINE" => open = Some(Polyline { is_closed: entity.bits(70) & 1 != 0, vertices: Vec::new() }),
             "VERTEX" => {
-                if let Some(polyline) = &mut open {
+                let polyline = open.as_mut().filter(|_| entity.bits(70) & FRAME == 0);
+                if let Some(polyline) = polyline {
                     polyline.vertices.push((entity.point(10, 20)?, entity.get(42)?.unwrap_or(0.0)));
                 }
             }
@@ -116,6 +133,27 @@ impl Entity<'_> {
 
     fn point(&self, x: i32, y: i32) -> Result<[f64; 2], ReadError> {
         Ok([self.need(x)?, self.need(y)?])
+    }
+
+    /// A fault for a curve out of the plane of the drawing, whose projection would be another one.
+    fn check_is_flat(&self) -> Result<(), ReadError> {
+        let Some((_, heights)) = FLAT.iter().find(|(kind, _)| *kind == self.kind) else { return Ok(()) };
+        let values = |codes: &[i32]| -> Result<Vec<f64>, ReadError> {
+            codes.iter().map(|code| Ok(self.get(*code)?.unwrap_or(0.0))).collect()
+        };
+        // The axis in units of its length: coordinates are rounded to a few digits.
+        let is_upright = values(&[210, 220])?.iter().all(|x| x.abs() <= 1e-6);
+        let ends = values(heights)?;
+        let is_level = match self.kind {
+            "ELLIPSE" => ends.iter().all(|z| *z == 0.0),
+            "POLYLINE" => self.bits(70) & IN_SPACE == 0,
+            _ => ends.windows(2).all(|z| z[0] == z[1]),
+        };
+        if is_upright && is_level {
+            return Ok(());
+        }
+        let what = format!("the {} leaves the plane z = constant", self.kind);
+        Err(ReadError::at(self.line, what).hint("flatten the drawing before the export"))
     }
 
     /// The name of its layer.

@@ -13,6 +13,9 @@ use svgtypes::{Transform, ViewBox};
 /// Elements whose shapes are not drawn where they stand.
 const HIDDEN: [&str; 7] = ["defs", "clipPath", "mask", "marker", "pattern", "symbol", "metadata"];
 
+/// Properties that a style sheet gives to shapes without their being told apart here.
+const MOVING: [&str; 9] = ["display", "visibility", "transform", "d", "cx", "cy", "r", "x", "y"];
+
 /// Elements within each other, at most.
 const DEEPEST: usize = 200;
 
@@ -83,14 +86,10 @@ pub(super) fn read(bytes: &[u8], deviation: f64) -> Result<Strokes, ReadError> {
     let mut open = vec![(root, upwards(root)?)];
     while let Some((node, axes)) = open.pop() {
         let name = node.tag_name().name();
-        let is_hidden = HIDDEN.contains(&name) || node.attribute("display") == Some("none");
-        if is_hidden {
+        if HIDDEN.contains(&name) || is_hidden(node) {
             continue;
         }
-        if name == "use" {
-            return Err(ReadError::at(line(node), "elements `use` are not read")
-                .hint("unlink clones before the export"));
-        }
+        check_is_read(node, root)?;
         let axes = match node.attribute("transform") {
             Some(text) => axes.then(Transform::from_str(text).map_err(|error| {
                 ReadError::at(line(node), format!("the attribute `transform` is broken: {error}"))
@@ -103,6 +102,56 @@ pub(super) fn read(bytes: &[u8], deviation: f64) -> Result<Strokes, ReadError> {
         open.extend(children.into_iter().rev().map(|child| (child, axes)));
     }
     Ok(strokes)
+}
+
+/// The value of a property: a declaration of the attribute `style` has precedence over the attribute.
+fn property<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+    let declarations = node.attribute("style").unwrap_or_default().split(';');
+    let styled = declarations.filter_map(|text| text.split_once(':')).find(|(key, _)| key.trim() == name);
+    styled.map(|(_, value)| value.trim()).or_else(|| node.attribute(name))
+}
+
+/// Whether neither an element nor what is within it is drawn.
+fn is_hidden(node: Node) -> bool {
+    let hides = |value: &str| ["hidden", "collapse"].iter().any(|hidden| value.starts_with(hidden));
+    property(node, "display").is_some_and(|value| value.starts_with("none"))
+        || property(node, "visibility").is_some_and(hides)
+}
+
+/// A fault for what would move shapes, or hide them, in ways that are not read.
+fn check_is_read(node: Node, root: Node) -> Result<(), ReadError> {
+    let refused =
+        |what: &str, hint| Err(ReadError::at(line(node), format!("{what} are not read")).hint(hint));
+    match node.tag_name().name() {
+        "use" => refused("elements `use`", "unlink clones before the export"),
+        "svg" if node != root => {
+            refused("drawings `svg` within a drawing", "ungroup imported drawings before the export")
+        }
+        "switch" => refused("elements `switch`", "export the drawing as plain SVG"),
+        "style" => {
+            let sheet: String =
+                node.descendants().filter_map(|n| n.is_text().then(|| n.text()).flatten()).collect();
+            match MOVING.iter().find(|name| declares(&sheet, name)) {
+                Some(name) => refused(
+                    &format!("style sheets with `{name}`"),
+                    "export with attributes in place of style sheets, as plain SVG",
+                ),
+                None => Ok(()),
+            }
+        }
+        _ if property(node, "transform").is_some() && node.attribute("transform").is_none() => {
+            refused("styles with `transform`", "write the attribute `transform`")
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether a style sheet declares a property of that name.
+fn declares(sheet: &str, name: &str) -> bool {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    sheet.match_indices(name).any(|(at, _)| {
+        !sheet[..at].ends_with(is_word) && sheet[at + name.len()..].trim_start().starts_with(':')
+    })
 }
 
 /// A fault for elements too deep within each other, before a parser goes there.

@@ -165,6 +165,51 @@ fn faults_say_the_line_and_what_is_wrong() {
 }
 
 #[test]
+fn what_a_style_hides_is_left_out_and_what_it_moves_is_refused() {
+    let plate = "<rect width='8' height='4'/>";
+    for hidden in [
+        "style='display:none'",
+        "display='none'",
+        "style='fill:red; visibility: hidden'",
+        "visibility='hidden'",
+    ] {
+        let layer = format!("{plate}<g {hidden}><path d='M1 1L9 9'/></g>");
+        assert_eq!(drawn(&svg(&layer)).border.vertices.len(), 4, "{hidden}");
+    }
+    assert_eq!(
+        drawn(&svg(&format!("<style>.a{{fill:none;stroke-width:1}}</style>{plate}"))).border.vertices.len(),
+        4
+    );
+    for (inner, wanted) in [
+        ("<svg x='3'><rect width='1' height='1'/></svg>", "drawings `svg` within a drawing"),
+        ("<style>.hidden { display : none }</style>", "style sheets with `display`"),
+        ("<g style='transform:scale(2)'><rect width='1' height='1'/></g>", "styles with `transform`"),
+        ("<switch><rect width='1' height='1'/></switch>", "elements `switch`"),
+    ] {
+        let found = fault(&svg(&format!("{plate}{inner}")));
+        assert!(found.contains(wanted), "{found}");
+    }
+}
+
+#[test]
+fn curves_of_dxf_out_of_their_plane_are_refused_and_frames_of_splines_left_out() {
+    let up: &[(i32, &str)] = &[(10, "0"), (20, "0"), (30, "0"), (11, "4"), (21, "0"), (31, "1")];
+    let tilted: &[(i32, &str)] = &[(10, "0"), (20, "0"), (40, "1"), (210, "0"), (220, "0.7"), (230, "0.7")];
+    let in_space: &[(i32, &str)] = &[(70, "9")];
+    for (kind, groups) in [("LINE", up), ("CIRCLE", tilted), ("POLYLINE", in_space)] {
+        let found = fault(&dxf(&[(kind, groups)]));
+        assert!(found.contains(&format!("the {kind} leaves the plane")), "{found}");
+    }
+    let vertex = |x: &'static str, y: &'static str, bits: &'static str| [(10, x), (20, y), (70, bits)];
+    let corners =
+        [vertex("0", "0", "8"), vertex("9", "9", "16"), vertex("4", "0", "8"), vertex("4", "2", "8")];
+    let mut entities: Vec<(&str, &[(i32, &str)])> = vec![("POLYLINE", &[(70, "5")])];
+    entities.extend(corners.iter().map(|groups| ("VERTEX", &groups[..])));
+    entities.push(("SEQEND", &[]));
+    assert_eq!(drawn(&dxf(&entities)).border.vertices, [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0]]);
+}
+
+#[test]
 fn curves_with_too_many_chords_are_refused() {
     let text = svg(&format!("<path d='M0 0{}'/>", "a1 1 0 0 1 2 0".repeat(300)));
     let error = read(text.as_bytes(), 1e-12).unwrap_err();
