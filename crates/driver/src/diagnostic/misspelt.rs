@@ -15,6 +15,9 @@ pub(super) fn misspelt(noun: &str, name: &str, allowed: &[&str]) -> Diagnostic {
         _ if OF_TIME.contains(&plain.as_str()) && !allowed.contains(&plain.as_str()) => {
             "nothing depends on time: loads rise by `steps`, `fracture` or `path`".to_string()
         }
+        _ if written_otherwise(&plain, allowed).is_some() => {
+            written_otherwise(&plain, allowed).unwrap_or_default().to_string()
+        }
         Some(question) if meant.len() > 1 && meant[0].starts_with("principal_stress") => {
             format!("{question} The largest is 1, the smallest 3")
         }
@@ -41,6 +44,31 @@ fn components<'a>(name: &str, allowed: &[&'a str]) -> Vec<&'a str> {
 /// What dynamics has and statics has not.
 const OF_TIME: [&str; 8] =
     ["time", "dt", "time_step", "duration", "end_time", "velocity", "damping", "initial_velocity"];
+
+/// What other programs write in another way: their words, a key that stands where they do, and what to write.
+const OTHERWISE: [(&[&str], &str, &str); 3] = [
+    (
+        &["edge", "edges", "face", "faces", "side", "boundary"],
+        "inward",
+        r#"an edge or a face is the region of its name, such as `"region": "left"`"#,
+    ),
+    (
+        &["fix", "fixed", "clamp", "clamped", "dof", "dofs", "constraint", "type", "value", "values"],
+        "ux_spring",
+        r#"a support names what it prescribes, such as `"ux": 0.0, "uy": 0.0`"#,
+    ),
+    (
+        &["force", "forces", "point_force", "point_load", "nodal", "concentrated"],
+        "traction",
+        "a force at a place is a `point`, one per area of an edge or a face a `traction`, one per volume a `body_force`",
+    ),
+];
+
+/// What to write in place of a word of other programs.
+fn written_otherwise(name: &str, allowed: &[&str]) -> Option<&'static str> {
+    let here = |key: &str| allowed.contains(&key) && !allowed.contains(&name);
+    OTHERWISE.iter().find(|(words, key, _)| words.contains(&name) && here(key)).map(|(.., hint)| *hint)
+}
 
 /// What other programs call stresses and strains.
 const OTHER_WORDS: [(&str, &str); 6] = [
@@ -71,6 +99,21 @@ mod tests {
         for name in ["time", "Time-Step", "velocity"] {
             let hint = misspelt("key", name, &["title", "units"]).hint.unwrap_or_default();
             assert!(hint.contains("nothing depends on time"), "{name}: {hint}");
+        }
+    }
+
+    #[test]
+    fn words_of_other_programs_are_told_what_to_write() {
+        let at = ["x", "y", "region", "inward"];
+        let support = ["at", "ux", "uy", "ux_spring"];
+        let loads = ["point", "traction", "pressure"];
+        for (name, allowed, ours) in [
+            ("edge", &at[..], r#""region": "left""#),
+            ("fixed", &support, r#""ux": 0.0"#),
+            ("Force", &loads, "a `point`"),
+        ] {
+            let hint = misspelt("key", name, allowed).hint.unwrap_or_default();
+            assert!(hint.contains(ours), "{name}: {hint}");
         }
     }
 

@@ -37,9 +37,9 @@ impl Border {
             let (part, place) =
                 near.min_by(|a, b| distance(a.1, middle).total_cmp(&distance(b.1, middle)))?;
             let normal = normal(&parts[part].1, place);
-            let along = normal[0] * segment.outward[0] + normal[1] * segment.outward[1];
-            let is_true = distance(place, middle) < SAME * nodes.spacing() && (along - 1.0).abs() < SAME;
-            Some(Side { segment, part, is_true, normal })
+            let side = Side { segment, part, is_true: false, normal };
+            let is_true = distance(place, middle) < SAME * nodes.spacing() && is_along(&side, normal);
+            Some(Side { is_true, ..side })
         };
         let sides = nodes.edges().into_iter().filter_map(side).collect();
         Self { sides, parts }
@@ -74,6 +74,43 @@ impl Border {
         let length = |way: &[f64; 2]| way[0].hypot(way[1]);
         ways.min_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or_default()
     }
+
+    /// Whether a hole has an edge.
+    pub(super) fn has_hole(&self, number: usize) -> bool {
+        self.sides.iter().any(|side| match self.parts[side.part].0 {
+            BorderMember::Hole(hole) | BorderMember::HoleEdge { hole, .. } => hole == number,
+            BorderMember::Edge(_) => false,
+        })
+    }
+
+    /// Parts of the border along x or y that lie between rows of points: what each is, and how far beside it the sides of
+    /// cells are that stand for it, m.
+    pub(super) fn moved(&self, nodes: &PlateNodes) -> Vec<(BorderMember, f64)> {
+        let mut moved: Vec<(BorderMember, f64)> = Vec::new();
+        for (k, (member, part)) in self.parts.iter().enumerate() {
+            let BorderPart::Straight { normal, .. } = part else { continue };
+            if normal[0].abs().min(normal[1].abs()) > SAME {
+                continue;
+            }
+            let off = |side: &&Side| {
+                let [a, b] = side.segment.points.map(|p| nodes.place(p as usize));
+                let middle = [0, 1].map(|k| 0.5 * (a[k] + b[k]));
+                distance(nearest(part, middle), middle)
+            };
+            let own = self.sides.iter().filter(|side| side.part == k && is_along(side, *normal));
+            let most = own.map(|side| off(&side)).fold(0.0, f64::max);
+            if most > SAME * nodes.spacing() && moved.iter().all(|(known, _)| known != member) {
+                moved.push((*member, most));
+            }
+        }
+        moved
+    }
+}
+
+/// Whether a side faces where a part of the border does.
+fn is_along(side: &Side, normal: [f64; 2]) -> bool {
+    let along = normal[0] * side.segment.outward[0] + normal[1] * side.segment.outward[1];
+    (along - 1.0).abs() < SAME
 }
 
 /// The parts of all edges and holes behind which there is a body.

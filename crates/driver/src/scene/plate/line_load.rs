@@ -3,7 +3,7 @@
 use super::border::Side;
 use super::plate_loads::PlateLoads;
 use super::site::Site;
-use super::statics;
+use super::{statics, symmetry};
 use crate::case::{Amount, LineLoad};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::prescribed::Prescribed;
@@ -27,7 +27,12 @@ pub(super) fn add(
 ) {
     let pieces = match (&load.edge, load.from, load.to) {
         (Some(name), None, None) => match site.sides(name) {
-            Some(sides) => sides.iter().map(of_side).collect(),
+            Some(sides) => {
+                for edge in site.ground.edges_of(name) {
+                    symmetry::not_mirrored(site, &edge, &path.key("edge"), faults);
+                }
+                sides.iter().map(of_side).collect()
+            }
             None => {
                 faults
                     .error(path.key("edge"), format!("there is no edge `{}`", &**name))

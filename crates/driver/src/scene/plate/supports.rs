@@ -2,9 +2,10 @@
 
 use super::border::Side;
 use super::site::Site;
-use super::support_keys;
+use super::{support_keys, symmetry};
 use crate::case::{Amount, Support};
 use crate::diagnostic::{Faults, JsonPath, root};
+use crate::scene::body::site::place_of_point;
 use crate::scene::prescribed::Prescribed;
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y, W};
@@ -68,6 +69,10 @@ pub(super) fn held(site: &Site, faults: &mut Faults) -> Held {
         let path = root("supports").index(k);
         support_keys::check(support, &path, faults);
         let Some(spot) = site.spot(&support.at, &path.key("at"), "the support", faults) else { continue };
+        place_of_point::doubt(site.ground, &support.at, &spot, &path.key("at"), faults);
+        for name in support.at.region.iter().flat_map(|names| site.ground.edges_of(names)) {
+            symmetry::not_mirrored(site, &name, &path.key("at").key("region"), faults);
+        }
         let mut of = OneSupport { site, path: &path, support, equations: Vec::new() };
         let sides = of.sides(&spot.points);
         of.hold_deflection(&spot.points, &sides, faults);

@@ -2,7 +2,7 @@
 
 use super::site::{Site, points_of};
 use super::supports::Held;
-use crate::diagnostic::{Faults, root, suggest};
+use crate::diagnostic::{Faults, JsonPath, root, suggest};
 use peristat_assembly::condition::{Equation, Unknown};
 use peristat_assembly::model::plate_bending::{PHI_X, PHI_Y};
 
@@ -32,5 +32,14 @@ pub(super) fn hold(site: &Site, held: &mut Held, faults: &mut Faults) {
         };
         let equations = points_of(&sides).into_iter().map(equation).collect();
         held.take((format!("symmetry `{name}`"), sides), equations, Vec::new());
+    }
+}
+
+/// A fault for an edge that is a line of symmetry.
+pub(super) fn not_mirrored(site: &Site, edge: &str, path: &JsonPath, faults: &mut Faults) {
+    if site.case.symmetry.iter().any(|name| name == edge) {
+        faults
+            .error(path.clone(), format!("the edge `{edge}` is a line of symmetry, no edge of the plate"))
+            .hint("the other half goes on behind it, and holds its rotation across: remove one of both");
     }
 }

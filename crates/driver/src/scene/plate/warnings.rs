@@ -3,6 +3,7 @@
 use super::site::Site;
 use crate::case::{Load, Support};
 use crate::diagnostic::{Faults, JsonPath, root, tidy};
+use peristat_assembly::body::BorderMember;
 use peristat_assembly::model::plate_bending::{PlateParameters, ShearLaw};
 
 /// Horizon ratios above this have bonds that pass over points.
@@ -32,6 +33,7 @@ pub(super) fn collect(site: &Site, (parameters, thickness): (&PlateParameters, f
             )
             .hint("use a `horizon_ratio` of 1.5, the default, with which a part is the whole plate exactly");
     }
+    beside_the_border(site, faults);
     for (path, load) in all_loads(site) {
         if matches!(load, Load::Point(load) if load.force != 0.0) && ratio > NEXT + 1e-9 {
             faults
@@ -60,6 +62,31 @@ pub(super) fn collect(site: &Site, (parameters, thickness): (&PlateParameters, f
                 .warning(path, "the cells of this edge are steps: a clamp on them is right to first order only, with errors of a few per cent at 20 cells along the radius")
                 .hint("use a small spacing");
         }
+    }
+}
+
+/// A border that is not where the case has it: doubts about edges between rows of points, faults for holes between middles of cells.
+fn beside_the_border(site: &Site, faults: &mut Faults) {
+    let Site { outline, nodes, border, .. } = site;
+    let hole_words = |hole: usize| match &outline.holes()[hole].name {
+        Some(name) => format!("the hole `{name}`"),
+        None => format!("hole {}", hole + 1),
+    };
+    let mut moved = border.moved(nodes);
+    moved.retain(|(member, _)| !matches!(member, BorderMember::Edge(k) if outline.edges()[*k].is_chord));
+    for (member, distance) in moved {
+        let words = match member {
+            BorderMember::Edge(k) => format!("the edge `{}`", outline.edges()[k].name),
+            BorderMember::Hole(hole) => hole_words(hole),
+            BorderMember::HoleEdge { hole, edge } => format!("edge {} of {}", edge + 1, hole_words(hole)),
+        };
+        let message =
+            format!("{words} lies between rows of points: the plate ends {} beside it", tidy(distance));
+        faults.warning(root("body"), message).hint("use a spacing of which all lengths are multiples");
+    }
+    for hole in (0..outline.holes().len()).filter(|hole| !border.has_hole(*hole)) {
+        let message = format!("no cell has its centre in {}: it would do nothing", hole_words(hole));
+        faults.error(root("body"), message).hint("use a smaller spacing");
     }
 }
 

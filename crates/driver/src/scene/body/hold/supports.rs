@@ -10,6 +10,7 @@ use crate::model::Material;
 use crate::scene::body::site::boundary::{self, Stretch};
 use crate::scene::body::site::ground::{Ground, NamedPoints};
 use crate::scene::body::site::model_inputs::ModelInputs;
+use crate::scene::body::site::place_of_point;
 use crate::scene::body::site::symmetry::Symmetry;
 use crate::scene::prescribed::Prescribed;
 use peristat_assembly::body::{PointBody, Wall};
@@ -79,6 +80,7 @@ pub(crate) fn held(
             not_mirrored(Some(&edge), &at.key("region"), symmetry, faults);
         }
         let spot = ground.spot(&support.at, &at, "the support", faults)?;
+        place_of_point::doubt(ground, &support.at, &spot, &at, faults);
         let whole = resolve(support, spot, path, (ground, faults))?;
         Some(match &support.at.region {
             Some(names) => support_parts::parts(whole, names, ground, (symmetry, material, &shares)),

@@ -18,6 +18,7 @@ pub(crate) mod materials;
 pub(crate) mod model_inputs;
 pub(crate) mod of_case;
 pub(crate) mod periodic;
+pub(crate) mod place_of_point;
 mod region_faults;
 pub(crate) mod regions;
 pub(crate) mod resultants;
