@@ -74,6 +74,10 @@ impl KeptInverse {
     /// Name of the method, and why it was taken.
     pub(super) fn method(&self, asked: Solver) -> (&'static str, String) {
         match (self, asked) {
+            (Self::Factor(_), Solver::Multigrid) => (
+                "sparse_cholesky",
+                "multigrid is asked for, but only solids with coarser lattices break with it".into(),
+            ),
             (Self::Factor(_), _) => {
                 ("sparse_cholesky", "a body that breaks keeps its factor from equilibrium to equilibrium".into())
             }
