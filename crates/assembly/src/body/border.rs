@@ -1,7 +1,8 @@
 //! The border of a body as straight and round parts, without what other holes take of them.
 
 use super::geometry::{Point, distance, dot, minus, moved};
-use super::outline::{Edge, Outline, Shape};
+use super::hole::Shape;
+use super::outline::{Edge, Outline};
 use std::f64::consts::TAU;
 
 /// A part of the border of a body.
@@ -148,7 +149,7 @@ impl Shape {
                 };
                 vec![end(*to, turn - quarter), side(1.0), end(*from, turn + quarter), side(-1.0)]
             }
-            Self::Polygon(polygon) => {
+            Self::Polygon(polygon) | Self::Ellipse { chords: polygon, .. } => {
                 let edge = |k: usize| {
                     let [from, to] = polygon.edge(k);
                     straight(from, to, polygon.normal(k).map(|n| -n))

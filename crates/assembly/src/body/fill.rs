@@ -4,7 +4,7 @@ use super::BORDER;
 use super::convex::Convex;
 use super::geometry::Point;
 use super::lattice::SquareLattice;
-use super::outline::{Outline, Shape};
+use super::outline::Outline;
 use super::rows::Rows;
 use super::turn::Turn;
 use thiserror::Error;
@@ -149,12 +149,12 @@ impl Outline {
         let solid = Rows::inside(size, &closed).or(Rows::border(size, &closed, BORDER));
         let (mut rows, mut missed) = (solid.clone(), Vec::new());
         for (hole, cut) in self.holes().iter().enumerate() {
-            let removed = match (&cut.shape, cut.shape.stadium()) {
+            let removed = match (cut.shape.polygon(), cut.shape.stadium()) {
                 (_, Some((from, to, radius))) => {
                     let radius = radius / spacing - BORDER;
                     Rows::within(size, &Convex::Stadium { from: in_cells(from), to: in_cells(to), radius })
                 }
-                (Shape::Polygon(polygon), _) => {
+                (Some(polygon), _) => {
                     let vertices: Vec<Point> = polygon.vertices().iter().map(|v| in_cells(*v)).collect();
                     Rows::inside(size, &vertices).without(&Rows::border(size, &vertices, BORDER))
                 }

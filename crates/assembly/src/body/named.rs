@@ -1,6 +1,7 @@
 //! Names of several parts of a border: edges, holes and sides of holes that conditions name together.
 
-use super::outline::{Edge, Outline, Shape};
+use super::hole::Shape;
+use super::outline::{Edge, Outline};
 
 /// A part of the border of an outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

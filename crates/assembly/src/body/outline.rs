@@ -1,10 +1,10 @@
 //! Outlines of bodies: a polygon with holes and named edges.
 
-use super::geometry::{Point, distance, meet, to_segment};
+use super::geometry::to_segment;
+use super::hole::{Hole, HoleError};
 use super::named::BorderGroup;
 use super::polygon::{Polygon, PolygonError};
 use super::turn::Turn;
-use std::f64::consts::TAU;
 use thiserror::Error;
 
 /// A straight edge of an outline.
@@ -29,38 +29,6 @@ impl Edge {
     }
 }
 
-/// Where a hole is.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Shape {
-    /// All positions nearer than `radius` to `centre`, m.
-    Circle {
-        /// Its middle.
-        centre: [f64; 2],
-        /// Its radius.
-        radius: f64,
-    },
-    /// All positions nearer than `radius` to a segment, m; a circle if its ends are the same.
-    Slot {
-        /// Centre of the one round end.
-        from: [f64; 2],
-        /// Centre of the other.
-        to: [f64; 2],
-        /// Half the width.
-        radius: f64,
-    },
-    /// The inside of a simple polygon.
-    Polygon(Polygon),
-}
-
-/// A hole, or a notch if it crosses the outline. Its border belongs to the body.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Hole {
-    /// What regions call it.
-    pub name: Option<String>,
-    /// Where it is.
-    pub shape: Shape,
-}
-
 /// Why a rectangle or polygon is no outline.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum OutlineError {
@@ -78,29 +46,6 @@ pub enum OutlineError {
     /// The vertices are not those of a simple polygon.
     #[error(transparent)]
     Polygon(#[from] PolygonError),
-}
-
-/// Why a shape is no hole of an outline.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum HoleError {
-    /// A radius is not above zero.
-    #[error("the radius of a hole must be above zero, found {found}")]
-    Radius {
-        /// What was given.
-        found: f64,
-    },
-    /// A coordinate is infinite or no number.
-    #[error("the position of a hole must be finite")]
-    NotFinite,
-    /// It shares no position with the inside of the outline.
-    #[error("the hole is outside of the body")]
-    Outside,
-    /// Another hole, or an edge, has its name.
-    #[error("there is another hole or an edge of the name `{name}`")]
-    SameName {
-        /// The name.
-        name: String,
-    },
 }
 
 /// A simple polygon with holes, in the plane. Borders belong to the body. Holes may overlap each other and the outline.
@@ -236,77 +181,4 @@ fn edges(polygon: &Polygon, names: impl IntoIterator<Item = (String, bool)>) -> 
             Edge { name, from, to, normal: polygon.normal(k), is_chord }
         })
         .collect()
-}
-
-impl Shape {
-    /// Length of the border, m.
-    pub fn perimeter(&self) -> f64 {
-        match self {
-            Self::Circle { radius, .. } => TAU * radius,
-            Self::Slot { from, to, radius } => TAU * radius + 2.0 * distance(*from, *to),
-            Self::Polygon(polygon) => polygon.perimeter(),
-        }
-    }
-
-    /// Distance of a position from the border, m.
-    pub fn distance(&self, position: [f64; 2]) -> f64 {
-        match (self, self.stadium()) {
-            (_, Some((from, to, radius))) => (to_segment(position, from, to) - radius).abs(),
-            (Self::Polygon(polygon), _) => polygon.distance(position, position),
-            _ => f64::INFINITY,
-        }
-    }
-
-    /// A circle and a slot as segment and radius.
-    pub(super) fn stadium(&self) -> Option<(Point, Point, f64)> {
-        match self {
-            Self::Circle { centre, radius } => Some((*centre, *centre, *radius)),
-            Self::Slot { from, to, radius } => Some((*from, *to, *radius)),
-            Self::Polygon(_) => None,
-        }
-    }
-
-    fn seen_from(&self, axes: &Turn) -> Self {
-        match self {
-            Self::Circle { centre, radius } => {
-                Self::Circle { centre: axes.inwards(*centre), radius: *radius }
-            }
-            Self::Slot { from, to, radius } => {
-                Self::Slot { from: axes.inwards(*from), to: axes.inwards(*to), radius: *radius }
-            }
-            Self::Polygon(polygon) => Self::Polygon(polygon.seen_from(axes)),
-        }
-    }
-
-    fn check(&self) -> Result<(), HoleError> {
-        let Some((from, to, radius)) = self.stadium() else { return Ok(()) };
-        if !(radius > 0.0 && radius.is_finite()) {
-            return Err(HoleError::Radius { found: radius });
-        }
-        let finite = from.iter().chain(&to).all(|x| x.is_finite());
-        if finite { Ok(()) } else { Err(HoleError::NotFinite) }
-    }
-
-    fn meets(&self, body: &Polygon) -> bool {
-        match (self, self.stadium()) {
-            (_, Some((from, to, radius))) => body.distance(from, to) < radius,
-            (Self::Polygon(hole), _) => {
-                hole.edges().any(|[from, to]| body.distance(from, to) == 0.0)
-                    || hole.contains(body.vertices()[0])
-            }
-            _ => false,
-        }
-    }
-
-    /// Whether a position is in it, its border aside.
-    pub(super) fn removes(&self, position: Point) -> bool {
-        match (self, self.stadium()) {
-            (_, Some((from, to, radius))) => to_segment(position, from, to) < radius,
-            (Self::Polygon(hole), _) => {
-                let on_border = hole.edges().any(|[a, b]| meet(a, b, position, position));
-                hole.contains(position) && !on_border
-            }
-            _ => false,
-        }
-    }
 }

@@ -3,7 +3,7 @@
 use super::cover::{Covered, area_within, partly_covered, stadium};
 use super::geometry::{Point, dot, left_normal, moved, side};
 use super::lattice::{Cell, SquareLattice, TriangleParts, plus};
-use super::outline::{Outline, Shape};
+use super::outline::Outline;
 use std::collections::BTreeMap;
 
 /// Samples along each side of a cell that several borders cut.
@@ -102,11 +102,11 @@ impl Outline {
         let Some(hole) = border.checked_sub(1).map(|k| &self.holes()[k].shape) else {
             return polygon(self.border().vertices());
         };
-        match (hole, hole.stadium()) {
+        match (hole.polygon(), hole.stadium()) {
             (_, Some((from, to, radius))) => {
                 stadium(in_cells(&from), in_cells(&to), radius / lattice.spacing())
             }
-            (Shape::Polygon(hole), _) => polygon(hole.vertices()),
+            (Some(hole), _) => polygon(hole.vertices()),
             _ => Vec::new(),
         }
     }

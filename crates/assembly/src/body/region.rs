@@ -2,8 +2,9 @@
 
 use super::convex::Convex;
 use super::geometry::{dot, left_normal, moved};
+use super::hole::Shape;
 use super::named::BorderMember;
-use super::outline::{Edge, Outline, Shape};
+use super::outline::{Edge, Outline};
 use super::select::{nearest, points_in};
 use super::solid::{self, SolidRegion, Wall};
 use super::{BORDER, Group, PointBody};
@@ -268,7 +269,7 @@ fn around(hole: &Shape, depth: f64) -> Vec<Convex> {
         Shape::Slot { from, to, radius } => {
             vec![Convex::Stadium { from: *from, to: *to, radius: radius + depth }]
         }
-        Shape::Polygon(polygon) => {
+        Shape::Polygon(polygon) | Shape::Ellipse { chords: polygon, .. } => {
             polygon.edges().map(|[from, to]| Convex::Stadium { from, to, radius: depth }).collect()
         }
     }

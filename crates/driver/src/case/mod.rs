@@ -59,7 +59,8 @@ pub use path::{Path, PathControl, Turn};
 pub use periodic::Periodic;
 pub use peristat_assembly::material::Rolled;
 pub use plane_body::{
-    CircleHole, CrackName, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody, SlotHole,
+    CircleHole, CrackName, EllipseHole, Hole, MeshBody, OutlineBody, PointsBody, PolygonHole, RectangleBody,
+    SlotHole,
 };
 pub use plane_load::{BodyForce, Hertz, Traction};
 pub use plane_output::{LineOutput, StressIntensity, Tips};

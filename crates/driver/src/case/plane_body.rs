@@ -74,6 +74,8 @@ pub struct MeshBody {
 pub enum Hole {
     /// A disc.
     Circle(CircleHole),
+    /// An ellipse with its axes along x and y.
+    Ellipse(EllipseHole),
     /// A straight slot with round ends.
     Slot(SlotHole),
     /// A polygon.
@@ -91,6 +93,19 @@ pub struct CircleHole {
     pub centre: [f64; 2],
     /// Its radius, > 0.
     pub radius: f64,
+}
+
+/// An elliptic hole. Stresses on it are those of the elastic fields around an ellipse, fitted to displacements beside it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EllipseHole {
+    /// Name, for regions and tractions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Its middle.
+    pub centre: [f64; 2],
+    /// Half its axes along x and y, > 0.
+    pub half_axes: [f64; 2],
 }
 
 /// A slot with round ends.
@@ -124,6 +139,7 @@ impl Hole {
     pub fn name(&self) -> Option<&str> {
         match self {
             Self::Circle(hole) => hole.name.as_deref(),
+            Self::Ellipse(hole) => hole.name.as_deref(),
             Self::Slot(hole) => hole.name.as_deref(),
             Self::Polygon(hole) => hole.name.as_deref(),
         }

@@ -41,6 +41,8 @@ impl Layers {
         let squares = squared_roots(&fibres);
         let radii = outline.holes().iter().enumerate().map(|(k, hole)| match &hole.shape {
             Shape::Circle { radius, .. } | Shape::Slot { radius, .. } => (k, *radius),
+            // Where it is sharpest.
+            Shape::Ellipse { half_axes: [a, b], .. } => (k, a.min(*b).powi(2) / a.max(*b)),
             // As round as a circle of its area, or sharper.
             Shape::Polygon(polygon) => (k, (polygon.area().abs() / PI).sqrt()),
         });

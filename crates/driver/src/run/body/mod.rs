@@ -65,6 +65,7 @@ fn run_body<const D: usize>(
     let mut layers = layers::Layers::of(scene);
     let rings = HoleRing::of(scene);
     let mut warnings = Faults::default();
+    hole_fits::check_sharp(scene, &rings, &mut warnings);
     let mut take = |solved: SolvedState| {
         tips.check(scene, solved.state, &solved.solution.u, &mut warnings);
         layers.check(scene, &solved.solution.u, &mut warnings);

@@ -56,15 +56,18 @@ impl HoleRing {
             places.any(|[x, y, _]| is_on(ellipse, [x, y]))
         };
         let ring = |k: usize| {
-            let Shape::Circle { centre, radius } = outline.holes()[k].shape else { return None };
-            let ellipse = Ellipse { centre, half_axes: [radius; 2] };
+            let ellipse = match outline.holes()[k].shape {
+                Shape::Circle { centre, radius } => Ellipse { centre, half_axes: [radius; 2] },
+                Shape::Ellipse { centre, half_axes, .. } => Ellipse { centre, half_axes },
+                Shape::Slot { .. } | Shape::Polygon(_) => return None,
+            };
             asked(&ellipse).then(|| Self::new(scene, outline, k, ellipse)).flatten()
         };
         (0..outline.holes().len()).filter_map(ring).collect()
     }
 
     fn new(scene: &BodyScene, outline: &Outline, hole: usize, ellipse: Ellipse) -> Option<Self> {
-        let radius = ellipse.half_axes[0];
+        let radius = ellipse.half_axes[0].min(ellipse.half_axes[1]);
         let pressures = pressures(scene, outline, hole)?;
         let mirrors = mirrors(scene, &ellipse);
         let free = to_other_borders(scene, outline, hole, &ellipse) - scene.horizon() / radius;
@@ -94,6 +97,11 @@ impl HoleRing {
         let step = points.len().div_ceil(MOST_POINTS).max(1);
         let points = points.into_iter().step_by(step).map(|p| p as u32).collect();
         Some(Self { ellipse, points, mirrors, pressures })
+    }
+
+    /// Whether a place is on its hole.
+    pub(crate) fn holds(&self, place: [f64; 2]) -> bool {
+        is_on(&self.ellipse, place)
     }
 
     /// The fields nearest to the displacements of a state.

@@ -230,21 +230,20 @@ fn cut(
         let path = path.key("holes").index(k.saturating_sub(before));
         let (key, shape) = match snap.hole(hole) {
             Hole::Circle(c) => ("circle", Ok(Shape::Circle { centre: c.centre, radius: c.radius })),
+            Hole::Ellipse(e) => ("ellipse", Shape::ellipse(e.centre, e.half_axes)),
             Hole::Slot(s) => ("slot", Ok(Shape::Slot { from: s.from, to: s.to, radius: s.radius })),
-            Hole::Polygon(p) => ("polygon", Polygon::new(p.vertices).map(Shape::Polygon)),
+            Hole::Polygon(p) => ("polygon", Polygon::new(p.vertices).map(Shape::Polygon).map_err(Into::into)),
         };
         let path = path.key(key);
-        let shape = match shape {
-            Ok(shape) => shape,
-            Err(error) => {
-                faults.error(of_file.unwrap_or_else(|| path.key("vertices")), error.to_string());
-                continue;
-            }
-        };
-        let hole = body::Hole { name: hole.name().map(Into::into), shape };
-        if let Some(Err(error)) = outline.as_mut().map(|outline| outline.cut(hole)) {
+        let cut = shape.and_then(|shape| {
+            let hole = body::Hole { name: hole.name().map(Into::into), shape };
+            outline.as_mut().map_or(Ok(()), |outline| outline.cut(hole))
+        });
+        if let Err(error) = cut {
             let place = match &error {
                 HoleError::Radius { .. } => path.key("radius"),
+                HoleError::HalfAxis { axis, .. } => path.key("half_axes").index(*axis),
+                HoleError::Polygon(_) => path.key("vertices"),
                 HoleError::SameName { .. } => path.key("name"),
                 HoleError::NotFinite | HoleError::Outside => path,
             };

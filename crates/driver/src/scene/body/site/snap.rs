@@ -61,6 +61,7 @@ impl Snap {
         let mut hole = hole.clone();
         match &mut hole {
             Hole::Circle(circle) => circle.centre = self.position(circle.centre),
+            Hole::Ellipse(ellipse) => ellipse.centre = self.position(ellipse.centre),
             Hole::Slot(slot) => [slot.from, slot.to] = [slot.from, slot.to].map(|end| self.position(end)),
             Hole::Polygon(polygon) => polygon.vertices = self.positions(&polygon.vertices),
         }
@@ -72,6 +73,7 @@ impl Snap {
 fn positions(hole: &Hole) -> Vec<[f64; 2]> {
     match hole {
         Hole::Circle(circle) => vec![circle.centre],
+        Hole::Ellipse(ellipse) => vec![ellipse.centre],
         Hole::Slot(slot) => vec![slot.from, slot.to],
         Hole::Polygon(polygon) => polygon.vertices.clone(),
     }

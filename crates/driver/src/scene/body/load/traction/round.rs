@@ -79,6 +79,7 @@ pub(crate) fn fade(
     let (ends, radius) = match &outline.holes()[*hole].shape {
         Shape::Circle { centre, radius } => ([*centre; 2], *radius),
         Shape::Slot { from, to, radius } => ([*from, *to], *radius),
+        Shape::Ellipse { .. } => return Err("the hole is an ellipse"),
         Shape::Polygon(_) => return Err("the hole has corners"),
     };
     if !may_be_consistent(traction, context) {
