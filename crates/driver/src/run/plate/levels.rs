@@ -59,8 +59,17 @@ struct Conditions {
 }
 
 impl Conditions {
+    /// Points of a clamp that follow those deeper in the plate are held themselves: on coarser plates, where both are near each
+    /// other, cycles do not converge otherwise.
     fn of(scene: &PlateScene) -> Self {
-        Self { equations: scene.equations.clone(), springs: scene.springs.clone() }
+        let mut equations = scene.equations.clone();
+        for Equation { terms, .. } in &mut equations {
+            let component = terms.first().map(|(unknown, _)| unknown.component);
+            if terms.iter().all(|(unknown, _)| Some(unknown.component) == component) {
+                terms.truncate(1);
+            }
+        }
+        Self { equations, springs: scene.springs.clone() }
     }
 
     /// The same on the coarser plate: what the interpolation makes of a held unknown is zero. Where a coarse point is held, those

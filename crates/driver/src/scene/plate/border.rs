@@ -62,16 +62,16 @@ impl Border {
         self.sides.iter().filter(is_wanted).copied().collect()
     }
 
-    /// The way from a place to the nearest of the true border that some sides stand for.
-    pub(super) fn way(&self, sides: &[Side], place: [f64; 2]) -> [f64; 2] {
+    /// The way from a place to the nearest of the true border that some sides stand for, and the normal there.
+    pub(super) fn way(&self, sides: &[Side], place: [f64; 2]) -> ([f64; 2], [f64; 2]) {
         let mut parts: Vec<usize> = sides.iter().map(|side| side.part).collect();
         parts.sort_unstable();
         parts.dedup();
         let ways = parts.into_iter().map(|part| {
             let there = nearest(&self.parts[part].1, place);
-            [0, 1].map(|k| there[k] - place[k])
+            ([0, 1].map(|k| there[k] - place[k]), normal(&self.parts[part].1, there))
         });
-        let length = |way: &[f64; 2]| way[0].hypot(way[1]);
+        let length = |(way, _): &([f64; 2], [f64; 2])| way[0].hypot(way[1]);
         ways.min_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or_default()
     }
 

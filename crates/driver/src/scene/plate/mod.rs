@@ -2,6 +2,7 @@
 
 mod balance;
 mod border;
+mod clamped_stairs;
 mod foreign;
 mod foundation;
 mod line_load;

@@ -1,6 +1,7 @@
 //! Supports of a plate as equations and springs.
 
 use super::border::Side;
+use super::clamped_stairs::{self, Followed};
 use super::site::Site;
 use super::{support_keys, symmetry};
 use crate::case::{Amount, Support};
@@ -73,8 +74,10 @@ pub(super) fn held(site: &Site, faults: &mut Faults) -> Held {
         for name in support.at.region.iter().flat_map(|names| site.ground.edges_of(names)) {
             symmetry::not_mirrored(site, &name, &path.key("at").key("region"), faults);
         }
-        let mut of = OneSupport { site, path: &path, support, equations: Vec::new() };
+        let mut of =
+            OneSupport { site, path: &path, support, equations: Vec::new(), followed: BTreeMap::new() };
         let sides = of.sides(&spot.points);
+        of.clamp_steps(&spot.points, &sides);
         of.hold_deflection(&spot.points, &sides, faults);
         of.hold_rotations(&spot.points, &sides, faults);
         let equations = of.equations;
@@ -91,6 +94,8 @@ struct OneSupport<'a> {
     path: &'a JsonPath,
     support: &'a Support,
     equations: Vec<Equation>,
+    /// Points of steps that are clamped by what is deeper in the plate.
+    followed: BTreeMap<u32, Followed>,
 }
 
 impl OneSupport<'_> {
@@ -108,6 +113,32 @@ impl OneSupport<'_> {
     fn clamps(&self) -> bool {
         let Support { phi_x, phi_y, phi_n, phi_t, .. } = self.support;
         phi_n.is_some() && phi_t.is_some() || phi_x.is_some() && phi_y.is_some()
+    }
+
+    /// Clamps points of steps as far from the true edge as they are, where the edge neither turns nor bends.
+    fn clamp_steps(&mut self, points: &[u32], sides: &[Side]) {
+        let Support { w: Some(Amount::Number(w)), phi_x, phi_y, phi_n, phi_t, .. } = self.support else {
+            return;
+        };
+        let mut turns = [phi_x, phi_y, phi_n, phi_t].into_iter().flatten();
+        if !self.clamps() || turns.any(|value| !matches!(value, Amount::Number(0.0))) {
+            return;
+        }
+        self.followed = clamped_stairs::followed(self.site, points, sides);
+        for (&point, Followed { shares, part }) in &self.followed {
+            for (component, part) in [(W, part * part), (PHI_X, *part), (PHI_Y, *part)] {
+                let unknown = |point: u32| Unknown { component, point: point as usize };
+                let mut terms = vec![(unknown(point), 1.0)];
+                terms.extend(shares.iter().map(|&(p, share)| (unknown(p), -part * share)));
+                let value = if component == W { w * (1.0 - part) } else { 0.0 };
+                self.equations.push(Equation { terms, value, origin: self.path.to_string() });
+            }
+        }
+    }
+
+    /// The points that do not follow others.
+    fn held_themselves(&self, points: &[u32]) -> Vec<u32> {
+        points.iter().copied().filter(|point| !self.followed.contains_key(point)).collect()
     }
 
     fn prescribed(&self, key: &str, given: Option<&Amount>, faults: &mut Faults) -> Option<Prescribed> {
@@ -133,7 +164,7 @@ impl OneSupport<'_> {
         let mut ways: BTreeMap<u32, [f64; 2]> = BTreeMap::new();
         if !self.clamps() {
             for point in sides.iter().filter(|side| !side.is_true).flat_map(|side| side.segment.points) {
-                let way = || self.site.border.way(sides, self.site.nodes.place(point as usize));
+                let way = || self.site.border.way(sides, self.site.nodes.place(point as usize)).0;
                 ways.entry(point).or_insert_with(way);
             }
             // Where a straight edge begins its own points are held.
@@ -141,7 +172,7 @@ impl OneSupport<'_> {
                 ways.remove(&point);
             }
         }
-        for &point in points {
+        for point in self.held_themselves(points) {
             let unknown = |component| Unknown { component, point: point as usize };
             let mut terms = vec![(unknown(W), 1.0)];
             if let Some(way) = ways.get(&point) {
@@ -159,7 +190,7 @@ impl OneSupport<'_> {
             [("phi_x", self.support.phi_x.as_ref(), PHI_X), ("phi_y", self.support.phi_y.as_ref(), PHI_Y)];
         for (key, given, component) in along_axes {
             let Some(given) = self.prescribed(key, given, faults) else { continue };
-            for &point in points {
+            for point in self.held_themselves(points) {
                 let value = self.value(key, &given, point, faults);
                 self.push(key, vec![(Unknown { component, point: point as usize }, 1.0)], value);
             }
@@ -209,7 +240,7 @@ impl OneSupport<'_> {
         for side in sides {
             let direction = direction(side.segment.outward);
             let component = if direction[0] != 0.0 { PHI_X } else { PHI_Y };
-            for point in side.segment.points {
+            for point in side.segment.points.into_iter().filter(|p| !self.followed.contains_key(p)) {
                 let value = (direction[0] + direction[1]) * self.value(key, &given, point, faults);
                 held.entry((component, point)).or_insert(value);
             }

@@ -59,7 +59,7 @@ pub(super) fn collect(site: &Site, (parameters, thickness): (&PlateParameters, f
         }
         if w.is_some() && turns && sides.iter().any(|side| !side.is_true) {
             faults
-                .warning(path, "the cells of this edge are steps: a clamp on them is right to first order only, with errors of a few per cent at 20 cells along the radius")
+                .warning(path, "the cells of this edge are steps: with a clamp on it deflections are off by 4, 1.5 and 1 per cent at 8, 20 and 30 cells along the radius")
                 .hint("use a small spacing");
         }
     }
