@@ -154,6 +154,49 @@ fn the_largest_bending_stress_is_that_of_the_outermost_row() {
 }
 
 #[test]
+fn an_edge_is_read_where_it_is_and_its_points_half_a_spacing_inside() {
+    // u = σ x/E from the middle of the left edge.
+    let asked = json!([
+        { "field": "ux", "at": { "edge": "right" } },
+        { "field": "ux", "at": { "edge": "left" } },
+        { "field": "ux", "at": { "region": "right" } },
+        { "field": "ux", "at": { "region": "left" } },
+        { "field": "stress_xx", "at": { "edge": "top" } }
+    ]);
+    for edges in ["overlay", "border", "none"] {
+        let mut case = gallery_case("plate/uniaxial_tension.json");
+        case["model"]["bond_plane"]["edges"] = json!(edges);
+        let found = solve(case, &asked).summary.probes;
+        let long = |a: usize, b: usize| found[a].value - found[b].value;
+        if edges != "none" {
+            assert_near(long(0, 1), 100.0 / 70000.0 * 40.0, 1e-10);
+            assert_near(long(2, 3), 100.0 / 70000.0 * 39.0, 1e-10);
+            assert_near(found[4].value, 100.0, 1e-10);
+        }
+        // Whatever the border does, they are not the same.
+        assert!(long(0, 1) > 1.01 * long(2, 3), "{edges}");
+        assert_eq!(found[0].place.as_deref(), Some("mean on the edge `right`, extrapolated"));
+        let inside = "mean of the points of `right`, half a spacing inside";
+        assert_eq!(found[2].place.as_deref(), Some(inside));
+    }
+}
+
+#[test]
+fn the_bending_stress_of_an_edge_is_that_of_the_outermost_fibre() {
+    let asked = json!([
+        { "field": "uy", "at": { "edge": "right" } },
+        { "field": "energy_density", "at": { "edge": "top" } }
+    ]);
+    let found = solve(gallery_case("plate/bending_strip.json"), &asked).summary.probes;
+    // v = −σ/(E H) (x² + ν (y² − H²/12)) about the middle, whose mean over the end has no second part; 0.11 % is found inside, too.
+    let bent = |x: f64| 100.0 / (70000.0 * 21.0) * x * x;
+    let middle = 100.0 / (70000.0 * 21.0) / 3.0 * 21.0_f64.powi(2) / 12.0;
+    assert_near(-found[0].value, bent(40.5) + middle, 2e-3);
+    // σ²/2E on the fibre, 10 % more than half a spacing inside.
+    assert_near(found[1].value, 100.0_f64.powi(2) / 140000.0, 0.02);
+}
+
+#[test]
 fn means_of_linear_fields_are_those_of_a_region_without_the_word() {
     let asked = json!([
         { "field": "stress_xx", "at": { "region": "hole" } },

@@ -30,6 +30,10 @@ pub struct At {
     /// other where the border is completed as it runs. Displacements of such a border are read on it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inward: Option<[i8; 2]>,
+    /// For a probe: name of a straight edge along the rows of a lattice, or of a flat face of a solid. It reads the mean on the edge itself,
+    /// along every row extrapolated as by `inward`, where `region` reads that of the points half a spacing inside.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub edge: Option<String>,
     /// Name of a joint.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub joint: Option<String>,

@@ -12,7 +12,7 @@ pub struct Probe {
     /// Name, unique.
     pub name: String,
     /// Where: a position on a beam, for reactions a point of its grid; a joint, a place in the plane or a region. M, V and N are those to its right, at the right
-    /// end those to its left; of a region it is the mean of its points, of an edge of those half a spacing inside it, of reactions
+    /// end those to its left; of a region it is the mean of its points, of an edge of those half a spacing inside it, with `edge` on it; of reactions
     /// the sum. With `of` a region or a member, or left out for the whole body.
     #[serde(default, skip_serializing_if = "At::is_nowhere")]
     pub at: At,

@@ -55,7 +55,12 @@ pub(super) fn check(case: &Case, faults: &mut Faults) -> bool {
 
 /// Adds a fault for every key of a place that is for bodies in the plane.
 pub(super) fn check_place(at: &At, path: &JsonPath, hint: &str, faults: &mut Faults) -> bool {
-    let keys = [("y", at.y.is_some()), ("region", at.region.is_some()), ("inward", at.inward.is_some())];
+    let keys = [
+        ("y", at.y.is_some()),
+        ("region", at.region.is_some()),
+        ("inward", at.inward.is_some()),
+        ("edge", at.edge.is_some()),
+    ];
     let found = keys.iter().find(|k| k.1);
     if let Some((key, _)) = found {
         faults.error(path.key(*key), format!("`{key}` is for bodies in the plane")).hint(hint);

@@ -33,10 +33,14 @@ impl Site<'_> {
         what: &str,
         faults: &mut Faults,
     ) -> Option<NamedPoints> {
-        if at.inward.is_some() {
+        let extrapolated = [("inward", at.inward.is_some()), ("edge", at.edge.is_some())];
+        for (key, _) in extrapolated.into_iter().filter(|key| key.1) {
             faults
-                .error(path.key("inward"), "`inward` is for bodies whose points lie in the middle of cells")
-                .hint("leave it out: a plate in bending has points on its edges");
+                .error(
+                    path.key(key),
+                    format!("`{key}` is for bodies whose points lie in the middle of cells"),
+                )
+                .hint("a plate in bending has points on its edges: name them by `region`");
         }
         let sides = at.region.as_ref().and_then(|name| self.sides(name));
         match sides {

@@ -1,6 +1,7 @@
 //! What is read of results.
 
 pub(crate) mod checks;
+pub(crate) mod edge_mean;
 pub(crate) mod fields;
 pub(crate) mod intensities;
 pub(crate) mod opening;

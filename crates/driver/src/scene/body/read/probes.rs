@@ -1,7 +1,7 @@
 //! Probes of a body.
 
 use super::fields::Says;
-use super::{fields, opening, reduced};
+use super::{edge_mean, fields, opening, reduced};
 use crate::case::{FieldName, Names, Origin, Probe, Reduction};
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::scene::body::hold::held_body::HeldBody;
@@ -140,35 +140,38 @@ fn resolve(
         let quantity = reaction(field, &spot.points, &spot.words, site, &at, faults)?;
         return Some((quantity, spot.words));
     }
+    if probe.at.edge.is_some() {
+        let (weights, words) = edge_mean::resolve(probe, site, &at, faults)?;
+        return Some((Quantity::Field { field, weights }, words));
+    }
     let number = |p: u32| site.inputs.number(site.model, p);
     let field = |weights| Quantity::Field { field, weights };
     if let Some(name) = ground.region_name(&probe.at, &at, faults)? {
         let points = ground.region(name, &at.key("region"), faults)?;
         let whole: f64 = points.iter().map(|&p| ground.body.area(p as usize)).sum();
         let mean = points.iter().map(|&p| (number(p), ground.body.area(p as usize) / whole)).collect();
-        return Some((field(mean), format!("the region `{name}`")));
+        let inside = if edge_mean::ends_rows(name, site) { ", half a spacing inside" } else { "" };
+        return Some((field(mean), format!("mean of the points of `{name}`{inside}")));
     }
     let position = ground.position(&probe.at, &at, faults)?;
     let words = words::place(position, ground.body);
     let nearest = ground.point_at(position, &at, "the probe", faults)?;
     let weights = match probe.at.inward {
         None => site.interpolation.at(position, number(nearest)),
-        Some(inward) => match of_border(position, inward, probe.field, site) {
-            Some(weights) => weights,
-            None => from_inside(position, inward, site, &at.key("inward"), faults)?,
-        },
+        Some(inward) => {
+            match on_axis(inward).and_then(|out| edge_mean::of_border(position, out, probe.field, site)) {
+                Some(weights) => weights,
+                None => from_inside(position, inward, site, &at.key("inward"), faults)?,
+            }
+        }
     };
     Some((field(weights), words))
 }
 
-/// Points that move a place on the border, where bonds end on it, and their shares.
-fn of_border(position: [f64; 3], inward: [i8; 2], field: FieldName, site: &HeldBody) -> Option<Weights> {
+/// The direction out of the body, if `inward` is along an axis.
+fn on_axis(inward: [i8; 2]) -> Option<[f64; 3]> {
     let is_along_axis = i32::from(inward[0]).abs() + i32::from(inward[1]).abs() == 1;
-    if field.is_recovered() || !is_along_axis {
-        return None;
-    }
-    let shares = site.model.border_shares()?(position, in_space(inward.map(|k| -f64::from(k))))?;
-    Some(shares.into_iter().map(|(point, share)| (point as u32, share)).collect())
+    is_along_axis.then(|| in_space(inward.map(|k| -f64::from(k))))
 }
 
 fn from_inside(

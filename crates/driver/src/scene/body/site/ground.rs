@@ -253,6 +253,12 @@ impl<'a> Ground<'a> {
                 return None;
             }
         }
+        if let Some(edge) = &at.edge {
+            faults
+                .error(path.key("edge"), "`edge` is for probes of a field without `of`")
+                .hint(format!("write {{ \"region\": \"{edge}\" }}"));
+            return None;
+        }
         let Some(name) = &at.region else { return Some(None) };
         let beside = [
             ("x", at.x.is_some()),

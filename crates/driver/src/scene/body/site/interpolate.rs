@@ -125,27 +125,8 @@ impl Interpolation<'_> {
         let across = at[1 - axis];
         let low = across.floor();
         let line = |column: f64| {
-            let cell = |k: i32| {
-                let mut cell = [column as i32, column as i32, 0];
-                cell[axis] = k;
-                cell
-            };
-            let start = if sign > 0 { (at[axis] - 1e-6).ceil() } else { (at[axis] + 1e-6).floor() } as i32;
-            let first = (0..3).map(|k| start + sign * k).find(|&k| lattice.number(cell(k)).is_some())?;
-            let distance = |k: i32| f64::from(sign) * (f64::from(k) - at[axis]);
-            let exists = |k: i32| lattice.number(cell(k)).is_some();
-            let step =
-                (1..=self.reach).rev().find(|step| (1..=3).all(|k| exists(first + sign * k * step)))?;
-            let cells = [1, 2, 3].map(|k| first + sign * k * step);
-            let weight = |k: usize| {
-                let others = (0..3).filter(|j| *j != k);
-                others
-                    .map(|j| distance(cells[j]) / (distance(cells[j]) - distance(cells[k])))
-                    .product::<f64>()
-            };
-            let points: Option<Weights> =
-                (0..3).map(|k| Some((lattice.number(cell(cells[k]))? as u32, weight(k)))).collect();
-            points
+            let cell: Cell = [column as i32, column as i32, 0];
+            self.row(lattice, cell, (axis, sign), at[axis])
         };
         // The two lines around the position, or beside it next to another edge, or the one that there is.
         let pair = |first: f64| {
@@ -165,6 +146,34 @@ impl Interpolation<'_> {
                 .flat_map(|(weights, share)| weights.iter().map(move |w| (w.0, w.1 * share)))
                 .collect(),
         )
+    }
+
+    /// The parabola of [`Self::inward`] along the row of a cell that runs inward, by an axis and a sign, from a place on the row, in
+    /// spacings from the first centre.
+    pub(crate) fn row(
+        &self,
+        lattice: &SquareLattice,
+        row: Cell,
+        (axis, sign): (usize, i32),
+        at: f64,
+    ) -> Option<Weights> {
+        let number = |k: i32| {
+            let mut cell = row;
+            cell[axis] = k;
+            lattice.number(cell)
+        };
+        let start = if sign > 0 { (at - 1e-6).ceil() } else { (at + 1e-6).floor() } as i32;
+        let first = (0..3).map(|k| start + sign * k).find(|&k| number(k).is_some())?;
+        let distance = |k: i32| f64::from(sign) * (f64::from(k) - at);
+        let exists = |step: &i32| (1..=3).all(|k| number(first + sign * k * step).is_some());
+        let step = (1..=self.reach).rev().find(exists)?;
+        let cells = [1, 2, 3].map(|k| first + sign * k * step);
+        let weight = |k: usize| {
+            let others = (0..3).filter(|j| *j != k);
+            let share = |j: usize| distance(cells[j]) / (distance(cells[j]) - distance(cells[k]));
+            others.map(share).product::<f64>()
+        };
+        (0..3).map(|k| Some((number(cells[k])? as u32, weight(k)))).collect()
     }
 
     /// Weights of the eight points around a position in a solid, or of the block of points that is nearest to it, on its side of
