@@ -63,7 +63,7 @@ pub use plane_body::{
     SlotHole,
 };
 pub use plane_load::{BodyForce, Hertz, Traction};
-pub use plane_output::{LineOutput, StressIntensity, Tips};
+pub use plane_output::{LineOutput, StressIntensity, TipQuantity, Tips};
 pub use read::{Source, from_text, read, read_text};
 pub use refine::Overrides;
 pub use region::{

@@ -18,10 +18,8 @@ pub struct LineOutput {
     pub points: usize,
 }
 
-/// The energy release rate G at tips of a crack as a stress intensity `√(E' G)`, from the energies of the crack made longer
-/// and shorter by one spacing. It is a magnitude: K_I where loads open the crack symmetrically, `√(K_I² + K_II²)` where its
-/// faces also slide; for faces that overlap it has no meaning. The last two are warned of. It is reported as a probe of
-/// this name.
+/// The energy release rate G at tips of a crack, from the energies of the crack made longer and shorter by one spacing, or a stress
+/// intensity that follows from it. Faces that overlap are warned of: G has no meaning for them. It is reported as a probe of this name.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StressIntensity {
@@ -33,6 +31,39 @@ pub struct StressIntensity {
     /// inner one of a ring.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tips: Option<Tips>,
+    /// What it is.
+    #[serde(default)]
+    pub quantity: TipQuantity,
+}
+
+/// What loads the tip of a crack.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum TipQuantity {
+    /// The magnitude `√(E' G)`: K_I where loads open the crack symmetrically, `√(K_I² + K_II²)` where its faces slide, too, which is
+    /// warned of; in antiplane shear K_III.
+    #[default]
+    K,
+    /// K_I, of the opening of one tip in the plane: `√(E' G)` times the share of the opening in what the faces part by.
+    #[serde(rename = "k_i")]
+    KI,
+    /// K_II, of their sliding. It is positive where the face on the left of the crack, seen towards the tip, slides towards the tip.
+    #[serde(rename = "k_ii")]
+    KII,
+    /// G, which is the J-integral of an elastic body.
+    EnergyReleaseRate,
+}
+
+impl TipQuantity {
+    /// Its name in case files; that of `√(E' G)` is the key.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::K => "stress_intensity",
+            Self::KI => "k_i",
+            Self::KII => "k_ii",
+            Self::EnergyReleaseRate => "energy_release_rate",
+        }
+    }
 }
 
 /// Tips of a crack.

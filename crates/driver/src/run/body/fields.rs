@@ -1,12 +1,13 @@
 //! Results of one state of a body in the plane.
 
 use super::heat::HeatStress;
+use super::modes;
 use super::of_stress::{Medium, component, of_stress};
 use super::reaction::{self, BodyReaction, MirrorReaction};
 use crate::case::{FieldName, Origin};
 use crate::run::{Resultants, SolvedState, StateRecord};
 use crate::scene::Resultant;
-use crate::scene::body::{BodyScene, Has, Heat, HoleRing, Says, of_points};
+use crate::scene::body::{BodyScene, Has, Heat, HoleRing, Intensity, Says, of_points};
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::solid::TENSOR;
 use peristat_assembly::recovery::hole::HoleFit;
@@ -146,7 +147,8 @@ pub(super) fn collect(
         certificate,
         facts: None,
     };
-    let intensities = intensities.iter().map(|k| k[index]).collect();
+    let reported = |(own, k): (&Intensity, &Vec<f64>)| modes::reported(scene, own, k[index], &record.u);
+    let intensities = scene.intensities.iter().zip(intensities).map(reported).collect();
     let forces = (solution.multipliers, load, scene.asked(state));
     let hole_fits = rings.iter().filter_map(|ring| ring.fit(scene, state, &record.u)).collect();
     BodyResult { hole_fits, ..BodyResult::new((scene, &*scene.model), record, forces, intensities, recover) }

@@ -2,7 +2,7 @@
 //!
 //! `√(E' G)` has neither sign nor mode: faces that overlap, or slide along each other, are reported.
 
-use crate::case;
+use crate::case::{self, TipQuantity};
 use crate::diagnostic::{Faults, JsonPath};
 use crate::scene::body::BodyScene;
 use peristat_assembly::model::BodyModel;
@@ -68,11 +68,11 @@ impl Tips {
                 warnings
                     .warning(path, message)
                     .hint("peristat knows no contact: cracks need loads that open them");
-            } else if slides {
+            } else if slides && scene.intensities[k].quantity == TipQuantity::K {
                 let message = format!(
                     "the faces of the crack slide at a tip of `{name}` in `{state}`: its value is √(E' G) of both modes, not K_I"
                 );
-                warnings.warning(path, message).hint("√(E' G) = √(K_I² + K_II²)");
+                warnings.warning(path, message).hint("√(E' G) = √(K_I² + K_II²): `quantity` asks for them");
             }
         }
     }

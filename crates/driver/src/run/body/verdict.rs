@@ -1,7 +1,7 @@
 //! Probes and checks on the result of a body.
 
 use super::{BodyResult, hole_fits, reduced};
-use crate::case::{FieldName, Origin};
+use crate::case::{FieldName, Origin, TipQuantity};
 use crate::run::verdict::{self, CheckResult, ProbeResult};
 use crate::scene::body::{BodyComparison, BodyProbe, BodyScene, Quantity};
 use crate::scene::{Expectation, ExpectationKind};
@@ -28,6 +28,13 @@ pub(crate) fn probes(scene: &BodyScene, result: &BodyResult) -> Vec<ProbeResult>
             value,
             unit: match p.field() {
                 Some(field) => verdict::unit(field, p.reduction(), 3, scene.units),
+                None if matches!(
+                    p.quantity,
+                    Quantity::StressIntensity(_, TipQuantity::EnergyReleaseRate)
+                ) =>
+                {
+                    scene.units.force_per_length().into()
+                }
                 None => scene.units.stress_intensity().into(),
             },
             extent,
@@ -69,7 +76,7 @@ fn value(scene: &BodyScene, result: &BodyResult, quantity: &Quantity) -> Option<
             mechanical(scene, quantity, &result.record.u, &result.multipliers)
         }
         Quantity::Rotation { field, region } => rotation(scene, result, *field, *region),
-        Quantity::StressIntensity(k) => result.intensities.get(*k).copied(),
+        Quantity::StressIntensity(k, _) => result.intensities.get(*k).copied(),
         Quantity::Reduced { .. } => None,
     }
 }

@@ -11,6 +11,7 @@ use super::load::{joined_sides, load_cases};
 use super::read::checks;
 use super::read::fields::Says;
 use super::read::intensities::{self, Intensity};
+use super::read::jump::Jump;
 use super::read::outputs::{self, OutputLine};
 use super::read::probes::{self, BodyProbe, Quantity};
 use super::read::strengths;
@@ -239,10 +240,19 @@ impl Readings {
             site.outline.map_or_else(is_near, |outline| outline.contains(tip))
         };
         let around = tips::Around { symmetry: &site.inputs.symmetry, spacing: site.inputs.body.spacing() };
-        let intensities = intensities::intensities(site.ground.case, site.cracks, &contains, &around, faults);
+        let moves = [0, 1].iter().all(|&axis| site.model.along(axis).is_some());
+        let is_plane = site.inputs.body.axes() == 2;
+        let find = |ends: [[f64; 2]; 2]| {
+            let at = JsonPath::default();
+            let inside = |p: [f64; 3]| site.ground.point_at(p, &at, "", &mut Faults::default()).map(number);
+            Jump::at(ends, site.inputs.horizon, site.interpolation, &inside)
+        };
+        let find: Option<&intensities::FindJump> = if moves && is_plane { Some(&find) } else { None };
+        let intensities =
+            intensities::intensities(site.ground.case, site.cracks, &contains, (&around, find), faults);
         probes.extend(intensities.iter().enumerate().map(|(k, intensity)| BodyProbe {
             name: intensity.name.clone(),
-            quantity: Quantity::StressIntensity(k),
+            quantity: Quantity::StressIntensity(k, intensity.quantity),
             place: format!("crack `{}`", site.cracks[intensity.crack].name),
             position: None,
         }));

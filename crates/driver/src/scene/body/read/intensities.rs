@@ -1,6 +1,7 @@
 //! Stress intensities of cracks, as a case asks for them.
 
-use crate::case::{Case, Tips};
+use super::jump::Jump;
+use crate::case::{Case, TipQuantity, Tips};
 use crate::diagnostic::{Faults, JsonPath, root, suggest, tidy};
 use crate::scene::body::site::cracks::NamedCrack;
 use crate::scene::body::site::tips;
@@ -19,14 +20,21 @@ pub struct Intensity {
     pub crack: usize,
     /// Which tips move; none of the front of a crack in a solid.
     pub tips: Option<Tips>,
+    /// What is reported of them.
+    pub quantity: TipQuantity,
+    /// How the faces part at the tip, where its modes are asked for.
+    pub(crate) jump: Option<Jump>,
 }
+
+/// How the faces of a crack part at a tip: of the tip and the vertex before it, if these leave room for it.
+pub(crate) type FindJump<'a> = dyn Fn([[f64; 2]; 2]) -> Option<Jump> + 'a;
 
 /// Stress intensities of the case.
 pub(crate) fn intensities(
     case: &Case,
     cracks: &[NamedCrack],
     contains: &dyn Fn([f64; 2]) -> bool,
-    around: &tips::Around,
+    (around, find_jump): (&tips::Around, Option<&FindJump>),
     faults: &mut Faults,
 ) -> Vec<Intensity> {
     let mut found = Vec::new();
@@ -60,7 +68,54 @@ pub(crate) fn intensities(
                 Some(tips)
             }
         };
-        found.push(Intensity { name: given.name.clone(), crack, tips });
+        if case.path.is_some() && given.quantity != TipQuantity::K {
+            faults
+                .error(path.key("quantity"), "of a body that softens the stress intensity alone is followed")
+                .hint("leave `quantity` out: `j_integral` is in the curve");
+        }
+        let jump = match given.quantity {
+            TipQuantity::KI | TipQuantity::KII => {
+                jump(&cracks[crack].crack, tips, find_jump, &path.key("quantity"), faults)
+            }
+            TipQuantity::K | TipQuantity::EnergyReleaseRate => None,
+        };
+        let (name, quantity) = (given.name.clone(), given.quantity);
+        found.push(Intensity { name, crack, tips, quantity, jump });
+    }
+    found
+}
+
+/// How the faces of a crack part at the one tip whose modes are asked for.
+fn jump(
+    crack: &Crack,
+    tips: Option<Tips>,
+    find: Option<&FindJump>,
+    path: &JsonPath,
+    faults: &mut Faults,
+) -> Option<Jump> {
+    let (Some(find), Some(tips)) = (find, tips) else {
+        faults
+            .error(path.clone(), "modes are told apart at tips of cracks whose faces move in the plane")
+            .hint("leave `quantity` out");
+        return None;
+    };
+    let v = crack.vertices();
+    let last = v.len() - 1;
+    let ends = match tips {
+        Tips::Start => [v[0], v[1]],
+        Tips::End => [v[last], v[last - 1]],
+        Tips::Both => {
+            faults
+                .error(path.clone(), "modes are those of one tip, and `tips` names both")
+                .hint("ask for `start` and `end` by two names");
+            return None;
+        }
+    };
+    let found = find(ends);
+    if found.is_none() {
+        faults
+            .error(path.clone(), "the crack is straight for less than eight spacings before its tip")
+            .hint("use a smaller spacing: its faces are compared up to four spacings behind the tip");
     }
     found
 }

@@ -4,6 +4,7 @@ pub(crate) mod checks;
 pub(crate) mod edge_mean;
 pub(crate) mod fields;
 pub(crate) mod intensities;
+pub(crate) mod jump;
 pub(crate) mod opening;
 pub(crate) mod outputs;
 pub(crate) mod probes;

@@ -2,7 +2,7 @@
 
 use super::fields::Says;
 use super::{edge_mean, fields, opening, reduced};
-use crate::case::{FieldName, Names, Origin, Probe, Reduction};
+use crate::case::{FieldName, Names, Origin, Probe, Reduction, TipQuantity};
 use crate::diagnostic::{Faults, JsonPath, suggest};
 use crate::scene::body::hold::held_body::HeldBody;
 use crate::scene::body::hold::supported::BodySupport;
@@ -65,8 +65,8 @@ pub enum Quantity {
         /// Index of the region.
         region: usize,
     },
-    /// A stress intensity, by its index in the scene.
-    StressIntensity(usize),
+    /// What loads a tip of a crack, by its index in the scene.
+    StressIntensity(usize, TipQuantity),
 }
 
 impl BodyProbe {
@@ -78,13 +78,16 @@ impl BodyProbe {
             | Quantity::Reaction { field, .. }
             | Quantity::Rotation { field, .. } => Some(*field),
             Quantity::Opening { .. } => Some(FieldName::Opening),
-            Quantity::StressIntensity(_) => None,
+            Quantity::StressIntensity(..) => None,
         }
     }
 
-    /// Name of the field in case files, or `stress_intensity`.
+    /// Name of the field in case files, or what it is of the tip of a crack.
     pub fn field_name(&self) -> &'static str {
-        self.field().map_or("stress_intensity", FieldName::name)
+        match &self.quantity {
+            Quantity::StressIntensity(_, quantity) => quantity.name(),
+            _ => self.field().map_or("", FieldName::name),
+        }
     }
 
     /// Whether it needs stresses.
