@@ -7,7 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rolled(&'static Shape);
 
-/// Dimensions of EN 10365, mm.
+/// Dimensions of EN 10365 or, of wide flanges, of the AISC Manual, mm.
 #[derive(Debug, PartialEq)]
 struct Shape {
     name: &'static str,
@@ -65,7 +65,7 @@ impl schemars::JsonSchema for Rolled {
 
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
         schemars::json_schema!({
-            "description": "A rolled steel section of EN 10365 by its name.",
+            "description": "A rolled steel section by its name: IPE, HEA, HEB and HEM of EN 10365, W of the AISC Manual.",
             "type": "string",
             "enum": NAMES.to_vec()
         })
@@ -86,7 +86,13 @@ const fn shape(name: &'static str, size: [f64; 5]) -> Shape {
     Shape { name, size }
 }
 
-static TABLE: [Shape; 90] = [
+/// A wide flange of the AISC Manual, inches: depth, width, web, flange, and the distance from the outer face to the foot of the fillet.
+const fn wide(name: &'static str, [depth, width, web, flange, foot]: [f64; 5]) -> Shape {
+    const INCH: f64 = 25.4;
+    shape(name, [INCH * depth, INCH * width, INCH * web, INCH * flange, INCH * (foot - flange)])
+}
+
+static TABLE: [Shape; 111] = [
     shape("IPE 80", [80.0, 46.0, 3.8, 5.2, 5.0]),
     shape("IPE 100", [100.0, 55.0, 4.1, 5.7, 7.0]),
     shape("IPE 120", [120.0, 64.0, 4.4, 6.3, 7.0]),
@@ -177,6 +183,27 @@ static TABLE: [Shape; 90] = [
     shape("HEM 800", [814.0, 303.0, 21.0, 40.0, 30.0]),
     shape("HEM 900", [910.0, 302.0, 21.0, 40.0, 30.0]),
     shape("HEM 1000", [1008.0, 302.0, 21.0, 40.0, 30.0]),
+    wide("W 6x15", [5.99, 5.99, 0.23, 0.26, 0.51]),
+    wide("W 8x10", [7.89, 3.94, 0.17, 0.205, 0.505]),
+    wide("W 8x31", [8.0, 8.0, 0.285, 0.435, 0.829]),
+    wide("W 10x12", [9.87, 3.96, 0.19, 0.21, 0.51]),
+    wide("W 10x49", [9.98, 10.0, 0.34, 0.56, 1.06]),
+    wide("W 12x14", [11.9, 3.97, 0.2, 0.225, 0.525]),
+    wide("W 12x26", [12.2, 6.49, 0.23, 0.38, 0.68]),
+    wide("W 12x50", [12.2, 8.08, 0.37, 0.64, 1.14]),
+    wide("W 12x65", [12.1, 12.0, 0.39, 0.605, 1.2]),
+    wide("W 14x90", [14.0, 14.5, 0.44, 0.71, 1.31]),
+    wide("W 16x26", [15.7, 5.5, 0.25, 0.345, 0.747]),
+    wide("W 16x31", [15.9, 5.53, 0.275, 0.44, 0.842]),
+    wide("W 18x35", [17.7, 6.0, 0.3, 0.425, 0.827]),
+    wide("W 18x50", [18.0, 7.5, 0.355, 0.57, 0.972]),
+    wide("W 21x44", [20.7, 6.5, 0.35, 0.45, 0.95]),
+    wide("W 21x62", [21.0, 8.24, 0.4, 0.615, 1.12]),
+    wide("W 24x55", [23.6, 7.01, 0.395, 0.505, 1.01]),
+    wide("W 24x68", [23.7, 8.97, 0.415, 0.585, 1.09]),
+    wide("W 24x76", [23.9, 8.99, 0.44, 0.68, 1.18]),
+    wide("W 27x84", [26.7, 10.0, 0.46, 0.64, 1.24]),
+    wide("W 36x150", [35.9, 12.0, 0.625, 0.94, 1.69]),
 ];
 
 #[cfg(test)]
