@@ -2,8 +2,10 @@
 
 use super::kept::FieldFiles;
 use super::{claim, curve, inputs, report, restart};
+use crate::case::FieldName;
 use crate::output::{atomic, csv};
 use crate::scene::{INPUTS, Scene};
+use crate::units::Units;
 use std::fs;
 use std::io;
 use std::path::Path;
@@ -33,6 +35,14 @@ pub(super) fn is_finished(folder: &Path) -> bool {
 
 /// A column of a table.
 pub(super) type Column = (&'static str, Vec<f64>);
+
+/// Unit of a column of a field in the units of a case; empty if it has none.
+pub(super) fn unit(column: &str, units: Units) -> &'static str {
+    let lines = [FieldName::of_beam(true, true), FieldName::of_beam(false, true)];
+    let all = lines.into_iter().chain([&FieldName::BODY[..], &FieldName::PLATE[..]]).flatten();
+    let found = all.into_iter().find(|field| field.name() == column);
+    found.map_or("", |field| field.about().unit.label(units))
+}
 
 /// Writes columns as a table.
 pub(super) fn write_table<'a>(file: &Path, columns: impl Iterator<Item = &'a Column>) -> io::Result<()> {

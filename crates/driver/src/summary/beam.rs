@@ -73,7 +73,8 @@ pub(super) fn state(
         |(value, line, x): (f64, usize, f64)| Located { value, x, y: None, z: None, member: name(line) };
     let extremes = result.fields().iter().filter_map(|&field| {
         let [smallest, largest] = result.located_extremes(field)?;
-        Some((field.name().into(), Extremes { smallest: located(smallest), largest: located(largest) }))
+        let unit = field.about().unit.label(scene.units).into();
+        Some((field.name().into(), Extremes { smallest: located(smallest), largest: located(largest), unit }))
     });
     let state = StateSummary {
         name: result.record.name.clone(),

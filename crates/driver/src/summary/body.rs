@@ -113,7 +113,8 @@ pub(super) fn state(
             Located { value: values[point], x, y: Some(y), z, member: None }
         });
         let [smallest, largest] = located;
-        Some((field.name().into(), Extremes { smallest, largest }))
+        let unit = field.about().unit.label(scene.units).into();
+        Some((field.name().into(), Extremes { smallest, largest, unit }))
     });
     let state = StateSummary {
         name: result.record.name.clone(),

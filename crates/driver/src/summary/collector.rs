@@ -186,7 +186,7 @@ fn misapplied(states: &[StateSummary]) -> Option<String> {
 fn envelope(states: &[StateSummary]) -> BTreeMap<Cow<'static, str>, [(String, Located); 2]> {
     let mut ranges: BTreeMap<Cow<'static, str>, Range<(String, Located)>> = BTreeMap::new();
     for state in states {
-        for (field, Extremes { smallest, largest }) in &state.extremes {
+        for (field, Extremes { smallest, largest, .. }) in &state.extremes {
             let end = |at: &Located| (at.value, (state.name.clone(), at.clone()));
             ranges.entry(field.clone()).or_default().take([end(smallest), end(largest)]);
         }

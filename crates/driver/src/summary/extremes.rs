@@ -27,4 +27,7 @@ pub struct Extremes {
     pub smallest: Located,
     /// Largest.
     pub largest: Located,
+    /// Unit of both, and of the columns of the field in tables.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub unit: String,
 }

@@ -44,7 +44,8 @@ pub(super) fn state(
             let [x, y] = scene.plate.nodes().place(point);
             Located { value: values[point], x, y: Some(y), z: None, member: None }
         });
-        Some((field.name().into(), Extremes { smallest, largest }))
+        let unit = field.about().unit.label(scene.units).into();
+        Some((field.name().into(), Extremes { smallest, largest, unit }))
     });
     let state = StateSummary {
         name: result.record.name.clone(),

@@ -19,6 +19,8 @@ pub struct DataArray<'a> {
     pub components: usize,
     /// Shape `[points or cells][components]`, point-major.
     pub values: &'a [f64],
+    /// Their unit, which viewers show; empty if they have none.
+    pub unit: &'a str,
 }
 
 /// The form of a cell, with the number that VTK gives it.
@@ -88,7 +90,8 @@ pub fn write(path: &Path, grid: &Grid<'_>) -> io::Result<()> {
         writeln!(out, "<UnstructuredGrid>")?;
         writeln!(out, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{cells}\">", grid.points.len())?;
         writeln!(out, "<Points>")?;
-        floats(out, &DataArray { name: "Points", components: 3, values: grid.points.as_flattened() })?;
+        let points = grid.points.as_flattened();
+        floats(out, &DataArray { name: "Points", components: 3, values: points, unit: "" })?;
         writeln!(out, "</Points>\n<Cells>")?;
         topology(out, grid.cells)?;
         writeln!(out, "</Cells>")?;
@@ -144,9 +147,9 @@ fn topology(out: &mut dyn Write, cells: &[Cells<'_>]) -> io::Result<()> {
         },
     );
     let [all, count] = [cells.iter().map(nodes).sum(), cells.iter().map(Cells::len).sum()];
-    array(out, "Int64", ("connectivity", 1), &Items { count: all, size: 8, bytes: &connectivity })?;
-    array(out, "Int64", ("offsets", 1), &Items { count, size: 8, bytes: &offsets })?;
-    array(out, "UInt8", ("types", 1), &Items { count, size: 1, bytes: &types })
+    array(out, "Int64", ("connectivity", 1, ""), &Items { count: all, size: 8, bytes: &connectivity })?;
+    array(out, "Int64", ("offsets", 1, ""), &Items { count, size: 8, bytes: &offsets })?;
+    array(out, "UInt8", ("types", 1, ""), &Items { count, size: 1, bytes: &types })
 }
 
 /// The bytes of a range of items of all blocks, each part of a block added by `add`, which also gets the blocks before.
@@ -172,19 +175,27 @@ fn of_parts<'a>(
 fn floats(out: &mut dyn Write, field: &DataArray<'_>) -> io::Result<()> {
     let bytes = |range: Range<usize>| field.values[range].iter().flat_map(|v| v.to_le_bytes()).collect();
     let items = Items { count: field.values.len(), size: size_of::<f64>(), bytes: &bytes };
-    array(out, "Float64", (field.name, field.components), &items)
+    array(out, "Float64", (field.name, field.components, field.unit), &items)
 }
 
 fn array(
     out: &mut dyn Write,
     kind: &str,
-    (name, components): (&str, usize),
+    (name, components, unit): (&str, usize, &str),
     items: &Items<'_>,
 ) -> io::Result<()> {
     let name = xml(name);
     write!(out, "<DataArray type=\"{kind}\" Name=\"{name}\" ")?;
     write!(out, "NumberOfComponents=\"{components}\" format=\"binary\">")?;
     binary::encode(out, items)?;
+    if !unit.is_empty() {
+        let unit = xml(unit);
+        // After the numbers, as VTK writes it.
+        write!(
+            out,
+            "\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{unit}</InformationKey>"
+        )?;
+    }
     writeln!(out, "</DataArray>")
 }
 
@@ -216,14 +227,18 @@ mod tests {
             Cells { cell_type: CellType::Line, connectivity: &[0, 1, 1, 2] },
             Cells { cell_type: CellType::Triangle, connectivity: &[0, 1, 2] },
         ];
-        let w = DataArray { name: "w <m>", components: 1, values: &[1.0, 2.0, 1.0 / 3.0] };
-        let force = DataArray { name: "force", components: 2, values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0] };
+        let w = DataArray { name: "w <m>", components: 1, values: &[1.0, 2.0, 1.0 / 3.0], unit: "N/mm²" };
+        let force =
+            DataArray { name: "force", components: 2, values: &[1.0, 2.0, 3.0, 4.0, 5.0, 6.0], unit: "" };
         let text =
             write_and_read(&Grid { points: &points, cells: &cells, point_data: &[w], cell_data: &[force] });
         assert!(text.contains("NumberOfPoints=\"3\" NumberOfCells=\"3\""));
         assert_eq!(read(&text, "Points"), bytes(points.as_flattened()));
         assert_eq!(read(&text, "w &lt;m&gt;"), bytes(w.values));
         assert_eq!(read(&text, "force"), bytes(force.values));
+        // As VTK writes units, after the numbers; a field without one has none.
+        let label = "\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">N/mm²</InformationKey></DataArray>";
+        assert_eq!((text.matches(label).count(), text.matches("UNITS_LABEL").count()), (1, 1));
         // Lines end at 2 and 4, the triangle at 7; 3 and 5 are their numbers in vtkCellType.h.
         assert_eq!(read(&text, "offsets"), [2_i64, 4, 7].map(i64::to_le_bytes).concat());
         assert_eq!(read(&text, "types"), [3, 3, 5]);
@@ -233,7 +248,7 @@ mod tests {
     #[test]
     #[should_panic(expected = "length of field w")]
     fn a_field_of_the_wrong_length_is_a_broken_contract() {
-        let field = DataArray { name: "w", components: 3, values: &[1.0] };
+        let field = DataArray { name: "w", components: 3, values: &[1.0], unit: "" };
         write_and_read(&Grid { points: &[[0.0; 3]], point_data: &[field], ..Grid::default() });
     }
 

@@ -8,7 +8,7 @@ mod plots;
 pub(super) use columns::fields;
 
 use super::envelope::Envelope;
-use super::files::{Column, write_table};
+use super::files::{self, Column, write_table};
 use super::kept::FieldFiles;
 use super::report::chart;
 use crate::case::FieldName;
@@ -17,6 +17,7 @@ use crate::output::report::Block;
 use crate::output::vtu::{self, CellType, Cells, DataArray, Grid};
 use crate::run::beam::BeamResult;
 use crate::scene::beam::BeamScene;
+use crate::units::Units;
 use std::io;
 use std::path::Path;
 
@@ -50,7 +51,7 @@ pub(super) fn write(
         write_table(&file("csv"), places.iter().chain(&fields).chain(&left))?;
     }
     if kept.grids {
-        write_grid(&file("vtu"), &fields, result)?;
+        write_grid(&file("vtu"), scene.units, &fields, result)?;
     }
     if let Some(envelope) = envelope {
         envelope.place(places);
@@ -95,7 +96,7 @@ fn widen(envelope: &mut Envelope, result: &BeamResult) {
 }
 
 /// Writes the points, the lines between them and their fields as a grid.
-fn write_grid(file: &Path, fields: &[Column], result: &BeamResult) -> io::Result<()> {
+fn write_grid(file: &Path, units: Units, fields: &[Column], result: &BeamResult) -> io::Result<()> {
     let points = columns::positions(result);
     let mut connectivity: Vec<u32> = Vec::new();
     let mut first = 0;
@@ -106,8 +107,14 @@ fn write_grid(file: &Path, fields: &[Column], result: &BeamResult) -> io::Result
     }
     // The displacement as a vector, so that viewers can warp the body by it.
     let displacement: Vec<f64> = result.displacements().flat_map(|[x, y]| [x, y, 0.0]).collect();
-    let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
-    data.extend(fields.iter().map(|(name, values)| DataArray { name, components: 1, values }));
+    let mut data =
+        vec![DataArray { name: "displacement", components: 3, values: &displacement, unit: units.length() }];
+    data.extend(fields.iter().map(|(name, values)| DataArray {
+        name,
+        components: 1,
+        values,
+        unit: files::unit(name, units),
+    }));
     let grid = Grid {
         points: &points,
         cells: &[Cells { cell_type: CellType::Line, connectivity: &connectivity }],

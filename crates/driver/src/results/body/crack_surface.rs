@@ -50,8 +50,8 @@ pub(super) fn write(
         cells: &[Cells { cell_type: CellType::Quad, connectivity: &quads }],
         point_data: &[],
         cell_data: &[
-            DataArray { name: "jump", components: 3, values: &jumps },
-            DataArray { name: "opening", components: 1, values: &openings },
+            DataArray { name: "jump", components: 3, values: &jumps, unit: scene.units.length() },
+            DataArray { name: "opening", components: 1, values: &openings, unit: scene.units.length() },
         ],
     };
     vtu::write(file, &grid)

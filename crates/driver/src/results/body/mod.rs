@@ -16,7 +16,7 @@ use super::envelope::Envelope;
 use super::files;
 use super::kept::FieldFiles;
 use super::report::chart;
-use crate::case::FieldName;
+use crate::case::{FieldName, Unit};
 use crate::output::csv;
 use crate::output::plot;
 use crate::output::report::Block;
@@ -147,20 +147,32 @@ fn write_grid(file: &Path, scene: &BodyScene, fields: &[Column]) -> io::Result<(
         let (v, w) = (vector[1], vector[2]);
         (vector[1], vector[2]) = (v * cos + w * sin, w * cos - v * sin);
     }
-    let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
+    let mut data = vec![DataArray {
+        name: "displacement",
+        components: 3,
+        values: &displacement,
+        unit: scene.units.length(),
+    }];
     let in_vector = [FieldName::Ux, FieldName::Uy, FieldName::Uz].map(FieldName::name);
     let is_plain = |c: &&Column| !in_vector.contains(&c.0);
     data.extend(fields.iter().filter(is_plain).map(|(name, values)| DataArray {
         name,
         components: 1,
         values,
+        unit: files::unit(name, scene.units),
     }));
     // Means and integrals over a solid weigh its points by it.
     let volumes: Option<Vec<f64>> = match scene.body() {
         PointBody::Solid(lattice) => Some((0..lattice.points()).map(|p| lattice.volume(p)).collect()),
         _ => None,
     };
-    data.extend(volumes.iter().map(|values| DataArray { name: "volume", components: 1, values }));
+    let volume = Unit::One.times_length(3, scene.units);
+    data.extend(volumes.iter().map(|values| DataArray {
+        name: "volume",
+        components: 1,
+        values,
+        unit: &volume,
+    }));
     let all = [
         Cells { cell_type: CellType::Quad, connectivity: &cells.quads },
         Cells { cell_type: CellType::Hexahedron, connectivity: &cells.hexahedra },

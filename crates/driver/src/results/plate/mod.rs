@@ -116,8 +116,19 @@ fn write_grid(file: &Path, scene: &PlateScene, fields: &[Column]) -> io::Result<
     if let Some((_, w)) = fields.iter().find(|field| field.0 == FieldName::W.name()) {
         w.iter().enumerate().for_each(|(p, w)| displacement[3 * p + 2] = *w);
     }
-    let mut data = vec![DataArray { name: "displacement", components: 3, values: &displacement }];
-    data.extend(fields.iter().map(|(name, values)| DataArray { name, components: 1, values }));
+    let unit = |name: &str| files::unit(name, scene.units);
+    let mut data = vec![DataArray {
+        name: "displacement",
+        components: 3,
+        values: &displacement,
+        unit: scene.units.length(),
+    }];
+    data.extend(fields.iter().map(|(name, values)| DataArray {
+        name,
+        components: 1,
+        values,
+        unit: unit(name),
+    }));
     let cells = [Cells { cell_type: CellType::Quad, connectivity: &quads }];
     vtu::write(file, &Grid { points: &points, cells: &cells, point_data: &data, cell_data: &[] })
 }

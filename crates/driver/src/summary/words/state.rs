@@ -15,7 +15,8 @@ pub fn extremes(state: &StateSummary) -> Listing {
                 size.map(|(_, e)| e.smallest.value.abs().max(e.largest.value.abs())).fold(0.0, f64::max);
             let clean = |value: f64| if value.abs() < 1e-11 * size { 0.0 } else { value };
             let cells = [&e.smallest, &e.largest].map(|l| [number(clean(l.value)), place(l)]);
-            std::iter::once((*field).to_string()).chain(cells.into_iter().flatten()).collect()
+            let name = if e.unit.is_empty() { (*field).to_string() } else { format!("{field} [{}]", e.unit) };
+            std::iter::once(name).chain(cells.into_iter().flatten()).collect()
         })
         .collect();
     let on_lines = state.extremes.values().all(|e| e.smallest.member.is_none() && e.smallest.y.is_none());
