@@ -1,6 +1,6 @@
 use super::*;
 use crate::body::geometry::to_segment;
-use crate::body::outline::Hole;
+use crate::body::{Hole, Shape};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,6 +1,6 @@
 use super::*;
+use crate::body::Hole;
 use crate::body::geometry::{distance, to_segment};
-use crate::body::outline::Hole;
 use crate::body::polygon::Polygon;
 use crate::body::{Cloud, Group};
 use proptest::prelude::*;

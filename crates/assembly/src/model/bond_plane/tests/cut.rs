@@ -32,6 +32,7 @@ fn outlines() -> Vec<(&'static str, Outline)> {
     let angle = [[0.1, 0.0], [17.0, 2.0], [16.2, 9.0], [9.3, 8.1], [8.4, 18.0], [-0.7, 17.0]];
     vec![
         ("hole", pierced(rectangle(), vec![circle])),
+        ("ellipse", pierced(rectangle(), vec![Shape::ellipse([9.4, 5.7], [5.2, 2.6]).unwrap()])),
         ("window", pierced(rectangle(), vec![Shape::Polygon(window)])),
         ("quadrilateral", oblique),
         ("L", Outline::polygon(angle.to_vec()).unwrap()),
@@ -52,7 +53,7 @@ fn every_uniform_strain_has_the_energy_of_the_true_area() {
                 .holes()
                 .iter()
                 .map(|hole| match &hole.shape {
-                    Shape::Polygon(polygon) => polygon.area().abs(),
+                    Shape::Polygon(polygon) | Shape::Ellipse { chords: polygon, .. } => polygon.area().abs(),
                     Shape::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
                     Shape::Slot { .. } => unreachable!(),
                 })
@@ -82,8 +83,10 @@ fn tractions_on_the_true_border_hold_every_uniform_stress() {
     for m in [2.0, 3.0, 4.0] {
         for (name, outline) in outlines().into_iter().skip(1) {
             let mut sides: Vec<Side> = outline.edges().iter().map(|e| ([e.from, e.to], e.normal)).collect();
-            if let Some(Shape::Polygon(hole)) = outline.holes().first().map(|h| &h.shape) {
-                sides.extend((0..3).map(|k| (hole.edge(k), hole.normal(k).map(|x| -x))));
+            let shape = outline.holes().first().map(|h| &h.shape);
+            if let Some(Shape::Polygon(hole) | Shape::Ellipse { chords: hole, .. }) = shape {
+                let count = hole.vertices().len();
+                sides.extend((0..count).map(|k| (hole.edge(k), hole.normal(k).map(|x| -x))));
             }
             for lattice in filled(&outline) {
                 let plane = plane(&lattice, bordered(m));
