@@ -12,6 +12,8 @@ mod print;
 mod print_state;
 mod print_study;
 mod progress;
+#[cfg(feature = "petsc")]
+mod ranks;
 mod schema;
 mod solve;
 mod study;
@@ -55,6 +57,10 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         }
     };
     let global = arguments.global;
+    #[cfg(feature = "petsc")]
+    if ranks::are_started() {
+        return ranks::command(arguments.command, global);
+    }
     if let Some(threads) = global.threads {
         // A pool that is there already, in a process that runs more than this, keeps its size.
         let _ = rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global();
@@ -143,6 +149,11 @@ fn complain(error: &Error, global: &Global) {
         Error::Run(error @ RunError::Misfit) => {
             note(&format!(
                 "error: {error}\nhint: add `--force` in place of `--resume` to run the case anew\n"
+            ));
+        }
+        Error::Run(error @ RunError::NotShared(_)) => {
+            note(&format!(
+                "error: {error}\nhint: run the case without `mpirun`: one process takes all cores of a machine\n"
             ));
         }
         other => note(&format!("error: {other}\n")),

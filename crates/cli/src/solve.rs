@@ -9,7 +9,7 @@ use peristat::case::{self, Case};
 use peristat::input::Folder;
 use peristat::output::folder::below;
 use peristat::results::{Claim, Results, Writing, stiffness};
-use peristat::run::{RunOptions, sizes};
+use peristat::run::{Restart, RunOptions, sizes};
 use peristat::study::EstimateEffort;
 use peristat::summary::{Status, Summary};
 use peristat::{Error, Loaded};
@@ -17,7 +17,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Reads a case and resolves it.
-fn load(case: &Path, overrides: &[String], global: &Global) -> Result<Loaded, Error> {
+pub(super) fn load(case: &Path, overrides: &[String], global: &Global) -> Result<Loaded, Error> {
     let source = case::read(case, overrides, global.max_memory)?;
     Loaded::from_source(source, Folder::of(case, global.reach()), global.max_memory)
 }
@@ -25,7 +25,20 @@ fn load(case: &Path, overrides: &[String], global: &Global) -> Result<Loaded, Er
 /// Solves a case into its results folder.
 pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     let loaded = load(&arguments.case, &arguments.overrides, global)?;
-    warn(&loaded, global);
+    run_loaded(&loaded, arguments, global, &|options, restart, watched| loaded.run(options, restart, watched))
+}
+
+/// What solves a case.
+type Solve<'a> = dyn Fn(&RunOptions, Option<Restart>, &mut Watched) -> Result<Summary, Error> + 'a;
+
+/// Solves a case that is read by `solve` into its results folder.
+pub(super) fn run_loaded(
+    loaded: &Loaded,
+    arguments: &Run,
+    global: &Global,
+    solve: &Solve,
+) -> Result<u8, Error> {
+    warn(loaded, global);
     let folder = match &arguments.output {
         Some(folder) => folder.clone(),
         None => {
@@ -42,18 +55,7 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     // Faults of the case come before the first file.
     sizes(&loaded.scene, &with_fields(global)).map_err(|e| loaded.explain(e))?;
     if let Some(file) = &arguments.write_matrix {
-        if file.exists() && !arguments.force {
-            let message = format!("{} exists\nhint: choose another file, or add `--force`", file.display());
-            return Err(io::Error::new(io::ErrorKind::AlreadyExists, message).into());
-        }
-        if claim.writes(file) {
-            let message = format!(
-                "the results would replace {}\nhint: choose another file for the matrix",
-                file.display()
-            );
-            return Err(io::Error::new(io::ErrorKind::InvalidInput, message).into());
-        }
-        stiffness::write(&loaded, file)?;
+        write_matrix(loaded, file, arguments.force, &claim)?;
     }
     let writing = Writing::new(&loaded.scene, claim).with_fields(arguments.field_files());
     let case = loaded.scene.case();
@@ -67,28 +69,48 @@ pub(super) fn run(arguments: &Run, global: &Global) -> Result<u8, Error> {
     if let Some(restart) = &restart {
         watched.writing.resume(restart)?;
     }
-    let mut summary = loaded.run(&with_fields(global), restart, &mut watched)?;
+    let mut summary = solve(&with_fields(global), restart, &mut watched)?;
     if summary.status == Status::Interrupted {
         watched.writing.finish(&summary)?;
-        return interrupted(&loaded, &summary, &folder, global);
+        return interrupted(loaded, &summary, &folder, global);
     }
     loaded.add_estimate(&mut summary, effort(arguments), global.max_memory);
     watched.writing.finish(&summary)?;
+    tell(loaded, &summary, &folder, global)?;
+    if arguments.open {
+        viewer::show(&folder);
+    }
+    Ok(exit_code(&summary))
+}
+
+/// Writes the matrix of a case where that replaces nothing.
+fn write_matrix(loaded: &Loaded, file: &Path, force: bool, claim: &Claim) -> Result<(), Error> {
+    if file.exists() && !force {
+        let message = format!("{} exists\nhint: choose another file, or add `--force`", file.display());
+        return Err(io::Error::new(io::ErrorKind::AlreadyExists, message).into());
+    }
+    if claim.writes(file) {
+        let message =
+            format!("the results would replace {}\nhint: choose another file for the matrix", file.display());
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, message).into());
+    }
+    stiffness::write(loaded, file)
+}
+
+/// Tells of a run that is done.
+fn tell(loaded: &Loaded, summary: &Summary, folder: &Path, global: &Global) -> Result<(), Error> {
     if !global.quiet {
         // Those of the case have been shown.
         let shown = loaded.warnings().map_or(0, |report| report.diagnostics.len());
         summary.warnings.iter().skip(shown).for_each(|text| note(&format!("warning: {text}\n\n")));
     }
     if global.json {
-        say(&print::json(&summary))?;
+        say(&print::json(summary))?;
     } else if !global.quiet {
-        say(&print::summary(&summary, global.verbose))?;
+        say(&print::summary(summary, global.verbose))?;
         say(&format!("results in {}\n", folder.display()))?;
     }
-    if arguments.open {
-        viewer::show(&folder);
-    }
-    Ok(exit_code(&summary))
+    Ok(())
 }
 
 /// How much the run may spend on estimates of its errors.
@@ -119,7 +141,7 @@ fn interrupted(loaded: &Loaded, summary: &Summary, folder: &Path, global: &Globa
 }
 
 /// What a run with all its outputs is asked for.
-fn with_fields(global: &Global) -> RunOptions {
+pub(super) fn with_fields(global: &Global) -> RunOptions {
     RunOptions { recover: true, max_memory: global.max_memory, compare: true }
 }
 

@@ -53,7 +53,8 @@ pub use solved::{FieldError, Solved};
 
 use diagnostic::{Diagnostic, Faults, Report, Severity};
 use input::{Folder, Reach};
-use run::{Advance, Restart, RunError, RunOptions, Sink, StateResult, taking};
+use peristat_solve::Ranks;
+use run::{Advance, Restart, RunError, RunOptions, RunReport, Sink, StateResult, taking};
 use scene::Scene;
 use std::io;
 use std::path::Path;
@@ -189,9 +190,32 @@ impl Loaded {
         };
         let mut collecting = Collecting { scene: &self.scene, fingerprint, collector, sink };
         let report = run::run(&self.scene, options, resume, &mut collecting).map_err(|e| self.explain(e))?;
+        Ok(self.summarise(collecting.collector, report))
+    }
+
+    /// As [`Loaded::run`], by several processes of which this is the first; the others do [`run::body::follow`].
+    ///
+    /// # Errors
+    /// As [`Loaded::run`], and [`RunError::NotShared`] for cases that cannot be solved so.
+    pub fn run_on(
+        &self,
+        ranks: &dyn Ranks,
+        options: &RunOptions,
+        sink: &mut dyn Sink,
+    ) -> Result<Summary, Error> {
+        let (collector, fingerprint) = (Collector::default(), String::new());
+        let mut collecting = Collecting { scene: &self.scene, fingerprint, collector, sink };
+        let mut take = |result| collecting.take(StateResult::Body(result));
+        let report =
+            run::body::run_on(ranks, &self.scene, options, &mut take).map_err(|e| self.explain(e))?;
+        Ok(self.summarise(collecting.collector, report))
+    }
+
+    /// The summary of a run.
+    fn summarise(&self, collector: Collector, report: RunReport) -> Summary {
         let mut warnings = warning_texts(self.scene.warnings(), &self.file);
         warnings.extend(warning_texts(&report.warnings, &self.file));
-        Ok(collecting.collector.finish(&self.scene, report, warnings))
+        collector.finish(&self.scene, report, warnings)
     }
 }
 

@@ -20,7 +20,8 @@
 //! * [`Pcg`] finishes a direct solve whose matrix was rounded: the factor is the
 //!   preconditioner and a [`LinearOperator`] that evaluates the products more
 //!   accurately than the assembled matrix could is the truth;
-//! * [`Multigrid`] is a preconditioner for matrices too large to factor, given the levels of a [`Hierarchy`].
+//! * [`Multigrid`] is a preconditioner for matrices too large to factor, given the levels of a [`Hierarchy`];
+//! * [`Ranks`] are processes that solve one problem together.
 //!
 //! All results are the same on every machine and any number of threads: sums have a
 //! fixed order and no multiplication is fused with an addition. Long vectors are
@@ -39,6 +40,7 @@ mod operator;
 mod pcg;
 #[cfg(test)]
 mod plane;
+mod ranks;
 mod real;
 mod repeating;
 mod sparse;
@@ -55,6 +57,7 @@ pub use low_rank::LowRank;
 pub use multigrid::{Multigrid, MultigridOptions};
 pub use operator::{LinearOperator, Preconditioner};
 pub use pcg::{Pcg, PcgOptions, PcgReport, PcgStatus};
+pub use ranks::{Halo, Ranks};
 pub use real::Real;
 pub use repeating::{Backward, Forward, RepeatingBand, RepeatingCholesky};
 pub use sparse::{Ordering, SparseCholesky, SparseIndefinite};

@@ -5,6 +5,7 @@ mod coarser;
 mod cut;
 mod place;
 mod slots;
+mod within;
 
 pub use cell::{minus, plus};
 pub(super) use slots::STEPS;

@@ -105,6 +105,27 @@ impl Constraints {
         Ok(Self { rows, equations: numbered, has_slaves })
     }
 
+    /// The rows of some unknowns under other numbers, without prescribed parts and equations. What depends on an unknown without
+    /// a number stays at rest, as do the `still` ones.
+    pub fn renumbered(
+        &self,
+        number: &dyn Fn(usize) -> Option<usize>,
+        still: impl Iterator<Item = usize>,
+    ) -> Self {
+        let at_rest = |unknown: usize| Row { unknown, masters: Vec::new(), value: 0.0, sources: Vec::new() };
+        let of = |row: &Row| {
+            let masters = row.masters.iter().map(|&(master, share)| Some((number(master)?, share)));
+            Some(Row {
+                masters: masters.collect::<Option<_>>().unwrap_or_default(),
+                ..at_rest(number(row.unknown)?)
+            })
+        };
+        let mut rows: Vec<Row> = self.rows.iter().filter_map(of).chain(still.map(at_rest)).collect();
+        rows.sort_by_key(|row| row.unknown);
+        let has_slaves = rows.iter().any(|row| !row.masters.is_empty());
+        Self { rows, equations: Vec::new(), has_slaves }
+    }
+
     /// The constrained unknowns, in the order of their numbers.
     pub fn rows(&self) -> &[Row] {
         &self.rows

@@ -45,11 +45,20 @@ impl<const D: usize> System<D> {
     ) -> Result<Self, Contradiction> {
         equations.extend(model.relations());
         let constraints = Constraints::new(model.points(), &equations)?;
+        Ok(Self::with_constraints(model, extra_terms, constraints))
+    }
+
+    /// The same with constraints of all unknowns, those of the model's relations among them.
+    pub fn with_constraints(
+        model: &dyn Model<D>,
+        extra_terms: Vec<Box<dyn Term<D>>>,
+        constraints: Constraints,
+    ) -> Self {
         let mut terms = model.terms();
         let extra = extra_terms.len();
         terms.extend(extra_terms);
         let room = if constraints.has_slaves() { D * model.points() } else { 0 };
-        Ok(Self {
+        Self {
             points: model.points(),
             elements: terms.iter().map(|t| t.elements()).sum(),
             extra,
@@ -57,7 +66,7 @@ impl<const D: usize> System<D> {
             constraints,
             expanded: Mutex::new(vec![0.0; room]),
             evaluations: AtomicU64::new(0),
-        })
+        }
     }
 
     /// Changes the model, such as by breaking bonds, and takes its terms anew: while it is changed no term of it is alive.

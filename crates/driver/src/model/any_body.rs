@@ -2,6 +2,7 @@
 
 use peristat_assembly::model::BodyModel;
 use peristat_assembly::model::plane::Solvable;
+use std::any::Any;
 use std::ops::Deref;
 
 /// A body in the plane.
@@ -36,6 +37,15 @@ impl Deref for AnyBody {
 }
 
 impl AnyBody {
+    /// The body, where its points have `D` unknowns.
+    pub(crate) fn of<const D: usize>(self) -> Option<Box<dyn Solvable<D>>> {
+        fn same<A: 'static, B: 'static>(a: A) -> Option<B> {
+            let any: Box<dyn Any> = Box::new(a);
+            any.downcast().ok().map(|b| *b)
+        }
+        with_body!(self, body => same(body))
+    }
+
     /// The body, to change it.
     pub(crate) fn as_mut(&mut self) -> &mut dyn BodyModel {
         with_body!(self, body => &mut **body)

@@ -31,6 +31,9 @@ pub enum RunError {
     /// There is a restart to go on from, but it is of another body.
     #[error("the restart does not fit the body")]
     Misfit,
+    /// The case is none of those that several processes can share.
+    #[error("{0} cannot be solved by several processes")]
+    NotShared(String),
     /// A result could not be taken, for instance written.
     #[error(transparent)]
     Sink(#[from] std::io::Error),

@@ -5,6 +5,7 @@ use super::load::Load;
 use super::measures::worst;
 use super::method::{self, Finish, Method};
 use super::refine::{DOUBTFUL, DOUBTFUL_FORCES};
+use super::shared_solver::SharedSolver;
 use super::solve_failure::SolveFailure;
 use super::solver_report::SolverReport;
 use super::workspace::{StateSolution, Workspace};
@@ -14,11 +15,28 @@ use peristat_solve::{PcgStatus, Preconditioner};
 
 /// The method of a system: one factorisation or hierarchy of levels, any number of right-hand sides.
 pub struct LinearSolver<'a, const D: usize> {
-    preconditioner: Box<dyn Preconditioner + 'a>,
+    way: Way<'a>,
     finish: Finish,
     work: Workspace<D>,
     report: SolverReport,
     counters: Counters,
+}
+
+/// Who iterates.
+enum Way<'a> {
+    /// This process, with a preconditioner.
+    Alone(Box<dyn Preconditioner + 'a>),
+    /// Several.
+    Shared(Box<dyn SharedSolver + 'a>),
+}
+
+impl Way<'_> {
+    fn preconditioner(&mut self) -> &mut dyn Preconditioner {
+        match self {
+            Self::Alone(preconditioner) => &mut **preconditioner,
+            Self::Shared(solver) => &mut **solver,
+        }
+    }
 }
 
 /// Passes of conjugate gradients on the true residual.
@@ -38,7 +56,19 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         let mut counters = Counters::default();
         let method = method::method(problem, system, coarser, timing, &mut counters)?;
         let Method { preconditioner, report, finish } = method;
-        Ok(Self { preconditioner, finish, work: Workspace::new(problem, system), report, counters })
+        let way = Way::Alone(preconditioner);
+        Ok(Self { way, finish, work: Workspace::new(problem, system), report, counters })
+    }
+
+    /// Iterations whose work several processes share.
+    pub(super) fn shared(
+        problem: &dyn Problem<D>,
+        system: &System<D>,
+        solver: Box<dyn SharedSolver + 'a>,
+    ) -> Self {
+        let (report, work) = (solver.report(), Workspace::new(problem, system));
+        let (way, finish) = (Way::Shared(solver), Finish::of_cycle());
+        Self { way, finish, work, report, counters: Counters::default() }
     }
 
     /// Whether its preconditioner is a factor.
@@ -63,7 +93,7 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         // The state is solved again.
         iterations.pop();
         self.report = SolverReport { reason, iterations, ..report };
-        (self.preconditioner, self.finish) = (preconditioner, finish);
+        (self.way, self.finish) = (Way::Alone(preconditioner), finish);
         Ok(())
     }
 
@@ -88,8 +118,11 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
         let moves = system.constraints().moves();
         solution.jump_energy = self.work.start(system, load.forces, motion_factor, &mut solution.u);
         for pass in 0..PASSES {
-            let (preconditioner, options) = (&mut *self.preconditioner, &self.finish.options);
-            let report = self.work.pass(system, preconditioner, options, &mut solution.u);
+            let options = &self.finish.options;
+            let report = match &mut self.way {
+                Way::Alone(own) => self.work.pass(system, &mut **own, options, &mut solution.u),
+                Way::Shared(solver) => solver.solve(&self.work.residual, &mut solution.u, options),
+            };
             if pass == 0 {
                 solution.first_correction = report.first_correction;
             }
@@ -100,21 +133,21 @@ impl<'a, const D: usize> LinearSolver<'a, D> {
                 solution.status = report.status;
             }
             let before = solution.next_correction;
-            self.work.weigh(system, preconditioner, (load.forces, motion_factor), &mut solution);
+            self.work.weigh(system, self.way.preconditioner(), (load.forces, motion_factor), &mut solution);
             let next = solution.next_correction;
             let settled = next <= self.finish.settled && !(pass == 0 && moves);
             if settled || next >= 0.1 * before || !next.is_finite() {
                 break;
             }
         }
-        self.work.doubt(system, &mut *self.preconditioner, load, &mut solution);
+        self.work.doubt(system, self.way.preconditioner(), load, &mut solution);
         let next = solution.next_correction;
         let unknowns = next > DOUBTFUL;
         // Without a strain there is no measure of forces.
         let forces = solution.action > 0.0 && solution.held_error > DOUBTFUL_FORCES * solution.action;
         if self.finish.is_exact
             && (unknowns || forces)
-            && self.work.refine(system, &mut *self.preconditioner, (load, motion_factor), &mut solution)
+            && self.work.refine(system, self.way.preconditioner(), (load, motion_factor), &mut solution)
         {
             self.report.refined += 1;
             if !unknowns {

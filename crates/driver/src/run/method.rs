@@ -42,6 +42,11 @@ impl Finish {
         Self { options: PcgOptions::default(), settled: 1e-13, is_exact: true }
     }
 
+    /// With a multigrid cycle.
+    pub(super) fn of_cycle() -> Self {
+        Self::of_iteration(200)
+    }
+
     /// With a poor inverse, whose last residual tells little of the error: until rounding.
     fn of_blocks(max_iterations: usize) -> Self {
         let of = Self::of_iteration(max_iterations);
@@ -208,7 +213,7 @@ fn of_cycle<'a, const D: usize>(
     counters.factor_bytes = factor_entries * size_of::<f64>();
     let report =
         SolverReport { method: "multigrid".into(), reason, factor_entries, ..SolverReport::default() };
-    Ok(Method { preconditioner, report, finish: Finish::of_iteration(200) })
+    Ok(Method { preconditioner, report, finish: Finish::of_cycle() })
 }
 
 fn of_blocks<'a, const D: usize>(

@@ -30,24 +30,13 @@ pub(super) fn cycle<'a, const D: usize>(
     coarser: &'a CoarserModels<D>,
     counters: &mut Counters,
 ) -> Result<(Multigrid<Levels<'a, D>>, usize), SolveFailure> {
-    let mut finest = Level::new(system).map_err(|point| SolveFailure::Loose { point })?;
-    let beside = &coarser.beside_border;
-    let block = (!beside.is_empty()).then(|| BorderBlock::new(system, beside)).transpose()?;
-    block.iter().for_each(|block| block.lay_bare(&mut finest));
-    let mut levels = vec![finest];
-    levels.extend(coarser.systems.iter().map(Level::coarse));
-    let mut coarsest = levels.last().expect("there is a finest level").system().assemble_sparse();
-    let mut factor =
-        SparseCholesky::analyse(&coarsest, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
-    let diagonal = coarsest.diag();
-    counters.analyses += 1;
-    lifted(&LIFTS[usize::from(coarser.is_loose)..], counters, |lift| {
-        diagonal.iter().for_each(|(k, value)| coarsest.set(k, k, value * (1.0 + lift)));
-        factor.refactor(&coarsest)
-    })
-    .map_err(SolveFailure::Factor)?;
-    let entries = factor.fill() + block.as_ref().map_or(0, BorderBlock::entries);
-    let levels = Levels { levels, transfers: &coarser.transfers, block };
+    let finest = Level::new(system).map_err(|point| SolveFailure::Loose { point })?;
+    let (levels, factor, entries) = Levels::below(finest, coarser, &coarser.beside_border, counters)?;
+    Ok((Multigrid::new(levels, factor, &options(coarser)), entries))
+}
+
+/// How a cycle over the levels is made.
+pub(super) fn options<const D: usize>(coarser: &CoarserModels<D>) -> MultigridOptions {
     let mut options = MultigridOptions::STANDARD;
     if coarser.is_unlike {
         options.measured_size = usize::MAX;
@@ -55,7 +44,38 @@ pub(super) fn cycle<'a, const D: usize>(
     if coarser.visits_once {
         options.single_visits = usize::MAX;
     }
-    Ok((Multigrid::new(levels, Box::new(factor), &options), entries))
+    options
+}
+
+impl<'a, const D: usize> Levels<'a, D> {
+    /// The levels below a finest one, whose points `beside` a border are smoothed together; with the factor of the coarsest level,
+    /// and the entries of all factors.
+    ///
+    /// # Errors
+    /// [`SolveFailure`] if the coarsest level or the points beside the border have no factor.
+    pub(super) fn below(
+        mut finest: Level<'a, D>,
+        coarser: &'a CoarserModels<D>,
+        beside: &[usize],
+        counters: &mut Counters,
+    ) -> Result<(Self, Box<SparseCholesky>, usize), SolveFailure> {
+        let block = (!beside.is_empty()).then(|| BorderBlock::new(finest.system(), beside)).transpose()?;
+        block.iter().for_each(|block| block.lay_bare(&mut finest));
+        let mut levels = vec![finest];
+        levels.extend(coarser.systems.iter().map(Level::coarse));
+        let mut coarsest = levels.last().expect("there is a finest level").system().assemble_sparse();
+        let mut factor =
+            SparseCholesky::analyse(&coarsest, Ordering::MinimumDegree).map_err(SolveFailure::Factor)?;
+        let diagonal = coarsest.diag();
+        counters.analyses += 1;
+        lifted(&LIFTS[usize::from(coarser.is_loose)..], counters, |lift| {
+            diagonal.iter().for_each(|(k, value)| coarsest.set(k, k, value * (1.0 + lift)));
+            factor.refactor(&coarsest)
+        })
+        .map_err(SolveFailure::Factor)?;
+        let entries = factor.fill() + block.as_ref().map_or(0, BorderBlock::entries);
+        Ok((Levels { levels, transfers: &coarser.transfers, block }, Box::new(factor), entries))
+    }
 }
 
 impl<const D: usize> Hierarchy for Levels<'_, D> {

@@ -8,6 +8,7 @@ use super::method;
 use super::problem::Problem;
 use super::report::{RunReport, Timing};
 use super::scene_sizes::Sizes;
+use super::shared_solver::SharedSolver;
 use super::solved_state::SolvedState;
 use super::workspace::StateSolution;
 use crate::diagnostic::Faults;
@@ -44,14 +45,28 @@ pub(super) fn goes_on(taken: io::Result<()>) -> Result<bool, RunError> {
 /// Solves every state of a prepared problem, whatever its model, and hands solution and certificate to `take`.
 pub(super) fn solve_states<const D: usize>(
     problem: &dyn Problem<D>,
-    (system, sizes): (&System<D>, Sizes),
+    prepared: (&System<D>, Sizes),
+    take: &mut dyn FnMut(SolvedState) -> io::Result<()>,
+) -> Result<RunReport, RunError> {
+    solve_states_by(None, problem, prepared, take)
+}
+
+/// The same by a solver that several processes share, where there is one.
+pub(super) fn solve_states_by<'a, const D: usize>(
+    shared: Option<Box<dyn SharedSolver + 'a>>,
+    problem: &dyn Problem<D>,
+    (system, sizes): (&'a System<D>, Sizes),
     take: &mut dyn FnMut(SolvedState) -> io::Result<()>,
 ) -> Result<RunReport, RunError> {
     let mut timing = Timing::default();
     let begin = Instant::now();
-    let coarser = if method::plan(problem) == method::Plan::Cycle { problem.coarser(system) } else { None };
+    let is_cycle = shared.is_none() && method::plan(problem) == method::Plan::Cycle;
+    let coarser = if is_cycle { problem.coarser(system) } else { None };
     timing.assemble = begin.elapsed().as_secs_f64();
-    let mut solver = LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?;
+    let mut solver = match shared {
+        Some(shared) => LinearSolver::shared(problem, system, shared),
+        None => LinearSolver::new(problem, system, coarser.as_ref(), &mut timing)?,
+    };
     let mut load = vec![0.0; system.size()];
     let (mut converged, mut last, mut record_time, mut is_interrupted) = (true, None, 0.0, false);
     let mut record = |solved: SolvedState| {

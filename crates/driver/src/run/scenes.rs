@@ -48,6 +48,6 @@ pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
 }
 
 /// Whether nothing is known that stands in the way of a solution.
-fn can_be_solved(scene: &Scene) -> Result<(), RunError> {
+pub(crate) fn can_be_solved(scene: &Scene) -> Result<(), RunError> {
     scene.warnings().obstacles().map_or(Ok(()), |faults| Err(RunError::Case(faults)))
 }

@@ -66,13 +66,15 @@ pub(super) fn coarser<const D: usize>(
 ) -> Option<Coarser<D>> {
     match cubes::levels(model, conditions, system) {
         Some(levels) => Some(Coarser::Cubes(levels)),
-        None => models(model, cracks, conditions).map(Coarser::Models),
+        None => models(model, model, cracks, conditions).map(Coarser::Models),
     }
 }
 
-/// Coarser models of the body.
-fn models<const D: usize>(
+/// Coarser models of the body. What the finest of them gives goes to the points of `part`, the model itself or one of a part of the
+/// body.
+pub(super) fn models<const D: usize>(
     model: &dyn Solvable<D>,
+    part: &dyn Solvable<D>,
     cracks: &[Crack],
     conditions: &Conditions,
 ) -> Option<CoarserModels<D>> {
@@ -80,7 +82,7 @@ fn models<const D: usize>(
     let find = |lattice: &SquareLattice, steps: &[Cell]| cut_bonds(lattice, steps, &cracks);
     // Coarser lattices do not know how a border cuts their blocks.
     let is_unlike = model.follows_border();
-    let beside_border = if is_unlike { beside_border(model) } else { Vec::new() };
+    let beside_border = if is_unlike { beside_border(part) } else { Vec::new() };
     let mut levels = CoarserModels {
         systems: Vec::new(),
         transfers: Vec::new(),
@@ -98,10 +100,12 @@ fn models<const D: usize>(
         }
         let coarse = fine.coarser(&find)?;
         let (coarse_lattice, _) = coarse.lattice()?;
-        let damage = if cracks.is_empty() { Vec::new() } else { fine.damage() };
+        let receiver = if coarsest.is_some() { fine } else { part };
+        let (receiving, _) = receiver.lattice()?;
+        let damage = if cracks.is_empty() { Vec::new() } else { receiver.damage() };
         let slack = CRACK_SLACK * lattice.spacing();
         levels.transfers.push(Box::new(Transfer::new(
-            lattice,
+            receiving,
             coarse_lattice,
             &|point| damage.get(point).is_some_and(|damage| *damage > 0.0),
             &|a, b| !cracks.iter().any(|crack| crack.cuts(a, b, slack)),

@@ -17,6 +17,7 @@ mod modes;
 mod of_stress;
 mod path;
 mod problem;
+mod ranks;
 mod reaction;
 mod reduced;
 mod skipped;
@@ -31,14 +32,18 @@ pub use reaction::{BodyReaction, MirrorReaction};
 pub(crate) use verdict::{checks, probes};
 
 use super::restart::Restart;
-use super::{Counters, RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, prepare, solve_states};
+use super::{Counters, RunError, RunOptions, RunReport, Sink, Sizes, SolvedState, prepare, solve_states_by};
 use crate::diagnostic::Faults;
 use crate::model::{AnyBody, with_body};
+use crate::scene::Scene;
 use crate::scene::body::{BodyScene, HoleRing};
 use fracture::BreakingPlane;
 use path::SofteningPlane;
 use peristat_assembly::model::plane::{BreakingModel, Solvable};
+use peristat_solve::Ranks;
 pub use problem::BodyProblem;
+use ranks::Crew;
+pub use ranks::{follow, lead};
 
 /// Solves every state of a body in the plane and hands its result to `sink` as it comes.
 ///
@@ -51,16 +56,40 @@ pub fn run(
 ) -> Result<RunReport, RunError> {
     let recover = options.recover || asks_for_stresses(scene);
     let options = &RunOptions { recover, ..*options };
-    with_body!(&scene.model, body => run_body(&BodyProblem::new(scene, body.clone()), options, sink))
+    with_body!(&scene.model, body => run_body(&BodyProblem::new(scene, body.clone()), options, None, sink))
+}
+
+/// The same by several processes, of which this is the first; the others [`follow`] it.
+///
+/// # Errors
+/// As [`super::run`], and [`RunError::NotShared`] for cases that cannot be solved so.
+pub fn run_on(
+    ranks: &dyn Ranks,
+    scene: &Scene,
+    options: &RunOptions,
+    sink: &mut dyn FnMut(BodyResult) -> std::io::Result<()>,
+) -> Result<RunReport, RunError> {
+    let scene = ranks::begin(ranks, scene)?;
+    let recover = options.recover || asks_for_stresses(scene);
+    let options = &RunOptions { recover, ..*options };
+    with_body!(&scene.model, body => {
+        run_body(&BodyProblem::new(scene, body.clone()), options, Some(ranks), sink)
+    })
 }
 
 fn run_body<const D: usize>(
     problem: &BodyProblem<dyn Solvable<D>>,
     options: &RunOptions,
+    ranks: Option<&dyn Ranks>,
     sink: &mut dyn FnMut(BodyResult) -> std::io::Result<()>,
 ) -> Result<RunReport, RunError> {
     let (scene, recover) = (problem.scene, options.recover);
-    let (system, sizes) = prepare(problem, options)?;
+    let prepared = prepare(problem, options);
+    let (system, sizes) = match ranks {
+        Some(ranks) => ranks::agree(ranks, prepared)?,
+        None => prepared?,
+    };
+    let crew = ranks.map(|ranks| Crew::new(problem, &system, ranks)).transpose()?;
     let found = intensity::of_states(scene, options)?;
     let tips = tips::Tips::of(scene);
     let mut layers = layers::Layers::of(scene);
@@ -74,7 +103,8 @@ fn run_body<const D: usize>(
         hole_fits::check(&result, &mut warnings);
         sink(result)
     };
-    let mut report = solve_states(problem, (&system, sizes), &mut take)?;
+    let shared = crew.as_ref().map(Crew::leader).transpose()?;
+    let mut report = solve_states_by(shared, problem, (&system, sizes), &mut take)?;
     // What is stored per bond: triangles and springs are no bonds.
     report.counters.stored_bond_factors = system.terms()[0].stored_factors();
     report.skipped = skipped::skipped(scene, &report, recover);

@@ -24,6 +24,7 @@ use peristat_assembly::body::{Cell, Crack, Outline, PointBody, SquareLattice};
 use peristat_assembly::condition::Equation;
 use peristat_assembly::model::Model;
 use peristat_assembly::system::FreeMotion;
+use std::ops::Range;
 
 /// A body in the plane, resolved. Points have the numbers of the model, images in mirrors among them, wherever nothing
 /// else is said.
@@ -229,6 +230,15 @@ impl BodyScene {
             None => return Ok(None),
         }
         Ok(Some((self.inputs.make(&cracks)?, cracks)))
+    }
+
+    /// The model of the part of the body that lies in ranges of columns, rows and layers of its lattice.
+    ///
+    /// # Errors
+    /// [`Refusal`].
+    pub(crate) fn part(&self, ranges: &[Range<i32>; 3]) -> Result<AnyBody, Refusal> {
+        let cracks: Vec<Crack> = self.cracks.iter().map(|c| c.crack.clone()).collect();
+        self.inputs.within(ranges).make(&cracks)
     }
 
     /// The body as its model is given it; `held` are the regions that supports hold.

@@ -9,6 +9,7 @@ use crate::model::{AnyBody, Material, Mixture, OnGround, OnLattice, Refusal};
 use peristat_assembly::body::{CRACK_SLACK, Cell, Crack, PointBody, SquareLattice, cut_bonds, in_space};
 use peristat_assembly::model::BodyModel;
 use std::cell::RefCell;
+use std::ops::Range;
 
 /// What a model is made of, to make it again with other cracks.
 #[derive(Clone, Debug)]
@@ -73,6 +74,22 @@ impl ModelInputs {
                 self.material.on_points(points, self.horizon, &cut)
             }
         }
+    }
+
+    /// The same of the part of a lattice that lies in ranges of columns, rows and layers. What it ends at there is an edge of the
+    /// part, as it is none of the body.
+    pub(crate) fn within(&self, ranges: &[Range<i32>; 3]) -> Self {
+        let (body, lattice) = match &self.body {
+            PointBody::Lattice(lattice) => (PointBody::Lattice(lattice.within(ranges)), lattice),
+            PointBody::Solid(lattice) => (PointBody::Solid(lattice.within(ranges)), lattice),
+            PointBody::Cloud(_) => return self.clone(),
+        };
+        let mut materials = self.materials.clone();
+        if let Some(part) = body.cells().filter(|_| !materials.is_one()) {
+            let number = |point: usize| Some(self.materials.numbers[lattice.number(part.cell(point))?]);
+            materials.numbers = (0..part.points()).map(|point| number(point).unwrap_or(0)).collect();
+        }
+        Self { body, materials, ..self.clone() }
     }
 
     /// Cut bonds of a lattice, for the coarser ones of this model.
