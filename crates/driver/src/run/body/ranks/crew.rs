@@ -13,7 +13,9 @@ use crate::run::shared_solver::SharedSolver;
 use crate::run::{CoarserModels, Counters, RunError, SolverReport, multigrid};
 use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::system::{Level, System};
-use peristat_solve::{LinearOperator, Multigrid, PcgOptions, PcgReport, Preconditioner, Ranks};
+use peristat_solve::{
+    LinearOperator, Multigrid, MultigridOptions, PcgOptions, PcgReport, Preconditioner, Ranks,
+};
 
 /// How far the products of the parts may be from that of the whole, per its largest number: rounding leaves 1e-15.
 const SAME: f64 = 1e-11;
@@ -104,9 +106,23 @@ impl<'r, const D: usize> Crew<'r, D> {
         let below = multigrid::Levels::below(finest, &self.coarser, beside, &mut Counters::default());
         let (levels, coarsest, _) = agree(self.ranks, below.map_err(RunError::Solve))?;
         let levels = SharedLevels { levels, part: &self.part, ranks: self.ranks };
-        let multigrid = Multigrid::new(levels, coarsest, &multigrid::options(&self.coarser));
+        let multigrid = Multigrid::new(levels, coarsest, &self.options());
         let vectors = [0; 2].map(|_| vec![0.0; self.part.system.size()]);
         Ok(SharedCycle { multigrid, vectors })
+    }
+
+    /// How the cycle is made. Whether the finest level finds its largest eigenvalue must not depend on the size of a part, since all
+    /// processes find it together: where one is too large for that, all are.
+    fn options(&self) -> MultigridOptions {
+        let mut options = multigrid::options(&self.coarser);
+        let mut sizes = vec![0.0; self.ranks.count()];
+        sizes[self.ranks.number()] = self.part.system.size() as f64;
+        self.ranks.sum(&mut sizes);
+        let [least, most] = [f64::min, f64::max].map(|of| sizes.iter().copied().fold(sizes[0], of) as usize);
+        if most > options.measured_size {
+            options.measured_size = options.measured_size.min(least - 1);
+        }
+        options
     }
 
     /// The solver of the first process.

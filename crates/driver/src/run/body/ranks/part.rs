@@ -10,6 +10,7 @@ use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::stiffness::{Spring, Springs, Term};
 use peristat_assembly::system::System;
 use peristat_solve::{Halo, LinearOperator, Ranks};
+use std::ops::Range;
 use std::sync::Mutex;
 
 /// Points of a box and of the halo around it, with their system. Vectors of the part have planes of all of its points; those of the
@@ -41,8 +42,7 @@ impl<'r, const D: usize> Part<'r, D> {
         (boxes, order): (&Boxes, &Order),
         ranks: &'r dyn Ranks,
     ) -> Result<(Self, Box<dyn Solvable<D>>), RunError> {
-        let made = scene.part(&boxes.widened(ranks.number(), width(scene)));
-        let Some(part) = made.ok().and_then(|body| body.of::<D>()) else {
+        let Some(part) = model_of(scene, model, |width| boxes.widened(ranks.number(), width)) else {
             return refused("bodies whose parts have no model of their own");
         };
         let (Some((lattice, _)), Some((there, _))) = (part.lattice(), model.lattice()) else {
@@ -133,6 +133,29 @@ impl<const D: usize> LinearOperator for Part<'_, D> {
         self.take(&to, y);
         room().part = [from, to];
     }
+}
+
+/// The model of a part, which is as deep as needed around its box and at most some cells deeper: where the cut leaves a sliver of the
+/// body, the part would have other edges than the whole.
+fn model_of<const D: usize>(
+    scene: &BodyScene,
+    whole: &dyn Solvable<D>,
+    box_with: impl Fn(i32) -> [Range<i32>; 3],
+) -> Option<Box<dyn Solvable<D>>> {
+    /// Cells by which it may be deeper.
+    const DEEPER: i32 = 4;
+    let edges =
+        |model: &dyn Solvable<D>| (model.follows_border(), model.as_solid().map(|solid| solid.faces()));
+    let mut last = None;
+    for deeper in 0..=DEEPER {
+        let part = scene.part(&box_with(width(scene) + deeper)).ok().and_then(|body| body.of::<D>());
+        let is_alike = part.as_deref().is_some_and(|part| edges(part) == edges(whole));
+        last = part.or(last);
+        if is_alike {
+            break;
+        }
+    }
+    last
 }
 
 /// Cells around a box within which the cut there changes bonds, or own points have neighbours: those of a point have neighbours
