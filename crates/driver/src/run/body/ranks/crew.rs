@@ -5,10 +5,11 @@ use super::boxes::Boxes;
 use super::lead::{Follower, Task};
 use super::levels::{SharedCycle, SharedLevels};
 use super::order::Order;
-use super::part::Part;
+use super::part::{Part, width};
 use super::refuse::{check_plan, refused, too_small};
 use crate::run::body::levels;
 use crate::run::body::problem::BodyProblem;
+use crate::run::measures::worst;
 use crate::run::shared_solver::SharedSolver;
 use crate::run::{CoarserModels, Counters, RunError, SolverReport, multigrid};
 use peristat_assembly::model::plane::Solvable;
@@ -19,6 +20,8 @@ use peristat_solve::{
 
 /// How far the products of the parts may be from that of the whole, per its largest number: rounding leaves 1e-15.
 const SAME: f64 = 1e-11;
+/// How often the halo is as deep as bonds ask for, at most.
+const MOST_TIMES: i32 = 3;
 
 /// What a process has of a body that several solve: its part of the finest level, and all coarser ones.
 pub(crate) struct Crew<'r, const D: usize> {
@@ -39,7 +42,15 @@ impl<'r, const D: usize> Crew<'r, D> {
         whole: &System<D>,
         ranks: &'r dyn Ranks,
     ) -> Result<Self, RunError> {
-        let crew = agree(ranks, Self::unchecked(problem, whole, ranks))?;
+        let width = width(problem.scene);
+        // Corners beyond a border may move with points that lie farther inside than bonds reach.
+        for times in 1..MOST_TIMES {
+            let crew = agree(ranks, Self::unchecked(problem, whole, ranks, times * width))?;
+            if crew.check(whole).is_ok() {
+                return Ok(crew);
+            }
+        }
+        let crew = agree(ranks, Self::unchecked(problem, whole, ranks, MOST_TIMES * width))?;
         crew.check(whole)?;
         Ok(crew)
     }
@@ -48,6 +59,7 @@ impl<'r, const D: usize> Crew<'r, D> {
         problem: &BodyProblem<dyn Solvable<D>>,
         whole: &System<D>,
         ranks: &'r dyn Ranks,
+        width: i32,
     ) -> Result<Self, RunError> {
         check_plan(problem)?;
         let (scene, model) = (problem.scene, &*problem.model);
@@ -58,7 +70,7 @@ impl<'r, const D: usize> Crew<'r, D> {
             return too_small(real.points(), ranks.count());
         };
         let order = Order::new(lattice, mirrors, &boxes, ranks.count());
-        let (part, of_part) = Part::new(scene, (model, whole), (&boxes, &order), ranks)?;
+        let (part, of_part) = Part::new(scene, (model, whole), (&boxes, &order, width), ranks)?;
         let Some(mut coarser) = levels::models(model, &*of_part, &problem.cracks, &scene.conditions) else {
             return refused("bodies without coarser lattices");
         };
@@ -85,14 +97,17 @@ impl<'r, const D: usize> Crew<'r, D> {
         if leads {
             let mut all = vec![0.0; whole.size()];
             self.order.restore(&long, &mut all);
-            let largest = product.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-            let is_far = |(a, b): (&f64, &f64)| !((a - b).abs() <= SAME * largest);
-            differs[0] = f64::from(u8::from(all.iter().zip(&product).any(is_far)));
+            let largest = product.iter().fold(f64::MIN_POSITIVE, |a: f64, b| a.max(b.abs()));
+            let apart = all.iter().zip(&product).map(|(a, b)| (a - b).abs() / largest);
+            differs[0] = worst(apart);
         }
         self.ranks.broadcast(&mut differs);
-        match differs[0] {
-            0.0 => Ok(()),
-            _ => refused("bodies whose parts act otherwise than the whole, as this one,"),
+        match differs[0] <= SAME {
+            true => Ok(()),
+            false => {
+                let by = format!("by {:.0e} of the largest force", differs[0]);
+                refused(&format!("bodies whose parts act otherwise than the whole, as this one {by},"))
+            }
         }
     }
 

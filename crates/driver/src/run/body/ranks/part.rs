@@ -39,10 +39,11 @@ impl<'r, const D: usize> Part<'r, D> {
     pub(super) fn new(
         scene: &BodyScene,
         (model, whole): (&dyn Solvable<D>, &System<D>),
-        (boxes, order): (&Boxes, &Order),
+        (boxes, order, width): (&Boxes, &Order, i32),
         ranks: &'r dyn Ranks,
     ) -> Result<(Self, Box<dyn Solvable<D>>), RunError> {
-        let Some(part) = model_of(scene, model, |width| boxes.widened(ranks.number(), width)) else {
+        let Some(part) = model_of(scene, model, |deeper| boxes.widened(ranks.number(), width + deeper))
+        else {
             return refused("bodies whose parts have no model of their own");
         };
         let (Some((lattice, _)), Some((there, _))) = (part.lattice(), model.lattice()) else {
@@ -148,7 +149,7 @@ fn model_of<const D: usize>(
         |model: &dyn Solvable<D>| (model.follows_border(), model.as_solid().map(|solid| solid.faces()));
     let mut last = None;
     for deeper in 0..=DEEPER {
-        let part = scene.part(&box_with(width(scene) + deeper)).ok().and_then(|body| body.of::<D>());
+        let part = scene.part(&box_with(deeper)).ok().and_then(|body| body.of::<D>());
         let is_alike = part.as_deref().is_some_and(|part| edges(part) == edges(whole));
         last = part.or(last);
         if is_alike {
@@ -161,7 +162,7 @@ fn model_of<const D: usize>(
 /// Cells around a box within which the cut there changes bonds, or own points have neighbours: those of a point have neighbours
 /// themselves that border treatments move, and a row beyond that dependent points reach. Points that feel the families of their
 /// neighbours reach twice as far.
-fn width(scene: &BodyScene) -> i32 {
+pub(super) fn width(scene: &BodyScene) -> i32 {
     let steps = scene.material().offsets().unwrap_or_default();
     let reach = steps.iter().flatten().map(|k| k.abs()).max().unwrap_or(0);
     let sweeps = if scene.material().about().has_families { 2 } else { 1 };
