@@ -1,6 +1,7 @@
 //! Running a scene, whatever its body.
 
 use super::error::RunError;
+use super::obstacles::can_be_solved;
 use super::options::RunOptions;
 use super::report::RunReport;
 use super::restart::Restart;
@@ -45,9 +46,4 @@ pub fn sizes(scene: &Scene, options: &RunOptions) -> Result<Sizes, RunError> {
         Scene::Body(scene) => body::sizes(scene, options),
         Scene::Plate(scene) => plate::sizes(scene, options),
     }
-}
-
-/// Whether nothing is known that stands in the way of a solution.
-pub(crate) fn can_be_solved(scene: &Scene) -> Result<(), RunError> {
-    scene.warnings().obstacles().map_or(Ok(()), |faults| Err(RunError::Case(faults)))
 }

@@ -7,11 +7,12 @@ use super::levels::{SharedCycle, SharedLevels};
 use super::order::Order;
 use super::part::{Part, width};
 use super::refuse::{check_plan, refused, too_small};
-use crate::run::body::levels;
+use crate::run::body::levels::models;
 use crate::run::body::problem::BodyProblem;
 use crate::run::measures::worst;
+use crate::run::multigrid::{Levels, options};
 use crate::run::shared_solver::SharedSolver;
-use crate::run::{CoarserModels, Counters, RunError, SolverReport, multigrid};
+use crate::run::{CoarserModels, Counters, RunError, SolverReport};
 use peristat_assembly::model::plane::Solvable;
 use peristat_assembly::system::{Level, System};
 use peristat_solve::{
@@ -71,7 +72,7 @@ impl<'r, const D: usize> Crew<'r, D> {
         };
         let order = Order::new(lattice, mirrors, &boxes, ranks.count());
         let (part, of_part) = Part::new(scene, (model, whole), (&boxes, &order, width), ranks)?;
-        let Some(mut coarser) = levels::models(model, &*of_part, &problem.cracks, &scene.conditions) else {
+        let Some(mut coarser) = models(model, &*of_part, &problem.cracks, &scene.conditions) else {
             return refused("bodies without coarser lattices");
         };
         let own = part.own();
@@ -118,7 +119,7 @@ impl<'r, const D: usize> Crew<'r, D> {
     fn cycle(&self) -> Result<SharedCycle<'_, D>, RunError> {
         let finest = Level::coarse(&self.part.system);
         let beside = &self.coarser.beside_border;
-        let below = multigrid::Levels::below(finest, &self.coarser, beside, &mut Counters::default());
+        let below = Levels::below(finest, &self.coarser, beside, &mut Counters::default());
         let (levels, coarsest, _) = agree(self.ranks, below.map_err(RunError::Solve))?;
         let levels = SharedLevels { levels, part: &self.part, ranks: self.ranks };
         let multigrid = Multigrid::new(levels, coarsest, &self.options());
@@ -129,7 +130,7 @@ impl<'r, const D: usize> Crew<'r, D> {
     /// How the cycle is made. Whether the finest level finds its largest eigenvalue must not depend on the size of a part, since all
     /// processes find it together: where one is too large for that, all are.
     fn options(&self) -> MultigridOptions {
-        let mut options = multigrid::options(&self.coarser);
+        let mut options = options(&self.coarser);
         let mut sizes = vec![0.0; self.ranks.count()];
         sizes[self.ranks.number()] = self.part.system.size() as f64;
         self.ranks.sum(&mut sizes);
