@@ -193,7 +193,7 @@ fn array(
         // After the numbers, as VTK writes it.
         write!(
             out,
-            "\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{unit}</InformationKey>"
+            "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">{unit}</InformationKey>"
         )?;
     }
     writeln!(out, "</DataArray>")
@@ -237,7 +237,7 @@ mod tests {
         assert_eq!(read(&text, "w &lt;m&gt;"), bytes(w.values));
         assert_eq!(read(&text, "force"), bytes(force.values));
         // As VTK writes units, after the numbers; a field without one has none.
-        let label = "\n<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">N/mm²</InformationKey></DataArray>";
+        let label = "<InformationKey name=\"UNITS_LABEL\" location=\"vtkDataArray\">N/mm²</InformationKey></DataArray>";
         assert_eq!((text.matches(label).count(), text.matches("UNITS_LABEL").count()), (1, 1));
         // Lines end at 2 and 4, the triangle at 7; 3 and 5 are their numbers in vtkCellType.h.
         assert_eq!(read(&text, "offsets"), [2_i64, 4, 7].map(i64::to_le_bytes).concat());
