@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// Cases whose checks hold numbers of the discretised body, of another form, or of a body without end, by how their names
 /// begin.
-const OTHER_TRUTHS: [&str; 17] = [
+const OTHER_TRUTHS: [&str; 18] = [
     "axisymmetric/axis_",
     "axisymmetric/edges_",
     "axisymmetric/hertz",
@@ -24,6 +24,7 @@ const OTHER_TRUTHS: [&str; 17] = [
     "beam/simply_supported_sine_",
     "beam/slender_published",
     "beam/truncated",
+    "beam/wide_flange",
     "ductile/",
     "orthotropic/case_a_45_published",
     "plate/published",
@@ -189,7 +190,7 @@ fn estimates_of_runs_are_not_too_small() {
         "{} quantities, {exact} exact, {missing} without an estimate: {enough:.3}, {near:.3}",
         found.len()
     );
-    // 126 quantities, 1.000: the smallest is 0.55.
+    // 149 quantities, 0.953.
     assert!(found.len() >= 100 && enough >= 0.95, "{enough} of {}", found.len());
     // 0.83. An estimate far too large everywhere would be of no use.
     assert!(near >= 0.75, "{near} of {}", found.len());
