@@ -12,7 +12,7 @@ fn main() {
 mod link {
     use std::process::Command;
 
-    /// What is told where a library is missing.
+    /// The message for a missing library.
     const HINT: &str = "the feature `petsc` needs PETSc 3.18 or later with real numbers, and Open MPI; \
         on Debian and Ubuntu: apt-get install libpetsc-real-dev libopenmpi-dev openmpi-bin pkg-config";
 

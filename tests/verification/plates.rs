@@ -149,6 +149,36 @@ fn lines_of_symmetry_are_those_of_the_whole_plate() {
 }
 
 #[test]
+fn a_quarter_around_a_clamped_hole_is_the_whole_plate() {
+    let clamp = || json!([ { "at": { "region": "hole" }, "w": 0, "phi_n": 0, "phi_t": 0 } ]);
+    let pierced = |from: f64, size: f64| {
+        let mut case = square(1, 1e-2, clamp());
+        let hole = json!({ "circle": { "name": "hole", "centre": [0, 0], "radius": 0.4 } });
+        case["body"] = json!({ "rectangle": { "from": [from, from], "size": [size, size], "spacing": 0.05, "holes": [hole] } });
+        case["probes"] = json!([
+            { "name": "corner", "at": { "x": 1, "y": 1 }, "field": "w" },
+            { "name": "force", "at": { "region": "hole" }, "field": "reaction_force" }
+        ]);
+        case
+    };
+    let whole = solved(&pierced(-1.0, 2.0));
+    let mut case = pierced(0.0, 1.0);
+    case["symmetry"] = json!(["left", "bottom"]);
+    let quarter = solved(&case);
+    let apart = probe(&quarter, "corner") / probe(&whole, "corner") - 1.0;
+    assert!(apart.abs() < 1e-9, "{apart:.1e}");
+    // A support alone bears all of the load, whatever points of the plate its equations reach.
+    for (name, found, parts) in [("whole", &whole, 1.0), ("quarter", &quarter, 4.0)] {
+        let load = probe(&whole, "force") / parts;
+        let apart = probe(found, "force") / load - 1.0;
+        assert!(apart.abs() < 1e-9, "{name}: {apart:.1e}");
+    }
+    // A unit of pressure on the 1392 cells of 1600 whose middles are not in the hole.
+    let apart = probe(&whole, "force").abs() / (1392.0 * 0.0025) - 1.0;
+    assert!(apart.abs() < 1e-9, "{apart:.1e}");
+}
+
+#[test]
 fn a_round_plate_is_held_on_its_true_edge() {
     let round = |supports: Value| {
         let mut case = square(1, 1e-3, supports);

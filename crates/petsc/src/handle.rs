@@ -12,7 +12,7 @@ pub(crate) struct Handle {
 }
 
 impl Handle {
-    /// The object that `make` writes to where it is told, which `destroy` is the function for.
+    /// The object that `make` creates at the address it gets, and that `destroy` frees.
     ///
     /// # Errors
     /// What `make`, which is named `call`, returns.

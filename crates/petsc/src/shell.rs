@@ -95,7 +95,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// What PETSc is told of an error that its own functions returned.
+/// The code that goes back to PETSc for an error of its own functions.
 fn code_of(error: &PetscError) -> Code {
     match error {
         PetscError::Petsc { code, .. } | PetscError::Mpi { code, .. } => *code,

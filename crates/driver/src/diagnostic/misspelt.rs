@@ -48,7 +48,7 @@ const OF_TIME: [&str; 8] =
 /// What other programs write in another way: their words, a key that stands where they do, and what to write.
 const OTHERWISE: [(&[&str], &str, &str); 3] = [
     (
-        &["edge", "edges", "face", "faces", "side", "boundary"],
+        &["edges", "face", "faces", "side", "boundary"],
         "inward",
         r#"an edge or a face is the region of its name, such as `"region": "left"`"#,
     ),
@@ -108,7 +108,7 @@ mod tests {
         let support = ["at", "ux", "uy", "ux_spring"];
         let loads = ["point", "traction", "pressure"];
         for (name, allowed, ours) in [
-            ("edge", &at[..], r#""region": "left""#),
+            ("face", &at[..], r#""region": "left""#),
             ("fixed", &support, r#""ux": 0.0"#),
             ("Force", &loads, "a `point`"),
         ] {

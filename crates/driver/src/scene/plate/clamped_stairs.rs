@@ -13,6 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 const DEEPER: f64 = 3.0;
 /// Places are the same within this, in spacings.
 const SAME: f64 = 1e-6;
+/// Shares below this are rounding. On a line of symmetry, which holds points of its own, what is left of an equation would be such a
+/// share alone, and hold a point beside the line.
+const ROUNDING: f64 = 1e-12;
 
 /// What a point of the steps follows.
 #[derive(Clone, Debug)]
@@ -37,7 +40,8 @@ pub(super) fn followed(site: &Site, points: &[u32], sides: &[Side]) -> BTreeMap<
         let (way, outwards) = site.border.way(sides, place);
         let depth = way[0] * outwards[0] + way[1] * outwards[1];
         let deeper = [0, 1].map(|k| place[k] - DEEPER * h * outwards[k]);
-        let shares = interpolation.at([deeper[0], deeper[1], 0.0], point);
+        let mut shares = interpolation.at([deeper[0], deeper[1], 0.0], point);
+        shares.retain(|(_, share)| share.abs() > ROUNDING);
         let middle = |k: usize| shares.iter().map(|&(p, s)| s * nodes.place(p as usize)[k]).sum::<f64>();
         let is_there = (0..2).all(|k| (middle(k) - deeper[k]).abs() < SAME * h);
         let is_free = shares.iter().all(|(p, _)| points.binary_search(p).is_err());

@@ -172,8 +172,11 @@ fn reaction(component: usize, points: &[u32], asked: Option<&[Side]>, held: &Hel
             (Ok(_), None) => 1.0,
         };
         for k in support.equations.clone() {
-            let own = held.equations[k].terms.iter().filter(|(unknown, _)| unknown.component == component);
-            let sum: f64 = own.map(|(unknown, c)| c * share(unknown.point as u32)).sum();
+            // What an equation does to other points is the reaction of the one that it holds, its first.
+            let terms = &held.equations[k].terms;
+            let share = terms.first().map_or(0.0, |(unknown, _)| share(unknown.point as u32));
+            let own = terms.iter().filter(|(unknown, _)| unknown.component == component);
+            let sum = share * own.map(|(_, c)| c).sum::<f64>();
             if sum != 0.0 {
                 equations.push((k, sum));
             }

@@ -41,6 +41,7 @@ impl Site<'_> {
                     format!("`{key}` is for bodies whose points lie in the middle of cells"),
                 )
                 .hint("a plate in bending has points on its edges: name them by `region`");
+            return None;
         }
         let sides = at.region.as_ref().and_then(|name| self.sides(name));
         match sides {

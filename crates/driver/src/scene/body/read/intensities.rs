@@ -95,7 +95,7 @@ fn jump(
 ) -> Option<Jump> {
     let (Some(find), Some(tips)) = (find, tips) else {
         faults
-            .error(path.clone(), "modes are told apart at tips of cracks whose faces move in the plane")
+            .error(path.clone(), "only tips of cracks whose faces move in the plane have separate modes")
             .hint("leave `quantity` out");
         return None;
     };
