@@ -34,7 +34,7 @@ impl Site<'_> {
         faults: &mut Faults,
     ) -> Option<NamedPoints> {
         let extrapolated = [("inward", at.inward.is_some()), ("edge", at.edge.is_some())];
-        for (key, _) in extrapolated.into_iter().filter(|key| key.1) {
+        if let Some((key, _)) = extrapolated.into_iter().find(|key| key.1) {
             faults
                 .error(
                     path.key(key),
