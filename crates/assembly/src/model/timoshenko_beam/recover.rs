@@ -1,8 +1,9 @@
 //! Fields of a solved beam: section forces, stress, energy density.
 
 use super::load::{BeamLoads, FixedEnd};
-use super::{PHI, TimoshenkoBeam, U, W};
+use super::{Chain, PHI, TimoshenkoBeam, U, W};
 use crate::sum::Sum;
+use std::ops::Range;
 
 /// Section forces at the two ends of every cell of a line, seen from inside the cell.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,6 +34,38 @@ impl SectionForces {
         let axial = self.axial.get(cell).map_or(0.0, |n| n[end]);
         (self.moment[cell][end], self.shear[cell][end], axial)
     }
+}
+
+/// Cells whose shares of loads are found together.
+const BLOCK: usize = 1024;
+
+/// Moment, shear and axial force at both ends of cells that crossing bonds carry of their loads beyond the fixed-end forces on their
+/// points: N m, N, N.
+fn carried_beyond(chain: &Chain, fixed_end: &FixedEnd, cells: &Range<usize>) -> Vec<[[f64; 3]; 2]> {
+    // Loads were shared before anything broke.
+    let weights = chain.intact_weights();
+    let mut shares = vec![[[0.0; 3]; 2]; cells.len()];
+    for class in 0..if cells.is_empty() { 0 } else { weights.classes() } {
+        let step = weights.step(class);
+        for lower in (cells.start + 1).saturating_sub(step)..cells.end.min(chain.points.saturating_sub(step))
+        {
+            let weight = weights.weight(class, lower);
+            if weight == 0.0 {
+                continue;
+            }
+            let (ends, start) = (fixed_end.of(class, lower), chain.position(lower));
+            for cell in lower.max(cells.start)..(lower + step).min(cells.end) {
+                for (side, share) in shares[cell - cells.start].iter_mut().enumerate() {
+                    let x = chain.position(cell + side);
+                    let [q, qx, p] = fixed_end.resultant(start, x, side == 0);
+                    share[0] += weight * (ends[1] - ends[0] * (x - start) + qx);
+                    share[1] += weight * (ends[0] - q);
+                    share[2] += weight * (ends[4] - p);
+                }
+            }
+        }
+    }
+    shares
 }
 
 impl TimoshenkoBeam {
@@ -109,26 +142,20 @@ impl TimoshenkoBeam {
 
     /// Adds to every cell what the crossing bonds carry of their loads beyond the fixed-end forces on their points.
     fn add_fixed_end_forces(&self, chain: usize, fixed_end: &FixedEnd, sections: &mut SectionForces) {
-        let c = &self.chains[chain];
-        // Loads were shared before anything broke.
-        let weights = c.intact_weights();
-        for class in 0..weights.classes() {
-            let step = weights.step(class);
-            for lower in 0..c.points.saturating_sub(step) {
-                let weight = weights.weight(class, lower);
-                if weight == 0.0 {
-                    continue;
-                }
-                let (ends, start) = (fixed_end.of(class, lower), c.position(lower));
-                for cell in 0..step {
-                    for side in 0..2 {
-                        let x = c.position(lower + cell + side);
-                        let [q, qx, p] = fixed_end.resultant(start, x, side == 0);
-                        sections.moment[lower + cell][side] +=
-                            weight * (ends[1] - ends[0] * (x - start) + qx);
-                        sections.shear[lower + cell][side] += weight * (ends[0] - q);
-                        if let Some(axial) = sections.axial.get_mut(lower + cell) {
-                            axial[side] += weight * (ends[4] - p);
+        let (chain, cells) = (&self.chains[chain], sections.moment.len());
+        for start in (0..cells).step_by(BLOCK) {
+            let block = start..(start + BLOCK).min(cells);
+            let alike = fixed_end.cells_alike(&block);
+            let one = alike.start..alike.end.min(alike.start + 1);
+            let [left, right] = [block.start..alike.start, alike.end..block.end];
+            for (cells, of) in [(left.clone(), left), (alike, one), (right.clone(), right)] {
+                let shares = carried_beyond(chain, fixed_end, &of);
+                for (cell, share) in cells.zip(shares.iter().cycle()) {
+                    for (side, [moment, shear, axial]) in share.iter().enumerate() {
+                        sections.moment[cell][side] += moment;
+                        sections.shear[cell][side] += shear;
+                        if let Some(values) = sections.axial.get_mut(cell) {
+                            values[side] += axial;
                         }
                     }
                 }

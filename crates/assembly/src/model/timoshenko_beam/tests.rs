@@ -46,6 +46,10 @@ fn load_cases(chain: usize, from: f64) -> Vec<BeamLoads> {
         spread(0.2, 1.9, Along::Transverse, Intensity::Sine { amplitude: 3.0, half_waves: 3 }),
         spread(0.13, 1.6, Along::Rotation, linear(0.7, -0.2)),
         spread(0.05, 2.0, Along::Axial, linear(1.0, 0.6)),
+        // Cells far enough from the ends of these are all alike.
+        spread(0.13, 1.85, Along::Transverse, linear(0.9, 0.9)),
+        spread(0.1, 2.0, Along::Rotation, linear(0.7, 0.7)),
+        spread(0.0, 1.7, Along::Axial, linear(1.0, 1.0)),
     ];
     let point = |x: f64, force: f64, moment: f64, axial: f64| PointAction {
         chain,

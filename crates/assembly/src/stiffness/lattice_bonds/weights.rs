@@ -29,6 +29,8 @@ pub struct Weights {
     /// Per chunk: start of its factors `[class][lower point]`, or [`PLAIN`].
     chunks: Vec<u32>,
     factors: Vec<f64>,
+    /// Per chunk with factors, in their order: a bit for every lower point that has one other than 1.
+    exceptions: Vec<u64>,
 }
 
 impl Weights {
@@ -36,7 +38,7 @@ impl Weights {
     /// exist and need no override.
     pub fn new(count: usize, classes: Vec<(usize, f64)>, overrides: &[Override]) -> Self {
         let chunks = vec![PLAIN; count.div_ceil(CHUNK)];
-        let mut weights = Self { count, classes, chunks, factors: Vec::new() };
+        let mut weights = Self { count, classes, chunks, factors: Vec::new(), exceptions: Vec::new() };
         overrides.iter().filter(|o| o.lower < count).for_each(|o| weights.change(*o));
         weights
     }
@@ -50,8 +52,14 @@ impl Weights {
         if *chunk == PLAIN {
             *chunk = self.factors.len() as u32;
             self.factors.resize(self.factors.len() + self.classes.len() * CHUNK, 1.0);
+            self.exceptions.push(0);
         }
-        self.factors[*chunk as usize + class * CHUNK + lower % CHUNK] = factor;
+        let (start, place) = (*chunk as usize, lower % CHUNK);
+        self.factors[start + class * CHUNK + place] = factor;
+        let is_exception =
+            self.factors[start + place..].iter().step_by(CHUNK).take(self.classes.len()).any(|f| *f != 1.0);
+        let bits = &mut self.exceptions[start / (self.classes.len() * CHUNK)];
+        *bits = *bits & !(1 << place) | u64::from(is_exception) << place;
     }
 
     /// Points of the lattice.
@@ -98,17 +106,19 @@ impl Weights {
         if lower.is_empty() {
             return true;
         }
-        let chunks = lower.start / CHUNK..(lower.end - 1) / CHUNK + 1;
+        let size = self.classes.len() * CHUNK;
         lower.end + self.reach() <= self.count
-            && chunks.into_iter().all(|chunk| {
+            && (lower.start / CHUNK..(lower.end - 1) / CHUNK + 1).all(|chunk| {
                 let first = chunk * CHUNK;
-                let part = lower.start.max(first) - first..lower.end.min(first + CHUNK) - first;
+                let [from, to] = [lower.start.max(first) - first, lower.end.min(first + CHUNK) - first];
                 match self.chunks[chunk] {
                     PLAIN => true,
-                    start => (0..self.classes.len()).all(|class| {
-                        let first = start as usize + class * CHUNK;
-                        self.factors[first + part.start..first + part.end].iter().all(|factor| *factor == 1.0)
-                    }),
+                    start => {
+                        self.exceptions[start as usize / size]
+                            & (u64::MAX << from)
+                            & (u64::MAX >> (CHUNK - to))
+                            == 0
+                    }
                 }
             })
     }
@@ -149,5 +159,32 @@ impl Weights {
     /// Numbers stored for exceptions.
     pub fn stored_factors(&self) -> usize {
         self.factors.len()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Override, Weights};
+
+    #[test]
+    fn bonds_are_ordinary_where_none_is_an_exception() {
+        let places = [(0, 2), (1, 63), (1, 64), (0, 130), (1, 130), (0, 190)];
+        let change = |factor: f64| places.map(|(class, lower)| Override { class, lower, factor });
+        let mut weights = Weights::new(200, vec![(1, 0.4), (3, 0.3)], &change(0.5));
+        let check = |weights: &Weights| {
+            for start in 0..200 {
+                for end in start + 1..200 {
+                    let exists = end + 3 <= 200;
+                    let whole =
+                        (0..2).all(|class| (start..end).all(|lower| weights.factor(class, lower) == 1.0));
+                    assert_eq!(weights.are_ordinary(start..end), exists && whole, "{start}..{end}");
+                }
+            }
+        };
+        check(&weights);
+        // One of the two at the point 130 stays.
+        change(1.0).into_iter().filter(|o| (o.class, o.lower) != (0, 130)).for_each(|o| weights.change(o));
+        check(&weights);
+        assert!(weights.are_ordinary(0..130) && !weights.are_ordinary(0..131));
     }
 }

@@ -5,6 +5,7 @@ use crate::model::timoshenko_beam::Chain;
 use crate::model::timoshenko_beam::chain::pieces;
 use crate::quadrature::GAUSS;
 use std::array::from_fn;
+use std::ops::Range;
 
 /// Loads that bonds carry.
 struct Carried<'a> {
@@ -131,6 +132,33 @@ impl<'a> FixedEnd<'a> {
     /// `with_end`.
     pub(in super::super) fn resultant(&self, a: f64, b: f64, with_end: bool) -> [f64; 3] {
         self.carried.resultant(a, b, with_end)
+    }
+
+    /// The points or cells of a range between its outermost ones whose bonds are all ordinary and carry the same of `loads`, where
+    /// all between them are so; else none, at its end. The bonds of a point or cell begin up to `before` points before it.
+    pub(super) fn alike(&self, loads: &[&Distributed], before: usize, range: &Range<usize>) -> Range<usize> {
+        let none = range.end..range.end;
+        if !self.chain.is_uniform() || loads.iter().any(|load| load.constant().is_none()) {
+            return none;
+        }
+        let (chain, reach) = (self.chain, self.chain.weights.reach());
+        let are_alike = |part: &Range<usize>| {
+            part.start >= before
+                && chain.intact_weights().are_ordinary(part.start - before..part.end)
+                && loads.iter().all(|load| {
+                    chain.position(part.start - before) >= load.from
+                        && chain.position(part.end - 1 + reach) <= load.to
+                })
+        };
+        let is_alike = |one: &usize| are_alike(&(*one..*one + 1));
+        let ends = range.clone().find(is_alike).zip(range.clone().rfind(is_alike));
+        ends.map(|(first, last)| first..last + 1).filter(are_alike).unwrap_or(none)
+    }
+
+    /// As [`Self::alike`], of cells under all loads.
+    pub(in super::super) fn cells_alike(&self, range: &Range<usize>) -> Range<usize> {
+        let loads = if self.spreads() { return range.end..range.end } else { &self.carried.distributed };
+        self.alike(loads, self.chain.weights.reach() - 1, range)
     }
 
     /// Whether bonds carry any load.

@@ -77,13 +77,22 @@ impl ChainLoads<'_> {
         }
         for (number, (load, interior)) in self.fixed_end.distributed().iter().zip(&self.interior).enumerate()
         {
-            match interior.filter(|_| self.is_interior(load, &range)) {
-                Some(interior) => {
-                    for (plane, value) in planes.iter_mut().zip(interior) {
-                        plane.iter_mut().for_each(|f| *f += value);
-                    }
-                }
-                None => self.add_consistent(number, load, &range, planes),
+            let before = self.chain.weights.reach();
+            let alike =
+                interior.map_or(range.end..range.end, |_| self.fixed_end.alike(&[load], before, &range));
+            for (plane, value) in planes.iter_mut().zip(interior.unwrap_or_default()) {
+                plane[alike.start - range.start..alike.end - range.start]
+                    .iter_mut()
+                    .for_each(|f| *f += value);
+            }
+            for rest in
+                [range.start..alike.start, alike.end..range.end].iter().filter(|rest| !rest.is_empty())
+            {
+                let mut planes: Vec<&mut [f64]> = planes
+                    .iter_mut()
+                    .map(|p| &mut p[rest.start - range.start..rest.end - range.start])
+                    .collect();
+                self.add_consistent(number, load, rest, &mut planes);
             }
         }
         if self.fixed_end.spreads() {
@@ -94,16 +103,6 @@ impl ChainLoads<'_> {
                 planes[component][point - range.start] += value;
             }
         }
-    }
-
-    /// Whether all bonds that reach into a range are ordinary and lie under the load.
-    fn is_interior(&self, load: &Distributed, range: &Range<usize>) -> bool {
-        let (chain, reach) = (self.chain, self.chain.weights.reach());
-        range.start >= reach
-            && range.end + reach <= chain.extended()
-            && chain.intact_weights().are_ordinary(range.start - reach..range.end)
-            && chain.position(range.start - reach) >= load.from
-            && chain.position(range.end - 1 + reach) <= load.to
     }
 
     /// Visits the bonds that end in a range: class, lower point, weight.
