@@ -69,7 +69,7 @@ pub(super) fn run_loaded(
     if let Some(restart) = &restart {
         watched.writing.resume(restart)?;
     }
-    let mut summary = solve(&with_fields(global), restart, &mut watched)?;
+    let mut summary = solve(&with_fields(global), restart, &mut watched)?.measured();
     if summary.status == Status::Interrupted {
         watched.writing.finish(&summary)?;
         return interrupted(loaded, &summary, &folder, global);

@@ -2,9 +2,18 @@
 
 use crate::diagnostic::{Faults, JsonPath};
 
+/// Memory that every process has, bytes: to ask the system how much there is takes as long as to solve a small beam.
+const ALWAYS: u64 = 16 << 20;
+
 /// Memory that may be used, bytes: what is allowed, else what programs can have without swapping.
 pub fn allowed(limit: Option<u64>) -> Option<u64> {
     limit.or_else(|| value("/proc/meminfo", "MemAvailable:"))
+}
+
+/// Memory that may be used, bytes, as far as it decides whether `needed` bytes may be.
+pub(crate) fn allowed_for(needed: u64, limit: Option<u64>) -> u64 {
+    let is_little = limit.is_none() && needed <= ALWAYS;
+    if is_little { ALWAYS } else { allowed(limit).unwrap_or(u64::MAX - 1) }
 }
 
 /// Whether so many bytes may be used for `what`; if not, a fault at `path`. The hint is what to do instead of raising the limit.
@@ -15,7 +24,10 @@ pub(crate) fn fits(
     path: JsonPath,
     faults: &mut Faults,
 ) -> bool {
-    let Some(allowed) = allowed(limit).filter(|&allowed| bytes > allowed as f64) else { return true };
+    let allowed = allowed_for(bytes as u64, limit);
+    if bytes <= allowed as f64 {
+        return true;
+    }
     let [needed, allowed] = [bytes as u64, allowed].map(words);
     faults
         .error(path, format!("about {needed} of memory would be needed for {what}, {allowed} may be used"))

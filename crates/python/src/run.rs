@@ -127,6 +127,9 @@ fn solve(
         return Err(Failure::Library(Error::Run(RunError::Interrupted)));
     }
     let mut summary = summary?;
+    if writing.is_some() {
+        summary = summary.measured();
+    }
     if summary.status == Status::Interrupted {
         if let Some(writing) = writing {
             writing.finish(&summary).map_err(Error::Io)?;

@@ -32,13 +32,13 @@ impl From<io::Error> for Refusal {
 /// # Errors
 /// It is none, is too large, or cannot be read.
 pub fn read(path: &Path, max_memory: Option<u64>) -> Result<Vec<u8>, Refusal> {
-    let most = memory::allowed(max_memory).unwrap_or(u64::MAX - 1);
+    let kind = fs::metadata(path)?;
+    let most = memory::allowed_for(kind.len(), max_memory);
     let refuse = |reason: &str, hint| Err(Refusal { reason: reason.into(), hint });
     let large = || Refusal {
         reason: format!("is larger than the {} of memory that may be used", memory::words(most)),
         hint: Some("raise `--max-memory`"),
     };
-    let kind = fs::metadata(path)?;
     match (kind.is_dir(), kind.is_file()) {
         (true, _) => return refuse("is a folder", None),
         // A device or a pipe may have no end.

@@ -98,11 +98,8 @@ pub(crate) fn constrained<const D: usize>(
 
 /// An error if more memory is needed than is allowed.
 pub(super) fn check_memory(needed: u64, max_memory: Option<u64>) -> Result<(), RunError> {
-    let allowed = crate::memory::allowed(max_memory);
-    match allowed.filter(|&allowed| needed > allowed) {
-        Some(allowed) => Err(RunError::Memory { needed, allowed }),
-        None => Ok(()),
-    }
+    let allowed = crate::memory::allowed_for(needed, max_memory);
+    if needed > allowed { Err(RunError::Memory { needed, allowed }) } else { Ok(()) }
 }
 
 /// The terms, springs and equations of a problem.

@@ -98,7 +98,7 @@ fn found(file: &Path, request: &Request) -> Result<Found, Error> {
         Some(folder) => {
             let claim = Claim::new(&below(folder, &inside(file))?, request.force, None)?;
             let mut writing = Writing::new(&loaded.scene, claim);
-            let summary = loaded.run(&options, None, &mut writing)?;
+            let summary = loaded.run(&options, None, &mut writing)?.measured();
             writing.finish(&summary)?;
             summary
         }
