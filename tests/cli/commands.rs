@@ -1,6 +1,6 @@
 //! `run`, `check`, `new`, `list` and `completions`.
 
-use super::support::{Outcome, gallery, json, names, root, run};
+use super::support::{Outcome, gallery, json, names, peristat, root, run};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -230,4 +230,23 @@ fn check_says_what_bounds_the_equilibria_of_a_body_that_breaks_or_softens() {
         let json: Value = serde_json::from_str(&run(&root(), &["check", case, "--json"]).stdout).unwrap();
         assert!(json[0]["equilibria_at_most"].as_u64().unwrap() >= 2000);
     }
+}
+
+#[test]
+#[cfg(not(feature = "petsc"))]
+fn a_command_without_petsc_is_not_started_several_times() {
+    let start = |count: &str, number: &str| {
+        let mut command = peristat(&root());
+        command.args(["check", "cases/beam/cantilever.json"]);
+        command.envs([("OMPI_COMM_WORLD_SIZE", count), ("OMPI_COMM_WORLD_RANK", number)]).output().unwrap()
+    };
+    let [first, second] = ["0", "1"].map(|number| start("2", number));
+    assert_eq!([first.status.code(), second.status.code()], [Some(2); 2]);
+    let told = String::from_utf8(first.stderr).unwrap();
+    assert!(
+        told.starts_with("error: `mpirun` has started 2 processes") && told.contains("--features petsc"),
+        "{told}"
+    );
+    assert!(second.stderr.is_empty());
+    assert_eq!(start("1", "0").status.code(), Some(0));
 }

@@ -11,6 +11,7 @@ mod model_fields;
 mod print;
 mod print_state;
 mod print_study;
+mod processes;
 mod progress;
 #[cfg(feature = "petsc")]
 mod ranks;
@@ -58,8 +59,13 @@ pub fn command(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     };
     let global = arguments.global;
     #[cfg(feature = "petsc")]
-    if ranks::are_started() {
+    if processes::count().is_some() {
         return ranks::command(arguments.command, global);
+    }
+    #[cfg(not(feature = "petsc"))]
+    if let Some(refusal) = processes::refusal() {
+        note(&refusal);
+        return USAGE;
     }
     if let Some(threads) = global.threads {
         // A pool that is there already, in a process that runs more than this, keeps its size.

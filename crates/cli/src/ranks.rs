@@ -2,28 +2,18 @@
 
 use super::args::{Command, Global, Run};
 use super::solve::{load, run_loaded, with_fields};
-use super::{DONE, USAGE, failed, note};
+use super::{DONE, USAGE, failed, note, processes};
 use peristat::Loaded;
 use peristat::run::body::{follow, lead};
 use peristat_petsc::Session;
 use peristat_solve::Ranks;
 use std::thread::available_parallelism;
 
-/// What Open MPI sets for every process that it starts: how many they are, and how many of them on this machine.
-const COUNT: &str = "OMPI_COMM_WORLD_SIZE";
-const BESIDE: &str = "OMPI_COMM_WORLD_LOCAL_SIZE";
-
-/// Whether `mpirun` has started this process.
-pub(super) fn are_started() -> bool {
-    std::env::var_os(COUNT).is_some()
-}
-
 /// Does what the arguments say, together with all other processes.
 pub(super) fn command(command: Command, global: Global) -> u8 {
     // Before PETSc starts: what `mpirun` allows this process is shared by those beside it, where it has not bound them to cores.
-    let beside = std::env::var(BESIDE).ok().and_then(|text| text.parse().ok()).unwrap_or(1);
     let cores = available_parallelism().map_or(1, usize::from);
-    let threads = global.threads.map_or((cores / beside).max(1), usize::from);
+    let threads = global.threads.map_or((cores / processes::beside()).max(1), usize::from);
     let _ = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
     let session = match Session::start() {
         Ok(session) => session,
